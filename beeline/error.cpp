@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include <beeline/error.h>
+
+namespace beeline {
+namespace {
+
+/// Levenshtein distance, ignoring case: how many edits turn `a` into `b`.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (lower(a[i]) == lower(b[j]) ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string located(std::string_view path, int line, std::string_view message) {
+  std::string text(path);
+  if (line > 0) text += ":" + std::to_string(line);
+  return text.append(": ").append(message);
+}
+
+}  // namespace
+
+FileError::FileError(std::string_view path, int line, std::string_view message)
+    : Error(located(path, line, message)) {}
+
+Error unknown_name(std::string_view what, std::string_view name,
+                   const std::vector<std::string>& choices) {
+  constexpr std::size_t longest_compared = 100;  // a longer name is no slip of the pen
+  const std::string shown(name.substr(0, longest_compared));
+  std::string text = "unknown " + std::string(what) + " \"" + shown + "\"";
+  const std::string* nearest = nullptr;
+  std::size_t fewest = shown.size() / 3 + 2;
+  for (const std::string& choice : choices) {
+    const std::size_t edits = edit_distance(shown, choice);
+    if (edits < fewest) {
+      fewest = edits;
+      nearest = &choice;
+    }
+  }
+  if (nearest != nullptr) text += "; did you mean \"" + *nearest + "\"?";
+  if (!choices.empty()) text += " (known: " + listed(choices) + ")";
+  return Error(text);
+}
+
+std::string listed(const std::vector<std::string>& choices) {
+  constexpr std::size_t most = 24;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(choices.size(), most); ++i) {
+    text += (i == 0 ? "" : ", ") + choices[i];
+  }
+  if (choices.size() > most) text += " and " + std::to_string(choices.size() - most) + " more";
+  return text;
+}
+
+std::string number(double value) {
+  char buffer[32];
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 6).ptr;
+  return {buffer, end};
+}
+
+std::string angle(double radians) {
+  return number(radians) + " rad (" + number(radians * 180 / std::numbers::pi) + " deg)";
+}
+
+}  // namespace beeline

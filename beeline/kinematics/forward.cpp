@@ -1,0 +1,41 @@
+#include <beeline/error.h>
+#include <beeline/kinematics/forward.h>
+
+namespace beeline {
+namespace {
+
+Pose link_transform(const Arm& arm, std::size_t i, const ConfigurationRef& q) {
+  const Arm::Drive& drive = arm.drives()[i];
+  return joint_transform(arm.joints()[i], drive.ratio * q[drive.coordinate] + drive.shift);
+}
+
+}  // namespace
+
+Pose forward_kinematics(const Arm& arm, const ConfigurationRef& q) {
+  check_configuration(arm, q);
+  Pose world_T_link = arm.base();
+  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
+    world_T_link = world_T_link * link_transform(arm, i, q);
+  }
+  return world_T_link * arm.tool();
+}
+
+void link_poses(const Arm& arm, const ConfigurationRef& q, std::span<Pose> world_T_link) {
+  check_configuration(arm, q);
+  if (world_T_link.size() != arm.joints().size() + 1) {
+    throw Error("link_poses needs room for " + std::to_string(arm.joints().size() + 1) +
+                " poses, not " + std::to_string(world_T_link.size()));
+  }
+  world_T_link[0] = arm.base();
+  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
+    world_T_link[i + 1] = world_T_link[i] * link_transform(arm, i, q);
+  }
+}
+
+std::vector<Pose> link_poses(const Arm& arm, const ConfigurationRef& q) {
+  std::vector<Pose> world_T_link(arm.joints().size() + 1);
+  link_poses(arm, q, world_T_link);
+  return world_T_link;
+}
+
+}  // namespace beeline

@@ -1,0 +1,70 @@
+#include <beeline/error.h>
+#include <beeline/kinematics/jacobian.h>
+
+namespace beeline {
+namespace {
+
+/// Replaces each spatial twist in `columns` by the velocity of the point `origin`, in the axes of
+/// `turn` (whose columns are those axes in the world).
+void seen_from(const Vector3& origin, const Rotation& turn, Eigen::Ref<Jacobian> columns) {
+  for (int k = 0; k < columns.cols(); ++k) {
+    const Vector3 w = columns.col(k).tail<3>();
+    const Vector3 v = columns.col(k).head<3>() + w.cross(origin);
+    columns.col(k) << turn.transpose() * v, turn.transpose() * w;
+  }
+}
+
+}  // namespace
+
+std::string name(Frame frame) {
+  constexpr const char* names[] = {"base", "tool", "space"};
+  return names[static_cast<int>(frame)];
+}
+
+Frame frame_named(std::string_view wanted) {
+  for (const Frame frame : {Frame::base, Frame::tool, Frame::space}) {
+    if (name(frame) == wanted) return frame;
+  }
+  throw unknown_name("frame", wanted, {"base", "tool", "space"});
+}
+
+Pose jacobian(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> columns,
+              Frame frame) {
+  check_configuration(arm, q);
+  if (columns.cols() != arm.dof()) {
+    throw Error("the Jacobian of arm " + arm.name() + " has " + std::to_string(arm.dof()) +
+                " columns, not " + std::to_string(columns.cols()));
+  }
+  columns.setZero();
+  Pose world_T_link = arm.base();
+  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
+    const Arm::Drive& drive = arm.drives()[i];
+    const Joint& joint = arm.joints()[i];
+    world_T_link =
+        world_T_link * joint_transform(joint, drive.ratio * q[drive.coordinate] + drive.shift);
+    // A screw looks the same from its own link before and after the motion.
+    columns.col(drive.coordinate) += drive.ratio * adjoint(world_T_link, joint.screw);
+  }
+  const Pose world_T_tool = world_T_link * arm.tool();
+  if (frame == Frame::base) seen_from(world_T_tool.translation(), Rotation::Identity(), columns);
+  if (frame == Frame::tool) seen_from(world_T_tool.translation(), world_T_tool.linear(), columns);
+  return world_T_tool;
+}
+
+Jacobian jacobian(const Arm& arm, const ConfigurationRef& q, Frame frame) {
+  Jacobian columns(6, arm.dof());
+  jacobian(arm, q, columns, frame);
+  return columns;
+}
+
+Eigen::Matrix3Xd planar_jacobian(const Arm& arm, const ConfigurationRef& q) {
+  if (!arm.planar()) {
+    throw Error("arm " + arm.name() + " is not planar; its Jacobian has the six spatial rows");
+  }
+  const Jacobian spatial = jacobian(arm, q);
+  Eigen::Matrix3Xd planar(3, arm.dof());
+  planar << spatial.topRows<2>(), spatial.bottomRows<1>();
+  return planar;
+}
+
+}  // namespace beeline

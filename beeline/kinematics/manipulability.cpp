@@ -1,0 +1,25 @@
+#include <Eigen/SVD>
+#include <limits>
+
+#include <beeline/error.h>
+#include <beeline/kinematics/manipulability.h>
+
+namespace beeline {
+
+Dexterity dexterity(const Eigen::Ref<const Eigen::MatrixXd>& jacobian) {
+  if (jacobian.size() == 0 || !jacobian.allFinite()) {
+    throw Error("a Jacobian needs at least one row and one column, all finite");
+  }
+  Dexterity result;
+  result.singular_values = jacobian.jacobiSvd().singularValues();
+  const double largest = result.singular_values[0];
+  const double smallest = result.singular_values[result.singular_values.size() - 1];
+  const bool enough_joints = jacobian.cols() >= jacobian.rows();
+  result.manipulability = enough_joints ? result.singular_values.prod() : 0;
+  const double rounding = largest * std::numeric_limits<double>::epsilon();
+  result.condition =
+      smallest > rounding ? largest / smallest : std::numeric_limits<double>::infinity();
+  return result;
+}
+
+}  // namespace beeline

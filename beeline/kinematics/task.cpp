@@ -1,0 +1,104 @@
+#include <algorithm>
+
+#include <beeline/error.h>
+#include <beeline/kinematics/task.h>
+
+namespace beeline {
+namespace {
+
+Twist error_twist(const Task& task, const Pose& desired, const Pose& current) {
+  Twist error = pose_difference(desired, current);
+  if (task.frame == Frame::tool) {
+    const Rotation tool_R_world = current.linear().transpose();
+    error << tool_R_world * error.head<3>(), tool_R_world * error.tail<3>();
+  }
+  for (int i = 0; i < 6; ++i) {
+    if (!task.rows[static_cast<std::size_t>(i)]) error[i] = 0;
+  }
+  return error;
+}
+
+}  // namespace
+
+int Task::size() const { return static_cast<int>(std::count(rows.begin(), rows.end(), true)); }
+
+Task task_named(std::string_view text) {
+  Task task;
+  std::string_view mask = text;
+  const std::string_view suffix = ":tool";
+  if (mask.ends_with(suffix)) {
+    task.frame = Frame::tool;
+    mask.remove_suffix(suffix.size());
+  }
+  if (mask == "spatial") return task;
+  if (mask == "position") {
+    task.rows = Task::position().rows;
+    return task;
+  }
+  if (mask == "planar") {
+    task.rows = Task::planar().rows;
+    return task;
+  }
+  const bool is_mask = mask.size() == 6 && mask.find_first_not_of("01") == std::string_view::npos;
+  if (!is_mask || mask == "000000") {
+    throw Error(
+        "unknown task \"" + std::string(text.substr(0, 40)) +
+        "\"; known: planar, position, spatial, or six of 0 and 1 for x y z wx wy wz such as "
+        "111110, with :tool behind it for the tool's own axes");
+  }
+  for (std::size_t i = 0; i < 6; ++i) task.rows[i] = mask[i] == '1';
+  return task;
+}
+
+std::string name(const Task& task) {
+  std::string text;
+  if (task.rows == Task::spatial().rows) text = "spatial";
+  if (task.rows == Task::position().rows) text = "position";
+  if (task.rows == Task::planar().rows) text = "planar";
+  if (text.empty()) {
+    for (const bool row : task.rows) text += row ? '1' : '0';
+  }
+  return text + (task.frame == Frame::tool ? ":tool" : "");
+}
+
+Task default_task(const Arm& arm) { return arm.planar() ? Task::planar() : Task::spatial(); }
+
+std::vector<std::string> row_names(const Task& task) {
+  if (task == Task::planar()) return {"x", "y", "theta"};
+  constexpr std::array names{"vx", "vy", "vz", "wx", "wy", "wz"};
+  std::vector<std::string> kept;
+  for (std::size_t i = 0; i < 6; ++i) {
+    if (task.rows[i]) kept.emplace_back(names[i]);
+  }
+  return kept;
+}
+
+Eigen::VectorXd task_rows(const Task& task, const Twist& twist) {
+  Eigen::VectorXd kept(task.size());
+  int row = 0;
+  for (int i = 0; i < 6; ++i) {
+    if (task.rows[static_cast<std::size_t>(i)]) kept[row++] = twist[i];
+  }
+  return kept;
+}
+
+Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const Task& task) {
+  const Jacobian all = jacobian(arm, q, task.frame);
+  Eigen::MatrixXd kept(task.size(), arm.dof());
+  int row = 0;
+  for (int i = 0; i < 6; ++i) {
+    if (task.rows[static_cast<std::size_t>(i)]) kept.row(row++) = all.row(i);
+  }
+  return kept;
+}
+
+Eigen::VectorXd task_error(const Task& task, const Pose& desired, const Pose& current) {
+  return task_rows(task, error_twist(task, desired, current));
+}
+
+Deviation task_deviation(const Task& task, const Pose& desired, const Pose& current) {
+  const Twist error = error_twist(task, desired, current);
+  return {error.head<3>().norm(), error.tail<3>().norm()};
+}
+
+}  // namespace beeline

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <beeline/kinematics/jacobian.h>
+
+namespace beeline {
+
+/// Which components of the tool's motion matter, in the order [x y z wx wy wz] and in the axes of
+/// `frame` (base or tool).
+struct Task {
+  std::array<bool, 6> rows{true, true, true, true, true, true};
+  Frame frame = Frame::base;
+
+  static Task spatial() { return {}; }
+  static Task position() { return {{true, true, true, false, false, false}}; }
+  static Task planar() { return {{true, true, false, false, false, true}}; }
+  bool operator==(const Task&) const = default;
+
+  int size() const;  ///< how many rows matter
+};
+
+/// `spatial`, `position`, `planar`, or a mask such as `111110`; with `:tool` behind it the rows are
+/// those of the tool's axes (`111110:tool` leaves the turn about the tool's own z free).
+/// Throws Error for anything else and for a mask without a row.
+Task task_named(std::string_view name);
+std::string name(const Task& task);
+
+/// planar for a planar arm, spatial for all others.
+Task default_task(const Arm& arm);
+
+/// The names of the task's Jacobian rows: `x, y, theta` for planar, else of `vx vy vz wx wy wz`.
+std::vector<std::string> row_names(const Task& task);
+
+/// The task's rows of the Jacobian in the task's frame.
+Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const Task& task);
+
+/// The task's rows of what leads from `current` to `desired`: the chapter's E (section 1.8), with
+/// the orientation's part the shortest rotation vector, of length at most pi.
+Eigen::VectorXd task_error(const Task& task, const Pose& desired, const Pose& current);
+
+/// A twist's rows that matter.
+Eigen::VectorXd task_rows(const Task& task, const Twist& twist);
+
+/// The lengths of the linear and the angular part of what matters, metres and radians.
+struct Deviation {
+  double position = 0;
+  double orientation = 0;
+};
+Deviation task_deviation(const Task& task, const Pose& desired, const Pose& current);
+
+}  // namespace beeline

@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include <beeline/error.h>
+#include <beeline/model/arm.h>
+
+namespace beeline {
+namespace {
+
+constexpr double rounding = 1e-9;  // slack for unit lengths and rotations read from text
+
+void check_rigid(const Pose& pose, const std::string& what) {
+  const Rotation r = pose.linear();
+  if (!pose.matrix().allFinite()) throw Error(what + " has a number that is not finite");
+  if (!(r * r.transpose()).isIdentity(1e-6) || r.determinant() < 0) {
+    throw Error(what + " is no rigid motion: its rotation is not orthonormal and right-handed");
+  }
+}
+
+void check_limits(const Limits& limits, const std::string& what) {
+  if (std::isnan(limits.lower) || std::isnan(limits.upper))
+    throw Error(what + " has a limit that is no number");
+  if (limits.lower > limits.upper) {
+    throw Error(what + " has its limits the wrong way round: lower " + number(limits.lower) +
+                " is above upper " + number(limits.upper));
+  }
+  for (double rate : {limits.velocity, limits.acceleration, limits.jerk}) {
+    if (!(rate > 0)) {
+      throw Error(what + " has a velocity, acceleration or jerk limit of " + number(rate) +
+                  "; it must be above zero, or be left out");
+    }
+  }
+}
+
+void check_joint(const Joint& joint, std::size_t index) {
+  const std::string what =
+      "joint " + std::to_string(index + 1) + (joint.name.empty() ? "" : " (" + joint.name + ")");
+  if (joint.name.empty()) throw Error(what + " has no name");
+  check_rigid(joint.offset, what + ": the offset");
+  if (!joint.screw.allFinite()) throw Error(what + " has a screw that is not finite");
+  const double turn = joint.screw.tail<3>().norm();
+  const double unit = turn == 0 ? joint.screw.head<3>().norm() : turn;
+  if (std::abs(unit - 1) > rounding) {
+    throw Error(what + " has a screw of length " + number(unit) + "; it must be 1");
+  }
+  check_limits(joint.limits, what);
+}
+
+/// Joint i's drive, following leaders through chains of mimic joints.
+Arm::Drive resolve_drive(const std::vector<Joint>& joints,
+                         const std::unordered_map<std::string, std::size_t>& index,
+                         const std::vector<int>& coordinate_of, std::size_t i) {
+  Arm::Drive drive;
+  std::size_t at = i;
+  for (std::size_t hops = 0; joints[at].mimic; ++hops) {
+    const Mimic& mimic = *joints[at].mimic;
+    const auto leader = index.find(mimic.leader);
+    if (leader == index.end()) {
+      std::vector<std::string> names;
+      for (const Joint& joint : joints) names.push_back(joint.name);
+      throw Error("joint " + joints[at].name + " mimics an " +
+                  unknown_name("joint", mimic.leader, names).what());
+    }
+    if (hops == joints.size())
+      throw Error("joint " + joints[i].name + " mimics itself in a circle");
+    if (!std::isfinite(mimic.multiplier) || !std::isfinite(mimic.offset)) {
+      throw Error("joint " + joints[at].name + " mimics with a number that is not finite");
+    }
+    drive.shift += drive.ratio * mimic.offset;
+    drive.ratio *= mimic.multiplier;
+    at = leader->second;
+  }
+  drive.coordinate = coordinate_of[at];
+  return drive;
+}
+
+/// The leader's limits, narrowed so that a follower stays within its own.
+void narrow(Limits& leader, const Limits& follower, const Arm::Drive& drive) {
+  if (drive.ratio == 0) return;
+  double lower = (follower.lower - drive.shift) / drive.ratio;
+  double upper = (follower.upper - drive.shift) / drive.ratio;
+  if (lower > upper) std::swap(lower, upper);
+  leader.lower = std::max(leader.lower, lower);
+  leader.upper = std::min(leader.upper, upper);
+  leader.velocity = std::min(leader.velocity, follower.velocity / std::abs(drive.ratio));
+  leader.acceleration =
+      std::min(leader.acceleration, follower.acceleration / std::abs(drive.ratio));
+  leader.jerk = std::min(leader.jerk, follower.jerk / std::abs(drive.ratio));
+}
+
+bool is_planar(const Arm& arm) {
+  Pose base_T_link = arm.base();
+  for (const Joint& joint : arm.joints()) {
+    base_T_link = base_T_link * joint.offset;
+    const Twist screw = adjoint(base_T_link, joint.screw);
+    const bool turns_about_z = screw.segment<2>(3).isZero(rounding);
+    const bool stays_in_plane = std::abs(screw[2]) < rounding;
+    if (!turns_about_z || !stays_in_plane) return false;
+  }
+  return std::abs((base_T_link * arm.tool()).linear()(2, 2) - 1) < rounding;
+}
+
+/// The farthest that a joint of this kind can carry its link along its own travel.
+double travel(const Joint& joint, const Limits& limits, const Arm::Drive& drive) {
+  const double along = kind(joint) == JointKind::prismatic ? 1 : std::abs(pitch(joint));
+  if (along == 0 || drive.ratio == 0) return along * std::abs(drive.shift);
+  return along * std::max(std::abs(drive.ratio * limits.lower + drive.shift),
+                          std::abs(drive.ratio * limits.upper + drive.shift));
+}
+
+/// The centre is a point of the first axis that turns. From there to the tool leads a chain of
+/// points, one on each such axis: two neighbours are on one rigid link, so the distance between
+/// them changes only by what slides between them. The radius is the sum of all of these.
+Arm::Reach reach_ball(const Arm& arm) {
+  Arm::Reach reach;
+  Pose base_T_link = arm.base();
+  bool turned = false;
+  Vector3 last = Vector3::Zero();
+  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
+    const Joint& joint = arm.joints()[i];
+    const Arm::Drive& drive = arm.drives()[i];
+    base_T_link = base_T_link * joint.offset;
+    reach.radius += travel(joint, arm.limits()[static_cast<std::size_t>(drive.coordinate)], drive);
+    if (kind(joint) == JointKind::prismatic) continue;
+    const Twist screw = adjoint(base_T_link, joint.screw);
+    const Vector3 axis = screw.tail<3>();
+    const Vector3 origin = base_T_link.translation();
+    const Vector3 point = axis.cross(screw.head<3>()) + axis.dot(origin) * axis;
+    if (turned) reach.radius += (point - last).norm();
+    if (!turned) reach.centre = point;
+    turned = true;
+    last = point;
+  }
+  const Vector3 tool = (base_T_link * arm.tool()).translation();
+  if (!turned) reach.centre = tool;
+  if (turned) reach.radius += (tool - last).norm();
+  return reach;
+}
+
+}  // namespace
+
+Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Pose& base)
+    : name_(std::move(name)), joints_(std::move(joints)), base_(base), tool_(tool) {
+  if (joints_.empty()) throw Error("arm " + name_ + " has no joints; it needs at least one");
+  check_rigid(base_, "the base");
+  check_rigid(tool_, "the tool");
+  std::unordered_map<std::string, std::size_t> index;
+  std::vector<int> coordinate_of(joints_.size(), -1);
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    check_joint(joints_[i], i);
+    if (!index.emplace(joints_[i].name, i).second) {
+      throw Error("two joints are called " + joints_[i].name + "; each needs a name of its own");
+    }
+    if (joints_[i].mimic) continue;
+    coordinate_of[i] = dof();
+    leaders_.push_back(static_cast<int>(i));
+    limits_.push_back(joints_[i].limits);
+  }
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    drives_.push_back(resolve_drive(joints_, index, coordinate_of, i));
+    if (joints_[i].mimic) {
+      Limits& leader = limits_[static_cast<std::size_t>(drives_[i].coordinate)];
+      narrow(leader, joints_[i].limits, drives_[i]);
+      check_limits(leader, "mimic joint " + joints_[i].name + " with its leader");
+    }
+  }
+  planar_ = is_planar(*this);
+  reach_ = reach_ball(*this);
+}
+
+std::vector<std::string> Arm::joint_names() const {
+  std::vector<std::string> names;
+  for (int k = 0; k < dof(); ++k) names.push_back(joint_of(k).name);
+  return names;
+}
+
+Arm with_tool(const Arm& arm, const Pose& tool) {
+  return {arm.name(), arm.joints(), tool, arm.base()};
+}
+
+void check_configuration(const Arm& arm, const ConfigurationRef& q) {
+  if (q.size() != arm.dof()) {
+    throw Error("arm " + arm.name() + " takes " + std::to_string(arm.dof()) + " joint values (" +
+                listed(arm.joint_names()) + "), not " + std::to_string(q.size()));
+  }
+  for (int k = 0; k < arm.dof(); ++k) {
+    if (!std::isfinite(q[k])) {
+      throw Error("the value of joint " + arm.joint_of(k).name + " is " + number(q[k]) +
+                  "; it must be a finite number");
+    }
+  }
+}
+
+std::vector<std::string> limit_violations(const Arm& arm, const ConfigurationRef& q, double slack) {
+  std::vector<std::string> violations;
+  for (int k = 0; k < arm.dof(); ++k) {
+    const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
+    if (q[k] >= limits.lower - slack && q[k] <= limits.upper + slack) continue;
+    const bool metres = kind(arm.joint_of(k)) == JointKind::prismatic;
+    const auto text = [metres](double value) {
+      return metres ? number(value) + " m" : angle(value);
+    };
+    violations.push_back("joint " + arm.joint_of(k).name + " at " + text(q[k]) +
+                         " is outside its limits " + text(limits.lower) + " to " +
+                         text(limits.upper));
+  }
+  return violations;
+}
+
+Configuration middle_configuration(const Arm& arm) {
+  Configuration q(arm.dof());
+  for (int k = 0; k < arm.dof(); ++k) {
+    const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
+    const bool bounded = std::isfinite(limits.lower) && std::isfinite(limits.upper);
+    q[k] =
+        bounded ? (limits.lower + limits.upper) / 2 : std::clamp(0.0, limits.lower, limits.upper);
+  }
+  return q;
+}
+
+}  // namespace beeline

@@ -1,0 +1,46 @@
+#include <beeline/error.h>
+#include <beeline/model/composite.h>
+
+namespace beeline {
+namespace {
+
+Joint turning(const std::string& name, const Vector3& axis, double pitch = 0) {
+  Joint joint;
+  joint.name = name;
+  joint.screw = rotation_screw(axis, Vector3::Zero(), pitch);
+  return joint;
+}
+
+Joint sliding(const std::string& name, const Vector3& axis) {
+  Joint joint;
+  joint.name = name;
+  joint.screw = translation_screw(axis);
+  return joint;
+}
+
+}  // namespace
+
+std::vector<Joint> composite_joint(char letter, const std::string& name, double pitch) {
+  const Vector3 x = Vector3::UnitX(), y = Vector3::UnitY(), z = Vector3::UnitZ();
+  switch (letter) {
+    case 'R':
+      return {turning(name, z)};
+    case 'P':
+      return {sliding(name, x)};
+    case 'H':
+      return {turning(name, z, pitch)};
+    case 'S':
+      return {turning(name + "_z", z), turning(name + "_y", y), turning(name + "_x", x)};
+    case 'U':
+      return {turning(name + "_z", z), turning(name + "_y", y)};
+    case 'C':
+      return {turning(name + "_z", z), sliding(name + "_slide_z", z)};
+    case 'E':
+      return {sliding(name + "_slide_x", x), sliding(name + "_slide_y", y),
+              turning(name + "_z", z)};
+    default:
+      throw unknown_name("joint type", std::string(1, letter), {"R", "P", "H", "S", "C", "E", "U"});
+  }
+}
+
+}  // namespace beeline

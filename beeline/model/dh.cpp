@@ -1,0 +1,31 @@
+#include <beeline/error.h>
+#include <beeline/model/dh.h>
+#include <beeline/pose/orientation.h>
+
+namespace beeline {
+namespace {
+
+Pose about_and_along(const Vector3& axis, double angle, double distance) {
+  return make_pose(distance * axis, Eigen::AngleAxisd(angle, axis).toRotationMatrix());
+}
+
+}  // namespace
+
+Joint dh_joint(const DhRow& row, DhConvention convention) {
+  if (row.kind == JointKind::helical) {
+    throw Error("a DH row is revolute or prismatic; a helical joint needs the \"screw\" form");
+  }
+  Joint joint;
+  joint.screw = row.kind == JointKind::revolute ? rotation_screw(Vector3::UnitZ())
+                                                : translation_screw(Vector3::UnitZ());
+  const Pose along_z = about_and_along(Vector3::UnitZ(), row.theta, row.d);
+  const Pose along_x = about_and_along(Vector3::UnitX(), row.alpha, row.a);
+  if (convention == DhConvention::modified) {
+    joint.offset = along_x * along_z;  // the motion commutes with along_z, so it may come last
+    return joint;
+  }
+  joint.offset = along_z;
+  return with_link_frame(joint, along_x);
+}
+
+}  // namespace beeline

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <beeline/model/joint.h>
+
+namespace beeline {
+
+/// Both are in use and their tables look alike: nobody can tell them apart by the numbers.
+enum class DhConvention {
+  standard,  ///< T = Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit & Hartenberg 1955, Paul 1981
+  modified,  ///< T = Tx(a) Rx(alpha) Rz(theta) Tz(d): Craig 1986, with a and alpha of link i-1
+};
+
+/// One row of a Denavit-Hartenberg table, metres and radians. The joint's coordinate is added to
+/// theta (revolute) or d (prismatic).
+struct DhRow {
+  double a = 0;
+  double alpha = 0;
+  double d = 0;
+  double theta = 0;
+  JointKind kind = JointKind::revolute;
+};
+
+/// The joint of one row; its link frame is the convention's own.
+/// Throws Error for a helical row: neither convention has one.
+Joint dh_joint(const DhRow& row, DhConvention convention);
+
+}  // namespace beeline

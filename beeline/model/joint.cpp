@@ -1,0 +1,79 @@
+#include <cmath>
+#include <utility>
+
+#include <beeline/error.h>
+#include <beeline/model/joint.h>
+
+namespace beeline {
+namespace {
+
+/// Below this many metres per radian a screw's pitch is rounding, not a helix.
+constexpr double smallest_pitch = 1e-12;
+
+Vector3 direction(const Vector3& axis) {
+  const double length = axis.norm();
+  if (!(length > 1e-9) || !std::isfinite(length)) {
+    throw Error("axis " + number(axis.x()) + " " + number(axis.y()) + " " + number(axis.z()) +
+                " has no direction; give a vector of non-zero length");
+  }
+  return axis / length;
+}
+
+}  // namespace
+
+JointKind kind(const Joint& joint) {
+  if (joint.screw.tail<3>().isZero(0)) return JointKind::prismatic;
+  return std::abs(pitch(joint)) > smallest_pitch ? JointKind::helical : JointKind::revolute;
+}
+
+char letter(JointKind kind) { return "RPH"[static_cast<int>(kind)]; }
+
+const char* name(JointKind kind) {
+  constexpr const char* names[] = {"revolute", "prismatic", "helical"};
+  return names[static_cast<int>(kind)];
+}
+
+double pitch(const Joint& joint) { return joint.screw.head<3>().dot(joint.screw.tail<3>()); }
+
+Twist rotation_screw(const Vector3& axis, const Vector3& point, double pitch) {
+  const Vector3 w = direction(axis);
+  Twist screw;
+  screw << point.cross(w) + pitch * w, w;
+  return screw;
+}
+
+Twist translation_screw(const Vector3& axis) {
+  Twist screw;
+  screw << direction(axis), Vector3::Zero();
+  return screw;
+}
+
+Joint with_link_frame(Joint joint, const Pose& link_T_frame) {
+  // offset exp(S q) M == (offset M) exp(Ad(M^-1) S q)
+  joint.offset = joint.offset * link_T_frame;
+  joint.screw = adjoint(link_T_frame.inverse(), joint.screw);
+  return joint;
+}
+
+Pose screw_motion(const Twist& unit_screw, double q) {
+  const Vector3 v = unit_screw.head<3>();
+  const Vector3 w = unit_screw.tail<3>();
+  Pose motion = Pose::Identity();
+  if (w.isZero(0)) {
+    motion.translation() = q * v;
+    return motion;
+  }
+  const double sine = std::sin(q);
+  const double half = std::sin(q / 2);
+  const Eigen::Matrix3d w_hat = hat(w);
+  const Eigen::Matrix3d turn = sine * w_hat + (2 * half * half) * w_hat * w_hat;  // R - I
+  motion.linear() += turn;
+  motion.translation() = -turn * w.cross(v) + (w.dot(v) * q) * w;
+  return motion;
+}
+
+Pose joint_transform(const Joint& joint, double q) {
+  return joint.offset * screw_motion(joint.screw, q);
+}
+
+}  // namespace beeline

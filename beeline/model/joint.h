@@ -1,0 +1,67 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+
+#include <beeline/pose/se3.h>
+
+namespace beeline {
+
+/// R, P and H of the chapter's Figures 1.1 and 1.2.
+enum class JointKind { revolute, prismatic, helical };
+
+/// Symmetric bounds except for the position. Radians and seconds; metres where the joint is
+/// prismatic. Infinity where nothing is known.
+struct Limits {
+  static constexpr double none = std::numeric_limits<double>::infinity();
+  double lower = -none;
+  double upper = none;
+  double velocity = none;
+  double acceleration = none;
+  double jerk = none;
+};
+
+/// A joint that follows another one of the same arm: value = multiplier * leader + offset.
+struct Mimic {
+  std::string leader;  ///< the leading joint's name
+  double multiplier = 1;
+  double offset = 0;
+};
+
+/// One degree of freedom between two links, as data. Frame i of the chapter's eq. 1.1 is
+///     T_i^{i-1}(q) = offset * exp(screw * q),
+/// so `offset` is the pose of link i in link i-1 at q = 0, and `screw` the unit twist of the
+/// motion, written in the frame of link i.
+struct Joint {
+  std::string name;
+  Pose offset = Pose::Identity();
+  Twist screw = Twist::Zero();  ///< [v w]; |w| = 1 for R and H, w = 0 and |v| = 1 for P
+  Limits limits;
+  std::optional<Mimic> mimic;
+  std::string link;  ///< the name of the link that the joint moves; empty: none given
+};
+
+/// Told by the screw: no rotation is P, rotation with pitch is H, rotation alone is R.
+JointKind kind(const Joint& joint);
+char letter(JointKind kind);       ///< 'R', 'P' or 'H'
+const char* name(JointKind kind);  ///< "revolute", "prismatic" or "helical"
+
+/// Travel of a helical joint along its axis, metres per radian; 0 for a revolute one.
+double pitch(const Joint& joint);
+
+/// The unit screw of a joint whose axis runs along `axis` (any length but zero) through `point`,
+/// with `pitch` metres of travel per radian. Throws Error when the axis has no length.
+Twist rotation_screw(const Vector3& axis, const Vector3& point = Vector3::Zero(), double pitch = 0);
+Twist translation_screw(const Vector3& axis);
+
+/// The same motion seen from a frame `link_T_frame` fixed to the link: used to move link frames.
+Joint with_link_frame(Joint joint, const Pose& link_T_frame);
+
+/// exp(screw * q) for a unit screw: Rodrigues' formula about the axis, plus the travel along it.
+Pose screw_motion(const Twist& unit_screw, double q);
+
+/// T_i^{i-1}(q) = offset * exp(screw * q).
+Pose joint_transform(const Joint& joint, double q);
+
+}  // namespace beeline

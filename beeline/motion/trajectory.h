@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <beeline/model/arm.h>
+
+namespace beeline {
+
+/// A motion with time, as plain data. Sample k is positions[k] at times[k]; velocities and
+/// accelerations are empty where they are not known, else as long as positions.
+struct Trajectory {
+  std::vector<std::string> joint_names;      ///< one for each coordinate
+  std::vector<double> times;                 ///< seconds, strictly increasing
+  std::vector<Configuration> positions;      ///< radians, metres
+  std::vector<Configuration> velocities;     ///< per second
+  std::vector<Configuration> accelerations;  ///< per second squared
+
+  std::size_t size() const { return times.size(); }
+};
+
+/// Throws Error when the lengths differ, a number is not finite or time does not increase.
+void check_trajectory(const Trajectory& trajectory);
+
+/// The configuration at time t: cubic Hermite between samples where velocities are known, linear
+/// otherwise; before the first sample the first, after the last the last.
+Configuration sample(const Trajectory& trajectory, double t);
+
+/// The trajectory's columns in the arm's order, matched by joint name.
+/// Throws Error naming the joints that are missing or that the arm does not have.
+Trajectory matched_to(const Arm& arm, const Trajectory& trajectory);
+
+}  // namespace beeline

@@ -1,0 +1,45 @@
+#include <cmath>
+
+#include <beeline/error.h>
+#include <beeline/pose/orientation.h>
+
+namespace beeline {
+
+Rotation rotation(const RollPitchYaw& rpy) {
+  return (Eigen::AngleAxisd(rpy.yaw, Vector3::UnitZ()) *
+          Eigen::AngleAxisd(rpy.pitch, Vector3::UnitY()) *
+          Eigen::AngleAxisd(rpy.roll, Vector3::UnitX()))
+      .toRotationMatrix();
+}
+
+RollPitchYaw roll_pitch_yaw(const Rotation& r) {
+  const double cos_pitch = std::hypot(r(0, 0), r(1, 0));
+  const double pitch = std::atan2(-r(2, 0), cos_pitch);
+  if (cos_pitch < 1e-9) return {0, pitch, std::atan2(-r(0, 1), r(1, 1))};
+  return {std::atan2(r(2, 1), r(2, 2)), pitch, std::atan2(r(1, 0), r(0, 0))};
+}
+
+Rotation rotation_from_quaternion(double qw, double qx, double qy, double qz) {
+  const Eigen::Quaterniond q(qw, qx, qy, qz);
+  const double length = q.norm();
+  if (!(std::abs(length - 1) <= 1e-3)) {
+    throw Error("quaternion qw,qx,qy,qz = " + number(qw) + "," + number(qx) + "," + number(qy) +
+                "," + number(qz) + " has length " + number(length) + "; it must be 1");
+  }
+  return q.normalized().toRotationMatrix();
+}
+
+Quaternion quaternion(const Rotation& rotation) {
+  const Eigen::Quaterniond q(rotation);
+  const double sign = q.w() < 0 ? -1 : 1;
+  return {sign * q.w(), sign * q.x(), sign * q.y(), sign * q.z()};
+}
+
+Pose make_pose(const Vector3& position, const Rotation& rotation) {
+  Pose pose = Pose::Identity();
+  pose.translation() = position;
+  pose.linear() = rotation;
+  return pose;
+}
+
+}  // namespace beeline

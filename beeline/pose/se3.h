@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <beeline/pose/so3.h>
+
+namespace beeline {
+
+/// Position (metres) and orientation of one frame in another, named `outer_T_inner`.
+using Pose = Eigen::Isometry3d;
+
+/// A motion or velocity, linear part first: [vx vy vz wx wy wz], metres and radians.
+using Twist = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// The rigid motion reached by following `twist` for unit time. Lynch & Park, Modern Robotics,
+/// eq. 3.88 (there with the angular part first).
+Pose se3_exp(const Twist& twist);
+
+/// The twist that reaches `pose` in unit time, by a turn of at most pi: se3_exp(se3_log(T)) == T.
+Twist se3_log(const Pose& pose);
+
+/// Ad(a_T_b): turns a twist written in b into the same twist written in a.
+Matrix6 adjoint(const Pose& pose);
+Twist adjoint(const Pose& pose, const Twist& twist);
+
+/// The straight line from `from` (s = 0) to `to` (s = 1): the origin moves on the segment at
+/// constant speed while the orientation takes the shortest turn at constant speed.
+Pose interpolate(const Pose& from, const Pose& to, double s);
+
+/// What leads from `from` to `to`, in the axes both are written in: [p_to - p_from; log(R_to
+/// R_from^T)].
+Twist pose_difference(const Pose& to, const Pose& from);
+
+}  // namespace beeline

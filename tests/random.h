@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <random>
+#include <string>
+
+#include <beeline/model/arm.h>
+
+namespace beeline::testing {
+
+/// Random cases with a printed seed: BEELINE_SEED=... repeats a run.
+class Random {
+ public:
+  Random() : Random(seed_from_environment()) {}
+  explicit Random(std::uint64_t seed) : engine_(seed) {
+    std::cout << "[   seed   ] BEELINE_SEED=" << seed << '\n';
+  }
+
+  double uniform(double lower, double upper) {
+    return std::uniform_real_distribution<double>(lower, upper)(engine_);
+  }
+  int integer(int lower, int upper) {
+    return std::uniform_int_distribution<int>(lower, upper)(engine_);
+  }
+
+  Vector3 vector(double size = 1) {
+    return {uniform(-size, size), uniform(-size, size), uniform(-size, size)};
+  }
+
+  Vector3 direction() {
+    std::normal_distribution<double> normal;
+    Vector3 v;
+    do {
+      v = {normal(engine_), normal(engine_), normal(engine_)};
+    } while (v.norm() < 1e-6);
+    return v.normalized();
+  }
+
+  /// A turn about a random axis by up to `angle`.
+  Rotation rotation(double angle = 3.14159265358979) {
+    return so3_exp(direction() * uniform(0, angle));
+  }
+
+  Pose pose(double size = 1) {
+    Pose pose = Pose::Identity();
+    pose.linear() = rotation();
+    pose.translation() = vector(size);
+    return pose;
+  }
+
+  /// Uniform within the limits; an unlimited side counts as pi away (radians) or 1 (metres).
+  Configuration configuration(const Arm& arm) {
+    Configuration q(arm.dof());
+    for (int k = 0; k < arm.dof(); ++k) {
+      const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
+      const double far = kind(arm.joint_of(k)) == JointKind::prismatic ? 1 : 3.14159265358979;
+      const double lower =
+          std::isfinite(limits.lower) ? limits.lower : std::min(-far, limits.upper - far);
+      const double upper =
+          std::isfinite(limits.upper) ? limits.upper : std::max(far, limits.lower + far);
+      q[k] = uniform(lower, upper);
+    }
+    return q;
+  }
+
+ private:
+  static std::uint64_t seed_from_environment() {
+    const char* text = std::getenv("BEELINE_SEED");
+    return text == nullptr ? 20240229 : std::stoull(text);
+  }
+  std::mt19937_64 engine_;
+};
+
+}  // namespace beeline::testing
