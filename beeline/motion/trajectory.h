@@ -19,11 +19,14 @@ struct Trajectory {
   std::size_t size() const { return times.size(); }
 };
 
+/// One sample: the arm at rest at q at time zero.
+Trajectory at_rest(const Arm& arm, const ConfigurationRef& q);
+
 /// Throws Error when the lengths differ, a number is not finite or time does not increase.
 void check_trajectory(const Trajectory& trajectory);
 
-/// The configuration at time t: cubic Hermite between samples where velocities are known, linear
-/// otherwise; before the first sample the first, after the last the last.
+/// The configuration at time t, linear between samples (what a line's certificate assumes); before
+/// the first sample the first, after the last the last. Throws Error when there are no samples.
 Configuration sample(const Trajectory& trajectory, double t);
 
 /// The trajectory's columns in the arm's order, matched by joint name.

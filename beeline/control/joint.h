@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+
+#include <beeline/control/simulate.h>
+
+namespace beeline {
+
+/// Each step is kp e + ki sum(e) + kd (e - e_before), with e = goal - q. With ki = kd = 0 this is
+/// the chapter's eq. 1.3: below kp = 1 it approaches the goal from one side, slowly when kp is
+/// small; from 1 to 2 it overshoots and swings; from 2 on it never arrives.
+struct PidGains {
+  double kp = 0.1;
+  double ki = 0;
+  double kd = 0;
+};
+
+/// Joint-space motion control from `start` to `goal`, joints on a straight line in joint space when
+/// kp alone acts, which is a curve for the tool. Joint values are plain numbers here: no turn is
+/// taken the short way round.
+/// Throws Error for a gain that is not finite or negative, kp not above zero, or a start that does
+/// not fit; a goal outside the limits is answered with `outside_limits`.
+ControlledMotion control_joints(const Arm& arm, const Configuration& start,
+                                const Configuration& goal, const PidGains& gains = {},
+                                const SimulationOptions& options = {});
+
+/// The farthest that any joint went beyond the goal, as a share of its way there; 0 when none did.
+double joint_overshoot(std::span<const Configuration> samples, const Configuration& goal);
+
+}  // namespace beeline

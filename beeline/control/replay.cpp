@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/control/replay.h>
+#include <beeline/error.h>
+#include <beeline/motion/time_law.h>
+
+namespace beeline {
+namespace {
+
+constexpr std::size_t most_samples = 10'000'000;
+constexpr int lead_in_steps = 64;
+constexpr double already_there = 1e-9;
+
+/// The first sample outside the position limits, as a reason; empty when there is none.
+std::string position_violation(const Arm& arm, const Trajectory& recording) {
+  for (std::size_t k = 0; k < recording.size(); ++k) {
+    const auto outside = limit_violations(arm, recording.positions[k]);
+    if (!outside.empty()) return "at " + number(recording.times[k]) + " s " + outside.front();
+  }
+  return {};
+}
+
+/// How fast the recording is against the velocity limits, at its own speed.
+struct Fastest {
+  double share = 0;  ///< of the limit
+  int coordinate = 0;
+  double time = 0;
+};
+
+Fastest fastest_moment(const Arm& arm, const Trajectory& recording) {
+  Fastest fastest;
+  for (std::size_t k = 1; k < recording.size(); ++k) {
+    const double dt = recording.times[k] - recording.times[k - 1];
+    const Configuration step = recording.positions[k] - recording.positions[k - 1];
+    for (int i = 0; i < arm.dof(); ++i) {
+      const double limit = arm.limits()[static_cast<std::size_t>(i)].velocity;
+      const double share = std::abs(step[i]) / dt / limit;
+      if (share > fastest.share) fastest = {share, i, recording.times[k - 1]};
+    }
+  }
+  return fastest;
+}
+
+/// From rest at `start` to rest at `goal`, in a straight line in joint space.
+Trajectory joint_line(const Arm& arm, const Configuration& start, const Configuration& goal) {
+  std::vector<Configuration> samples;
+  std::vector<double> fractions;
+  for (int k = 0; k <= lead_in_steps; ++k) {
+    fractions.push_back(double(k) / lead_in_steps);
+    samples.push_back(start + rest_to_rest(fractions.back()) * (goal - start));
+  }
+  samples.back() = goal;
+  Trajectory trajectory = at_rest(arm, start);
+  append_timed(trajectory, arm, samples, fractions);
+  return trajectory;
+}
+
+void append_resampled(Trajectory& played, const Trajectory& recording,
+                      const ReplayOptions& options) {
+  const double begin = played.times.empty() ? 0 : played.times.back();
+  const double first = recording.times.front();
+  const double duration = (recording.times.back() - first) / options.speed;
+  const double samples = std::ceil(duration * options.rate - 1e-9);
+  if (!(samples < double(most_samples))) {
+    throw Error("replaying " + number(duration) + " s at " + number(options.rate) +
+                " samples a second makes more than " + std::to_string(most_samples) + " samples");
+  }
+  const auto count = static_cast<std::size_t>(samples);
+  for (std::size_t k = played.times.empty() ? 0 : 1; k <= count; ++k) {
+    const double t = std::min(duration, double(k) / options.rate);
+    played.times.push_back(begin + t);
+    played.positions.push_back(sample(recording, first + t * options.speed));
+  }
+}
+
+}  // namespace
+
+Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& options) {
+  for (const double positive : {options.rate, options.speed}) {
+    if (positive > 0 && std::isfinite(positive)) continue;
+    throw Error("the rate and the speed of a replay must be above zero, not " + number(positive));
+  }
+  check_trajectory(recorded);
+  if (recorded.size() == 0) throw Error("the recording has no samples");
+  const Trajectory recording = matched_to(arm, recorded);
+  if (options.start) check_configuration(arm, *options.start);
+
+  Replay result;
+  const std::string violation = position_violation(arm, recording);
+  const Fastest fastest = fastest_moment(arm, recording);
+  result.fastest = fastest.share * options.speed;
+  result.status = MotionStatus::outside_limits;
+  if (!violation.empty()) {
+    result.reason = violation;
+    return result;
+  }
+  if (options.start && !limit_violations(arm, *options.start).empty()) {
+    result.reason = "the start: " + limit_violations(arm, *options.start).front();
+    return result;
+  }
+  if (result.fastest > 1 + 1e-9) {
+    result.reason = "at " + number(fastest.time) + " s joint " +
+                    arm.joint_of(fastest.coordinate).name + " moves at " + number(result.fastest) +
+                    " times its velocity limit; a speed of " +
+                    number(std::floor(1000 / fastest.share) / 1000) + " would keep it";
+    return result;
+  }
+  Trajectory& played = result.trajectory;
+  played.joint_names = arm.joint_names();
+  const Configuration& first = recording.positions.front();
+  if (options.start && (first - *options.start).lpNorm<Eigen::Infinity>() > already_there) {
+    played = joint_line(arm, *options.start, first);
+    played.velocities.clear();
+    played.accelerations.clear();
+    result.lead_in = played.times.back();
+  }
+  append_resampled(played, recording, options);
+  result.status = MotionStatus::reached;
+  return result;
+}
+
+}  // namespace beeline

@@ -1,0 +1,48 @@
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include <beeline/kinematics/forward.h>
+#include <beeline/motion/redundancy.h>
+
+namespace beeline {
+namespace {
+
+constexpr double damping = 1e-4;  // far below the singular values of an arm that can move on
+
+/// Back to the middle for coordinates in the outer half of their range: 0 at a quarter of the range
+/// from the end, growing with the square to 1 at the limit.
+Configuration away_from_limits(const Configuration& q, const Bounds& bounds) {
+  Configuration push = Configuration::Zero(q.size());
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    const double half = (bounds.upper[k] - bounds.lower[k]) / 2;
+    if (!std::isfinite(half) || half <= 0) continue;
+    const double side = (q[k] - bounds.lower[k]) / half - 1;  // -1 to 1
+    const double depth = std::max(0.0, std::abs(side) - 0.5) * 2;
+    push[k] = -std::copysign(depth * depth, side);
+  }
+  return push;
+}
+
+}  // namespace
+
+Eigen::VectorXd damped_solve(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& error,
+                             double damping_factor) {
+  Eigen::MatrixXd gram = jacobian * jacobian.transpose();
+  gram.diagonal().array() += damping_factor * damping_factor;
+  return jacobian.transpose() * gram.ldlt().solve(error);
+}
+
+Configuration predicted(const Arm& arm, const Configuration& q, const Pose& target,
+                        const Task& task, const Bounds& bounds) {
+  const Eigen::MatrixXd j = task_jacobian(arm, q, task);
+  const Eigen::VectorXd error = task_error(task, target, forward_kinematics(arm, q));
+  Configuration step = damped_solve(j, error, damping);
+  if (arm.dof() > task.size()) {
+    const Configuration push = step.lpNorm<Eigen::Infinity>() * away_from_limits(q, bounds);
+    step += push - damped_solve(j, j * push, damping);
+  }
+  if (!step.allFinite()) return q;
+  return (q + step).cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+}
+
+}  // namespace beeline

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+namespace beeline {
+
+/// How a motion ended. Every status but `reached` comes with a reason of one sentence.
+enum class MotionStatus {
+  reached,         ///< the goal, within tolerance
+  unreachable,     ///< no configuration of the arm reaches a pose on the way
+  outside_limits,  ///< a joint would have to leave its limits
+  singular,        ///< the arm cannot move on continuously: it would have to jump to another branch
+  not_converged,   ///< the controller did not arrive: gain too large or too small, or stuck
+};
+std::string name(MotionStatus status);
+
+}  // namespace beeline
