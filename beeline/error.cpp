@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include <beeline/error.h>
 
@@ -32,7 +33,22 @@ std::string located(std::string_view path, int line, std::string_view message) {
   return text.append(": ").append(message);
 }
 
+std::string one_line(std::string text) {
+  const auto control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  std::replace_if(text.begin(), text.end(), control, ' ');
+  return text;
+}
+
+/// At most `most` bytes from the front, without half a UTF-8 character at the end.
+std::string_view front(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0) == 0x80) --most;
+  return text.substr(0, most);
+}
+
 }  // namespace
+
+Error::Error(std::string message) : std::runtime_error(one_line(std::move(message))) {}
 
 FileError::FileError(std::string_view path, int line, std::string_view message)
     : Error(located(path, line, message)) {}
@@ -40,13 +56,13 @@ FileError::FileError(std::string_view path, int line, std::string_view message)
 Error unknown_name(std::string_view what, std::string_view name,
                    const std::vector<std::string>& choices) {
   constexpr std::size_t longest_compared = 100;  // a longer name is no slip of the pen
-  const std::string shown(name.substr(0, longest_compared));
+  const std::string shown(front(name, longest_compared));
   std::string text = "unknown " + std::string(what) + " \"" + shown + "\"";
   const std::string* nearest = nullptr;
   std::size_t fewest = shown.size() / 3 + 2;
   for (const std::string& choice : choices) {
     const std::size_t edits = edit_distance(shown, choice);
-    if (edits < fewest) {
+    if (edits < fewest && edits < std::max(shown.size(), choice.size())) {  // something is alike
       fewest = edits;
       nearest = &choice;
     }

@@ -7,11 +7,12 @@
 
 namespace beeline {
 
-/// Bad input. The one-line message names the culprit, where it stands and what would do instead.
+/// Bad input. The message names the culprit, where it stands and what would do instead. It is one
+/// line, whatever stands in the names that it quotes: control characters become spaces.
 /// An answer that is "no" is never an Error: results carry a status and a reason for that.
 class Error : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit Error(std::string message);
 };
 
 /// Bad input that stands in a file: the message begins with `path:line: `, or with `path: ` where

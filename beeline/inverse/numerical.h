@@ -21,13 +21,19 @@ struct Descent {
   Configuration q;  ///< the best configuration met, always within the bounds
   Deviation error;  ///< what is left of the task at q
   int iterations = 0;
-  bool converged = false;
+  bool converged = false;  ///< both parts of the error are within the tolerance
 };
 
-/// One run of damped least squares (Levenberg-Marquardt; Nakamura & Hanafusa 1986) from `start`:
-/// each step minimises |J dq - e|^2 + damping |dq|^2 over the joints that are free to move, those
-/// at a bound that would push through it being held. Steps that do not lessen the error are taken
-/// back with more damping, so it never diverges and never returns a value that is not finite.
+/// One run of damped least squares (Levenberg-Marquardt; Nakamura & Hanafusa 1986) from `start`,
+/// which is first brought within the bounds: each step minimises |J dq - e|^2 + damping |dq|^2
+/// within the bounds, joints that would be pushed through theirs being stopped there and the others
+/// solved again. Lengths are measured in units of the arm's reach, so that metres and radians weigh
+/// alike whatever the arm's size. Steps that do not lessen the error are taken back with more
+/// damping, so it never diverges and never returns a value that is not finite. It goes on below the
+/// tolerance as long as that is cheap (down to rounding at a regular solution), and gives up before
+/// `iterations` where it is stuck. Cost of a step: linear in the number of joints.
+/// Throws Error when start or bounds do not fit the arm, the pose or an option is not finite or
+/// negative, or the task has no rows or is in Frame::space.
 Descent descend(const Arm& arm, const Pose& world_T_tool, const Task& task, const Bounds& bounds,
                 const Configuration& start, const DescentOptions& options = {});
 

@@ -43,7 +43,10 @@ Pose jacobian(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> co
     world_T_link =
         world_T_link * joint_transform(joint, drive.ratio * q[drive.coordinate] + drive.shift);
     // A screw looks the same from its own link before and after the motion.
-    columns.col(drive.coordinate) += drive.ratio * adjoint(world_T_link, joint.screw);
+    Twist screw = adjoint(world_T_link, joint.screw);
+    // The axes of a planar arm are parallel: the turn is exactly 1, without the poses' rounding.
+    if (arm.planar()) screw.tail<3>() = screw.tail<3>().array().round();
+    columns.col(drive.coordinate) += drive.ratio * screw;
   }
   const Pose world_T_tool = world_T_link * arm.tool();
   if (frame == Frame::base) seen_from(world_T_tool.translation(), Rotation::Identity(), columns);

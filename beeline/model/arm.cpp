@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <unordered_map>
 
 #include <beeline/error.h>
@@ -13,8 +14,11 @@ constexpr double rounding = 1e-9;  // slack for unit lengths and rotations read 
 void check_rigid(const Pose& pose, const std::string& what) {
   const Rotation r = pose.linear();
   if (!pose.matrix().allFinite()) throw Error(what + " has a number that is not finite");
-  if (!(r * r.transpose()).isIdentity(1e-6) || r.determinant() < 0) {
+  if (!(r * r.transpose()).isIdentity(rounding) || r.determinant() < 0) {
     throw Error(what + " is no rigid motion: its rotation is not orthonormal and right-handed");
+  }
+  if (pose.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
+    throw Error(what + " is no rigid motion: its last row is not 0 0 0 1");
   }
 }
 
@@ -24,6 +28,10 @@ void check_limits(const Limits& limits, const std::string& what) {
   if (limits.lower > limits.upper) {
     throw Error(what + " has its limits the wrong way round: lower " + number(limits.lower) +
                 " is above upper " + number(limits.upper));
+  }
+  if (limits.lower == Limits::none || limits.upper == -Limits::none) {
+    throw Error(what + " has limits " + number(limits.lower) + " to " + number(limits.upper) +
+                "; no finite value lies between them");
   }
   for (double rate : {limits.velocity, limits.acceleration, limits.jerk}) {
     if (!(rate > 0)) {
@@ -47,37 +55,57 @@ void check_joint(const Joint& joint, std::size_t index) {
   check_limits(joint.limits, what);
 }
 
-/// Joint i's drive, following leaders through chains of mimic joints.
-Arm::Drive resolve_drive(const std::vector<Joint>& joints,
-                         const std::unordered_map<std::string, std::size_t>& index,
-                         const std::vector<int>& coordinate_of, std::size_t i) {
-  Arm::Drive drive;
-  std::size_t at = i;
-  for (std::size_t hops = 0; joints[at].mimic; ++hops) {
-    const Mimic& mimic = *joints[at].mimic;
-    const auto leader = index.find(mimic.leader);
-    if (leader == index.end()) {
-      std::vector<std::string> names;
-      for (const Joint& joint : joints) names.push_back(joint.name);
-      throw Error("joint " + joints[at].name + " mimics an " +
-                  unknown_name("joint", mimic.leader, names).what());
-    }
-    if (hops == joints.size())
-      throw Error("joint " + joints[i].name + " mimics itself in a circle");
-    if (!std::isfinite(mimic.multiplier) || !std::isfinite(mimic.offset)) {
-      throw Error("joint " + joints[at].name + " mimics with a number that is not finite");
-    }
-    drive.shift += drive.ratio * mimic.offset;
-    drive.ratio *= mimic.multiplier;
-    at = leader->second;
-  }
-  drive.coordinate = coordinate_of[at];
-  return drive;
+std::size_t leader_of(const std::vector<Joint>& joints,
+                      const std::unordered_map<std::string, std::size_t>& index, std::size_t i) {
+  const auto leader = index.find(joints[i].mimic->leader);
+  if (leader != index.end()) return leader->second;
+  std::vector<std::string> names;
+  for (const Joint& joint : joints) names.push_back(joint.name);
+  throw Error("joint " + joints[i].name + " mimics an " +
+              unknown_name("joint", joints[i].mimic->leader, names).what());
 }
 
-/// The leader's limits, narrowed so that a follower stays within its own.
-void narrow(Limits& leader, const Limits& follower, const Arm::Drive& drive) {
-  if (drive.ratio == 0) return;
+/// A follower may lead others, in any order: each chain is climbed to where it is known, once.
+std::vector<Arm::Drive> resolve_drives(const std::vector<Joint>& joints,
+                                       const std::unordered_map<std::string, std::size_t>& index,
+                                       const std::vector<int>& coordinate_of) {
+  std::vector<Arm::Drive> drives(joints.size());
+  std::vector<bool> known(joints.size(), false);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    std::vector<std::size_t> followers;
+    std::size_t at = i;
+    while (!known[at] && joints[at].mimic) {
+      if (followers.size() == joints.size()) {
+        throw Error("joint " + joints[i].name + " mimics itself in a circle");
+      }
+      followers.push_back(at);
+      at = leader_of(joints, index, at);
+    }
+    if (!known[at]) drives[at].coordinate = coordinate_of[at];
+    known[at] = true;
+    for (; !followers.empty(); followers.pop_back()) {
+      const Arm::Drive& leader = drives[at];
+      at = followers.back();
+      const Mimic& mimic = *joints[at].mimic;
+      drives[at] = {leader.coordinate, mimic.multiplier * leader.ratio,
+                    mimic.multiplier * leader.shift + mimic.offset};
+      if (!std::isfinite(drives[at].ratio) || !std::isfinite(drives[at].shift)) {
+        throw Error("joint " + joints[at].name + " mimics with a number that is not finite");
+      }
+      known[at] = true;
+    }
+  }
+  return drives;
+}
+
+/// The leader's limits, narrowed so that a follower (`what`) stays within its own.
+void narrow(Limits& leader, const Limits& follower, const Arm::Drive& drive,
+            const std::string& what) {
+  if (drive.ratio == 0) {  // the follower stands still
+    if (drive.shift >= follower.lower && drive.shift <= follower.upper) return;
+    throw Error(what + " stands at " + number(drive.shift) + ", outside its limits " +
+                number(follower.lower) + " to " + number(follower.upper));
+  }
   double lower = (follower.lower - drive.shift) / drive.ratio;
   double upper = (follower.upper - drive.shift) / drive.ratio;
   if (lower > upper) std::swap(lower, upper);
@@ -98,7 +126,8 @@ bool is_planar(const Arm& arm) {
     const bool stays_in_plane = std::abs(screw[2]) < rounding;
     if (!turns_about_z || !stays_in_plane) return false;
   }
-  return std::abs((base_T_link * arm.tool()).linear()(2, 2) - 1) < rounding;
+  const Vector3 tool_z = (base_T_link * arm.tool()).linear().col(2);
+  return (tool_z - Vector3::UnitZ()).isZero(rounding);
 }
 
 /// The farthest that a joint of this kind can carry its link along its own travel.
@@ -157,13 +186,13 @@ Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Po
     leaders_.push_back(static_cast<int>(i));
     limits_.push_back(joints_[i].limits);
   }
+  drives_ = resolve_drives(joints_, index, coordinate_of);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    drives_.push_back(resolve_drive(joints_, index, coordinate_of, i));
-    if (joints_[i].mimic) {
-      Limits& leader = limits_[static_cast<std::size_t>(drives_[i].coordinate)];
-      narrow(leader, joints_[i].limits, drives_[i]);
-      check_limits(leader, "mimic joint " + joints_[i].name + " with its leader");
-    }
+    if (!joints_[i].mimic) continue;
+    const std::string what = "mimic joint " + joints_[i].name;
+    Limits& leader = limits_[static_cast<std::size_t>(drives_[i].coordinate)];
+    narrow(leader, joints_[i].limits, drives_[i], what);
+    check_limits(leader, what + " with its leader");
   }
   planar_ = is_planar(*this);
   reach_ = reach_ball(*this);
@@ -193,6 +222,7 @@ void check_configuration(const Arm& arm, const ConfigurationRef& q) {
 }
 
 std::vector<std::string> limit_violations(const Arm& arm, const ConfigurationRef& q, double slack) {
+  check_configuration(arm, q);
   std::vector<std::string> violations;
   for (int k = 0; k < arm.dof(); ++k) {
     const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
@@ -213,8 +243,8 @@ Configuration middle_configuration(const Arm& arm) {
   for (int k = 0; k < arm.dof(); ++k) {
     const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
     const bool bounded = std::isfinite(limits.lower) && std::isfinite(limits.upper);
-    q[k] =
-        bounded ? (limits.lower + limits.upper) / 2 : std::clamp(0.0, limits.lower, limits.upper);
+    q[k] = bounded ? std::midpoint(limits.lower, limits.upper)
+                   : std::clamp(0.0, limits.lower, limits.upper);
   }
   return q;
 }

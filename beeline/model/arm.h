@@ -18,7 +18,7 @@ class Arm {
   /// `base` is the pose of link 0 in the world, `tool` the tool's pose in link n.
   /// Throws Error for: no joints, two joints of one name, a number that is not finite, a screw that
   /// is not of unit length, an offset that is no rigid motion, limits the wrong way round, a mimic
-  /// joint whose leader is missing or follows in a circle.
+  /// joint whose leader is missing, follows in a circle or cannot keep it within its limits.
   Arm(std::string name, std::vector<Joint> joints, const Pose& tool = Pose::Identity(),
       const Pose& base = Pose::Identity());
 
@@ -65,14 +65,14 @@ class Arm {
   Reach reach_;
 };
 
-/// A copy with another tool, base or name.
+/// A copy with another tool.
 Arm with_tool(const Arm& arm, const Pose& tool);
 
 /// Throws Error unless q has the arm's number of coordinates, all finite.
 void check_configuration(const Arm& arm, const ConfigurationRef& q);
 
 /// One sentence for each coordinate of q that is outside its limits; empty when all are within.
-/// `slack` is the excess that still counts as within.
+/// `slack` is the excess that still counts as within. Throws Error when q does not fit the arm.
 std::vector<std::string> limit_violations(const Arm& arm, const ConfigurationRef& q,
                                           double slack = 1e-9);
 

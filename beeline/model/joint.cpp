@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -7,11 +8,11 @@
 namespace beeline {
 namespace {
 
-/// Below this many metres per radian a screw's pitch is rounding, not a helix.
+/// Below this many metres per radian, for each metre of the screw's moment, a pitch is rounding.
 constexpr double smallest_pitch = 1e-12;
 
 Vector3 direction(const Vector3& axis) {
-  const double length = axis.norm();
+  const double length = axis.stableNorm();
   if (!(length > 1e-9) || !std::isfinite(length)) {
     throw Error("axis " + number(axis.x()) + " " + number(axis.y()) + " " + number(axis.z()) +
                 " has no direction; give a vector of non-zero length");
@@ -23,7 +24,7 @@ Vector3 direction(const Vector3& axis) {
 
 JointKind kind(const Joint& joint) {
   if (joint.screw.tail<3>().isZero(0)) return JointKind::prismatic;
-  return std::abs(pitch(joint)) > smallest_pitch ? JointKind::helical : JointKind::revolute;
+  return pitch(joint) != 0 ? JointKind::helical : JointKind::revolute;
 }
 
 char letter(JointKind kind) { return "RPH"[static_cast<int>(kind)]; }
@@ -33,7 +34,11 @@ const char* name(JointKind kind) {
   return names[static_cast<int>(kind)];
 }
 
-double pitch(const Joint& joint) { return joint.screw.head<3>().dot(joint.screw.tail<3>()); }
+double pitch(const Joint& joint) {
+  const Vector3 v = joint.screw.head<3>();
+  const double travel = v.dot(joint.screw.tail<3>());
+  return std::abs(travel) > smallest_pitch * std::max(1.0, v.norm()) ? travel : 0;
+}
 
 Twist rotation_screw(const Vector3& axis, const Vector3& point, double pitch) {
   const Vector3 w = direction(axis);

@@ -51,7 +51,7 @@ const char* name(JointKind kind);  ///< "revolute", "prismatic" or "helical"
 double pitch(const Joint& joint);
 
 /// The unit screw of a joint whose axis runs along `axis` (any length but zero) through `point`,
-/// with `pitch` metres of travel per radian. Throws Error when the axis has no length.
+/// with `pitch` metres of travel per radian. Throws Error when the axis is shorter than 1e-9.
 Twist rotation_screw(const Vector3& axis, const Vector3& point = Vector3::Zero(), double pitch = 0);
 Twist translation_screw(const Vector3& axis);
 

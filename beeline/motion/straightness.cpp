@@ -4,163 +4,120 @@
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/motion/chord.h>
 #include <beeline/motion/straightness.h>
+#include <beeline/pose/angle.h>
 
 namespace beeline {
 namespace {
 
-constexpr double no_length = 1e-9;  // metres or radians below which a line does not move or turn
+constexpr double pi = std::numbers::pi;
+constexpr double way_of_a_radian = 0.01;  // metres: a line that moves less is told by its turn
+constexpr double nothing = 1e-12;         // metres or radians that count as none
 
-/// The linear rows of `v` that matter, for tasks in base axes; others are measured in full.
-Vector3 linear_rows(const Task& task, Vector3 v) {
-  if (task.frame == Frame::tool) return v;
+/// How many of the task's three position rows (first = 0) or orientation rows (3) matter.
+int rows(const Task& task, std::size_t first) {
+  return task.rows[first] + task.rows[first + 1] + task.rows[first + 2];
+}
+
+/// The position rows turn with the tool, and some of them do not matter.
+bool turning_rows(const Task& task) {
+  return task.frame == Frame::tool && rows(task, 0) > 0 && rows(task, 0) < 3;
+}
+
+/// Nothing of the turn is in rows that do not matter: so it is for planar arms.
+bool turns_within_rows(const Task& task, const Vector3& turn) {
+  constexpr double tilt = 1e-9;
+  if (rows(task, 3) == 3) return true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!task.rows[3 + i] && std::abs(turn[static_cast<int>(i)]) > tilt) return false;
+  }
+  return task.frame == Frame::base;
+}
+
+/// The way that a vector has in the position rows that matter, for a tool at `pose`.
+Vector3 position_rows(const Task& task, const Pose& pose, const Vector3& v) {
+  if (rows(task, 0) == 3) return v;
+  Vector3 kept = task.frame == Frame::tool ? Vector3(pose.linear().transpose() * v) : v;
   for (int i = 0; i < 3; ++i) {
-    if (!task.rows[static_cast<std::size_t>(i)]) v[i] = 0;
+    if (!task.rows[static_cast<std::size_t>(i)]) kept[i] = 0;
   }
-  return v;
+  return kept;
 }
 
-double nearest_fraction(const Line& line, const Pose& pose, const Task& task) {
+/// A line as far as the task asks.
+struct Extent {
+  Vector3 way, turn;  ///< in the world's axes; zero when no row of the kind matters
+  double length = 0;  ///< metres; in base axes of the rows that matter alone
+  double angle = 0;   ///< radians
+  bool told_by_way() const { return length > nothing && length >= way_of_a_radian * angle; }
+  bool told_by_turn() const { return !told_by_way() && angle > nothing; }
+};
+
+Extent extent_of(const Line& line, const Task& task) {
   const Twist whole = pose_difference(line.to, line.from);
-  const Twist done = pose_difference(pose, line.from);
-  const Vector3 along = linear_rows(task, whole.head<3>());
-  if (along.norm() > no_length) {
-    return std::clamp(linear_rows(task, done.head<3>()).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  }
-  const Vector3 turn = whole.tail<3>();
-  if (turn.norm() < no_length) return 1;
-  return std::clamp(done.tail<3>().dot(turn) / turn.squaredNorm(), 0.0, 1.0);
+  Extent extent{whole.head<3>(), whole.tail<3>()};
+  if (task.frame == Frame::base) extent.way = position_rows(task, line.from, extent.way);
+  if (rows(task, 0) == 0) extent.way.setZero();
+  if (rows(task, 3) == 0) extent.turn.setZero();
+  extent.length = extent.way.norm();
+  extent.angle = extent.turn.norm();
+  return extent;
 }
 
-/// What one joint contributes to a step: only sizes matter, not signs and directions.
-struct Contribution {
-  double turn = 0;    ///< |dq| of a joint that turns, radians
-  double slide = 0;   ///< |dq| of travel along the axis, metres
-  double radius = 0;  ///< the tool's largest distance from the axis during the motion
-};
+/// Only the turn about the line's own axis leads along it: the twist of a swing and a twist. The
+/// line is an arc of a circle, centred at half its angle.
+double fraction_by_turn(const Line& line, const Extent& extent, const Pose& pose) {
+  const Eigen::Quaterniond done(pose.linear() * line.from.linear().transpose());
+  const double twist = 2 * std::atan2(done.vec().dot(extent.turn) / extent.angle, done.w());
+  return std::clamp(wrap_angle(twist - extent.angle / 2) / extent.angle + 0.5, 0.0, 1.0);
+}
 
-std::vector<Contribution> contributions(const Arm& arm, const ConfigurationRef& q_a,
-                                        const ConfigurationRef& q_b) {
-  const std::vector<Pose> world_T_link = link_poses(arm, q_a);
-  const Vector3 tool = (world_T_link.back() * arm.tool()).translation();
-  std::vector<Contribution> parts(arm.joints().size());
-  double carried = 0;  // how far the joints behind this one can move the tool
-  for (std::size_t i = parts.size(); i-- > 0;) {
-    const Arm::Drive& drive = arm.drives()[i];
-    const double step = std::abs(drive.ratio * (q_b[drive.coordinate] - q_a[drive.coordinate]));
-    const Twist screw = adjoint(world_T_link[i + 1], arm.joints()[i].screw);
-    const Vector3 axis = screw.tail<3>();
-    if (axis.isZero(0)) {
-      parts[i].slide = step;
+/// With orientation rows left free there is no closed form: a scan, then thirds.
+double fraction_by_search(const Line& line, const Pose& pose, const Task& task) {
+  constexpr int scan = 64, refinements = 90;
+  const auto left = [&](double s) {
+    return task_deviation(task, interpolate(line.from, line.to, s), pose).orientation;
+  };
+  double best = 0, least = left(0);
+  for (int i = 1; i <= scan; ++i) {
+    const double here = left(double(i) / scan);
+    if (here < least) best = double(i) / scan, least = here;
+  }
+  double low = std::max(0.0, best - 1.0 / scan), high = std::min(1.0, best + 1.0 / scan);
+  for (int i = 0; i < refinements; ++i) {
+    const double third = (high - low) / 3;
+    if (left(low + third) < left(high - third)) {
+      high -= third;
     } else {
-      const double along = std::abs(axis.dot(screw.head<3>()));
-      const Vector3 around = screw.head<3>() + axis.cross(tool) - axis.dot(screw.head<3>()) * axis;
-      parts[i] = {step, along * step, around.norm() + carried};
+      low += third;
     }
-    carried += parts[i].slide + parts[i].radius * parts[i].turn;
   }
-  return parts;
+  const double refined = std::midpoint(low, high);
+  return left(refined) < least ? refined : best;
 }
 
-/// How far one step of all joints together can carry and bend the tool's motion.
-struct StepSize {
-  Deviation chord;    ///< how far it leaves the straight line between its ends
-  double moved = 0;   ///< the way of the tool's origin, at most, metres
-  double turned = 0;  ///< the tool's turn, at most, radians
-  double slack = 1;   ///< cos(turn/4): shortest turns whose ends are close part by 1/slack at most
+double nearest_fraction(const Line& line, const Extent& extent, const Pose& pose,
+                        const Task& task) {
+  if (extent.told_by_way()) {
+    const Vector3 way = position_rows(task, pose, extent.way);
+    const Vector3 done = position_rows(task, pose, pose.translation() - line.from.translation());
+    if (way.norm() > nothing) return std::clamp(done.dot(way) / way.squaredNorm(), 0.0, 1.0);
+  }
+  if (!extent.told_by_turn()) return 1;
+  const Vector3 done = pose_difference(pose, line.from).tail<3>();
+  const bool whole = turns_within_rows(task, extent.turn) && turns_within_rows(task, done);
+  return whole ? fraction_by_turn(line, extent, pose) : fraction_by_search(line, pose, task);
+}
+
+/// Where the nearest point is not moved by what a step of both ends in proportion tells, it is at
+/// the fraction s' in proportion between those of the two ends. What is known of them:
+struct Ends {
+  Deviation deviation;   ///< the larger one
+  double slack = 1;      ///< two turns with such ends part by at most 1 / slack of it between them
+  double apart = 0;      ///< between their fractions
+  double off = 0;        ///< metres from their points of the line, rows that do not matter counted
+  double along = 0;      ///< least length of the line in the rows that matter during the step
 };
-
-StepSize step_size(const Arm& arm, const ConfigurationRef& q_a, const ConfigurationRef& q_b) {
-  check_configuration(arm, q_a);
-  check_configuration(arm, q_b);
-  StepSize step;
-  double acceleration = 0;  // of the tool's position
-  double turn_change = 0;   // of its angular velocity
-  for (const Contribution& part : contributions(arm, q_a, q_b)) {
-    acceleration +=
-        part.radius * part.turn * (part.turn + 2 * step.turned) + 2 * part.slide * step.turned;
-    turn_change += part.turn * step.turned;
-    step.moved += part.slide + part.radius * part.turn;
-    step.turned += part.turn;
-  }
-  if (arm.planar()) turn_change = 0;  // about parallel axes angles simply add
-  step.slack = std::cos(std::min(step.turned, std::numbers::pi) / 4);
-  step.chord = {acceleration / 8, turn_change / 4 / step.slack};
-  return step;
-}
-
-bool all_rows(const Task& task, std::size_t first) {
-  return task.rows[first] && task.rows[first + 1] && task.rows[first + 2];
-}
-
-bool no_rows(const Task& task, std::size_t first) {
-  return !task.rows[first] && !task.rows[first + 1] && !task.rows[first + 2];
-}
 
 }  // namespace
-
-Deviation deviation_from(const Line& line, const Pose& pose, const Task& task) {
-  const double s = nearest_fraction(line, pose, task);
-  return task_deviation(task, interpolate(line.from, line.to, s), pose);
-}
-
-Deviation chord_bound(const Arm& arm, const ConfigurationRef& q_a, const ConfigurationRef& q_b) {
-  return step_size(arm, q_a, q_b).chord;
-}
-
-Deviation step_bound(const Arm& arm, const Line& line, const Task& task,
-                     const ConfigurationRef& q_a, const ConfigurationRef& q_b, const Deviation& a,
-                     const Deviation& b) {
-  const StepSize step = step_size(arm, q_a, q_b);
-  // Rows that are left free in turning axes bound nothing by the chord: there, all motion counts.
-  const bool straight_rows = task.frame == Frame::base || all_rows(task, 0);
-  const bool turning_rows = all_rows(task, 3) || arm.planar();
-  const double bend = straight_rows ? step.chord.position : step.moved;
-  const double twist = turning_rows ? step.chord.orientation : step.turned;
-
-  Deviation bound{std::max(a.position, b.position) + bend, 0};
-  if (no_rows(task, 3)) return bound;
-  bound.orientation = std::max(a.orientation, b.orientation) / step.slack + twist;
-  // The nearest point of the line, whose orientation is compared, is not where the chord has it.
-  const Twist whole = pose_difference(line.to, line.from);
-  const double length = linear_rows(task, whole.head<3>()).norm();
-  const double turn = whole.tail<3>().norm();
-  bound.orientation +=
-      length > no_length ? turn * std::min(1.0, bend / length) : std::min(turn, bound.orientation);
-  return bound;
-}
-
-Straightness straightness(const Arm& arm, std::span<const Configuration> samples,
-                          std::span<const Pose> waypoints, std::span<const std::size_t> arrivals,
-                          const Task& task) {
-  if (samples.empty() || waypoints.size() != arrivals.size()) {
-    throw Error("straightness needs samples, and an arrival for each waypoint");
-  }
-  Straightness result;
-  const auto grow = [](Deviation& largest, const Deviation& met) {
-    largest.position = std::max(largest.position, met.position);
-    largest.orientation = std::max(largest.orientation, met.orientation);
-  };
-  Line line{forward_kinematics(arm, samples.front()), Pose::Identity()};
-  std::size_t first = 0;
-  for (std::size_t w = 0; w < waypoints.size(); ++w) {
-    if (arrivals[w] < first || arrivals[w] >= samples.size()) {
-      throw Error("arrival " + std::to_string(w + 1) + " is not among the samples, in order");
-    }
-    line.to = waypoints[w];
-    Deviation before = deviation_from(line, forward_kinematics(arm, samples[first]), task);
-    grow(result.sampled, before);
-    grow(result.bound, before);
-    for (std::size_t k = first + 1; k <= arrivals[w]; ++k) {
-      const Deviation now = deviation_from(line, forward_kinematics(arm, samples[k]), task);
-      grow(result.sampled, now);
-      grow(result.bound, step_bound(arm, line, task, samples[k - 1], samples[k], before, now));
-      before = now;
-    }
-    line.from = line.to;
-    first = arrivals[w];
-  }
-  return result;
-}
-
-}  // namespace beeline

@@ -7,10 +7,13 @@ namespace beeline {
 
 double wrap_angle(double radians) { return std::remainder(radians, 2 * std::numbers::pi); }
 
-double angle_difference(double a, double b) { return wrap_angle(a - b); }
+double angle_difference(double a, double b) {
+  return wrap_angle(wrap_angle(a) - wrap_angle(b));  // a - b could overflow, or round b away
+}
 
 double nearest_turn(double radians, double reference) {
-  return reference + angle_difference(radians, reference);
+  constexpr double turn = 2 * std::numbers::pi;
+  return radians + turn * std::nearbyint((reference - radians) / turn);
 }
 
 }  // namespace beeline

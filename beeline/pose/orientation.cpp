@@ -15,8 +15,11 @@ Rotation rotation(const RollPitchYaw& rpy) {
 RollPitchYaw roll_pitch_yaw(const Rotation& r) {
   const double cos_pitch = std::hypot(r(0, 0), r(1, 0));
   const double pitch = std::atan2(-r(2, 0), cos_pitch);
-  if (cos_pitch < 1e-9) return {0, pitch, std::atan2(-r(0, 1), r(1, 1))};
-  return {std::atan2(r(2, 1), r(2, 2)), pitch, std::atan2(r(1, 0), r(0, 0))};
+  const double roll = cos_pitch < 1e-12 ? 0 : std::atan2(r(2, 1), r(2, 2));
+  // The y axis of Rz(yaw) Ry(pitch). Yaw is read from it and not from the x axis, because near
+  // gimbal lock it must make good the rounding of roll.
+  const Vector3 y = std::cos(roll) * r.col(1) - std::sin(roll) * r.col(2);
+  return {roll, pitch, std::atan2(-y.x(), y.y())};
 }
 
 Rotation rotation_from_quaternion(double qw, double qx, double qy, double qz) {
@@ -30,7 +33,7 @@ Rotation rotation_from_quaternion(double qw, double qx, double qy, double qz) {
 }
 
 Quaternion quaternion(const Rotation& rotation) {
-  const Eigen::Quaterniond q(rotation);
+  const Eigen::Quaterniond q = Eigen::Quaterniond(rotation).normalized();
   const double sign = q.w() < 0 ? -1 : 1;
   return {sign * q.w(), sign * q.x(), sign * q.y(), sign * q.z()};
 }

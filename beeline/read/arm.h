@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
-#include <string_view>
 
 #include <beeline/model/arm.h>
 
@@ -12,6 +12,9 @@ struct ChainEnds {
   std::string base;  ///< a link's name; default the root
   std::string tip;   ///< a link's name; default the only leaf
 };
+
+/// No serial arm has more joints: a longer description is refused as an accident.
+constexpr std::size_t most_joints = 10000;
 
 /// An arm from what a person types: a built-in name (`panda`), a joint string with link lengths
 /// (`RRR:3.5,3.5,2`), or a file (`.urdf`, `.json`). Base and tip go with URDF files only.

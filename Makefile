@@ -1,0 +1,62 @@
+# Everything there is to do with Beeline, in a word each. `make help` lists the words.
+# Each installs what it needs and is not there yet (scripts/install_packages.sh), and is quick when
+# run again.
+
+PREFIX ?= /usr/local
+JOBS   ?= $(shell nproc)
+
+# A warning fails a run that nobody watches.
+ifdef CI
+strict := -DCMAKE_COMPILE_WARNING_AS_ERROR=ON
+endif
+
+.NOTPARALLEL:
+.PHONY: help build demo test asan lint format install clean
+
+help:
+	@echo "make build     the command, in build/beeline"
+	@echo "make demo      an arm moves in straight lines: report and pictures in build/demo"
+	@echo "make test      builds and runs every test"
+	@echo "make asan      the same under the address and undefined behaviour sanitizers"
+	@echo "make lint      formatting, static analysis, the house's rules"
+	@echo "make format    formats the sources"
+	@echo "make install   installs the command and the library; PREFIX=$(PREFIX)"
+	@echo "make clean     removes what was built"
+
+build:
+	@scripts/install_packages.sh build
+	@test -f build/build.ninja || cmake --preset release $(strict)
+	@cmake --build --preset release --parallel $(JOBS) --target beeline
+
+demo: build
+	@scripts/demo.sh build/beeline build/demo
+
+test:
+	@scripts/install_packages.sh build test
+	@scripts/venv.sh
+	@cmake --preset release -DBEELINE_TESTS=ON $(strict)
+	@cmake --build --preset release --parallel $(JOBS)
+	@ctest --preset release --parallel $(JOBS)
+
+asan:
+	@scripts/install_packages.sh build test
+	@scripts/venv.sh
+	@cmake --preset asan
+	@cmake --build --preset asan --parallel $(JOBS)
+	@ctest --preset asan --parallel $(JOBS)
+
+lint:
+	@scripts/install_packages.sh build test lint
+	@cmake --preset dev
+	@cmake --build --preset dev --parallel $(JOBS) --target all_verify_interface_header_sets
+	@scripts/lint.sh build-dev
+
+format:
+	@scripts/install_packages.sh lint
+	@scripts/sources.sh | xargs clang-format-14 -i
+
+install: build
+	@cmake --install build --prefix $(PREFIX)
+
+clean:
+	@rm -rf build build-dev build-asan

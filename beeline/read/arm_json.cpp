@@ -1,0 +1,108 @@
+#include <algorithm>
+
+#include <beeline/error.h>
+#include <beeline/read/arm.h>
+#include <beeline/read/arm_json.h>
+#include <beeline/read/file.h>
+#include <beeline/read/joint_json.h>
+#include <beeline/read/joint_string.h>
+#include <beeline/read/name.h>
+#include <beeline/read/pose_json.h>
+
+namespace beeline {
+namespace {
+
+const std::vector<std::string> descriptions{"joints", "joint_string", "dh"};
+
+std::vector<Joint> joints_from_list(const JsonDocument& document, const Json& list) {
+  std::vector<Joint> joints;
+  for (const Json& item : document.items(list)) {
+    std::ranges::move(joints_from_json(document, item), std::back_inserter(joints));
+  }
+  return joints;
+}
+
+std::vector<Joint> joints_from_dh(const JsonDocument& document, const Json& dh) {
+  document.check_keys(dh, {"convention", "rows"});
+  const Json* convention = document.find(dh, "convention");
+  const std::string text = convention == nullptr ? "" : document.text(*convention);
+  if (text != "standard" && text != "modified") {
+    document.refuse(convention == nullptr ? dh : *convention,
+                    std::string(convention == nullptr ? "needs the key \"convention\": it must say "
+                                                      : "must be ") +
+                        "standard or modified, because the numbers alone do not tell which");
+  }
+  std::vector<Joint> joints;
+  for (const Json& row : document.items(document.need(dh, "rows"))) {
+    joints.push_back(dh_joint_from_json(document, row, text, joints.size() + 1));
+  }
+  return joints;
+}
+
+std::vector<Joint> joints_of(const JsonDocument& document) {
+  const Json& root = document.root();
+  std::vector<std::string> given;
+  for (const std::string& key : descriptions) {
+    if (document.find(root, key) != nullptr) given.push_back(key);
+  }
+  if (given.size() != 1) {
+    document.refuse(root, "needs exactly one of the keys " + listed(descriptions) + "; it has " +
+                              (given.empty() ? "none" : listed(given)));
+  }
+  const Json& description = document.need(root, given.front());
+  if (given.front() == "joints") return joints_from_list(document, description);
+  if (given.front() == "dh") return joints_from_dh(document, description);
+  try {
+    return arm_from_joint_string(document.text(description)).joints();
+  } catch (const FileError&) {
+    throw;
+  } catch (const Error& error) {
+    document.refuse(description, std::string("is not readable: ") + error.what());
+  }
+}
+
+}  // namespace
+
+Arm arm_from_json(std::string_view text, const std::string& path) {
+  const JsonDocument document(text, path);
+  const Json& root = document.root();
+  document.check_keys(root, {"name", "base", "tool", "joints", "joint_string", "dh"});
+  const Json* base = document.find(root, "base");
+  const Json* tool = document.find(root, "tool");
+  const std::string& name = document.text(document.need(root, "name"));
+  std::vector<Joint> joints = joints_of(document);
+  if (joints.size() > most_joints) {
+    document.refuse(root, "has " + std::to_string(joints.size()) + " joints; at most " +
+                              std::to_string(most_joints) + " are read");
+  }
+  const Pose nowhere = Pose::Identity();
+  const Pose base_pose = base == nullptr ? nowhere : pose_from_json(document, *base);
+  const Pose tool_pose = tool == nullptr ? nowhere : pose_from_json(document, *tool);
+  try {
+    check_name(name, "the arm's name");
+    return {name, std::move(joints), tool_pose, base_pose};
+  } catch (const Error& error) {
+    throw FileError(path, 0, error.what());
+  }
+}
+
+Arm read_arm_json(const std::string& path) { return arm_from_json(read_file(path), path); }
+
+std::string arm_to_json(const Arm& arm) {
+  check_name(arm.name(), "the arm's name");
+  for (const Joint& joint : arm.joints()) {
+    check_name(joint.name, "a joint's name");
+    if (!joint.link.empty()) check_name(joint.link, "a link's name");
+  }
+  std::string text = "{\n  \"name\": " + json_text(arm.name());
+  if (!arm.base().matrix().isIdentity(0)) text += ",\n  \"base\": " + pose_to_json(arm.base());
+  text += ",\n  \"joints\": [";
+  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
+    text += (i == 0 ? "\n    " : ",\n    ") + joint_to_json(arm.joints()[i]);
+  }
+  text += "\n  ]";
+  if (!arm.tool().matrix().isIdentity(0)) text += ",\n  \"tool\": " + pose_to_json(arm.tool());
+  return text + "\n}\n";
+}
+
+}  // namespace beeline

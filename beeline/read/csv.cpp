@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <unordered_set>
+
+#include <beeline/error.h>
+#include <beeline/read/csv.h>
+#include <beeline/read/name.h>
+#include <beeline/read/numbers.h>
+
+namespace beeline {
+namespace {
+
+constexpr std::size_t most_columns = 100'000;
+constexpr std::size_t most_rows = 4'000'000;  // an hour at 1 kHz; more would fill the memory
+
+/// The lines of a text, with their numbers; empty lines and comments are passed over.
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : rest_(text) {
+    if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
+  }
+
+  bool next(std::string_view& line) {
+    while (!rest_.empty()) {
+      const std::size_t end = rest_.find('\n');
+      line = trimmed(rest_.substr(0, end));
+      rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+      ++number_;
+      if (!line.empty() && line.front() != '#') return true;
+    }
+    return false;
+  }
+
+  int number() const { return number_; }
+
+ private:
+  std::string_view rest_;
+  int number_ = 0;
+};
+
+/// Takes the item at the front of `line` away with its comma; false when it was the last one.
+bool take_item(std::string_view& line, std::string& item) {
+  const std::size_t start = line.find_first_not_of(" \t");
+  if (start == std::string_view::npos || line[start] != '"') {
+    const std::size_t comma = line.find(',');
+    item = trimmed(line.substr(0, comma));
+    line.remove_prefix(comma == std::string_view::npos ? line.size() : comma + 1);
+    return comma != std::string_view::npos;
+  }
+  item.clear();
+  std::size_t at = start + 1;
+  for (;; ++at) {
+    if (at >= line.size()) throw Error("a quotation mark is not closed");
+    if (line[at] != '"') {
+      item += line[at];
+    } else if (line.substr(at + 1).starts_with('"')) {
+      item += line[at++];  // two in a row stand for one
+    } else {
+      break;
+    }
+  }
+  line.remove_prefix(at + 1);
+  line = trimmed(line);
+  if (line.empty()) return false;
+  if (line.front() != ',') throw Error(in_quotes(line) + " stands behind a closing quotation mark");
+  line.remove_prefix(1);
+  return true;
+}
+
+std::vector<std::string> parse_header(std::string_view line) {
+  std::vector<std::string> columns;
+  std::unordered_set<std::string> seen;
+  std::string item;
+  for (bool more = true; more;) {
+    more = take_item(line, item);
+    check_name(item, "the name of column " + std::to_string(columns.size() + 1));
+    if (!seen.insert(item).second) throw Error("column " + in_quotes(item) + " stands there twice");
+    columns.push_back(item);
+    if (columns.size() > most_columns) {
+      throw Error("there are more than " + std::to_string(most_columns) + " columns");
+    }
+  }
+  const bool digits = std::ranges::all_of(columns, [](const std::string& name) {
+    return name.find_first_not_of("0123456789+-.eE") == std::string::npos;
+  });
+  if (digits) throw Error("the first line must be a header of names, such as x,y,theta");
+  return columns;
+}
+
+std::vector<double> parse_row(std::string_view line, const std::vector<std::string>& columns) {
+  std::vector<double> row;
+  row.reserve(columns.size());
+  std::string item;
+  std::size_t count = 0;
+  for (bool more = true; more; ++count) {
+    more = take_item(line, item);
+    if (count < columns.size()) row.push_back(parse_number(item, "column " + columns[count]));
+  }
+  if (count != columns.size()) {
+    throw Error("this row has " + std::to_string(count) + " items; the header has " +
+                std::to_string(columns.size()));
+  }
+  return row;
+}
+
+}  // namespace
+
+CsvTable parse_csv(std::string_view text, const std::string& path) {
+  CsvTable table{.path = path, .columns = {}, .rows = {}, .lines = {}};
+  Lines lines(text);
+  std::string_view line;
+  try {
+    if (!lines.next(line)) throw FileError(path, 0, "is empty; it needs a header and rows");
+    table.columns = parse_header(line);
+    while (lines.next(line)) {
+      table.rows.push_back(parse_row(line, table.columns));
+      table.lines.push_back(lines.number());
+      if (table.rows.size() > most_rows) {
+        throw Error("there are more than " + std::to_string(most_rows) + " rows");
+      }
+    }
+  } catch (const FileError&) {
+    throw;
+  } catch (const Error& error) {
+    throw FileError(path, lines.number(), error.what());
+  }
+  if (table.rows.empty()) throw FileError(path, 0, "has a header but no rows below it");
+  return table;
+}
+
+std::string csv_name(const std::string& name) {
+  const bool plain = name.find_first_of(",\"") == std::string::npos && trimmed(name) == name &&
+                     !name.starts_with('#');
+  if (plain) return name;
+  std::string text = "\"";
+  for (const char c : name) text += c == '"' ? "\"\"" : std::string(1, c);
+  return text + '"';
+}
+
+}  // namespace beeline

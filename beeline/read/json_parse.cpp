@@ -1,0 +1,148 @@
+#include <cstddef>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include <beeline/error.h>
+#include <beeline/read/json.h>
+#include <beeline/read/name.h>
+
+namespace beeline {
+namespace {
+
+constexpr std::size_t deepest = 64;
+constexpr std::size_t most_values = 8'000'000;
+constexpr std::size_t most_keys = 100;  // our formats have a dozen; the search for twins is square
+
+/// Reads a text and knows the line of the last character read. A line break counts only when what
+/// follows it is read, because the end of a number is known one character late.
+struct Position {
+  int line = 1;
+  bool broken = false;  // the last character read was a line break
+
+  void read(char c) {
+    line += broken ? 1 : 0;
+    broken = c == '\n';
+  }
+};
+
+class CountingIterator {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  CountingIterator(const char* at, Position& position) : at_(at), position_(&position) {}
+  reference operator*() const { return *at_; }
+  CountingIterator& operator++() {
+    position_->read(*at_++);
+    return *this;
+  }
+  CountingIterator operator++(int) {
+    const CountingIterator before = *this;
+    ++*this;
+    return before;
+  }
+  bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
+  bool operator!=(const CountingIterator& other) const { return at_ != other.at_; }
+
+ private:
+  const char* at_;
+  Position* position_;
+};
+
+/// Receives the parser's events and builds the tree. The parser itself keeps no call stack.
+class Builder {
+ public:
+  Builder(Json& root, const Position& position, const std::string& path)
+      : root_(root), position_(position), path_(path) {}
+
+  using string_t = std::string;
+  bool null() { return add(nullptr), true; }
+  bool boolean(bool value) { return add(value), true; }
+  bool number_integer(std::int64_t value) { return add(static_cast<double>(value)), true; }
+  bool number_unsigned(std::uint64_t value) { return add(static_cast<double>(value)), true; }
+  bool number_float(double value, const string_t& /*digits*/) { return add(value), true; }
+  bool string(string_t& value) { return add(std::move(value)), true; }
+  bool binary(std::vector<std::uint8_t>& /*value*/) { return false; }  // no part of JSON text
+  bool start_object(std::size_t /*size*/) { return open(Json::Members{}), true; }
+  bool start_array(std::size_t /*size*/) { return open(Json::Items{}), true; }
+  bool end_object() { return open_.pop_back(), true; }
+  bool end_array() { return open_.pop_back(), true; }
+
+  bool key(string_t& key) {
+    auto& members = std::get<Json::Members>(open_.back()->value);
+    for (const auto& [name, value] : members) {
+      if (name == key) refuse("the key " + in_quotes(key) + " stands there twice");
+    }
+    if (members.size() == most_keys) refuse("an object has more than 100 keys");
+    members.emplace_back(std::move(key), Json{});
+    return true;
+  }
+
+  bool parse_error(std::size_t /*byte*/, const std::string& /*token*/,
+                   const nlohmann::json::exception& error) {
+    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while ..."
+    std::string_view why = error.what();
+    why.remove_prefix(std::min(why.size(), why.find("] ") + 2));
+    const std::size_t colon = why.find(": ");
+    if (why.starts_with("parse error at ")) why.remove_prefix(std::min(why.size(), colon + 2));
+    constexpr std::string_view known = "syntax error while ";
+    if (why.starts_with(known)) why.remove_prefix(known.size());
+    refuse("is not JSON: " + printable(why));
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw FileError(path_, position_.line, why);
+  }
+
+  template <typename Value>
+  Json& add(Value&& value) {
+    if (++count_ > most_values) refuse("holds more than 8 million values");
+    Json* place = &root_;
+    if (!open_.empty()) {
+      auto& parent = open_.back()->value;
+      if (auto* items = std::get_if<Json::Items>(&parent)) {
+        place = &items->emplace_back();
+      } else {
+        place = &std::get<Json::Members>(parent).back().second;
+      }
+    }
+    place->value = std::forward<Value>(value);
+    place->line = position_.line;
+    return *place;
+  }
+
+  template <typename Value>
+  void open(Value&& empty) {
+    if (open_.size() == deepest) refuse("is nested deeper than 64 levels");
+    open_.push_back(&add(std::forward<Value>(empty)));
+  }
+
+  Json& root_;
+  const Position& position_;
+  const std::string& path_;
+  std::vector<Json*> open_;  // from the root down; only the last one grows, so none moves
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+JsonDocument::JsonDocument(std::string_view text, std::string path) : path_(std::move(path)) {
+  Position position;
+  Builder builder(root_, position, path_);
+  nlohmann::json::sax_parse(CountingIterator(text.data(), position),
+                            CountingIterator(text.data() + text.size(), position), &builder);
+}
+
+std::string json_text(std::string_view text) {
+  try {
+    return nlohmann::json(text).dump();
+  } catch (const nlohmann::json::exception&) {
+    throw Error(in_quotes(text) + " is not UTF-8 text; JSON cannot hold it");
+  }
+}
+
+}  // namespace beeline

@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <array>
+
+#include <beeline/error.h>
+#include <beeline/pose/orientation.h>
+#include <beeline/pose/se2.h>
+#include <beeline/read/csv.h>
+#include <beeline/read/file.h>
+#include <beeline/read/name.h>
+#include <beeline/read/pose_list.h>
+
+namespace beeline {
+namespace {
+
+using Names = std::vector<std::string>;
+
+const std::array<Names, 3>& forms() {
+  static const std::array<Names, 3> known{{{"x", "y", "theta"},
+                                           {"x", "y", "z", "roll", "pitch", "yaw"},
+                                           {"x", "y", "z", "qw", "qx", "qy", "qz"}}};
+  return known;
+}
+
+constexpr const char* known_forms = "x,y,theta or x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz";
+
+bool holds(const Names& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// The names of `wanted` that `there` has not got.
+Names missing_from(const Names& there, const Names& wanted) {
+  Names missing;
+  for (const std::string& name : wanted) {
+    if (!holds(there, name)) missing.push_back(name);
+  }
+  return missing;
+}
+
+/// The values in the order of one of the forms; how many there are tells which.
+Pose pose_of(const std::vector<double>& v, AngleUnit unit) {
+  const auto turn = [unit](double angle) { return to_radians(angle, unit); };
+  if (v.size() == 3) return to_space(Pose2{v[0], v[1], turn(v[2])});
+  const Vector3 position(v[0], v[1], v[2]);
+  if (v.size() == 6) {
+    return make_pose(position, rotation(RollPitchYaw{turn(v[3]), turn(v[4]), turn(v[5])}));
+  }
+  return make_pose(position, rotation_from_quaternion(v[3], v[4], v[5], v[6]));
+}
+
+/// The form whose columns the header has.
+const Names& form_of(const Names& header) {
+  const std::string known = std::string("; poses are ") + known_forms;
+  const Names* form = nullptr;
+  for (const Names& candidate : forms()) {
+    const auto missing = missing_from(header, candidate).size();
+    if (form == nullptr || missing < missing_from(header, *form).size()) form = &candidate;
+  }
+  for (const std::string& name : header) {
+    const bool is_known = std::ranges::any_of(
+        forms(), [&](const Names& candidate) { return holds(candidate, name); });
+    if (!is_known) throw Error("unknown column " + in_quotes(name) + known);
+  }
+  const Names missing = missing_from(header, *form);
+  if (!missing.empty()) throw Error("column " + listed(missing) + " is missing" + known);
+  const Names extra = missing_from(*form, header);
+  if (!extra.empty()) {
+    throw Error("column " + listed(extra) + " does not go with " + listed(*form) + known);
+  }
+  return *form;
+}
+
+}  // namespace
+
+PoseList poses_from_csv(std::string_view text, const std::string& path, AngleUnit unit) {
+  const CsvTable table = parse_csv(text, path);
+  PoseList list{.poses = {}, .lines = table.lines, .planar = false};
+  int line = 0;  // of a header error none is told: comments may stand before it
+  try {
+    const Names& form = form_of(table.columns);
+    list.planar = form.size() == 3;
+    std::vector<std::size_t> place;
+    for (const std::string& name : form) {
+      place.push_back(
+          static_cast<std::size_t>(std::ranges::find(table.columns, name) - table.columns.begin()));
+    }
+    std::vector<double> values(form.size());
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      line = table.lines[row];
+      std::ranges::transform(place, values.begin(),
+                             [&](std::size_t column) { return table.rows[row][column]; });
+      list.poses.push_back(pose_of(values, unit));
+    }
+  } catch (const Error& error) {
+    throw FileError(path, line, error.what());
+  }
+  return list;
+}
+
+PoseList read_poses(const std::string& path, AngleUnit unit) {
+  return poses_from_csv(read_file(path), path, unit);
+}
+
+Pose parse_pose(std::string_view text, AngleUnit unit) {
+  const std::vector<double> values = parse_numbers(text, "pose");
+  const bool known =
+      std::ranges::any_of(forms(), [&](const Names& form) { return form.size() == values.size(); });
+  if (!known) {
+    throw Error("pose " + in_quotes(text) + " has " + std::to_string(values.size()) +
+                " numbers; poses are " + known_forms);
+  }
+  return pose_of(values, unit);
+}
+
+}  // namespace beeline

@@ -1,0 +1,83 @@
+#include <unordered_set>
+
+#include <beeline/error.h>
+#include <beeline/read/file.h>
+#include <beeline/read/name.h>
+#include <beeline/read/urdf.h>
+#include <beeline/read/urdf_file.h>
+#include <beeline/read/urdf_tree.h>
+
+namespace beeline {
+namespace {
+
+/// The moving joint, its frame `origin` away from the frame of the moving joint before it.
+Joint moving_joint(const UrdfFile& file, const UrdfFile::Joint& urdf, const Pose& origin) {
+  Joint joint;
+  joint.name = urdf.name;
+  joint.link = urdf.child;
+  joint.offset = origin;
+  joint.limits = urdf.limits;
+  joint.mimic = urdf.mimic;
+  try {
+    joint.screw =
+        urdf.type == "prismatic" ? translation_screw(urdf.axis) : rotation_screw(urdf.axis);
+  } catch (const Error& error) {
+    throw FileError(file.path, urdf.axis_line, "joint " + urdf.name + ": " + error.what());
+  }
+  if (urdf.limits.lower > urdf.limits.upper) {
+    throw FileError(file.path, urdf.limit_line,
+                    "joint " + urdf.name + " has its limits the wrong way round: lower " +
+                        number(urdf.limits.lower) + " is above upper " + number(urdf.limits.upper));
+  }
+  return joint;
+}
+
+[[noreturn]] void refuse_type(const UrdfFile& file, const UrdfFile::Joint& joint) {
+  throw FileError(file.path, joint.line,
+                  "joint " + joint.name + " is " + in_quotes(joint.type) +
+                      ", which is no joint of a chain; revolute, continuous, prismatic and fixed "
+                      "are");
+}
+
+/// A joint whose leader is not on the chain has nobody to follow.
+void free_followers(std::vector<Joint>& joints) {
+  std::unordered_set<std::string> names;
+  for (const Joint& joint : joints) names.insert(joint.name);
+  for (Joint& joint : joints) {
+    if (joint.mimic && !names.contains(joint.mimic->leader)) joint.mimic.reset();
+  }
+}
+
+}  // namespace
+
+Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends) {
+  const UrdfFile file = parse_urdf(text, path);
+  const std::vector<std::size_t> chain = cut_chain(file, ends);
+  std::vector<Joint> joints;
+  Pose fixed = Pose::Identity();  // from the last moving joint's frame
+  for (const std::size_t place : chain) {
+    const UrdfFile::Joint& urdf = file.joints[place];
+    fixed = fixed * urdf.origin;
+    if (urdf.type == "fixed") continue;
+    if (!moves(urdf)) refuse_type(file, urdf);
+    joints.push_back(moving_joint(file, urdf, fixed));
+    fixed = Pose::Identity();
+  }
+  if (joints.empty() || joints.size() > most_joints) {
+    throw FileError(path, 0,
+                    "has " + std::string(joints.empty() ? "no" : "more than 10000") +
+                        " moving joints between its base and its tip");
+  }
+  free_followers(joints);
+  try {
+    return {file.name, std::move(joints), fixed};
+  } catch (const Error& error) {
+    throw FileError(path, 0, error.what());
+  }
+}
+
+Arm read_urdf(const std::string& path, const ChainEnds& ends) {
+  return arm_from_urdf(read_file(path), path, ends);
+}
+
+}  // namespace beeline

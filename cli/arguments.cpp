@@ -1,0 +1,77 @@
+#include "arguments.h"
+
+#include <cstdio>
+#include <fmt/core.h>
+#include <numbers>
+
+#include <beeline/error.h>
+#include <beeline/read/arm.h>
+
+using namespace beeline;
+
+void ArmArgument::declare(CLI::App& verb) {
+  verb.add_option("ARM", text, "A built-in name, a joint string or a file (.urdf, .json)")
+      ->required();
+  verb.add_option("--base", base, "The link that a URDF's chain begins at (default: its root)");
+  verb.add_option("--tip", tip, "The link that a URDF's chain ends at (default: its only leaf)");
+}
+
+Arm ArmArgument::read() const { return read_arm(text, {.base = base, .tip = tip}); }
+
+void UnitArgument::declare(CLI::App& verb) {
+  verb.add_flag("--degrees", degrees, "Angles in degrees, read and printed (default: radians)");
+}
+
+Configuration UnitArgument::configuration(const Arm& arm, const std::string& text,
+                                          const std::string& option) const {
+  const std::vector<double> values = parse_numbers(text, option);
+  Configuration q =
+      Eigen::Map<const Configuration>(values.data(), static_cast<Eigen::Index>(values.size()));
+  if (q.size() != arm.dof()) {
+    try {
+      check_configuration(arm, q);
+    } catch (const Error& error) {
+      throw Error(option + ": " + error.what());
+    }
+  }
+  for (int k = 0; k < arm.dof(); ++k) {
+    if (kind(arm.joint_of(k)) != JointKind::prismatic) q[k] = to_radians(q[k], angle_unit());
+  }
+  return q;
+}
+
+double UnitArgument::shown(double radians) const {
+  return degrees ? radians * 180 / std::numbers::pi : radians;
+}
+
+Configuration UnitArgument::shown(const Arm& arm, const Configuration& q) const {
+  Configuration values = q;
+  for (int k = 0; k < arm.dof(); ++k) {
+    if (kind(arm.joint_of(k)) != JointKind::prismatic) values[k] = shown(values[k]);
+  }
+  return values;
+}
+
+void TaskArgument::declare(CLI::App& verb) {
+  verb.add_option(
+      "--task", text,
+      "What matters of the tool's pose: planar, position, spatial, or six of 0 and 1 for\n"
+      "x y z wx wy wz such as 111110; :tool behind it takes the tool's axes\n"
+      "(default: planar for planar arms, else spatial)");
+}
+
+Task TaskArgument::read(const Arm& arm) const {
+  return text.empty() ? default_task(arm) : task_named(text);
+}
+
+void check_pose_form(const Arm& arm, bool planar_form, const std::string& option) {
+  if (!planar_form || arm.planar()) return;
+  throw Error(option + ": x,y,theta is for planar arms; " + arm.name() +
+              " needs x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz");
+}
+
+void warn_outside_limits(const Arm& arm, const Configuration& q) {
+  for (const std::string& sentence : limit_violations(arm, q)) {
+    fmt::print(stderr, "beeline: warning: {}\n", sentence);
+  }
+}

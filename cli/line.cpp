@@ -1,0 +1,185 @@
+#include <fmt/core.h>
+
+#include <beeline/control/cartesian.h>
+#include <beeline/error.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/motion/line.h>
+#include <beeline/read/pose_list.h>
+
+#include "progress.h"
+#include "results.h"
+#include "verb.h"
+
+using namespace beeline;
+
+namespace {
+
+struct Arguments {
+  ArmArgument arm;
+  UnitArgument unit;
+  TaskArgument task;
+  std::string from, through, method = "exact";
+  LineOptions options;
+  CartesianOptions control;
+  ResultFiles files;
+  bool json = false;
+};
+
+/// What is reported, whichever way the line was followed.
+struct Report {
+  MotionStatus status = MotionStatus::not_converged;
+  std::string reason;
+  Trajectory trajectory;
+  Straightness straightness;
+  int steps = 0;  ///< of a controller
+  double overshoot = 0;
+};
+
+Report follow_exactly(const Arm& arm, const Configuration& start,
+                      const std::vector<Pose>& waypoints, LineOptions options) {
+  Progress progress;
+  options.progress = [&progress](double share) { progress.show(share); };
+  LineMotion motion = move_in_lines(arm, start, waypoints, options);
+  return {motion.status, motion.reason, std::move(motion.trajectory), motion.straightness};
+}
+
+Report follow_by_control(const Arm& arm, const Configuration& start,
+                         const std::vector<Pose>& waypoints, const CartesianOptions& options) {
+  ControlledMotion motion = control_in_lines(arm, start, waypoints, options);
+  Report report{motion.status, motion.reason,   std::move(motion.trajectory), {},
+                motion.steps,  motion.overshoot};
+  if (report.status == MotionStatus::reached) {
+    report.straightness = straightness(arm, report.trajectory.positions, waypoints, motion.arrivals,
+                                       options.task.value_or(default_task(arm)));
+  }
+  return report;
+}
+
+Report follow(const Arguments& arguments, const Arm& arm, const std::vector<Pose>& waypoints) {
+  const Configuration start = arguments.unit.configuration(arm, arguments.from, "--from");
+  const Task task = arguments.task.read(arm);
+  if (arguments.method == "exact") {
+    LineOptions options = arguments.options;
+    options.task = task;
+    return follow_exactly(arm, start, waypoints, options);
+  }
+  CartesianOptions options = arguments.control;
+  options.task = task;
+  for (const CartesianMethod method :
+       {CartesianMethod::inverse_jacobian, CartesianMethod::inverse_kinematics}) {
+    options.method = method;
+    if (arguments.method == name(method)) return follow_by_control(arm, start, waypoints, options);
+  }
+  throw unknown_name("method", arguments.method,
+                     {"exact", "inverse-jacobian", "inverse-kinematics"});
+}
+
+void print_report(const Arguments& arguments, const Report& report, std::size_t waypoints) {
+  const bool reached = report.status == MotionStatus::reached;
+  fmt::print("{}: {} waypoint{}, method {}\n", name(report.status), waypoints,
+             waypoints == 1 ? "" : "s", arguments.method);
+  if (!reached) return;
+  const Straightness& straight = report.straightness;
+  fmt::print("samples       {} in {} s\n", report.trajectory.size(),
+             shown(report.trajectory.times.back()));
+  if (arguments.method != "exact") {
+    fmt::print("control       {} steps, overshoot {} % of a line\n", report.steps,
+               shown(100 * report.overshoot));
+  }
+  fmt::print("deviation     position     orientation\n");
+  fmt::print("  at samples  {:<9} m  {:<9} rad\n", fmt::format("{:.2e}", straight.sampled.position),
+             fmt::format("{:.2e}", straight.sampled.orientation));
+  fmt::print(
+      "  proved      {:<9} m  {:<9} rad   (at every moment, joints linear between samples)\n",
+      fmt::format("{:.2e}", straight.bound.position),
+      fmt::format("{:.2e}", straight.bound.orientation));
+  arguments.files.print();
+}
+
+OrderedJson document(const Arguments& arguments, const Report& report, std::size_t waypoints) {
+  const bool reached = report.status == MotionStatus::reached;
+  const auto measured = [reached](double value) {
+    return reached ? json_number(value) : OrderedJson(nullptr);
+  };
+  const Straightness& straight = report.straightness;
+  OrderedJson document{{"status", name(report.status)},
+                       {"method", arguments.method},
+                       {"waypoints", waypoints},
+                       {"deviation_bound", measured(straight.bound.position)},
+                       {"deviation_sampled", measured(straight.sampled.position)},
+                       {"orientation_bound", measured(straight.bound.orientation)},
+                       {"orientation_sampled", measured(straight.sampled.orientation)},
+                       {"samples", report.trajectory.size()},
+                       {"duration", measured(reached ? report.trajectory.times.back() : 0)},
+                       {"reason", report.reason}};
+  if (arguments.method != "exact") {
+    document["steps"] = report.steps;
+    document["overshoot"] = json_number(report.overshoot);
+  }
+  if (reached) arguments.files.add_to(document);
+  return document;
+}
+
+Exit line(const Arguments& arguments) {
+  arguments.files.check_formats();
+  const Arm arm = arguments.arm.read();
+  const PoseList waypoints = read_poses(arguments.through, arguments.unit.angle_unit());
+  check_pose_form(arm, waypoints.planar, "--through " + arguments.through);
+  const Report report = follow(arguments, arm, waypoints.poses);
+  const bool reached = report.status == MotionStatus::reached;
+  if (reached) arguments.files.write(arm, report.trajectory, waypoints.poses);
+  if (arguments.json) {
+    print_json(document(arguments, report, waypoints.poses.size()));
+  } else {
+    print_report(arguments, report, waypoints.poses.size());
+  }
+  if (!reached) fmt::print(stderr, "beeline: {}\n", report.reason);
+  return reached ? Exit::yes : Exit::no;
+}
+
+}  // namespace
+
+Run declare_line(CLI::App& verb) {
+  static Arguments arguments;
+  LineOptions& options = arguments.options;
+  CartesianOptions& control = arguments.control;
+  arguments.arm.declare(verb);
+  verb.add_option("--from", arguments.from, "Joint values at the start")->required();
+  verb.add_option("--through", arguments.through,
+                  "Poses, a CSV file with the header x,y,theta (planar arms),\n"
+                  "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz")
+      ->required();
+  arguments.unit.declare(verb);
+  arguments.task.declare(verb);
+  verb.add_option("--method", arguments.method,
+                  "exact: every sample on the line, the rest bounded by proof;\n"
+                  "inverse-jacobian: feedback by eq. 1.6; inverse-kinematics: solutions at\n"
+                  "intermediate poses, joint control (eq. 1.3) between them")
+      ->capture_default_str();
+  verb.add_option("--tolerance", options.tolerance, "exact: most deviation between samples, metres")
+      ->capture_default_str();
+  verb.add_option("--orientation-tolerance", options.orientation_tolerance,
+                  "exact: most turn away from the line, radians")
+      ->capture_default_str();
+  verb.add_option("--tool-speed", options.tool_speed, "exact: most speed of the tool, m/s");
+  verb.add_option("--most-samples", options.most_samples, "exact: samples after which to give up")
+      ->capture_default_str();
+  verb.add_option("--gain", control.gain, "control: K_p")->capture_default_str();
+  verb.add_option("--intermediate", control.intermediate, "inverse-kinematics: poses on each line")
+      ->capture_default_str();
+  verb.add_option("--time-step", control.simulation.time_step, "control: seconds a step")
+      ->capture_default_str();
+  verb.add_option("--most-steps", control.simulation.most_steps,
+                  "control: steps after which to give up")
+      ->capture_default_str();
+  arguments.files.declare(verb);
+  verb.add_flag("--json", arguments.json, "Print JSON");
+  verb.footer(
+      "Examples:\n"
+      "  beeline line rrr --from 0,90,0 --degrees --through waypoints.csv --out move.csv "
+      "--draw move.svg\n"
+      "  beeline line robot.urdf --tip tool0 --from 0,-1,1,0,1,0 --through poses.csv --json\n"
+      "  beeline line rrr --from 0,90,0 --degrees --through waypoints.csv "
+      "--method inverse-jacobian --gain 0.5");
+  return [] { return line(arguments); };
+}

@@ -1,0 +1,89 @@
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <fmt/core.h>
+#include <utility>
+#include <vector>
+
+#include <beeline/error.h>
+
+#include "verb.h"
+
+namespace {
+
+struct Verb {
+  const char* name;
+  const char* summary;
+  Run (*declare)(CLI::App&);
+};
+
+constexpr Verb verbs[] = {
+    {"arms", "List the built-in arms", declare_arms},
+    {"show", "Print an arm as a table: joints, limits, frames, reach", declare_show},
+    {"fk", "Forward kinematics: the tool's pose, or every link's", declare_fk},
+    {"jacobian", "The Jacobian, its singular values and manipulability", declare_jacobian},
+    {"ik", "Inverse kinematics: the configurations that reach a pose", declare_ik},
+    {"move", "Joint-space motion control from one configuration to another", declare_move},
+    {"line", "Move the tool in straight lines through poses", declare_line},
+    {"replay", "Play a recorded trajectory on an arm, checked against its limits", declare_replay},
+    {"draw", "Draw an arm or a motion as SVG, PNG or PDF", declare_draw},
+    {"figure", "Redraw a figure of the chapter", declare_figure},
+};
+
+int fail(Exit exit, const std::string& message) {
+  fmt::print(stderr, "beeline: {}\n", message);
+  return static_cast<int>(exit);
+}
+
+/// Output that could not be written (a full disk, a closed pipe) is no success.
+int flushed(Exit exit) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return static_cast<int>(exit);
+  return fail(Exit::file, std::string("cannot write to stdout: ") + std::strerror(errno));
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Moves serial-link robot arms, and proves that they go where they were told to go.",
+               "beeline");
+  app.set_version_flag("--version", "beeline " BEELINE_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "`beeline VERB --help` tells a verb's options, with examples.\n"
+      "ARM is a built-in name (panda), a joint string with link lengths (RRR:3.5,3.5,2) or a\n"
+      "file (.urdf, .json). Radians and metres; --degrees for angles, both ways.\n"
+      "Exit codes: 0 yes, 1 the computed answer is no, 2 bad usage, 3 bad input file.");
+  std::vector<std::pair<CLI::App*, Run>> declared;
+  for (const Verb& verb : verbs) {
+    CLI::App* subcommand = app.add_subcommand(verb.name, verb.summary);
+    declared.emplace_back(subcommand, verb.declare(*subcommand));
+  }
+  try {
+    app.parse(argc, argv);
+    for (const auto& [subcommand, run_verb] : declared) {
+      if (subcommand->parsed()) return flushed(run_verb());
+    }
+  } catch (const CLI::Success& help_or_version) {
+    app.exit(help_or_version);
+    return flushed(Exit::yes);
+  } catch (const CLI::ParseError& error) {
+    return fail(Exit::usage, std::string(error.what()) + " (beeline --help)");
+  }
+  return static_cast<int>(Exit::usage);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const beeline::FileError& error) {
+    return fail(Exit::file, error.what());
+  } catch (const beeline::Error& error) {
+    return fail(Exit::usage, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(Exit::file, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(Exit::usage, error.what());
+  }
+}

@@ -1,0 +1,20 @@
+// How fast does the tool move? The chapter's eq. 1.4 and Figure 1.8, and how far from singular.
+#include <beeline/kinematics/jacobian.h>
+#include <beeline/kinematics/manipulability.h>
+#include <beeline/model/catalog.h>
+
+#include <iostream>
+#include <numbers>
+
+int main() {
+  const beeline::Arm rrr = beeline::built_in("rrr");
+  const Eigen::Vector3d q(0, std::numbers::pi / 2, 0);
+  const Eigen::Matrix3Xd j = planar_jacobian(rrr, q);
+  std::cout << "rows x, y, theta; a column for each joint:\n" << j << '\n';
+  std::cout << "manipulability " << beeline::dexterity(j).manipulability << '\n';
+
+  const beeline::Arm panda = beeline::built_in("panda");
+  const beeline::Configuration middle = middle_configuration(panda);
+  std::cout << "panda, in the tool's own axes:\n"
+            << jacobian(panda, middle, beeline::Frame::tool) << '\n';
+}

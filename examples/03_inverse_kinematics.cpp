@@ -1,0 +1,21 @@
+// Which configurations reach a pose? Both elbows of the chapter's arm, and a reason when none does.
+#include <beeline/inverse/solve.h>
+#include <beeline/model/catalog.h>
+#include <beeline/pose/se2.h>
+
+#include <iostream>
+#include <numbers>
+
+int main() {
+  constexpr double deg = std::numbers::pi / 180;
+  const beeline::Arm rrr = beeline::built_in("rrr");
+
+  const beeline::Pose goal = beeline::to_space({.x = 4.459, .y = 5.226, .theta = 0});
+  for (const auto& q : inverse_kinematics(rrr, goal, {.all = true}).solutions) {
+    std::cout << "solution: " << q.transpose() / deg << " deg\n";
+  }
+
+  const beeline::Pose far = beeline::to_space({.x = 8, .y = 8, .theta = 0});
+  const beeline::InverseResult no = inverse_kinematics(rrr, far);
+  std::cout << name(no.status) << ": " << no.reason << '\n';
+}

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Installs the Debian packages of the named groups that are not there yet.
+# Usage: install_packages.sh build|test|lint...
+set -euo pipefail
+
+build=(g++ cmake ninja-build ccache pkg-config
+       libeigen3-dev libtinyxml2-dev nlohmann-json3-dev libcli11-dev libfmt-dev libcairo2-dev)
+test=(libgtest-dev python3 python3-venv)
+lint=(clang-format-14 clang-tidy-14 shellcheck python3)
+
+wanted=()
+for group in "$@"; do
+  case $group in
+    build) wanted+=("${build[@]}") ;;
+    test) wanted+=("${test[@]}") ;;
+    lint) wanted+=("${lint[@]}") ;;
+    *) echo "$0: no group '$group': build, test, lint" >&2; exit 2 ;;
+  esac
+done
+
+if ! command -v dpkg-query >/dev/null; then
+  echo "This is not Debian: what is needed must be there already, under your system's names for" \
+       "${wanted[*]}" >&2
+  exit 0
+fi
+
+installed=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' "${wanted[@]}" \
+              2>/dev/null || true)
+missing=()
+for package in "${wanted[@]}"; do
+  grep -qx "installed $package" <<<"$installed" || missing+=("$package")
+done
+((${#missing[@]})) || exit 0
+
+root=()
+if [[ $(id -u) != 0 ]]; then root=(sudo); fi
+echo "Installing ${missing[*]}"
+apt=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get --quiet --quiet)
+"${apt[@]}" update
+"${apt[@]}" install --yes --no-install-recommends "${missing[@]}"

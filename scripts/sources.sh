@@ -1,0 +1,5 @@
+#!/usr/bin/env bash
+# Lists the C++ sources, one a line.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+find beeline cli examples tests -name '*.h' -o -name '*.cpp' | sort

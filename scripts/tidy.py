@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""Runs clang-tidy on every source file that changed since it last passed.
+
+Usage: tidy.py BUILD, a configured build folder with compile_commands.json
+
+A file that passes leaves a stamp, named by the hash of all that its findings depend on: its text
+and that of the headers of ours that it includes, how it is compiled, and the checks. The stamps
+stand in BEELINE_LINT_STAMPS, or else in build/lint."""
+
+import hashlib
+import json
+import os
+import re
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from functools import lru_cache
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+STAMPS = Path(os.environ.get("BEELINE_LINT_STAMPS", ROOT / "build" / "lint"))
+TIDY = "clang-tidy-14"
+INCLUDE = re.compile(rb'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+
+
+@lru_cache(maxsize=None)
+def includes(path):
+    """Our own files that the file includes itself."""
+    names = [name.decode() for name in INCLUDE.findall(path.read_bytes())]
+    places = [folder / name for name in names for folder in (ROOT, path.parent)]
+    return [place.resolve() for place in places if place.is_file()]
+
+
+def closure(path):
+    """The file and all of ours that it includes, in an order of its own."""
+    found, waiting = {path}, [path]
+    while waiting:
+        for header in includes(waiting.pop()):
+            if header not in found:
+                found.add(header)
+                waiting.append(header)
+    return sorted(found)
+
+
+def stamp(entry, settings):
+    digest = hashlib.sha256(settings)
+    digest.update(entry["command"].replace(str(ROOT), "").encode())
+    for path in closure(Path(entry["file"]).resolve()):
+        digest.update(str(path.relative_to(ROOT)).encode() + b"\0" + path.read_bytes() + b"\0")
+    return STAMPS / digest.hexdigest()
+
+
+def tidy(build, entry, passed):
+    """Empty when all is well, else what clang-tidy says."""
+    if passed.exists():
+        passed.touch()
+        return ""
+    done = subprocess.run(
+        [TIDY, "--quiet", "-p", build, entry["file"]], capture_output=True, text=True
+    )
+    if done.returncode == 0:
+        passed.touch()
+        return ""
+    return done.stdout or done.stderr
+
+
+def main(build):
+    entries = json.loads((Path(build) / "compile_commands.json").read_text())
+    entries = {e["file"]: e for e in entries if Path(e["file"]).is_relative_to(ROOT)}
+    entries = [e for e in entries.values() if not Path(e["file"]).is_relative_to(Path(build).resolve())]
+    settings = (ROOT / ".clang-tidy").read_bytes()
+    settings += subprocess.run([TIDY, "--version"], capture_output=True, check=True).stdout
+    STAMPS.mkdir(parents=True, exist_ok=True)
+
+    stamps = [stamp(entry, settings) for entry in entries]
+    new = sum(not path.exists() for path in stamps)
+    print(f"clang-tidy: {len(entries)} files, {new} to look at", flush=True)
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        answers = list(pool.map(tidy, [build] * len(entries), entries, stamps))
+    findings = "".join(answers)
+    print(findings, end="")
+    return 1 if findings else 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    sys.exit(main(sys.argv[1]))

@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Makes the virtual environment .venv with what the Python tests need (tests/requirements.txt).
+# Does nothing when it is there already.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+stamp=.venv/requirements.txt
+if [[ -x .venv/bin/python ]] && cmp --silent tests/requirements.txt "$stamp"; then exit 0; fi
+
+# A python3 of one's own may stand first in the path without the modules that it takes.
+for python in python3 /usr/bin/python3; do
+  if "$python" -c 'import ensurepip, venv' 2>/dev/null; then break; fi
+done
+
+echo "Making .venv with $("$python" --version)"
+rm -rf .venv
+"$python" -m venv .venv
+.venv/bin/python -m pip install --quiet --disable-pip-version-check -r tests/requirements.txt
+cp tests/requirements.txt "$stamp"

@@ -1,0 +1,83 @@
+#include <clocale>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include <beeline/error.h>
+
+namespace beeline {
+namespace {
+
+TEST(Error, IsOneLineWhateverItQuotes) {
+  const std::string hostile = "a\nb\rc\td\x1b[2Je\x7f";
+  EXPECT_STREQ(Error(hostile).what(), "a b c d [2Je ");
+  EXPECT_STREQ(FileError("dir\n/arm.urdf", 3, "no\nlink").what(), "dir /arm.urdf:3: no link");
+  EXPECT_STREQ(unknown_name("link", "x\ny", {"base\n"}).what(),
+               "unknown link \"x y\" (known: base )");
+}
+
+TEST(FileError, BeginsWithPathAndLineAsCompilersDo) {
+  EXPECT_STREQ(FileError("a.urdf", 12, "bad").what(), "a.urdf:12: bad");
+  EXPECT_STREQ(FileError("a.urdf", 0, "bad").what(), "a.urdf: bad");
+  EXPECT_THROW(throw FileError("a", 1, "b"), Error);
+}
+
+TEST(UnknownName, SuggestsTheNearestIgnoringCaseAndListsAll) {
+  const std::vector<std::string> arms{"rrr", "puma560", "ur5", "ur5e", "panda"};
+  const auto says = [&](std::string_view name) {
+    return std::string(unknown_name("arm", name, arms).what());
+  };
+  const std::string known = " (known: rrr, puma560, ur5, ur5e, panda)";
+  EXPECT_EQ(says("pandda"), "unknown arm \"pandda\"; did you mean \"panda\"?" + known);
+  EXPECT_EQ(says("PANDA"), "unknown arm \"PANDA\"; did you mean \"panda\"?" + known);
+  EXPECT_EQ(says("puma"), "unknown arm \"puma\"" + known);
+  EXPECT_EQ(says("puma56"), "unknown arm \"puma56\"; did you mean \"puma560\"?" + known);
+  EXPECT_EQ(says("ur5_e"), "unknown arm \"ur5_e\"; did you mean \"ur5e\"?" + known);
+  EXPECT_EQ(says(""), "unknown arm \"\"" + known);
+  EXPECT_EQ(std::string(unknown_name("arm", "x", {}).what()), "unknown arm \"x\"");
+}
+
+TEST(UnknownName, SuggestsNothingThatHasNoLetterInCommon) {
+  EXPECT_STREQ(unknown_name("joint type", "Q", {"R", "P"}).what(),
+               "unknown joint type \"Q\" (known: R, P)");
+  EXPECT_STREQ(unknown_name("joint type", "p", {"R", "P"}).what(),
+               "unknown joint type \"p\"; did you mean \"P\"? (known: R, P)");
+}
+
+TEST(UnknownName, CutsLongNamesBetweenCharactersAndStaysShort) {
+  const std::string long_name(1 << 20, 'x');
+  EXPECT_LT(std::string(unknown_name("link", long_name, {"a"}).what()).size(), 200);
+  std::string umlauts = "x";
+  for (int i = 0; i < 100; ++i) umlauts += "\xc3\xa4";
+  const std::string said = unknown_name("link", umlauts, {"a"}).what();
+  EXPECT_NE(said.find("\xc3\xa4\" (known"), std::string::npos) << said;
+}
+
+TEST(Listed, JoinsAndCutsWithTheCountOfWhatIsLeftOut) {
+  EXPECT_EQ(listed({}), "");
+  EXPECT_EQ(listed({"a"}), "a");
+  EXPECT_EQ(listed({"a", "b", "c"}), "a, b, c");
+  const std::string all = listed(std::vector<std::string>(30, "n"));
+  EXPECT_TRUE(all.ends_with("n, n and 6 more")) << all;
+}
+
+TEST(Number, HasSixDigitsAndNoLocale) {
+  EXPECT_EQ(number(0), "0");
+  EXPECT_EQ(number(0.1), "0.1");
+  EXPECT_EQ(number(-2.8973), "-2.8973");
+  EXPECT_EQ(number(1.0 / 3), "0.333333");
+  EXPECT_EQ(number(1e-9), "1e-09");
+  EXPECT_EQ(number(-1.7976931348623157e308), "-1.79769e+308");
+  EXPECT_EQ(number(INFINITY), "inf");
+  EXPECT_EQ(number(NAN), "nan");
+  std::setlocale(LC_ALL, "de_DE.UTF-8");  // where there is one
+  EXPECT_EQ(number(0.5), "0.5");
+  std::setlocale(LC_ALL, "C");
+}
+
+TEST(Angle, SpeaksBothUnits) {
+  EXPECT_EQ(angle(std::acos(0.0)), "1.5708 rad (90 deg)");
+  EXPECT_EQ(angle(0), "0 rad (0 deg)");
+}
+
+}  // namespace
+}  // namespace beeline

@@ -1,0 +1,68 @@
+"""`cmake --install`, and programs of others that find what was installed."""
+
+import os
+import subprocess
+
+import pytest
+
+
+def run(*command, **options):
+    done = subprocess.run(
+        [str(word) for word in command], capture_output=True, text=True, **options
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def prefix(build, tmp_path_factory):
+    prefix = tmp_path_factory.mktemp("installed")
+    run("cmake", "--install", build, "--prefix", prefix)
+    return prefix
+
+
+def built_against(prefix, sources, folder, target):
+    """Configures somebody's `sources` in `folder`, builds the target and returns the program."""
+    run(
+        "cmake", "-G", "Ninja", "-S", sources, "-B", folder,
+        f"-DCMAKE_PREFIX_PATH={prefix}",
+        f"-DCMAKE_CXX_FLAGS={os.environ.get('BEELINE_CXX_FLAGS', '')}",  # the sanitizers' own
+    )  # fmt: skip
+    run("cmake", "--build", folder, "--target", target)
+    return folder / target
+
+
+def test_the_installed_command_runs(prefix):
+    assert "rrr" in run(prefix / "bin" / "beeline", "arms")
+
+
+def test_a_program_on_the_core_needs_eigen_only(prefix, root, tmp_path):
+    program = built_against(prefix, root / "tests" / "install", tmp_path, "consumer")
+    assert run(program) == "9.000 0.000\n"
+
+
+def test_an_example_builds_against_the_installed_copy(prefix, root, tmp_path):
+    first = min((root / "examples").glob("*.cpp")).stem
+    program = built_against(prefix, root / "examples", tmp_path, first)
+    assert run(program, cwd=tmp_path) != ""
+
+
+def test_an_unknown_component_is_refused(prefix, tmp_path):
+    (tmp_path / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.25)\n"
+        "project(wrong LANGUAGES CXX)\n"
+        "find_package(beeline REQUIRED COMPONENTS legs)\n"
+    )
+    done = subprocess.run(
+        ["cmake", "-S", tmp_path, "-B", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}"],
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode != 0
+    assert "beeline has no component 'legs': core, read, draw" in done.stderr
+
+
+def test_every_header_is_installed(prefix, root):
+    headers = {path.relative_to(root) for path in (root / "beeline").rglob("*.h")}
+    installed = {path.relative_to(prefix / "include") for path in prefix.rglob("*.h")}
+    assert installed == headers

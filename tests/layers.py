@@ -1,0 +1,85 @@
+"""The house's order, as layers.txt holds it: which includes in beeline/ break it.
+
+A folder includes itself, the folders that layers.txt names for it, and what stands beside the
+folders (error.h). Other people's libraries, but for Eigen, appear in .cpp files only, and only in
+the folders below."""
+
+import re
+import sys
+from pathlib import Path
+
+LIBRARIES = {  # the first part of the include: the folders that may use it, in .cpp files
+    "cairo": {"draw"},
+    "nlohmann": {"read", "record"},
+    "tinyxml2": {"read"},
+}
+SYSTEM = {"fcntl", "sys", "unistd"}  # C headers that any .cpp may use
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+def read_layers(path):
+    """folder -> the folders it may include. Raises ValueError for an order that is none."""
+    layers = {}
+    for line in path.read_text().splitlines():
+        if not line.strip() or line.startswith("#"):
+            continue
+        folder, _, below = line.partition(":")
+        for name in below.split():
+            if name not in layers:
+                raise ValueError(f"layers.txt: {folder} may include {name}, which is not below it")
+        if folder in layers:
+            raise ValueError(f"layers.txt: {folder} stands there twice")
+        layers[folder] = set(below.split())
+    return layers
+
+
+def violations(root):
+    """One sentence for each include, and each folder, that breaks the order."""
+    house = root / "beeline"
+    layers = read_layers(root / "layers.txt")
+    folders = {path.parent.relative_to(house).as_posix() for path in sources(house)} - {"."}
+    found = [f"beeline/{folder} is not in layers.txt" for folder in folders - layers.keys()]
+    found += [f"layers.txt: there is no beeline/{folder}" for folder in layers.keys() - folders]
+    for path in sources(house):
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            include = INCLUDE.match(line)
+            reason = include and objection(root, layers, path, *include.groups())
+            if reason:
+                place = f"{path.relative_to(root)}:{number}"
+                found.append(f"{place}: {include.group(2)}: {reason}")
+    return sorted(found)
+
+
+def sources(house):
+    return sorted(path for path in house.rglob("*") if path.suffix in {".h", ".cpp"})
+
+
+def objection(root, layers, path, quote, name):
+    folder = path.parent.relative_to(root / "beeline").as_posix()
+    first, *rest = re.split("[/.-]", name)
+    if quote == '"':
+        return "write <beeline/...>"
+    if first == "beeline":
+        target = Path(name).parent.relative_to("beeline").as_posix()
+        if not (root / name).is_file():
+            return "there is no such file"
+        if target not in {".", folder} | layers.get(folder, set()):
+            return f"{folder} may not include {target}"
+    elif first in LIBRARIES:
+        if path.suffix != ".cpp":
+            return "a header does not include other people's libraries"
+        if folder not in LIBRARIES[first]:
+            return f"this library belongs to {' and '.join(sorted(LIBRARIES[first]))}"
+    elif first in SYSTEM:
+        if path.suffix != ".cpp":
+            return "a header does not include the system's"
+    elif first != "Eigen" and rest:
+        return "no folder uses this library"
+    return None
+
+
+if __name__ == "__main__":
+    found = violations(Path(__file__).resolve().parent.parent)
+    print("\n".join(found), end="\n" if found else "")
+    sys.exit(bool(found))

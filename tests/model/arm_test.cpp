@@ -1,0 +1,172 @@
+#include <gtest/gtest.h>
+#include <limits>
+
+#include <beeline/model/arm.h>
+#include <beeline/model/catalog.h>
+
+#include <tests/random_arm.h>
+#include <tests/refusal.h>
+
+namespace beeline {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = Limits::none;
+
+Joint turning(const std::string& name) {
+  Joint joint;
+  joint.name = name;
+  joint.screw = rotation_screw(Vector3::UnitZ());
+  return joint;
+}
+
+/// shoulder, elbow and wrist, with a change to the elbow.
+template <class Change>
+Arm arm_with_elbow(Change change) {
+  std::vector<Joint> joints{turning("shoulder"), turning("elbow"), turning("wrist")};
+  change(joints[1]);
+  return {"arm", joints};
+}
+
+TEST(Arm, KeepsWhatItIsGiven) {
+  testing::Random random;
+  const Pose tool = random.pose(), base = random.pose();
+  const Arm arm("mine", {turning("a"), turning("b")}, tool, base);
+  EXPECT_EQ(arm.name(), "mine");
+  EXPECT_EQ(arm.dof(), 2);
+  EXPECT_EQ(arm.joints().size(), 2);
+  EXPECT_EQ(arm.tool().matrix(), tool.matrix());
+  EXPECT_EQ(arm.base().matrix(), base.matrix());
+  EXPECT_EQ(arm.joint_names(), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(arm.joint_of(1).name, "b");
+  EXPECT_EQ(with_tool(arm, base).tool().matrix(), base.matrix());
+  EXPECT_EQ(with_tool(arm, base).base().matrix(), base.matrix());
+}
+
+TEST(Arm, RefusesNoJointsAndJointsWithoutANameOfTheirOwn) {
+  EXPECT_REFUSED(Arm("empty", {}), "arm empty has no joints");
+  EXPECT_REFUSED(arm_with_elbow([](Joint& j) { j.name = "wrist"; }), "two joints are called wrist");
+  EXPECT_REFUSED(arm_with_elbow([](Joint& j) { j.name = ""; }), "joint 2 has no name");
+}
+
+TEST(Arm, RefusesNumbersThatAreNotFinite) {
+  for (const double bad : {nan, inf, -inf}) {
+    EXPECT_REFUSED(arm_with_elbow([&](Joint& j) { j.offset.translation().x() = bad; }),
+                   "joint 2 (elbow): the offset has a number that is not finite");
+    EXPECT_REFUSED(arm_with_elbow([&](Joint& j) { j.offset.linear()(1, 2) = bad; }),
+                   "joint 2 (elbow): the offset");
+    EXPECT_REFUSED(arm_with_elbow([&](Joint& j) { j.screw[4] = bad; }),
+                   "joint 2 (elbow) has a screw that is not finite");
+    Pose pose = Pose::Identity();
+    pose.translation().z() = bad;
+    EXPECT_REFUSED(Arm("arm", {turning("a")}, pose), "the tool");
+    EXPECT_REFUSED(Arm("arm", {turning("a")}, Pose::Identity(), pose), "the base");
+  }
+}
+
+TEST(Arm, RefusesScrewsThatAreNotOfUnitLength) {
+  testing::Random random;
+  for (int i = 0; i < 300; ++i) {
+    const double size =
+        random.integer(0, 1) == 0 ? random.uniform(0, 0.999) : random.uniform(1.001, 5);
+    const auto kind = static_cast<JointKind>(i % 3);
+    EXPECT_REFUSED(arm_with_elbow([&](Joint& j) {
+                     j.screw = size * testing::random_joint(random, kind, "j").screw;
+                   }),
+                   "joint 2 (elbow) has a screw of length " + number(size));
+  }
+  EXPECT_REFUSED(arm_with_elbow([](Joint& j) { j.screw.setZero(); }), "length 0; it must be 1");
+}
+
+TEST(Arm, RefusesOffsetsThatAreNoRigidMotion) {
+  testing::Random random;
+  for (int i = 0; i < 300; ++i) {
+    Pose stretched = random.pose(), mirrored = random.pose(), sheared = random.pose();
+    stretched.linear() *= random.uniform(1.00001, 2);
+    mirrored.linear().col(i % 3) *= -1;
+    sheared.linear().col(i % 3) += 1e-6 * sheared.linear().col((i + 1) % 3);
+    for (const Pose& bad : {stretched, mirrored, sheared}) {
+      EXPECT_REFUSED(arm_with_elbow([&](Joint& j) { j.offset = bad; }),
+                     "joint 2 (elbow): the offset is no rigid motion");
+      EXPECT_REFUSED(Arm("arm", {turning("a")}, bad), "the tool is no rigid motion");
+      EXPECT_REFUSED(Arm("arm", {turning("a")}, Pose::Identity(), bad),
+                     "the base is no rigid motion");
+    }
+  }
+  Pose projective = Pose::Identity();
+  projective.matrix()(3, 0) = 1;
+  EXPECT_REFUSED(Arm("arm", {turning("a")}, projective), "last row");
+}
+
+TEST(Arm, RefusesLimitsThatNoValueOrMotionCanKeep) {
+  const auto with = [](Limits limits) {
+    return arm_with_elbow([&](Joint& j) { j.limits = limits; });
+  };
+  EXPECT_REFUSED(with({.lower = 2, .upper = 1}),
+                 "joint 2 (elbow) has its limits the wrong way round: lower 2 is above upper 1");
+  EXPECT_REFUSED(with({.lower = nan}), "joint 2 (elbow) has a limit that is no number");
+  EXPECT_REFUSED(with({.upper = nan}), "joint 2 (elbow) has a limit that is no number");
+  EXPECT_REFUSED(with({.lower = inf, .upper = inf}), "no finite value");
+  EXPECT_REFUSED(with({.lower = -inf, .upper = -inf}), "no finite value");
+  for (const double bad : {0.0, -1.0, nan, -inf}) {
+    EXPECT_REFUSED(with({.velocity = bad}), "limit of " + number(bad) + "; it must be above zero");
+    EXPECT_REFUSED(with({.acceleration = bad}), "joint 2 (elbow)");
+    EXPECT_REFUSED(with({.jerk = bad}), "joint 2 (elbow)");
+  }
+  EXPECT_EQ(with({.lower = 1, .upper = 1}).limits()[1].lower, 1) << "a held joint is allowed";
+}
+
+TEST(CheckConfiguration, RefusesWrongCountsAndNumbersThatAreNotFinite) {
+  const Arm arm = built_in("rrr");
+  EXPECT_REFUSED(check_configuration(arm, Configuration::Zero(2)),
+                 "arm rrr takes 3 joint values (joint1, joint2, joint3), not 2");
+  EXPECT_REFUSED(check_configuration(arm, Configuration::Zero(4)), "not 4");
+  EXPECT_REFUSED(check_configuration(arm, Configuration()), "not 0");
+  for (const double bad : {nan, inf, -inf}) {
+    Configuration q = Configuration::Zero(3);
+    q[1] = bad;
+    EXPECT_REFUSED(check_configuration(arm, q), "the value of joint joint2 is " + number(bad));
+  }
+  EXPECT_NO_THROW(check_configuration(arm, Configuration::Constant(3, 1e300)));
+}
+
+TEST(LimitViolations, SayWhichJointIsWhereAndWhatIsAllowed) {
+  Joint slide;
+  slide.name = "slide";
+  slide.screw = translation_screw(Vector3::UnitX());
+  slide.limits = {.lower = 0, .upper = 0.5};
+  Joint turn = turning("turn");
+  turn.limits = {.lower = -1, .upper = 1};
+  const Arm arm("arm", {turn, slide, turning("free")});
+  EXPECT_TRUE(limit_violations(arm, Eigen::Vector3d(1, 0.5, 1e6)).empty());
+  EXPECT_TRUE(limit_violations(arm, Eigen::Vector3d(1 + 1e-10, -1e-10, 0)).empty());
+  EXPECT_EQ(limit_violations(arm, Eigen::Vector3d(1 + 1e-10, -1e-10, 0), 0).size(), 2);
+  const std::vector<std::string> said = limit_violations(arm, Eigen::Vector3d(-1.5, 0.75, 0));
+  ASSERT_EQ(said.size(), 2);
+  EXPECT_EQ(said[0],
+            "joint turn at -1.5 rad (-85.9437 deg) is outside its limits -1 rad (-57.2958 deg) to "
+            "1 rad (57.2958 deg)");
+  EXPECT_EQ(said[1], "joint slide at 0.75 m is outside its limits 0 m to 0.5 m");
+  EXPECT_REFUSED(limit_violations(arm, Configuration::Zero(2)), "takes 3 joint values");
+}
+
+TEST(MiddleConfiguration, IsTheMiddleOrElseTheValueNearestToZero) {
+  const auto middle = [](double lower, double upper) {
+    Joint joint = turning("j");
+    joint.limits = {.lower = lower, .upper = upper};
+    return middle_configuration(Arm("arm", {joint}))[0];
+  };
+  EXPECT_EQ(middle(-1, 3), 1);
+  EXPECT_EQ(middle(-inf, inf), 0);
+  EXPECT_EQ(middle(2, inf), 2);
+  EXPECT_EQ(middle(-2, inf), 0);
+  EXPECT_EQ(middle(-inf, -3), -3);
+  EXPECT_EQ(middle(1e308, 1.6e308), 1.3e308) << "no overflow";
+  for (const std::string& name : built_in_names()) {
+    const Arm arm = built_in(name);
+    EXPECT_TRUE(limit_violations(arm, middle_configuration(arm), 0).empty()) << name;
+  }
+}
+
+}  // namespace
+}  // namespace beeline

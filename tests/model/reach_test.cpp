@@ -1,0 +1,83 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
+#include <beeline/pose/orientation.h>
+
+#include <tests/random_arm.h>
+
+namespace beeline {
+namespace {
+
+void expect_never_left(const Arm& arm, testing::Random& random, int configurations) {
+  const Arm::Reach& reach = arm.reach();
+  ASSERT_TRUE(reach.centre.allFinite()) << arm.name();
+  for (int i = 0; i < configurations; ++i) {
+    const Pose pose = forward_kinematics(arm, random.configuration(arm));
+    ASSERT_LE((pose.translation() - reach.centre).norm(), reach.radius + 1e-12) << arm.name();
+  }
+}
+
+TEST(Reach, BuiltInArmsNeverLeaveTheBall) {
+  testing::Random random;
+  for (const std::string& name : built_in_names()) {
+    expect_never_left(built_in(name), random, 10000);
+  }
+}
+
+TEST(Reach, RandomArmsWithSlidesScrewsFollowersAndABaseNeverLeaveTheBall) {
+  testing::Random random;
+  for (int i = 0; i < 400; ++i) {
+    const Arm arm = testing::random_arm(random, random.integer(1, 8), i % 2 == 0 ? 0 : 3);
+    ASSERT_TRUE(std::isfinite(arm.reach().radius)) << "every slide has limits here";
+    expect_never_left(arm, random, 50);
+  }
+}
+
+TEST(Reach, OfThePlanarArmIsTheSumOfItsLinksExactly) {
+  const Arm arm = built_in("rrr");
+  EXPECT_EQ(arm.reach().radius, 9);
+  EXPECT_EQ(arm.reach().centre, Vector3::Zero());
+  const Pose base = make_pose({1, 2, 3}, rotation({0, 0, 1}));
+  const Arm moved("moved", arm.joints(), Pose::Identity(), base);
+  EXPECT_NEAR(moved.reach().radius, 9, 1e-14);
+  EXPECT_LT((moved.reach().centre - Vector3(1, 2, 3)).norm(), 1e-15);
+}
+
+TEST(Reach, IsTightForAStretchedChain) {
+  testing::Random random;
+  for (int i = 0; i < 300; ++i) {
+    std::vector<Joint> joints;
+    double sum = 0;
+    for (int j = 0; j < 5; ++j) {
+      Joint joint;
+      joint.name = "j" + std::to_string(j);
+      joint.screw = rotation_screw(Vector3::UnitZ());
+      const double length = random.uniform(0, 1);
+      joints.push_back(planar_link(joint, length));
+      sum += length;
+    }
+    const Arm arm("chain", joints);
+    ASSERT_NEAR(arm.reach().radius, sum, 1e-14);
+    ASSERT_NEAR(forward_kinematics(arm, Configuration::Zero(5)).translation().norm(), sum, 1e-14);
+  }
+}
+
+TEST(Reach, IsInfiniteOnlyWhenSomethingSlidesWithoutLimits) {
+  EXPECT_EQ(built_in("gantry").reach().radius, Limits::none);
+  EXPECT_EQ(built_in("rp").reach().radius, Limits::none);
+  testing::Random random;
+  for (int i = 0; i < 3000; ++i) {
+    Joint joint = testing::random_joint(random, JointKind::revolute, "turning");
+    joint.limits = {};
+    const Arm turning("turning", {joint}, random.pose());
+    ASSERT_TRUE(std::isfinite(turning.reach().radius)) << "it turns without end, yet on a circle";
+    joint = testing::random_joint(random, JointKind::helical, "screwing");
+    joint.limits = {};
+    ASSERT_EQ(Arm("screwing", {joint}).reach().radius, Limits::none);
+  }
+}
+
+}  // namespace
+}  // namespace beeline

@@ -1,0 +1,135 @@
+"""Forward kinematics and Jacobians equal to Pinocchio's, for every arm in example-robot-data: each
+chain from a root to a leaf with a joint that moves, at 1,000 random configurations."""
+
+import subprocess
+import zlib
+from functools import lru_cache
+
+import numpy as np
+import pinocchio
+import pytest
+
+from urdf_tree import ROBOTS, UrdfTree
+
+CONFIGURATIONS = 1000
+TOLERANCE = 1e-12  # absolute: metres and radians, on arms of up to about two metres
+FRAMES = [  # in the order of kinematics_stream's answer: base, tool, space
+    pinocchio.ReferenceFrame.LOCAL_WORLD_ALIGNED,
+    pinocchio.ReferenceFrame.LOCAL,
+    pinocchio.ReferenceFrame.WORLD,
+]
+
+
+def label(path):
+    return str(path.relative_to(ROBOTS).with_suffix(""))
+
+
+def chains():
+    for path in sorted(ROBOTS.rglob("*.urdf")):
+        tree = UrdfTree(path)
+        for tip in tree.leaves():
+            if tree.moving_joints(tip):
+                yield pytest.param(path, tip, id=f"{label(path)}:{tip}")
+
+
+@lru_cache(maxsize=1)  # the cases come file by file
+def peer(path, seed):
+    return Peer(path, np.random.default_rng([seed, zlib.crc32(path.name.encode())]))
+
+
+class Peer:
+    """Pinocchio's answers for all tips of one file, at random values of all its joints."""
+
+    def __init__(self, path, random):
+        self.tree = UrdfTree(path)
+        # Every joint is free here, mimic joints too: how they follow is put together below.
+        self.model = pinocchio.buildModelFromUrdf(str(path), mimic=False)
+        self.values = {}
+        for name, joint in self.tree.joints.items():
+            if joint.moves:
+                far = 1 if joint.kind == "prismatic" else np.pi
+                self.values[name] = random.uniform(-far, far, CONFIGURATIONS)
+        for name in self.values:
+            leader, ratio, shift = self.tree.drive(name, self.values)
+            self.values[name] = ratio * self.values[leader] + shift
+        self.answers = self.run()
+
+    def run(self):
+        model, data = self.model, self.model.createData()
+        tips = [tip for tip in self.tree.leaves() if self.tree.moving_joints(tip)]
+        frames = [model.getFrameId(tip, pinocchio.FrameType.BODY) for tip in tips]
+        columns = {
+            tip: [model.joints[model.getJointId(j)].idx_v for j in self.tree.moving_joints(tip)]
+            for tip in tips
+        }
+        answers = {
+            tip: (
+                np.empty((CONFIGURATIONS, 4, 4)),
+                np.empty((CONFIGURATIONS, len(FRAMES), 6, len(columns[tip]))),
+            )
+            for tip in tips
+        }
+        for k, q in enumerate(self.configurations()):
+            pinocchio.computeJointJacobians(model, data, q)
+            pinocchio.updateFramePlacements(model, data)
+            for tip, frame in zip(tips, frames):
+                poses, jacobians = answers[tip]
+                poses[k] = data.oMf[frame].homogeneous
+                for i, reference in enumerate(FRAMES):
+                    jacobian = pinocchio.getFrameJacobian(model, data, frame, reference)
+                    jacobians[k, i] = jacobian[:, columns[tip]]
+        return answers
+
+    def configurations(self):
+        q = np.empty((CONFIGURATIONS, self.model.nq))
+        for name, values in self.values.items():
+            joint = self.model.joints[self.model.getJointId(name)]
+            if joint.nq == 2:  # continuous: a point on the unit circle
+                q[:, joint.idx_q] = np.cos(values)
+                q[:, joint.idx_q + 1] = np.sin(values)
+            else:
+                q[:, joint.idx_q] = values
+        return q
+
+    def chain(self, tip):
+        """The chain's coordinates, their values, the tip's poses, and the Jacobians with a column
+        for each coordinate: a mimic joint's column counts for its leader, times its multiplier."""
+        joints = self.tree.moving_joints(tip)
+        drives = {name: self.tree.drive(name, joints) for name in joints}
+        names = [name for name in joints if drives[name][0] == name]
+        poses, columns = self.answers[tip]
+        jacobians = np.zeros((*columns.shape[:-1], len(names)))
+        for i, joint in enumerate(joints):
+            leader, ratio, _ = drives[joint]
+            jacobians[..., names.index(leader)] += ratio * columns[..., i]
+        return names, np.column_stack([self.values[name] for name in names]), poses, jacobians
+
+
+def beeline_kinematics(program, path, base, tip, q):
+    answer = subprocess.run([program, path, base, tip], input=q.tobytes(), capture_output=True)
+    assert answer.returncode == 0, answer.stderr.decode()
+    header, _, body = answer.stdout.partition(b"\n")
+    names = header.decode().split("\t")
+    numbers = np.frombuffer(body).reshape(CONFIGURATIONS, 16 + 3 * 6 * len(names))
+    poses = numbers[:, :16].reshape(-1, 4, 4)
+    return names, poses, numbers[:, 16:].reshape(-1, 3, 6, len(names))
+
+
+@pytest.mark.parametrize("path, tip", chains())
+def test_kinematics_equal_pinocchio(path, tip, build, seed, worst_differences):
+    expected = peer(path, seed)
+    names, q, poses, jacobians = expected.chain(tip)
+    program = build / "tests" / "kinematics_stream"
+    base = expected.tree.root
+    our_names, our_poses, our_jacobians = beeline_kinematics(program, path, base, tip, q)
+
+    assert our_names == names
+    pose_difference = np.abs(our_poses - poses).max()
+    jacobian_difference = np.abs(our_jacobians - jacobians).max()
+    worst_differences.append((label(path), pose_difference, jacobian_difference))
+    assert pose_difference <= TOLERANCE
+    assert jacobian_difference <= TOLERANCE
+
+
+def test_there_are_arms_to_compare():
+    assert len(list(chains())) > 500
