@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/draw/annotation.h>
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/arm_scene.h>
 #include <beeline/draw/text.h>
+#include <beeline/draw/trail.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/se2.h>
@@ -56,7 +58,7 @@ std::string tool_text(const Arm& arm, const ConfigurationRef& q) {
 
 Figure arm_figure(const Arm& arm, const ConfigurationRef& q, const ArmFigureOptions& options) {
   Scene scene;
-  add_arm(scene, arm, q, {.frames = options.frames});
+  add_arm(scene, arm, q, {.frames = options.frames, .tool = !options.jacobian});
   if (options.jacobian) {
     add_jacobian_arrows(scene, arm, q, jacobian_arrow_scale(arm, q), arm.planar());
   }
@@ -88,7 +90,8 @@ Figure motion_figure(const Arm& arm, const std::vector<Configuration>& motion,
   for (const std::size_t i : evenly_along(tool, options.ghosts)) {
     add_arm(scene, arm, motion[i], {.faded = true});
   }
-  add_arm(scene, arm, motion.back(), {.frames = options.frames, .tool = waypoints.empty()});
+  add_arm(scene, arm, motion.back(),
+          {.frames = options.frames, .tool = waypoints.empty() && !options.jacobian});
   add_trail(scene, tool, options.dots);
   add_numbered(scene, waypoints);
   if (options.jacobian) {

@@ -1,6 +1,7 @@
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <cairo.h>
+#include <cmath>
 #include <memory>
 
 #include <beeline/draw/canvas.h>
@@ -75,7 +76,7 @@ void put(cairo_t* to, const Stroke& stroke) {
 }
 
 void put(cairo_t* to, const Text& text) {
-  const std::string words = printable(text.text);
+  const std::string words = drawable(text.text);
   cairo_select_font_face(to, typeface, CAIRO_FONT_SLANT_NORMAL,
                          text.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(to, text.size);
@@ -142,9 +143,9 @@ std::string render(const Drawing& drawing, Format format) {
   std::string bytes;
   const double w = drawing.width, h = drawing.height;
   if (format == Format::png) {
-    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24,
-                                                     static_cast<int>(w * pixels_per_point),
-                                                     static_cast<int>(h * pixels_per_point)));
+    const Surface surface(cairo_image_surface_create(
+        CAIRO_FORMAT_RGB24, static_cast<int>(std::ceil(w * pixels_per_point)),
+        static_cast<int>(std::ceil(h * pixels_per_point))));
     paint(surface.get(), drawing, pixels_per_point);
     check(cairo_surface_write_to_png_stream(surface.get(), append, &bytes));
     return bytes;

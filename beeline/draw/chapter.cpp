@@ -3,10 +3,12 @@
 
 #include <beeline/control/cartesian.h>
 #include <beeline/control/joint.h>
+#include <beeline/draw/annotation.h>
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/arm_scene.h>
 #include <beeline/draw/chapter.h>
 #include <beeline/draw/text.h>
+#include <beeline/draw/trail.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
@@ -94,7 +96,7 @@ Figure figure_1_9(const Arm& arm) {
   Panel panel;
   add_arm(panel.scene, arm, motion.front(), {.faded = true});
   add_arm(panel.scene, arm, motion.back(), {.tool = false});
-  add_trail(panel.scene, tool_positions(arm, motion));
+  add_trail(panel.scene, tool_positions(arm, motion), 200);
   add_poses(panel.scene, waypoints, {"1", "2", "3"});
   panel.scene.add(Layer::note,
                   Label{forward_kinematics(arm, motion.front()).translation(), "start"});
@@ -148,7 +150,7 @@ std::vector<Configuration> figure_1_9_motion() {
   std::vector<Pose> waypoints;
   for (const Pose2& waypoint : figure_1_9_waypoints()) waypoints.push_back(to_space(waypoint));
   CartesianOptions options;
-  options.gain = 0.1;
+  options.gain = 0.01;  // small: between its steps the tool leaves the line in proportion to it
   options.simulation.tolerance = 2e-3;
   return control_in_lines(built_in("rrr"), figure_1_9_start(), waypoints, options)
       .trajectory.positions;

@@ -66,7 +66,7 @@ void place_labels(const std::vector<Label>& labels, const Projection& projection
     const Point half = text_size(label.text, label.size) / 2;
     const double wanted = std::atan2(label.up, label.right);
     double least = 1e300;
-    Text best{printable(label.text), anchor, label.size, label.colour};
+    Text best{drawable(label.text), anchor, label.size, label.colour};
     best.halo = true;
     Box best_box;
     for (const double gap : {5.0, 11.0, 17.0, farthest_label}) {

@@ -53,7 +53,7 @@ double ruler_width(double step, double low, double high) {
   for (const double value : ticks(step, low, high)) {
     widest = std::max(widest, text_width(value, step));
   }
-  return widest + 5 + 1.3 * name_size;
+  return widest + 9 + 1.3 * name_size;
 }
 
 bool has_rulers(const View& view) {
@@ -104,7 +104,7 @@ void draw_rulers(const Plot& plot, double step, std::vector<Mark>& marks) {
                           {middle.x(), box.high.y() + ruler_height - 0.7 * name_size},
                           name_size});
   Text name{axis_name(projection.view, 1) + " [m]",
-            {box.low.x() - 5 - widest - 0.65 * name_size, middle.y()},
+            {box.low.x() - 9 - widest - 0.6 * name_size, middle.y()},
             name_size};
   name.upright = true;
   marks.emplace_back(name);
@@ -124,10 +124,15 @@ std::vector<Polyline> floor_grid(const Scene& scene) {
   const double size = std::max((high - low).maxCoeff(), 1e-9 * largest);
   if (size < 1e-12) return {};
   const double step = round_step(size / 8);
-  const double first_x = std::floor(low.x() / step - 0.25),
-               last_x = std::ceil(high.x() / step + 0.25);
-  const double first_y = std::floor(low.y() / step - 0.25),
-               last_y = std::ceil(high.y() / step + 0.25);
+  // Not a narrow strip, where the arm is upright or in one plane.
+  const double least = size / 3;
+  const auto first = [&](int axis) {
+    return std::floor(std::min(low[axis], (low[axis] + high[axis]) / 2 - least) / step - 0.1);
+  };
+  const auto last = [&](int axis) {
+    return std::ceil(std::max(high[axis], (low[axis] + high[axis]) / 2 + least) / step + 0.1);
+  };
+  const double first_x = first(0), last_x = last(0), first_y = first(1), last_y = last(1);
   std::vector<Polyline> lines;
   const auto line = [&](double x0, double y0, double x1, double y1) {
     lines.push_back({{{x0 * step, y0 * step, *scene.floor}, {x1 * step, y1 * step, *scene.floor}},

@@ -88,7 +88,7 @@ struct Label {
 using Primitive = std::variant<Polyline, Dots, JointSymbol, FrameTriad, BaseSymbol, Label>;
 
 /// Drawn in this order; within `body` from the far to the near, else in the order of adding.
-enum class Layer { ground, ghost, trail, body, mark, note };
+enum class Layer { ground, ghost, base, trail, body, mark, note };
 
 struct Item {
   Layer layer = Layer::body;

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <beeline/draw/skeleton.h>
 #include <beeline/kinematics/forward.h>
 
@@ -60,6 +62,12 @@ std::vector<Vector3> Skeleton::line() const {
   }
   points.push_back(tool);
   return points;
+}
+
+double Skeleton::size() const {
+  double farthest = 0;
+  for (const Vector3& p : line()) farthest = std::max(farthest, (p - base).norm());
+  return farthest;
 }
 
 Skeleton skeleton(const Arm& arm, const ConfigurationRef& q) {

@@ -25,6 +25,7 @@ struct Skeleton {
   Vector3 tool = Vector3::Zero();
 
   std::vector<Vector3> line() const;  ///< base, then enter and leave of every joint, then tool
+  double size() const;                ///< the greatest distance of its points from the base
 };
 
 /// Throws Error when q does not fit the arm.

@@ -33,7 +33,7 @@ class Ruler {
                            bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(context_, size);
     cairo_text_extents_t extents;
-    cairo_text_extents(context_, printable(text).c_str(), &extents);
+    cairo_text_extents(context_, drawable(text).c_str(), &extents);
     return std::max(extents.x_advance, extents.width);
   }
 
@@ -91,7 +91,7 @@ Point text_size(const std::string& text, double size, bool bold) {
   return {ruler.width(text, size, bold), 1.2 * size};
 }
 
-std::string printable(std::string_view text) {
+std::string drawable(std::string_view text) {
   std::string clean;
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = character_length(text.substr(i));
@@ -102,8 +102,14 @@ std::string printable(std::string_view text) {
 }
 
 std::vector<std::string> wrapped(const std::string& text, double size, double width, bool bold) {
+  constexpr std::size_t most_lines = 12;
   std::vector<std::string> lines(1);
   for (std::size_t i = 0; i < text.size();) {
+    if (lines.size() > most_lines) {
+      lines.pop_back();
+      lines.back() += "…";
+      break;
+    }
     if (text[i] == '\n') lines.emplace_back();
     if (text[i] == '\n' || text[i] == ' ') {
       ++i;

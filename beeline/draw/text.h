@@ -15,10 +15,10 @@ constexpr const char* typeface = "DejaVu Sans";
 Point text_size(const std::string& text, double size, bool bold = false);
 
 /// Text as it can be drawn: what is no UTF-8 and no printable character becomes a question mark.
-std::string printable(std::string_view text);
+std::string drawable(std::string_view text);
 
-/// The text in lines no wider than `width` points, broken at blanks and at line feeds; a word that
-/// is wider still is cut and ends in an ellipsis.
+/// The text in lines no wider than `width` points, broken at blanks and at line feeds. A word that
+/// is wider still is cut and ends in an ellipsis, and so does the twelfth line when there are more.
 std::vector<std::string> wrapped(const std::string& text, double size, double width,
                                  bool bold = false);
 

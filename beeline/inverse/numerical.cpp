@@ -189,7 +189,8 @@ Descent descend(const Arm& arm, const Pose& world_T_tool, const Task& task, cons
   };
   double factor = first_factor;
   double milestone = work.now.cost;
-  for (; run.iterations < options.iterations && work.now.cost > 0; ++run.iterations) {
+  for (; run.iterations < options.iterations && work.now.cost > 0 && std::isfinite(work.now.cost);
+       ++run.iterations) {
     const bool polishing = within(work.now.deviation);
     const double before = work.now.cost;
     // Damping that falls with the error's square keeps convergence quadratic (Sugihara 2011).

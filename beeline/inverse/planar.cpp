@@ -54,6 +54,30 @@ void polish(const Arm& arm, const Pose& world_T_tool, const Task& task, double t
   solution.error = run.error;
 }
 
+std::vector<PlanarSolution> measured(const Arm& arm, const Pose& world_T_tool, const Task& task,
+                                     const Configuration& seed, double tolerance) {
+  std::vector<PlanarJoint> joints = planar_joints(arm, seed);
+  const Pose rest = forward_kinematics(arm, Configuration::Zero(arm.dof()));
+  const Complex from = in_plane(rest.translation()), to = in_plane(world_T_tool.translation());
+  double turn = heading(world_T_tool.linear()) - heading(rest.linear());
+  if (task == Task::position()) {
+    // One more joint, which turns the tool about its own origin, makes every orientation right.
+    joints.push_back({.turns = true, .sign = 1, .place = from});
+    turn = 0;
+  }
+  const Complex rotation = std::polar(1.0, turn);
+  std::vector<PlanarSolution> solutions;
+  for (PlanarCandidate& candidate : planar_candidates(joints, rotation, to - rotation * from)) {
+    candidate.q.conservativeResize(arm.dof());
+    const Pose reached = forward_kinematics(arm, candidate.q);
+    PlanarSolution solution{candidate.q, candidate.continuum,
+                            task_deviation(task, world_T_tool, reached)};
+    polish(arm, world_T_tool, task, tolerance, solution);
+    solutions.push_back(solution);
+  }
+  return solutions;
+}
+
 }  // namespace
 
 bool has_planar_closed_form(const Arm& arm, const Task& task) {
@@ -71,26 +95,13 @@ std::vector<PlanarSolution> nearest_planar_solutions(const Arm& arm, const Pose&
   }
   check_configuration(arm, seed);
   if (!world_T_tool.matrix().allFinite()) throw Error("the pose has a number that is not finite");
-  std::vector<PlanarJoint> joints = planar_joints(arm, seed);
-  const Pose rest = forward_kinematics(arm, Configuration::Zero(arm.dof()));
-  const Complex from = in_plane(rest.translation()), to = in_plane(world_T_tool.translation());
-  double turn = heading(world_T_tool.linear()) - heading(rest.linear());
-  if (task == Task::position()) {
-    // One more joint, which turns the tool about its own origin, makes every orientation right.
-    joints.push_back({.turns = true, .sign = 1, .place = from, .preferred = std::nullopt});
-    turn = 0;
-  }
-  const Complex rotation = std::polar(1.0, turn);
-  std::vector<PlanarSolution> solutions;
-  for (PlanarCandidate& candidate : planar_candidates(joints, rotation, to - rotation * from)) {
-    candidate.q.conservativeResize(arm.dof());
-    const Pose reached = forward_kinematics(arm, candidate.q);
-    PlanarSolution solution{candidate.q, candidate.continuum,
-                            task_deviation(task, world_T_tool, reached)};
-    polish(arm, world_T_tool, task, tolerance, solution);
-    solutions.push_back(solution);
-  }
-  return solutions;
+  const auto reaches = [tolerance](const PlanarSolution& solution) {
+    return largest(solution.error) <= tolerance;
+  };
+  std::vector<PlanarSolution> near_seed = measured(arm, world_T_tool, task, seed, tolerance);
+  if (std::any_of(near_seed.begin(), near_seed.end(), reaches)) return near_seed;
+  // A seed far away costs digits. That a pose is out of reach must not hang on them.
+  return measured(arm, world_T_tool, task, Configuration::Zero(arm.dof()), tolerance);
 }
 
 std::vector<Configuration> planar_solutions(const Arm& arm, const Pose& world_T_tool,

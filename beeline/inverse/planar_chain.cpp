@@ -188,7 +188,7 @@ class Chain {
     }
     Candidates result;
     for (const double elbow : elbow_angles(lu, lv, lb)) {
-      const Complex second = std::polar(1.0, elbow) * u / v;
+      const Complex second = std::polar(1.0, elbow + std::arg(u / v));
       const Complex first = b / (u + second * v);
       turn(candidate.q, 0, first);
       turn(candidate.q, 1, second);

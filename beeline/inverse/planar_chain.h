@@ -11,10 +11,11 @@ namespace beeline {
 /// One joint as a motion p -> r p + t of the plane, at q = 0 and in the world's axes. Points and
 /// directions of the plane are complex numbers x + iy.
 struct PlanarJoint {
-  bool turns = true;                ///< about `place`; else it slides along `place`
-  double sign = 1;                  ///< of its axis against the world's z; 1 for a slide
-  std::complex<double> place;       ///< the axis's point; the unit direction of a slide
-  std::optional<double> preferred;  ///< the value where the choice is free; empty: any will do
+  bool turns = true;           ///< about `place`; else it slides along `place`
+  double sign = 1;             ///< of its axis against the world's z; 1 for a slide
+  std::complex<double> place;  ///< the axis's point; the unit direction of a slide
+  std::optional<double> preferred =
+      std::nullopt;  ///< the value where the choice is free; empty: any will do
 };
 
 /// A configuration that reaches a motion of the plane or, where none does, one that comes near.

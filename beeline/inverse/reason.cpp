@@ -58,7 +58,8 @@ std::optional<Obstacle> against_parallel_axes(const Arm& arm, const Vector3& axi
   const double off = std::abs(axis.dot(goal.translation() - rest.translation()));
   const double way = (goal.translation() - rest.translation()).norm();
   const double size = std::isfinite(arm.reach().radius) ? arm.reach().radius : way;
-  if (!moves_along && off > tolerance + skew * size && (rows(task, 0) || (about_z && task.rows[2]))) {
+  if (!moves_along && off > tolerance + skew * size &&
+      (rows(task, 0) || (about_z && task.rows[2]))) {
     return Obstacle{off, "the pose is " + number(off) + " m off the plane that the tool of arm " +
                              arm.name() +
                              " never leaves: all axes are normal to it, and nothing slides out"};

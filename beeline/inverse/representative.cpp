@@ -14,17 +14,14 @@ constexpr double turn = 2 * std::numbers::pi;
 /// `angle` plus the whole number of turns that brings it nearest to `reference` within
 /// [lower, upper]; the one that is least outside where none is within.
 double nearest_turn_within(double angle, double reference, double lower, double upper) {
-  const double nearest = nearest_turn(angle, reference);
+  const double nearest = nearest_turn(angle, std::clamp(reference, lower, upper));
   if (nearest < lower - rounding) {
-    const double raised = nearest + turn * std::ceil((lower - rounding - nearest) / turn);
-    return raised <= upper + rounding || raised - upper < lower - (raised - turn) ? raised
-                                                                                  : raised - turn;
+    const double raised = nearest + turn;
+    return raised - upper < lower - nearest ? raised : nearest;
   }
   if (nearest > upper + rounding) {
-    const double lowered = nearest - turn * std::ceil((nearest - upper - rounding) / turn);
-    return lowered >= lower - rounding || lower - lowered < (lowered + turn) - upper
-               ? lowered
-               : lowered + turn;
+    const double lowered = nearest - turn;
+    return lower - lowered < nearest - upper ? lowered : nearest;
   }
   return nearest;
 }

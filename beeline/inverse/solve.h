@@ -10,19 +10,20 @@
 namespace beeline {
 
 struct InverseOptions {
-  std::optional<Configuration> seed;  ///< solutions nearest to it come first; default: the middle
-  std::optional<Task> task;           ///< default: planar for a planar arm, else spatial
+  /// Solutions nearest to it come first; default: the middle of the limits.
+  std::optional<Configuration> seed = std::nullopt;
+  std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
   /// Every solution that the method can tell, else the nearest only. Closed form: all there are.
   /// Numerical: those that all restarts meet, of which some may be missing (and an arm with more
   /// joints than the task has rows has infinitely many).
   bool all = false;
-  bool ignore_limits = false;         ///< joint limits do not count
+  bool ignore_limits = false;  ///< joint limits do not count
   /// Largest error of a solution, metres and radians. Never taken below the rounding of forward
   /// kinematics, about 4e-15 of the arm's size: from a reach of 1e5 m on that is what counts.
   double tolerance = 1e-9;
-  int iterations = 100;               ///< most steps of the numerical solver in one try
-  int restarts = 100;                 ///< most tries after the first, from random configurations
-  std::uint64_t random_seed = 1;      ///< the same seed gives the same answer
+  int iterations = 100;           ///< most steps of the numerical solver in one try
+  int restarts = 100;             ///< most tries after the first, from random configurations
+  std::uint64_t random_seed = 1;  ///< the same seed gives the same answer
 };
 
 enum class InverseStatus {
@@ -43,7 +44,7 @@ struct InverseResult {
   std::string reason;  ///< one sentence; empty when solved
   std::string method;  ///< "planar closed form", "numerical", or "reach" where that settles it
   int iterations = 0;  ///< of the numerical solver, over all tries
-  int restarts = 0;    ///< tries after the first
+  int restarts = 0;    ///< tries from random configurations
 };
 
 /// The joint configurations that bring the tool to `world_T_tool`, as far as the task asks.

@@ -1,4 +1,5 @@
 #include <Eigen/SVD>
+#include <algorithm>
 #include <limits>
 
 #include <beeline/error.h>
@@ -16,7 +17,9 @@ Dexterity dexterity(const Eigen::Ref<const Eigen::MatrixXd>& jacobian) {
   const double smallest = result.singular_values[result.singular_values.size() - 1];
   const bool enough_joints = jacobian.cols() >= jacobian.rows();
   result.manipulability = enough_joints ? result.singular_values.prod() : 0;
-  const double rounding = largest * std::numeric_limits<double>::epsilon();
+  // The usual rank tolerance: what rounding leaves of a singular value that is zero.
+  const double rounding = largest * std::numeric_limits<double>::epsilon() *
+                          static_cast<double>(std::max(jacobian.rows(), jacobian.cols()));
   result.condition =
       smallest > rounding ? largest / smallest : std::numeric_limits<double>::infinity();
   return result;

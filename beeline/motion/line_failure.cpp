@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <optional>
+
 #include <beeline/error.h>
+#include <beeline/inverse/numerical.h>
 #include <beeline/inverse/solve.h>
 #include <beeline/motion/line_failure.h>
 #include <beeline/motion/time_law.h>
@@ -6,23 +10,37 @@
 namespace beeline {
 namespace {
 
-constexpr double ahead = 1e-3;     // of the line: far enough to tell a wall from rounding
-constexpr double at_limit = 1e-6;  // radians or metres from a limit that count as at it
+// How far ahead to look, in lengths of the line: just behind the wall, and clearly behind it.
+constexpr double looks[] = {1e-6, 1e-5, 1e-4, 1e-3};
+constexpr double next_door = 0.2;  // radians or metres: farther away is another branch
 
-/// The coordinates of q that are at a limit, as a phrase; empty when there are none.
-std::string joints_at_limits(const Arm& arm, const Configuration& q) {
+/// The joints that q takes out of their limits, as a phrase; empty when there are none.
+std::string joints_outside(const Arm& arm, const Configuration& q) {
   std::string text;
   for (int k = 0; k < arm.dof(); ++k) {
     const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
-    const bool low = q[k] - limits.lower < at_limit;
-    if (!low && limits.upper - q[k] >= at_limit) continue;
+    if (q[k] >= limits.lower && q[k] <= limits.upper) continue;
+    const bool low = q[k] < limits.lower;
     const double limit = low ? limits.lower : limits.upper;
     const bool metres = kind(arm.joint_of(k)) == JointKind::prismatic;
-    text += (text.empty() ? "" : ", ") + ("joint " + arm.joint_of(k).name) + " is at its " +
-            (low ? "lower" : "upper") + " limit of " +
+    text += (text.empty() ? "joint " : ", and joint ") + arm.joint_of(k).name +
+            " would have to pass its " + (low ? "lower" : "upper") + " limit of " +
             (metres ? number(limit) + " m" : angle(limit));
   }
   return text;
+}
+
+/// What the motion would go on to without limits, if that is outside of them.
+std::string passed_limits(const Arm& arm, const Line& line, const Task& task,
+                          const Configuration& q, double s) {
+  for (const double look : looks) {
+    const Pose next = interpolate(line.from, line.to, std::min(1.0, s + look));
+    const Descent free = descend(arm, next, task, no_bounds(arm), q);
+    if (!free.converged || (free.q - q).lpNorm<Eigen::Infinity>() > next_door) return {};
+    const std::string joints = joints_outside(arm, free.q);
+    if (!joints.empty()) return joints;
+  }
+  return {};
 }
 
 std::string place(const Line& line, double s) {
@@ -37,20 +55,22 @@ LineFailure line_failure(const Arm& arm, const Line& line, const Task& task, con
                          double u) {
   const double s = rest_to_rest(u);
   const std::string where = place(line, s);
-  const std::string held = joints_at_limits(arm, q);
-  if (!held.empty()) {
-    return {MotionStatus::outside_limits, where + held + " and would have to pass it"};
-  }
-  const Pose next = interpolate(line.from, line.to, std::min(1.0, s + ahead));
+  const std::string joints = passed_limits(arm, line, task, q, s);
+  if (!joints.empty()) return {MotionStatus::outside_limits, where + joints};
+
+  const Pose next = interpolate(line.from, line.to, std::min(1.0, s + std::end(looks)[-1]));
   const InverseResult answer = inverse_kinematics(arm, next, {.seed = q, .task = task});
-  if (answer.status == InverseStatus::solved) {
-    return {MotionStatus::singular,
-            where +
-                "the arm is singular there; it could go on only by jumping to another branch, "
-                "such as another elbow"};
-  }
-  if (answer.status == InverseStatus::outside_limits) {
-    return {MotionStatus::outside_limits, where + answer.reason};
+  switch (answer.status) {
+    case InverseStatus::solved:
+      return {MotionStatus::singular,
+              where +
+                  "the arm is singular there; it could go on only by jumping to another branch, "
+                  "such as another elbow"};
+    case InverseStatus::outside_limits:
+      return {MotionStatus::outside_limits, where + answer.reason};
+    case InverseStatus::unreachable:
+    case InverseStatus::not_found:
+      break;
   }
   return {MotionStatus::unreachable,
           where + "the line leaves the arm's workspace there; " + answer.reason};

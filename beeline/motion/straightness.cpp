@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
@@ -12,8 +13,7 @@ namespace beeline {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double way_of_a_radian = 0.01;  // metres: a line that moves less is told by its turn
-constexpr double nothing = 1e-12;         // metres or radians that count as none
+constexpr double nothing = 1e-12;  // metres or radians that count as none
 
 /// How many of the task's three position rows (first = 0) or orientation rows (3) matter.
 int rows(const Task& task, std::size_t first) {
@@ -110,14 +110,107 @@ double nearest_fraction(const Line& line, const Extent& extent, const Pose& pose
   return whole ? fraction_by_turn(line, extent, pose) : fraction_by_search(line, pose, task);
 }
 
-/// Where the nearest point is not moved by what a step of both ends in proportion tells, it is at
-/// the fraction s' in proportion between those of the two ends. What is known of them:
-struct Ends {
-  Deviation deviation;   ///< the larger one
-  double slack = 1;      ///< two turns with such ends part by at most 1 / slack of it between them
-  double apart = 0;      ///< between their fractions
-  double off = 0;        ///< metres from their points of the line, rows that do not matter counted
-  double along = 0;      ///< least length of the line in the rows that matter during the step
-};
+/// All of the arm's turns, and the line's, are in rows that matter, or none is: then their angles
+/// are distances.
+bool whole_turns(const Arm& arm, const Line& line, const Extent& extent, const Task& task,
+                 const ConfigurationRef& q) {
+  if (rows(task, 3) % 3 == 0) return true;
+  return arm.planar() && turns_within_rows(task, Vector3::UnitZ()) &&
+         turns_within_rows(task, extent.turn) &&
+         turns_within_rows(task, pose_difference(forward_kinematics(arm, q), line.from).tail<3>());
+}
 
 }  // namespace
+
+Deviation deviation_from(const Line& line, const Pose& pose, const Task& task) {
+  const double s = nearest_fraction(line, extent_of(line, task), pose, task);
+  return task_deviation(task, interpolate(line.from, line.to, s), pose);
+}
+
+// Let s_a and s_b be the nearest fractions at the ends, s' the one in proportion between them.
+// First comes a bound on the deviation from the line's point at s', then one on how far s' is from
+// nearest.
+Deviation step_bound(const Arm& arm, const Line& line, const Task& task,
+                     const ConfigurationRef& q_a, const ConfigurationRef& q_b, const Deviation& a,
+                     const Deviation& b) {
+  const Extent extent = extent_of(line, task);
+  const ChordBound step = chord_bound(arm, q_a, q_b);
+  const bool still = !turning_rows(task);
+  const bool whole = whole_turns(arm, line, extent, task, q_a);
+  Deviation bound{std::max(a.position, b.position), std::max(a.orientation, b.orientation)};
+
+  double apart = 0, off = 0, length = extent.length;
+  if (!still || !whole) {
+    const Pose at_a = forward_kinematics(arm, q_a), at_b = forward_kinematics(arm, q_b);
+    const double s_a = nearest_fraction(line, extent, at_a, task);
+    const double s_b = nearest_fraction(line, extent, at_b, task);
+    const auto distance = [&line](const Pose& pose, double s) {
+      return (interpolate(line.from, line.to, s).translation() - pose.translation()).norm();
+    };
+    apart = std::abs(s_b - s_a);
+    off = std::max(distance(at_a, s_a), distance(at_b, s_b));
+    const double shown = position_rows(task, at_a, extent.way).norm();
+    if (!still) length = shown - extent.length * step.turned;  // the least that the rows may show
+  }
+
+  if (still) {  // distance from a straight segment is convex
+    if (rows(task, 0) > 0) bound.position += step.position;
+  } else {  // from the nearer end, at most half of all motion
+    bound.position += (step.moved + extent.length * apart + off * step.turned) / 2;
+  }
+  if (rows(task, 3) > 0 && whole) {
+    // Between two shortest turns in SO(3), a sphere of radius 2, the distance exceeds that of their
+    // ends by 1 / cos(angle/4) at most (Jacobi's equation).
+    const double angle = step.turned + a.orientation + b.orientation;
+    bound.orientation =
+        angle < pi ? bound.orientation / std::cos(angle / 4) + step.orientation : pi;
+  } else if (rows(task, 3) > 0) {  // |d log| <= pi/2 |d angle| wherever the free rows stand
+    bound.orientation += pi / 4 * (step.turned + extent.angle * apart);
+  }
+
+  if (extent.told_by_way()) {
+    const double shift = still ? bound.position : 2 * bound.position;
+    const double drift = shift < length ? shift / length : 1;
+    bound.orientation += (whole ? 1 : pi / 2) * extent.angle * drift;
+  } else if (extent.told_by_turn() && rows(task, 0) > 0) {
+    const double drift = whole ? std::min(1.0, 2 * bound.orientation / extent.angle) : 1;
+    bound.position += extent.length * drift;
+  }
+  bound.orientation = std::min(bound.orientation, pi);
+  return bound;
+}
+
+Straightness straightness(const Arm& arm, std::span<const Configuration> samples,
+                          std::span<const Pose> waypoints, std::span<const std::size_t> arrivals,
+                          const Task& task) {
+  if (samples.empty() || waypoints.size() != arrivals.size()) {
+    throw Error("straightness needs samples, and an arrival for each waypoint");
+  }
+  Straightness result;
+  const auto grow = [](Deviation& largest, const Deviation& met) {
+    largest.position = std::max(largest.position, met.position);
+    largest.orientation = std::max(largest.orientation, met.orientation);
+  };
+  Line line{forward_kinematics(arm, samples.front()), Pose::Identity()};
+  std::size_t first = 0;
+  for (std::size_t w = 0; w < waypoints.size(); ++w) {
+    if (arrivals[w] < first || arrivals[w] >= samples.size()) {
+      throw Error("arrival " + std::to_string(w + 1) + " is not among the samples, in order");
+    }
+    line.to = waypoints[w];
+    Deviation before = deviation_from(line, forward_kinematics(arm, samples[first]), task);
+    grow(result.sampled, before);
+    grow(result.bound, before);
+    for (std::size_t k = first + 1; k <= arrivals[w]; ++k) {
+      const Deviation now = deviation_from(line, forward_kinematics(arm, samples[k]), task);
+      grow(result.sampled, now);
+      grow(result.bound, step_bound(arm, line, task, samples[k - 1], samples[k], before, now));
+      before = now;
+    }
+    line.from = line.to;
+    first = arrivals[w];
+  }
+  return result;
+}
+
+}  // namespace beeline

@@ -13,16 +13,19 @@ struct Line {
   Pose to;
 };
 
+/// A line that moves less than this for each radian that it turns, in metres, is told by its turn.
+constexpr double way_of_a_radian = 0.01;
+
 /// How far `pose` is from the nearest point of the line: the distance to the segment and the turn
 /// to the line's orientation at that point, as far as the task asks. Nearest is meant by position;
-/// by orientation where the line moves less than a centimetre for each radian that it turns.
+/// by orientation where the line moves less than `way_of_a_radian`.
 Deviation deviation_from(const Line& line, const Pose& pose, const Task& task);
 
-/// A bound on deviation_from(line, ..., task) while every joint moves in proportion from q_a to q_b,
-/// at whose ends it was measured to be `a` and `b`. From chord_bound(), so it falls with the square
-/// of the step; but only with the step itself where the task leaves some orientation rows free, or
-/// some position rows in the tool's axes, for there the rows that matter turn.
-/// Throws Error when q_a or q_b does not fit the arm.
+/// A bound on deviation_from(line, ..., task) while every joint moves in proportion from q_a to
+/// q_b, at whose ends it was measured to be `a` and `b`. From chord_bound(), so it falls with the
+/// square of the step; but only with the step itself where the task leaves some orientation rows
+/// free, or some position rows in the tool's axes, for there the rows that matter turn. Throws
+/// Error when q_a or q_b does not fit the arm.
 Deviation step_bound(const Arm& arm, const Line& line, const Task& task,
                      const ConfigurationRef& q_a, const ConfigurationRef& q_b, const Deviation& a,
                      const Deviation& b);

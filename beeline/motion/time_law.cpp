@@ -7,6 +7,8 @@
 namespace beeline {
 namespace {
 
+constexpr double shortest_duration = 1e-3;  // seconds: times increase even where nothing moves
+
 /// Derivatives by differences over the fraction of time u, to be divided by the duration.
 struct Derivatives {
   std::vector<Configuration> between;       ///< dq/du between samples k and k + 1
@@ -53,23 +55,42 @@ Configuration limits_of(const Arm& arm, double Limits::*kind, double when_unknow
   return limits;
 }
 
+void check_motion(const Arm& arm, std::span<const Configuration> samples,
+                  std::span<const double> fractions) {
+  if (samples.size() < 2 || samples.size() != fractions.size()) {
+    throw Error("a timed motion needs two samples or more, and a fraction of time for each");
+  }
+  for (const Configuration& q : samples) check_configuration(arm, q);
+  for (std::size_t k = 1; k < fractions.size(); ++k) {
+    if (fractions[k] > fractions[k - 1]) continue;
+    throw Error("the fractions of time must increase; number " + std::to_string(k + 1) + " is " +
+                number(fractions[k]));
+  }
+  if (fractions.front() != 0 || fractions.back() != 1) {
+    throw Error("the fractions of time must go from 0 to 1, not from " + number(fractions.front()) +
+                " to " + number(fractions.back()));
+  }
+}
+
 }  // namespace
 
 double rest_to_rest(double u) { return u * u * u * (10 + u * (-15 + 6 * u)); }
 
 void append_timed(Trajectory& trajectory, const Arm& arm, std::span<const Configuration> samples,
                   std::span<const double> fractions, double shortest) {
-  if (trajectory.size() == 0 || samples.size() != fractions.size() || samples.size() < 2) {
-    throw Error(
-        "a timed motion needs a trajectory to continue, two samples or more, and a fraction "
-        "of time for each");
+  if (trajectory.size() == 0) throw Error("a timed motion needs a trajectory to continue");
+  check_motion(arm, samples, fractions);
+  if (!(shortest >= 0) || !std::isfinite(shortest)) {
+    throw Error("the shortest time of a motion must be zero or more, not " + number(shortest) +
+                " s");
   }
   const Derivatives d = differentiate(samples, fractions);
   const double duration = std::max(
       {shortest, largest_ratio(d.between, limits_of(arm, &Limits::velocity, velocity_when_unknown)),
        std::sqrt(
            largest_ratio(d.acceleration, limits_of(arm, &Limits::acceleration, Limits::none))),
-       std::cbrt(largest_ratio(d.jerk, limits_of(arm, &Limits::jerk, Limits::none))), 1e-3});
+       std::cbrt(largest_ratio(d.jerk, limits_of(arm, &Limits::jerk, Limits::none))),
+       shortest_duration});
 
   const double start = trajectory.times.back();
   for (std::size_t k = 1; k < samples.size(); ++k) {

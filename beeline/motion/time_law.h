@@ -17,7 +17,8 @@ constexpr double velocity_when_unknown = 1.0;
 /// last, increasing): gives each sample its time, so that the joint speeds between samples and the
 /// accelerations and jerks told by their differences keep the arm's limits (unknown velocity limits
 /// count as `velocity_when_unknown`), and the motion lasts at least `shortest` seconds.
-/// Appends samples[1] and on to `trajectory`, which ends at samples[0].
+/// Appends samples[1] and on to `trajectory`, which ends at samples[0]. Throws Error when samples
+/// and fractions do not fit the arm and each other.
 void append_timed(Trajectory& trajectory, const Arm& arm, std::span<const Configuration> samples,
                   std::span<const double> fractions, double shortest = 0);
 

@@ -49,6 +49,11 @@ Trajectory at_rest(const Arm& arm, const ConfigurationRef& q) {
 }
 
 void check_trajectory(const Trajectory& trajectory) {
+  for (auto joint = trajectory.joint_names.begin(); joint != trajectory.joint_names.end();
+       ++joint) {
+    if (std::find(trajectory.joint_names.begin(), joint, *joint) == joint) continue;
+    throw Error("two joints of the trajectory are called " + *joint);
+  }
   check_column(trajectory.positions, trajectory, "positions");
   if (!trajectory.velocities.empty()) check_column(trajectory.velocities, trajectory, "velocities");
   if (!trajectory.accelerations.empty()) {
@@ -64,8 +69,9 @@ void check_trajectory(const Trajectory& trajectory) {
 
 Configuration sample(const Trajectory& trajectory, double t) {
   if (trajectory.size() == 0) throw Error("the trajectory has no samples");
+  if (std::isnan(t)) throw Error("a trajectory has no sample at a time that is no number");
   const auto& times = trajectory.times;
-  if (!(t > times.front())) return trajectory.positions.front();
+  if (t <= times.front()) return trajectory.positions.front();
   if (t >= times.back()) return trajectory.positions.back();
   const auto after =
       static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), t) - times.begin());
@@ -75,6 +81,7 @@ Configuration sample(const Trajectory& trajectory, double t) {
 }
 
 Trajectory matched_to(const Arm& arm, const Trajectory& trajectory) {
+  check_trajectory(trajectory);
   const std::vector<Eigen::Index> order = column_order(arm, trajectory);
   const auto reordered = [&order](std::vector<Configuration> column) {
     for (Configuration& q : column) q = Configuration(q(order));

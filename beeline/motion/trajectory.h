@@ -22,15 +22,18 @@ struct Trajectory {
 /// One sample: the arm at rest at q at time zero.
 Trajectory at_rest(const Arm& arm, const ConfigurationRef& q);
 
-/// Throws Error when the lengths differ, a number is not finite or time does not increase.
+/// Throws Error when two joints have one name, the lengths differ, a number is not finite or time
+/// does not increase.
 void check_trajectory(const Trajectory& trajectory);
 
 /// The configuration at time t, linear between samples (what a line's certificate assumes); before
-/// the first sample the first, after the last the last. Throws Error when there are no samples.
+/// the first sample the first, after the last the last. Throws Error when there are no samples, or
+/// t is no number.
 Configuration sample(const Trajectory& trajectory, double t);
 
 /// The trajectory's columns in the arm's order, matched by joint name.
-/// Throws Error naming the joints that are missing or that the arm does not have.
+/// Throws Error as check_trajectory(), and naming the joints that are missing or that the arm does
+/// not have.
 Trajectory matched_to(const Arm& arm, const Trajectory& trajectory);
 
 }  // namespace beeline

@@ -101,7 +101,9 @@ void write_file(const std::string& path, std::string_view content) {
     return write_straight(path, content);
   }
   // A rename would get round the file's own write protection.
-  if (exists && ::access(path.c_str(), W_OK) != 0) throw refused(path, "cannot be written", errno);
+  if (exists && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) {
+    throw refused(path, "cannot be written", errno);
+  }
   static std::atomic<unsigned> written{0};
   const std::string target = target_of(path);
   const std::string beside =

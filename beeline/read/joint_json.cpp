@@ -13,7 +13,7 @@ namespace {
 std::string name_from_json(const JsonDocument& document, const Json& json) {
   const std::string& name = document.text(json);
   try {
-    check_name(name, "holds a name that");
+    check_name(name, "is refused: the name");
   } catch (const Error& error) {
     document.refuse(json, error.what());
   }
@@ -85,6 +85,9 @@ Twist screw_from_json(const JsonDocument& document, const Json& json, const std:
   const Vector3 axis = vector_or(document, json, "axis", Vector3::UnitZ());
   const Vector3 point = vector_or(document, json, "point", Vector3::Zero());
   const Json* pitch = document.find(json, "pitch");
+  if (type == name(JointKind::prismatic) && document.find(json, "point") != nullptr) {
+    document.refuse(json, "has a point; a prismatic joint has an axis only");
+  }
   if ((pitch != nullptr) != (type == name(JointKind::helical))) {
     document.refuse(json, pitch != nullptr ? "has a pitch; only a helical joint has one"
                                            : "is helical and needs the key \"pitch\"");

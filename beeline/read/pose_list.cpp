@@ -50,23 +50,22 @@ Pose pose_of(const std::vector<double>& v, AngleUnit unit) {
 /// The form whose columns the header has.
 const Names& form_of(const Names& header) {
   const std::string known = std::string("; poses are ") + known_forms;
-  const Names* form = nullptr;
-  for (const Names& candidate : forms()) {
-    const auto missing = missing_from(header, candidate).size();
-    if (form == nullptr || missing < missing_from(header, *form).size()) form = &candidate;
-  }
+  const auto distance = [&header](const Names& form) {
+    return missing_from(header, form).size() + missing_from(form, header).size();
+  };
   for (const std::string& name : header) {
     const bool is_known = std::ranges::any_of(
         forms(), [&](const Names& candidate) { return holds(candidate, name); });
     if (!is_known) throw Error("unknown column " + in_quotes(name) + known);
   }
-  const Names missing = missing_from(header, *form);
+  const Names& form = *std::ranges::min_element(forms(), {}, distance);
+  const Names missing = missing_from(header, form);
   if (!missing.empty()) throw Error("column " + listed(missing) + " is missing" + known);
-  const Names extra = missing_from(*form, header);
+  const Names extra = missing_from(form, header);
   if (!extra.empty()) {
-    throw Error("column " + listed(extra) + " does not go with " + listed(*form) + known);
+    throw Error("column " + listed(extra) + " does not go with " + listed(form) + known);
   }
-  return *form;
+  return form;
 }
 
 }  // namespace

@@ -178,8 +178,9 @@ UrdfFile parse_urdf(std::string_view text, const std::string& path) {
                     "is no URDF: it must hold a <robot>, not " + found);
   }
   UrdfFile file{.path = path, .name = "", .links = {}, .joints = {}};
-  file.name = robot->Attribute("name") == nullptr ? std::filesystem::path(path).stem().string()
-                                                  : elements.needed_name(*robot, "name");
+  const char* name = robot->Attribute("name");
+  file.name = name == nullptr || *name == 0 ? printable(std::filesystem::path(path).stem().string())
+                                            : elements.needed_name(*robot, "name");
   std::unordered_set<std::string> links, joints;
   for (const XMLElement* at = robot->FirstChildElement(); at; at = at->NextSiblingElement()) {
     const std::string_view tag = at->Name();
@@ -190,12 +191,12 @@ UrdfFile parse_urdf(std::string_view text, const std::string& path) {
     }
     if (tag == "link") {
       file.links.push_back({elements.needed_name(*at, "name"), line});
-      const std::string& name = file.links.back().name;
-      if (!links.insert(name).second) elements.refuse(line, "two links are called " + name);
+      const std::string& link = file.links.back().name;
+      if (!links.insert(link).second) elements.refuse(line, "two links are called " + link);
     } else if (tag == "joint") {
       file.joints.push_back(read_joint(elements, *at));
-      const std::string& name = file.joints.back().name;
-      if (!joints.insert(name).second) elements.refuse(line, "two joints are called " + name);
+      const std::string& joint = file.joints.back().name;
+      if (!joints.insert(joint).second) elements.refuse(line, "two joints are called " + joint);
     }
   }
   return file;

@@ -72,20 +72,22 @@ class Tree {
     return listed(all);
   }
 
-  std::size_t link_called(const std::string& name, const char* what, int line = 0) const {
+  /// `owner` is the joint that names the link, if one does.
+  std::size_t link_called(const std::string& name, const char* what,
+                          const UrdfFile::Joint* owner = nullptr) const {
     const auto found = place_.find(name);
     if (found != place_.end()) return found->second;
     std::vector<std::string> known;
     for (const auto& link : file_.links) known.push_back(link.name);
-    refuse(unknown_name(what, printable(name), known).what(), line);
+    const std::string why = unknown_name(what, printable(name), known).what();
+    if (owner != nullptr) refuse("joint " + owner->name + " has an " + why, owner->line);
+    refuse(why);
   }
 
   void add_joint(std::size_t j) {
     const UrdfFile::Joint& joint = file_.joints[j];
-    const std::string what = "joint " + joint.name + ": ";
-    const std::size_t parent =
-        link_called(joint.parent, (what + "parent link").c_str(), joint.line);
-    const std::size_t child = link_called(joint.child, (what + "child link").c_str(), joint.line);
+    const std::size_t parent = link_called(joint.parent, "parent link", &joint);
+    const std::size_t child = link_called(joint.child, "child link", &joint);
     if (parent_joint_[child] != no_joint) {
       refuse("link " + name_of(child) + " has two parents, by joints " +
                  file_.joints[parent_joint_[child]].name + " and " + joint.name,

@@ -10,7 +10,6 @@ namespace beeline {
 ///   .csv   columns t, then the joints' names, and NAME_vel, NAME_acc where known
 ///   .json  as ROS trajectory_msgs/JointTrajectory; `time` beside `time_from_start` is exact
 /// Throws Error for another extension, and for what check_recordable refuses.
-
 enum class TrajectoryFormat { csv, json };
 TrajectoryFormat trajectory_format(const std::string& path);
 

@@ -43,12 +43,12 @@ TEST(DhJoint, StandardIsTurnAndSlideAlongZThenAlongX) {
         turn_z(row.theta + q) * slide(0, row.d) * slide(row.a, 0) * turn_x(row.alpha);
     const Joint turning = dh_joint(row, DhConvention::standard);
     ASSERT_EQ(kind(turning), JointKind::revolute);
-    ASSERT_LT((joint_transform(turning, q).matrix() - expected).norm(), 4e-15);
+    ASSERT_LT((joint_transform(turning, q).matrix() - expected).norm(), 1e-14);
     row.kind = JointKind::prismatic;
     expected = turn_z(row.theta) * slide(0, row.d + q) * slide(row.a, 0) * turn_x(row.alpha);
     const Joint sliding = dh_joint(row, DhConvention::standard);
     ASSERT_EQ(kind(sliding), JointKind::prismatic);
-    ASSERT_LT((joint_transform(sliding, q).matrix() - expected).norm(), 4e-15);
+    ASSERT_LT((joint_transform(sliding, q).matrix() - expected).norm(), 1e-14);
   }
 }
 
@@ -60,11 +60,11 @@ TEST(DhJoint, ModifiedIsTurnAndSlideAlongXThenAlongZ) {
     Matrix4 expected =
         slide(row.a, 0) * turn_x(row.alpha) * turn_z(row.theta + q) * slide(0, row.d);
     const Joint turning = dh_joint(row, DhConvention::modified);
-    ASSERT_LT((joint_transform(turning, q).matrix() - expected).norm(), 4e-15);
+    ASSERT_LT((joint_transform(turning, q).matrix() - expected).norm(), 1e-14);
     row.kind = JointKind::prismatic;
     expected = slide(row.a, 0) * turn_x(row.alpha) * turn_z(row.theta) * slide(0, row.d + q);
     const Joint sliding = dh_joint(row, DhConvention::modified);
-    ASSERT_LT((joint_transform(sliding, q).matrix() - expected).norm(), 4e-15);
+    ASSERT_LT((joint_transform(sliding, q).matrix() - expected).norm(), 1e-14);
   }
 }
 

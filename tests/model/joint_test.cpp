@@ -24,8 +24,8 @@ TEST(ScrewMotion, IsTheMatrixExponentialForEveryKindAndPlace) {
     xi.topLeftCorner<3, 3>() = hat(screw.tail<3>());
     xi.topRightCorner<3, 1>() = screw.head<3>();
     const Eigen::Matrix4d exact = Eigen::Matrix4d(xi * q).exp();
-    ASSERT_LT((screw_motion(screw, q).matrix() - exact).norm(), 3e-14) << q;
-    ASSERT_LT((se3_exp(screw * q).matrix() - exact).norm(), 3e-14) << q;
+    ASSERT_LT((screw_motion(screw, q).matrix() - exact).norm(), 9e-14) << q;
+    ASSERT_LT((se3_exp(screw * q).matrix() - exact).norm(), 9e-14) << q;
   }
 }
 
@@ -36,13 +36,13 @@ TEST(ScrewMotion, KeepsTheAxisAndTravelsThePitchAlongIt) {
     const double pitch = random.uniform(-1, 1), q = random.uniform(-10, 10);
     const Pose motion = screw_motion(rotation_screw(axis, point, pitch), q);
     const Vector3 on_axis = point + random.uniform(-2, 2) * axis;
-    ASSERT_LT((motion * on_axis - (on_axis + pitch * q * axis)).norm(), 3e-14);
+    ASSERT_LT((motion * on_axis - (on_axis + pitch * q * axis)).norm(), 9e-14);
     const Pose turn = screw_motion(rotation_screw(axis, point), q);
-    ASSERT_LT((turn * on_axis - on_axis).norm(), 2e-14);
+    ASSERT_LT((turn * on_axis - on_axis).norm(), 6e-14);
     const Vector3 off = random.vector(2);
-    ASSERT_NEAR((turn * off - point).norm(), (off - point).norm(), 2e-14);
+    ASSERT_NEAR((turn * off - point).norm(), (off - point).norm(), 6e-14);
     const Pose slide = screw_motion(translation_screw(3 * axis), q);
-    ASSERT_LT((slide * off - (off + q * axis)).norm(), 1e-14);
+    ASSERT_LT((slide * off - (off + q * axis)).norm(), 3e-14);
     ASSERT_EQ(slide.linear(), Rotation::Identity());
   }
 }
@@ -71,8 +71,8 @@ TEST(Kind, IsToldByTheScrewWhateverTheAxisAndItsPlace) {
     const double travel = random.uniform(0.001, 1);
     joint.screw = rotation_screw(random.direction(), random.vector(), -travel);
     ASSERT_EQ(kind(joint), JointKind::helical);
-    ASSERT_NEAR(pitch(joint), -travel, 1e-15);
-    ASSERT_NEAR(pitch(with_link_frame(joint, random.pose())), -travel, 1e-14);
+    ASSERT_NEAR(pitch(joint), -travel, 3e-15);
+    ASSERT_NEAR(pitch(with_link_frame(joint, random.pose())), -travel, 3e-14);
   }
 }
 
@@ -89,9 +89,9 @@ TEST(Screws, AreUnitForAnAxisOfAnyLengthAndRefuseNone) {
   testing::Random random;
   for (int i = 0; i < 1000; ++i) {
     const Vector3 axis = random.direction() * std::pow(10, random.uniform(-8, 300));
-    ASSERT_NEAR(rotation_screw(axis, random.vector()).tail<3>().norm(), 1, 1e-15);
-    ASSERT_NEAR(translation_screw(axis).head<3>().norm(), 1, 1e-15);
-    ASSERT_LT(rotation_screw(axis).tail<3>().cross(axis.stableNormalized()).norm(), 1e-15);
+    ASSERT_NEAR(rotation_screw(axis, random.vector()).tail<3>().norm(), 1, 3e-15);
+    ASSERT_NEAR(translation_screw(axis).head<3>().norm(), 1, 3e-15);
+    ASSERT_LT(rotation_screw(axis).tail<3>().cross(axis.stableNormalized()).norm(), 3e-15);
   }
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double inf = std::numeric_limits<double>::infinity();
@@ -122,13 +122,13 @@ TEST(WithLinkFrame, IsTheSameMotionSeenFromAnotherFrameOfTheLink) {
     const Joint moved = with_link_frame(joint, link_T_frame);
     const double q = random.uniform(-2 * pi, 2 * pi);
     const Pose expected = joint_transform(joint, q) * link_T_frame;
-    ASSERT_LT((joint_transform(moved, q).matrix() - expected.matrix()).norm(), 3e-14);
+    ASSERT_LT((joint_transform(moved, q).matrix() - expected.matrix()).norm(), 9e-14);
     ASSERT_EQ(kind(moved), kind(joint));
     ASSERT_EQ(moved.name, "elbow");
     ASSERT_EQ(moved.link, "forearm");
     ASSERT_EQ(moved.limits.velocity, 2);
     const Joint back = with_link_frame(moved, link_T_frame.inverse());
-    ASSERT_LT((back.screw - joint.screw).norm(), 1e-14);
+    ASSERT_LT((back.screw - joint.screw).norm(), 3e-14);
   }
 }
 

@@ -8,7 +8,6 @@ from functools import lru_cache
 import numpy as np
 import pinocchio
 import pytest
-
 from urdf_tree import ROBOTS, UrdfTree
 
 CONFIGURATIONS = 1000
@@ -24,12 +23,16 @@ def label(path):
     return str(path.relative_to(ROBOTS).with_suffix(""))
 
 
-def chains():
+def chains(sound=True):
+    """All chains with a joint that moves; or those with a joint that mimics none of its file's."""
+    found = []
     for path in sorted(ROBOTS.rglob("*.urdf")):
         tree = UrdfTree(path)
         for tip in tree.leaves():
-            if tree.moving_joints(tip):
-                yield pytest.param(path, tip, id=f"{label(path)}:{tip}")
+            joints = tree.moving_joints(tip)
+            if joints and sound == all(tree.has_leader(name) for name in joints):
+                found.append(pytest.param(path, tip, id=f"{label(path)}:{tip}"))
+    return found
 
 
 @lru_cache(maxsize=1)  # the cases come file by file
@@ -105,12 +108,13 @@ class Peer:
         return names, np.column_stack([self.values[name] for name in names]), poses, jacobians
 
 
-def beeline_kinematics(program, path, base, tip, q):
+def beeline_kinematics(build, path, base, tip, q):
+    program = build / "tests" / "kinematics_stream"
     answer = subprocess.run([program, path, base, tip], input=q.tobytes(), capture_output=True)
     assert answer.returncode == 0, answer.stderr.decode()
     header, _, body = answer.stdout.partition(b"\n")
     names = header.decode().split("\t")
-    numbers = np.frombuffer(body).reshape(CONFIGURATIONS, 16 + 3 * 6 * len(names))
+    numbers = np.frombuffer(body).reshape(len(q), 16 + 3 * 6 * len(names))
     poses = numbers[:, :16].reshape(-1, 4, 4)
     return names, poses, numbers[:, 16:].reshape(-1, 3, 6, len(names))
 
@@ -119,9 +123,8 @@ def beeline_kinematics(program, path, base, tip, q):
 def test_kinematics_equal_pinocchio(path, tip, build, seed, worst_differences):
     expected = peer(path, seed)
     names, q, poses, jacobians = expected.chain(tip)
-    program = build / "tests" / "kinematics_stream"
     base = expected.tree.root
-    our_names, our_poses, our_jacobians = beeline_kinematics(program, path, base, tip, q)
+    our_names, our_poses, our_jacobians = beeline_kinematics(build, path, base, tip, q)
 
     assert our_names == names
     pose_difference = np.abs(our_poses - poses).max()
@@ -131,5 +134,14 @@ def test_kinematics_equal_pinocchio(path, tip, build, seed, worst_differences):
     assert jacobian_difference <= TOLERANCE
 
 
-def test_there_are_arms_to_compare():
-    assert len(list(chains())) > 500
+@pytest.mark.parametrize("path, tip", chains(sound=False))
+def test_a_joint_that_mimics_none_of_its_file_is_refused(path, tip, build):
+    program = build / "tests" / "kinematics_stream"
+    answer = subprocess.run([program, path, UrdfTree(path).root, tip], capture_output=True)
+    assert answer.returncode == 3
+    assert b"which is no joint of this file" in answer.stderr
+
+
+def test_these_are_the_arms_that_the_package_has():
+    assert len(chains()) == 577
+    assert {case.values[0].stem for case in chains(sound=False)} == {"alex_psyonic_hands"}

@@ -41,10 +41,10 @@ TEST(Se3, IsAGroup) {
   testing::Random random;
   for (int i = 0; i < 3000; ++i) {
     const Pose a = se3_exp(any_twist(random)), b = random.pose(), c = random.pose();
-    ASSERT_LT(distance((a * b) * c, a * (b * c)), 2e-14);
-    ASSERT_LT(distance(a * a.inverse(), Pose::Identity()), 1e-14);
+    ASSERT_LT(distance((a * b) * c, a * (b * c)), 6e-14);
+    ASSERT_LT(distance(a * a.inverse(), Pose::Identity()), 3e-14);
     ASSERT_EQ(distance(a * Pose::Identity(), a), 0);
-    ASSERT_NEAR(a.linear().determinant(), 1, 3e-15);
+    ASSERT_NEAR(a.linear().determinant(), 1, 9e-15);
   }
 }
 
@@ -55,7 +55,7 @@ TEST(Se3Exp, EqualsItsPowerSeriesInExtendedPrecision) {
     if (i % 3 == 0) {  // around the switch between series and quotient
       twist.tail<3>() *= random.uniform(0.09, 0.11) / twist.tail<3>().norm();
     }
-    ASSERT_LT((se3_exp(twist).matrix() - exp_series(twist)).norm(), 5e-15) << twist.transpose();
+    ASSERT_LT((se3_exp(twist).matrix() - exp_series(twist)).norm(), 2e-14) << twist.transpose();
   }
 }
 
@@ -64,8 +64,8 @@ TEST(Se3Exp, AddsAlongOneTwistAndSlidesStraightWithoutATurn) {
   for (int i = 0; i < 3000; ++i) {
     const Twist twist = any_twist(random);
     const double s = random.uniform(-2, 2), t = random.uniform(-2, 2);
-    ASSERT_LT(distance(se3_exp(s * twist) * se3_exp(t * twist), se3_exp((s + t) * twist)), 1e-13);
-    ASSERT_LT(distance(se3_exp(-twist), se3_exp(twist).inverse()), 1e-14);
+    ASSERT_LT(distance(se3_exp(s * twist) * se3_exp(t * twist), se3_exp((s + t) * twist)), 3e-13);
+    ASSERT_LT(distance(se3_exp(-twist), se3_exp(twist).inverse()), 3e-14);
     Twist slide = twist;
     slide.tail<3>().setZero();
     ASSERT_EQ(se3_exp(slide).translation(), slide.head<3>());
@@ -78,8 +78,8 @@ TEST(Se3Log, UndoesExpFromTinyTurnsUpToAlmostPi) {
   for (int i = 0; i < 10000; ++i) {
     const Twist twist = any_twist(random);
     const Twist back = se3_log(se3_exp(twist));
-    ASSERT_LT((back - twist).head<3>().norm(), 5e-14) << twist.transpose();
-    ASSERT_LT((back - twist).tail<3>().norm(), 4e-15 * twist.tail<3>().norm()) << twist.transpose();
+    ASSERT_LT((back - twist).head<3>().norm(), 2e-13) << twist.transpose();
+    ASSERT_LT((back - twist).tail<3>().norm(), 1e-14 * twist.tail<3>().norm()) << twist.transpose();
   }
 }
 
@@ -92,8 +92,8 @@ TEST(Se3Log, IsUndoneByExpAlsoAtExactlyPi) {
       pose.linear() = 2 * a * a.transpose() - Rotation::Identity();
     }
     const Twist twist = se3_log(pose);
-    ASSERT_LE(twist.tail<3>().norm(), pi + 1e-15);
-    ASSERT_LT(distance(se3_exp(twist), pose), 5e-14);
+    ASSERT_LE(twist.tail<3>().norm(), pi + 4e-15);
+    ASSERT_LT(distance(se3_exp(twist), pose), 2e-13);
   }
 }
 
@@ -103,9 +103,9 @@ TEST(Adjoint, IsConjugation) {
     const Pose a = random.pose(2);
     Twist twist = any_twist(random);
     twist.tail<3>() *= 0.9;
-    ASSERT_LT(distance(a * se3_exp(twist) * a.inverse(), se3_exp(adjoint(a) * twist)), 5e-14);
-    ASSERT_LT((se3_log(a * se3_exp(twist) * a.inverse()) - adjoint(a, twist)).norm(), 5e-13);
-    ASSERT_LT((adjoint(a) * twist - adjoint(a, twist)).norm(), 2e-14);
+    ASSERT_LT(distance(a * se3_exp(twist) * a.inverse(), se3_exp(adjoint(a) * twist)), 2e-13);
+    ASSERT_LT((se3_log(a * se3_exp(twist) * a.inverse()) - adjoint(a, twist)).norm(), 2e-12);
+    ASSERT_LT((adjoint(a) * twist - adjoint(a, twist)).norm(), 6e-14);
   }
 }
 
@@ -114,9 +114,9 @@ TEST(Adjoint, IsAHomomorphism) {
   EXPECT_EQ(adjoint(Pose::Identity()), Matrix6(Matrix6::Identity()));
   for (int i = 0; i < 3000; ++i) {
     const Pose a = random.pose(2), b = random.pose(2);
-    ASSERT_LT((adjoint(a * b) - adjoint(a) * adjoint(b)).norm(), 2e-14);
-    ASSERT_LT((adjoint(a.inverse()) * adjoint(a) - Matrix6::Identity()).norm(), 2e-14);
-    ASSERT_NEAR(adjoint(a).determinant(), 1, 1e-13);
+    ASSERT_LT((adjoint(a * b) - adjoint(a) * adjoint(b)).norm(), 6e-14);
+    ASSERT_LT((adjoint(a.inverse()) * adjoint(a) - Matrix6::Identity()).norm(), 6e-14);
+    ASSERT_NEAR(adjoint(a).determinant(), 1, 3e-13);
   }
 }
 
@@ -125,8 +125,8 @@ TEST(Interpolate, BeginsAtFromAndEndsAtTo) {
   for (int i = 0; i < 3000; ++i) {
     const Pose from = random.pose(3), to = random.pose(3);
     ASSERT_EQ(distance(interpolate(from, to, 0), from), 0);
-    ASSERT_LT(distance(interpolate(from, to, 1), to), 1e-14);
-    ASSERT_LT(distance(interpolate(from, from, random.uniform(0, 1)), from), 1e-15)
+    ASSERT_LT(distance(interpolate(from, to, 1), to), 3e-14);
+    ASSERT_LT(distance(interpolate(from, from, random.uniform(0, 1)), from), 3e-15)
         << "no way is no motion";
   }
 }
@@ -138,10 +138,10 @@ TEST(Interpolate, GoesStraightAtConstantSpeedByTheShortestTurn) {
     const double s = random.uniform(0, 1), h = random.uniform(0, 1 - s);
     const Pose a = interpolate(from, to, s), b = interpolate(from, to, s + h);
     const Vector3 way = to.translation() - from.translation();
-    ASSERT_LT((b.translation() - a.translation() - h * way).norm(), 1e-14);
+    ASSERT_LT((b.translation() - a.translation() - h * way).norm(), 3e-14);
     const double whole = Eigen::AngleAxisd(from.linear().transpose() * to.linear()).angle();
     const double part = so3_log(a.linear().transpose() * b.linear()).norm();
-    ASSERT_NEAR(part, h * whole, 1e-14);
+    ASSERT_NEAR(part, h * whole, 3e-14);
     if (whole > pi - 1e-3) continue;  // at pi the two ways round are equally short
     ASSERT_LT(distance(interpolate(to, from, 1 - s), a), 1e-11) << "there and back is one line";
   }
@@ -153,12 +153,12 @@ TEST(PoseDifference, LeadsFromTheOneToTheOtherInTheirCommonAxes) {
     const Pose from = random.pose(3), to = random.pose(3);
     const Twist difference = pose_difference(to, from);
     ASSERT_EQ(difference.head<3>(), to.translation() - from.translation());
-    ASSERT_LT((so3_exp(difference.tail<3>()) * from.linear() - to.linear()).norm(), 1e-14);
+    ASSERT_LT((so3_exp(difference.tail<3>()) * from.linear() - to.linear()).norm(), 3e-14);
     const Rotation axes = random.rotation();
     const Twist turned = pose_difference(axes * to, axes * from);
     if (difference.tail<3>().norm() > pi - 1e-3) continue;
-    ASSERT_LT((turned.head<3>() - axes * difference.head<3>()).norm(), 1e-13);
-    ASSERT_LT((turned.tail<3>() - axes * difference.tail<3>()).norm(), 1e-13);
+    ASSERT_LT((turned.head<3>() - axes * difference.head<3>()).norm(), 3e-13);
+    ASSERT_LT((turned.tail<3>() - axes * difference.tail<3>()).norm(), 3e-13);
   }
 }
 

@@ -37,7 +37,7 @@ TEST(Hat, IsTheCrossProductsMatrix) {
   for (int i = 0; i < 1000; ++i) {
     const Vector3 a = random.vector(), b = random.vector();
     ASSERT_EQ(hat(a).transpose(), -hat(a));
-    ASSERT_LT((hat(a) * b - a.cross(b)).norm(), 1e-15);
+    ASSERT_LT((hat(a) * b - a.cross(b)).norm(), 3e-15);
   }
 }
 
@@ -48,10 +48,10 @@ TEST(So3Exp, IsARotationForEveryLength) {
     const Vector3 axis = random.direction();
     const Vector3 w = axis * std::pow(10, random.uniform(-200, 6));
     const Rotation r = so3_exp(w);
-    ASSERT_LT((r * r.transpose() - Rotation::Identity()).norm(), 6e-15) << w.norm();
-    ASSERT_NEAR(r.determinant(), 1, 6e-15);
-    ASSERT_LT((so3_exp(-w) - r.transpose()).norm(), 1e-15) << "the inverse is the way back";
-    ASSERT_LT((r * axis - axis).norm(), 6e-15) << "the axis stays";
+    ASSERT_LT((r * r.transpose() - Rotation::Identity()).norm(), 2e-14) << w.norm();
+    ASSERT_NEAR(r.determinant(), 1, 2e-14);
+    ASSERT_LT((so3_exp(-w) - r.transpose()).norm(), 3e-15) << "the inverse is the way back";
+    ASSERT_LT((r * axis - axis).norm(), 2e-14) << "the axis stays";
   }
 }
 
@@ -61,11 +61,11 @@ TEST(So3Exp, EqualsItsPowerSeriesInExtendedPrecision) {
     const Vector3 w = random.direction() * any_angle(random);
     const Rotation exact = exp_series(w);
     const Rotation r = so3_exp(w);
-    ASSERT_LT((r - exact).norm(), 2e-15) << w.norm();
+    ASSERT_LT((r - exact).norm(), 6e-15) << w.norm();
     const Vector3 part{r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1)};
     const Vector3 exact_part{exact(2, 1) - exact(1, 2), exact(0, 2) - exact(2, 0),
                              exact(1, 0) - exact(0, 1)};
-    ASSERT_LT((part - exact_part).norm(), 1e-15 * w.norm()) << w.norm();
+    ASSERT_LT((part - exact_part).norm(), 3e-15 * w.norm()) << w.norm();
   }
 }
 
@@ -74,9 +74,9 @@ TEST(So3Exp, AddsAnglesAboutOneAxisAndTurnsItsAxisWhenConjugated) {
   for (int i = 0; i < 5000; ++i) {
     const Vector3 axis = random.direction();
     const double s = random.uniform(-7, 7), t = random.uniform(-7, 7);
-    ASSERT_LT((so3_exp(s * axis) * so3_exp(t * axis) - so3_exp((s + t) * axis)).norm(), 1e-14);
+    ASSERT_LT((so3_exp(s * axis) * so3_exp(t * axis) - so3_exp((s + t) * axis)).norm(), 3e-14);
     const Rotation r = random.rotation();
-    ASSERT_LT((r * so3_exp(t * axis) * r.transpose() - so3_exp(t * (r * axis))).norm(), 1e-14);
+    ASSERT_LT((r * so3_exp(t * axis) * r.transpose() - so3_exp(t * (r * axis))).norm(), 3e-14);
   }
 }
 
@@ -84,7 +84,7 @@ TEST(So3Log, UndoesExpFromTinyAnglesUpToAlmostPi) {
   testing::Random random;
   for (int i = 0; i < 20000; ++i) {
     const Vector3 w = random.direction() * any_angle(random);
-    ASSERT_LT((so3_log(so3_exp(w)) - w).norm(), 4e-15 * w.norm()) << w.norm();
+    ASSERT_LT((so3_log(so3_exp(w)) - w).norm(), 1e-14 * w.norm()) << w.norm();
   }
   EXPECT_EQ(so3_log(Rotation::Identity()), Vector3::Zero());
   for (const double tiny : {1e-12, 1e-15, 1e-30, 1e-200}) {
@@ -98,8 +98,8 @@ TEST(So3Log, IsUndoneByExpAndNeverLongerThanPi) {
   for (int i = 0; i < 10000; ++i) {
     const Rotation r = so3_exp(random.vector(10)) * random.rotation();
     const Vector3 w = so3_log(r);
-    ASSERT_LE(w.norm(), pi + 1e-15);
-    ASSERT_LT((so3_exp(w) - r).norm(), 1e-14);
+    ASSERT_LE(w.norm(), pi + 4e-15);
+    ASSERT_LT((so3_exp(w) - r).norm(), 3e-14);
   }
 }
 
@@ -111,9 +111,9 @@ TEST(So3Log, AtPiIsOneOfTheTwoOppositeVectors) {
     if (i >= 3 && i < 6) a = (Vector3::Ones() - Vector3::Unit(i - 3)).normalized();
     const Rotation half_turn = 2 * a * a.transpose() - Rotation::Identity();
     const Vector3 w = so3_log(half_turn);
-    ASSERT_NEAR(w.norm(), pi, 2e-15);
-    ASSERT_LT((w / pi).cross(a).norm(), 1e-15);
-    ASSERT_LT((so3_exp(w) - half_turn).norm(), 2e-15);
+    ASSERT_NEAR(w.norm(), pi, 6e-15);
+    ASSERT_LT((w / pi).cross(a).norm(), 3e-15);
+    ASSERT_LT((so3_exp(w) - half_turn).norm(), 6e-15);
   }
 }
 
@@ -121,7 +121,7 @@ TEST(So3Log, OfTheInverseIsTheOppositeVector) {
   testing::Random random;
   for (int i = 0; i < 5000; ++i) {
     const Rotation r = so3_exp(random.direction() * any_angle(random));
-    ASSERT_LT((so3_log(r.transpose()) + so3_log(r)).norm(), 1e-14);
+    ASSERT_LT((so3_log(r.transpose()) + so3_log(r)).norm(), 3e-14);
   }
 }
 

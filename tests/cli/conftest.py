@@ -1,0 +1,60 @@
+"""Runs the command as a user would."""
+
+import json
+import subprocess
+
+import pytest
+
+
+class Answer:
+    def __init__(self, process):
+        self.code, self.out, self.err = process.returncode, process.stdout, process.stderr
+
+    @property
+    def json(self):
+        def refuse(constant):
+            raise ValueError(f"JSON has no {constant}")
+
+        return json.loads(self.out, parse_constant=refuse)
+
+
+@pytest.fixture
+def beeline(build, tmp_path):
+    """beeline("fk", "rrr", ...) -> Answer, run in a folder of its own."""
+
+    def run(*arguments, **options):
+        command = [str(build / "beeline"), *map(str, arguments)]
+        return Answer(
+            subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, **options)
+        )
+
+    return run
+
+
+@pytest.fixture
+def refused(beeline):
+    """Asserts one clear line on stderr, nothing on stdout, nothing written, and the exit code."""
+
+    def check(code, *arguments, says=()):
+        answer = beeline(*arguments)
+        assert answer.code == code, (answer.code, answer.err)
+        assert answer.out == ""
+        lines = answer.err.strip().splitlines()
+        assert len(lines) == 1, answer.err
+        assert lines[0].startswith("beeline: ")
+        for part in says:
+            assert part in lines[0], lines[0]
+        return lines[0]
+
+    return check
+
+
+@pytest.fixture
+def written(tmp_path):
+    """written("a.csv", text) -> its name, in the folder that the command runs in."""
+
+    def write(name, text):
+        (tmp_path / name).write_text(text)
+        return name
+
+    return write

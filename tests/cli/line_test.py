@@ -1,0 +1,121 @@
+"""line, move, replay, draw, figure: the main job, and what is left behind when it cannot be done."""
+
+import csv
+
+import pytest
+
+WAYPOINTS = "x,y,theta\n4.5,5.2,0\n2,6,45\n5,3,-20\n"
+
+
+def pose_rows(beeline, arm, configurations):
+    rows = ["x,y,z,qw,qx,qy,qz"]
+    for q in configurations:
+        pose = beeline("fk", arm, "--q", q, "--json").json["pose"]
+        quaternion = [pose["quaternion"][key] for key in ("qw", "qx", "qy", "qz")]
+        rows.append(",".join(map(repr, pose["translation"] + quaternion)))
+    return "\n".join(rows) + "\n"
+
+
+def test_the_main_job_on_the_chapters_arm(beeline, written, tmp_path):
+    through = written("waypoints.csv", WAYPOINTS)
+    answer = beeline("line", "rrr", "--from", "0,90,0", "--degrees", "--through", through,
+                     "--out", "move.csv", "--draw", "move.svg", "--json")
+    assert answer.code == 0, answer.err
+    report = answer.json
+    assert {"status", "deviation_bound", "deviation_sampled", "samples", "reason"} <= set(report)
+    assert report["status"] == "reached" and report["deviation_sampled"] < 1e-6
+    assert report["deviation_sampled"] <= report["deviation_bound"] <= 1e-4 + 1e-9
+    with open(tmp_path / "move.csv") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == report["samples"] and "joint1_vel" in rows[0]
+    times = [float(row["t"]) for row in rows]
+    assert all(a < b for a, b in zip(times, times[1:]))
+    end = ",".join(rows[-1][f"joint{i}"] for i in (1, 2, 3))
+    pose = beeline("fk", "rrr", "--q", end, "--json").json["pose"]["planar"]
+    assert (pose["x"], pose["y"]) == pytest.approx((5, 3), abs=1e-8)
+    assert (tmp_path / "move.svg").read_text().startswith("<?xml")
+
+
+@pytest.mark.parametrize(
+    "arm, start, goals",
+    [
+        ("panda", "0,-0.785,0,-2.356,0,1.571,0.785",
+         ["0.3,-0.6,0.1,-2.2,0.1,1.7,0.9", "-0.3,-0.5,0,-2.0,-0.1,1.6,0.5"]),
+        ("ur5", "0,-1.2,1.5,-0.5,1.2,0", ["0.4,-1.1,1.4,-0.4,1.3,0.2", "0.2,-1.4,1.7,-0.6,1.1,0"]),
+    ],
+)
+def test_the_main_job_on_real_arms(beeline, written, tmp_path, arm, start, goals):
+    through = written("poses.csv", pose_rows(beeline, arm, goals))
+    report = beeline("line", arm, "--from", start, "--through", through, "--json",
+                     "--out", "move.json", "--draw", "move.png").json
+    assert report["status"] == "reached", report["reason"]
+    assert report["deviation_sampled"] < 1e-6 and report["orientation_sampled"] < 1e-6
+    replayed = beeline("replay", "move.json", arm, "--json")
+    assert replayed.code == 0, replayed.err  # limits of position and velocity are kept
+    assert (tmp_path / "move.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_line_that_leaves_the_workspace_says_where_and_why_and_writes_nothing(
+        beeline, written, tmp_path):
+    through = written("far.csv", "x,y,theta\n4.5,5.2,0\n12,5,0\n")
+    answer = beeline("line", "rrr", "--from", "0,90,0", "--degrees", "--through", through,
+                     "--out", "move.csv", "--draw", "move.svg", "--json")
+    assert answer.code == 1
+    assert answer.json["status"] == "unreachable" and answer.json["deviation_bound"] is None
+    assert "line 2 of 2" in answer.json["reason"] and " x " in answer.json["reason"]
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["far.csv"]
+
+
+def test_both_of_the_chapters_ways_can_be_compared(beeline, written):
+    through = written("waypoints.csv", WAYPOINTS)
+
+    def deviation(*options):
+        answer = beeline("line", "rrr", "--from", "0,90,0", "--degrees", "--through", through,
+                         "--json", *options)
+        assert answer.code == 0, answer.err
+        return answer.json["deviation_sampled"]
+
+    exact = deviation()
+    jacobian = deviation("--method", "inverse-jacobian", "--gain", "0.05")
+    few = deviation("--method", "inverse-kinematics", "--intermediate", "2")
+    many = deviation("--method", "inverse-kinematics", "--intermediate", "20")
+    assert exact < 1e-9 < jacobian < few and many < few / 10
+
+
+def test_the_gains_effect_is_told(beeline):
+    def steps_and_overshoot(gain):
+        answer = beeline("move", "rrr", "--from", "0,0,0", "--to", "99.2,-68.8,-30.4", "--degrees",
+                         "--gain", gain, "--json").json
+        return answer["steps"], answer["overshoot"]
+
+    slow, quick, large = map(steps_and_overshoot, ("0.01", "0.5", "1.5"))
+    assert slow[0] > 10 * quick[0] and slow[1] == quick[1] == 0
+    assert large[1] == pytest.approx(0.5)
+    never = beeline("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--gain", "2.1", "--json")
+    assert never.code == 1 and never.json["status"] == "not_converged"
+    assert "too large" in never.json["reason"]
+
+
+def test_record_and_replay(beeline, tmp_path):
+    assert beeline("move", "rrr", "--from", "0,0,0", "--to", "1,-1,0.5", "--out", "a.csv").code == 0
+    half = beeline("replay", "a.csv", "rrr", "--speed", "0.5", "--out", "b.csv", "--json").json
+    whole = beeline("replay", "a.csv", "rrr", "--json").json
+    assert half["duration"] == pytest.approx(2 * whole["duration"])
+    assert beeline("replay", "b.csv", "rrr", "--from", "0.3,0,0", "--json").json["lead_in"] > 0
+    other = beeline("replay", "a.csv", "rp")
+    assert other.code == 3 and "joint3" in other.err and "a.csv" in other.err
+
+
+@pytest.mark.parametrize("number", ["1.3", "1.6", "1.7", "1.8", "1.9"])
+@pytest.mark.parametrize("ending, begins", [("svg", b"<?xml"), ("png", b"\x89PNG"), ("pdf", b"%PDF")])
+def test_the_chapters_figures(beeline, tmp_path, number, ending, begins):
+    assert beeline("figure", number, "--out", f"f.{ending}").code == 0
+    assert (tmp_path / f"f.{ending}").read_bytes().startswith(begins)
+
+
+def test_draw_an_arm_and_a_motion(beeline, tmp_path):
+    assert beeline("draw", "puma560", "--frames", "--jacobian", "--out", "a.pdf").code == 0
+    assert beeline("move", "panda", "--from", "0,-0.8,0,-2.4,0,1.6,0.8",
+                   "--to", "0.5,0,0,-2,0,2,0", "--out", "m.json").code == 0
+    assert beeline("draw", "panda", "m.json", "--out", "m.svg").code == 0
+    assert (tmp_path / "m.svg").stat().st_size > 1000

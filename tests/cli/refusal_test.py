@@ -1,0 +1,139 @@
+"""Bad input: one clear line, the documented exit code, nothing on stdout, nothing written."""
+
+import os
+
+import pytest
+
+Q3 = ("--q", "0,0,0")
+
+USAGE = [
+    (("fk", "rrr", "--q", "1,2"), ["--q", "3", "2", "joint1"]),
+    (("fk", "rrr", "--q", "1,nan,3"), ["--q", "nan", "finite"]),
+    (("fk", "rrr", "--q", "1,inf,3"), ["--q", "inf", "finite"]),
+    (("fk", "rrr", "--q", "1,x,3"), ["--q", "x"]),
+    (("fk", "rrr", "--q", ""), ["--q"]),
+    (("fk", "pnda", *Q3), ["pnda", "panda"]),
+    (("fk", "RRR:1,2", *Q3), ["RRR:1,2"]),
+    (("fk", "RXR", *Q3), ["RXR"]),
+    (("fk", "rrr"), ["--q"]),
+    (("fk", "rrr", *Q3, "--nonsense"), ["--nonsense"]),
+    (("fly",), ["fly"]),
+    ((), []),
+    (("jacobian", "rrr", *Q3, "--frame", "tol"), ["tol", "tool"]),
+    (("jacobian", "rrr", *Q3, "--task", "000000"), ["000000"]),
+    (("ik", "rrr", "--pose", "1,2"), ["--pose"]),
+    (("ik", "panda", "--pose", "1,2,3"), ["--pose", "panda"]),
+    (("ik", "panda", "--pose", "1,2,3,1,1,1,1"), ["quaternion"]),
+    (("ik", "rrr", "--pose", "1,2,0", "--seed", "0,0"), ["--seed"]),
+    (("ik", "rrr", "--pose", "1,2,0", "--tolerance", "-1"), ["tolerance"]),
+    (("ik", "rrr", "--pose", "1,2,0", "--tolerance", "nan"), ["tolerance"]),
+    (("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--gain", "0"), ["gain"]),
+    (("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--gain", "nan"), ["gain"]),
+    (("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--out", "a.txt"), ["a.txt", "csv"]),
+    (("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--draw", "a.bmp"), ["bmp", "svg"]),
+    (("move", "panda", "--from", "0,0,0,0,0,0,0", "--to", "0,0,0,-1,0,1,0"), ["joint4"]),
+    (("figure", "1.5", "--out", "a.svg"), ["1.5", "1.6"]),
+    (("figure", "1.6", "--out", "a.tiff"), ["tiff", "pdf"]),
+    (("fk", "rrr", *Q3, "--tip", "tool0"), ["tip"]),
+]
+
+
+@pytest.mark.parametrize("arguments, says", USAGE, ids=lambda value: " ".join(value)[:60])
+def test_bad_usage(refused, tmp_path, arguments, says):
+    refused(2, *arguments, says=says)
+    assert list(tmp_path.iterdir()) == []
+
+
+URDF_HEAD = '<robot name="r"><link name="a"/><link name="b"/><link name="c"/>'
+HINGE = ('<joint name="{0}" type="revolute"><parent link="{1}"/><child link="{2}"/>'
+         '<axis xyz="{3}"/><limit lower="{4}" upper="{5}" velocity="1"/></joint>')
+
+
+def urdf(*joints):
+    return URDF_HEAD + "".join(HINGE.format(*joint) for joint in joints) + "</robot>\n"
+
+
+FILES = [
+    ("unknown key", "a.json", '{"name": "a", "joint_string": "RR", "colour": "red"}', (),
+     ["a.json", "colour"]),
+    ("no convention", "a.json", '{"name": "a", "dh": {"rows": [{"a": 1}]}}', (),
+     ["a.json", "standard", "modified"]),
+    ("cut-off json", "a.json", '{"name": "a", "joint_str', (), ["a.json:1"]),
+    ("cut off", "a.urdf", urdf(("j", "a", "b", "0 0 1", -1, 1))[:-40], (), ["a.urdf:1"]),
+    ("cycle", "a.urdf",
+     urdf(("i", "a", "b", "0 0 1", -1, 1), ("j", "b", "c", "0 0 1", -1, 1),
+          ("k", "c", "a", "0 0 1", -1, 1)), ("--tip", "c"), ["a.urdf"]),
+    ("no such tip", "a.urdf", urdf(("i", "a", "b", "0 0 1", -1, 1), ("j", "b", "c", "0 0 1", -1, 1)),
+     ("--tip", "d"), ["a.urdf", '"d"', "c"]),
+    ("two tips", "a.urdf", urdf(("i", "a", "b", "0 0 1", -1, 1), ("j", "a", "c", "0 0 1", -1, 1)),
+     (), ["a.urdf", "--tip", "b", "c"]),
+    ("no axis length", "a.urdf",
+     urdf(("i", "a", "b", "0 0 0", -1, 1), ("j", "b", "c", "0 0 1", -1, 1)), (),
+     ["a.urdf:1", "axis"]),
+    ("limits reversed", "a.urdf",
+     urdf(("i", "a", "b", "0 0 1", 1, -1), ("j", "b", "c", "0 0 1", -1, 1)), (),
+     ["a.urdf:1", "limits", "lower 1"]),
+    ("not a number", "a.urdf",
+     urdf(("i", "a", "b", "0 0 up", -1, 1), ("j", "b", "c", "0 0 1", -1, 1)), (), ["a.urdf:1", "up"]),
+    ("not a robot", "a.urdf", "<html></html>", (), ["a.urdf:1", "robot"]),
+    ("empty", "a.urdf", "", (), ["a.urdf"]),
+    ("binary", "a.json", "\x00\x01\x02", (), ["a.json"]),
+]
+
+
+@pytest.mark.parametrize("_, name, text, options, says", FILES, ids=[case[0] for case in FILES])
+def test_a_bad_arm_file(refused, written, _, name, text, options, says):
+    refused(3, "show", written(name, text), *options, says=says)
+
+
+CSVS = [
+    ("empty", "", ["w.csv"]),
+    ("header only", "x,y,theta\n", ["w.csv"]),
+    ("column missing", "x,theta\n1,2\n", ["w.csv", "y"]),
+    ("unknown column", "x,y,theta,colour\n1,2,3,4\n", ["w.csv", "colour"]),
+    ("ragged", "x,y,theta\n1,2,3\n4,5\n", ["w.csv:3"]),
+    ("no number", "x,y,theta\n1,two,3\n", ["w.csv:2", "two", "y"]),
+    ("not finite", "x,y,theta\n1,nan,3\n", ["w.csv:2", "nan"]),
+    ("bad quaternion", "x,y,z,qw,qx,qy,qz\n1,0,0,1,1,0,0\n", ["w.csv:2", "quaternion"]),
+]
+
+
+@pytest.mark.parametrize("_, text, says", CSVS, ids=[case[0] for case in CSVS])
+def test_a_bad_pose_file(refused, written, _, text, says):
+    through = written("w.csv", text)
+    refused(3, "line", "rrr", "--from", "0,1,0", "--through", through, says=says)
+
+
+def test_files_that_are_not_there(refused, tmp_path):
+    refused(3, "fk", "missing.urdf", *Q3, says=["missing.urdf"])
+    refused(3, "line", "rrr", "--from", "0,1,0", "--through", "missing.csv", says=["missing.csv"])
+    refused(3, "replay", "missing.csv", "rrr", says=["missing.csv"])
+    refused(3, "show", str(tmp_path) + ".json", says=[".json"])
+
+
+@pytest.mark.parametrize("options", [("--out", "no/such/folder/a.csv"), ("--draw", "no/such/a.svg")])
+def test_an_output_that_cannot_be_written(beeline, options):
+    answer = beeline("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", *options)
+    assert answer.code == 3 and options[1] in answer.err and answer.out == ""
+
+
+def test_a_planar_pose_is_refused_for_a_spatial_arm(refused, written):
+    through = written("w.csv", "x,y,theta\n1,2,3\n")
+    refused(2, "line", "ur5", "--from", "0,0,0,0,0,0", "--through", through, says=["w.csv", "ur5"])
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
+def test_a_full_disk_is_no_success(build):
+    import subprocess
+
+    with open("/dev/full", "w") as full:
+        process = subprocess.run([str(build / "beeline"), "arms"], stdout=full,
+                                 stderr=subprocess.PIPE, text=True)
+    assert process.returncode == 3 and "stdout" in process.stderr
+
+
+def test_help_has_an_example_for_every_verb(beeline):
+    for verb in ("arms", "show", "fk", "jacobian", "ik", "move", "line", "replay", "draw", "figure"):
+        answer = beeline(verb, "--help")
+        assert answer.code == 0 and f"  beeline {verb}" in answer.out, verb
+        assert verb in beeline("--help").out

@@ -1,0 +1,150 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include <beeline/draw/arm_figure.h>
+#include <beeline/draw/chapter.h>
+#include <beeline/draw/skeleton.h>
+#include <beeline/draw/trail.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
+#include <beeline/pose/angle.h>
+
+#include <tests/refusal.h>
+
+namespace beeline {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+const Panel& panel(const Figure& figure, std::size_t column) { return figure.columns[column][0]; }
+
+std::vector<Polyline> arrows(const Scene& scene) {
+  std::vector<Polyline> found;
+  for (const Item& item : scene.items) {
+    const auto* line = std::get_if<Polyline>(&item.shape);
+    if (line != nullptr && line->arrow && line->points.size() == 2) found.push_back(*line);
+  }
+  return found;
+}
+
+TEST(Chapter, RefusesOtherFigures) {
+  EXPECT_EQ(chapter_figures(), (std::vector<std::string>{"1.3", "1.6", "1.7", "1.8", "1.9"}));
+  EXPECT_REFUSED(chapter_figure("1.4"), "1.3, 1.6, 1.7, 1.8, 1.9");
+  EXPECT_REFUSED(chapter_figure(""), "1.3, 1.6, 1.7, 1.8, 1.9");
+}
+
+TEST(Chapter, Figure13NamesFourFrames) {
+  const Figure figure = chapter_figure("1.3");
+  ASSERT_EQ(figure.columns.size(), 1u);
+  ASSERT_EQ(figure.columns[0].size(), 2u);  // above and below each other
+  for (const Panel& part : figure.columns[0]) {
+    int triads = 0;
+    std::vector<std::string> names;
+    for (const Item& item : part.scene.items) {
+      triads += std::holds_alternative<FrameTriad>(item.shape);
+      if (const auto* label = std::get_if<Label>(&item.shape)) names.push_back(label->text);
+    }
+    EXPECT_EQ(triads, 4);
+    ASSERT_GE(names.size(), 4u);
+    names.resize(4);
+    EXPECT_EQ(names, (std::vector<std::string>{"{0}", "{1}", "{2}", "{3}"}));
+  }
+}
+
+TEST(Chapter, Figure16TellsThePoses) {
+  const Figure figure = chapter_figure("1.6");
+  EXPECT_NE(panel(figure, 0).caption.find("(2.44, 6.28, 0°)"), std::string::npos);
+  EXPECT_NE(panel(figure, 1).caption.find("(5.65, 2.01, −75°)"), std::string::npos);
+}
+
+TEST(Chapter, Figure17SlowsDownToTheGoal) {
+  const Arm arm = built_in("rrr");
+  const std::vector<Vector3> trail = tool_positions(arm, figure_1_7_motion());
+  ASSERT_GT(trail.size(), 20u);
+  EXPECT_LT((trail.front() - Vector3(9, 0, 0)).norm(), 1e-12);
+  EXPECT_LT((trail.back() - Vector3(4.459, 5.226, 0)).norm(), 0.02);
+  double off_the_chord = 0;
+  for (std::size_t k = 2; k < trail.size(); ++k) {
+    EXPECT_LT((trail[k] - trail[k - 1]).norm(), (trail[k - 1] - trail[k - 2]).norm());
+    const Vector3 chord = (trail.back() - trail.front()).normalized();
+    off_the_chord = std::max(off_the_chord, chord.cross(trail[k] - trail.front()).norm());
+  }
+  EXPECT_GT(off_the_chord, 1);  // "this leads to a curved path in Cartesian space"
+}
+
+TEST(Chapter, Figure18ArrowsAreSquareToTheLeversAndProportional) {
+  const Arm arm = built_in("rrr");
+  const Figure figure = chapter_figure("1.8");
+  ASSERT_EQ(figure.columns.size(), 2u);
+  const Configuration configurations[] = {degree * Eigen::Vector3d(0, 90, 0),
+                                          degree * Eigen::Vector3d(161, -109, 38)};
+  double scale = 0;
+  for (std::size_t part = 0; part < 2; ++part) {
+    const std::vector<Pose> links = link_poses(arm, configurations[part]);
+    const Vector3 tool = links.back().translation();
+    const std::vector<Polyline> shown = arrows(panel(figure, part).scene);
+    ASSERT_EQ(shown.size(), 3u);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3 lever = tool - links[k].translation();  // frame k sits at joint k + 1
+      const Vector3 arrow = shown[k].points[1] - shown[k].points[0];
+      EXPECT_LT((shown[k].points[0] - tool).norm(), 1e-12);
+      EXPECT_NEAR(arrow.dot(lever), 0, 1e-9);
+      EXPECT_GT(lever.cross(arrow).z(), 0);
+      if (scale == 0) scale = arrow.norm() / lever.norm();
+      EXPECT_NEAR(arrow.norm(), scale * lever.norm(), 1e-9);
+      const double colours[] = {shown[k].colour.red, shown[k].colour.green, shown[k].colour.blue};
+      EXPECT_EQ(std::max_element(colours, colours + 3) - colours, static_cast<long>(k));
+    }
+  }
+}
+
+TEST(Chapter, Figure19GoesStraight) {
+  const Arm arm = built_in("rrr");
+  const std::vector<Configuration> motion = figure_1_9_motion();
+  EXPECT_LT((motion.front() - figure_1_9_start()).norm(), 1e-12);
+  std::vector<Vector3> corners{forward_kinematics(arm, figure_1_9_start()).translation()};
+  for (const Pose2& waypoint : figure_1_9_waypoints()) {
+    corners.emplace_back(waypoint.x, waypoint.y, 0);
+  }
+  ASSERT_EQ(corners.size(), 4u);
+  const std::vector<Vector3> trail = tool_positions(arm, motion);
+  std::size_t line = 0;
+  for (const Vector3& p : trail) {
+    const auto off = [&](std::size_t i) {
+      const Vector3 way = corners[i + 1] - corners[i];
+      const double t = std::clamp(way.dot(p - corners[i]) / way.squaredNorm(), 0.0, 1.0);
+      return (p - corners[i] - t * way).norm();
+    };
+    if (line + 1 < 3 && off(line + 1) < off(line)) ++line;
+    EXPECT_LT(off(line), 0.015);  // of 9 m: less than the line's own width on paper
+  }
+  EXPECT_EQ(line, 2u);
+  for (std::size_t i = 1; i < 4; ++i) {  // each waypoint is reached, with its orientation
+    double nearest = 9;
+    for (const Configuration& q : motion) {
+      const Pose2 goal = figure_1_9_waypoints()[i - 1];
+      nearest =
+          std::min(nearest, pose_difference(goal, to_plane(forward_kinematics(arm, q))).norm());
+    }
+    EXPECT_LT(nearest, 0.005);
+  }
+  for (const Configuration& q : motion) {  // far from straight and folded elbows
+    EXPECT_GT(std::abs(std::sin(q[1])), 0.3);
+  }
+}
+
+TEST(Motion, ShowsGhostsAtEqualLengths) {
+  std::vector<Vector3> tool;
+  for (int k = 0; k <= 900; ++k) tool.emplace_back(std::pow(k / 900.0, 3), 0, 0);
+  const std::vector<std::size_t> at = evenly_along(tool, 4);
+  ASSERT_EQ(at.size(), 4u);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(tool[at[k]].x(), 0.25 * static_cast<double>(k), 0.004);
+  }
+  EXPECT_EQ(evenly_along({Vector3::Zero(), Vector3::Zero()}, 3).size(), 1u);
+  EXPECT_TRUE(evenly_along({}, 3).empty());
+}
+
+}  // namespace
+}  // namespace beeline

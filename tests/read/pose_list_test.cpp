@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include <beeline/pose/orientation.h>
+#include <beeline/read/pose_list.h>
+
+#include <tests/random.h>
+#include <tests/refusal.h>
+#include <tests/temporary_folder.h>
+
+namespace beeline {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+std::string row(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : ",") + exact(value);
+  return text;
+}
+
+TEST(PoseList, AllFormsGiveTheSamePose) {
+  testing::Random random;
+  for (int i = 0; i < 1000; ++i) {
+    const RollPitchYaw rpy{random.uniform(-3, 3), random.uniform(-1.5, 1.5), random.uniform(-3, 3)};
+    const Pose pose = make_pose(random.vector(), rotation(rpy));
+    const Vector3 p = pose.translation();
+    const Quaternion u = quaternion(pose.linear());
+    const std::vector<double> angles{p.x(), p.y(), p.z(), rpy.roll, rpy.pitch, rpy.yaw};
+    const std::vector<double> fields{p.x(), p.y(), p.z(), u.qw, u.qx, u.qy, u.qz};
+    EXPECT_TRUE(parse_pose(row(angles)).isApprox(pose, 1e-14));
+    EXPECT_TRUE(parse_pose(row(fields)).isApprox(pose, 1e-14));
+    const PoseList list = poses_from_csv("x,y,z,qw,qx,qy,qz\n" + row(fields), "a.csv");
+    EXPECT_EQ(list.poses.at(0).matrix(), parse_pose(row(fields)).matrix());
+    EXPECT_FALSE(list.planar);
+  }
+}
+
+TEST(PoseList, PlanarPosesLieInThePlane) {
+  const PoseList list = poses_from_csv("# the chapter's\nx,y,theta\n4.5,5.2,0\n\n1,2,90\n", "a.csv",
+                                       AngleUnit::degrees);
+  ASSERT_EQ(list.poses.size(), 2u);
+  EXPECT_TRUE(list.planar);
+  EXPECT_EQ(list.lines, (std::vector<int>{3, 5}));
+  EXPECT_EQ(list.poses[0].translation(), Vector3(4.5, 5.2, 0));
+  const Rotation quarter = Eigen::AngleAxisd(pi / 2, Vector3::UnitZ()).toRotationMatrix();
+  EXPECT_TRUE(list.poses[1].linear().isApprox(quarter, 1e-15));
+  EXPECT_EQ(parse_pose("1,2,90", AngleUnit::degrees).matrix(), list.poses[1].matrix());
+}
+
+TEST(PoseList, ColumnsStandInAnyOrder) {
+  const Pose straight = parse_pose("1,2,3,0.1,0.2,0.3");
+  const PoseList list =
+      poses_from_csv("yaw,z,roll,x,pitch,y\n0.3,3,0.1,1,0.2,2\n", "a.csv", AngleUnit::radians);
+  EXPECT_EQ(list.poses.at(0).matrix(), straight.matrix());
+}
+
+TEST(PoseList, DegreesTouchAnglesOnly) {
+  EXPECT_TRUE(parse_pose("90,0,0,0,0,90", AngleUnit::degrees)
+                  .isApprox(parse_pose("90,0,0,0,0," + exact(pi / 2)), 1e-15));
+  EXPECT_EQ(parse_pose("1,2,3,1,0,0,0", AngleUnit::degrees).matrix(),
+            parse_pose("1,2,3,1,0,0,0").matrix());
+}
+
+TEST(PoseList, MistakesAreNamed) {
+  const auto read = [](const char* text) { return poses_from_csv(text, "a.csv"); };
+  const std::string forms = "poses are x,y,theta or x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz";
+  EXPECT_REFUSED(read("x,theta\n1,2\n"), "a.csv: column y is missing; " + forms);
+  EXPECT_REFUSED(read("x,y\n1,2\n"), "column theta is missing; " + forms);
+  EXPECT_REFUSED(read("x,y,z,qw,qx,qz\n1,2,3,1,0,0\n"), "column qy is missing");
+  EXPECT_REFUSED(read("x,y,z,roll\n1,2,3,1\n"), "column pitch, yaw is missing");
+  EXPECT_REFUSED(read("x,y,z,theta\n1,2,3,1\n"), "column z does not go with x, y, theta");
+  EXPECT_REFUSED(read("x,y,theta,speed\n1,2,3,1\n"), "unknown column \"speed\"; " + forms);
+  EXPECT_REFUSED(read("x;y;theta\n1\n"), "unknown column \"x;y;theta\"");
+  EXPECT_REFUSED(read("x,y,theta\n1,2,nan\n"), "a.csv:2: column theta: \"nan\" must be finite");
+  EXPECT_REFUSED(read("x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n0,0,0,1,1,0,0\n"),
+                 "a.csv:3: quaternion qw,qx,qy,qz = 1,1,0,0 has length 1.41421; it must be 1");
+  EXPECT_REFUSED(read(""), "a.csv: is empty");
+  EXPECT_REFUSED(parse_pose("1,2,3,4"), "has 4 numbers; " + forms);
+  EXPECT_REFUSED(parse_pose("1,2,x"), "pose: item 3: \"x\" is not a number");
+  EXPECT_REFUSED(parse_pose("1,2,3,0,0,0,0"), "has length 0");
+}
+
+TEST(PoseList, IsReadFromAFile) {
+  const testing::TemporaryFolder folder;
+  EXPECT_EQ(read_poses(folder.write("w.csv", "x,y,theta\n1,2,3\n")).poses.size(), 1u);
+  EXPECT_REFUSED(read_poses(folder.file("none.csv")), "none.csv: cannot be read");
+}
+
+}  // namespace
+}  // namespace beeline

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <string>
+
+namespace beeline::testing {
+
+/// <robot> around the elements; they begin on line 2.
+inline std::string robot(const std::string& elements) {
+  return "<robot name=\"r\">\n" + elements + "</robot>\n";
+}
+
+inline std::string link(const std::string& name) { return "<link name=\"" + name + "\"/>\n"; }
+
+/// A joint on one line, with what stands inside it besides its ends.
+inline std::string joint(const std::string& name, const std::string& type,
+                         const std::string& parent, const std::string& child,
+                         const std::string& inside = "") {
+  return "<joint name=\"" + name + "\" type=\"" + type + "\"><parent link=\"" + parent +
+         "\"/><child link=\"" + child + "\"/>" + inside + "</joint>\n";
+}
+
+/// Every element that the reader hears, and some that it passes over.
+inline const std::string whole_urdf = R"(<?xml version="1.0"?>
+<!-- a small arm with a gripper -->
+<robot name="small arm">
+  <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+  <link name="base">
+    <inertial><mass value="1"/></inertial>
+    <visual><geometry><mesh filename="package://nowhere/base.dae"/></geometry></visual>
+  </link>
+  <link name="shoulder"/>
+  <link name="elbow"/>
+  <link name="flange"/>
+  <link name="left"/>
+  <link name="right"/>
+  <joint name="pan" type="continuous">
+    <origin xyz="0 0 0.5" rpy="0.1 -0.2 0.3"/>
+    <parent link="base"/>
+    <child link="shoulder"/>
+    <axis xyz="0 0 2"/>
+    <limit effort="10" velocity="3"/>
+  </joint>
+  <joint name="lift" type="revolute">
+    <origin xyz=" 0.1	0  0 "/>
+    <parent link="shoulder"/>
+    <child link="elbow"/>
+    <limit effort="10" velocity="0" lower="-1.5" upper="+2"/>
+  </joint>
+  <joint name="mount" type="fixed">
+    <origin xyz="0.4 0 0" rpy="0 1.5708 0"/>
+    <parent link="elbow"/>
+    <child link="flange"/>
+    <axis xyz="0 0 0"/>
+  </joint>
+  <joint name="left_finger" type="prismatic">
+    <origin xyz="0 0.01 0.1"/>
+    <parent link="flange"/>
+    <child link="left"/>
+    <axis xyz="0 1 0"/>
+    <limit effort="1" velocity="0.2" lower="0" upper="0.04"/>
+  </joint>
+  <joint name="right_finger" type="prismatic">
+    <origin xyz="0 -0.01 0.1"/>
+    <parent link="flange"/>
+    <child link="right"/>
+    <axis xyz="0 -1 0"/>
+    <limit effort="1" velocity="0.2" lower="0" upper="0.04"/>
+    <mimic joint="left_finger"/>
+  </joint>
+  <transmission name="t"><joint name="pan"/></transmission>
+</robot>
+)";
+
+}  // namespace beeline::testing

@@ -1,0 +1,197 @@
+#include <gtest/gtest.h>
+
+#include <beeline/kinematics/forward.h>
+#include <beeline/pose/orientation.h>
+#include <beeline/read/urdf.h>
+#include <beeline/read/urdf_file.h>
+
+#include <tests/random.h>
+#include <tests/read/urdf_samples.h>
+#include <tests/refusal.h>
+#include <tests/temporary_folder.h>
+
+namespace beeline {
+namespace {
+
+using testing::joint;
+using testing::link;
+using testing::robot;
+
+Arm parse(const std::string& text, const ChainEnds& ends = {}) {
+  return arm_from_urdf(text, "a.urdf", ends);
+}
+
+/// One joint between two links.
+std::string single(const std::string& type, const std::string& inside = "") {
+  return robot(link("a") + link("b") + joint("j", type, "a", "b", inside));
+}
+
+Pose turn(double angle, const Vector3& axis) { return Pose(Eigen::AngleAxisd(angle, axis)); }
+
+Pose shift(double x, double y, double z) { return make_pose({x, y, z}); }
+
+TEST(Urdf, TheToolGoesWhereTheFileSays) {
+  const Arm arm = parse(testing::whole_urdf, {.base = "", .tip = "left"});
+  EXPECT_EQ(arm.name(), "small arm");
+  EXPECT_EQ(arm.joint_names(), (std::vector<std::string>{"pan", "lift", "left_finger"}));
+  testing::Random random;
+  const Vector3 x = Vector3::UnitX(), y = Vector3::UnitY(), z = Vector3::UnitZ();
+  for (int i = 0; i < 1000; ++i) {
+    const Configuration q = random.configuration(arm);
+    const Pose expected = shift(0, 0, 0.5) * turn(0.3, z) * turn(-0.2, y) * turn(0.1, x) *
+                          turn(q[0], z) * shift(0.1, 0, 0) * turn(q[1], x) * shift(0.4, 0, 0) *
+                          turn(1.5708, y) * shift(0, 0.01 + q[2], 0.1);
+    EXPECT_TRUE(forward_kinematics(arm, q).isApprox(expected, 1e-14));
+  }
+}
+
+TEST(Urdf, LimitsAreRead) {
+  const Arm arm = parse(testing::whole_urdf, {.base = "", .tip = "left"});
+  EXPECT_EQ(arm.limits()[0].lower, -Limits::none);
+  EXPECT_EQ(arm.limits()[0].upper, Limits::none);
+  EXPECT_EQ(arm.limits()[0].velocity, 3);
+  EXPECT_EQ(arm.limits()[1].lower, -1.5);
+  EXPECT_EQ(arm.limits()[1].upper, 2);
+  EXPECT_EQ(arm.limits()[1].velocity, Limits::none) << "0 means not known";
+  EXPECT_EQ(arm.limits()[2].upper, 0.04);
+  EXPECT_EQ(arm.limits()[2].velocity, 0.2);
+}
+
+TEST(Urdf, MissingPartsHaveTheFormatsDefaults) {
+  const Arm bare = parse(single("revolute"));
+  EXPECT_EQ(bare.joints()[0].screw, rotation_screw(Vector3::UnitX()));
+  EXPECT_EQ(bare.joints()[0].offset.matrix(), Pose::Identity().matrix());
+  EXPECT_EQ(bare.limits()[0].upper, Limits::none);
+  EXPECT_EQ(bare.joints()[0].link, "b");
+  const Arm slide = parse(single("prismatic", "<axis/><limit velocity=\"-1\" upper=\"2\"/>"));
+  EXPECT_EQ(slide.joints()[0].screw, translation_screw(Vector3::UnitX()));
+  EXPECT_EQ(slide.limits()[0].lower, 0);
+  EXPECT_EQ(slide.limits()[0].upper, 2);
+  EXPECT_EQ(slide.limits()[0].velocity, Limits::none);
+  const Arm still = parse(single("revolute", "<limit effort=\"1\" velocity=\"1\"/>"));
+  EXPECT_EQ(still.limits()[0].lower, 0);
+  EXPECT_EQ(still.limits()[0].upper, 0);
+}
+
+TEST(Urdf, ARobotWithoutANameIsCalledLikeItsFile) {
+  const std::string text =
+      "<robot>" + link("a") + link("b") + joint("j", "revolute", "a", "b") + "</robot>";
+  EXPECT_EQ(arm_from_urdf(text, "folder/my_arm.urdf").name(), "my_arm");
+}
+
+TEST(Urdf, TrailingFixedJointsAreTheTool) {
+  const Arm arm = parse(robot(link("a") + link("b") + link("c") + link("d") +
+                              joint("f", "fixed", "a", "b", "<origin xyz=\"1 0 0\"/>") +
+                              joint("j", "revolute", "b", "c", "<origin xyz=\"0 1 0\"/>") +
+                              joint("t", "fixed", "c", "d", "<origin xyz=\"0 0 1\"/>")));
+  EXPECT_EQ(arm.joints()[0].offset.translation(), Vector3(1, 1, 0));
+  EXPECT_EQ(arm.tool().translation(), Vector3(0, 0, 1));
+  EXPECT_EQ(arm.joints()[0].link, "c");
+}
+
+TEST(Urdf, FollowersFollowWithinTheChainAndAreFreeOutside) {
+  const std::string text =
+      robot(link("a") + link("b") + link("c") + link("d") + joint("lead", "revolute", "a", "b") +
+            joint("follow", "revolute", "b", "c",
+                  "<mimic joint=\"lead\" multiplier=\"-2\" offset=\"0.5\"/>") +
+            joint("lost", "revolute", "b", "d", "<mimic joint=\"follow\"/>"));
+  const Arm inside = parse(text, {.base = "", .tip = "c"});
+  EXPECT_EQ(inside.dof(), 1);
+  ASSERT_TRUE(inside.joints()[1].mimic.has_value());
+  EXPECT_EQ(inside.drives()[1].ratio, -2);
+  EXPECT_EQ(inside.drives()[1].shift, 0.5);
+  EXPECT_EQ(parse(text, {.base = "", .tip = "d"}).dof(), 2);
+  EXPECT_EQ(parse(text, {.base = "b", .tip = "c"}).dof(), 1);
+  EXPECT_EQ(parse(testing::whole_urdf, {.base = "", .tip = "right"}).dof(), 3);
+}
+
+TEST(Urdf, OtherTypesAreRefusedWithinTheChainOnly) {
+  for (const std::string type : {"floating", "planar", "screw"}) {
+    const std::string text =
+        robot(link("a") + link("b") + link("c") + joint("j", "revolute", "a", "b") +
+              joint("loose", type, "a", "c"));
+    EXPECT_EQ(parse(text, {.base = "", .tip = "b"}).dof(), 1);
+    EXPECT_REFUSED(parse(text, {.base = "", .tip = "c"}),
+                   "a.urdf:6: joint loose is \"" + type +
+                       "\", which is no joint of a chain; revolute, continuous, prismatic and "
+                       "fixed are");
+  }
+}
+
+TEST(Urdf, MistakesInJointsAreNamedWithTheirLine) {
+  EXPECT_REFUSED(parse(single("revolute", "\n<axis xyz=\"0 0 0\"/>")),
+                 "a.urdf:5: joint j: axis 0 0 0 has no direction");
+  EXPECT_REFUSED(parse(single("revolute", "\n\n<limit lower=\"1\" upper=\"-1\"/>")),
+                 "a.urdf:6: joint j has its limits the wrong way round: lower 1 is above upper -1");
+  EXPECT_REFUSED(parse(single("revolute", "<axis xyz=\"0 1\"/>")),
+                 "a.urdf:4: <axis>: xyz has 2 numbers; it must have three");
+  EXPECT_REFUSED(parse(single("revolute", "<origin xyz=\"0 1 2 3\"/>")), "xyz has 4 numbers");
+  EXPECT_REFUSED(parse(single("revolute", "<origin rpy=\"0 1 2x\"/>")),
+                 "<origin>: rpy: \"2x\" is not a number");
+  EXPECT_REFUSED(parse(single("revolute", "<origin xyz=\"0 1 nan\"/>")), "must be finite");
+  EXPECT_REFUSED(parse(single("revolute", "<limit lower=\"low\"/>")),
+                 "a.urdf:4: <limit>: lower: \"low\" is not a number");
+  EXPECT_REFUSED(parse(single("revolute", "<limit lower=\"${low}\"/>")), "run xacro first");
+  EXPECT_REFUSED(parse(single("revolute", "<mimic/>")), "<mimic> needs the attribute joint");
+  EXPECT_REFUSED(parse(single("revolute", "<mimic joint=\"j\"/>")), "mimics itself in a circle");
+  EXPECT_REFUSED(parse(single("")), "which is no joint of a chain");
+  EXPECT_REFUSED(parse(robot("<joint name=\"j\"/>")), "a.urdf:2: <joint> needs the attribute type");
+  EXPECT_REFUSED(parse(robot("<joint type=\"fixed\"/>")), "<joint> needs the attribute name");
+  EXPECT_REFUSED(parse(robot("<joint name=\"j\" type=\"fixed\"><parent link=\"a\"/></joint>")),
+                 "joint \"j\" needs a <child link=...>");
+  EXPECT_REFUSED(parse(robot("<joint name=\"j\" type=\"fixed\"><parent/></joint>")),
+                 "<parent> needs the attribute link");
+  EXPECT_REFUSED(parse(robot("<link name=\"\"/>")), "a.urdf:2: <link>: name is empty");
+  EXPECT_REFUSED(parse(robot("<link name=\"\xff\"/>")), "is not UTF-8 text");
+  EXPECT_REFUSED(parse(single("fixed")),
+                 "a.urdf: has no moving joints between its base and its tip");
+}
+
+TEST(Urdf, WhatIsNoUrdfIsNamed) {
+  EXPECT_REFUSED(parse(""), "a.urdf: is not whole XML: it is empty");
+  EXPECT_REFUSED(parse("{\"name\": \"a\"}"), "a.urdf");
+  EXPECT_REFUSED(parse("<mujoco/>"), "a.urdf:1: is no URDF: it must hold a <robot>, not <mujoco>");
+  EXPECT_REFUSED(parse("<robot>\n<link>\n</robot>"), "is not whole XML");
+  EXPECT_REFUSED(parse("<robot name=\"r\"/>"), "a.urdf: has no links");
+  EXPECT_REFUSED(parse(robot(link("a") + "<xacro:include filename=\"b\"/>\n")),
+                 "a.urdf:3: is a xacro file, for it has <xacro:include>; run xacro first");
+  EXPECT_REFUSED(parse(std::string((std::size_t{8} << 20) + 1, ' ')), "is larger than 8 MiB");
+  // What xacro leaves behind in its output is no xacro.
+  EXPECT_NO_THROW(parse("<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">" +
+                        link("a") + link("b") + joint("j", "revolute", "a", "b") + "</robot>"));
+}
+
+TEST(Urdf, HostileXmlIsHarmless) {
+  std::string deep;
+  for (int i = 0; i < 1'000'000; ++i) deep += "<a>";
+  EXPECT_REFUSED(parse(deep), "nested deeper than 100 levels");
+  EXPECT_REFUSED(parse("<robot name=\"r\">" + deep), "nested deeper than 100 levels");
+  // A "billion laughs": entities are not expanded, so the name stays short.
+  std::string laughs = "<!DOCTYPE robot [<!ENTITY l0 \"ha\">";
+  for (int i = 1; i < 30; ++i) {
+    const std::string before = "&l" + std::to_string(i - 1) + ";";
+    laughs += "<!ENTITY l" + std::to_string(i) + " \"" + before + before + before + "\">";
+  }
+  laughs += "]>\n" + robot(link("&l29;") + link("b") + joint("j", "revolute", "&l29;", "b"));
+  EXPECT_EQ(parse_urdf(laughs, "a.urdf").links.at(0).name, "&l29;");
+}
+
+TEST(Urdf, LongChainsAreReadAndEndlessOnesRefused) {
+  std::string text = link("l0");
+  for (int i = 1; i <= 10001; ++i) {
+    text +=
+        link("l" + std::to_string(i)) + joint("j" + std::to_string(i), "revolute",
+                                              "l" + std::to_string(i - 1), "l" + std::to_string(i));
+  }
+  EXPECT_EQ(parse(robot(text), {.base = "", .tip = "l1000"}).dof(), 1000);
+  EXPECT_REFUSED(parse(robot(text)), "has more than 10000 moving joints");
+}
+
+TEST(Urdf, IsReadFromAFile) {
+  const testing::TemporaryFolder folder;
+  EXPECT_EQ(read_urdf(folder.write("a.urdf", single("revolute"))).dof(), 1);
+  EXPECT_REFUSED(read_urdf(folder.file("none.urdf")), "none.urdf: cannot be read");
+}
+
+}  // namespace
+}  // namespace beeline

@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include <beeline/record/trajectory_csv.h>
+#include <beeline/record/trajectory_file.h>
+#include <beeline/record/trajectory_json.h>
+
+#include <tests/record/random_trajectory.h>
+#include <tests/refusal.h>
+#include <tests/temporary_folder.h>
+
+namespace beeline {
+namespace {
+
+TEST(TrajectoryFile, TheExtensionTellsTheFormat) {
+  testing::Random random;
+  const testing::TemporaryFolder folder;
+  for (const char* name : {"a.csv", "a.json", "b.CSV"}) {
+    const Trajectory trajectory = testing::random_trajectory(random);
+    write_trajectory(folder.file(name), trajectory);
+    EXPECT_TRUE(testing::same(read_trajectory(folder.file(name)), trajectory)) << name;
+  }
+  EXPECT_EQ(folder.content("a.csv").substr(0, 2), "t,");
+  EXPECT_EQ(folder.content("a.json").front(), '{');
+  EXPECT_EQ(folder.count(), 3u);
+}
+
+TEST(TrajectoryFile, OtherFormatsAreRefused) {
+  testing::Random random;
+  const testing::TemporaryFolder folder;
+  const Trajectory trajectory = testing::random_trajectory(random);
+  for (const char* name : {"a.txt", "a", "a.csv.bak"}) {
+    const std::string path = folder.file(name);
+    const std::string refused = ".csv or .json files, not in \"" + path;
+    EXPECT_REFUSED(trajectory_format(path), refused);
+    EXPECT_REFUSED(write_trajectory(path, trajectory), refused);
+    EXPECT_REFUSED(read_trajectory(path), refused);
+  }
+  EXPECT_EQ(folder.count(), 0u);
+}
+
+TEST(TrajectoryFile, NothingHalfMadeIsLeft) {
+  testing::Random random;
+  const testing::TemporaryFolder folder;
+  const Trajectory bad = testing::random_trajectory(random, {"a", "a_vel"});
+  EXPECT_REFUSED(write_trajectory(folder.file("a.csv"), bad), "write .json instead");
+  EXPECT_REFUSED(write_trajectory(folder.file("none/a.csv"), testing::random_trajectory(random)),
+                 "none/a.csv: cannot be written");
+  EXPECT_REFUSED(read_trajectory(folder.file("a.csv")), "a.csv: cannot be read");
+  EXPECT_EQ(folder.count(), 0u);
+}
+
+TEST(TrajectoryFile, BrokenTextsAreReadOrRefused) {
+  testing::Random random;
+  for (int i = 0; i < 40; ++i) {
+    const Trajectory trajectory = testing::random_trajectory(random);
+    for (const bool csv : {true, false}) {
+      const std::string whole =
+          csv ? trajectory_to_csv(trajectory) : trajectory_to_json(trajectory);
+      const auto read = [csv](const std::string& text) {
+        return testing::refusal([&] {
+          (void)(csv ? trajectory_from_csv(text, "a") : trajectory_from_json(text, "a"));
+        });
+      };
+      const auto place = [&] { return random.integer(0, static_cast<int>(whole.size()) - 1); };
+      int refused = 0;
+      for (int k = 0; k < 200; ++k) {
+        std::string text = whole;
+        text[static_cast<std::size_t>(place())] = static_cast<char>(random.integer(0, 255));
+        text.erase(static_cast<std::size_t>(place()),
+                   static_cast<std::size_t>(random.integer(0, 9)));
+        const std::string said = read(text);
+        EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+        refused += said != "accepted";
+      }
+      EXPECT_GT(refused, 0);
+      for (int k = 0; k < 50; ++k) {
+        const auto length = static_cast<std::size_t>(place());
+        const std::string said = read(whole.substr(0, length));
+        EXPECT_TRUE(csv || length + 2 >= whole.size() || said != "accepted") << length;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace beeline
