@@ -32,6 +32,15 @@ constexpr Verb verbs[] = {
     {"figure", "Redraw a figure of the chapter", declare_figure},
 };
 
+void check_verb(const std::string& word) {
+  std::vector<std::string> names;
+  for (const Verb& verb : verbs) {
+    if (word == verb.name) return;
+    names.emplace_back(verb.name);
+  }
+  throw beeline::unknown_name("verb", word, names);
+}
+
 int fail(Exit exit, const std::string& message) {
   fmt::print(stderr, "beeline: {}\n", message);
   return static_cast<int>(exit);
@@ -58,6 +67,7 @@ int run(int argc, char** argv) {
     CLI::App* subcommand = app.add_subcommand(verb.name, verb.summary);
     declared.emplace_back(subcommand, verb.declare(*subcommand));
   }
+  if (argc > 1 && argv[1][0] != '-') check_verb(argv[1]);
   try {
     app.parse(argc, argv);
     for (const auto& [subcommand, run_verb] : declared) {

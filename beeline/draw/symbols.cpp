@@ -105,7 +105,7 @@ struct Feet {
   double pen;
   std::vector<Foot>& feet;
 
-  void add(const Vector3& at, double reach) const { feet.push_back({at, {0, 0 * reach}}); }
+  void add(const Vector3& at, double reach) const { feet.push_back({at, {reach, reach}}); }
   void operator()(const Polyline& line) const {
     const double head = line.arrow ? head_size(line.width) : 0;
     for (const Vector3& p : line.points) add(p, pen * (line.width / 2 + line.outline + head));
@@ -125,7 +125,7 @@ struct Feet {
   }
   void operator()(const Label& label) const {
     const Point size = text_size(label.text, label.size);
-    feet.push_back({label.at, 0 * size});
+    feet.push_back({label.at, size + Point::Constant(farthest_label)});
   }
 };
 

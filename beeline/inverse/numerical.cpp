@@ -18,12 +18,6 @@ struct Linearised {
   double cost = 0;  ///< |e|^2
 };
 
-/// Radians and metres weigh alike when lengths are counted in units of the arm's own size.
-double unit_of_length(const Arm& arm) {
-  const double reach = arm.reach().radius;
-  return std::isfinite(reach) && reach > 0 ? reach : 1;
-}
-
 Eigen::VectorXd coordinate_units(const Arm& arm, double length) {
   Eigen::VectorXd units(arm.dof());
   for (int k = 0; k < arm.dof(); ++k) {
@@ -153,6 +147,11 @@ void check_goal(const Arm& arm, const Pose& world_T_tool, const Task& task, cons
 }
 
 }  // namespace
+
+double unit_of_length(const Arm& arm) {
+  const double reach = arm.reach().radius;
+  return std::isfinite(reach) && reach > 0 ? reach : 1;
+}
 
 Bounds no_bounds(const Arm& arm) {
   return {Configuration::Constant(arm.dof(), -Limits::none),

@@ -157,9 +157,9 @@ double excess(const Bounds& bounds, const Configuration& q) {
   return (bounds.lower - q).cwiseMax(q - bounds.upper).cwiseMax(0).sum();
 }
 
-std::string miss(const Deviation& error) {
-  if (error.orientation == 0) return number(error.position) + " m";
-  if (error.position == 0) return angle(error.orientation);
+std::string miss(const Deviation& error, double tolerance) {
+  if (!(error.orientation > tolerance)) return number(error.position) + " m";
+  if (!(error.position > tolerance)) return angle(error.orientation);
   return number(error.position) + " m and " + angle(error.orientation);
 }
 

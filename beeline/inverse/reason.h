@@ -34,7 +34,8 @@ std::string blocking_joint(const Arm& arm, const Configuration& q, const Bounds&
 /// How far q is outside the bounds in all: the sum over its coordinates.
 double excess(const Bounds& bounds, const Configuration& q);
 
-/// A miss as a phrase: `0.2 m`, `0.1 rad (5.7 deg)`, or both.
-std::string miss(const Deviation& error);
+/// What is left of a task as a phrase, without the part that is within the tolerance: `0.2 m`,
+/// `0.1 rad (5.73 deg)`, or both.
+std::string miss(const Deviation& error, double tolerance);
 
 }  // namespace beeline

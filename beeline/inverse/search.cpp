@@ -30,8 +30,7 @@ class Splitmix {
 Bounds start_box(const Arm& arm, const Pose& world_T_tool, const Bounds& bounds) {
   const Vector3 rest = forward_kinematics(arm, Configuration::Zero(arm.dof())).translation();
   const double away = (world_T_tool.translation() - rest).norm();
-  const double reach = arm.reach().radius;
-  const double length = std::max(away, std::isfinite(reach) && reach > 0 ? reach : 1);
+  const double length = std::max(away, unit_of_length(arm));
   Bounds box = bounds;
   for (int k = 0; k < arm.dof(); ++k) {
     const bool slides = kind(arm.joint_of(k)) == JointKind::prismatic;
@@ -51,11 +50,8 @@ Configuration draw(const Bounds& box, Splitmix& random) {
   return q;
 }
 
-/// Lengths in units of the arm's reach, as the descent itself counts them.
 double weight(const Arm& arm, const Deviation& error) {
-  const double reach = arm.reach().radius;
-  return std::hypot(error.position / (std::isfinite(reach) && reach > 0 ? reach : 1),
-                    error.orientation);
+  return std::hypot(error.position / unit_of_length(arm), error.orientation);
 }
 
 }  // namespace

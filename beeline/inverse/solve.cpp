@@ -85,11 +85,11 @@ void confirm(const Question& ask, const Configuration& q, InverseResult& result)
   Configuration turned = nearest_representative(ask.arm, q, ask.seed, ask.bounds);
   if (excess(ask.bounds, turned) > hair) return;
   turned = turned.cwiseMax(ask.bounds.lower).cwiseMin(ask.bounds.upper);
-  if (error_at(ask, turned) >
-      ask.tolerance) {  // set on a bound, or turns far from zero cost digits
+  if (!(error_at(ask, turned) <= ask.tolerance)) {
+    // It was set on a bound, or lost its digits in turns far from zero.
     const Configuration& near = within(ask.bounds, q) ? q : turned;
     turned = descend(ask.arm, ask.goal, ask.task, ask.bounds, near, {.tolerance = ask.tolerance}).q;
-    if (error_at(ask, turned) > ask.tolerance) return;
+    if (!(error_at(ask, turned) <= ask.tolerance)) return;
   }
   result.solutions.push_back(turned);
 }
@@ -138,7 +138,8 @@ Search search_within(const Question& ask, const Bounds& bounds, Configuration st
 }
 
 std::string tries(const Question& ask) {
-  return std::to_string(ask.options.restarts + 1) + " tries";
+  const int count = ask.options.restarts + 1;
+  return std::to_string(count) + (count == 1 ? " try" : " tries");
 }
 
 InverseResult closed_form(const Question& ask) {
@@ -167,7 +168,7 @@ InverseResult closed_form(const Question& ask) {
                    "the pose is out of reach: " +
                        std::string(oriented ? "with the orientation asked for, " : "") +
                        "the tool of arm " + ask.arm.name() + " comes no nearer than " +
-                       miss(best->error));
+                       miss(best->error, ask.tolerance));
   }
   double residual = 0;
   if (result.solutions.empty() && continuum) {  // others of the infinitely many may be within
@@ -222,7 +223,7 @@ InverseResult numerical(const Question& ask, const std::optional<Obstacle>& far)
   if (far) return refused(result, InverseStatus::unreachable, far->missing, far->reason);
   return refused(result, InverseStatus::not_found, largest(nearest),
                  "no solution was found in " + tries(ask) + "; the nearest misses by " +
-                     miss(nearest) + "; that none exists is not proved");
+                     miss(nearest, ask.tolerance) + "; that none exists is not proved");
 }
 
 }  // namespace

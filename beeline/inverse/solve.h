@@ -13,9 +13,9 @@ struct InverseOptions {
   /// Solutions nearest to it come first; default: the middle of the limits.
   std::optional<Configuration> seed = std::nullopt;
   std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
-  /// Every solution that the method can tell, else the nearest only. Closed form: all there are.
-  /// Numerical: those that all restarts meet, of which some may be missing (and an arm with more
-  /// joints than the task has rows has infinitely many).
+  /// Closed form: all solutions there are, else the nearest only. Numerical: those that all
+  /// restarts meet, of which some may be missing (and an arm with more joints than the task has
+  /// rows has infinitely many), else the first that is met.
   bool all = false;
   bool ignore_limits = false;  ///< joint limits do not count
   /// Largest error of a solution, metres and radians. Never taken below the rounding of forward

@@ -65,9 +65,10 @@ TEST(Mimic, MovesAsTheSameArmWithoutMimicMovesAtTheFollowersValues) {
 TEST(Mimic, LeadersAreNarrowedSoThatFollowersKeepTheirLimits) {
   testing::Random random;
   for (int i = 0; i < 3000; ++i) {
-    const double ratio = random.uniform(-3, 3), shift = random.uniform(-0.5, 0.5);
+    const double ratio = random.uniform(-3, 3), shift = random.uniform(-5, 5);
     const Limits mine{-random.uniform(0.5, 2), random.uniform(0.5, 2), 1, 2, 3};
-    Limits its{-random.uniform(0.6, 2), random.uniform(0.6, 2), 1.5, 1.5, 1.5};
+    const double kept = ratio * random.uniform(mine.lower, mine.upper) + shift;  // by both
+    Limits its{kept - random.uniform(0.01, 2), kept + random.uniform(0.01, 2), 1.5, 1.5, 1.5};
     if (i % 3 == 0) its.lower = -Limits::none;
     const Arm arm("arm", {turning("a", mine), follower("b", {"a", ratio, shift}, its)});
     const Limits& both = arm.limits()[0];

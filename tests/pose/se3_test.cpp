@@ -83,6 +83,15 @@ TEST(Se3Log, UndoesExpFromTinyTurnsUpToAlmostPi) {
   }
 }
 
+TEST(Se3Log, LosesNothingWhereItsSeriesGivesWayToTheQuotient) {
+  testing::Random random;
+  for (int i = 0; i < 10000; ++i) {
+    Twist twist;
+    twist << 3 * random.direction(), random.direction() * random.uniform(0.08, 0.12);
+    ASSERT_LT((se3_log(se3_exp(twist)) - twist).norm(), 4e-15) << twist.tail<3>().norm();
+  }
+}
+
 TEST(Se3Log, IsUndoneByExpAlsoAtExactlyPi) {
   testing::Random random;
   for (int i = 0; i < 5000; ++i) {

@@ -30,10 +30,10 @@ TEST(TrajectoryFile, OtherFormatsAreRefused) {
   const Trajectory trajectory = testing::random_trajectory(random);
   for (const char* name : {"a.txt", "a", "a.csv.bak"}) {
     const std::string path = folder.file(name);
-    const std::string refused = ".csv or .json files, not in \"" + path;
-    EXPECT_REFUSED(trajectory_format(path), refused);
-    EXPECT_REFUSED(write_trajectory(path, trajectory), refused);
-    EXPECT_REFUSED(read_trajectory(path), refused);
+    const std::string said = ".csv or .json files, not in \"" + path;
+    EXPECT_REFUSED(trajectory_format(path), said);
+    EXPECT_REFUSED(write_trajectory(path, trajectory), said);
+    EXPECT_REFUSED(read_trajectory(path), said);
   }
   EXPECT_EQ(folder.count(), 0u);
 }

@@ -1,0 +1,29 @@
+// The main job: a tool moves in straight lines, and the report tells how straight it was.
+#include <beeline/draw/arm_figure.h>
+#include <beeline/draw/canvas.h>
+#include <beeline/model/catalog.h>
+#include <beeline/motion/line.h>
+#include <beeline/read/pose_list.h>
+#include <beeline/record/trajectory_file.h>
+
+#include <iostream>
+#include <numbers>
+
+int main(int argc, char** argv) {
+  const std::string folder = argc > 1 ? argv[1] : ".";  // of the waypoints
+  const auto degrees = beeline::AngleUnit::degrees;
+  const auto poses = beeline::read_poses(folder + "/waypoints_rrr.csv", degrees).poses;
+
+  const beeline::Arm rrr = beeline::built_in("rrr");
+  const Eigen::Vector3d start(0, std::numbers::pi / 2, 0);
+  const beeline::LineMotion motion = move_in_lines(rrr, start, poses);
+  if (motion.status != beeline::MotionStatus::reached) {
+    std::cout << name(motion.status) << ": " << motion.reason << '\n';
+    return 1;
+  }
+  std::cout << motion.trajectory.size() << " samples, at most "
+            << motion.straightness.sampled.position << " m off the line; between them at most "
+            << motion.straightness.bound.position << " m\n";
+  write_trajectory("05_straight_line.csv", motion.trajectory);
+  save(motion_figure(rrr, motion.trajectory.positions, poses), "05_straight_line.svg");
+}

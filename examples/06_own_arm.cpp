@@ -1,0 +1,27 @@
+// An arm of one's own: joints put together by hand, written as JSON, read back, drawn.
+#include <beeline/draw/arm_figure.h>
+#include <beeline/draw/canvas.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/model/composite.h>
+#include <beeline/pose/orientation.h>
+#include <beeline/read/arm.h>
+#include <beeline/read/arm_json.h>
+#include <beeline/read/file.h>
+
+#include <iostream>
+
+int main() {
+  // A crane: turns about z, lifts along z, extends along x.
+  std::vector<beeline::Joint> joints = beeline::composite_joint('C', "mast");
+  joints[1].limits = {.lower = 0.2, .upper = 2, .velocity = 0.5};
+  joints.push_back(beeline::composite_joint('P', "jib").front());
+  joints.back().limits = {.lower = 1, .upper = 3, .velocity = 0.8};
+  const beeline::Arm crane("crane", joints, beeline::make_pose({0, 0, -0.3}));
+
+  beeline::write_file("06_own_arm.json", arm_to_json(crane));
+  const beeline::Arm again = beeline::read_arm("06_own_arm.json");
+  const auto q = middle_configuration(again);
+  std::cout << again.name() << " hangs its hook at "
+            << forward_kinematics(again, q).translation().transpose() << '\n';
+  save(arm_figure(again, q), "06_own_arm.svg");
+}

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include <beeline/inverse/representative.h>
+#include <beeline/inverse/solve.h>
+#include <beeline/kinematics/forward.h>
+
+namespace beeline::testing {
+
+inline double largest(const Deviation& error) {
+  return std::max(error.position, error.orientation);
+}
+
+/// Checks all that is promised of a solved answer, by forward kinematics alone.
+inline void expect_solved(const Arm& arm, const Pose& pose, const Task& task,
+                          const InverseResult& result, double tolerance = 1e-9) {
+  ASSERT_EQ(result.status, InverseStatus::solved) << arm.name() << ": " << result.reason;
+  ASSERT_FALSE(result.solutions.empty());
+  EXPECT_TRUE(result.reason.empty());
+  double residual = 0;
+  for (const Configuration& q : result.solutions) {
+    EXPECT_TRUE(within(bounds_of(arm), q)) << arm.name() << ' ' << q.transpose();
+    residual = std::max(residual, largest(task_deviation(task, pose, forward_kinematics(arm, q))));
+  }
+  EXPECT_LE(residual, tolerance) << arm.name();
+  EXPECT_NEAR(residual, result.residual, 1e-12);
+}
+
+inline void expect_no(const InverseResult& result, InverseStatus status) {
+  EXPECT_EQ(result.status, status) << name(result.status) << ": " << result.reason;
+  EXPECT_TRUE(result.solutions.empty());
+  EXPECT_FALSE(result.reason.empty());
+  EXPECT_EQ(result.reason.find('\n'), std::string::npos);
+  EXPECT_TRUE(std::isfinite(result.residual));
+}
+
+inline Joint named(Joint joint, const std::string& name, double lower = -Limits::none,
+                   double upper = Limits::none) {
+  joint.name = name;
+  joint.limits.lower = lower;
+  joint.limits.upper = upper;
+  return joint;
+}
+
+}  // namespace beeline::testing

@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include <beeline/error.h>
+#include <beeline/model/catalog.h>
+#include <beeline/pose/orientation.h>
+#include <beeline/pose/se2.h>
+
+#include <tests/inverse/answer.h>
+#include <tests/random.h>
+#include <tests/refusal.h>
+
+namespace beeline {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+using testing::expect_no;
+using testing::named;
+
+TEST(InverseKinematics, OutOfReachSaysByHowMuch) {
+  testing::Random random;
+  const Arm arm = built_in("rrr");
+  for (int i = 0; i < 200; ++i) {
+    const double heading = random.uniform(-pi, pi), beyond = random.uniform(1e-6, 20);
+    const Pose pose = to_space({(9 + beyond) * std::cos(heading), (9 + beyond) * std::sin(heading),
+                                random.uniform(-pi, pi)});
+    const InverseResult result = inverse_kinematics(arm, pose);
+    expect_no(result, InverseStatus::unreachable);
+    EXPECT_NEAR(result.residual, beyond, 1e-9);
+    EXPECT_NE(result.reason.find(number(beyond) + " m beyond"), std::string::npos) << result.reason;
+  }
+  // Within the ball of 9 m, but not with this orientation: the wrist would be at (-9, 0).
+  const InverseResult turned = inverse_kinematics(arm, to_space({-7, 0, 0}));
+  expect_no(turned, InverseStatus::unreachable);
+  EXPECT_NEAR(turned.residual, 2, 1e-9);
+  for (const char* name : {"puma560", "ur5", "panda", "iiwa14"}) {
+    const Arm spatial = built_in(name);
+    const Vector3 way = (spatial.reach().radius + 0.25) * random.direction();
+    const InverseResult far = inverse_kinematics(spatial, make_pose(spatial.reach().centre + way));
+    expect_no(far, InverseStatus::unreachable);
+    EXPECT_NEAR(far.residual, 0.25, 1e-9);
+  }
+  // What a longer slide would reach is the limits' doing, and the reason names it.
+  const Arm stanford = built_in("stanford");
+  const Pose pose =
+      make_pose(stanford.reach().centre + Vector3(stanford.reach().radius + 0.25, 0, 0));
+  const InverseResult slide = inverse_kinematics(stanford, pose, {.restarts = 10});
+  expect_no(slide, InverseStatus::outside_limits);
+  EXPECT_NE(slide.reason.find("0.25 m beyond the reach"), std::string::npos) << slide.reason;
+  EXPECT_NE(slide.reason.find("joint3 would be at"), std::string::npos) << slide.reason;
+}
+
+TEST(InverseKinematics, WhatNoJointCanChangeIsProvedUnreachable) {
+  const Arm scara = built_in("scara"), rrr = built_in("rrr"), gantry = built_in("gantry");
+  const double heading = to_plane(forward_kinematics(gantry, Configuration::Zero(2))).theta;
+  testing::Random random;
+  for (int i = 0; i < 100; ++i) {
+    const double off = random.uniform(1e-6, 3);
+    Pose tilted = forward_kinematics(scara, random.configuration(scara));
+    const double tilt = random.uniform(1e-6, 3);
+    tilted.linear() = tilted.linear() * so3_exp(Vector3(tilt, 0, 0));
+    const InverseResult no = inverse_kinematics(scara, tilted);
+    expect_no(no, InverseStatus::unreachable);
+    EXPECT_NEAR(no.residual, tilt, 1e-9);
+    EXPECT_EQ(inverse_kinematics(scara, tilted, {.task = Task::position()}).status,
+              InverseStatus::solved);
+
+    Pose lifted = forward_kinematics(rrr, random.configuration(rrr));
+    lifted.translation().z() = off;
+    for (const Task& task : {Task::spatial(), Task::position()}) {
+      const InverseResult above = inverse_kinematics(rrr, lifted, {.task = task});
+      expect_no(above, InverseStatus::unreachable);
+      EXPECT_NEAR(above.residual, off, 1e-9);
+    }
+    EXPECT_EQ(inverse_kinematics(rrr, lifted).status, InverseStatus::solved);
+
+    const InverseResult turned =
+        inverse_kinematics(gantry, to_space({0.1, 0.2, heading + off}), {.ignore_limits = true});
+    expect_no(turned, InverseStatus::unreachable);
+    EXPECT_NEAR(turned.residual, off, 1e-9);
+  }
+}
+
+TEST(InverseKinematics, ReachableOnlyOutsideLimitsNamesTheJoint) {
+  testing::Random random;
+  const Arm chapter = built_in("rrr");
+  std::vector<Joint> joints = chapter.joints();
+  joints[1].limits.lower = 0.2;  // joint 2 bends little, and to the left only
+  joints[1].limits.upper = 0.4;
+  const Arm planar("narrow", joints);
+  for (int i = 0; i < 100; ++i) {
+    Configuration q = random.configuration(planar);
+    q[1] = random.uniform(0.6, 2.5) * (random.integer(0, 1) == 1 ? 1 : -1);
+    const InverseResult no = inverse_kinematics(planar, forward_kinematics(planar, q));
+    expect_no(no, InverseStatus::outside_limits);
+    EXPECT_NE(no.reason.find("joint2 would be at " + angle(std::abs(q[1])) + ", " +
+                             angle(std::abs(q[1]) - 0.4) + " above"),
+              std::string::npos)
+        << no.reason;
+    EXPECT_EQ(
+        inverse_kinematics(planar, forward_kinematics(planar, q), {.ignore_limits = true}).status,
+        InverseStatus::solved);
+  }
+  // A puma whose elbow is nearly locked: its distance from shoulder to wrist is settled by joint 3.
+  joints = built_in("puma560").joints();
+  joints[2].limits.lower = -1.6;
+  joints[2].limits.upper = -1.5;
+  const Arm puma("locked", joints);
+  for (int i = 0; i < 5; ++i) {
+    Configuration q = random.configuration(built_in("puma560"));
+    q[2] = -1 + random.uniform(-0.1, 0.1);
+    const InverseResult no =
+        inverse_kinematics(puma, forward_kinematics(puma, q), {.restarts = 30});
+    expect_no(no, InverseStatus::outside_limits);
+    EXPECT_NE(no.reason.find("joint"), std::string::npos);
+    EXPECT_GT(no.residual, 1e-9);
+  }
+  // A slide that is too short: limits, not geometry.
+  const Arm rp("short",
+               {built_in("rp").joints()[0], named(built_in("rp").joints()[1], "slide", 0, 0.5)});
+  const InverseResult no = inverse_kinematics(rp, to_space({3, 0, 0}));
+  expect_no(no, InverseStatus::outside_limits);
+  EXPECT_NE(no.reason.find("joint slide would be at 2 m, 1.5 m above its upper limit 0.5 m"),
+            std::string::npos)
+      << no.reason;
+}
+
+TEST(InverseKinematics, GivesUpWithTheNearestMissWhereNothingIsProved) {
+  const Arm arm = built_in("puma560");
+  // Inside the ball of reach, but inside the shoulder's offset: no wrist gets there.
+  const InverseResult result = inverse_kinematics(arm, make_pose({0.01, 0, 0}), {.restarts = 20});
+  expect_no(result, InverseStatus::not_found);
+  EXPECT_GT(result.residual, 0.01);
+  EXPECT_EQ(result.restarts, 40);  // 20 within limits, and 20 without them
+}
+
+TEST(InverseKinematics, RefusesWhatMakesNoSense) {
+  const Arm arm = built_in("rrr");
+  const Pose pose = to_space({4, 5, 0});
+  Pose nan = pose, stretched = pose, mirrored = pose;
+  nan.linear()(0, 1) = std::nan("");
+  stretched.linear() *= 1.01;
+  mirrored.linear().col(2) *= -1;
+  EXPECT_REFUSED(inverse_kinematics(arm, nan), "not finite");
+  EXPECT_REFUSED(inverse_kinematics(arm, stretched), "no rigid motion");
+  EXPECT_REFUSED(inverse_kinematics(arm, mirrored), "no rigid motion");
+  EXPECT_REFUSED(inverse_kinematics(arm, make_pose({1e200, 0, 0})), "1e100 m");
+  const Configuration two = Configuration::Zero(2);
+  const Configuration no_number = Configuration::Constant(3, std::nan(""));
+  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.seed = two}), "takes 3 joint values");
+  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.seed = no_number}), "joint1 is nan");
+  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.task = Task{.rows = {}}}), "at least one row");
+  const Task spatial{.frame = Frame::space};
+  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.task = spatial}), "the base or the tool frame");
+  for (const double tolerance : {0.0, -1e-9, std::nan(""), Limits::none}) {
+    EXPECT_REFUSED(inverse_kinematics(arm, pose, {.tolerance = tolerance}), "tolerance is ");
+  }
+  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.iterations = -1}), "iterations is -1");
+  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.restarts = -1}), "restarts -1");
+  // Rounded from text, a rotation is mended, not refused.
+  Pose rounded = pose;
+  rounded.linear()(0, 0) += 1e-7;
+  EXPECT_EQ(inverse_kinematics(arm, rounded).status, InverseStatus::solved);
+}
+
+}  // namespace
+}  // namespace beeline
