@@ -186,9 +186,9 @@ InverseResult closed_form(const Question& ask) {
 /// from whose nearest corner of the limits a descent arrives. Returns the solution that exceeds the
 /// limits least, if there is any.
 std::optional<Configuration> search_beyond(const Question& ask, InverseResult& result) {
+  const Search found = search_within(ask, no_bounds(ask.arm), ask.seed, true, result);
   std::optional<Configuration> least;
-  for (const Configuration& q :
-       search_within(ask, no_bounds(ask.arm), ask.seed, true, result).solutions) {
+  for (const Configuration& q : found.solutions) {
     if (!result.solutions.empty()) break;
     const Configuration turned = nearest_representative(ask.arm, q, ask.seed, ask.bounds);
     if (!least || excess(ask.bounds, turned) < excess(ask.bounds, *least)) least = turned;

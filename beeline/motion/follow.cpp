@@ -13,6 +13,7 @@ constexpr double rounding = 1e-11;  // metres and radians that a sample of an ar
 constexpr double longest_step = 1.0 / 64;  // of a line's time: the time law needs that many samples
 constexpr double shortest_step = 1e-7;     // of a line's time: below it the arm has to jump
 constexpr double largest_turn = 0.1;       // of one joint in one step, radians
+constexpr double aside = 0.01;             // radians or metres: a guess off a singularity
 
 /// Everything that one step needs.
 struct Follower {
@@ -27,7 +28,25 @@ struct Follower {
   /// or the motion to it is not proved to stay near the line.
   std::optional<Configuration> step(const Configuration& q, double u) const {
     const Pose target = interpolate(line.from, line.to, rest_to_rest(u));
-    const Configuration guess = predicted(arm, q, target, task, bounds);
+    return proved(q, target, predicted(arm, q, target, task, bounds));
+  }
+
+  /// The same from a singular q such as an arm stretched out, where the Jacobian shows no way: to
+  /// the first side to which a joint can bend.
+  std::optional<Configuration> step_aside(const Configuration& q, double u) const {
+    const Pose target = interpolate(line.from, line.to, rest_to_rest(u));
+    for (int k = 0; k < arm.dof(); ++k) {
+      for (const double side : {aside, -aside}) {
+        Configuration guess = q;
+        guess[k] += side;
+        if (const auto next = proved(q, target, guess)) return next;
+      }
+    }
+    return {};
+  }
+
+  std::optional<Configuration> proved(const Configuration& q, const Pose& target,
+                                      const Configuration& guess) const {
     const Descent found =
         descend(arm, target, task, bounds, guess, {.tolerance = exact, .iterations = 30});
     if (!found.converged) return {};
@@ -38,9 +57,9 @@ struct Follower {
     // The nearest point of the line, which may be told by its position alone, can be that much off.
     const Deviation ends{exact, exact * (1 + 1 / way_of_a_radian)};
     const Deviation bound = step_bound(arm, line, task, q, found.q, ends, ends);
-    const bool proved =
+    const bool near =
         bound.position <= tolerance.position && bound.orientation <= tolerance.orientation;
-    return proved ? std::optional(found.q) : std::nullopt;
+    return near ? std::optional(found.q) : std::nullopt;
   }
 };
 
@@ -58,7 +77,9 @@ Followed follow(const Arm& arm, const Line& line, const Task& task, const Bounds
     const double done = way.fractions.back(), left = 1 - done;
     const double steps = std::ceil(left / length);
     const double u = steps > 1 ? done + left / steps : 1;
-    if (const auto next = follower.step(way.samples.back(), u)) {
+    auto next = follower.step(way.samples.back(), u);
+    if (!next && way.samples.size() == 1) next = follower.step_aside(start, u);
+    if (next) {
       way.samples.push_back(*next);
       way.fractions.push_back(u);
       length = std::min(1.5 * length, longest_step);

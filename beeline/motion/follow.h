@@ -22,7 +22,8 @@ struct Followed {
 
 /// The configurations from `start`, which has the tool at line.from, along the line as far as they
 /// continue one another: each is solved to rounding from the one before it, within the bounds, and
-/// step_bound() is within tolerance. Where it is not, steps are halved. Ends early where the arm
+/// step_bound() is within tolerance. Where it is not, steps are halved. A singular start is left to
+/// the first side that works, in the order of the joints. Ends early where the arm
 /// cannot go on, or with most_samples.
 Followed follow(const Arm& arm, const Line& line, const Task& task, const Bounds& bounds,
                 const Configuration& start, const FollowOptions& options);

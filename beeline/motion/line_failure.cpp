@@ -69,11 +69,12 @@ LineFailure line_failure(const Arm& arm, const Line& line, const Task& task, con
     case InverseStatus::outside_limits:
       return {MotionStatus::outside_limits, where + answer.reason};
     case InverseStatus::unreachable:
+      return {MotionStatus::unreachable,
+              where + "the line leaves the arm's workspace; " + answer.reason};
     case InverseStatus::not_found:
       break;
   }
-  return {MotionStatus::unreachable,
-          where + "the line leaves the arm's workspace there; " + answer.reason};
+  return {MotionStatus::unreachable, where + "the arm reaches no farther; " + answer.reason};
 }
 
 LineFailure too_many_samples(int most) {

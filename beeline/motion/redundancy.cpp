@@ -8,6 +8,7 @@ namespace beeline {
 namespace {
 
 constexpr double damping = 1e-4;  // far below the singular values of an arm that can move on
+constexpr double urge = 5;        // push at a limit, over the step; more lengthens motions
 
 /// Back to the middle for coordinates in the outer half of their range: 0 at a quarter of the range
 /// from the end, growing with the square to 1 at the limit.
@@ -38,7 +39,7 @@ Configuration predicted(const Arm& arm, const Configuration& q, const Pose& targ
   const Eigen::VectorXd error = task_error(task, target, forward_kinematics(arm, q));
   Configuration step = damped_solve(j, error, damping);
   if (arm.dof() > task.size()) {
-    const Configuration push = step.lpNorm<Eigen::Infinity>() * away_from_limits(q, bounds);
+    const Configuration push = urge * step.lpNorm<Eigen::Infinity>() * away_from_limits(q, bounds);
     step += push - damped_solve(j, j * push, damping);
   }
   if (!step.allFinite()) return q;

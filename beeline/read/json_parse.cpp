@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t deepest = 64;
 constexpr std::size_t most_values = 8'000'000;
-constexpr std::size_t most_keys = 100;  // our formats have a dozen; the search for twins is square
+constexpr std::size_t most_keys = 32;  // our formats have ten; the search for twins is square
 
 /// Reads a text and knows the line of the last character read. A line break counts only when what
 /// follows it is read, because the end of a number is known one character late.
@@ -76,7 +76,7 @@ class Builder {
     for (const auto& [name, value] : members) {
       if (name == key) refuse("the key " + in_quotes(key) + " stands there twice");
     }
-    if (members.size() == most_keys) refuse("an object has more than 100 keys");
+    if (members.size() == most_keys) refuse("an object has more than 32 keys");
     members.emplace_back(std::move(key), Json{});
     return true;
   }

@@ -8,14 +8,12 @@
 #include <beeline/read/name.h>
 #include <beeline/read/numbers.h>
 #include <beeline/read/urdf_file.h>
+#include <beeline/read/xml.h>
 
 namespace beeline {
 namespace {
 
 using tinyxml2::XMLElement;
-
-/// A parsed element takes some fifty times its text; no arm's description comes near.
-constexpr std::size_t largest_urdf = std::size_t{8} << 20;
 
 /// Reads elements of one file; every refusal names the file and the element's line.
 class Elements {
@@ -147,20 +145,6 @@ UrdfFile::Joint read_joint(const Elements& elements, const XMLElement& element) 
   return joint;
 }
 
-void parse_xml(tinyxml2::XMLDocument& document, std::string_view text, const Elements& elements) {
-  if (text.size() > largest_urdf) elements.refuse(0, "is larger than 8 MiB; no URDF file is");
-  if (document.Parse(text.data(), text.size()) == tinyxml2::XML_SUCCESS) return;
-  std::string why = tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID());
-  if (document.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {
-    why = "its elements are nested deeper than 100 levels";
-  } else if (document.ErrorID() == tinyxml2::XML_ERROR_EMPTY_DOCUMENT) {
-    why = "it is empty";
-  } else if (document.ErrorID() == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT) {
-    why = "an element is not closed";
-  }
-  elements.refuse(document.ErrorLineNum(), "is not whole XML: " + why);
-}
-
 }  // namespace
 
 bool moves(const UrdfFile::Joint& joint) {
@@ -170,7 +154,7 @@ bool moves(const UrdfFile::Joint& joint) {
 UrdfFile parse_urdf(std::string_view text, const std::string& path) {
   const Elements elements(path);
   tinyxml2::XMLDocument document;
-  parse_xml(document, text, elements);
+  parse_xml(document, text, path);
   const XMLElement* robot = document.RootElement();
   if (robot == nullptr || std::string_view(robot->Name()) != "robot") {
     const std::string found = robot == nullptr ? "nothing" : Elements::described(*robot);

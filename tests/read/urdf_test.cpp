@@ -155,7 +155,11 @@ TEST(Urdf, WhatIsNoUrdfIsNamed) {
   EXPECT_REFUSED(parse("<robot name=\"r\"/>"), "a.urdf: has no links");
   EXPECT_REFUSED(parse(robot(link("a") + "<xacro:include filename=\"b\"/>\n")),
                  "a.urdf:3: is a xacro file, for it has <xacro:include>; run xacro first");
-  EXPECT_REFUSED(parse(std::string((std::size_t{8} << 20) + 1, ' ')), "is larger than 8 MiB");
+  EXPECT_REFUSED(parse(std::string((std::size_t{8} << 20) + 1, ' ')),
+                 "a.urdf: is larger than 8 MiB");
+  EXPECT_REFUSED(
+      parse("<robot>\n<link name=\"a\" name=\"b\"/></robot>"),
+      "a.urdf:2: is not whole XML: an attribute is not name=\"value\", or stands there twice");
   // What xacro leaves behind in its output is no xacro.
   EXPECT_NO_THROW(parse("<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">" +
                         link("a") + link("b") + joint("j", "revolute", "a", "b") + "</robot>"));
@@ -166,6 +170,13 @@ TEST(Urdf, HostileXmlIsHarmless) {
   for (int i = 0; i < 1'000'000; ++i) deep += "<a>";
   EXPECT_REFUSED(parse(deep), "nested deeper than 100 levels");
   EXPECT_REFUSED(parse("<robot name=\"r\">" + deep), "nested deeper than 100 levels");
+  std::string attributes;  // the parser compares each with all before it
+  for (int i = 0; i < 500'000; ++i) attributes += " a" + std::to_string(i) + "='>'";
+  for (const char* before :
+       {"", "<a b='>' c=\"'\"/>", "<!-- ' -->", "it's", "<![CDATA[ <a ' ]]>"}) {
+    EXPECT_REFUSED(parse(robot(std::string(before) + "\n<link" + attributes + "/>")),
+                   "a.urdf:3: a tag has more than 100 attributes");
+  }
   // A "billion laughs": entities are not expanded, so the name stays short.
   std::string laughs = "<!DOCTYPE robot [<!ENTITY l0 \"ha\">";
   for (int i = 1; i < 30; ++i) {
