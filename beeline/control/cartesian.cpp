@@ -7,17 +7,34 @@
 #include <beeline/error.h>
 #include <beeline/inverse/solve.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/motion/waypoints.h>
 
 namespace beeline {
 namespace {
 
-constexpr double near_singular =
-    1e-2;                             // singular values below this share of the largest are damped
+constexpr double near_singular = 1e-2;  // share of the largest singular value below which to damp
+constexpr double calm = 0.1;            // radians: most of a joint's turn in a damped step
+constexpr double far = 1;  // radians: most in any step; beyond, the Jacobian tells nothing
 constexpr double largest_jump = 1.5;  // radians between neighbouring solutions of one branch
+
+/// Of the joints that turn, radians.
+double largest_turn(const Arm& arm, const Configuration& step) {
+  double largest = 0;
+  for (int k = 0; k < arm.dof(); ++k) {
+    if (kind(arm.joint_of(k)) == JointKind::prismatic) continue;
+    largest = std::max(largest, std::abs(step[k]));
+  }
+  return largest;
+}
+
+struct DampedStep {
+  Configuration way;
+  bool damped = false;  ///< the Jacobian is near a singularity
+};
 
 /// J^+ e with the singular values below a threshold damped, after Nakamura & Hanafusa (1986): exact
 /// away from singularities, bounded at them.
-Configuration damped_step(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& error) {
+DampedStep damped_step(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& error) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const Eigen::VectorXd& sigma = svd.singularValues();
   const double threshold = near_singular * sigma[0];
@@ -28,7 +45,7 @@ Configuration damped_step(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd
     const double denominator = sigma[i] * sigma[i] + damping * damping;
     share[i] = denominator > 0 ? share[i] * sigma[i] / denominator : 0;
   }
-  return svd.matrixV() * share;
+  return {svd.matrixV() * share, sigma[sigma.size() - 1] < threshold};
 }
 
 /// The share of the line by which the tool went beyond its end.
@@ -44,25 +61,42 @@ double line_overshoot(std::span<const Configuration> samples, const Arm& arm, co
   return largest;
 }
 
+double error_left(const Arm& arm, const Pose& goal, const Task& task, const Configuration& q) {
+  return task_error(task, goal, forward_kinematics(arm, q)).lpNorm<Eigen::Infinity>();
+}
+
+MotionStatus status_of(InverseStatus status) {
+  return status == InverseStatus::outside_limits ? MotionStatus::outside_limits
+                                                 : MotionStatus::unreachable;
+}
+
 /// One waypoint by eq. 1.6.
 bool by_jacobian(const Arm& arm, const Pose& goal, const Task& task,
                  const CartesianOptions& options, ControlledMotion& motion) {
-  const auto error = [&](const Configuration& q) {
-    return task_error(task, goal, forward_kinematics(arm, q));
+  const auto law_at = [&](const Configuration& q) {
+    return damped_step(task_jacobian(arm, q, task),
+                       task_error(task, goal, forward_kinematics(arm, q)));
   };
-  const ControlLaw law{[&](const Configuration& q) { return error(q).lpNorm<Eigen::Infinity>(); },
+  const ControlLaw law{[&](const Configuration& q) { return error_left(arm, goal, task, q); },
                        [&](const Configuration& q) -> Configuration {
-                         return options.gain * damped_step(task_jacobian(arm, q, task), error(q));
+                         const DampedStep full = law_at(q);
+                         const double turn = options.gain * largest_turn(arm, full.way);
+                         const double most = full.damped ? calm : far;
+                         return turn > most ? options.gain * most / turn * full.way
+                                            : options.gain * full.way;
                        }};
   if (simulate(arm, law, options.simulation, motion)) return true;
-  if (motion.status != MotionStatus::not_converged || options.gain >= 1) return false;
+  if (motion.status != MotionStatus::not_converged) return false;
   // Was it the gain, or is there nowhere to go? Only the pose itself can tell.
-  const InverseResult answer =
-      inverse_kinematics(arm, goal, {.seed = motion.trajectory.positions.back(), .task = task});
-  if (answer.status == InverseStatus::solved) return false;
-  motion.status = answer.status == InverseStatus::outside_limits ? MotionStatus::outside_limits
-                                                                 : MotionStatus::unreachable;
-  motion.reason = answer.reason;
+  const Configuration& q = motion.trajectory.positions.back();
+  const InverseResult answer = inverse_kinematics(arm, goal, {.seed = q, .task = task});
+  if (answer.status != InverseStatus::solved) {
+    motion.status = status_of(answer.status);
+    motion.reason = answer.reason;
+  } else if (law_at(q).damped && motion.steps < options.simulation.most_steps) {
+    motion.status = MotionStatus::singular;
+    motion.reason += "; it is at a singularity, where the Jacobian shows no way to the goal";
+  }
   return false;
 }
 
@@ -74,16 +108,17 @@ bool by_solutions(const Arm& arm, const Pose& goal, const Task& task,
     const Configuration q = motion.trajectory.positions.back();
     const std::string where = "at intermediate pose " + std::to_string(i) + " of " +
                               std::to_string(options.intermediate) + ": ";
+    const Pose pose = interpolate(from, goal, double(i) / options.intermediate);
     const InverseResult answer = inverse_kinematics(
-        arm, interpolate(from, goal, double(i) / options.intermediate), {.seed = q, .task = task});
+        arm, pose,
+        {.seed = q, .task = task, .tolerance = std::min(1e-9, options.simulation.tolerance)});
     if (answer.status != InverseStatus::solved) {
-      motion.status = answer.status == InverseStatus::outside_limits ? MotionStatus::outside_limits
-                                                                     : MotionStatus::unreachable;
+      motion.status = status_of(answer.status);
       motion.reason = where + answer.reason;
       return false;
     }
     const Configuration& next = answer.solutions.front();
-    const double jump = (next - q).lpNorm<Eigen::Infinity>();
+    const double jump = largest_turn(arm, next - q);
     if (jump > largest_jump && options.intermediate > 1) {
       motion.status = MotionStatus::singular;
       motion.reason = where + "the nearest solution is another branch, " + angle(jump) +
@@ -91,22 +126,23 @@ bool by_solutions(const Arm& arm, const Pose& goal, const Task& task,
       return false;
     }
     const ControlLaw law{
-        [&next](const Configuration& now) { return (next - now).lpNorm<Eigen::Infinity>(); },
+        [&](const Configuration& now) {
+          return std::max((next - now).lpNorm<Eigen::Infinity>(), error_left(arm, pose, task, now));
+        },
         [&](const Configuration& now) -> Configuration { return options.gain * (next - now); }};
     if (!simulate(arm, law, options.simulation, motion)) return false;
   }
   return true;
 }
 
-void check(std::span<const Pose> waypoints, const CartesianOptions& options) {
+void check(const CartesianOptions& options) {
   check_options(options.simulation);
-  if (waypoints.empty()) throw Error("a line needs at least one waypoint");
   if (!(options.gain > 0) || !std::isfinite(options.gain)) {
     throw Error("the gain must be above zero, not " + number(options.gain));
   }
   if (options.intermediate < 1) throw Error("a line needs at least one intermediate pose, its end");
-  for (const Pose& waypoint : waypoints) {
-    if (!waypoint.matrix().allFinite()) throw Error("a waypoint is not finite");
+  if (options.task && (options.task->size() == 0 || options.task->frame == Frame::space)) {
+    throw Error("the task needs at least one row, and the base or the tool frame");
   }
 }
 
@@ -118,9 +154,10 @@ std::string name(CartesianMethod method) {
 }
 
 ControlledMotion control_in_lines(const Arm& arm, const Configuration& start,
-                                  std::span<const Pose> waypoints,
+                                  std::span<const Pose> given_waypoints,
                                   const CartesianOptions& options) {
-  check(waypoints, options);
+  check(options);
+  const std::vector<Pose> waypoints = checked_waypoints(given_waypoints);
   const Task task = options.task.value_or(default_task(arm));
   ControlledMotion motion = begin_motion(arm, start);
   const auto go = options.method == CartesianMethod::inverse_jacobian ? by_jacobian : by_solutions;
@@ -129,6 +166,7 @@ ControlledMotion control_in_lines(const Arm& arm, const Configuration& start,
     const bool arrived = go(arm, waypoints[w], task, options, motion);
     const auto samples = std::span<const Configuration>(motion.trajectory.positions).subspan(first);
     motion.overshoot = std::max(motion.overshoot, line_overshoot(samples, arm, waypoints[w]));
+    motion.error = error_left(arm, waypoints[w], task, motion.trajectory.positions.back());
     if (!arrived) {
       motion.reason = "line " + std::to_string(w + 1) + " of " + std::to_string(waypoints.size()) +
                       ": " + motion.reason;

@@ -17,10 +17,10 @@ std::string name(CartesianMethod method);
 
 struct CartesianOptions {
   CartesianMethod method = CartesianMethod::inverse_jacobian;
-  std::optional<Task> task;  ///< default: planar for a planar arm, else spatial
-  double gain = 0.1;         ///< the chapter's K_p
-  int intermediate = 10;     ///< poses on each line, its end counted; inverse_kinematics only
-  SimulationOptions simulation;
+  std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
+  double gain = 0.1;                        ///< the chapter's K_p
+  int intermediate = 10;  ///< poses on each line, its end counted; inverse_kinematics only
+  SimulationOptions simulation = {};
 };
 
 /// Moves the tool towards each waypoint in turn by feedback. How straight that is depends on the

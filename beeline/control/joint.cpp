@@ -71,6 +71,9 @@ ControlledMotion control_joints(const Arm& arm, const Configuration& start,
       [&goal](const Configuration& q) { return (goal - q).lpNorm<Eigen::Infinity>(); },
       [&pid](const Configuration& q) { return pid.step(q); }};
   if (simulate(arm, law, options, motion)) motion.arrivals = {motion.trajectory.size() - 1};
+  if (motion.status == MotionStatus::outside_limits) {  // the box of the limits is convex
+    motion.reason += "; it went beyond the goal: the gains are too large";
+  }
   motion.overshoot = joint_overshoot(motion.trajectory.positions, goal);
   return motion;
 }

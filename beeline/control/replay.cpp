@@ -8,7 +8,7 @@
 namespace beeline {
 namespace {
 
-constexpr std::size_t most_samples = 10'000'000;
+constexpr std::size_t most_samples = 1'000'000;
 constexpr int lead_in_steps = 64;
 constexpr double already_there = 1e-9;
 
@@ -61,14 +61,14 @@ void append_resampled(Trajectory& played, const Trajectory& recording,
   const double begin = played.times.empty() ? 0 : played.times.back();
   const double first = recording.times.front();
   const double duration = (recording.times.back() - first) / options.speed;
-  const double samples = std::ceil(duration * options.rate - 1e-9);
+  const double samples = std::ceil(duration * options.rate * (1 - 1e-12));
   if (!(samples < double(most_samples))) {
     throw Error("replaying " + number(duration) + " s at " + number(options.rate) +
                 " samples a second makes more than " + std::to_string(most_samples) + " samples");
   }
   const auto count = static_cast<std::size_t>(samples);
   for (std::size_t k = played.times.empty() ? 0 : 1; k <= count; ++k) {
-    const double t = std::min(duration, double(k) / options.rate);
+    const double t = k == count ? duration : double(k) / options.rate;
     played.times.push_back(begin + t);
     played.positions.push_back(sample(recording, first + t * options.speed));
   }
@@ -102,8 +102,8 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
   if (result.fastest > 1 + 1e-9) {
     result.reason = "at " + number(fastest.time) + " s joint " +
                     arm.joint_of(fastest.coordinate).name + " moves at " + number(result.fastest) +
-                    " times its velocity limit; a speed of " +
-                    number(std::floor(1000 / fastest.share) / 1000) + " would keep it";
+                    " times its velocity limit; a speed below " + number(1 / fastest.share) +
+                    " would keep it";
     return result;
   }
   Trajectory& played = result.trajectory;

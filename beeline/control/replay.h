@@ -10,8 +10,8 @@ namespace beeline {
 struct ReplayOptions {
   double rate = 100;  ///< samples a second of what is played
   double speed = 1;   ///< 0.5 takes twice the recorded time
-  std::optional<Configuration>
-      start;  ///< where the arm is: it first moves to the recording's begin
+  /// Where the arm is: it first moves to the recording's begin.
+  std::optional<Configuration> start = std::nullopt;
 };
 
 struct Replay {

@@ -7,8 +7,10 @@
 namespace beeline {
 namespace {
 
-constexpr double diverged = 100;  // times the first error: no detour grows that far
-constexpr int patience = 1000;    // steps without a new smallest error: the arm is stuck
+constexpr double diverged = 100;          // times the first error: no detour grows that far
+constexpr int patience = 1000;            // steps without a new smallest error: the arm is stuck
+constexpr double least_progress = 1e-12;  // share of the error that counts as lessening it
+constexpr int recent = 100;  // steps after a turn back in which the motion counts as swinging
 
 /// The share of the step that the velocity limits allow, at most 1.
 double allowed_share(const Arm& arm, const Configuration& step, double time_step) {
@@ -57,33 +59,45 @@ ControlledMotion begin_motion(const Arm& arm, const Configuration& start) {
 bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& options,
               ControlledMotion& motion) {
   Configuration q = motion.trajectory.positions.back();
+  Configuration before = Configuration::Zero(arm.dof());  // the step asked for last
   motion.error = law.error(q);
   const double first_error = motion.error;
   double smallest = first_error;
-  int since_smallest = 0;
+  int since_smallest = 0, since_turn = recent;
   while (true) {
-    Configuration step = law.step(q);
+    const Configuration step = law.step(q);
     if (!step.allFinite()) {
       return stop(motion, MotionStatus::not_converged,
                   "the controller asks for a step without end");
     }
-    const bool at_rest = step.lpNorm<Eigen::Infinity>() <= options.tolerance;
-    if (motion.error <= options.tolerance && at_rest) return true;
+    const bool still = step.lpNorm<Eigen::Infinity>() <= options.tolerance;
+    if (motion.error <= options.tolerance && still) return true;
+    since_turn = step.dot(before) < 0 ? 0 : since_turn + 1;
+    const bool swings = since_turn < recent;
     if (motion.steps >= options.most_steps) {
       return stop(motion, MotionStatus::not_converged,
                   "after " + std::to_string(motion.steps) + " steps an error of " +
-                      number(motion.error) +
-                      " is left: the gain is too small, or allow more steps");
+                      number(motion.error) + " is left: " +
+                      (swings ? "it swings, the gain is too large"
+                              : "the gain is too small, or allow more steps"));
+    }
+    if (since_smallest >= patience) {
+      return stop(motion, MotionStatus::not_converged,
+                  "the error has stayed at " + number(smallest) + " or above for " +
+                      std::to_string(patience) + " steps: " +
+                      (swings ? "it swings, the gain is too large" : "the arm is stuck"));
     }
     const double share = allowed_share(arm, step, options.time_step);
-    if (share < 1) ++motion.slowed;
-    q += share * step;
-    const auto outside = limit_violations(arm, q);
+    const Configuration next = q + share * step;
+    const auto outside = limit_violations(arm, next);
     if (!outside.empty()) {
       return stop(motion, MotionStatus::outside_limits,
                   "step " + std::to_string(motion.steps + 1) +
                       " would leave the limits: " + outside.front());
     }
+    if (share < 1) ++motion.slowed;
+    q = next;
+    before = step;
     append(motion, q, options.time_step);
     motion.error = law.error(q);
     if (!(motion.error <= diverged * std::max(first_error, options.tolerance))) {
@@ -91,12 +105,10 @@ bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& op
                   "the error grows without end, to " + number(motion.error) + " after " +
                       std::to_string(motion.steps) + " steps: the gain is too large");
     }
-    since_smallest = motion.error < smallest * (1 - 1e-9) ? 0 : since_smallest + 1;
-    smallest = std::min(smallest, motion.error);
-    if (since_smallest > patience) {
-      return stop(motion, MotionStatus::not_converged,
-                  "stuck: the error has stayed at or above " + number(smallest) + " for " +
-                      std::to_string(patience) + " steps");
+    ++since_smallest;
+    if (motion.error < smallest * (1 - least_progress)) {
+      smallest = motion.error;
+      since_smallest = 0;
     }
   }
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/draw/projection.h>
+#include <beeline/error.h>
 
 namespace beeline {
 
@@ -20,6 +21,10 @@ View side_view() {
 }
 
 View oblique_view(double azimuth, double elevation) {
+  if (!std::isfinite(azimuth) || !std::isfinite(elevation)) {
+    throw Error("cannot look from azimuth " + number(azimuth) + " and elevation " +
+                number(elevation) + "; both must be finite angles");
+  }
   const double ca = std::cos(azimuth), sa = std::sin(azimuth);
   const double ce = std::cos(elevation), se = std::sin(elevation);
   View view;

@@ -13,6 +13,7 @@ View front_view();  ///< x to the right, z up
 View side_view();   ///< y to the right, z up
 
 /// From a direction `azimuth` from x towards y and `elevation` above the ground, radians; z is up.
+/// Throws Error when one is not finite.
 View oblique_view(double azimuth, double elevation);
 
 /// "x", "y" or "z" for a row of the view (0 right, 1 up) that is this axis; empty for another.

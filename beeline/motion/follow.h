@@ -9,9 +9,10 @@ namespace beeline {
 
 /// How one straight line is to be followed.
 struct FollowOptions {
-  Deviation tolerance;  ///< most that the tool may leave the line by between samples
+  Deviation tolerance = {};  ///< most that the tool may leave the line by between samples
   std::size_t most_samples = 0;
-  std::function<void(double)> progress;  ///< told the fraction of the line's time, now and then
+  std::function<void(double)> progress =
+      {};  ///< told the fraction of the line's time, now and then
 };
 
 struct Followed {

@@ -11,12 +11,12 @@
 namespace beeline {
 
 struct LineOptions {
-  std::optional<Task> task;  ///< default: planar for a planar arm, else spatial
-  double tolerance = 1e-4;   ///< most the tool may leave the line between samples, metres
+  std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
+  double tolerance = 1e-4;  ///< most the tool may leave the line between samples, metres
   double orientation_tolerance = 1e-3;  ///< and turn away from it, radians
   double tool_speed = Limits::none;     ///< most speed of the tool's origin, metres per second
   int most_samples = 200'000;
-  std::function<void(double)> progress;  ///< told the share done, in [0, 1], now and then
+  std::function<void(double)> progress = {};  ///< told the share done, in [0, 1], now and then
 };
 
 struct LineMotion {

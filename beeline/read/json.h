@@ -1,20 +1,27 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
 namespace beeline {
 
+struct JsonMember;
+
 /// One value of a JSON document, with the line it stands on.
 struct Json {
   using Items = std::vector<Json>;
-  using Members = std::vector<std::pair<std::string, Json>>;  ///< in the file's order
+  using Members = std::vector<JsonMember>;  ///< in the file's order
 
   std::variant<std::nullptr_t, bool, double, std::string, Items, Members> value;
   int line = 0;
+};
+
+struct JsonMember {
+  std::string key;
+  Json value;
 };
 
 /// A JSON text and the questions its readers ask. Every refusal is a FileError that names line
@@ -22,8 +29,9 @@ struct Json {
 /// References are into the document.
 class JsonDocument {
  public:
-  /// Throws FileError for text that is no JSON, a key given twice, nesting deeper than 64, and
-  /// documents of more than 8 million values: whatever the text, memory and stack stay bounded.
+  /// Throws FileError for text that is no JSON, a key given twice, nesting deeper than 64, objects
+  /// of more than 32 keys and documents of more than 8 million values: whatever the text, memory
+  /// and stack stay bounded.
   JsonDocument(std::string_view text, std::string path);
 
   const Json& root() const { return root_; }

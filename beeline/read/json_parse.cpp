@@ -27,11 +27,13 @@ struct Position {
 
 class CountingIterator {
  public:
+  // NOLINTBEGIN(readability-identifier-naming): std::iterator_traits wants these names
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
   using difference_type = std::ptrdiff_t;
   using pointer = const char*;
   using reference = const char&;
+  // NOLINTEND(readability-identifier-naming)
 
   CountingIterator(const char* at, Position& position) : at_(at), position_(&position) {}
   reference operator*() const { return *at_; }
@@ -58,26 +60,25 @@ class Builder {
   Builder(Json& root, const Position& position, const std::string& path)
       : root_(root), position_(position), path_(path) {}
 
-  using string_t = std::string;
   bool null() { return add(nullptr), true; }
   bool boolean(bool value) { return add(value), true; }
   bool number_integer(std::int64_t value) { return add(static_cast<double>(value)), true; }
   bool number_unsigned(std::uint64_t value) { return add(static_cast<double>(value)), true; }
-  bool number_float(double value, const string_t& /*digits*/) { return add(value), true; }
-  bool string(string_t& value) { return add(std::move(value)), true; }
+  bool number_float(double value, const std::string& /*digits*/) { return add(value), true; }
+  bool string(std::string& value) { return add(std::move(value)), true; }
   bool binary(std::vector<std::uint8_t>& /*value*/) { return false; }  // no part of JSON text
   bool start_object(std::size_t /*size*/) { return open(Json::Members{}), true; }
   bool start_array(std::size_t /*size*/) { return open(Json::Items{}), true; }
   bool end_object() { return open_.pop_back(), true; }
   bool end_array() { return open_.pop_back(), true; }
 
-  bool key(string_t& key) {
+  bool key(std::string& key) {
     auto& members = std::get<Json::Members>(open_.back()->value);
     for (const auto& [name, value] : members) {
       if (name == key) refuse("the key " + in_quotes(key) + " stands there twice");
     }
     if (members.size() == most_keys) refuse("an object has more than 32 keys");
-    members.emplace_back(std::move(key), Json{});
+    members.push_back({std::move(key), {}});
     return true;
   }
 
@@ -107,7 +108,7 @@ class Builder {
       if (auto* items = std::get_if<Json::Items>(&parent)) {
         place = &items->emplace_back();
       } else {
-        place = &std::get<Json::Members>(parent).back().second;
+        place = &std::get<Json::Members>(parent).back().value;
       }
     }
     place->value = std::forward<Value>(value);

@@ -1,4 +1,4 @@
-#include <cmath>
+#include <algorithm>
 #include <filesystem>
 #include <tinyxml2.h>
 #include <unordered_set>

@@ -12,6 +12,7 @@ using Places = std::vector<std::size_t>;
 
 constexpr std::size_t no_joint = static_cast<std::size_t>(-1);
 
+/// Links by their places in `file.links`; every link but the roots has one joint above it.
 class Tree {
  public:
   explicit Tree(const UrdfFile& file)

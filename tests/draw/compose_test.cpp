@@ -196,6 +196,8 @@ TEST(Compose, RefusesWhatCannotBeDrawn) {
   Figure paper = figure_of(dots_at({{0, 0, 0}}));
   paper.width = nan;
   EXPECT_REFUSED(compose(paper), "page of nan");
+  EXPECT_REFUSED(oblique_view(nan, 0), "azimuth nan");
+  EXPECT_REFUSED(oblique_view(0, inf), "elevation inf");
   EXPECT_REFUSED(motion_figure(built_in("rrr"), {}), "without samples");
   EXPECT_REFUSED(arm_figure(built_in("rrr"), Configuration::Zero(4)), "3 joint values");
 }
