@@ -22,15 +22,14 @@ struct Arguments {
 
 Exit inverse(const Arguments& arguments) {
   const Arm arm = arguments.arm.read();
-  const Pose pose = parse_pose(arguments.pose, arguments.unit.angle_unit());
-  const bool planar_form = std::count(arguments.pose.begin(), arguments.pose.end(), ',') == 2;
+  const WrittenPose goal = parse_pose(arguments.pose, arguments.unit.angle_unit());
   InverseOptions options = arguments.options;
   options.task = arguments.task.read(arm);
-  check_pose_form(arm, planar_form && *options.task != Task::position(), "--pose");
+  check_pose_form(arm, goal.planar, "--pose");
   if (!arguments.seed.empty()) {
     options.seed = arguments.unit.configuration(arm, arguments.seed, "--seed");
   }
-  const InverseResult result = inverse_kinematics(arm, pose, options);
+  const InverseResult result = inverse_kinematics(arm, goal.pose, options);
   const bool solved = result.status == InverseStatus::solved;
   if (arguments.json) {
     OrderedJson solutions = OrderedJson::array();

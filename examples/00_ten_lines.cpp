@@ -1,11 +1,11 @@
 // Everything in ten lines: an arm, its tool, its Jacobian, its inverse, and a straight line.
+#include <iostream>
+
 #include <beeline/inverse/solve.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/motion/line.h>
 #include <beeline/read/arm.h>
-
-#include <iostream>
 
 int main() {
   const beeline::Arm arm = beeline::read_arm("panda");  // or "robot.urdf", or "RRR:3.5,3.5,2"
@@ -18,5 +18,6 @@ int main() {
   std::cout << "tool\n" << tool.matrix() << "\nJacobian\n" << j << '\n';
   std::cout << "inverse kinematics: " << name(answer.status) << answer.reason << '\n';
   std::cout << "up and down: " << name(motion.status) << ", never more than "
-            << motion.straightness.bound.position << " m off the line\n" << motion.reason;
+            << motion.straightness.bound.position << " m off the line\n"
+            << motion.reason;
 }

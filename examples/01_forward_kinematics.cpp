@@ -1,10 +1,10 @@
 // Where is the tool? The chapter's eq. 1.1 and Figure 1.6, for its planar arm and for a Panda.
+#include <iostream>
+#include <numbers>
+
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/pose/se2.h>
-
-#include <iostream>
-#include <numbers>
 
 int main() {
   constexpr double deg = std::numbers::pi / 180;
@@ -12,7 +12,8 @@ int main() {
   const beeline::Arm rrr = beeline::built_in("rrr");
   const Eigen::Vector3d q(112 * deg, -52 * deg, -60 * deg);
   const beeline::Pose2 tool = beeline::to_plane(forward_kinematics(rrr, q));
-  std::cout << "rrr:   x " << tool.x << ", y " << tool.y << ", theta " << tool.theta / deg << " deg\n";
+  std::cout << "rrr:   x " << tool.x << ", y " << tool.y << ", theta " << tool.theta / deg
+            << " deg\n";
 
   const beeline::Arm panda = beeline::built_in("panda");
   const beeline::Pose world_T_tool = forward_kinematics(panda, middle_configuration(panda));

@@ -1,10 +1,10 @@
 // How fast does the tool move? The chapter's eq. 1.4 and Figure 1.8, and how far from singular.
+#include <iostream>
+#include <numbers>
+
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/model/catalog.h>
-
-#include <iostream>
-#include <numbers>
 
 int main() {
   const beeline::Arm rrr = beeline::built_in("rrr");

@@ -1,10 +1,10 @@
 // Which configurations reach a pose? Both elbows of the chapter's arm, and a reason when none does.
+#include <iostream>
+#include <numbers>
+
 #include <beeline/inverse/solve.h>
 #include <beeline/model/catalog.h>
 #include <beeline/pose/se2.h>
-
-#include <iostream>
-#include <numbers>
 
 int main() {
   constexpr double deg = std::numbers::pi / 180;

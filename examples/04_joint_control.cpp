@@ -1,9 +1,9 @@
 // The gain K_p of the chapter's eq. 1.3: too small is slow, too large overshoots, 2 never arrives.
-#include <beeline/control/joint.h>
-#include <beeline/model/catalog.h>
-
 #include <iostream>
 #include <numbers>
+
+#include <beeline/control/joint.h>
+#include <beeline/model/catalog.h>
 
 int main() {
   constexpr double deg = std::numbers::pi / 180;

@@ -1,13 +1,13 @@
 // The main job: a tool moves in straight lines, and the report tells how straight it was.
+#include <iostream>
+#include <numbers>
+
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>
 #include <beeline/model/catalog.h>
 #include <beeline/motion/line.h>
 #include <beeline/read/pose_list.h>
 #include <beeline/record/trajectory_file.h>
-
-#include <iostream>
-#include <numbers>
 
 int main(int argc, char** argv) {
   const std::string folder = argc > 1 ? argv[1] : ".";  // of the waypoints

@@ -1,4 +1,6 @@
 // An arm of one's own: joints put together by hand, written as JSON, read back, drawn.
+#include <iostream>
+
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>
 #include <beeline/kinematics/forward.h>
@@ -7,8 +9,6 @@
 #include <beeline/read/arm.h>
 #include <beeline/read/arm_json.h>
 #include <beeline/read/file.h>
-
-#include <iostream>
 
 int main() {
   // A crane: turns about z, lifts along z, extends along x.

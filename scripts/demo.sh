@@ -12,14 +12,14 @@ mkdir -p "$folder"
 line() {
   local name=$1
   shift
-  local command=("$beeline" line "$@" --out "$folder/$name.csv" --draw "$folder/$name.svg")
+  local command=("$beeline" line "$@" --degrees --out "$folder/$name.csv" --draw "$folder/$name.svg")
   echo "\$ ${command[*]}"
   "${command[@]}"
   echo
 }
 
-ready=0,-0.785,0,-2.356,0,1.571,0.785
-line rrr rrr --from 0,90,0 --degrees --through examples/waypoints_rrr.csv
+ready=0,-45,0,-135,0,90,45
+line rrr rrr --from 0,90,0 --through examples/waypoints_rrr.csv
 line panda panda --from "$ready" --through examples/waypoints_panda.csv
 
 # The same on the maker's own description, where the tests' environment has brought it.

@@ -44,7 +44,7 @@ def test_a_program_on_the_core_needs_eigen_only(prefix, root, tmp_path):
 def test_an_example_builds_against_the_installed_copy(prefix, root, tmp_path):
     first = min((root / "examples").glob("*.cpp")).stem
     program = built_against(prefix, root / "examples", tmp_path, first)
-    assert run(program, cwd=tmp_path) != ""
+    assert run(program, root / "examples", cwd=tmp_path) != ""
 
 
 def test_an_unknown_component_is_refused(prefix, tmp_path):

@@ -25,8 +25,8 @@ struct CartesianOptions {
 
 /// Moves the tool towards each waypoint in turn by feedback. How straight that is depends on the
 /// gain and is told by straightness(); move_in_lines() is the motion that is straight by proof.
-/// The Jacobian is damped near singularities, angles are compared by ⊖, limits are kept; where the
-/// arm cannot go on the motion stops with a reason.
+/// The Jacobian is damped near singularities, no step turns a joint by more than a radian, angles
+/// are compared by ⊖, limits are kept; where the arm cannot go on the motion stops with a reason.
 /// Throws Error when the start, a waypoint or an option makes no sense.
 ControlledMotion control_in_lines(const Arm& arm, const Configuration& start,
                                   std::span<const Pose> waypoints,

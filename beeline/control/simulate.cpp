@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <beeline/control/simulate.h>
 #include <beeline/error.h>
@@ -7,10 +8,36 @@
 namespace beeline {
 namespace {
 
-constexpr double diverged = 100;          // times the first error: no detour grows that far
-constexpr int patience = 1000;            // steps without a new smallest error: the arm is stuck
-constexpr double least_progress = 1e-12;  // share of the error that counts as lessening it
-constexpr int recent = 100;  // steps after a turn back in which the motion counts as swinging
+constexpr double diverged = 100;  // times the first error: no detour grows that far
+constexpr int recent = 100;       // steps after a turn back in which the motion counts as swinging
+
+/// Tells when an error no longer falls. While it creeps it has new least values, while it swings
+/// out it has lower peaks: without either for `patience` steps the arm is stuck.
+class Progress {
+ public:
+  static constexpr int patience = 1000;
+  explicit Progress(double error) : least_(error), peak_before_(error) {}
+
+  /// After each step; false when it is stuck.
+  bool goes_on(double error) {
+    constexpr double creep = 1e-12, decay = 1e-2;  // shares of the error that count as less
+    ++since_least_;
+    if (error < least_ * (1 - creep)) {
+      least_ = error;
+      since_least_ = 0;
+    }
+    peak_ = std::max(peak_, error);
+    if (++steps_ % patience != 0) return true;
+    const bool stuck = since_least_ >= patience && peak_ > peak_before_ * (1 - decay);
+    peak_before_ = std::exchange(peak_, 0);
+    return !stuck;
+  }
+  double least() const { return least_; }
+
+ private:
+  double least_, peak_before_, peak_ = 0;
+  int since_least_ = 0, steps_ = 0;
+};
 
 /// The share of the step that the velocity limits allow, at most 1.
 double allowed_share(const Arm& arm, const Configuration& step, double time_step) {
@@ -62,8 +89,9 @@ bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& op
   Configuration before = Configuration::Zero(arm.dof());  // the step asked for last
   motion.error = law.error(q);
   const double first_error = motion.error;
-  double smallest = first_error;
-  int since_smallest = 0, since_turn = recent;
+  Progress progress(first_error);
+  bool stuck = false;
+  int since_turn = recent;
   while (true) {
     const Configuration step = law.step(q);
     if (!step.allFinite()) {
@@ -81,10 +109,10 @@ bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& op
                       (swings ? "it swings, the gain is too large"
                               : "the gain is too small, or allow more steps"));
     }
-    if (since_smallest >= patience) {
+    if (stuck) {
       return stop(motion, MotionStatus::not_converged,
-                  "the error has stayed at " + number(smallest) + " or above for " +
-                      std::to_string(patience) + " steps: " +
+                  "the error has stayed at " + number(progress.least()) + " or above for " +
+                      std::to_string(Progress::patience) + " steps: " +
                       (swings ? "it swings, the gain is too large" : "the arm is stuck"));
     }
     const double share = allowed_share(arm, step, options.time_step);
@@ -105,11 +133,7 @@ bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& op
                   "the error grows without end, to " + number(motion.error) + " after " +
                       std::to_string(motion.steps) + " steps: the gain is too large");
     }
-    ++since_smallest;
-    if (motion.error < smallest * (1 - least_progress)) {
-      smallest = motion.error;
-      since_smallest = 0;
-    }
+    stuck = !progress.goes_on(motion.error);
   }
 }
 

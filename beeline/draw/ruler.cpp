@@ -39,7 +39,7 @@ Stroke segment(const Point& from, const Point& to, const Colour& colour, double 
 }  // namespace
 
 double tick_step(double scale, double largest) {
-  double step = round_step(34 / scale);
+  double step = round_step(29 / scale);
   for (int widened = 0; widened < 6; ++widened) {
     const double widest = text_width(-std::ceil(largest / step) * step, step);
     if (step * scale >= widest + 8) break;

@@ -56,11 +56,7 @@ struct Goal {
 void linearise(const Goal& goal, const Configuration& q, Linearised& at) {
   const bool tool_axes = goal.task.frame == Frame::tool;
   const Pose world_T_tool = jacobian(goal.arm, q, at.columns, goal.task.frame);
-  Twist error = pose_difference(goal.world_T_tool, world_T_tool);
-  if (tool_axes) {
-    error << world_T_tool.linear().transpose() * error.head<3>(),
-        world_T_tool.linear().transpose() * error.tail<3>();
-  }
+  Twist error = pose_error(goal.world_T_tool, world_T_tool, goal.task.frame);
   const auto& rows = goal.task.rows;
   const auto partly = [&](std::size_t first) {
     return !(rows[first] && rows[first + 1] && rows[first + 2]);

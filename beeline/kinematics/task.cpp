@@ -6,12 +6,9 @@
 namespace beeline {
 namespace {
 
-Twist error_twist(const Task& task, const Pose& desired, const Pose& current) {
-  Twist error = pose_difference(desired, current);
-  if (task.frame == Frame::tool) {
-    const Rotation tool_R_world = current.linear().transpose();
-    error << tool_R_world * error.head<3>(), tool_R_world * error.tail<3>();
-  }
+/// The error with the rows that do not matter set to zero.
+Twist masked_error(const Task& task, const Pose& desired, const Pose& current) {
+  Twist error = pose_error(desired, current, task.frame);
   for (int i = 0; i < 6; ++i) {
     if (!task.rows[static_cast<std::size_t>(i)]) error[i] = 0;
   }
@@ -92,12 +89,21 @@ Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const T
   return kept;
 }
 
+Twist pose_error(const Pose& desired, const Pose& current, Frame frame) {
+  Twist error = pose_difference(desired, current);
+  if (frame == Frame::tool) {
+    const Rotation tool_R_world = current.linear().transpose();
+    error << tool_R_world * error.head<3>(), tool_R_world * error.tail<3>();
+  }
+  return error;
+}
+
 Eigen::VectorXd task_error(const Task& task, const Pose& desired, const Pose& current) {
-  return task_rows(task, error_twist(task, desired, current));
+  return task_rows(task, masked_error(task, desired, current));
 }
 
 Deviation task_deviation(const Task& task, const Pose& desired, const Pose& current) {
-  const Twist error = error_twist(task, desired, current);
+  const Twist error = masked_error(task, desired, current);
   return {error.head<3>().norm(), error.tail<3>().norm()};
 }
 

@@ -38,6 +38,10 @@ std::vector<std::string> row_names(const Task& task);
 /// The task's rows of the Jacobian in the task's frame.
 Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const Task& task);
 
+/// What leads from `current` to `desired`, linear first, in the axes of `frame`: base, or tool for
+/// those of `current`.
+Twist pose_error(const Pose& desired, const Pose& current, Frame frame);
+
 /// The task's rows of what leads from `current` to `desired`: the chapter's E (section 1.8), with
 /// the orientation's part the shortest rotation vector, of length at most pi.
 Eigen::VectorXd task_error(const Task& task, const Pose& desired, const Pose& current);

@@ -28,6 +28,8 @@ Pose matrix_from_json(const JsonDocument& document, const Json& json) {
   if (!(r * r.transpose()).isIdentity(1e-6) || r.determinant() < 0) {
     document.refuse(json, "is no rigid motion: its rotation is not orthonormal and right-handed");
   }
+  const bool typed = !(r * r.transpose()).isIdentity(1e-12);  // rounded by hand: make it exact
+  if (typed) pose.linear() = Eigen::Quaterniond(r).normalized().toRotationMatrix();
   return pose;
 }
 

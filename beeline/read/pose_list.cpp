@@ -99,7 +99,7 @@ PoseList read_poses(const std::string& path, AngleUnit unit) {
   return poses_from_csv(read_file(path), path, unit);
 }
 
-Pose parse_pose(std::string_view text, AngleUnit unit) {
+WrittenPose parse_pose(std::string_view text, AngleUnit unit) {
   const std::vector<double> values = parse_numbers(text, "pose");
   const bool known =
       std::ranges::any_of(forms(), [&](const Names& form) { return form.size() == values.size(); });
@@ -107,7 +107,7 @@ Pose parse_pose(std::string_view text, AngleUnit unit) {
     throw Error("pose " + in_quotes(text) + " has " + std::to_string(values.size()) +
                 " numbers; poses are " + known_forms);
   }
-  return pose_of(values, unit);
+  return {pose_of(values, unit), values.size() == 3};
 }
 
 }  // namespace beeline

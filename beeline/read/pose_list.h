@@ -24,7 +24,12 @@ PoseList read_poses(const std::string& path, AngleUnit unit = AngleUnit::radians
 PoseList poses_from_csv(std::string_view text, const std::string& path,
                         AngleUnit unit = AngleUnit::radians);
 
+struct WrittenPose {
+  Pose pose;
+  bool planar = false;  ///< written as x,y,theta
+};
+
 /// From a list of 3, 6 or 7 numbers in the order above. Throws Error for any other count.
-Pose parse_pose(std::string_view text, AngleUnit unit = AngleUnit::radians);
+WrittenPose parse_pose(std::string_view text, AngleUnit unit = AngleUnit::radians);
 
 }  // namespace beeline

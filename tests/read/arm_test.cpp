@@ -46,7 +46,7 @@ TEST(ReadArm, FilesThatAreNoArmsAreNamed) {
   EXPECT_REFUSED(read_arm("folder/arm"), "folder/arm: is no known kind of arm file");
   EXPECT_REFUSED(read_arm("arm.urdf.xacro"), "is a xacro file; run xacro first");
   EXPECT_REFUSED(read_arm(folder.write("a.urdf", testing::whole_urdf)),
-                 "a.urdf: has 2 tips below base; choose one: left, right");
+                 "a.urdf: has 2 tips below base; choose one with --tip: left, right");
 }
 
 TEST(ReadArm, EndsGoWithUrdfOnly) {

@@ -28,10 +28,10 @@ TEST(PoseList, AllFormsGiveTheSamePose) {
     const Quaternion u = quaternion(pose.linear());
     const std::vector<double> angles{p.x(), p.y(), p.z(), rpy.roll, rpy.pitch, rpy.yaw};
     const std::vector<double> fields{p.x(), p.y(), p.z(), u.qw, u.qx, u.qy, u.qz};
-    EXPECT_TRUE(parse_pose(row(angles)).isApprox(pose, 1e-14));
-    EXPECT_TRUE(parse_pose(row(fields)).isApprox(pose, 1e-14));
+    EXPECT_TRUE(parse_pose(row(angles)).pose.isApprox(pose, 1e-14));
+    EXPECT_TRUE(parse_pose(row(fields)).pose.isApprox(pose, 1e-14));
     const PoseList list = poses_from_csv("x,y,z,qw,qx,qy,qz\n" + row(fields), "a.csv");
-    EXPECT_EQ(list.poses.at(0).matrix(), parse_pose(row(fields)).matrix());
+    EXPECT_EQ(list.poses.at(0).matrix(), parse_pose(row(fields)).pose.matrix());
     EXPECT_FALSE(list.planar);
   }
 }
@@ -45,11 +45,13 @@ TEST(PoseList, PlanarPosesLieInThePlane) {
   EXPECT_EQ(list.poses[0].translation(), Vector3(4.5, 5.2, 0));
   const Rotation quarter = Eigen::AngleAxisd(pi / 2, Vector3::UnitZ()).toRotationMatrix();
   EXPECT_TRUE(list.poses[1].linear().isApprox(quarter, 1e-15));
-  EXPECT_EQ(parse_pose("1,2,90", AngleUnit::degrees).matrix(), list.poses[1].matrix());
+  EXPECT_EQ(parse_pose("1,2,90", AngleUnit::degrees).pose.matrix(), list.poses[1].matrix());
+  EXPECT_TRUE(parse_pose("1,2,90").planar);
+  EXPECT_FALSE(parse_pose("1,2,3,0,0,90").planar);
 }
 
 TEST(PoseList, ColumnsStandInAnyOrder) {
-  const Pose straight = parse_pose("1,2,3,0.1,0.2,0.3");
+  const Pose straight = parse_pose("1,2,3,0.1,0.2,0.3").pose;
   const PoseList list =
       poses_from_csv("yaw,z,roll,x,pitch,y\n0.3,3,0.1,1,0.2,2\n", "a.csv", AngleUnit::radians);
   EXPECT_EQ(list.poses.at(0).matrix(), straight.matrix());
@@ -57,9 +59,9 @@ TEST(PoseList, ColumnsStandInAnyOrder) {
 
 TEST(PoseList, DegreesTouchAnglesOnly) {
   EXPECT_TRUE(parse_pose("90,0,0,0,0,90", AngleUnit::degrees)
-                  .isApprox(parse_pose("90,0,0,0,0," + exact(pi / 2)), 1e-15));
-  EXPECT_EQ(parse_pose("1,2,3,1,0,0,0", AngleUnit::degrees).matrix(),
-            parse_pose("1,2,3,1,0,0,0").matrix());
+                  .pose.isApprox(parse_pose("90,0,0,0,0," + exact(pi / 2)).pose, 1e-15));
+  EXPECT_EQ(parse_pose("1,2,3,1,0,0,0", AngleUnit::degrees).pose.matrix(),
+            parse_pose("1,2,3,1,0,0,0").pose.matrix());
 }
 
 TEST(PoseList, MistakesAreNamed) {

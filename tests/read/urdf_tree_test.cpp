@@ -65,7 +65,7 @@ TEST(UrdfTree, RandomTreesGiveTheWayFromTheRoot) {
 }
 
 TEST(UrdfTree, SeveralTipsAndRootsMustBeChosenFrom) {
-  EXPECT_REFUSED(chain(fork), "a.urdf: has 2 tips below a; choose one: c, d");
+  EXPECT_REFUSED(chain(fork), "a.urdf: has 2 tips below a; choose one with --tip: c, d");
   const std::string two_roots =
       robot(link("a") + link("b") + link("c") + link("d") + joint("ab", "revolute", "a", "b") +
             joint("cd", "revolute", "c", "d"));

@@ -1,0 +1,187 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include <beeline/control/replay.h>
+#include <beeline/model/catalog.h>
+#include <beeline/motion/time_law.h>
+
+#include <tests/random.h>
+#include <tests/refusal.h>
+
+namespace beeline {
+namespace {
+
+/// A slow walk within the limits, sampled every `dt` seconds.
+Trajectory recording(testing::Random& random, const Arm& arm, int samples, double dt = 0.01,
+                     double begin = 0) {
+  Trajectory made{arm.joint_names(), {}, {}, {}, {}};
+  Configuration q = middle_configuration(arm);
+  Configuration velocity = Configuration::Zero(arm.dof());
+  for (int k = 0; k < samples; ++k) {
+    made.times.push_back(begin + k * dt);
+    made.positions.push_back(q);
+    for (double& v : velocity) v = random.uniform(-0.5, 0.5);
+    q += dt * velocity;
+  }
+  return made;
+}
+
+TEST(Replay, IsTheRecordingAtItsOwnRateAndSpeed) {
+  testing::Random random;
+  for (const std::string name : {"panda", "rrr", "scara"}) {
+    const Arm arm = built_in(name);
+    for (const double begin : {0.0, 17.5, -3.0}) {
+      const Trajectory recorded = recording(random, arm, 101, 0.01, begin);
+      const Replay played = replay(arm, recorded, {.rate = 100});
+      ASSERT_EQ(played.status, MotionStatus::reached) << played.reason;
+      ASSERT_EQ(played.trajectory.size(), 101);
+      ASSERT_NO_THROW(check_trajectory(played.trajectory));
+      EXPECT_EQ(played.lead_in, 0);
+      for (std::size_t k = 0; k < 101; ++k) {
+        ASSERT_NEAR(played.trajectory.times[k], static_cast<double>(k) * 0.01, 1e-12);
+        ASSERT_LT((played.trajectory.positions[k] - recorded.positions[k]).norm(), 1e-11);
+      }
+    }
+  }
+}
+
+TEST(Replay, TakesTwiceTheTimeAtHalfTheSpeed) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  const Trajectory recorded = recording(random, arm, 50);
+  for (const double speed : {0.5, 0.25, 2.0}) {
+    const Replay played = replay(arm, recorded, {.rate = 133, .speed = speed});
+    ASSERT_EQ(played.status, MotionStatus::reached) << played.reason;
+    EXPECT_NEAR(played.trajectory.times.back(), 0.49 / speed, 1e-12);
+    for (std::size_t k = 0; k < played.trajectory.size(); ++k) {
+      const Configuration expected = sample(recorded, played.trajectory.times[k] * speed);
+      ASSERT_LT((played.trajectory.positions[k] - expected).norm(), 1e-11);
+    }
+    EXPECT_EQ(played.trajectory.positions.back(), recorded.positions.back());
+  }
+}
+
+TEST(Replay, SamplesAtTheRateUpToTheEnd) {
+  testing::Random random;
+  const Arm arm = built_in("rrr");
+  const Trajectory recorded = recording(random, arm, 20, 0.0137);
+  for (const double rate : {0.1, 3.0, 100.0, 999.0}) {
+    const Trajectory played = replay(arm, recorded, {.rate = rate}).trajectory;
+    for (std::size_t k = 1; k < played.size(); ++k) {
+      const double dt = played.times[k] - played.times[k - 1];
+      ASSERT_GT(dt, 0);
+      ASSERT_LE(dt, 1 / rate + 1e-12);
+      if (k + 1 < played.size()) {
+        ASSERT_NEAR(dt, 1 / rate, 1e-12);
+      }
+    }
+    ASSERT_NEAR(played.times.back(), 19 * 0.0137, 1e-12);
+    ASSERT_EQ(played.positions.back(), recorded.positions.back());
+  }
+}
+
+TEST(Replay, FirstMovesToTheBeginWithinLimits) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  for (int i = 0; i < 20; ++i) {
+    const Trajectory recorded = recording(random, arm, 50);
+    const Configuration start = random.configuration(arm);
+    const Replay played = replay(arm, recorded, {.start = start});
+    ASSERT_EQ(played.status, MotionStatus::reached) << played.reason;
+    const Trajectory& way = played.trajectory;
+    ASSERT_NO_THROW(check_trajectory(way));
+    ASSERT_GT(played.lead_in, 0);
+    ASSERT_EQ(way.positions.front(), start);
+    ASSERT_LT((sample(way, played.lead_in) - recorded.positions.front()).norm(), 1e-9);
+    ASSERT_NEAR(way.times.back(), played.lead_in + 0.49, 1e-12);
+    ASSERT_EQ(way.positions.back(), recorded.positions.back());
+    for (std::size_t k = 1; k < way.size(); ++k) {
+      ASSERT_TRUE(limit_violations(arm, way.positions[k]).empty());
+      for (int j = 0; j < 7; ++j) {
+        const double speed = std::abs(way.positions[k][j] - way.positions[k - 1][j]) /
+                             (way.times[k] - way.times[k - 1]);
+        ASSERT_LE(speed, arm.limits()[static_cast<std::size_t>(j)].velocity * (1 + 1e-6));
+      }
+    }
+  }
+  const Trajectory recorded = recording(random, arm, 50);
+  EXPECT_EQ(replay(arm, recorded, {.start = recorded.positions.front()}).lead_in, 0);
+}
+
+TEST(Replay, NamesTheJointAndTheTimeThatLeaveTheLimits) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  Trajectory recorded = recording(random, arm, 30, 0.5, 2);
+  recorded.positions[7][3] = 0.1;
+  const Replay played = replay(arm, recorded);
+  EXPECT_EQ(played.status, MotionStatus::outside_limits);
+  EXPECT_NE(played.reason.find("at 5.5 s joint joint4"), std::string::npos) << played.reason;
+  EXPECT_EQ(played.trajectory.size(), 0);
+
+  const Replay off = replay(arm, recording(random, arm, 3), {.start = Configuration::Zero(7)});
+  EXPECT_EQ(off.status, MotionStatus::outside_limits);
+  EXPECT_NE(off.reason.find("joint4"), std::string::npos) << off.reason;
+}
+
+TEST(Replay, NamesTheJointThatIsTooFastAndTheSpeedThatWouldDo) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  Trajectory recorded = recording(random, arm, 30, 1);
+  recorded.positions[7] = recorded.positions[8] = recorded.positions[6];
+  recorded.times[8] = recorded.times[7] + 0.1;
+  recorded.positions[8][4] += 0.522;  // 5.22 rad/s: twice the limit of 2.61
+  for (std::size_t k = 9; k < 30; ++k) recorded.positions[k] = recorded.positions[8];
+  const Replay played = replay(arm, recorded);
+  EXPECT_EQ(played.status, MotionStatus::outside_limits);
+  EXPECT_NEAR(played.fastest, 2, 1e-9);
+  EXPECT_NE(played.reason.find("at 7 s joint joint5"), std::string::npos) << played.reason;
+  EXPECT_NE(played.reason.find("speed below 0.5 "), std::string::npos) << played.reason;
+  const Replay slower = replay(arm, recorded, {.speed = 0.499});
+  EXPECT_EQ(slower.status, MotionStatus::reached) << slower.reason;
+  EXPECT_NEAR(slower.fastest, 0.998, 1e-6);
+}
+
+TEST(Replay, MatchesJointsByName) {
+  testing::Random random;
+  const Arm arm = built_in("rrr");
+  const Trajectory recorded = recording(random, arm, 20);
+  Trajectory turned = recorded;
+  std::reverse(turned.joint_names.begin(), turned.joint_names.end());
+  for (Configuration& q : turned.positions) q = Configuration(q.reverse());
+  EXPECT_EQ(replay(arm, turned).trajectory.positions, replay(arm, recorded).trajectory.positions);
+  turned.joint_names[0] = "elbow";
+  EXPECT_REFUSED(replay(arm, turned), "elbow");
+}
+
+TEST(Replay, TakesARecordingOfOneSample) {
+  const Arm arm = built_in("rrr");
+  const Configuration q{{1, 2, 3}};
+  EXPECT_EQ(replay(arm, at_rest(arm, q)).trajectory.size(), 1);
+  const Replay moved = replay(arm, at_rest(arm, q), {.start = Configuration::Zero(3)});
+  EXPECT_EQ(moved.status, MotionStatus::reached);
+  EXPECT_EQ(moved.trajectory.positions.back(), q);
+  EXPECT_EQ(moved.trajectory.times.back(), moved.lead_in);
+}
+
+TEST(Replay, RefusesWhatMakesNoSense) {
+  testing::Random random;
+  const Arm arm = built_in("rrr");
+  const Trajectory recorded = recording(random, arm, 20);
+  EXPECT_REFUSED(replay(arm, recorded, {.rate = 0}), "rate");
+  EXPECT_REFUSED(replay(arm, recorded, {.rate = NAN}), "rate");
+  EXPECT_REFUSED(replay(arm, recorded, {.speed = -1}), "speed");
+  EXPECT_REFUSED(replay(arm, recorded, {.speed = INFINITY}), "speed");
+  EXPECT_REFUSED(replay(arm, recorded, {.rate = 1e12}), "samples");
+  EXPECT_REFUSED(replay(arm, recorded, {.speed = 1e-12}), "samples");
+  Trajectory endless = recorded;
+  endless.times.back() = 1e300;
+  EXPECT_REFUSED(replay(arm, endless), "samples");
+  EXPECT_REFUSED(replay(arm, {}), "no samples");
+  EXPECT_REFUSED(replay(arm, recorded, {.start = Configuration::Zero(2)}), "3 joint values");
+  Trajectory still = recorded;
+  still.times[4] = still.times[3];
+  EXPECT_REFUSED(replay(arm, still), "sample 5");
+}
+
+}  // namespace
+}  // namespace beeline
