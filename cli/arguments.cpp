@@ -1,10 +1,12 @@
 #include "arguments.h"
 
+#include <cmath>
 #include <cstdio>
 #include <fmt/core.h>
 #include <numbers>
 
 #include <beeline/error.h>
+#include <beeline/kinematics/forward.h>
 #include <beeline/read/arm.h>
 
 using namespace beeline;
@@ -64,10 +66,20 @@ Task TaskArgument::read(const Arm& arm) const {
   return text.empty() ? default_task(arm) : task_named(text);
 }
 
-void check_pose_form(const Arm& arm, bool planar_form, const std::string& option) {
-  if (!planar_form || arm.planar()) return;
-  throw Error(option + ": x,y,theta is for planar arms; " + arm.name() +
-              " needs x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz");
+void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgument& task,
+                     const std::string& where) {
+  if (written.planar && !arm.planar()) {
+    throw Error(where + ": x,y,theta is for planar arms; " + arm.name() +
+                " needs x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz");
+  }
+  if (written.planar || !arm.planar() || !task.text.empty()) return;
+  constexpr double off_plane = 1e-6;  // metres, and of the z axis
+  const double height = forward_kinematics(arm, middle_configuration(arm)).translation().z();
+  const bool in_plane = std::abs(written.pose.translation().z() - height) < off_plane &&
+                        (written.pose.linear().col(2) - Vector3::UnitZ()).norm() < off_plane;
+  if (in_plane) return;
+  throw Error(where + ": the pose is off the plane z = " + number(height) + " m of arm " +
+              arm.name() + "; give x,y,theta, or --task planar to leave height and tilt out");
 }
 
 void warn_outside_limits(const Arm& arm, const Configuration& q) {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include <beeline/kinematics/task.h>
-#include <beeline/read/numbers.h>
+#include <beeline/read/pose_list.h>
 
 /// The arguments that several verbs share, each declared and understood in one place.
 
@@ -42,8 +42,10 @@ struct TaskArgument {
   beeline::Task read(const beeline::Arm& arm) const;
 };
 
-/// Refuses a planar pose for an arm that is not planar.
-void check_pose_form(const beeline::Arm& arm, bool planar_form, const std::string& option);
+/// Refuses a planar pose for an arm that is not planar and, where no task was asked for, a pose in
+/// space that is off a planar arm's plane: its height and tilt would be left out.
+void check_pose_form(const beeline::Arm& arm, const beeline::WrittenPose& pose,
+                     const TaskArgument& task, const std::string& where);
 
 /// Warns on stderr, once for each coordinate, when q is outside the arm's limits.
 void warn_outside_limits(const beeline::Arm& arm, const beeline::Configuration& q);

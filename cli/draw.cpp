@@ -1,10 +1,10 @@
+#include <cmath>
 #include <fmt/core.h>
 
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>
 #include <beeline/error.h>
 #include <beeline/read/file.h>
-#include <beeline/record/trajectory_file.h>
 
 #include "results.h"
 #include "verb.h"
@@ -17,20 +17,10 @@ struct Arguments {
   ArmArgument arm;
   UnitArgument unit;
   std::string motion, q, out;
-  double azimuth = -50, elevation = 25;
+  double azimuth = 0, elevation = 0;  ///< degrees
   ArmFigureOptions options;
   bool json = false;
 };
-
-/// A recording, its joints in the arm's order.
-Trajectory recording(const Arm& arm, const std::string& path) {
-  const Trajectory recorded = read_trajectory(path);
-  try {
-    return matched_to(arm, recorded);
-  } catch (const Error& error) {
-    throw FileError(path, 0, error.what());
-  }
-}
 
 Figure picture(const Arguments& arguments, const Arm& arm) {
   ArmFigureOptions options = arguments.options;
@@ -38,7 +28,7 @@ Figure picture(const Arguments& arguments, const Arm& arm) {
   options.elevation = to_radians(arguments.elevation, AngleUnit::degrees);
   if (!arguments.motion.empty()) {
     if (!arguments.q.empty()) throw Error("a motion has its own joint values: leave out --q");
-    return motion_figure(arm, at_equal_times(recording(arm, arguments.motion)), {}, options);
+    return motion_figure(arm, at_equal_times(read_recording(arguments.motion, arm)), {}, options);
   }
   if (arguments.q.empty()) return arm_figure(arm, middle_configuration(arm), options);
   const Configuration q = arguments.unit.configuration(arm, arguments.q, "--q");
@@ -48,6 +38,10 @@ Figure picture(const Arguments& arguments, const Arm& arm) {
 
 Exit draw(const Arguments& arguments) {
   const Format format = format_of(arguments.out);
+  for (const double angle : {arguments.azimuth, arguments.elevation}) {
+    if (!std::isfinite(angle)) throw Error("--azimuth and --elevation must be finite numbers");
+  }
+  refuse_overwriting(arguments.out, {arguments.arm.text, arguments.motion});
   const Arm arm = arguments.arm.read();
   write_file(arguments.out, render(picture(arguments, arm), format));
   if (arguments.json) {
@@ -63,6 +57,9 @@ Exit draw(const Arguments& arguments) {
 Run declare_draw(CLI::App& verb) {
   static Arguments arguments;
   ArmFigureOptions& options = arguments.options;
+  const UnitArgument degrees{true};
+  arguments.azimuth = std::round(degrees.shown(options.azimuth));
+  arguments.elevation = std::round(degrees.shown(options.elevation));
   arguments.arm.declare(verb);
   verb.add_option("MOTION", arguments.motion, "A trajectory of the arm to draw: .csv or .json");
   verb.add_option("--q", arguments.q, "Joint values (default: the middle of the limits)");

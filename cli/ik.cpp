@@ -25,7 +25,7 @@ Exit inverse(const Arguments& arguments) {
   const WrittenPose goal = parse_pose(arguments.pose, arguments.unit.angle_unit());
   InverseOptions options = arguments.options;
   options.task = arguments.task.read(arm);
-  check_pose_form(arm, goal.planar, "--pose");
+  check_pose_form(arm, goal, arguments.task, "--pose");
   if (!arguments.seed.empty()) {
     options.seed = arguments.unit.configuration(arm, arguments.seed, "--seed");
   }
@@ -50,6 +50,11 @@ Exit inverse(const Arguments& arguments) {
     for (const Configuration& q : result.solutions) {
       fmt::print("  {}\n", shown(arguments.unit.shown(arm, q)));
     }
+  }
+  if (solved && result.residual > options.tolerance) {
+    fmt::print(stderr,
+               "beeline: warning: rounding at this arm's size limits the error to {} m or rad\n",
+               shown(result.residual));
   }
   if (!solved) fmt::print(stderr, "beeline: {}\n", result.reason);
   return solved ? Exit::yes : Exit::no;

@@ -35,6 +35,9 @@ Exit differential(const Arguments& arguments) {
   const Arm arm = arguments.arm.read();
   const Configuration q = arguments.unit.configuration(arm, arguments.q, "--q");
   Task task = arguments.task.read(arm);
+  if (task.frame == Frame::tool && arguments.frame != "tool") {
+    throw Error("the task's :tool does not go with --frame " + arguments.frame);
+  }
   task.frame = frame_named(arguments.frame);
   warn_outside_limits(arm, q);
   const Eigen::MatrixXd matrix = task_jacobian(arm, q, task);

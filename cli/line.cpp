@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fmt/core.h>
 
 #include <beeline/control/cartesian.h>
@@ -23,7 +24,22 @@ struct Arguments {
   CartesianOptions control;
   ResultFiles files;
   bool json = false;
+  std::vector<const CLI::Option*> exact_options, control_options;
 };
+
+/// Refuses an option that the chosen method would ignore.
+void check_method(const Arguments& arguments) {
+  const std::vector<std::string> methods{"exact", name(CartesianMethod::inverse_jacobian),
+                                         name(CartesianMethod::inverse_kinematics)};
+  if (std::find(methods.begin(), methods.end(), arguments.method) == methods.end()) {
+    throw unknown_name("method", arguments.method, methods);
+  }
+  const bool exact = arguments.method == "exact";
+  for (const CLI::Option* option : exact ? arguments.control_options : arguments.exact_options) {
+    if (option->count() == 0) continue;
+    throw Error(option->get_name() + " does not go with --method " + arguments.method);
+  }
+}
 
 /// What is reported, whichever way the line was followed.
 struct Report {
@@ -65,13 +81,10 @@ Report follow(const Arguments& arguments, const Arm& arm, const std::vector<Pose
   }
   CartesianOptions options = arguments.control;
   options.task = task;
-  for (const CartesianMethod method :
-       {CartesianMethod::inverse_jacobian, CartesianMethod::inverse_kinematics}) {
-    options.method = method;
-    if (arguments.method == name(method)) return follow_by_control(arm, start, waypoints, options);
-  }
-  throw unknown_name("method", arguments.method,
-                     {"exact", "inverse-jacobian", "inverse-kinematics"});
+  options.method = arguments.method == name(CartesianMethod::inverse_jacobian)
+                       ? CartesianMethod::inverse_jacobian
+                       : CartesianMethod::inverse_kinematics;
+  return follow_by_control(arm, start, waypoints, options);
 }
 
 void print_report(const Arguments& arguments, const Report& report, std::size_t waypoints) {
@@ -87,12 +100,13 @@ void print_report(const Arguments& arguments, const Report& report, std::size_t 
                shown(100 * report.overshoot));
   }
   fmt::print("deviation     position     orientation\n");
-  fmt::print("  at samples  {:<9} m  {:<9} rad\n", fmt::format("{:.2e}", straight.sampled.position),
-             fmt::format("{:.2e}", straight.sampled.orientation));
-  fmt::print(
-      "  proved      {:<9} m  {:<9} rad   (at every moment, joints linear between samples)\n",
-      fmt::format("{:.2e}", straight.bound.position),
-      fmt::format("{:.2e}", straight.bound.orientation));
+  const UnitArgument& unit = arguments.unit;
+  const auto row = [&unit](const char* label, const Deviation& deviation, const char* remark) {
+    fmt::print("  {:<10}  {:.2e} m   {:.2e} {}{}\n", label, deviation.position,
+               unit.shown(deviation.orientation), unit.name(), remark);
+  };
+  row("at samples", straight.sampled, "");
+  row("proved", straight.bound, "   (at every moment, joints linear between samples)");
   arguments.files.print();
 }
 
@@ -102,16 +116,17 @@ OrderedJson document(const Arguments& arguments, const Report& report, std::size
     return reached ? json_number(value) : OrderedJson(nullptr);
   };
   const Straightness& straight = report.straightness;
-  OrderedJson document{{"status", name(report.status)},
-                       {"method", arguments.method},
-                       {"waypoints", waypoints},
-                       {"deviation_bound", measured(straight.bound.position)},
-                       {"deviation_sampled", measured(straight.sampled.position)},
-                       {"orientation_bound", measured(straight.bound.orientation)},
-                       {"orientation_sampled", measured(straight.sampled.orientation)},
-                       {"samples", report.trajectory.size()},
-                       {"duration", measured(reached ? report.trajectory.times.back() : 0)},
-                       {"reason", report.reason}};
+  OrderedJson document{
+      {"status", name(report.status)},
+      {"method", arguments.method},
+      {"waypoints", waypoints},
+      {"deviation_bound", measured(straight.bound.position)},
+      {"deviation_sampled", measured(straight.sampled.position)},
+      {"orientation_bound", measured(arguments.unit.shown(straight.bound.orientation))},
+      {"orientation_sampled", measured(arguments.unit.shown(straight.sampled.orientation))},
+      {"samples", report.trajectory.size()},
+      {"duration", measured(reached ? report.trajectory.times.back() : 0)},
+      {"reason", report.reason}};
   if (arguments.method != "exact") {
     document["steps"] = report.steps;
     document["overshoot"] = json_number(report.overshoot);
@@ -121,10 +136,14 @@ OrderedJson document(const Arguments& arguments, const Report& report, std::size
 }
 
 Exit line(const Arguments& arguments) {
-  arguments.files.check_formats();
+  arguments.files.check({arguments.arm.text, arguments.through});
+  check_method(arguments);
   const Arm arm = arguments.arm.read();
   const PoseList waypoints = read_poses(arguments.through, arguments.unit.angle_unit());
-  check_pose_form(arm, waypoints.planar, "--through " + arguments.through);
+  for (std::size_t i = 0; i < waypoints.poses.size(); ++i) {
+    check_pose_form(arm, {waypoints.poses[i], waypoints.planar}, arguments.task,
+                    fmt::format("{}:{}", arguments.through, waypoints.lines[i]));
+  }
   const Report report = follow(arguments, arm, waypoints.poses);
   const bool reached = report.status == MotionStatus::reached;
   if (reached) arguments.files.write(arm, report.trajectory, waypoints.poses);
@@ -156,22 +175,27 @@ Run declare_line(CLI::App& verb) {
                   "inverse-jacobian: feedback by eq. 1.6; inverse-kinematics: solutions at\n"
                   "intermediate poses, joint control (eq. 1.3) between them")
       ->capture_default_str();
-  verb.add_option("--tolerance", options.tolerance, "exact: most deviation between samples, metres")
-      ->capture_default_str();
-  verb.add_option("--orientation-tolerance", options.orientation_tolerance,
-                  "exact: most turn away from the line, radians")
-      ->capture_default_str();
-  verb.add_option("--tool-speed", options.tool_speed, "exact: most speed of the tool, m/s");
-  verb.add_option("--most-samples", options.most_samples, "exact: samples after which to give up")
-      ->capture_default_str();
-  verb.add_option("--gain", control.gain, "control: K_p")->capture_default_str();
-  verb.add_option("--intermediate", control.intermediate, "inverse-kinematics: poses on each line")
-      ->capture_default_str();
-  verb.add_option("--time-step", control.simulation.time_step, "control: seconds a step")
-      ->capture_default_str();
-  verb.add_option("--most-steps", control.simulation.most_steps,
-                  "control: steps after which to give up")
-      ->capture_default_str();
+  arguments.exact_options = {
+      verb.add_option("--tolerance", options.tolerance,
+                      "exact: most deviation between samples, metres")
+          ->capture_default_str(),
+      verb.add_option("--orientation-tolerance", options.orientation_tolerance,
+                      "exact: most turn away from the line, radians")
+          ->capture_default_str(),
+      verb.add_option("--tool-speed", options.tool_speed, "exact: most speed of the tool, m/s"),
+      verb.add_option("--most-samples", options.most_samples,
+                      "exact: samples after which to give up")
+          ->capture_default_str()};
+  arguments.control_options = {
+      verb.add_option("--gain", control.gain, "feedback: K_p")->capture_default_str(),
+      verb.add_option("--intermediate", control.intermediate,
+                      "inverse-kinematics: poses on each line")
+          ->capture_default_str(),
+      verb.add_option("--time-step", control.simulation.time_step, "feedback: seconds a step")
+          ->capture_default_str(),
+      verb.add_option("--most-steps", control.simulation.most_steps,
+                      "feedback: steps after which to give up")
+          ->capture_default_str()};
   arguments.files.declare(verb);
   verb.add_flag("--json", arguments.json, "Print JSON");
   verb.footer(

@@ -52,6 +52,11 @@ int flushed(Exit exit) {
   return fail(Exit::file, std::string("cannot write to stdout: ") + std::strerror(errno));
 }
 
+/// An empty value is a shell variable that was not set, most likely.
+std::string not_empty(const std::string& value) {
+  return value.empty() ? "needs a value that is not empty" : "";
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Moves serial-link robot arms, and proves that they go where they were told to go.",
                "beeline");
@@ -66,6 +71,9 @@ int run(int argc, char** argv) {
   for (const Verb& verb : verbs) {
     CLI::App* subcommand = app.add_subcommand(verb.name, verb.summary);
     declared.emplace_back(subcommand, verb.declare(*subcommand));
+    for (CLI::Option* option : subcommand->get_options()) {
+      if (option->get_items_expected_max() > 0) option->check(not_empty);
+    }
   }
   if (argc > 1 && argv[1][0] != '-') check_verb(argv[1]);
   try {
@@ -92,8 +100,8 @@ int main(int argc, char** argv) {
   } catch (const beeline::Error& error) {
     return fail(Exit::usage, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(Exit::file, "out of memory");
+    return fail(Exit::file, "the input needs more memory than there is");
   } catch (const std::exception& error) {
-    return fail(Exit::usage, error.what());
+    return fail(Exit::usage, std::string("internal error, please report it: ") + error.what());
   }
 }

@@ -21,7 +21,7 @@ struct Arguments {
 };
 
 Exit move(const Arguments& arguments) {
-  arguments.files.check_formats();
+  arguments.files.check({arguments.arm.text});
   const Arm arm = arguments.arm.read();
   const Configuration from = arguments.unit.configuration(arm, arguments.from, "--from");
   const Configuration to = arguments.unit.configuration(arm, arguments.to, "--to");

@@ -1,8 +1,6 @@
 #include <fmt/core.h>
 
 #include <beeline/control/replay.h>
-#include <beeline/error.h>
-#include <beeline/record/trajectory_file.h>
 
 #include "results.h"
 #include "verb.h"
@@ -22,31 +20,25 @@ struct Arguments {
 };
 
 Exit play(const Arguments& arguments) {
-  arguments.files.check_formats();
-  const Trajectory recording = read_trajectory(arguments.recording);
+  arguments.files.check({arguments.arm.text, arguments.recording});
   const Arm arm = arguments.arm.read();
+  const Trajectory recording = read_recording(arguments.recording, arm);
   ReplayOptions options = arguments.options;
   if (!arguments.from.empty()) {
     options.start = arguments.unit.configuration(arm, arguments.from, "--from");
   }
-  Replay played;
-  try {
-    played = replay(arm, recording, options);
-  } catch (const FileError&) {
-    throw;
-  } catch (const Error& error) {
-    throw FileError(arguments.recording, 0, error.what());
-  }
+  const Replay played = replay(arm, recording, options);
   const bool reached = played.status == MotionStatus::reached;
   if (reached) arguments.files.write(arm, played.trajectory, {});
   const double duration = reached ? played.trajectory.times.back() : 0;
   if (arguments.json) {
-    OrderedJson document{{"status", name(played.status)},
-                         {"samples", played.trajectory.size()},
-                         {"duration", duration},
-                         {"lead_in", played.lead_in},
-                         {"fastest", json_number(played.fastest)},
-                         {"reason", played.reason}};
+    OrderedJson document{
+        {"status", name(played.status)},
+        {"samples", played.trajectory.size()},
+        {"duration", duration},
+        {"lead_in", played.lead_in},
+        {"fastest", played.fastest > 0 ? json_number(played.fastest) : OrderedJson(nullptr)},
+        {"reason", played.reason}};
     if (reached) arguments.files.add_to(document);
     print_json(document);
   } else {
@@ -55,7 +47,9 @@ Exit play(const Arguments& arguments) {
     if (reached) {
       fmt::print("played        {} samples in {} s, of which {} s lead-in\n",
                  played.trajectory.size(), shown(duration), shown(played.lead_in));
-      fmt::print("fastest       {} % of a joint's velocity limit\n", shown(100 * played.fastest));
+      if (played.fastest > 0) {
+        fmt::print("fastest       {} % of a joint's velocity limit\n", shown(100 * played.fastest));
+      }
       arguments.files.print();
     }
   }

@@ -1,5 +1,6 @@
 #include "results.h"
 
+#include <filesystem>
 #include <fmt/core.h>
 
 #include <beeline/draw/arm_figure.h>
@@ -26,19 +27,41 @@ void ResultFiles::declare(CLI::App& verb) {
   verb.add_option("--draw", draw, "Draw the motion to this file: .svg, .png or .pdf");
 }
 
-void ResultFiles::check_formats() const {
+Trajectory read_recording(const std::string& path, const Arm& arm) {
+  const Trajectory recorded = read_trajectory(path);
+  try {
+    return matched_to(arm, recorded);
+  } catch (const Error& error) {
+    throw FileError(path, 0, error.what());
+  }
+}
+
+void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs) {
+    std::error_code missing;
+    if (std::filesystem::equivalent(output, input, missing) && !missing) {
+      throw Error("the output " + output + " is an input as well; choose another name");
+    }
+  }
+}
+
+void ResultFiles::check(const std::vector<std::string>& inputs) const {
   if (!out.empty()) trajectory_format(out);
   if (!draw.empty()) format_of(draw);
+  if (!out.empty() && out == draw) throw Error("--out and --draw name the same file: " + out);
+  refuse_overwriting(out, inputs);
+  refuse_overwriting(draw, inputs);
 }
 
 void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
                         const std::vector<Pose>& waypoints) const {
-  std::string picture;
+  std::vector<NewFile> files;
+  if (!out.empty()) files.push_back({out, trajectory_text(trajectory, trajectory_format(out))});
   if (!draw.empty()) {
-    picture = render(motion_figure(arm, at_equal_times(trajectory), waypoints), format_of(draw));
+    const Figure figure = motion_figure(arm, at_equal_times(trajectory), waypoints);
+    files.push_back({draw, render(figure, format_of(draw))});
   }
-  if (!out.empty()) write_trajectory(out, trajectory);
-  if (!draw.empty()) write_file(draw, picture);
+  write_files(files);
 }
 
 void ResultFiles::print() const {

@@ -11,14 +11,21 @@
 /// A motion's configurations at equal steps of time, as a picture's trail wants them.
 std::vector<beeline::Configuration> at_equal_times(const beeline::Trajectory& trajectory);
 
+/// A recording, its joints in the arm's order.
+beeline::Trajectory read_recording(const std::string& path, const beeline::Arm& arm);
+
+/// Throws Error when `output` is the same file as one of `inputs`.
+void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs);
+
 /// --out and --draw: where a motion's trajectory and picture go.
 struct ResultFiles {
   std::string out, draw;
 
   void declare(CLI::App& verb);
-  /// Throws Error for a format that is not known: to be asked before the work begins.
-  void check_formats() const;
-  /// Writes what was asked for; the picture is made before anything is written.
+  /// Throws Error for a format that is not known and for the name of an input file: to be asked
+  /// before the work begins.
+  void check(const std::vector<std::string>& inputs) const;
+  /// Writes what was asked for, all or nothing.
   void write(const beeline::Arm& arm, const beeline::Trajectory& trajectory,
              const std::vector<beeline::Pose>& waypoints) const;
   /// Says where the files are.

@@ -1,12 +1,13 @@
 #include <cmath>
 #include <fmt/core.h>
 
+#include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/orientation.h>
 #include <beeline/read/arm_json.h>
 #include <beeline/read/file.h>
 
-#include "output.h"
+#include "results.h"
 #include "verb.h"
 
 using namespace beeline;
@@ -25,6 +26,11 @@ std::string limit_text(double limit, bool angle, const UnitArgument& unit) {
   return shown(angle ? unit.shown(limit) : limit);
 }
 
+/// A leading joint's limits, narrowed so that its followers keep theirs.
+const Limits& limits_in_arm(const Arm& arm, std::size_t joint) {
+  return arm.limits()[static_cast<std::size_t>(arm.drives()[joint].coordinate)];
+}
+
 void print_joints(const Arm& arm, const UnitArgument& unit) {
   std::size_t width = 5;
   for (const Joint& joint : arm.joints()) width = std::max(width, joint.name.size());
@@ -34,16 +40,16 @@ void print_joints(const Arm& arm, const UnitArgument& unit) {
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
     const Joint& joint = arm.joints()[i];
     const bool slides = kind(joint) == JointKind::prismatic;
+    const Limits& limits = joint.mimic ? joint.limits : limits_in_arm(arm, i);
     const Twist screw = adjoint(links[i + 1], joint.screw);
     const Vector3 axis = slides ? screw.head<3>() : screw.tail<3>();
     fmt::print("{:>3}  {:<{}}  {:<9}  {:<22}  {:>9}  {:>9}  {:>9}", i + 1, joint.name, width,
-               name(kind(joint)), shown(axis), limit_text(joint.limits.lower, !slides, unit),
-               limit_text(joint.limits.upper, !slides, unit),
-               limit_text(joint.limits.velocity, !slides, unit));
+               name(kind(joint)), shown(axis), limit_text(limits.lower, !slides, unit),
+               limit_text(limits.upper, !slides, unit), limit_text(limits.velocity, !slides, unit));
     if (kind(joint) == JointKind::helical) fmt::print("  pitch {} m/rad", shown(pitch(joint)));
     if (joint.mimic) {
       fmt::print("  = {} x {} + {}", shown(joint.mimic->multiplier), joint.mimic->leader,
-                 shown(joint.mimic->offset));
+                 shown(slides ? joint.mimic->offset : unit.shown(joint.mimic->offset)));
     }
     fmt::print("\n");
   }
@@ -82,25 +88,28 @@ void print_table(const Arm& arm, const UnitArgument& unit) {
   }
 }
 
-OrderedJson document(const Arm& arm) {
+OrderedJson document(const Arm& arm, const UnitArgument& unit) {
   OrderedJson joints = OrderedJson::array();
-  for (const Joint& joint : arm.joints()) {
+  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
+    const Joint& joint = arm.joints()[i];
+    const bool slides = kind(joint) == JointKind::prismatic;
+    const Limits& known = joint.mimic ? joint.limits : limits_in_arm(arm, i);
     OrderedJson limits;
-    const auto add = [&limits](const char* key, double value) {
-      if (std::isfinite(value)) limits[key] = value;
+    const auto add = [&](const char* key, double value) {
+      if (std::isfinite(value)) limits[key] = slides ? value : unit.shown(value);
     };
-    add("lower", joint.limits.lower);
-    add("upper", joint.limits.upper);
-    add("velocity", joint.limits.velocity);
-    add("acceleration", joint.limits.acceleration);
-    add("jerk", joint.limits.jerk);
+    add("lower", known.lower);
+    add("upper", known.upper);
+    add("velocity", known.velocity);
+    add("acceleration", known.acceleration);
+    add("jerk", known.jerk);
     OrderedJson entry{{"name", joint.name}, {"type", name(kind(joint))}};
     if (!joint.link.empty()) entry["link"] = joint.link;
     entry["limits"] = limits.is_null() ? OrderedJson::object() : limits;
     if (joint.mimic) {
       entry["mimic"] = {{"joint", joint.mimic->leader},
                         {"multiplier", joint.mimic->multiplier},
-                        {"offset", joint.mimic->offset}};
+                        {"offset", slides ? joint.mimic->offset : unit.shown(joint.mimic->offset)}};
     }
     joints.push_back(entry);
   }
@@ -115,9 +124,13 @@ OrderedJson document(const Arm& arm) {
 
 Exit show(const Arguments& arguments) {
   const Arm arm = arguments.arm.read();
+  if (!arguments.out.empty() && extension(arguments.out) != "json") {
+    throw Error("--out " + arguments.out + ": arms are written as .json files");
+  }
+  refuse_overwriting(arguments.out, {arguments.arm.text});
   if (!arguments.out.empty()) write_file(arguments.out, arm_to_json(arm));
   if (arguments.json) {
-    print_json(document(arm));
+    print_json(document(arm, arguments.unit));
   } else {
     print_table(arm, arguments.unit);
   }
@@ -131,7 +144,7 @@ Run declare_show(CLI::App& verb) {
   arguments.arm.declare(verb);
   arguments.unit.declare(verb);
   verb.add_option("--out", arguments.out, "Also write the arm to this JSON file");
-  verb.add_flag("--json", arguments.json, "Print JSON, radians and metres");
+  verb.add_flag("--json", arguments.json, "Print JSON");
   verb.footer(
       "Examples:\n"
       "  beeline show panda --degrees\n"

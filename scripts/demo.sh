@@ -12,7 +12,8 @@ mkdir -p "$folder"
 line() {
   local name=$1
   shift
-  local command=("$beeline" line "$@" --degrees --out "$folder/$name.csv" --draw "$folder/$name.svg")
+  local command=("$beeline" line "$@" --degrees
+                 --out "$folder/$name.csv" --draw "$folder/$name.svg")
   echo "\$ ${command[*]}"
   "${command[@]}"
   echo
@@ -30,5 +31,9 @@ if [[ -n $urdf ]]; then
     --through examples/waypoints_panda.csv
 fi
 
-echo "Pictures:"
+for figure in 1.3 1.6 1.7 1.8 1.9; do
+  "$beeline" figure "$figure" --out "$folder/figure_$figure.svg" >/dev/null
+done
+
+echo "Pictures, the chapter's figures among them:"
 printf '  %s\n' "$folder"/*.svg

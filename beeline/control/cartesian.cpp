@@ -66,8 +66,9 @@ double error_left(const Arm& arm, const Pose& goal, const Task& task, const Conf
 }
 
 MotionStatus status_of(InverseStatus status) {
-  return status == InverseStatus::outside_limits ? MotionStatus::outside_limits
-                                                 : MotionStatus::unreachable;
+  if (status == InverseStatus::outside_limits) return MotionStatus::outside_limits;
+  if (status == InverseStatus::unreachable) return MotionStatus::unreachable;
+  return MotionStatus::not_found;
 }
 
 /// One waypoint by eq. 1.6.

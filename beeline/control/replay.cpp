@@ -56,21 +56,30 @@ Trajectory joint_line(const Arm& arm, const Configuration& start, const Configur
   return trajectory;
 }
 
+/// The recorded samples themselves, so that no corner is cut, and between them more at the rate.
 void append_resampled(Trajectory& played, const Trajectory& recording,
                       const ReplayOptions& options) {
   const double begin = played.times.empty() ? 0 : played.times.back();
   const double first = recording.times.front();
   const double duration = (recording.times.back() - first) / options.speed;
-  const double samples = std::ceil(duration * options.rate * (1 - 1e-12));
-  if (!(samples < double(most_samples))) {
+  if (!(duration * options.rate + double(recording.size()) < double(most_samples))) {
     throw Error("replaying " + number(duration) + " s at " + number(options.rate) +
                 " samples a second makes more than " + std::to_string(most_samples) + " samples");
   }
-  const auto count = static_cast<std::size_t>(samples);
-  for (std::size_t k = played.times.empty() ? 0 : 1; k <= count; ++k) {
-    const double t = k == count ? duration : double(k) / options.rate;
+  const auto append = [&](double t, const Configuration& q) {
+    if (!played.times.empty() && !(begin + t > played.times.back())) return;
     played.times.push_back(begin + t);
-    played.positions.push_back(sample(recording, first + t * options.speed));
+    played.positions.push_back(q);
+  };
+  const double hair = 1e-6 / options.rate;  // a grid time this near to a recorded one is the same
+  double grid = 0;                          // counts the times of the rate
+  for (std::size_t k = 0; k < recording.size(); ++k) {
+    const double t = (recording.times[k] - first) / options.speed;
+    for (; grid / options.rate < t - hair; ++grid) {
+      append(grid / options.rate, sample(recording, first + grid / options.rate * options.speed));
+    }
+    if (grid / options.rate < t + hair) ++grid;
+    append(t, recording.positions[k]);
   }
 }
 

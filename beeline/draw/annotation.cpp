@@ -4,7 +4,6 @@
 #include <beeline/draw/annotation.h>
 #include <beeline/draw/skeleton.h>
 #include <beeline/draw/text.h>
-#include <beeline/error.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/pose/angle.h>
 #include <beeline/pose/se2.h>

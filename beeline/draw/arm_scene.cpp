@@ -114,8 +114,10 @@ class ArmPainter {
 };
 
 void add_frames(Scene& scene, const std::vector<Pose>& links, bool planar) {
+  constexpr std::size_t most_names = 40;  // more cannot be read
   for (std::size_t i = 0; i < links.size(); ++i) {
-    scene.add(Layer::mark, FrameTriad{links[i], planar ? 30.0 : 22.0});
+    scene.add(Layer::mark, FrameTriad{links[i], size_for(links.size()) * (planar ? 30 : 22)});
+    if (links.size() > most_names) continue;
     Label label{links[i].translation(), "{" + std::to_string(i) + "}"};
     label.right = 0.3;
     label.up = -1;

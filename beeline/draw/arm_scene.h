@@ -6,7 +6,7 @@
 namespace beeline {
 
 struct ArmStyle {
-  bool frames = false;  ///< every link's frame, named {0} to {n}
+  bool frames = false;  ///< every link's frame, named {0} to {n} up to 40
   bool faded = false;   ///< behind everything else, as a state of the past
   bool tool = true;     ///< the tool's frame
 };

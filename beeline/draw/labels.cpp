@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -72,8 +71,8 @@ void place_labels(const std::vector<Label>& labels, const Projection& projection
     for (const double gap : {5.0, 11.0, 17.0, farthest_label}) {
       constexpr int directions = 16;
       for (int k = 0; k < directions; ++k) {
-        const double turn =
-            (k % 2 == 0 ? 1 : -1) * ((k + 1) / 2) * 2 * std::numbers::pi / directions;
+        const int steps = k % 2 == 0 ? k / 2 : -(k + 1) / 2;  // to either side in turn
+        const double turn = 2 * std::numbers::pi * steps / directions;
         const Point way(std::cos(wanted + turn), -std::sin(wanted + turn));
         const Point centre = anchor + way * gap + way.cwiseProduct(half);
         Box box;

@@ -32,7 +32,8 @@ Path closed_path(const std::vector<Point>& points) {
   return path;
 }
 
-Path ellipse(const Point& centre, const Point& u, const Point& v) {
+Path ellipse(const Point& centre, const Point& half_axis, const Point& other_half_axis) {
+  const Point &u = half_axis, &v = other_half_axis;
   constexpr double k = 0.5522847498;  // a quarter circle as a Bezier curve, to 3e-4
   Path path;
   path.move(centre + u);

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <beeline/draw/labels.h>
 #include <beeline/draw/solid.h>
@@ -49,7 +48,7 @@ struct Painter {
     const double radius = joint.size * pen;
     const Point centre =
         projection(joint.centre) + joint.shift * pen * projection.direction(joint.axis);
-    const Finish finish{joint.fill, joint.line, 1.1 * pen};
+    const Finish finish{joint.fill, joint.line, 0.17 * radius};
     if (joint.kind == JointKind::prismatic) {
       box(centre, joint.axis, radius * box_length, radius * box_width, projection, finish, marks);
       return;

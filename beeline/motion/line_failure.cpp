@@ -4,6 +4,7 @@
 #include <beeline/error.h>
 #include <beeline/inverse/numerical.h>
 #include <beeline/inverse/solve.h>
+#include <beeline/kinematics/manipulability.h>
 #include <beeline/motion/line_failure.h>
 #include <beeline/motion/time_law.h>
 
@@ -12,6 +13,7 @@ namespace {
 
 // How far ahead to look, in lengths of the line: just behind the wall, and clearly behind it.
 constexpr double looks[] = {1e-6, 1e-5, 1e-4, 1e-3};
+constexpr double regular = 1e3;    // a condition below: the arm is far from singular
 constexpr double next_door = 0.2;  // radians or metres: farther away is another branch
 
 /// The joints that q takes out of their limits, as a phrase; empty when there are none.
@@ -60,8 +62,13 @@ LineFailure line_failure(const Arm& arm, const Line& line, const Task& task, con
 
   const Pose next = interpolate(line.from, line.to, std::min(1.0, s + std::end(looks)[-1]));
   const InverseResult answer = inverse_kinematics(arm, next, {.seed = q, .task = task});
+  const double condition = dexterity(task_jacobian(arm, q, task)).condition;
   switch (answer.status) {
     case InverseStatus::solved:
+      if (condition < regular) {
+        return {MotionStatus::not_converged,
+                where + "the steps became too small to go on; allow a larger tolerance"};
+      }
       return {MotionStatus::singular,
               where +
                   "the arm is singular there; it could go on only by jumping to another branch, "
@@ -74,7 +81,9 @@ LineFailure line_failure(const Arm& arm, const Line& line, const Task& task, con
     case InverseStatus::not_found:
       break;
   }
-  return {MotionStatus::unreachable, where + "the arm reaches no farther; " + answer.reason};
+  const std::string edge =
+      condition < regular ? "" : ", where the arm is singular, as at the edge of its workspace";
+  return {MotionStatus::not_found, where + "no way on was found" + edge + "; " + answer.reason};
 }
 
 LineFailure too_many_samples(int most) {

@@ -3,8 +3,8 @@
 namespace beeline {
 
 std::string name(MotionStatus status) {
-  constexpr const char* names[] = {"reached", "unreachable", "outside_limits", "singular",
-                                   "not_converged"};
+  constexpr const char* names[] = {"reached",        "unreachable", "not_found",
+                                   "outside_limits", "singular",    "not_converged"};
   return names[static_cast<int>(status)];
 }
 

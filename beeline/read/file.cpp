@@ -1,6 +1,7 @@
 #include <atomic>
 #include <cerrno>
 #include <filesystem>
+#include <memory>
 #include <system_error>
 
 #include <beeline/error.h>
@@ -52,19 +53,61 @@ void write_straight(const std::string& path, std::string_view content) {
   if (reason != 0) throw refused(path, "cannot be written", reason);
 }
 
-/// 0, or the system's reason; then `beside` is gone again.
-int write_and_rename(const std::string& beside, const std::string& target, const struct stat* old,
-                     std::string_view content) {
-  Descriptor file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (file.number < 0) return errno;
-  if (old != nullptr) (void)!::fchmod(file.number, old->st_mode & 07777);
-  int reason = write_all(file.number, content);
-  if (::close(file.number) != 0 && reason == 0) reason = errno;
-  file.number = -1;
-  if (reason == 0 && ::rename(beside.c_str(), target.c_str()) != 0) reason = errno;
-  if (reason != 0) ::unlink(beside.c_str());
-  return reason;
-}
+/// A file's new content beside it, not yet in its place; gone again unless it is put there.
+class Staged {
+ public:
+  Staged(const std::string& path, std::string_view content) : path_(path) {
+    struct stat status {};
+    const bool exists = ::stat(path.c_str(), &status) == 0;
+    if (exists && S_ISDIR(status.st_mode)) {
+      throw FileError(path, 0, "cannot be written: it is a folder");
+    }
+    // Devices and pipes cannot be replaced; /dev/stdout may be a regular file others fill too.
+    if (exists && (!S_ISREG(status.st_mode) || path.starts_with("/dev/"))) {
+      straight_ = content;
+      return;
+    }
+    // A rename would get round the file's own write protection.
+    if (exists && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) {
+      throw refused(path, "cannot be written", errno);
+    }
+    static std::atomic<unsigned> written{0};
+    target_ = target_of(path);
+    beside_ =
+        target_ + "." + std::to_string(::getpid()) + "-" + std::to_string(written++) + ".part";
+    const int reason = write_beside(exists ? &status : nullptr, content);
+    if (reason != 0) throw refused(path, "cannot be written", reason);
+  }
+  Staged(const Staged&) = delete;
+  Staged& operator=(const Staged&) = delete;
+  ~Staged() {
+    if (!beside_.empty()) ::unlink(beside_.c_str());
+  }
+
+  void put_in_place() {
+    if (beside_.empty()) return write_straight(path_, straight_);
+    if (::rename(beside_.c_str(), target_.c_str()) != 0) {
+      throw refused(path_, "cannot be written", errno);
+    }
+    beside_.clear();
+  }
+
+ private:
+  /// 0, or the system's reason; then nothing is left behind.
+  int write_beside(const struct stat* old, std::string_view content) {
+    Descriptor file(::open(beside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (file.number < 0) return errno;
+    if (old != nullptr) (void)!::fchmod(file.number, old->st_mode & 07777);
+    int reason = write_all(file.number, content);
+    if (::close(file.number) != 0 && reason == 0) reason = errno;
+    file.number = -1;
+    if (reason != 0) ::unlink(beside_.c_str());
+    return reason;
+  }
+
+  std::string path_, target_, beside_;
+  std::string straight_;  ///< for a device
+};
 
 }  // namespace
 
@@ -90,25 +133,15 @@ std::string read_file(const std::string& path) {
 }
 
 void write_file(const std::string& path, std::string_view content) {
-  struct stat status {};
-  const bool exists = ::stat(path.c_str(), &status) == 0;
-  if (exists && S_ISDIR(status.st_mode)) {
-    throw FileError(path, 0, "cannot be written: it is a folder");
+  Staged(path, content).put_in_place();
+}
+
+void write_files(const std::vector<NewFile>& files) {
+  std::vector<std::unique_ptr<Staged>> staged;
+  for (const NewFile& file : files) {
+    staged.push_back(std::make_unique<Staged>(file.path, file.content));
   }
-  // Devices and pipes cannot be replaced; /dev/stdout may be a regular file that others fill too.
-  if (exists && (!S_ISREG(status.st_mode) || path.starts_with("/dev/"))) {
-    return write_straight(path, content);
-  }
-  // A rename would get round the file's own write protection.
-  if (exists && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) {
-    throw refused(path, "cannot be written", errno);
-  }
-  static std::atomic<unsigned> written{0};
-  const std::string target = target_of(path);
-  const std::string beside =
-      target + "." + std::to_string(::getpid()) + "-" + std::to_string(written++) + ".part";
-  const int reason = write_and_rename(beside, target, exists ? &status : nullptr, content);
-  if (reason != 0) throw refused(path, "cannot be written", reason);
+  for (const auto& file : staged) file->put_in_place();
 }
 
 std::string extension(std::string_view path) {

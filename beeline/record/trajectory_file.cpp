@@ -14,10 +14,13 @@ TrajectoryFormat trajectory_format(const std::string& path) {
   throw Error("trajectories are kept in .csv or .json files, not in " + in_quotes(path));
 }
 
+std::string trajectory_text(const Trajectory& trajectory, TrajectoryFormat format) {
+  return format == TrajectoryFormat::csv ? trajectory_to_csv(trajectory)
+                                         : trajectory_to_json(trajectory);
+}
+
 void write_trajectory(const std::string& path, const Trajectory& trajectory) {
-  write_file(path, trajectory_format(path) == TrajectoryFormat::csv
-                       ? trajectory_to_csv(trajectory)
-                       : trajectory_to_json(trajectory));
+  write_file(path, trajectory_text(trajectory, trajectory_format(path)));
 }
 
 Trajectory read_trajectory(const std::string& path) {

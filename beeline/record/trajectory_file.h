@@ -13,6 +13,9 @@ namespace beeline {
 enum class TrajectoryFormat { csv, json };
 TrajectoryFormat trajectory_format(const std::string& path);
 
+/// The file's content, in this format.
+std::string trajectory_text(const Trajectory& trajectory, TrajectoryFormat format);
+
 /// Writes beside and renames, as write_file does. Throws Error for joint names that the format
 /// cannot tell apart from its own columns.
 void write_trajectory(const std::string& path, const Trajectory& trajectory);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -61,7 +62,7 @@ TEST(Replay, TakesTwiceTheTimeAtHalfTheSpeed) {
   }
 }
 
-TEST(Replay, SamplesAtTheRateUpToTheEnd) {
+TEST(Replay, SamplesAtTheRateAndKeepsEveryRecordedSample) {
   testing::Random random;
   const Arm arm = built_in("rrr");
   const Trajectory recorded = recording(random, arm, 20, 0.0137);
@@ -71,9 +72,10 @@ TEST(Replay, SamplesAtTheRateUpToTheEnd) {
       const double dt = played.times[k] - played.times[k - 1];
       ASSERT_GT(dt, 0);
       ASSERT_LE(dt, 1 / rate + 1e-12);
-      if (k + 1 < played.size()) {
-        ASSERT_NEAR(dt, 1 / rate, 1e-12);
-      }
+    }
+    for (const Configuration& q : recorded.positions) {
+      const auto& kept = played.positions;
+      ASSERT_NE(std::find(kept.begin(), kept.end(), q), kept.end());
     }
     ASSERT_NEAR(played.times.back(), 19 * 0.0137, 1e-12);
     ASSERT_EQ(played.positions.back(), recorded.positions.back());

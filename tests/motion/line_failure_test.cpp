@@ -15,7 +15,7 @@ namespace {
 // What a reason claims is looked up by other means at the place where the line stops.
 TEST(LineFailure, TellsTheTruth) {
   testing::Random random;
-  int seen[5] = {};
+  int seen[6] = {};
   for (const std::string name : {"rrr", "panda", "ur5", "puma560", "stanford"}) {
     const Arm arm = built_in(name);
     const Task task = default_task(arm);
@@ -40,6 +40,7 @@ TEST(LineFailure, TellsTheTruth) {
       const std::string context = name + ": " + failure.reason;
       switch (failure.status) {
         case MotionStatus::unreachable:
+        case MotionStatus::not_found:
           ASSERT_TRUE(singular) << context;
           ASSERT_TRUE(inverse.solutions.empty()) << context;
           break;
@@ -63,7 +64,8 @@ TEST(LineFailure, TellsTheTruth) {
       }
     }
   }
-  EXPECT_GT(seen[static_cast<int>(MotionStatus::unreachable)], 0);
+  EXPECT_GT(seen[static_cast<int>(MotionStatus::unreachable)], 0);  // planar arms: proved
+  EXPECT_GT(seen[static_cast<int>(MotionStatus::not_found)], 0);    // spatial ones: not
   EXPECT_GT(seen[static_cast<int>(MotionStatus::outside_limits)], 0);
   EXPECT_GT(seen[static_cast<int>(MotionStatus::singular)], 0);
 }
