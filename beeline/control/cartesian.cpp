@@ -48,11 +48,13 @@ DampedStep damped_step(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& e
   return {svd.matrixV() * share, sigma[sigma.size() - 1] < threshold};
 }
 
+constexpr double no_way = 1e-3;  // metres: on a shorter line what is left of the last one counts
+
 /// The share of the line by which the tool went beyond its end.
 double line_overshoot(std::span<const Configuration> samples, const Arm& arm, const Pose& goal) {
   const Vector3 from = forward_kinematics(arm, samples.front()).translation();
   const Vector3 way = goal.translation() - from;
-  if (way.norm() < 1e-9) return 0;
+  if (way.norm() < no_way) return 0;
   double largest = 0;
   for (const Configuration& q : samples) {
     const Vector3 beyond = forward_kinematics(arm, q).translation() - goal.translation();
@@ -141,7 +143,10 @@ void check(const CartesianOptions& options) {
   if (!(options.gain > 0) || !std::isfinite(options.gain)) {
     throw Error("the gain must be above zero, not " + number(options.gain));
   }
-  if (options.intermediate < 1) throw Error("a line needs at least one intermediate pose, its end");
+  if (options.intermediate < 1 || options.intermediate > 100'000) {
+    throw Error("intermediate is " + std::to_string(options.intermediate) +
+                "; a line takes 1 to 100000 intermediate poses, its end counted");
+  }
   if (options.task && (options.task->size() == 0 || options.task->frame == Frame::space)) {
     throw Error("the task needs at least one row, and the base or the tool frame");
   }

@@ -13,16 +13,23 @@
 namespace beeline {
 namespace {
 
-constexpr double no_motion = 1e-9;  // metres or radians: the tool is there already
+constexpr double least_tolerance = 1e-8;  // below, rounding at the samples would use it up
+constexpr double no_motion = 1e-9;        // metres or radians: the tool is there already
 
 void check_options(const LineOptions& options) {
-  for (const double positive :
-       {options.tolerance, options.orientation_tolerance, options.tool_speed}) {
-    if (!(positive > 1e-9)) {
-      throw Error("tolerances and the tool's speed must be above 1e-9, not " + number(positive));
+  const std::pair<const char*, double> positives[] = {
+      {"tolerance", options.tolerance},
+      {"orientation tolerance", options.orientation_tolerance},
+      {"tool speed", options.tool_speed}};
+  for (const auto& [what, value] : positives) {
+    if (!(value >= least_tolerance)) {
+      throw Error("the line's " + std::string(what) + " must be at least 1e-8, not " +
+                  number(value));
     }
   }
-  if (options.most_samples < 2) throw Error("a line needs at least two samples");
+  if (options.most_samples < 2) {
+    throw Error("most samples is " + std::to_string(options.most_samples) + "; a line needs two");
+  }
   if (options.task && (options.task->size() == 0 || options.task->frame == Frame::space)) {
     throw Error("the task needs at least one row, and the base or the tool frame");
   }

@@ -89,7 +89,7 @@ LineFailure line_failure(const Arm& arm, const Line& line, const Task& task, con
 LineFailure too_many_samples(int most) {
   return {MotionStatus::not_converged,
           "needs more than " + std::to_string(most) +
-              " samples in all; allow a larger tolerance or more samples"};
+              " samples in all; allow a larger tolerance or more samples (--most-samples)"};
 }
 
 }  // namespace beeline

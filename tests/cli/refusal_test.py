@@ -36,6 +36,15 @@ USAGE = [
     (("figure", "1.5", "--out", "a.svg"), ["1.5", "1.6"]),
     (("figure", "1.6", "--out", "a.tiff"), ["tiff", "pdf"]),
     (("fk", "rrr", *Q3, "--tip", "tool0"), ["tip"]),
+    (("fk", "RR:1e308,1e308", "--q", "0,0"), ["1e100"]),
+    (("fk", "rrr", "--q", "1e200,0,0"), ["1e100", "joint1"]),
+    (("ik", "rrr", "--pose", "1,1,5,0,0,1"), ["--pose", "plane", "--task"]),
+    (("show", "rrr", "--out", "a.txt"), ["a.txt", "json"]),
+    (("show", "rrr", "--out", ""), ["--out", "empty"]),
+    (("draw", "rrr", "--azimuth", "nan", "--out", "a.svg"), ["--azimuth"]),
+    (("jacobian", "rrr", *Q3, "--task", "111110:tool"), [":tool", "--frame"]),
+    (("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--out", "a.csv", "--draw", "a.csv"),
+     ["a.csv"]),
 ]
 
 
@@ -116,6 +125,29 @@ def test_files_that_are_not_there(refused, tmp_path):
 def test_an_output_that_cannot_be_written(beeline, options):
     answer = beeline("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", *options)
     assert answer.code == 3 and options[1] in answer.err and answer.out == ""
+
+
+def test_nothing_is_left_when_one_of_two_outputs_cannot_be_written(beeline, tmp_path):
+    answer = beeline("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--out", "a.csv",
+                     "--draw", "no/such/a.svg")
+    assert answer.code == 3 and list(tmp_path.iterdir()) == []
+
+
+def test_an_input_is_never_overwritten(refused, beeline, written, tmp_path):
+    through = written("w.csv", "x,y,theta\n4,3,0\n")
+    refused(2, "line", "rrr", "--from", "0,1.5,0", "--through", through, "--out", through,
+            says=["w.csv", "input"])
+    assert (tmp_path / "w.csv").read_text().startswith("x,y,theta")
+
+
+@pytest.mark.parametrize("method, option", [
+    ("exact", "--gain"), ("exact", "--intermediate"), ("inverse-jacobian", "--tool-speed"),
+    ("inverse-kinematics", "--tolerance"),
+])
+def test_an_option_without_effect_is_refused(refused, written, method, option):
+    through = written("w.csv", "x,y,theta\n4,3,0\n")
+    refused(2, "line", "rrr", "--from", "0,1.5,0", "--through", through, "--method", method,
+            option, "1", says=[option, method])
 
 
 def test_a_planar_pose_is_refused_for_a_spatial_arm(refused, written):

@@ -76,6 +76,7 @@ std::vector<Case> cases() {
 }
 
 TEST(ControlInLines, ArrivesAtEveryWaypointByBothMethods) {
+  EXPECT_EQ(name(by_jacobian) + name(by_solutions), "inverse-jacobianinverse-kinematics");
   for (const Case& given : cases()) {
     for (const CartesianMethod method : {by_jacobian, by_solutions}) {
       const ControlledMotion motion =
@@ -293,11 +294,6 @@ TEST(ControlInLines, RefusesWhatMakesNoSense) {
   EXPECT_REFUSED(run(rrr_waypoints, {.intermediate = 0}), "intermediate");
   EXPECT_REFUSED(run(rrr_waypoints, {.simulation = {.tolerance = -1}}), "tolerance");
   EXPECT_REFUSED(control_in_lines(arm, Configuration::Zero(2), rrr_waypoints), "3 joint values");
-}
-
-TEST(CartesianMethod, HasNames) {
-  EXPECT_EQ(name(by_jacobian), "inverse-jacobian");
-  EXPECT_EQ(name(by_solutions), "inverse-kinematics");
 }
 
 }  // namespace

@@ -58,11 +58,6 @@ class UrdfTree:
             tip = self.joints[name].parent
         return names
 
-    def has_leader(self, name):
-        """False for a joint that mimics one that is not in the file."""
-        mimic = self.joints[name].mimic
-        return mimic is None or mimic[0] in self.joints
-
     def drive(self, name, among):
         """The joint whose value drives this one (itself, unless it mimics one of `among`), with
         the ratio and the shift: value = ratio * leader + shift."""
