@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Runs clang-tidy on every source file that changed since it last passed.
+"""Runs clang-tidy on every source file that changed since it last passed. The tests' own files are
+left to the compiler's warnings: GoogleTest's macros make up half of what they hold.
 
 Usage: tidy.py BUILD, a configured build folder with compile_commands.json
 
@@ -19,7 +20,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 STAMPS = Path(os.environ.get("BEELINE_LINT_STAMPS", ROOT / "build" / "lint"))
-TIDY = "clang-tidy-14"
+# The files are compiled with GCC's warnings, of which Clang does not know all.
+TIDY = ["clang-tidy-14", "--quiet", "--extra-arg=-Wno-unknown-warning-option"]
+LINTED = tuple(f"{ROOT}/{folder}/" for folder in ("beeline", "cli", "examples"))
 INCLUDE = re.compile(rb'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -55,9 +58,7 @@ def tidy(build, entry, passed):
     if passed.exists():
         passed.touch()
         return ""
-    done = subprocess.run(
-        [TIDY, "--quiet", "-p", build, entry["file"]], capture_output=True, text=True
-    )
+    done = subprocess.run([*TIDY, "-p", build, entry["file"]], capture_output=True, text=True)
     if done.returncode == 0:
         passed.touch()
         return ""
@@ -66,10 +67,9 @@ def tidy(build, entry, passed):
 
 def main(build):
     entries = json.loads((Path(build) / "compile_commands.json").read_text())
-    entries = {e["file"]: e for e in entries if Path(e["file"]).is_relative_to(ROOT)}
-    entries = [e for e in entries.values() if not Path(e["file"]).is_relative_to(Path(build).resolve())]
-    settings = (ROOT / ".clang-tidy").read_bytes()
-    settings += subprocess.run([TIDY, "--version"], capture_output=True, check=True).stdout
+    entries = [e for e in entries if e["file"].startswith(LINTED)]
+    version = subprocess.run([TIDY[0], "--version"], capture_output=True, check=True).stdout
+    settings = (ROOT / ".clang-tidy").read_bytes() + version + " ".join(TIDY).encode()
     STAMPS.mkdir(parents=True, exist_ok=True)
 
     stamps = [stamp(entry, settings) for entry in entries]

@@ -164,7 +164,10 @@ InverseResult closed_form(const Question& ask) {
   }
   if (outside == nullptr) {
     const bool oriented = ask.task == Task::planar();
-    return refused(result, InverseStatus::unreachable, largest(best->error),
+    // The candidates have the very orientation; a coarse tolerance might trade some of it.
+    const bool proved = ask.tolerance <= 1e-6;
+    return refused(result, proved ? InverseStatus::unreachable : InverseStatus::not_found,
+                   largest(best->error),
                    "the pose is out of reach: " +
                        std::string(oriented ? "with the orientation asked for, " : "") +
                        "the tool of arm " + ask.arm.name() + " comes no nearer than " +

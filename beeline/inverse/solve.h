@@ -28,8 +28,9 @@ struct InverseOptions {
 
 enum class InverseStatus {
   solved,          ///< at least one solution, checked by forward kinematics
-  unreachable,     ///< proved: no configuration reaches the pose
-  outside_limits,  ///< there are solutions, but none within the joint limits
+  unreachable,     ///< proved, for tolerances up to 1e-6: no configuration reaches the pose
+  outside_limits,  ///< there are solutions, but none within the joint limits (proved for planar
+                   ///< closed form without a continuum, else none was found there)
   not_found,       ///< the search ended without a solution; that none exists is not proved
 };
 std::string name(InverseStatus status);
