@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -76,7 +75,6 @@ std::vector<Case> cases() {
 }
 
 TEST(ControlInLines, ArrivesAtEveryWaypointByBothMethods) {
-  EXPECT_EQ(name(by_jacobian) + name(by_solutions), "inverse-jacobianinverse-kinematics");
   for (const Case& given : cases()) {
     for (const CartesianMethod method : {by_jacobian, by_solutions}) {
       const ControlledMotion motion =
@@ -181,7 +179,9 @@ TEST(ControlInLines, SaysWhereAGoalIsOutOfReach) {
       const std::vector<Pose> waypoints{given.waypoints.front(), far};
       const ControlledMotion motion =
           control_in_lines(given.arm, given.start, waypoints, {.method = method});
-      EXPECT_EQ(motion.status, MotionStatus::unreachable) << motion.reason;
+      const bool proved = method == by_jacobian || given.arm.planar();
+      const MotionStatus no = proved ? MotionStatus::unreachable : MotionStatus::not_found;
+      EXPECT_EQ(motion.status, no) << motion.reason;
       EXPECT_EQ(motion.reason.rfind("line 2 of 2: ", 0), 0) << motion.reason;
       EXPECT_EQ(motion.arrivals.size(), 1);
       EXPECT_LT(motion.steps, 20'000);
