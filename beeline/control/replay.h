@@ -23,9 +23,9 @@ struct Replay {
 };
 
 /// Plays a recording on the arm: joints matched by name, every recorded sample kept, and linear
-/// between them at `rate`. Answers `outside_limits`, with the joint and the time, when the recording
-/// leaves the arm's position limits or, at this speed, its velocity limits. Throws Error when the
-/// recording does not fit the arm, or an option makes no sense.
+/// between them at `rate`. Answers `outside_limits`, with the joint and the time, when the
+/// recording leaves the arm's position limits or, at this speed, its velocity limits. Throws Error
+/// when the recording does not fit the arm, or an option makes no sense.
 Replay replay(const Arm& arm, const Trajectory& recording, const ReplayOptions& options = {});
 
 }  // namespace beeline
