@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 
 #include "output.h"
@@ -28,6 +29,8 @@ Exit forward(const Arguments& arguments) {
   const Configuration q = arguments.unit.configuration(arm, arguments.q, "--q");
   warn_outside_limits(arm, q);
   const Pose tool = forward_kinematics(arm, q);
+  if (!tool.matrix().allFinite())
+    throw Error("--q: the tool is farther away than a number can tell");
   const std::vector<Pose> links = arguments.all ? link_poses(arm, q) : std::vector<Pose>{};
   if (arguments.json) {
     OrderedJson document{{"pose", json_pose(tool, arm.planar(), arguments.unit)}};

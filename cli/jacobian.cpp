@@ -41,6 +41,7 @@ Exit differential(const Arguments& arguments) {
   task.frame = frame_named(arguments.frame);
   warn_outside_limits(arm, q);
   const Eigen::MatrixXd matrix = task_jacobian(arm, q, task);
+  if (!matrix.allFinite()) throw Error("--q: the tool is farther away than a number can tell");
   const Dexterity dexterous = dexterity(matrix);
   const std::vector<std::string> rows = row_names({task.rows, Frame::base});
   if (arguments.json) {

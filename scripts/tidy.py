@@ -75,11 +75,12 @@ def main(build):
     stamps = [stamp(entry, settings) for entry in entries]
     new = sum(not path.exists() for path in stamps)
     print(f"clang-tidy: {len(entries)} files, {new} to look at", flush=True)
+    found = False
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        answers = list(pool.map(tidy, [build] * len(entries), entries, stamps))
-    findings = "".join(answers)
-    print(findings, end="")
-    return 1 if findings else 0
+        for findings in pool.map(tidy, [build] * len(entries), entries, stamps):
+            found = found or findings != ""
+            print(findings, end="", flush=True)
+    return int(found)
 
 
 if __name__ == "__main__":

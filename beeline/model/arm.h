@@ -68,7 +68,7 @@ class Arm {
 /// A copy with another tool.
 Arm with_tool(const Arm& arm, const Pose& tool);
 
-/// Throws Error unless q has the arm's number of coordinates, all finite and at most 1e100.
+/// Throws Error unless q has the arm's number of coordinates, all finite.
 void check_configuration(const Arm& arm, const ConfigurationRef& q);
 
 /// One sentence for each coordinate of q that is outside its limits; empty when all are within.
