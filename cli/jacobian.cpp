@@ -1,3 +1,4 @@
+#include <cmath>
 #include <fmt/core.h>
 
 #include <beeline/error.h>
@@ -41,7 +42,8 @@ Exit differential(const Arguments& arguments) {
   task.frame = frame_named(arguments.frame);
   warn_outside_limits(arm, q);
   const Eigen::MatrixXd matrix = task_jacobian(arm, q, task);
-  if (!matrix.allFinite()) throw Error("--q: the tool is farther away than a number can tell");
+  if (!std::isfinite(matrix.squaredNorm()))
+    throw Error("--q: the tool is farther away than a number can tell");
   const Dexterity dexterous = dexterity(matrix);
   const std::vector<std::string> rows = row_names({task.rows, Frame::base});
   if (arguments.json) {
