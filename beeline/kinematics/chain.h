@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include <beeline/model/arm.h>
+
+namespace beeline {
+
+/// An arm in the form that its kernels run through: every joint turns about, slides along or does
+/// both along the z axis of its own frame, so that one formula serves all kinds,
+///     T(q) = base * L_1 ... L_n * tool,
+///     L_i = move(step) * turn_x(alpha) * turn_z(rest_angle + turn * q_k) * move_z(travel * q_k),
+/// k = coordinate.
+/// This is Denavit-Hartenberg's form (modified; Craig 1986) but for `step`, which need not follow
+/// the common normal: nothing grows without bounds where axes are nearly parallel.
+struct Chain {
+  struct Link {
+    double cos_alpha = 1, sin_alpha = 0;  ///< from the z axis before to this joint's, about x
+    Vector3 step = Vector3::Zero();       ///< metres, from the origin before, in its axes
+    double rest_angle = 0;                ///< radians
+    double turn = 0;                      ///< radians for each unit of the coordinate; 0: slides
+    double travel = 0;                    ///< metres for each unit of the coordinate; 0: revolute
+    int coordinate = 0;                   ///< which q drives it: mimic joints share one
+  };
+  Pose base;  ///< of the frame whose z axis is joint 1's, in the world
+  std::vector<Link> links;
+  Pose tool;  ///< in the last joint's frame
+};
+
+/// forward_kinematics(arm, q) in that form, equal but for rounding.
+Chain chain_of(const Arm& arm);
+
+}  // namespace beeline

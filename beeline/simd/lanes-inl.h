@@ -1,0 +1,117 @@
+// Compiled once for each instruction set (Highway's foreach_target.h), so there is no #pragma once.
+#if defined(BEELINE_SIMD_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BEELINE_SIMD_LANES_INL_H
+#undef BEELINE_SIMD_LANES_INL_H
+#else
+#define BEELINE_SIMD_LANES_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace beeline::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// How many numbers go through the arithmetic together, on every machine: the branches of a
+/// six-axis arm. One register of AVX-512, two of AVX2, four of SSE2 or NEON.
+inline constexpr int lane_count = 8;
+
+using RegisterTag = hn::CappedTag<double, lane_count>;
+inline constexpr int register_count = lane_count / static_cast<int>(hn::MaxLanes(RegisterTag()));
+
+/// Whether something holds, lane by lane.
+struct LaneMask {
+  hn::Mask<RegisterTag> part[register_count];
+};
+
+/// Eight numbers that undergo the same arithmetic.
+struct Lanes {
+  hn::Vec<RegisterTag> part[register_count];
+
+  Lanes() = default;
+  HWY_INLINE Lanes(double same) {
+    for (auto& p : part) p = hn::Set(RegisterTag(), same);
+  }
+  static HWY_INLINE Lanes load(const double* eight) {
+    Lanes r;
+    for (int i = 0; i < register_count; ++i) {
+      r.part[i] = hn::LoadU(RegisterTag(), eight + i * (lane_count / register_count));
+    }
+    return r;
+  }
+  HWY_INLINE void store(double* eight) const {
+    for (int i = 0; i < register_count; ++i) {
+      hn::StoreU(part[i], RegisterTag(), eight + i * (lane_count / register_count));
+    }
+  }
+};
+
+// One line for each operation: applied to each register in turn.
+#define BEELINE_LANES(RESULT, SIGNATURE, EXPRESSION)                     \
+  HWY_INLINE RESULT SIGNATURE {                                          \
+    RESULT r;                                                            \
+    for (int i = 0; i < register_count; ++i) r.part[i] = hn::EXPRESSION; \
+    return r;                                                            \
+  }
+BEELINE_LANES(Lanes, operator+(Lanes a, Lanes b), Add(a.part[i], b.part[i]))
+BEELINE_LANES(Lanes, operator-(Lanes a, Lanes b), Sub(a.part[i], b.part[i]))
+BEELINE_LANES(Lanes, operator*(Lanes a, Lanes b), Mul(a.part[i], b.part[i]))
+BEELINE_LANES(Lanes, operator/(Lanes a, Lanes b), Div(a.part[i], b.part[i]))
+BEELINE_LANES(Lanes, operator-(Lanes a), Neg(a.part[i]))
+BEELINE_LANES(Lanes, fma(Lanes a, Lanes b, Lanes c), MulAdd(a.part[i], b.part[i], c.part[i]))
+BEELINE_LANES(Lanes, sqrt(Lanes a), Sqrt(a.part[i]))
+BEELINE_LANES(Lanes, abs(Lanes a), Abs(a.part[i]))
+BEELINE_LANES(Lanes, round(Lanes a), Round(a.part[i]))
+BEELINE_LANES(Lanes, floor(Lanes a), Floor(a.part[i]))
+BEELINE_LANES(Lanes, ceil(Lanes a), Ceil(a.part[i]))
+BEELINE_LANES(Lanes, min(Lanes a, Lanes b), Min(a.part[i], b.part[i]))
+BEELINE_LANES(Lanes, max(Lanes a, Lanes b), Max(a.part[i], b.part[i]))
+BEELINE_LANES(Lanes, with_sign(Lanes size, Lanes sign), CopySign(size.part[i], sign.part[i]))
+BEELINE_LANES(LaneMask, operator<(Lanes a, Lanes b), Lt(a.part[i], b.part[i]))
+BEELINE_LANES(LaneMask, operator<=(Lanes a, Lanes b), Le(a.part[i], b.part[i]))
+BEELINE_LANES(LaneMask, operator==(Lanes a, Lanes b), Eq(a.part[i], b.part[i]))
+BEELINE_LANES(LaneMask, operator&(LaneMask a, LaneMask b), And(a.part[i], b.part[i]))
+BEELINE_LANES(LaneMask, operator|(LaneMask a, LaneMask b), Or(a.part[i], b.part[i]))
+BEELINE_LANES(LaneMask, operator!(LaneMask a), Not(a.part[i]))
+BEELINE_LANES(Lanes, choose(LaneMask which, Lanes yes, Lanes no),
+              IfThenElse(which.part[i], yes.part[i], no.part[i]))
+#undef BEELINE_LANES
+
+HWY_INLINE LaneMask operator>(Lanes a, Lanes b) { return b < a; }
+HWY_INLINE LaneMask operator>=(Lanes a, Lanes b) { return b <= a; }
+HWY_INLINE Lanes& operator+=(Lanes& a, Lanes b) { return a = a + b; }
+HWY_INLINE Lanes& operator-=(Lanes& a, Lanes b) { return a = a - b; }
+HWY_INLINE Lanes& operator*=(Lanes& a, Lanes b) { return a = a * b; }
+
+/// c - a * b, rounded once where the machine can.
+HWY_INLINE Lanes fnma(Lanes a, Lanes b, Lanes c) {
+  Lanes r;
+  for (int i = 0; i < register_count; ++i) {
+    r.part[i] = hn::NegMulAdd(a.part[i], b.part[i], c.part[i]);
+  }
+  return r;
+}
+
+/// Bit k is set where the mask holds in lane k.
+HWY_INLINE unsigned bits(LaneMask mask) {
+  constexpr int width = lane_count / register_count;
+  unsigned r = 0;
+  for (int i = 0; i < register_count; ++i) {
+    uint8_t bytes[8] = {};
+    hn::StoreMaskBits(RegisterTag(), mask.part[i], bytes);
+    r |= static_cast<unsigned>(bytes[0]) << (i * width);
+  }
+  return r;
+}
+
+HWY_INLINE LaneMask mask_of(unsigned bits) {
+  double chosen[lane_count];
+  for (int k = 0; k < lane_count; ++k) chosen[k] = (bits >> k) & 1 ? 1 : 0;
+  return Lanes::load(chosen) > Lanes(0);
+}
+
+}  // namespace beeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,93 @@
+// Compiled once for each instruction set (Highway's foreach_target.h), so there is no #pragma once.
+#if defined(BEELINE_SIMD_TRIGONOMETRY_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BEELINE_SIMD_TRIGONOMETRY_INL_H
+#undef BEELINE_SIMD_TRIGONOMETRY_INL_H
+#else
+#define BEELINE_SIMD_TRIGONOMETRY_INL_H
+#endif
+
+#include <cmath>
+
+#include <beeline/simd/lanes-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace beeline::HWY_NAMESPACE {
+
+// The polynomials' coefficients are those of Moshier's Cephes library (sin.c, atan.c; 1984-2000):
+// relative error below 2e-16 within their ranges.
+
+/// Sine and cosine to about 1.5 units in the last place of 1, for every finite angle. Beyond 1e6
+/// rad, where three words of pi no longer reach, each lane goes to the C library.
+HWY_INLINE void sine_cosine(Lanes angle, Lanes& sine, Lanes& cosine) {
+  // Cody & Waite: x = k pi/2 + r. The words have 33 bits each, so that their products are exact.
+  const Lanes k = round(angle * Lanes(0x1.45f306dc9c883p-1));
+  Lanes r = fnma(k, Lanes(0x1.921fb544p+0), angle);
+  r = fnma(k, Lanes(0x1.0b4611a6p-34), r);
+  r = fnma(k, Lanes(0x1.3198a2e037073p-69), r);
+  const Lanes z = r * r;
+
+  Lanes s = fma(z, Lanes(1.58962301576546568060e-10), Lanes(-2.50507477628578072866e-8));
+  s = fma(z, s, Lanes(2.75573136213857245213e-6));
+  s = fma(z, s, Lanes(-1.98412698295895385996e-4));
+  s = fma(z, s, Lanes(8.33333333332211858878e-3));
+  s = fma(z, s, Lanes(-1.66666666666666307295e-1));
+  s = fma(z * r, s, r);
+
+  Lanes c = fma(z, Lanes(-1.13585365213876817300e-11), Lanes(2.08757008419747316778e-9));
+  c = fma(z, c, Lanes(-2.75573141792967388112e-7));
+  c = fma(z, c, Lanes(2.48015872888517045348e-5));
+  c = fma(z, c, Lanes(-1.38888888888730564116e-3));
+  c = fma(z, c, Lanes(4.16666666666665929218e-2));
+  c = fma(z * z, c, fnma(z, Lanes(0.5), Lanes(1)));
+
+  // k modulo 4, as 0, 1, 2, 3: odd quarters swap the two, and each has its sign.
+  const Lanes quarter = fnma(floor(k * Lanes(0.25)), Lanes(4), k);
+  const LaneMask swap = (quarter == Lanes(1)) | (quarter == Lanes(3));
+  const Lanes a = choose(swap, c, s), b = choose(swap, s, c);
+  sine = choose(quarter >= Lanes(2), -a, a);
+  cosine = choose((quarter == Lanes(1)) | (quarter == Lanes(2)), -b, b);
+
+  const LaneMask far = abs(angle) > Lanes(1e6);
+  if (HWY_UNLIKELY(bits(far) != 0)) {
+    double x[lane_count], sines[lane_count], cosines[lane_count];
+    angle.store(x);
+    for (int lane = 0; lane < lane_count; ++lane) {
+      sines[lane] = std::sin(x[lane]);
+      cosines[lane] = std::cos(x[lane]);
+    }
+    sine = choose(far, Lanes::load(sines), sine);
+    cosine = choose(far, Lanes::load(cosines), cosine);
+  }
+}
+
+/// The angle of the point (x, y), in [-pi, pi], to about 2 units in the last place; 0 at (0, 0).
+HWY_INLINE Lanes arc_tangent(Lanes y, Lanes x) {
+  const Lanes ax = abs(x), ay = abs(y);
+  const Lanes low = min(ax, ay), high = max(ax, ay);
+  // atan(t) = pi/4 + atan((t - 1) / (t + 1)) keeps the argument below 0.66 in size.
+  const LaneMask steep = low > Lanes(0.66) * high;
+  const Lanes over = choose(steep, low - high, low);
+  const Lanes under = choose(steep, low + high, high);
+  const Lanes t = over / choose(under == Lanes(0), Lanes(1), under);
+  const Lanes z = t * t;
+  Lanes p = fma(z, Lanes(-8.750608600031904122785e-1), Lanes(-1.615753718733365076637e1));
+  p = fma(z, p, Lanes(-7.500855792314704667340e1));
+  p = fma(z, p, Lanes(-1.228866684490136173410e2));
+  p = fma(z, p, Lanes(-6.485021904942025371773e1));
+  Lanes q = z + Lanes(2.485846490142306297962e1);
+  q = fma(z, q, Lanes(1.650270098316988542046e2));
+  q = fma(z, q, Lanes(4.328810604912902668951e2));
+  q = fma(z, q, Lanes(4.853903996359136964868e2));
+  q = fma(z, q, Lanes(1.945506571482613964425e2));
+  Lanes angle = fma(t * z, p / q, t);
+  constexpr double quarter_pi = 0x1.921fb54442d18p-1;
+  angle = choose(steep, angle + Lanes(quarter_pi), angle);
+  angle = choose(ay > ax, Lanes(2 * quarter_pi) - angle, angle);
+  angle = choose(x < Lanes(0), Lanes(4 * quarter_pi) - angle, angle);
+  return with_sign(angle, y);
+}
+
+}  // namespace beeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+#include <tests/random_arm.h>
+
+#include <beeline/kinematics/chain.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
+
+namespace beeline {
+namespace {
+
+Pose through_chain(const Chain& chain, const Configuration& q) {
+  Pose pose = chain.base;
+  for (const Chain::Link& link : chain.links) {
+    const double value = q[link.coordinate];
+    Pose turn_x = Pose::Identity();
+    turn_x.linear() << 1, 0, 0, 0, link.cos_alpha, -link.sin_alpha, 0, link.sin_alpha,
+        link.cos_alpha;
+    pose = pose * Eigen::Translation3d(link.step) * turn_x *
+           Eigen::AngleAxisd(link.rest_angle + link.turn * value, Vector3::UnitZ()) *
+           Eigen::Translation3d(0, 0, link.travel * value);
+  }
+  return pose * chain.tool;
+}
+
+void expect_same(const Arm& arm, testing::Random& random, double tolerance) {
+  const Chain chain = chain_of(arm);
+  for (int i = 0; i < 20; ++i) {
+    Configuration q(arm.dof());
+    for (double& value : q) value = random.uniform(-3, 3);
+    EXPECT_LT((through_chain(chain, q).matrix() - forward_kinematics(arm, q).matrix()).norm(),
+              tolerance)
+        << arm.name();
+  }
+}
+
+TEST(Chain, MovesAsTheArmDoes) {
+  testing::Random random;
+  for (const std::string& name : built_in_names()) expect_same(built_in(name), random, 1e-13);
+  for (int trial = 0; trial < 500; ++trial) {
+    expect_same(testing::random_arm(random, random.integer(1, 8), trial % 3), random, 1e-11);
+  }
+}
+
+TEST(Chain, IsExactForAxesThatAreParallelButForALittle) {
+  testing::Random random;
+  for (double tilt = 1e-16; tilt < 1e-2; tilt *= 10) {
+    std::vector<Joint> joints;
+    for (int i = 0; i < 6; ++i) {
+      Joint joint;
+      joint.name = "j" + std::to_string(i);
+      joint.offset = Pose(Eigen::Translation3d(0.5, 0.1, 0)) *
+                     Eigen::AngleAxisd(tilt, random.direction());
+      joint.screw = rotation_screw(Vector3::UnitZ());
+      joints.push_back(joint);
+    }
+    expect_same(Arm("nearly parallel", joints), random, 1e-13);
+  }
+}
+
+}  // namespace
+}  // namespace beeline
