@@ -11,11 +11,12 @@ strict := -DCMAKE_COMPILE_WARNING_AS_ERROR=ON
 endif
 
 .NOTPARALLEL:
-.PHONY: help build demo test asan lint format install clean
+.PHONY: help build demo bench test asan lint format install clean
 
 help:
 	@echo "make build     the command, in build/beeline"
 	@echo "make demo      an arm moves in straight lines: report and pictures in build/demo"
+	@echo "make bench     Beeline beside other solvers on the same poses: tables, build/bench/results.json"
 	@echo "make test      builds and runs every test"
 	@echo "make asan      the same under the address and undefined behaviour sanitizers"
 	@echo "make lint      formatting, static analysis, the house's rules"
@@ -30,6 +31,12 @@ build:
 
 demo: build
 	@scripts/demo.sh build/beeline build/demo
+
+bench:
+	@scripts/install_packages.sh build bench
+	@cmake --preset release -DBEELINE_BENCH=ON $(strict)
+	@cmake --build --preset release --parallel $(JOBS) --target bench
+	@scripts/bench.sh
 
 test:
 	@scripts/install_packages.sh build test
@@ -59,4 +66,4 @@ install: build
 	@cmake --install build --prefix $(PREFIX)
 
 clean:
-	@rm -rf build build-dev build-asan
+	@rm -rf build build-dev build-asan .venv-bench

@@ -69,7 +69,9 @@ double error_left(const Arm& arm, const Pose& goal, const Task& task, const Conf
 
 MotionStatus status_of(InverseStatus status) {
   if (status == InverseStatus::outside_limits) return MotionStatus::outside_limits;
-  if (status == InverseStatus::unreachable) return MotionStatus::unreachable;
+  if (status == InverseStatus::unreachable || status == InverseStatus::orientation) {
+    return MotionStatus::unreachable;
+  }
   return MotionStatus::not_found;
 }
 

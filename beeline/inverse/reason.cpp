@@ -31,10 +31,6 @@ std::vector<Twist> screws(const Arm& arm) {
 
 bool turns(const Twist& screw) { return !screw.tail<3>().isZero(0); }
 
-std::string point(const Vector3& p) {
-  return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";
-}
-
 /// All axes are along `axis`: the tilt against it stays, and so does the height along it unless
 /// something moves that way.
 std::optional<Obstacle> against_parallel_axes(const Arm& arm, const Vector3& axis,
@@ -98,6 +94,10 @@ std::optional<Obstacle> against_slides(const Arm& arm, const std::vector<Twist>&
 }
 
 }  // namespace
+
+std::string point(const Vector3& p) {
+  return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";
+}
 
 std::optional<Obstacle> beyond_reach(const Arm& arm, const Pose& world_T_tool, const Task& task,
                                      double tolerance) {

@@ -31,6 +31,9 @@ std::optional<Obstacle> against_what_stays(const Arm& arm, const Pose& world_T_t
 /// 2.5 rad (...), 0.3 rad (...) above its upper limit 2.2 rad (...)`. Requires that one is outside.
 std::string blocking_joint(const Arm& arm, const Configuration& q, const Bounds& bounds);
 
+/// A point as a phrase: `(0.1, 0.2, 0.3)`.
+std::string point(const Vector3& p);
+
 /// How far q is outside the bounds in all: the sum over its coordinates.
 double excess(const Bounds& bounds, const Configuration& q);
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <beeline/error.h>
 #include <beeline/inverse/representative.h>
 #include <beeline/pose/angle.h>
 
@@ -48,6 +49,31 @@ Configuration nearest_representative(const Arm& arm, const Configuration& q,
     if (std::abs(on_bound - moved[k]) <= rounding) moved[k] = on_bound;
   }
   return moved;
+}
+
+std::vector<Configuration> every_representative(const Arm& arm,
+                                                const std::vector<Configuration>& postures,
+                                                const Bounds& bounds) {
+  constexpr std::size_t most = 100'000;
+  std::vector<Configuration> all = postures;
+  for (int k = 0; k < arm.dof(); ++k) {
+    const double lower = bounds.lower[k], upper = bounds.upper[k];
+    if (!turns_around(arm, k) || !std::isfinite(lower) || !std::isfinite(upper)) continue;
+    std::vector<Configuration> turned;
+    for (const Configuration& q : all) {
+      const double first = q[k] + turn * std::ceil((lower - rounding - q[k]) / turn);
+      for (double value = first; value <= upper + rounding; value += turn) {
+        if (turned.size() == most) {
+          throw Error("arm " + arm.name() +
+                      " has more than 100000 turns of this pose within limits");
+        }
+        turned.push_back(q);
+        turned.back()[k] = std::clamp(value, lower, upper);
+      }
+    }
+    all = turned;
+  }
+  return all;
 }
 
 bool within(const Bounds& bounds, const Configuration& q) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <beeline/inverse/numerical.h>
 
 namespace beeline {
@@ -14,6 +16,12 @@ bool turns_around(const Arm& arm, int k);
 /// bound, so that a solution at a limit is within it.
 Configuration nearest_representative(const Arm& arm, const Configuration& q,
                                      const Configuration& reference, const Bounds& bounds);
+
+/// Each posture by every turn within the bounds of those coordinates that turn around and have
+/// bounds. Throws Error when there would be more than 100,000.
+std::vector<Configuration> every_representative(const Arm& arm,
+                                                const std::vector<Configuration>& postures,
+                                                const Bounds& bounds);
 
 bool within(const Bounds& bounds, const Configuration& q);
 

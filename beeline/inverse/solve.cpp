@@ -1,256 +1,223 @@
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <bit>
 
 #include <beeline/error.h>
-#include <beeline/inverse/planar.h>
+#include <beeline/inverse/lock.h>
+#include <beeline/inverse/locked_joint.h>
+#include <beeline/inverse/methods.h>
 #include <beeline/inverse/reason.h>
-#include <beeline/inverse/representative.h>
-#include <beeline/inverse/search.h>
 #include <beeline/inverse/solve.h>
-#include <beeline/kinematics/forward.h>
-#include <beeline/pose/angle.h>
 
 namespace beeline {
 namespace {
 
-/// Everything that is asked, checked and with its defaults filled in.
-struct Question {
-  const Arm& arm;
-  Pose goal;
-  Task task;
-  Configuration seed;
-  Bounds bounds;  ///< the limits, or none where these do not count
-  double tolerance = 0;
-  InverseOptions options;
-};
+constexpr const char* method_names[] = {"automatic", "closed_form", "numerical"};
+constexpr const char* redundancy_names[] = {"any", "nearest", "centred"};
+constexpr const char* status_names[] = {"solved", "unreachable", "orientation", "outside_limits",
+                                        "not_found"};
 
-double largest(const Deviation& error) { return std::max(error.position, error.orientation); }
-
-Pose checked_pose(const Pose& pose) {
-  constexpr double farthest = 1e100;  // beyond, squares overflow
-  constexpr double rounding = 1e-6;   // of a rotation that was read from text
-  if (!pose.matrix().allFinite() || pose.translation().cwiseAbs().maxCoeff() > farthest) {
-    throw Error("the pose has a number that is not finite, or a position beyond 1e100 m");
-  }
-  const Rotation r = pose.linear();
-  if (!(r * r.transpose()).isIdentity(rounding) || r.determinant() < 0) {
-    throw Error("the pose is no rigid motion: its rotation must be orthonormal and right-handed");
-  }
-  Pose rigid = pose;
-  rigid.linear() = Eigen::Quaterniond(r).normalized().toRotationMatrix();
-  return rigid;
+template <std::size_t n>
+int named(std::string_view name, const char* const (&names)[n], const char* what) {
+  const auto* found = std::find(std::begin(names), std::end(names), name);
+  if (found != std::end(names)) return static_cast<int>(found - names);
+  throw unknown_name(what, name, {std::begin(names), std::end(names)});
 }
 
-/// Forward kinematics rounds off about this much of the arm's size.
-double rounding_of(const Arm& arm, const Pose& goal) {
-  const double reach = std::isfinite(arm.reach().radius) ? arm.reach().radius : 0;
-  const double size = std::max(reach, goal.translation().norm());
-  return 16 * std::numeric_limits<double>::epsilon() * size *
-         std::sqrt(static_cast<double>(arm.joints().size()));
-}
-
-Question checked(const Arm& arm, const Pose& world_T_tool, const InverseOptions& options) {
-  Question ask{arm,
-               checked_pose(world_T_tool),
-               options.task.value_or(default_task(arm)),
-               options.seed.value_or(middle_configuration(arm)),
-               options.ignore_limits ? no_bounds(arm) : bounds_of(arm),
-               options.tolerance,
-               options};
-  check_configuration(arm, ask.seed);
-  if (ask.task.size() == 0 || ask.task.frame == Frame::space) {
-    throw Error("the task needs at least one row, and the base or the tool frame");
-  }
-  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
-    throw Error("tolerance is " + number(options.tolerance) + "; it must be above zero");
-  }
-  if (options.iterations < 0 || options.restarts < 0) {
-    throw Error("iterations is " + std::to_string(options.iterations) + " and restarts " +
-                std::to_string(options.restarts) + "; neither may be negative");
-  }
-  ask.tolerance = std::max(options.tolerance, rounding_of(arm, ask.goal));
-  return ask;
-}
-
-double error_at(const Question& ask, const Configuration& q) {
-  return largest(task_deviation(ask.task, ask.goal, forward_kinematics(ask.arm, q)));
-}
-
-/// Adds q to the solutions, by the turns nearest to the seed, if so it is within limits and forward
-/// kinematics confirms it. `q` is a posture that some method claims to be a solution.
-void confirm(const Question& ask, const Configuration& q, InverseResult& result) {
-  // Next to a singular solution a value is known to the square root of rounding only.
-  constexpr double hair = 1e-6;
-  Configuration turned = nearest_representative(ask.arm, q, ask.seed, ask.bounds);
-  if (excess(ask.bounds, turned) > hair) return;
-  turned = turned.cwiseMax(ask.bounds.lower).cwiseMin(ask.bounds.upper);
-  if (!(error_at(ask, turned) <= ask.tolerance)) {
-    // It was set on a bound, or lost its digits in turns far from zero.
-    const Configuration& near = within(ask.bounds, q) ? q : turned;
-    turned = descend(ask.arm, ask.goal, ask.task, ask.bounds, near, {.tolerance = ask.tolerance}).q;
-    if (!(error_at(ask, turned) <= ask.tolerance)) return;
-  }
-  result.solutions.push_back(turned);
-}
-
-InverseResult refused(InverseResult result, InverseStatus status, double residual,
-                      const std::string& reason) {
-  result.status = status;
-  result.residual = residual;
-  result.reason = reason;
+InverseResult refused(const Obstacle& obstacle) {
+  InverseResult result;
+  result.status = InverseStatus::unreachable;
+  result.method = "reach";
+  result.residual = obstacle.missing;
+  result.reason = obstacle.reason;
   return result;
 }
 
-/// Sorts what was found and leaves out what was not asked for.
-InverseResult solved(const Question& ask, InverseResult result) {
-  result.status = InverseStatus::solved;
-  std::sort(result.solutions.begin(), result.solutions.end(),
-            [&ask](const Configuration& a, const Configuration& b) {
-              const double to_a = (a - ask.seed).norm(), to_b = (b - ask.seed).norm();
-              if (to_a != to_b) return to_a < to_b;
-              return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-            });
-  if (!ask.options.all) result.solutions.resize(1);
-  result.residual = 0;
-  for (const Configuration& q : result.solutions) {
-    result.residual = std::max(result.residual, error_at(ask, q));
+/// Why a solution that was found is not the only one of its kind.
+std::string continuum_reason(const Arm& arm) {
+  return "singular: arm " + arm.name() +
+         " can move there with the tool at rest, so that there are infinitely many solutions; "
+         "those "
+         "given have the joints concerned nearest to the seed";
+}
+
+InverseResult answer(InverseMethods& methods, const Pose& world_T_tool, const Configuration& seed,
+                     bool with_reason);
+
+/// With a coordinate locked that no closed form is prepared for: another arm for each value of it.
+InverseResult answer_locked(InverseMethods& methods, const Pose& world_T_tool,
+                            const Configuration& seed, bool with_reason) {
+  check_configuration(methods.arm, seed);
+  const int k = *methods.options.lock;
+  const double value = seed[k];
+  const Limits& limits = methods.arm.limits()[static_cast<std::size_t>(k)];
+  if (!methods.options.ignore_limits && !(value >= limits.lower && value <= limits.upper)) {
+    throw Error("joint " + methods.arm.joint_of(k).name + " is locked at " + number(value) +
+                ", outside its limits");
+  }
+  InverseOptions options = methods.options;
+  options.lock.reset();
+  options.seed.reset();
+  options.task = methods.task;
+  InverseMethods shorter = inverse_methods(with_locked(methods.arm, k, value), options);
+  InverseResult result = answer(shorter, world_T_tool, without(seed, k), with_reason);
+  for (Configuration& q : result.solutions) q = with(q, k, value);
+  if (result.nearest) {
+    result.nearest->q = with(result.nearest->q, k, value);
+    if (result.nearest->blocking >= k) ++result.nearest->blocking;
   }
   return result;
 }
 
-Search search_within(const Question& ask, const Bounds& bounds, Configuration start, bool all,
-                     InverseResult& result) {
-  for (int k = 0; k < ask.arm.dof(); ++k) {
-    const bool open = !std::isfinite(bounds.lower[k]) && !std::isfinite(bounds.upper[k]);
-    if (open && turns_around(ask.arm, k)) start[k] = wrap_angle(start[k]);  // keeps its digits
+/// Reasons take longer than answers: they are left out where nobody asks for them.
+InverseResult answer(InverseMethods& methods, const Pose& world_T_tool, const Configuration& seed,
+                     bool with_reason) {
+  if (methods.options.lock && !methods.closed) {
+    return answer_locked(methods, world_T_tool, seed, with_reason);
   }
-  Search found = search(ask.arm, ask.goal, ask.task, bounds, start,
-                        {.tolerance = ask.tolerance,
-                         .iterations = ask.options.iterations,
-                         .restarts = ask.options.restarts,
-                         .all = all,
-                         .random_seed = ask.options.random_seed});
-  result.iterations += found.iterations;
-  result.restarts += found.restarts;
-  for (const Configuration& q : found.solutions) confirm(ask, q, result);
-  return found;
-}
-
-std::string tries(const Question& ask) {
-  const int count = ask.options.restarts + 1;
-  return std::to_string(count) + (count == 1 ? " try" : " tries");
-}
-
-InverseResult closed_form(const Question& ask) {
+  const Question ask =
+      question(methods.arm, methods.options, methods.task, methods.bounds, world_T_tool, seed);
+  if (const auto stays = against_what_stays(ask.arm, ask.goal, ask.task, ask.tolerance)) {
+    return refused(*stays);
+  }
   InverseResult result;
-  result.method = "planar closed form";
-  const PlanarSolution* best = nullptr;     // by what is missing
-  const PlanarSolution* outside = nullptr;  // of those that reach, by how far limits are exceeded
-  bool continuum = false;
-  const auto beyond_limits = [&ask](const Configuration& q) {
-    return excess(ask.bounds, nearest_representative(ask.arm, q, ask.seed, ask.bounds));
-  };
-  const std::vector<PlanarSolution> candidates =
-      nearest_planar_solutions(ask.arm, ask.goal, ask.task, ask.seed, ask.tolerance);
-  for (const PlanarSolution& candidate : candidates) {
-    if (best == nullptr || largest(candidate.error) < largest(best->error)) best = &candidate;
-    if (!(largest(candidate.error) <= ask.tolerance)) continue;
-    continuum = continuum || candidate.continuum;
-    if (outside == nullptr || beyond_limits(candidate.q) < beyond_limits(outside->q)) {
-      outside = &candidate;
+  result.method = description(methods);
+  const bool formulas = methods.planar || methods.closed || methods.general;
+  Beyond beyond;
+  if (formulas) beyond = solve_closed(methods, ask, result);
+  const bool last_word = beyond.complete && !(beyond.continuum && result.solutions.empty());
+  const bool far = !limits_bound_reach(ask.arm) &&
+                   beyond_reach(ask.arm, ask.goal, ask.task, ask.tolerance).has_value();
+  if (result.solutions.empty() && !last_word && !far &&
+      methods.options.method != InverseMethod::closed_form) {
+    beyond = solve_numerical(methods, ask, result, beyond);
+    if (!result.solutions.empty()) result.method = "numerical";
+  }
+  if (!result.solutions.empty()) {
+    finish(ask, result);
+    if (result.singular) result.reason = continuum_reason(ask.arm);
+  } else if (with_reason) {
+    explain(methods, ask, beyond, result);
+  }
+  return result;
+}
+
+/// The closed form's answer where nothing about it needs a second look; -1 where something does.
+int quick(InverseMethods& methods, const Pose& goal, const ConfigurationRef& seed,
+          Eigen::Ref<Eigen::MatrixXd> solutions) {
+  const ClosedForm& form = *methods.closed;
+  SixQuestion six = form.question(seed, methods.bounds.lower, methods.bounds.upper);
+  LockedBranch branch;
+  const bool scans = form.locked() >= 0 && !methods.options.lock;
+  if (scans) {
+    if (methods.options.all || methods.options.redundancy != Redundancy::any) return -1;
+    const LockedRange range = locked_range(methods.arm, methods.bounds, seed, form);
+    // A few values find most; for the rest descents from near them find more than more values.
+    constexpr int few = 9;
+    LeastOutside outside;
+    branch = first_within(form, goal, range, std::min(few, methods.options.grid), six, outside);
+    if (branch.lane < 0 && outside.count > 0 &&
+        descend_from(methods, goal, outside, methods.options.tolerance, solutions.col(0))) {
+      return 1;
     }
-    confirm(ask, candidate.q, result);
+    if (branch.lane < 0) return descend_at_once(methods, goal, seed, solutions);
+  } else {
+    if (form.locked() >= 0) branch.value = seed[form.locked()];
+    form.branches(goal, branch.value, six, branch.found);
+    branch.lane = nearest_lane(form, branch.found);
   }
-  if (outside == nullptr) {
-    const bool oriented = ask.task == Task::planar();
-    // The candidates have the very orientation; a coarse tolerance might trade some of it.
-    const bool proved = ask.tolerance <= 1e-6;
-    return refused(result, proved ? InverseStatus::unreachable : InverseStatus::not_found,
-                   largest(best->error),
-                   "the pose is out of reach: " +
-                       std::string(oriented ? "with the orientation asked for, " : "") +
-                       "the tool of arm " + ask.arm.name() + " comes no nearer than " +
-                       miss(best->error, ask.tolerance));
+  const SixBranches& found = branch.found;
+  if (!methods.options.all) {
+    if (branch.lane < 0 || (found.continuum >> branch.lane & 1) != 0) return -1;
+    form.configuration(found, branch.lane, branch.value, solutions.col(0));
+    return 1;
   }
-  double residual = 0;
-  if (result.solutions.empty() && continuum) {  // others of the infinitely many may be within
-    residual = largest(search_within(ask, ask.bounds, outside->q, false, result).nearest.error);
+  if (methods.options.every_turn || found.continuum != 0) return -1;
+  const double closed = closed_residual(form);
+  int lanes[8], count = 0;
+  for (unsigned rest = found.found; rest != 0; rest &= rest - 1) {
+    const int lane = std::countr_zero(rest);
+    if (!(found.residual[lane] <= closed)) return -1;
+    if ((found.within >> lane & 1) == 0) {
+      // A hair outside its limits it may still be mended.
+      constexpr double hair = 1e-6;
+      if (found.excess[lane] < hair) return -1;
+      continue;
+    }
+    int place = count++;
+    for (; place > 0 && found.distance[lanes[place - 1]] > found.distance[lane]; --place) {
+      lanes[place] = lanes[place - 1];
+    }
+    lanes[place] = lane;
   }
-  if (!result.solutions.empty()) return solved(ask, result);
-  const Configuration q = nearest_representative(ask.arm, outside->q, ask.seed, ask.bounds);
-  return refused(result, InverseStatus::outside_limits, residual,
-                 (continuum ? "no solution within the joint limits was found in " + tries(ask)
-                            : std::string("every solution is outside the joint limits")) +
-                     "; in the nearest one " + blocking_joint(ask.arm, q, ask.bounds));
-}
-
-/// Looks without limits for what a search within them missed: a posture whose turns fit, or one
-/// from whose nearest corner of the limits a descent arrives. Returns the solution that exceeds the
-/// limits least, if there is any.
-std::optional<Configuration> search_beyond(const Question& ask, InverseResult& result) {
-  const Search found = search_within(ask, no_bounds(ask.arm), ask.seed, true, result);
-  std::optional<Configuration> least;
-  for (const Configuration& q : found.solutions) {
-    if (!result.solutions.empty()) break;
-    const Configuration turned = nearest_representative(ask.arm, q, ask.seed, ask.bounds);
-    if (!least || excess(ask.bounds, turned) < excess(ask.bounds, *least)) least = turned;
-    const Descent run = descend(ask.arm, ask.goal, ask.task, ask.bounds, turned,
-                                {.tolerance = ask.tolerance, .iterations = ask.options.iterations});
-    result.iterations += run.iterations;
-    if (run.converged) confirm(ask, run.q, result);
-  }
-  return least;
-}
-
-/// `far` says that limits keep the pose out of reach, so that there is nothing to search within.
-InverseResult numerical(const Question& ask, const std::optional<Obstacle>& far) {
-  InverseResult result;
-  result.method = "numerical";
-  Deviation nearest;
-  if (!far) {
-    nearest = search_within(ask, ask.bounds, ask.seed, ask.options.all, result).nearest.error;
-    if (!result.solutions.empty()) return solved(ask, result);
-  }
-  if (ask.bounds.lower.array().isFinite().any() || ask.bounds.upper.array().isFinite().any()) {
-    const std::optional<Configuration> beyond = search_beyond(ask, result);
-    if (!result.solutions.empty()) return solved(ask, result);
-    if (beyond && excess(ask.bounds, *beyond) > 0) {
-      const std::string none_within =
-          far ? far->reason : "no solution within the joint limits was found in " + tries(ask);
-      return refused(
-          result, InverseStatus::outside_limits, largest(nearest),
-          none_within + "; without limits " + blocking_joint(ask.arm, *beyond, ask.bounds));
+  constexpr double twin = 1e-5;  // solutions this near to each other may be one
+  for (int i = 1; i < count; ++i) {
+    if (found.distance[lanes[i]] - found.distance[lanes[i - 1]] < twin) {
+      bool same = true;
+      for (const auto& q : found.q) same = same && std::abs(q[lanes[i]] - q[lanes[i - 1]]) < twin;
+      if (same) return -1;
     }
   }
-  if (far) return refused(result, InverseStatus::unreachable, far->missing, far->reason);
-  return refused(result, InverseStatus::not_found, largest(nearest),
-                 "no solution was found in " + tries(ask) + "; the nearest misses by " +
-                     miss(nearest, ask.tolerance) + "; that none exists is not proved");
+  count = std::min(count, static_cast<int>(solutions.cols()));
+  for (int i = 0; i < count; ++i) {
+    form.configuration(found, lanes[i], branch.value, solutions.col(i));
+  }
+  return count;
 }
 
 }  // namespace
 
-std::string name(InverseStatus status) {
-  constexpr const char* names[] = {"solved", "unreachable", "outside_limits", "not_found"};
-  return names[static_cast<int>(status)];
+InverseMethod inverse_method_named(std::string_view name) {
+  return static_cast<InverseMethod>(named(name, method_names, "method"));
+}
+std::string name(InverseMethod method) { return method_names[static_cast<int>(method)]; }
+
+Redundancy redundancy_named(std::string_view name) {
+  return static_cast<Redundancy>(named(name, redundancy_names, "redundancy"));
+}
+std::string name(Redundancy redundancy) { return redundancy_names[static_cast<int>(redundancy)]; }
+
+std::string name(InverseStatus status) { return status_names[static_cast<int>(status)]; }
+
+InverseSolver::InverseSolver(const Arm& arm, const InverseOptions& options)
+    : methods_(std::make_unique<InverseMethods>(inverse_methods(arm, options))) {}
+InverseSolver::InverseSolver(const InverseSolver& other)
+    : methods_(std::make_unique<InverseMethods>(*other.methods_)) {}
+InverseSolver::~InverseSolver() = default;
+
+std::string InverseSolver::method() const { return description(*methods_); }
+
+InverseResult InverseSolver::solve(const Pose& world_T_tool) {
+  const Configuration& seed = methods_->options.seed ? *methods_->options.seed : methods_->middle;
+  return answer(*methods_, world_T_tool, seed, true);
+}
+
+int InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed,
+                         Eigen::Ref<Eigen::MatrixXd> solutions) {
+  check_configuration(methods_->arm, seed);
+  if (solutions.rows() != methods_->arm.dof() || solutions.cols() < 1) {
+    throw Error("solutions need " + std::to_string(methods_->arm.dof()) +
+                " rows and at least one column");
+  }
+  const Pose goal = checked_pose(world_T_tool);
+  if (methods_->closed) {
+    const int count = quick(*methods_, goal, seed, solutions);
+    if (count >= 0) return count;
+  } else if (!methods_->planar && !methods_->general && !methods_->options.all &&
+             !methods_->options.lock) {
+    return descend_at_once(*methods_, goal, seed, solutions);
+  }
+  const InverseResult result = answer(*methods_, goal, seed, false);
+  const auto room = static_cast<std::size_t>(solutions.cols());
+  const std::size_t count = std::min(room, result.solutions.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    solutions.col(static_cast<Eigen::Index>(i)) = result.solutions[i];
+  }
+  return static_cast<int>(count);
 }
 
 InverseResult inverse_kinematics(const Arm& arm, const Pose& world_T_tool,
                                  const InverseOptions& options) {
-  const Question ask = checked(arm, world_T_tool, options);
-  const auto proved = [](const Obstacle& obstacle) {
-    InverseResult result;
-    result.method = "reach";
-    return refused(result, InverseStatus::unreachable, obstacle.missing, obstacle.reason);
-  };
-  if (const auto stays = against_what_stays(arm, ask.goal, ask.task, ask.tolerance)) {
-    return proved(*stays);
-  }
-  std::optional<Obstacle> far = beyond_reach(arm, ask.goal, ask.task, ask.tolerance);
-  if (far && !limits_bound_reach(arm)) return proved(*far);
-  if (options.ignore_limits) far.reset();
-  return has_planar_closed_form(arm, ask.task) ? closed_form(ask) : numerical(ask, far);
+  return InverseSolver(arm, options).solve(world_T_tool);
 }
 
 }  // namespace beeline

@@ -1,61 +1,129 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <beeline/kinematics/task.h>
 
 namespace beeline {
 
+enum class InverseMethod {
+  automatic,    ///< closed form where the arm has one, else numerical
+  closed_form,  ///< all solutions by formulas and polynomials; Error where the arm has none
+  numerical,    ///< descents from the seed and from random configurations
+};
+InverseMethod inverse_method_named(std::string_view name);  ///< throws Error, naming the choices
+std::string name(InverseMethod method);
+
+/// Which of infinitely many, where the arm has one joint more than the task has rows.
+enum class Redundancy {
+  any,      ///< the first that is met, going out from the seed
+  nearest,  ///< the nearest to the seed
+  centred,  ///< the farthest from the limits: the least share of a joint's range left is largest
+};
+Redundancy redundancy_named(std::string_view name);
+std::string name(Redundancy redundancy);
+
 struct InverseOptions {
   /// Solutions nearest to it come first; default: the middle of the limits.
   std::optional<Configuration> seed = std::nullopt;
   std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
-  /// Closed form: all solutions there are, else the nearest only. Numerical: those that all
-  /// restarts meet, of which some may be missing (and an arm with more joints than the task has
-  /// rows has infinitely many), else the first that is met.
+  InverseMethod method = InverseMethod::automatic;
+  /// Closed form: all solutions there are, else the nearest only; with a joint to spare, all on a
+  /// grid of values of that joint. Numerical: those that all restarts meet, of which some may be
+  /// missing, else the first that is met.
   bool all = false;
+  bool every_turn = false;     ///< with `all`: the same posture by every turn within limits
   bool ignore_limits = false;  ///< joint limits do not count
+  std::optional<int> lock = std::nullopt;  ///< a coordinate that stays at the seed's value
+  Redundancy redundancy = Redundancy::any;
+  int grid = 32;  ///< values of the joint to spare that are tried first
   /// Largest error of a solution, metres and radians. Never taken below the rounding of forward
-  /// kinematics, about 4e-15 of the arm's size: from a reach of 1e5 m on that is what counts.
-  double tolerance = 1e-9;
-  int iterations = 100;           ///< most steps of the numerical solver in one try
-  int restarts = 100;             ///< most tries after the first, from random configurations
+  /// kinematics, about 4e-15 of the arm's size: from a reach of 1e4 m on that is what counts.
+  double tolerance = 1e-10;
+  int iterations = 100;           ///< most steps of the numerical solver in one descent
+  int restarts = 1000;            ///< most descents after the first, from random configurations
   std::uint64_t random_seed = 1;  ///< the same seed gives the same answer
+  /// Seconds after which a numerical search ends with what it has; then the answer may depend on
+  /// the machine.
+  std::optional<double> time_limit = std::nullopt;
 };
 
 enum class InverseStatus {
   solved,          ///< at least one solution, checked by forward kinematics
-  unreachable,     ///< proved, for tolerances up to 1e-6: no configuration reaches the pose
-  outside_limits,  ///< there are solutions, but none within the joint limits (proved for planar
-                   ///< closed form without a continuum, else none was found there)
-  not_found,       ///< the search ended without a solution; that none exists is not proved
+  unreachable,     ///< the tool cannot come to the position, limits or not
+  orientation,     ///< it can come to the position, but not with the orientation that is asked for
+  outside_limits,  ///< it can come to the pose, but not within the joint limits
+  not_found,       ///< the search ended without a solution; that none exists is not shown
 };
 std::string name(InverseStatus status);
+
+/// The configuration that comes nearest to what was asked.
+struct NearestMiss {
+  Configuration q;    ///< outside_limits: a solution, and the least outside limits; else the one
+                      ///< whose tool is nearest to the position (of those, to the orientation)
+  Pose world_T_tool;  ///< what it reaches
+  Deviation error;    ///< from the pose asked for
+  int blocking = -1;  ///< outside_limits: the coordinate that is outside, by ...
+  double excess = 0;  ///< ... this much (radians or metres)
+};
 
 struct InverseResult {
   InverseStatus status = InverseStatus::not_found;
   std::vector<Configuration> solutions;  ///< by distance from the seed; empty unless solved
+  /// Solved, but singular: the solutions given stand for infinitely many that are one motion of the
+  /// arm with the tool at rest; those with the joints concerned nearest to the seed are given.
+  bool singular = false;
   /// Metres or radians, whichever is larger. Solved: the largest error that forward kinematics
-  /// shows. Unreachable: what is missing at least. Else: the error of the nearest miss within
-  /// limits, or, where none was looked for there, 0.
+  /// shows. Unreachable: how far the position is out of reach. Orientation: the angle that is
+  /// missing at least. Else: the error of the nearest miss within limits, or 0 where none was
+  /// looked for.
   double residual = 0;
-  std::string reason;  ///< one sentence; empty when solved
-  std::string method;  ///< "planar closed form", "numerical", or "reach" where that settles it
-  int iterations = 0;  ///< of the numerical solver, over all tries
-  int restarts = 0;    ///< tries from random configurations
+  std::optional<NearestMiss> nearest;  ///< unless solved
+  std::string reason;                  ///< one sentence; empty when solved and not singular
+  std::string method;                  ///< such as "closed form: three axes meet (joints 4, 5, 6)"
+  int iterations = 0;                  ///< of the numerical solver, over all descents
+  int restarts = 0;                    ///< descents from random configurations
 };
 
 /// The joint configurations that bring the tool to `world_T_tool`, as far as the task asks.
-/// Chooses the method: closed form for planar arms of up to three joints, numerical otherwise.
-/// Every q returned has been put through forward kinematics, and is finite and within limits.
-/// Angles are given by the turn that is nearest to the seed within limits; lengths, helical joints
-/// and joints whose followers would not come round as well are never wrapped. Distances from the
-/// seed are Euclidean, radians and metres weighing alike.
+/// Chooses the method from the arm's geometry: see InverseSolver::method(). Every q returned has
+/// been put through forward kinematics, and is finite and within limits. Angles are given by the
+/// turn that is nearest to the seed within limits; lengths, helical joints and joints whose
+/// followers would not come round as well are never wrapped. Distances from the seed are
+/// Euclidean, radians and metres weighing alike.
 /// Throws Error when the pose, the seed or an option makes no sense.
 InverseResult inverse_kinematics(const Arm& arm, const Pose& world_T_tool,
                                  const InverseOptions& options = {});
+
+struct InverseMethods;
+
+/// inverse_kinematics() for many poses of one arm: what does not depend on the pose is done once.
+/// Not for use by two threads at a time; copies are cheap enough to give one to each.
+class InverseSolver {
+ public:
+  explicit InverseSolver(const Arm& arm, const InverseOptions& options = {});
+  InverseSolver(const InverseSolver& other);
+  ~InverseSolver();
+
+  /// In words: the closed form that the arm has, or "numerical".
+  std::string method() const;
+
+  InverseResult solve(const Pose& world_T_tool);
+
+  /// For loops: writes the solutions nearest to `seed` first into the columns of `solutions`, as
+  /// many as there is room for (one suffices unless options.all), and returns how many. No reason
+  /// is looked for where there is none: the answer is then 0. Does not allocate in the ordinary
+  /// course. Throws Error when a size does not fit or a number is not finite.
+  int solve(const Pose& world_T_tool, const ConfigurationRef& seed,
+            Eigen::Ref<Eigen::MatrixXd> solutions);
+
+ private:
+  std::unique_ptr<InverseMethods> methods_;
+};
 
 }  // namespace beeline

@@ -6,19 +6,7 @@
 namespace beeline {
 namespace {
 
-/// A joint's axis in the world when every coordinate is zero.
-struct Axis {
-  Vector3 direction;
-  Vector3 point;
-  bool anywhere = false;  ///< a slide has no place
-};
-
-Axis axis_in_world(const Joint& joint, const Pose& world_T_link) {
-  const Vector3 linear = joint.screw.head<3>(), angular = joint.screw.tail<3>();
-  if (angular.isZero(0)) return {world_T_link.linear() * linear, Vector3::Zero(), true};
-  const Vector3 point = angular.cross(linear);  // the axis's nearest to the link's origin
-  return {world_T_link.linear() * angular, world_T_link * point};
-}
+bool slides(const Joint& joint) { return kind(joint) == JointKind::prismatic; }
 
 /// The direction about which `from` turns into `to`, or `otherwise` where they are parallel.
 /// However short the cross product, its error turns `to` by rounding only.
@@ -36,8 +24,45 @@ Pose frame(const Vector3& x, const Vector3& z, const Vector3& origin) {
   return world_T_frame;
 }
 
+/// The link's motion when its coordinate is zero.
+Pose at_rest(const Chain::Link& link) {
+  Pose pose = Pose::Identity();
+  pose.linear() << 1, 0, 0, 0, link.cos_alpha, -link.sin_alpha, 0, link.sin_alpha, link.cos_alpha;
+  pose.linear() = pose.linear() * Eigen::AngleAxisd(link.rest_angle, Vector3::UnitZ());
+  pose.translation() = link.step;
+  return pose;
+}
+
 double angle_about(const Vector3& z, const Vector3& from, const Vector3& to) {
   return std::atan2(z.dot(from.cross(to)), from.dot(to));
+}
+
+Pose inverse(const Pose& pose) { return pose.inverse(Eigen::Isometry); }
+
+/// The chain along the axes that are given in the world: all but what drives the links.
+Chain frames_along(const std::vector<JointAxis>& axes, const Pose& world_T_tool) {
+  Chain chain;
+  Vector3 x = axes[0].direction.unitOrthogonal();
+  Pose world_T_before = frame(x, axes[0].direction, axes[0].point);
+  chain.base = world_T_before;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const Vector3& z = axes[i].direction;
+    const Pose before = world_T_before;
+    Chain::Link link;
+    link.step = inverse(before) * axes[i].point;
+    // x is already the direction about which the axis before turns into this one.
+    const double alpha = angle_about(x, before.linear().col(2), z);
+    link.cos_alpha = std::cos(alpha);
+    link.sin_alpha = std::sin(alpha);
+    const Vector3 next = i + 1 < axes.size() ? turning_direction(z, axes[i + 1].direction, x) : x;
+    link.rest_angle = angle_about(z, x, next);
+    link.coordinate = static_cast<int>(i);
+    chain.links.push_back(link);
+    x = next;
+    world_T_before = frame(x, z, axes[i].point);
+  }
+  chain.tool = inverse(world_T_before) * world_T_tool;
+  return chain;
 }
 
 }  // namespace
@@ -46,42 +71,51 @@ Chain chain_of(const Arm& arm) {
   const std::size_t n = arm.joints().size();
   std::vector<Pose> world_T_link(n + 1);
   link_poses(arm, Configuration::Zero(arm.dof()), world_T_link);
-  std::vector<Axis> axes;
+  std::vector<JointAxis> axes;
+  Vector3 origin = world_T_link[1].translation();
   for (std::size_t i = 0; i < n; ++i) {
-    axes.push_back(axis_in_world(arm.joints()[i], world_T_link[i + 1]));
-  }
-
-  Chain chain;
-  Vector3 z = axes[0].direction;
-  Vector3 x = z.unitOrthogonal();
-  Vector3 origin = axes[0].anywhere ? world_T_link[1].translation() : axes[0].point;
-  chain.base = frame(x, z, origin);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Arm::Drive& drive = arm.drives()[i];
-    Chain::Link link;
-    if (i > 0) {  // x is already the direction about which the axis before turns into this one
-      const Pose before = frame(x, z, origin);
-      const Axis& axis = axes[i];
-      if (!axis.anywhere) {
-        origin = axis.point + (origin - axis.point).dot(axis.direction) * axis.direction;
-      }
-      link.step = before.linear().transpose() * (origin - before.translation());
-      const double alpha = angle_about(x, z, axis.direction);
-      link.cos_alpha = std::cos(alpha);
-      link.sin_alpha = std::sin(alpha);
-      z = axis.direction;
-    }
-    const Vector3 next = i + 1 < n ? turning_direction(z, axes[i + 1].direction, x) : x;
-    link.rest_angle = angle_about(z, x, next);
-    x = next;
     const Joint& joint = arm.joints()[i];
-    link.turn = kind(joint) == JointKind::prismatic ? 0 : drive.ratio;
-    link.travel = kind(joint) == JointKind::prismatic ? drive.ratio : pitch(joint) * drive.ratio;
-    link.coordinate = drive.coordinate;
-    chain.links.push_back(link);
+    const Vector3 linear = joint.screw.head<3>(), angular = joint.screw.tail<3>();
+    const Vector3 direction = world_T_link[i + 1].linear() * (slides(joint) ? linear : angular);
+    if (!slides(joint)) {  // a slide has no place
+      const Vector3 point = world_T_link[i + 1] * angular.cross(linear);
+      origin = i == 0 ? point : Vector3(point + (origin - point).dot(direction) * direction);
+    }
+    axes.push_back({direction, origin});
   }
-  chain.tool = frame(x, z, origin).inverse() * world_T_link[n] * arm.tool();
+  Chain chain = frames_along(axes, world_T_link[n] * arm.tool());
+  for (std::size_t i = 0; i < n; ++i) {
+    const Joint& joint = arm.joints()[i];
+    const Arm::Drive& drive = arm.drives()[i];
+    chain.links[i].turn = slides(joint) ? 0 : drive.ratio;
+    chain.links[i].travel = slides(joint) ? drive.ratio : pitch(joint) * drive.ratio;
+    chain.links[i].coordinate = drive.coordinate;
+  }
   return chain;
+}
+
+Chain chain_through(const Chain& chain, const std::vector<JointAxis>& axes) {
+  const std::vector<JointAxis> own = axes_of(chain);
+  Pose world_T_tool = chain.base;
+  for (const Chain::Link& link : chain.links) world_T_tool = world_T_tool * at_rest(link);
+  Chain other = frames_along(axes, world_T_tool * chain.tool);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const double sign = own[i].direction.dot(axes[i].direction) < 0 ? -1 : 1;
+    other.links[i].turn = sign * chain.links[i].turn;
+    other.links[i].travel = sign * chain.links[i].travel;
+    other.links[i].coordinate = chain.links[i].coordinate;
+  }
+  return other;
+}
+
+std::vector<JointAxis> axes_of(const Chain& chain) {
+  std::vector<JointAxis> axes;
+  Pose world_T_link = chain.base;
+  for (const Chain::Link& link : chain.links) {
+    world_T_link = world_T_link * at_rest(link);
+    axes.push_back({world_T_link.linear().col(2), world_T_link.translation()});
+  }
+  return axes;
 }
 
 }  // namespace beeline

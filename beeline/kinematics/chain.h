@@ -30,4 +30,15 @@ struct Chain {
 /// forward_kinematics(arm, q) in that form, equal but for rounding.
 Chain chain_of(const Arm& arm);
 
+/// Where a joint's axis is in the world when every coordinate is zero.
+struct JointAxis {
+  Vector3 direction;
+  Vector3 point;
+};
+std::vector<JointAxis> axes_of(const Chain& chain);
+
+/// The same motion with each link frame's origin at the point given, and its z axis along the
+/// direction given, which is the joint's own or its opposite.
+Chain chain_through(const Chain& chain, const std::vector<JointAxis>& axes);
+
 }  // namespace beeline

@@ -78,6 +78,8 @@ LineFailure line_failure(const Arm& arm, const Line& line, const Task& task, con
     case InverseStatus::unreachable:
       return {MotionStatus::unreachable,
               where + "the line leaves the arm's workspace; " + answer.reason};
+    case InverseStatus::orientation:
+      return {MotionStatus::unreachable, where + answer.reason};
     case InverseStatus::not_found:
       break;
   }

@@ -13,8 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
-// The polynomials' coefficients are those of Moshier's Cephes library (sin.c, atan.c; 1984-2000):
-// relative error below 2e-16 within their ranges.
+// The coefficients of sine and cosine are those of Moshier's Cephes library (sin.c; 1984-2000).
 
 /// Sine and cosine to about 1.5 units in the last place of 1, for every finite angle. Beyond 1e6
 /// rad, where three words of pi no longer reach, each lane goes to the C library.
@@ -64,22 +63,23 @@ HWY_INLINE void sine_cosine(Lanes angle, Lanes& sine, Lanes& cosine) {
 HWY_INLINE Lanes arc_tangent(Lanes y, Lanes x) {
   const Lanes ax = abs(x), ay = abs(y);
   const Lanes low = min(ax, ay), high = max(ax, ay);
-  // atan(t) = pi/4 + atan((t - 1) / (t + 1)) keeps the argument below 0.66 in size.
-  const LaneMask steep = low > Lanes(0.66) * high;
+  // atan(t) = pi/4 + atan((t - 1) / (t + 1)) keeps the argument below tan(pi/8) in size.
+  const LaneMask steep = low > Lanes(0x1.a827999fcef32p-2) * high;
   const Lanes over = choose(steep, low - high, low);
   const Lanes under = choose(steep, low + high, high);
   const Lanes t = over / choose(under == Lanes(0), Lanes(1), under);
-  const Lanes z = t * t;
-  Lanes p = fma(z, Lanes(-8.750608600031904122785e-1), Lanes(-1.615753718733365076637e1));
-  p = fma(z, p, Lanes(-7.500855792314704667340e1));
-  p = fma(z, p, Lanes(-1.228866684490136173410e2));
-  p = fma(z, p, Lanes(-6.485021904942025371773e1));
-  Lanes q = z + Lanes(2.485846490142306297962e1);
-  q = fma(z, q, Lanes(1.650270098316988542046e2));
-  q = fma(z, q, Lanes(4.328810604912902668951e2));
-  q = fma(z, q, Lanes(4.853903996359136964868e2));
-  q = fma(z, q, Lanes(1.945506571482613964425e2));
-  Lanes angle = fma(t * z, p / q, t);
+  const Lanes z = t * t, zz = z * z;
+  // (atan(t) / t - 1) / z by Chebyshev's points, to 3e-17; even and odd powers side by side.
+  Lanes even = fma(zz, Lanes(-0.01917540471101196), Lanes(-0.050854078345862384));
+  Lanes odd = fma(zz, Lanes(0.039230447784709195), Lanes(0.058581409048656254));
+  even = fma(zz, even, Lanes(-0.06664510525508843));
+  odd = fma(zz, odd, Lanes(0.07692183125376885));
+  even = fma(zz, even, Lanes(-0.09090904575306488));
+  odd = fma(zz, odd, Lanes(0.11111111015187018));
+  even = fma(zz, even, Lanes(-0.14285714284665682));
+  odd = fma(zz, odd, Lanes(0.19999999999995516));
+  even = fma(zz, even, Lanes(-0.3333333333333333));
+  Lanes angle = fma(t * z, fma(z, odd, even), t);
   constexpr double quarter_pi = 0x1.921fb54442d18p-1;
   angle = choose(steep, angle + Lanes(quarter_pi), angle);
   angle = choose(ay > ax, Lanes(2 * quarter_pi) - angle, angle);

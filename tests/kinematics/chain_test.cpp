@@ -41,6 +41,23 @@ TEST(Chain, MovesAsTheArmDoes) {
   }
 }
 
+TEST(Chain, MovesTheSameWithFramesElsewhereOnTheAxes) {
+  testing::Random random;
+  for (int trial = 0; trial < 200; ++trial) {
+    const Arm arm = testing::random_arm(random, random.integer(1, 8), trial % 3);
+    const Chain chain = chain_of(arm);
+    std::vector<JointAxis> axes = axes_of(chain);
+    for (JointAxis& axis : axes) {
+      axis.point += random.uniform(-2, 2) * axis.direction;
+      if (random.integer(0, 1) == 1) axis.direction = -axis.direction;
+    }
+    const Chain other = chain_through(chain, axes);
+    Configuration q(arm.dof());
+    for (double& value : q) value = random.uniform(-3, 3);
+    EXPECT_LT((through_chain(chain, q).matrix() - through_chain(other, q).matrix()).norm(), 1e-11);
+  }
+}
+
 TEST(Chain, IsExactForAxesThatAreParallelButForALittle) {
   testing::Random random;
   for (double tilt = 1e-16; tilt < 1e-2; tilt *= 10) {

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <beeline/inverse/six_lanes.h>
+#include <beeline/kinematics/task.h>
+
+namespace beeline {
+
+/// The closed form of an arm and a task whose six joints make a SixLoop, found from the geometry
+/// alone and prepared once. Not every arm that has one has six joints:
+/// - seven: the first or the last is given its value, and the other six are solved;
+/// - four or five: joints at the tool are added, which must come out at zero (spatial task), or
+///   may have any value, as the roll of a tool that turns about its own axis (111110:tool);
+/// - three and the position: a wrist is added that may have any value.
+class ClosedForm {
+ public:
+  /// Empty when no loop of a known family is found. No mimic and no helical joints.
+  static std::optional<ClosedForm> of(const Arm& arm, const Task& task);
+
+  std::string family() const { return description(loop_); }
+
+  /// The coordinate that has to be given: the first or the last of seven, else -1.
+  int locked() const { return locked_; }
+
+  /// Whether joints were added, whose share of a singular wrist's turn is not the arm's.
+  bool has_added_joints() const { return dof_ < 6; }
+
+  /// Metres: what rounding counts against.
+  double size() const { return loop_.size; }
+
+  /// A question with everything but the goal filled in: the seed, the bounds (of the arm's
+  /// coordinates), and which coordinates may be turned around.
+  SixQuestion question(const ConfigurationRef& seed, const Configuration& lower,
+                       const Configuration& upper) const;
+
+  /// The branches at a goal, the locked coordinate at `locked_value`. `goal` is a rigid motion.
+  void branches(const Pose& world_T_tool, double locked_value, SixQuestion& question,
+                SixBranches& found) const;
+
+  /// Lane `lane` of what was found, as a configuration.
+  void configuration(const SixBranches& found, int lane, double locked_value,
+                     Eigen::Ref<Configuration> q) const;
+
+ private:
+  SixLoop loop_;
+  std::array<int, 6> coordinates_{};  ///< the arm's for each of the loop's; -1: an added joint
+  std::array<bool, 6> any_value_{};   ///< added joints that the task leaves free
+  int dof_ = 6;
+  int locked_ = -1;
+  Chain::Link locked_link_;
+  Pose locked_before_ = Pose::Identity();  ///< from world (first) or its own frame (last) ...
+  Pose locked_after_ = Pose::Identity();   ///< ... to where the six begin, or from it to the tool
+};
+
+}  // namespace beeline

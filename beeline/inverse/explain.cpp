@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/error.h>
+#include <beeline/inverse/methods.h>
+#include <beeline/inverse/reason.h>
+#include <beeline/inverse/representative.h>
+#include <beeline/kinematics/forward.h>
+
+namespace beeline {
+namespace {
+
+constexpr int most_descents = 64;  // that must agree on what is nearest
+
+NearestMiss nearest_miss(const Question& ask, const Configuration& q) {
+  NearestMiss miss;
+  miss.q = q;
+  miss.world_T_tool = forward_kinematics(ask.arm, q);
+  miss.error = task_deviation(ask.task, ask.goal, miss.world_T_tool);
+  return miss;
+}
+
+/// The rows of the task that are about the position.
+Task position_part(const Task& task) {
+  Task part = task;
+  for (std::size_t i = 3; i < 6; ++i) part.rows[i] = false;
+  return part;
+}
+
+/// Of many descents for a part of the task, limits ignored, the one that ends nearest.
+Descent nearest_for(const Question& ask, const Task& task, InverseMethods& methods,
+                    const Configuration& start) {
+  const Descents ready = descents(ask.arm, task, no_bounds(ask.arm), ask.options);
+  multi_start(ready.problem, ready.deck, ask.goal, start,
+              {.tolerance = ask.tolerance,
+               .iterations = 200,
+               .restarts = std::min(most_descents, ask.options.restarts),
+               .random_seed = ask.options.random_seed,
+               .deadline = ask.deadline},
+              methods.buffers, methods.search);
+  return methods.search.nearest;
+}
+
+void outside_limits(const Question& ask, const Beyond& beyond, InverseResult& result) {
+  const Configuration& q = *beyond.least;
+  result.status = InverseStatus::outside_limits;
+  result.nearest = nearest_miss(ask, q);
+  const Configuration over = (ask.bounds.lower - q).cwiseMax(q - ask.bounds.upper);
+  result.nearest->excess = over.maxCoeff(&result.nearest->blocking);
+  result.reason = std::string(beyond.complete && !beyond.continuum
+                                  ? "every solution is outside the joint limits"
+                                  : "no solution within the joint limits was found") +
+                  "; in the nearest one " + blocking_joint(ask.arm, q, ask.bounds);
+}
+
+}  // namespace
+
+void explain(InverseMethods& methods, const Question& ask, const Beyond& beyond,
+             InverseResult& result) {
+  if (beyond.least && excess(ask.bounds, *beyond.least) > 0) {
+    return outside_limits(ask, beyond, result);
+  }
+  const Task place = position_part(ask.task);
+  Descent nearest = nearest_for(ask, ask.task, methods, ask.seed);
+  const bool turns = place.size() > 0 && place.size() < ask.task.size();
+  if (turns) nearest = nearest_for(ask, place, methods, nearest.q);
+  result.nearest = nearest_miss(ask, nearest.q);
+  const Deviation& error = result.nearest->error;
+  const std::string arm = "the tool of arm " + ask.arm.name();
+  if (place.size() > 0 && error.position > ask.tolerance) {
+    result.status = InverseStatus::unreachable;
+    result.residual = error.position;
+    result.reason = "the position is out of reach by " + number(error.position) + " m: " + arm +
+                    " comes no nearer than " + point(result.nearest->world_T_tool.translation());
+    return;
+  }
+  if (turns && beyond.complete) {
+    result.status = InverseStatus::orientation;
+    result.residual = error.orientation;
+    result.reason = arm +
+                    " can come to the position, but not with that orientation: it is off by " +
+                    angle(error.orientation);
+    return;
+  }
+  result.status = InverseStatus::not_found;
+  result.nearest = nearest_miss(ask, nearest.q);
+  result.reason = "no solution was found in " + std::to_string(result.restarts + 1) +
+                  " descents; the nearest misses by " + miss(error, ask.tolerance) +
+                  "; that none exists is not shown";
+}
+
+}  // namespace beeline

@@ -1,0 +1,59 @@
+#include <algorithm>
+
+#include <beeline/error.h>
+#include <beeline/inverse/methods.h>
+#include <beeline/inverse/planar.h>
+
+namespace beeline {
+namespace {
+
+/// Six joints that turn, each by a coordinate of its own.
+bool is_general_six(const Arm& arm, const Task& task) {
+  return arm.dof() == 6 && arm.joints().size() == 6 && task.size() == 6 &&
+         std::all_of(arm.joints().begin(), arm.joints().end(),
+                     [](const Joint& joint) { return kind(joint) == JointKind::revolute; });
+}
+
+/// With a coordinate locked: the closed form that has it so for any value, if there is one.
+/// Otherwise the arm is another one for each value, and is prepared when that is known.
+InverseMethods locked_methods(InverseMethods methods) {
+  if (methods.options.method == InverseMethod::numerical) return methods;
+  methods.closed = ClosedForm::of(methods.arm, methods.task);
+  if (methods.closed && methods.closed->locked() != methods.options.lock) methods.closed.reset();
+  return methods;
+}
+
+}  // namespace
+
+InverseMethods inverse_methods(const Arm& arm, const InverseOptions& options) {
+  check_options(arm, options);
+  const Configuration middle = middle_configuration(arm);
+  InverseMethods methods{arm, options, options.task.value_or(default_task(arm)),
+                         options.ignore_limits ? no_bounds(arm) : bounds_of(arm), middle};
+  if (options.seed) check_configuration(arm, *options.seed);
+  if (options.lock) return locked_methods(std::move(methods));
+  const bool formulas = options.method != InverseMethod::numerical;
+  methods.planar = formulas && has_planar_closed_form(arm, methods.task);
+  if (formulas && !methods.planar) methods.closed = ClosedForm::of(arm, methods.task);
+  // Its preparation takes milliseconds: not for one solution, which descents find sooner.
+  const bool worth = options.all || options.method == InverseMethod::closed_form;
+  if (formulas && worth && !methods.closed && is_general_six(arm, methods.task)) {
+    GeneralSix general(chain_of(arm));
+    if (general.reliable()) methods.general = general;
+  }
+  if (options.method == InverseMethod::closed_form && !methods.planar && !methods.closed &&
+      !methods.general) {
+    throw Error("arm " + arm.name() + " has no closed form for the task " + name(methods.task) +
+                "; method numerical solves it");
+  }
+  return methods;
+}
+
+std::string description(const InverseMethods& methods) {
+  if (methods.planar) return "closed form: planar";
+  if (methods.closed) return "closed form: " + methods.closed->family();
+  if (methods.general) return "closed form: general six joints";
+  return "numerical";
+}
+
+}  // namespace beeline

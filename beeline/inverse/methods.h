@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+
+#include <beeline/inverse/closed_form.h>
+#include <beeline/inverse/general_six.h>
+#include <beeline/inverse/locked_joint.h>
+#include <beeline/inverse/multi_start.h>
+#include <beeline/inverse/question.h>
+
+namespace beeline {
+
+/// Descents for one task within some bounds, and where they may start.
+struct Descents {
+  DescentProblem problem;
+  StartDeck deck;
+};
+Descents descents(const Arm& arm, const Task& task, const Bounds& bounds,
+                  const InverseOptions& options);
+
+/// What an arm is solved by, prepared as far as it was asked for.
+struct InverseMethods {
+  Arm arm;
+  InverseOptions options;
+  Task task;
+  Bounds bounds;         ///< the limits, or none where these do not count
+  Configuration middle;  ///< the seed where none is given
+  bool planar = false;   ///< has_planar_closed_form()
+  std::optional<ClosedForm> closed = std::nullopt;
+  std::optional<GeneralSix> general = std::nullopt;
+  std::optional<Descents> within = std::nullopt, anywhere = std::nullopt;
+  MultiStartBuffers buffers = {};
+  Search search = {};
+};
+
+/// Throws Error for options that make no sense, or a closed form that the arm does not have.
+InverseMethods inverse_methods(const Arm& arm, const InverseOptions& options);
+
+/// In words.
+std::string description(const InverseMethods& methods);
+
+/// What is known of the solutions when limits do not count.
+struct Beyond {
+  bool complete = false;               ///< all there are have been looked at
+  bool continuum = false;              ///< some of them stand for infinitely many
+  std::optional<Configuration> least;  ///< the one that is least outside limits
+};
+
+/// Puts what formulas give into result.solutions, as far as it is within limits.
+Beyond solve_closed(InverseMethods& methods, const Question& ask, InverseResult& result);
+
+/// Puts what descents find into result.solutions; `beyond` is what is known already.
+Beyond solve_numerical(InverseMethods& methods, const Question& ask, InverseResult& result,
+                       Beyond beyond = {});
+
+/// The same in the shortest way, for one solution without a closed form: from the seed into the
+/// first column. Returns how many. Does not allocate but at the first call.
+int descend_at_once(InverseMethods& methods, const Pose& goal, const ConfigurationRef& seed,
+                    Eigen::Ref<Eigen::MatrixXd> solutions);
+
+/// Eight descents within limits from branches that exceed these least; the first that arrives goes
+/// into q. Says whether one did. Does not allocate but at the first call.
+bool descend_from(InverseMethods& methods, const Pose& goal, const LeastOutside& outside,
+                  double tolerance, Eigen::Ref<Configuration> q);
+
+/// Fills in status, residual, nearest miss and reason of a result without solutions.
+void explain(InverseMethods& methods, const Question& ask, const Beyond& beyond,
+             InverseResult& result);
+
+}  // namespace beeline

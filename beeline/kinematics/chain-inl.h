@@ -1,0 +1,75 @@
+// Compiled once for each instruction set (Highway's foreach_target.h), so there is no #pragma once.
+#if defined(BEELINE_KINEMATICS_CHAIN_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BEELINE_KINEMATICS_CHAIN_INL_H
+#undef BEELINE_KINEMATICS_CHAIN_INL_H
+#else
+#define BEELINE_KINEMATICS_CHAIN_INL_H
+#endif
+
+#include <beeline/kinematics/chain.h>
+
+#include <beeline/simd/space-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace beeline::HWY_NAMESPACE {
+
+HWY_INLINE Vector load_vector(const double* three_rows) {
+  return {Lanes::load(three_rows), Lanes::load(three_rows + lane_count),
+          Lanes::load(three_rows + 2 * lane_count)};
+}
+HWY_INLINE void store_vector(const Vector& v, double* three_rows) {
+  v.x.store(three_rows);
+  v.y.store(three_rows + lane_count);
+  v.z.store(three_rows + 2 * lane_count);
+}
+
+/// A vector that is given along the frame's axes, along the world's; and the other way.
+HWY_INLINE Vector from_axes(const Space& frame, const Vector& v) {
+  return fma(v.x, frame.x, fma(v.y, frame.y, v.z * frame.z));
+}
+HWY_INLINE Vector in_axes(const Space& frame, const Vector& v) {
+  return {dot(frame.x, v), dot(frame.y, v), dot(frame.z, v)};
+}
+
+/// The last link's frame in the world at eight configurations: q holds a row of eight for each
+/// coordinate. `axes` gets six rows for each link: its joint's direction, and its frame's origin.
+HWY_INLINE Space last_frame(const Chain& chain, const double* q, double* axes) {
+  const double* base = chain.base.data();  // four columns of four
+  Space frame{{base[0], base[1], base[2]},
+              {base[4], base[5], base[6]},
+              {base[8], base[9], base[10]},
+              {base[12], base[13], base[14]}};
+  for (const Chain::Link& link : chain.links) {
+    const double* step = link.step.data();
+    const Lanes coordinate = Lanes::load(q + lane_count * link.coordinate);
+    Turn turn;
+    sine_cosine(fma(coordinate, Lanes(link.turn), Lanes(link.rest_angle)), turn.s, turn.c);
+    frame.origin = fma(Lanes(step[0]), frame.x, frame.origin);
+    frame.origin = fma(Lanes(step[1]), frame.y, frame.origin);
+    frame.origin = fma(Lanes(step[2]), frame.z, frame.origin);
+    frame = turned_x(frame, Lanes(link.cos_alpha), Lanes(link.sin_alpha));
+    frame = moved_z(turned_z(frame, turn), coordinate * Lanes(link.travel));
+    store_vector(frame.z, axes);
+    store_vector(frame.origin, axes + 3 * lane_count);
+    axes += 6 * lane_count;
+  }
+  return frame;
+}
+
+/// A point's linear velocity and the angular one.
+struct Motion {
+  Vector linear, angular;
+};
+
+/// What a unit of its coordinate's speed does through this link, whose six rows are `axes`.
+HWY_INLINE Motion link_motion(const Chain::Link& link, const double* axes, const Vector& point) {
+  const Vector direction = load_vector(axes);
+  const Vector turning = Lanes(link.turn) * direction;
+  const Vector arm = point - load_vector(axes + 3 * lane_count);
+  return {fma(Lanes(link.travel), direction, cross(turning, arm)), turning};
+}
+
+}  // namespace beeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <beeline/inverse/solve.h>
+
+#include "cases.h"
+
+namespace beeline::bench {
+
+/// Beeline asked the question of a case: the only place of the benchmark that calls it.
+class BeelineCase {
+ public:
+  BeelineCase(const BenchArm& arm, CaseKind kind);
+
+  /// Returns how many solutions there are.
+  int solve(const Pose& world_T_tool, const Configuration& seed);
+
+  /// Solution i of the last call, with a value for every joint.
+  Configuration solution(int i) const;
+
+ private:
+  Arm arm_;
+  std::optional<double> last_;
+  InverseOptions options_;
+  InverseResult result_;
+};
+
+}  // namespace beeline::bench

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+namespace beeline::bench {
+
+/// Microseconds a call, over the poses.
+struct Timing {
+  double mean = 0;
+  double median = 0;
+  double p99 = 0;   ///< 99 of 100 calls take less
+  double p999 = 0;  ///< 999 of 1000 calls take less
+  double max = 0;
+};
+
+/// Keeps this process on one core (BENCH_CORE, else the last one that it may use), and returns it.
+int stay_on_one_core();
+
+/// What reading the clock twice takes, microseconds.
+double clock_cost();
+
+double microseconds_since(std::chrono::steady_clock::time_point start);
+
+/// `passes`: the mean of each pass, timed as a whole. `calls`: of each pose its quickest call.
+Timing timing_of(std::vector<double> passes, std::vector<double> calls);
+
+/// Times solve(0) ... solve(count - 1). Means come from whole passes without a clock in between,
+/// and the median pass counts, as other work disturbs some. The percentiles come from passes with
+/// each call timed, less the clock's own cost; a pose's time is its quickest of all such passes, so
+/// that what is seen in the tail is the pose's and not the machine's. A solver that takes more than
+/// a few seconds a pass gets one of each.
+template <class Solve>
+Timing timed(int count, int passes, Solve solve) {
+  constexpr double patience = 5e6;  // microseconds
+  const double cost = clock_cost();
+  std::vector<double> means, calls(static_cast<std::size_t>(count), 1e300);
+  for (int pass = 0; pass < passes; ++pass) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < count; ++i) solve(i);
+    const double whole = microseconds_since(start);
+    means.push_back(whole / count);
+    for (int i = 0; i < count; ++i) {
+      const auto begin = std::chrono::steady_clock::now();
+      solve(i);
+      double& best = calls[static_cast<std::size_t>(i)];
+      best = std::min(best, std::max(0.0, microseconds_since(begin) - cost));
+    }
+    if (whole > patience) break;
+  }
+  return timing_of(means, calls);
+}
+
+}  // namespace beeline::bench

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Beeline beside others on the same poses, one pinned thread: prints tables in Markdown and writes
+# build/bench/results.json. Peers that cannot be had are left out and said to be.
+# Then looks for solutions that Beeline missed and for wrong ones; fails if there are any.
+# BENCH_COUNT (poses an arm), BENCH_PASSES, BENCH_CORE, BENCH_ARMS, BENCH_COMPLETE (poses an arm) and
+# BENCH_HONEST (poses in all) change what is run.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+folder=build/bench
+count=${BENCH_COUNT:-10000}
+passes=${BENCH_PASSES:-3}
+read -ra arms <<<"${BENCH_ARMS:-puma560 ur5 stanford general_6r panda iiwa14 panda_q7 iiwa14_q7}"
+
+stamp=.venv-bench/requirements.txt
+if ! cmp --silent bench/requirements.txt "$stamp"; then
+  # A python3 of one's own may stand first in the path without the modules that it takes.
+  for python in python3 /usr/bin/python3; do
+    if "$python" -c 'import ensurepip, venv' 2>/dev/null; then break; fi
+  done
+  echo "Making .venv-bench with $("$python" --version)" >&2
+  rm -rf .venv-bench
+  "$python" -m venv .venv-bench
+  while read -r peer; do
+    .venv-bench/bin/python -m pip install --quiet --disable-pip-version-check "$peer" >&2 ||
+      echo "Left out: $peer cannot be installed here" >&2
+  done < <(grep -v '^#' bench/requirements.txt)
+  cp bench/requirements.txt "$stamp"
+fi
+
+# Arm by arm, so that what disturbs the machine meets Beeline and its peers alike.
+rm -f "$folder"/*/*.jsonl
+for arm in "${arms[@]}"; do
+  "$folder/bench_inverse" "$arm" --count "$count" --passes "$passes" --folder "$folder" >&2
+  .venv-bench/bin/python -B bench/inverse/peers.py "$folder/$arm" --passes "$passes" >&2
+done
+
+model=$(sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo | head -n 1)
+echo "Machine: ${model:-unknown processor}, $(nproc) cores, $(uname -sm), $("${CXX:-c++}" --version | head -n 1)," \
+  "$(.venv-bench/bin/python --version); one pinned thread, $count poses an arm, median of $passes passes"
+.venv-bench/bin/python -B bench/inverse/table.py "$folder"
+
+status=0
+echo -e "\n### Completeness: exhaustive numerical search against \`all solutions\`\n"
+"$folder/bench_inverse_completeness" --count "${BENCH_COMPLETE:-1000}" || status=1
+echo -e "\n### Honesty: every configuration returned, put through forward kinematics\n"
+"$folder/bench_inverse_honesty" --count "${BENCH_HONEST:-1000000}" || status=1
+echo -e "\n### Cost of an iteration of the numerical solver by the number of joints\n"
+"$folder/bench_inverse_growth" || status=1
+exit "$status"
