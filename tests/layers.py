@@ -1,8 +1,8 @@
 """The house's order, as layers.txt holds it: which includes in beeline/ break it.
 
 A folder includes itself, the folders that layers.txt names for it, and what stands beside the
-folders (error.h). Other people's libraries, but for Eigen, appear in .cpp files only, and only in
-the folders below."""
+folders (error.h). Other people's libraries, but for Eigen, appear only in the folders below, and
+there in .cpp files and in what these include for each instruction set (-inl.h)."""
 
 import re
 import sys
@@ -10,6 +10,7 @@ from pathlib import Path
 
 LIBRARIES = {  # the first part of the include: the folders that may use it, in .cpp files
     "cairo": {"draw"},
+    "hwy": {"simd", "kinematics", "inverse"},
     "nlohmann": {"read", "record"},
     "tinyxml2": {"read"},
 }

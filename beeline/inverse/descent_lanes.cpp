@@ -18,7 +18,7 @@ constexpr double least_damping = 1e-13;  // keeps the normal equations regular, 
 constexpr double largest_step = 1;       // radians, or units of length: beyond, J tells nothing
 constexpr int patience = 5;              // steps in which the squared error must halve
 constexpr double polished = 1e-26;       // squared error that is as good as none
-constexpr double fine = 1e-22;           // the same, where it falls no faster than by a quarter
+constexpr double fine = 1e-21;           // the same, where it falls to no less than a quarter
 constexpr double near_goal = 0.1;        // squared error: farther off, one solution a step will do
 constexpr double whole_turn = 0x1.921fb54442d18p+2;
 
@@ -91,14 +91,16 @@ HWY_INLINE LaneMask judge(const DescentProblem& problem, const Look& at,
   const LaneMask spent = iterations >= Lanes(options.iterations);
   const LaneMask judged = iterations >= due;
   const LaneMask stuck = judged & !(now < milestone * Lanes(0.5));
-  const LaneMask settled = (now <= Lanes(polished)) | slow | stuck | spent;
+  const LaneMask settled = (now <= Lanes(polished)) | slow;
+  const LaneMask arrived = options.polish ? within & settled : within;
+  const LaneMask ended = arrived | stuck | spent;
   store(choose(active, iterations, load(lanes.iterations)), lanes.iterations);
   store(choose(judged, now, milestone), lanes.milestone);
   store(choose(judged, due + Lanes(patience), due), lanes.due);
-  const LaneMask arrived = options.polish ? within & settled : within;
   lanes.within = (bits(within) & lanes.active) | (lanes.within & ~lanes.active);
-  lanes.arrived |= bits(arrived) & lanes.active;
-  lanes.active &= ~bits(arrived | stuck | spent);
+  lanes.arrived |= bits(within & ended) & lanes.active;
+  lanes.coarse |= bits(within & ended & !arrived) & lanes.active;
+  lanes.active &= ~bits(ended);
   return better;
 }
 
@@ -215,7 +217,8 @@ void run(const DescentProblem& problem, const double* goal, const LaneDescentOpt
     look(problem, goal, lanes, at);
     const LaneMask better = judge(problem, at, options, lanes);
     take_over(better, lanes);
-    if (lanes.active == 0 || (options.first_is_enough && lanes.arrived != 0)) return;
+    if (lanes.active == 0 || (options.first_is_enough && (lanes.arrived & ~lanes.coarse) != 0))
+      return;
     Lanes left[6];
     for (int r = 0; r < 6; ++r) left[r] = load(lanes.error[r]);
     Symmetric6 normal;

@@ -42,7 +42,7 @@ struct alignas(64) EightNumbers {
 struct LaneDescentOptions {
   double tolerance = 1e-10;      ///< metres and radians
   int iterations = 100;          ///< most steps of each descent
-  bool polish = true;            ///< go on below the tolerance until rounding, or 1e-13
+  bool polish = true;            ///< go on below the tolerance to 1e-13, or where rounding ends it
   bool first_is_enough = false;  ///< when one has arrived, the others' way is of no use any more
 };
 
@@ -51,6 +51,7 @@ struct LaneDescentOptions {
 struct LaneDescents {
   unsigned active = 0;              ///< bit i: lane i is under way
   unsigned arrived = 0;             ///< bit i: lane i has ended within the tolerance
+  unsigned coarse = 0;              ///< bit i: and was stuck there on its way to 3e-11
   unsigned within = 0;              ///< bit i: lane i is within it
   std::vector<EightNumbers> q;      ///< a row for each coordinate, in its unit, within the bounds
   EightNumbers error[6];            ///< of the task at q; lengths in units

@@ -22,6 +22,7 @@ constexpr double damping_factor = 0.01;  // over squared error
 constexpr double bend_from = 1e-6;       // squared error; below, a plain step does
 constexpr double largest_step = 1;       // radians, or units of length
 constexpr double polished = 1e-26;       // squared error that is as good as none
+constexpr double fine = 1e-21;           // the same, where it falls no further
 constexpr double whole_turn = 0x1.921fb54442d18p+2;
 
 /// What leads to the goal (four columns of four); false where it is a quarter turn or more away.
@@ -197,7 +198,7 @@ bool descend(const DescentProblem& problem, const double* goal, const LaneDescen
     const double orientation = e[3] * e[3] + e[4] * e[4] + e[5] * e[5];
     const double cost = position + orientation;
     if (!(cost < before / 2)) {
-      if (!within) return false;
+      if (!within || before > fine) return false;
       if (!(cost < before)) {  // the rounding level: the step before was as good
         near.q.swap(near.before);
         for (int r = 0; r < 6; ++r) near.error[r] = error_before[r];
@@ -207,7 +208,7 @@ bool descend(const DescentProblem& problem, const double* goal, const LaneDescen
     within =
         position <= tolerance * tolerance && orientation <= options.tolerance * options.tolerance;
     if (within && (!options.polish || cost <= polished)) return true;
-    if (near.iterations >= options.iterations) return within;
+    if (near.iterations >= options.iterations) return within && cost <= fine;
     before = cost;
     // The last Jacobian is off by about the last step: where that leaves little enough, it serves
     // again.

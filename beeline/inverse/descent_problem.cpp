@@ -80,6 +80,7 @@ void start_lane(const DescentProblem& problem, const double* q, int lane, LaneDe
   const unsigned bit = 1u << lane;
   lanes.active |= bit;
   lanes.arrived &= ~bit;
+  lanes.coarse &= ~bit;
   lanes.within &= ~bit;
 }
 
@@ -116,9 +117,9 @@ void descend_lanes(const DescentProblem& problem, const Pose& world_T_tool,
                 std::to_string(descent_lane_count) + " columns");
   }
   if (!starts.allFinite()) throw Error("a start has a number that is not finite");
-  lanes.active = lanes.arrived = 0;
+  lanes.active = lanes.arrived = lanes.coarse = 0;
   for (int i = 0; i < starts.cols(); ++i) start_lane(problem, starts.col(i).data(), i, lanes);
-  while (lanes.active != 0 && !(options.first_is_enough && lanes.arrived != 0)) {
+  while (lanes.active != 0 && !(options.first_is_enough && (lanes.arrived & ~lanes.coarse) != 0)) {
     run_lanes(problem, world_T_tool, options, options.iterations + 1, lanes);
   }
 }

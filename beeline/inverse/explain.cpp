@@ -3,6 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/inverse/methods.h>
+#include <beeline/inverse/nearest.h>
 #include <beeline/inverse/reason.h>
 #include <beeline/inverse/representative.h>
 #include <beeline/kinematics/forward.h>
@@ -12,11 +13,15 @@ namespace {
 
 constexpr int most_descents = 64;  // that must agree on what is nearest
 
+Deviation error_in(const Question& ask, const Configuration& q) {
+  return task_deviation(ask.task, ask.goal, forward_kinematics(ask.arm, q));
+}
+
 NearestMiss nearest_miss(const Question& ask, const Configuration& q) {
   NearestMiss miss;
   miss.q = q;
   miss.world_T_tool = forward_kinematics(ask.arm, q);
-  miss.error = task_deviation(ask.task, ask.goal, miss.world_T_tool);
+  miss.error = error_in(ask, q);
   return miss;
 }
 
@@ -27,18 +32,42 @@ Task position_part(const Task& task) {
   return part;
 }
 
-/// Of many descents for a part of the task, limits ignored, the one that ends nearest.
-Descent nearest_for(const Question& ask, const Task& task, InverseMethods& methods,
-                    const Configuration& start) {
+/// Of many descents for a part of the task, limits ignored, the one that ends nearest, followed to
+/// its very end.
+Configuration nearest_for(const Question& ask, const Task& task, InverseMethods& methods,
+                          const Configuration& start) {
   const Descents ready = descents(ask.arm, task, no_bounds(ask.arm), ask.options);
   multi_start(ready.problem, ready.deck, ask.goal, start,
               {.tolerance = ask.tolerance,
                .iterations = 200,
-               .restarts = std::min(most_descents, ask.options.restarts),
+               .restarts = most_descents,
                .random_seed = ask.options.random_seed,
                .deadline = ask.deadline},
               methods.buffers, methods.search);
-  return methods.search.nearest;
+  const Descent& nearest = methods.search.nearest;
+  constexpr int short_enough = 12;  // joints; the Hessian of a long chain takes its time
+  if (nearest.converged || ask.arm.dof() > short_enough) return nearest.q;
+  return nearest_for_task(ask.arm, ask.goal, task, nearest.q);
+}
+
+/// Of many configurations at the position, the one whose orientation is nearest.
+Configuration least_turned(const Question& ask, const Task& place, InverseMethods& methods,
+                           const Configuration& start) {
+  if (error_in(ask, start).position > ask.tolerance) return start;
+  const Descents ready = descents(ask.arm, place, no_bounds(ask.arm), ask.options);
+  multi_start(ready.problem, ready.deck, ask.goal, start,
+              {.tolerance = ask.tolerance,
+               .restarts = most_descents,
+               .all = true,
+               .random_seed = ask.options.random_seed,
+               .deadline = ask.deadline},
+              methods.buffers, methods.search);
+  Configuration best = nearest_orientation(ask.arm, ask.goal, start);
+  for (const Configuration& q : methods.search.solutions) {
+    const Configuration turned = nearest_orientation(ask.arm, ask.goal, q);
+    if (error_in(ask, turned).orientation < error_in(ask, best).orientation) best = turned;
+  }
+  return best;
 }
 
 void outside_limits(const Question& ask, const Beyond& beyond, InverseResult& result) {
@@ -61,10 +90,13 @@ void explain(InverseMethods& methods, const Question& ask, const Beyond& beyond,
     return outside_limits(ask, beyond, result);
   }
   const Task place = position_part(ask.task);
-  Descent nearest = nearest_for(ask, ask.task, methods, ask.seed);
   const bool turns = place.size() > 0 && place.size() < ask.task.size();
-  if (turns) nearest = nearest_for(ask, place, methods, nearest.q);
-  result.nearest = nearest_miss(ask, nearest.q);
+  Configuration q = nearest_for(ask, ask.task, methods, ask.seed);
+  if (turns) {
+    q = nearest_for(ask, place, methods, q);
+    if (place == Task::position() && ask.task.size() == 6) q = least_turned(ask, place, methods, q);
+  }
+  result.nearest = nearest_miss(ask, q);
   const Deviation& error = result.nearest->error;
   const std::string arm = "the tool of arm " + ask.arm.name();
   if (place.size() > 0 && error.position > ask.tolerance) {
@@ -77,13 +109,11 @@ void explain(InverseMethods& methods, const Question& ask, const Beyond& beyond,
   if (turns && beyond.complete) {
     result.status = InverseStatus::orientation;
     result.residual = error.orientation;
-    result.reason = arm +
-                    " can come to the position, but not with that orientation: it is off by " +
-                    angle(error.orientation);
+    result.reason = arm + " can come to the position, but not with that orientation: the nearest " +
+                    "that was found is off by " + angle(error.orientation);
     return;
   }
   result.status = InverseStatus::not_found;
-  result.nearest = nearest_miss(ask, nearest.q);
   result.reason = "no solution was found in " + std::to_string(result.restarts + 1) +
                   " descents; the nearest misses by " + miss(error, ask.tolerance) +
                   "; that none exists is not shown";

@@ -29,6 +29,7 @@ struct GeneralElimination {
   int last = 0;                           ///< joint d, found in the end
   bool reversed = false;                  ///< stands for joints 6 to 1, G^-1 and angles -q
   int degree = 8;                         ///< of the determinant in the hidden angle; 12 at most
+  bool twofold = false;                   ///< most of these zeros belong to two solutions each
   double origin[3] = {};                  ///< where p is measured from, in units
 
   /// The left side's coefficients: (1, cos, sin) of hidden x (vv, uv, uu) of first x of second,

@@ -36,14 +36,15 @@ Motion plain(const Pose& pose, double unit) {
 /// How an elimination does on random configurations.
 struct Trial {
   GeneralElimination elimination;
-  int missed = 0;      ///< configurations that were not found again
-  int incomplete = 0;  ///< that it would like a second opinion on
-  double digits = 0;   ///< decimal digits by which its candidates are off, summed
+  int missed = 0;       ///< configurations that were not found again
+  int unexplained = 0;  ///< where it would like a second opinion, see GeneralSolutions
+  int close = 0;        ///< where it met zeros close together
+  double digits = 0;    ///< decimal digits by which its candidates are off, summed
 };
 
 bool better(const Trial& a, const Trial& b) {
   if (a.missed != b.missed) return a.missed < b.missed;
-  return a.incomplete != b.incomplete ? a.incomplete < b.incomplete : a.digits < b.digits;
+  return a.unexplained != b.unexplained ? a.unexplained < b.unexplained : a.digits < b.digits;
 }
 
 void add_case(const SixLinks& six, const Motion& goal, const Motion& loop, const double* q,
@@ -52,8 +53,18 @@ void add_case(const SixLinks& six, const Motion& goal, const Motion& loop, const
   add_solutions(six, trial.elimination, goal, loop, solutions);
   const int place = place_of(q, solutions);
   if (place < 0) ++trial.missed;
-  if (!solutions.complete) ++trial.incomplete;
+  if (!solutions.explained) ++trial.unexplained;
+  if (solutions.close) ++trial.close;
   trial.digits += place < 0 ? 0 : std::log10(std::max(solutions.step[place], 1e-12));
+}
+
+/// Asks one elimination after the other until all is explained.
+void find(const SixLinks& six, const std::vector<GeneralElimination>& eliminations,
+          const Motion& goal, const Motion& loop, GeneralSolutions& solutions) {
+  for (const GeneralElimination& elimination : eliminations) {
+    add_solutions(six, elimination, goal, loop, solutions);
+    if (solutions.complete) return;
+  }
 }
 
 void check(const Chain& chain) {
@@ -69,8 +80,9 @@ void check(const Chain& chain) {
   }
 }
 
-constexpr int trials = 24;        // for each way to cut
-constexpr int long_trials = 200;  // for the best
+constexpr int first_trials = 24;  // for each way to cut
+constexpr int more_trials = 100;  // for those chosen
+constexpr int last_trials = 300;  // for all together
 constexpr int opinions = 4;
 
 }  // namespace
@@ -99,17 +111,19 @@ GeneralSix::GeneralSix(const Chain& chain) {
     general_candidates(trial.elimination, some, candidates);
     if (candidates.noise > GeneralCandidates::loudest) trial.elimination.degree = 12;
   }
-  const auto try_all = [&](int cases) {
+  const auto for_random_cases = [&](int cases, const auto& use) {
     for (int k = 0; k < cases; ++k) {
       const Eigen::Matrix<double, 6, 1> q = anywhere();
       const Pose reached = links_motion(chain, q);
-      const Motion goal = plain(reached, six_.unit),
-                   loop = plain(reached * rest_inverse_, six_.unit);
-      for (Trial& trial : by_merit) add_case(six_, goal, loop, q.data(), trial);
+      use(q, plain(reached, six_.unit), plain(reached * rest_inverse_, six_.unit));
     }
-    std::sort(by_merit.begin(), by_merit.end(), better);
   };
-  try_all(trials);
+  using Six = Eigen::Matrix<double, 6, 1>;
+  const auto try_all = [&](const Six& q, const Motion& goal, const Motion& loop) {
+    for (Trial& trial : by_merit) add_case(six_, goal, loop, q.data(), trial);
+  };
+  for_random_cases(first_trials, try_all);
+  std::sort(by_merit.begin(), by_merit.end(), better);
   // Second opinions are worth most from where another joint is hidden.
   std::vector<Trial> chosen;
   for (const Trial& trial : by_merit) {
@@ -119,9 +133,19 @@ GeneralSix::GeneralSix(const Chain& chain) {
     if (!known && chosen.size() < opinions) chosen.push_back(trial);
   }
   by_merit = std::move(chosen);
-  try_all(long_trials);
-  for (const Trial& trial : by_merit) eliminations_.push_back(trial.elimination);
-  reliable_ = by_merit[0].missed == 0;
+  for_random_cases(more_trials, try_all);
+  std::sort(by_merit.begin(), by_merit.end(), better);
+  for (Trial& trial : by_merit) {
+    trial.elimination.twofold = 2 * trial.close > first_trials + more_trials;
+    eliminations_.push_back(trial.elimination);
+  }
+
+  reliable_ = true;
+  for_random_cases(last_trials, [&](const Six& q, const Motion& goal, const Motion& loop) {
+    GeneralSolutions solutions;
+    find(six_, eliminations_, goal, loop, solutions);
+    reliable_ = reliable_ && place_of(q.data(), solutions) >= 0;
+  });
 }
 
 int GeneralSix::solve(const Pose& world_T_tool,
@@ -136,10 +160,7 @@ int GeneralSix::solve(const Pose& world_T_tool,
   const Pose reached = base_inverse_ * world_T_tool * tool_inverse_;
   const Motion goal = plain(reached, six_.unit), loop = plain(reached * rest_inverse_, six_.unit);
   GeneralSolutions solutions;
-  for (const GeneralElimination& elimination : eliminations_) {
-    add_solutions(six_, elimination, goal, loop, solutions);
-    if (solutions.complete) break;
-  }
+  find(six_, eliminations_, goal, loop, solutions);
   const int count = std::min(solutions.count, most_solutions);
   for (int k = 0; k < count; ++k)
     q.col(k) = Eigen::Map<Eigen::Matrix<double, 6, 1>>(solutions.q[k]);

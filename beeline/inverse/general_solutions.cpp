@@ -49,12 +49,14 @@ void add_solutions(const SixLinks& six, const GeneralElimination& elimination, c
       }
     }
   }
-  const bool explained = candidates.noise < GeneralCandidates::loudest &&
-                         met.count == candidates.expected && solutions.count == met.count &&
-                         solutions.count % 2 == 0;
-  const bool clear = candidates.count == candidates.expected;
-  solutions.complete = explained && (clear || solutions.explained);
-  solutions.explained = explained;
+  solutions.close = candidates.count > candidates.expected;
+  solutions.explained = candidates.noise < GeneralCandidates::loudest &&
+                        met.count == candidates.expected && solutions.count == met.count &&
+                        solutions.count % 2 == 0;
+  if (!solutions.explained) return;
+  const bool clear = !elimination.twofold && !solutions.close;
+  solutions.complete = clear || solutions.explained_count == met.count;
+  solutions.explained_count = met.count;
 }
 
 }  // namespace beeline

@@ -13,9 +13,9 @@ struct GeneralSolutions {
   /// Whether the last elimination explains all: each zero of its determinant led to a solution, the
   /// solutions from before are among these, and their number is even.
   bool explained = false;
-  /// That, and no two zeros were so close that they might be more; or the one before explained all,
-  /// too.
-  bool complete = false;
+  int explained_count = -1;  ///< how many there were when that was so last
+  bool close = false;        ///< some of its zeros were so close that they might be one, or more
+  bool complete = false;     ///< explained by one elimination with nothing close, or by two
 };
 
 /// Adds what one elimination finds. `goal`: of the last frame; `loop`: G.

@@ -10,7 +10,8 @@
 namespace beeline {
 namespace {
 
-constexpr int steps_a_look = 16;  // at the clock
+constexpr int steps_a_look = 16;     // at the clock
+constexpr int tries_for_fine = 256;  // descents after one that stuck within the tolerance
 
 /// One call.
 class Run {
@@ -38,14 +39,14 @@ class Run {
       result_.solutions[0] = result_.nearest.q;
       return;
     }
-    lanes_.active = lanes_.arrived = 0;
+    lanes_.active = lanes_.arrived = lanes_.coarse = 0;
     start_lane(problem_, start_.data(), 0, lanes_);
     held_ = 1;
     while (true) {
       for (int lane = 0; lane < descent_lane_count; ++lane) {
         if (holds(lane) && (lanes_.active >> lane & 1) == 0) collect(lane);
       }
-      if (found_ > 0 && !options_.all) break;
+      if (found_ > 0 && !options_.all && result_.restarts >= last_restart_) break;
       fill();
       if (held_ == 0 || late()) break;
       run_lanes(problem_, world_T_tool_, descent(), steps_a_look, lanes_);
@@ -143,13 +144,15 @@ class Run {
     lane_configuration(problem_, lanes_, lane, q_.data());
     const double cost = lanes_.cost.lane[lane], away = turn_to_start();
     const bool arrived = (lanes_.arrived >> lane & 1) != 0;
+    const int grade = !arrived ? 0 : (lanes_.coarse >> lane & 1) != 0 ? 1 : 2;
     const Eigen::Map<const Configuration> q(q_.data(), start_.size());
     result_.iterations += static_cast<int>(lanes_.iterations.lane[lane]);
     // Of those that arrived the one nearest to the start, of others that nearest to the pose.
     const double rank = arrived ? away : cost;
-    if (first_ || arrived > result_.nearest.converged ||
-        (arrived == result_.nearest.converged && rank < rank_)) {
-      first_ = false;
+    if (grade > grade_ || (grade == grade_ && rank < rank_)) {
+      if (grade == 1 && grade_ < 1) last_restart_ = result_.restarts + tries_for_fine;
+      if (grade == 2) last_restart_ = 0;
+      grade_ = grade;
       rank_ = rank;
       result_.nearest.q = q;
       result_.nearest.error = lane_deviation(problem_, lanes_, lane);
@@ -179,8 +182,9 @@ class Run {
   Splitmix random_;
   unsigned held_ = 0;
   std::size_t found_ = 0;
-  bool first_ = true;
+  int grade_ = -1;  ///< of the nearest: nothing yet, not arrived, stuck within tolerance, arrived
   double rank_ = 0;
+  int last_restart_ = 0;
 };
 
 }  // namespace

@@ -23,15 +23,6 @@ int named(std::string_view name, const char* const (&names)[n], const char* what
   throw unknown_name(what, name, {std::begin(names), std::end(names)});
 }
 
-InverseResult refused(const Obstacle& obstacle) {
-  InverseResult result;
-  result.status = InverseStatus::unreachable;
-  result.method = "reach";
-  result.residual = obstacle.missing;
-  result.reason = obstacle.reason;
-  return result;
-}
-
 /// Why a solution that was found is not the only one of its kind.
 std::string continuum_reason(const Arm& arm) {
   return "singular: arm " + arm.name() +
@@ -76,14 +67,17 @@ InverseResult answer(InverseMethods& methods, const Pose& world_T_tool, const Co
   }
   const Question ask =
       question(methods.arm, methods.options, methods.task, methods.bounds, world_T_tool, seed);
-  if (const auto stays = against_what_stays(ask.arm, ask.goal, ask.task, ask.tolerance)) {
-    return refused(*stays);
-  }
   InverseResult result;
   result.method = description(methods);
   const bool formulas = methods.planar || methods.closed || methods.general;
   Beyond beyond;
-  if (formulas) beyond = solve_closed(methods, ask, result);
+  const auto stays = against_what_stays(ask.arm, ask.goal, ask.task, ask.tolerance);
+  if (stays) {
+    result.method = "what no joint can change";
+    beyond.complete = true;
+  } else if (formulas) {
+    beyond = solve_closed(methods, ask, result);
+  }
   const bool last_word = beyond.complete && !(beyond.continuum && result.solutions.empty());
   const bool far = !limits_bound_reach(ask.arm) &&
                    beyond_reach(ask.arm, ask.goal, ask.task, ask.tolerance).has_value();
@@ -97,6 +91,8 @@ InverseResult answer(InverseMethods& methods, const Pose& world_T_tool, const Co
     if (result.singular) result.reason = continuum_reason(ask.arm);
   } else if (with_reason) {
     explain(methods, ask, beyond, result);
+    if (stays) result.reason = stays->reason;
+    if (stays && result.status != InverseStatus::outside_limits) result.residual = stays->missing;
   }
   return result;
 }

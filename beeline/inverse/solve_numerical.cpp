@@ -77,6 +77,13 @@ bool descend_from(InverseMethods& methods, const Pose& goal, const LeastOutside&
 Beyond solve_numerical(InverseMethods& methods, const Question& ask, InverseResult& result,
                        Beyond beyond) {
   if (!methods.within) methods.within = descents(ask.arm, ask.task, ask.bounds, ask.options);
+  if (!ask.options.all) {  // the branch that the seed is on, if it leads there
+    const Descent run = descend(ask.arm, ask.goal, ask.task, ask.bounds, ask.seed,
+                                {.tolerance = ask.tolerance, .iterations = ask.options.iterations});
+    result.iterations += run.iterations;
+    if (run.converged) confirm(ask, run.q, result);
+    if (!result.solutions.empty()) return beyond;
+  }
   search(methods, ask, *methods.within, ask.seed, ask.options.all, result);
   result.residual =
       std::max(methods.search.nearest.error.position, methods.search.nearest.error.orientation);

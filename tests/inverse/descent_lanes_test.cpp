@@ -182,7 +182,9 @@ TEST(DescentLanes, WorksFrom1To100Joints) {
       all += descent_lane_count;
       arrived += std::popcount(lanes.arrived);
       // Six joints may have a lesser valley nearby, but with many there is a way round.
-      if (dof >= 30) EXPECT_EQ(lanes.arrived, 255u) << dof << " joints of " << size;
+      if (dof >= 30) {
+        EXPECT_EQ(lanes.arrived, 255u) << dof << " joints of " << size;
+      }
     }
   }
   EXPECT_GE(arrived, all * 0.95);
