@@ -36,10 +36,13 @@ Configuration UnitArgument::configuration(const Arm& arm, const std::string& tex
       throw Error(option + ": " + error.what());
     }
   }
-  for (int k = 0; k < arm.dof(); ++k) {
-    if (kind(arm.joint_of(k)) != JointKind::prismatic) q[k] = to_radians(q[k], angle_unit());
-  }
+  for (int k = 0; k < arm.dof(); ++k) q[k] = coordinate(arm, k, q[k]);
   return q;
+}
+
+double UnitArgument::coordinate(const Arm& arm, int k, double value) const {
+  const bool slides = kind(arm.joint_of(k)) == JointKind::prismatic;
+  return slides ? value : to_radians(value, angle_unit());
 }
 
 double UnitArgument::shown(double radians) const {
@@ -48,10 +51,12 @@ double UnitArgument::shown(double radians) const {
 
 Configuration UnitArgument::shown(const Arm& arm, const Configuration& q) const {
   Configuration values = q;
-  for (int k = 0; k < arm.dof(); ++k) {
-    if (kind(arm.joint_of(k)) != JointKind::prismatic) values[k] = shown(values[k]);
-  }
+  for (int k = 0; k < arm.dof(); ++k) values[k] = shown(arm, k, values[k]);
   return values;
+}
+
+double UnitArgument::shown(const Arm& arm, int k, double value) const {
+  return kind(arm.joint_of(k)) == JointKind::prismatic ? value : shown(value);
 }
 
 void TaskArgument::declare(CLI::App& verb) {

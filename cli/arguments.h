@@ -28,8 +28,11 @@ struct UnitArgument {
   /// Throws Error beginning with `option` when they do not fit the arm.
   beeline::Configuration configuration(const beeline::Arm& arm, const std::string& text,
                                        const std::string& option) const;
-  /// A configuration, or an angle, in the unit that the caller asked for.
+  /// The same for coordinate k alone.
+  double coordinate(const beeline::Arm& arm, int k, double value) const;
+  /// A configuration, a value of coordinate k, or an angle, in the unit that the caller asked for.
   beeline::Configuration shown(const beeline::Arm& arm, const beeline::Configuration& q) const;
+  double shown(const beeline::Arm& arm, int k, double value) const;
   double shown(double radians) const;
   const char* name() const { return degrees ? "deg" : "rad"; }
 };

@@ -20,6 +20,17 @@ std::string shown(const Eigen::VectorXd& values) {
   return text;
 }
 
+std::string shown(const Pose& pose, bool planar, const UnitArgument& unit) {
+  if (planar) {
+    const Pose2 plane = to_plane(pose);
+    return shown(Vector3(plane.x, plane.y, unit.shown(plane.theta)));
+  }
+  const Vector3 p = pose.translation();
+  const RollPitchYaw rpy = roll_pitch_yaw(pose.linear());
+  return shown(p) + ", " +
+         shown(Vector3(unit.shown(rpy.roll), unit.shown(rpy.pitch), unit.shown(rpy.yaw)));
+}
+
 void print_matrix(const Eigen::MatrixXd& matrix, const std::vector<std::string>& row_labels) {
   std::size_t label_width = 0;
   for (const std::string& label : row_labels) label_width = std::max(label_width, label.size());

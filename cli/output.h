@@ -18,6 +18,9 @@ std::string shown(double value);
 /// Numbers with commas between, for a person.
 std::string shown(const Eigen::VectorXd& values);
 
+/// A pose on one line, in the order that --pose takes: x, y, theta or x, y, z, roll, pitch, yaw.
+std::string shown(const beeline::Pose& pose, bool planar, const UnitArgument& unit);
+
 /// Prints a matrix with aligned columns, each row indented and labelled.
 void print_matrix(const Eigen::MatrixXd& matrix, const std::vector<std::string>& row_labels);
 

@@ -68,7 +68,7 @@ def objection(root, layers, path, quote, name):
         if target not in {".", folder} | layers.get(folder, set()):
             return f"{folder} may not include {target}"
     elif first in LIBRARIES:
-        if path.suffix != ".cpp":
+        if path.suffix != ".cpp" and not path.name.endswith("-inl.h"):
             return "a header does not include other people's libraries"
         if folder not in LIBRARIES[first]:
             return f"this library belongs to {' and '.join(sorted(LIBRARIES[first]))}"

@@ -25,13 +25,6 @@ NearestMiss nearest_miss(const Question& ask, const Configuration& q) {
   return miss;
 }
 
-/// The rows of the task that are about the position.
-Task position_part(const Task& task) {
-  Task part = task;
-  for (std::size_t i = 3; i < 6; ++i) part.rows[i] = false;
-  return part;
-}
-
 /// Of many descents for a part of the task, limits ignored, the one that ends nearest, followed to
 /// its very end.
 Configuration nearest_for(const Question& ask, const Task& task, InverseMethods& methods,
@@ -62,9 +55,9 @@ Configuration least_turned(const Question& ask, const Task& place, InverseMethod
                .random_seed = ask.options.random_seed,
                .deadline = ask.deadline},
               methods.buffers, methods.search);
-  Configuration best = nearest_orientation(ask.arm, ask.goal, start);
+  Configuration best = nearest_orientation(ask.arm, ask.goal, ask.task, start);
   for (const Configuration& q : methods.search.solutions) {
-    const Configuration turned = nearest_orientation(ask.arm, ask.goal, q);
+    const Configuration turned = nearest_orientation(ask.arm, ask.goal, ask.task, q);
     if (error_in(ask, turned).orientation < error_in(ask, best).orientation) best = turned;
   }
   return best;
@@ -76,6 +69,7 @@ void outside_limits(const Question& ask, const Beyond& beyond, InverseResult& re
   result.nearest = nearest_miss(ask, q);
   const Configuration over = (ask.bounds.lower - q).cwiseMax(q - ask.bounds.upper);
   result.nearest->excess = over.maxCoeff(&result.nearest->blocking);
+  result.residual = result.nearest->excess;
   result.reason = std::string(beyond.complete && !beyond.continuum
                                   ? "every solution is outside the joint limits"
                                   : "no solution within the joint limits was found") +
@@ -94,7 +88,7 @@ void explain(InverseMethods& methods, const Question& ask, const Beyond& beyond,
   Configuration q = nearest_for(ask, ask.task, methods, ask.seed);
   if (turns) {
     q = nearest_for(ask, place, methods, q);
-    if (place == Task::position() && ask.task.size() == 6) q = least_turned(ask, place, methods, q);
+    q = least_turned(ask, place, methods, q);
   }
   result.nearest = nearest_miss(ask, q);
   const Deviation& error = result.nearest->error;
@@ -106,7 +100,11 @@ void explain(InverseMethods& methods, const Question& ask, const Beyond& beyond,
                     " comes no nearer than " + point(result.nearest->world_T_tool.translation());
     return;
   }
-  if (turns && beyond.complete) {
+  // Fewer descents may just have missed it, and so may many where it is nearly reached.
+  constexpr double clear = 1e-3;  // radians
+  const bool sure =
+      beyond.complete || (result.restarts >= most_descents && error.orientation > clear);
+  if (turns && sure) {
     result.status = InverseStatus::orientation;
     result.residual = error.orientation;
     result.reason = arm + " can come to the position, but not with that orientation: the nearest " +

@@ -35,6 +35,12 @@ Eigen::MatrixXd hessian(const Arm& arm, const Pose& goal, const Task& task,
 
 }  // namespace
 
+Task position_part(const Task& task) {
+  Task part = task;
+  for (std::size_t i = 3; i < 6; ++i) part.rows[i] = false;
+  return part;
+}
+
 Configuration nearest_for_task(const Arm& arm, const Pose& world_T_tool, const Task& task,
                                const Configuration& q) {
   Configuration best = q;
@@ -59,32 +65,40 @@ Configuration nearest_for_task(const Arm& arm, const Pose& world_T_tool, const T
   return best;
 }
 
-Configuration nearest_orientation(const Arm& arm, const Pose& world_T_tool,
+Configuration nearest_orientation(const Arm& arm, const Pose& world_T_tool, const Task& task,
                                   const Configuration& q) {
-  const Task spatial = Task::spatial();
+  const int place = position_part(task).size(), turns = task.size() - place;
+  const auto error_at = [&](const Configuration& at) {
+    return task_error(task, world_T_tool, forward_kinematics(arm, at));
+  };
   Configuration best = q, at = q;
-  double least = task_deviation(spatial, world_T_tool, forward_kinematics(arm, q)).orientation;
+  double least = error_at(q).tail(turns).norm();
   for (int step = 0; step < steps; ++step) {
-    const Eigen::MatrixXd j = task_jacobian(arm, at, spatial);
-    const Eigen::VectorXd error = task_error(spatial, world_T_tool, forward_kinematics(arm, at));
-    const auto place = Eigen::MatrixXd(j.topRows(3)).completeOrthogonalDecomposition();
-    const Eigen::MatrixXd back = place.pseudoInverse();
-    const Eigen::MatrixXd free =
-        Eigen::MatrixXd::Identity(q.size(), q.size()) - back * j.topRows(3);
-    const Configuration mended = back * error.head(3);
-    const Eigen::MatrixXd turns = j.bottomRows(3) * free;
-    Eigen::Matrix3d normal = turns * turns.transpose();
+    const Eigen::MatrixXd j = task_jacobian(arm, at, task);
+    const Eigen::VectorXd error = error_at(at);
+    const Eigen::MatrixXd moves = j.topRows(place);
+    const Eigen::MatrixXd back = moves.completeOrthogonalDecomposition().pseudoInverse();
+    const Configuration mended = back * error.head(place);
+    const Eigen::MatrixXd free = Eigen::MatrixXd::Identity(q.size(), q.size()) - back * moves;
+    const Eigen::MatrixXd turning = j.bottomRows(turns) * free;
+    Eigen::MatrixXd normal = turning * turning.transpose();
     constexpr double damping = 1e-6;
     normal.diagonal().array() += damping;
-    const Vector3 left = error.tail(3) - j.bottomRows(3) * mended;
-    Configuration change = mended + turns.transpose() * normal.ldlt().solve(left);
+    const Eigen::VectorXd left = error.tail(turns) - j.bottomRows(turns) * mended;
+    Configuration change = mended + turning.transpose() * normal.ldlt().solve(left);
     constexpr double longest = 0.3;  // radians or metres: beyond, the Jacobian tells nothing
     if (change.norm() > longest) change *= longest / change.norm();
     at += change;
-    const Deviation now = task_deviation(spatial, world_T_tool, forward_kinematics(arm, at));
+    const Eigen::VectorXd now = error_at(at);
     constexpr double in_place = 1e-9;
-    if (now.position < in_place && now.orientation < least) least = now.orientation, best = at;
+    if (now.head(place).norm() < in_place && now.tail(turns).norm() < least) {
+      least = now.tail(turns).norm(), best = at;
+    }
     if (change.norm() < 1e-12) break;
+  }
+  for (int step = 0; step < 2; ++step) {  // exactly into place
+    const Eigen::MatrixXd moves = task_jacobian(arm, best, task).topRows(place);
+    best += moves.completeOrthogonalDecomposition().solve(error_at(best).head(place));
   }
   return best;
 }

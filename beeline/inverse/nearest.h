@@ -9,8 +9,13 @@ namespace beeline {
 Configuration nearest_for_task(const Arm& arm, const Pose& world_T_tool, const Task& task,
                                const Configuration& q);
 
-/// From q, which satisfies the position, to where the orientation is nearest to the pose's while
+/// The rows of the task that are about the position.
+Task position_part(const Task& task);
+
+/// From q, which satisfies the task's position part, to where its orientation part is nearest while
 /// the position stays: Gauss-Newton steps for the orientation within the position's null space.
-Configuration nearest_orientation(const Arm& arm, const Pose& world_T_tool, const Configuration& q);
+/// Requires a task with rows of both. Good to about 1e-3 rad where that is at a stretched arm.
+Configuration nearest_orientation(const Arm& arm, const Pose& world_T_tool, const Task& task,
+                                  const Configuration& q);
 
 }  // namespace beeline

@@ -55,8 +55,10 @@ struct InverseOptions {
 
 enum class InverseStatus {
   solved,          ///< at least one solution, checked by forward kinematics
-  unreachable,     ///< the tool cannot come to the position, limits or not
-  orientation,     ///< it can come to the position, but not with the orientation that is asked for
+  unreachable,     ///< the tool cannot come to the position, limits or not: of 64 descents for the
+                   ///< position alone none does
+  orientation,     ///< it can come to the position, but not with the orientation that is asked for:
+                   ///< by the closed form, or none of 64 descents and more came within 1e-3 rad
   outside_limits,  ///< it can come to the pose, but not within the joint limits
   not_found,       ///< the search ended without a solution; that none exists is not shown
 };
@@ -80,8 +82,8 @@ struct InverseResult {
   bool singular = false;
   /// Metres or radians, whichever is larger. Solved: the largest error that forward kinematics
   /// shows. Unreachable: how far the position is out of reach. Orientation: the angle that is
-  /// missing at least. Else: the error of the nearest miss within limits, or 0 where none was
-  /// looked for.
+  /// missing at least. Outside limits: the nearest miss's excess. Not found: the error of the
+  /// nearest miss within limits.
   double residual = 0;
   std::optional<NearestMiss> nearest;  ///< unless solved
   std::string reason;                  ///< one sentence; empty when solved and not singular

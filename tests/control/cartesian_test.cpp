@@ -179,9 +179,7 @@ TEST(ControlInLines, SaysWhereAGoalIsOutOfReach) {
       const std::vector<Pose> waypoints{given.waypoints.front(), far};
       const ControlledMotion motion =
           control_in_lines(given.arm, given.start, waypoints, {.method = method});
-      const bool proved = method == by_jacobian || given.arm.planar();
-      const MotionStatus no = proved ? MotionStatus::unreachable : MotionStatus::not_found;
-      EXPECT_EQ(motion.status, no) << motion.reason;
+      EXPECT_EQ(motion.status, MotionStatus::unreachable) << motion.reason;
       EXPECT_EQ(motion.reason.rfind("line 2 of 2: ", 0), 0) << motion.reason;
       EXPECT_EQ(motion.arrivals.size(), 1);
       EXPECT_LT(motion.steps, 20'000);

@@ -19,7 +19,7 @@ inline void expect_solved(const Arm& arm, const Pose& pose, const Task& task,
                           const InverseResult& result, double tolerance = 1e-9) {
   ASSERT_EQ(result.status, InverseStatus::solved) << arm.name() << ": " << result.reason;
   ASSERT_FALSE(result.solutions.empty());
-  EXPECT_TRUE(result.reason.empty());
+  EXPECT_EQ(result.reason.empty(), !result.singular) << result.reason;
   double residual = 0;
   for (const Configuration& q : result.solutions) {
     EXPECT_TRUE(within(bounds_of(arm), q)) << arm.name() << ' ' << q.transpose();

@@ -28,18 +28,19 @@ TEST(InverseKinematics, OutOfReachSaysByHowMuch) {
     const InverseResult result = inverse_kinematics(arm, pose);
     expect_no(result, InverseStatus::unreachable);
     EXPECT_NEAR(result.residual, beyond, 1e-9);
-    EXPECT_NE(result.reason.find(number(beyond) + " m beyond"), std::string::npos) << result.reason;
+    EXPECT_NE(result.reason.find("out of reach by " + number(beyond) + " m"), std::string::npos)
+        << result.reason;
+    ASSERT_TRUE(result.nearest.has_value());
+    const Vector3 reached = result.nearest->world_T_tool.translation();
+    EXPECT_LE((reached - 9 * Vector3(std::cos(heading), std::sin(heading), 0)).norm(), 1e-6);
   }
-  // Within the ball of 9 m, but not with this orientation: the wrist would be at (-9, 0).
-  const InverseResult turned = inverse_kinematics(arm, to_space({-7, 0, 0}));
-  expect_no(turned, InverseStatus::unreachable);
-  EXPECT_NEAR(turned.residual, 2, 1e-9);
   for (const char* name : {"puma560", "ur5", "panda", "iiwa14"}) {
     const Arm spatial = built_in(name);
     const Vector3 way = (spatial.reach().radius + 0.25) * random.direction();
     const InverseResult far = inverse_kinematics(spatial, make_pose(spatial.reach().centre + way));
     expect_no(far, InverseStatus::unreachable);
-    EXPECT_NEAR(far.residual, 0.25, 1e-9);
+    EXPECT_GE(far.residual, 0.25 - 1e-9);  // an offset may keep it farther away
+    EXPECT_LE(far.residual, 0.25 + 0.15 * spatial.reach().radius);
   }
   // What a longer slide would reach is the limits' doing, and the reason names it.
   const Arm stanford = built_in("stanford");
@@ -47,8 +48,41 @@ TEST(InverseKinematics, OutOfReachSaysByHowMuch) {
       make_pose(stanford.reach().centre + Vector3(stanford.reach().radius + 0.25, 0, 0));
   const InverseResult slide = inverse_kinematics(stanford, pose, {.restarts = 10});
   expect_no(slide, InverseStatus::outside_limits);
-  EXPECT_NE(slide.reason.find("0.25 m beyond the reach"), std::string::npos) << slide.reason;
   EXPECT_NE(slide.reason.find("joint3 would be at"), std::string::npos) << slide.reason;
+  ASSERT_TRUE(slide.nearest.has_value());
+  EXPECT_EQ(slide.nearest->blocking, 2);
+  EXPECT_GT(slide.nearest->excess, 0);
+}
+
+TEST(InverseKinematics, InsideTheShouldersOffsetNoWristArrives) {
+  // A point on the axis of joint 1, where the tool's offset keeps it off; found by descents, and by
+  // hand: the tool never comes nearer to that axis than the offset of 0.15005 m.
+  const InverseResult puma = inverse_kinematics(built_in("puma560"), make_pose({0.01, 0, 0}));
+  expect_no(puma, InverseStatus::unreachable);
+  EXPECT_NEAR(puma.residual, 0.15005 - 0.01, 1e-6);
+}
+
+TEST(InverseKinematics, AReachedPositionWithTheWrongOrientationSaysHowMuchTurnIsMissing) {
+  // The wrist would have to be at (-9, 0), 2 m out of its reach of 7 m: with the hand turned by
+  // acos(...) it is at the edge. The triangle of sides 7 (wrist), 2 (hand) and 7 (tool) gives it.
+  const InverseResult turned = inverse_kinematics(built_in("rrr"), to_space({-7, 0, 0}));
+  expect_no(turned, InverseStatus::orientation);
+  const double least = std::acos((7 * 7 - 7 * 7 - 2 * 2) / (2.0 * 7 * 2));
+  EXPECT_NEAR(turned.residual, least, 2e-3);  // a stretched arm is approached slowly
+  // Five joints and a spatial task: the tool of a puma without its last joint has one direction
+  // less. Of the pose turned about the tool's z axis, all of the turn is missing.
+  std::vector<Joint> joints = built_in("puma560").joints();
+  joints.pop_back();
+  const Arm five("five", joints);
+  testing::Random random;
+  for (int i = 0; i < 20; ++i) {
+    Pose pose = forward_kinematics(five, random.configuration(five));
+    pose.linear() = pose.linear() * so3_exp(Vector3(0.3, 0, 0));
+    const InverseResult no = inverse_kinematics(five, pose, {.ignore_limits = true});
+    expect_no(no, InverseStatus::orientation);
+    EXPECT_LE(no.residual, 0.3 + 1e-6);
+    EXPECT_LE(no.nearest->error.position, 1e-9);
+  }
 }
 
 TEST(InverseKinematics, WhatNoJointCanChangeIsProvedUnreachable) {
@@ -61,7 +95,7 @@ TEST(InverseKinematics, WhatNoJointCanChangeIsProvedUnreachable) {
     const double tilt = random.uniform(1e-6, 3);
     tilted.linear() = tilted.linear() * so3_exp(Vector3(tilt, 0, 0));
     const InverseResult no = inverse_kinematics(scara, tilted);
-    expect_no(no, InverseStatus::unreachable);
+    expect_no(no, InverseStatus::orientation);
     EXPECT_NEAR(no.residual, tilt, 1e-9);
     EXPECT_EQ(inverse_kinematics(scara, tilted, {.task = Task::position()}).status,
               InverseStatus::solved);
@@ -77,7 +111,7 @@ TEST(InverseKinematics, WhatNoJointCanChangeIsProvedUnreachable) {
 
     const InverseResult turned =
         inverse_kinematics(gantry, to_space({0.1, 0.2, heading + off}), {.ignore_limits = true});
-    expect_no(turned, InverseStatus::unreachable);
+    expect_no(turned, InverseStatus::orientation);
     EXPECT_NEAR(turned.residual, off, 1e-9);
   }
 }
@@ -126,15 +160,6 @@ TEST(InverseKinematics, ReachableOnlyOutsideLimitsNamesTheJoint) {
       << no.reason;
 }
 
-TEST(InverseKinematics, GivesUpWithTheNearestMissWhereNothingIsProved) {
-  const Arm arm = built_in("puma560");
-  // Inside the ball of reach, but inside the shoulder's offset: no wrist gets there.
-  const InverseResult result = inverse_kinematics(arm, make_pose({0.01, 0, 0}), {.restarts = 20});
-  expect_no(result, InverseStatus::not_found);
-  EXPECT_GT(result.residual, 0.01);
-  EXPECT_EQ(result.restarts, 40);  // 20 within limits, and 20 without them
-}
-
 TEST(InverseKinematics, RefusesWhatMakesNoSense) {
   const Arm arm = built_in("rrr");
   const Pose pose = to_space({4, 5, 0});
@@ -157,7 +182,7 @@ TEST(InverseKinematics, RefusesWhatMakesNoSense) {
     EXPECT_REFUSED(inverse_kinematics(arm, pose, {.tolerance = tolerance}), "tolerance is ");
   }
   EXPECT_REFUSED(inverse_kinematics(arm, pose, {.iterations = -1}), "iterations is -1");
-  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.restarts = -1}), "restarts -1");
+  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.restarts = -1}), "restarts is -1");
   // Rounded from text, a rotation is mended, not refused.
   Pose rounded = pose;
   rounded.linear()(0, 0) += 1e-7;

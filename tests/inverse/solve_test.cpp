@@ -65,7 +65,7 @@ TEST(InverseKinematics, OfPlanarArmsGivesAllByDistanceFromTheSeed) {
     const InverseResult all = inverse_kinematics(arm, pose, {.seed = seed, .all = true});
     expect_solved(arm, pose, Task::planar(), all);
     ASSERT_EQ(all.solutions.size(), 2U);
-    EXPECT_EQ(all.method, "planar closed form");
+    EXPECT_EQ(all.method, "closed form: planar");
     EXPECT_TRUE(same_posture(arm, all.solutions[0], q) || same_posture(arm, all.solutions[1], q));
     EXPECT_LE((all.solutions[0] - seed).norm(), (all.solutions[1] - seed).norm());
     const InverseResult one = inverse_kinematics(arm, pose, {.seed = seed});
