@@ -62,20 +62,35 @@ InverseOptions options_for(const Arguments& arguments, const Arm& arm) {
   return options;
 }
 
-/// An angle where the orientation alone is missing; else metres, or metres and radians alike.
-double residual_of(const Arguments& arguments, const InverseResult& result) {
-  const bool is_angle = result.status == InverseStatus::orientation;
-  return is_angle ? arguments.unit.shown(result.residual) : result.residual;
+/// What the status is about: metres, or an angle in the caller's unit; no unit where it is the
+/// larger of both.
+struct Residual {
+  double value = 0;
+  std::string unit;
+};
+
+Residual residual_of(const UnitArgument& unit, const Arm& arm, const InverseResult& result) {
+  switch (result.status) {
+    case InverseStatus::unreachable:
+      return {result.residual, " m"};
+    case InverseStatus::orientation:
+      return {unit.shown(result.residual), fmt::format(" {}", unit.name())};
+    case InverseStatus::outside_limits: {
+      const int k = result.nearest->blocking;
+      const bool slides = kind(arm.joint_of(k)) == JointKind::prismatic;
+      return {unit.shown(arm, k, result.residual), fmt::format(" {}", slides ? "m" : unit.name())};
+    }
+    default:
+      return {result.residual, ""};
+  }
 }
 
 void print_result(const Arguments& arguments, const Arm& arm, const InverseResult& result) {
   const UnitArgument& unit = arguments.unit;
-  fmt::print("{}: {} solution{} by {}, residual {}", name(result.status), result.solutions.size(),
-             result.solutions.size() == 1 ? "" : "s", result.method,
-             shown(residual_of(arguments, result)));
-  if (result.status == InverseStatus::unreachable) fmt::print(" m");
-  if (result.status == InverseStatus::orientation) fmt::print(" {}", unit.name());
-  fmt::print("\n");
+  const Residual residual = residual_of(unit, arm, result);
+  fmt::print("{}: {} solution{} by {}, residual {}{}\n", name(result.status),
+             result.solutions.size(), result.solutions.size() == 1 ? "" : "s", result.method,
+             shown(residual.value), residual.unit);
   for (const Configuration& q : result.solutions) fmt::print("  {}\n", shown(unit.shown(arm, q)));
   if (result.singular) fmt::print("  {}\n", result.reason);
   if (result.nearest) {
@@ -106,12 +121,15 @@ OrderedJson result_document(const Arguments& arguments, const Arm& arm,
   }
   OrderedJson nearest;
   if (result.nearest) nearest = nearest_document(arguments, arm, *result.nearest);
-  return {
-      {"status", name(result.status)}, {"solutions", solutions},
-      {"singular", result.singular},   {"residual", json_number(residual_of(arguments, result))},
-      {"reason", result.reason},       {"nearest", nearest},
-      {"method", result.method},       {"iterations", result.iterations},
-      {"restarts", result.restarts}};
+  return {{"status", name(result.status)},
+          {"solutions", solutions},
+          {"singular", result.singular},
+          {"residual", json_number(residual_of(arguments.unit, arm, result).value)},
+          {"reason", result.reason},
+          {"nearest", nearest},
+          {"method", result.method},
+          {"iterations", result.iterations},
+          {"restarts", result.restarts}};
 }
 
 Exit inverse(const Arguments& arguments) {

@@ -17,14 +17,20 @@ class GeneralSix {
   /// Throws Error unless the chain has six links that turn, each by a coordinate of its own, q_i.
   explicit GeneralSix(const Chain& chain);
 
-  /// Whether every trial was found again: else solve() may miss solutions.
+  /// Whether all trials but one in a hundred, which may be singular, were found again.
   bool reliable() const { return reliable_; }
 
-  /// The solutions, one column each, in [-pi, pi]; returns how many. Each has gone through forward
-  /// kinematics, with an error below 1e-12 (of the arm's size, and radians). Solutions closer to
-  /// each other than 1e-6 count as one. Does not allocate.
+  struct Found {
+    int count = 0;          ///< solutions
+    bool complete = false;  ///< every zero of the determinant led to one: there are no others
+  };
+
+  /// The solutions, one column each, in [-pi, pi]. Each has gone through forward kinematics, with
+  /// an error below 1e-12 (of the arm's size, and radians). Solutions closer to each other than
+  /// 1e-6 count as one. Does not allocate.
   /// Throws Error when q has fewer than 16 columns or the pose is not finite.
-  int solve(const Pose& world_T_tool, Eigen::Ref<Eigen::Matrix<double, 6, Eigen::Dynamic>> q) const;
+  Found solve(const Pose& world_T_tool,
+              Eigen::Ref<Eigen::Matrix<double, 6, Eigen::Dynamic>> q) const;
 
  private:
   Pose base_inverse_, tool_inverse_;

@@ -35,18 +35,22 @@ InverseMethods inverse_methods(const Arm& arm, const InverseOptions& options) {
   const bool formulas = options.method != InverseMethod::numerical;
   methods.planar = formulas && has_planar_closed_form(arm, methods.task);
   if (formulas && !methods.planar) methods.closed = ClosedForm::of(arm, methods.task);
-  // Its preparation takes milliseconds: not for one solution, which descents find sooner.
-  const bool worth = options.all || options.method == InverseMethod::closed_form;
-  if (formulas && worth && !methods.closed && is_general_six(arm, methods.task)) {
-    GeneralSix general(chain_of(arm));
-    if (general.reliable()) methods.general = general;
-  }
+  methods.general_six = formulas && !methods.closed && is_general_six(arm, methods.task);
+  // For one solution descents are sooner there.
+  if (options.all || options.method == InverseMethod::closed_form) prepare_general(methods);
   if (options.method == InverseMethod::closed_form && !methods.planar && !methods.closed &&
       !methods.general) {
     throw Error("arm " + arm.name() + " has no closed form for the task " + name(methods.task) +
                 "; method numerical solves it");
   }
   return methods;
+}
+
+void prepare_general(InverseMethods& methods) {
+  if (!methods.general_six || methods.general) return;
+  GeneralSix general(chain_of(methods.arm));
+  methods.general_six = general.reliable();
+  if (general.reliable()) methods.general = general;
 }
 
 std::string description(const InverseMethods& methods) {

@@ -27,6 +27,7 @@ struct InverseMethods {
   Configuration middle;  ///< the seed where none is given
   bool planar = false;   ///< has_planar_closed_form()
   std::optional<ClosedForm> closed = std::nullopt;
+  bool general_six = false;  ///< six joints that turn, and no closed form of a family
   std::optional<GeneralSix> general = std::nullopt;
   std::optional<Descents> within = std::nullopt, anywhere = std::nullopt;
   MultiStartBuffers buffers = {};
@@ -35,6 +36,9 @@ struct InverseMethods {
 
 /// Throws Error for options that make no sense, or a closed form that the arm does not have.
 InverseMethods inverse_methods(const Arm& arm, const InverseOptions& options);
+
+/// Prepares the general solver of six joints, which takes milliseconds, if it is one for the arm.
+void prepare_general(InverseMethods& methods);
 
 /// In words.
 std::string description(const InverseMethods& methods);

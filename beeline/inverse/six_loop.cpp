@@ -8,7 +8,7 @@
 namespace beeline {
 namespace {
 
-constexpr double special = 1e-9;  // sine of an angle, or distance over size
+constexpr double special = 1e-10;  // sine of an angle, or distance over size
 
 bool parallel(const JointAxis& a, const JointAxis& b) {
   return a.direction.cross(b.direction).norm() < special;

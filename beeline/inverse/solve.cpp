@@ -78,13 +78,19 @@ InverseResult answer(InverseMethods& methods, const Pose& world_T_tool, const Co
   } else if (formulas) {
     beyond = solve_closed(methods, ask, result);
   }
-  const bool last_word = beyond.complete && !(beyond.continuum && result.solutions.empty());
   const bool far = !limits_bound_reach(ask.arm) &&
                    beyond_reach(ask.arm, ask.goal, ask.task, ask.tolerance).has_value();
-  if (result.solutions.empty() && !last_word && !far &&
-      methods.options.method != InverseMethod::closed_form) {
+  // Of a continuum another member may be within limits.
+  const bool last_word = beyond.complete && !(beyond.continuum && result.solutions.empty());
+  const bool lacking = result.solutions.empty() || (methods.general && ask.options.all);
+  if (lacking && !last_word && !far && methods.options.method != InverseMethod::closed_form) {
+    const bool added = result.solutions.empty();
     beyond = solve_numerical(methods, ask, result, beyond);
-    if (!result.solutions.empty()) result.method = "numerical";
+    if (added && !result.solutions.empty()) result.method = "numerical";
+    if (result.solutions.empty() && !formulas && with_reason) {
+      prepare_general(methods);  // to be sure
+      if (methods.general) beyond = solve_closed(methods, ask, result);
+    }
   }
   if (!result.solutions.empty()) {
     finish(ask, result);

@@ -114,9 +114,9 @@ Beyond solve_closed(InverseMethods& methods, const Question& ask, InverseResult&
     claims.beyond.complete = !methods.closed->has_added_joints() || found.continuum == 0;
   } else if (methods.general) {
     Eigen::Matrix<double, 6, GeneralSix::most_solutions> q;
-    const int count = methods.general->solve(ask.goal, q);
-    for (int i = 0; i < count; ++i) claims.add(q.col(i), false);
-    claims.beyond.complete = methods.general->reliable();
+    const GeneralSix::Found found = methods.general->solve(ask.goal, q);
+    for (int i = 0; i < found.count; ++i) claims.add(q.col(i), false);
+    claims.beyond.complete = found.complete;
   }
   result.singular = claims.beyond.continuum && !result.solutions.empty();
   return claims.beyond;

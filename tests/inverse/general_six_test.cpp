@@ -102,7 +102,7 @@ int misses(Random& random, const Arm& arm, const GeneralSix& solver, int poses) 
   for (int i = 0; i < poses; ++i) {
     const Configuration from = anywhere(random);
     const Pose pose = forward_kinematics(arm, from);
-    const int count = solver.solve(pose, q);
+    const int count = solver.solve(pose, q).count;
     expect_solutions(arm, pose, q, count);
     if (!holds(q, count, from)) ++missed;
   }
@@ -182,7 +182,7 @@ TEST(GeneralSix, FindsSixteenSolutions) {
   const Configuration from{{-2.074, 2.120, 0.517, 2.688, 0.178, 3.085}};
   const Pose pose = forward_kinematics(arm, from);
   Columns q(6, 16);
-  ASSERT_EQ(solver.solve(pose, q), 16);
+  ASSERT_EQ(solver.solve(pose, q).count, 16);
   expect_solutions(arm, pose, q, 16);
   EXPECT_TRUE(holds(q, 16, from));
 }
@@ -216,7 +216,7 @@ TEST(GeneralSix, MissesNothingThatASearchFinds) {
     const Arm arm = arm_of(i % 4 == 0 ? disturbed(random, ur5, 1e-4) : random_rows(random));
     const GeneralSix solver(chain_of(arm));
     const Pose pose = forward_kinematics(arm, anywhere(random));
-    const int count = solver.solve(pose, q);
+    const int count = solver.solve(pose, q).count;
     found += count;
     for (const Configuration& other : search(random, arm, pose, 400)) {
       ++found_by_search;
@@ -233,7 +233,7 @@ TEST(GeneralSix, SolutionsComeInPairs) {
     const Arm arm = arm_of(random_rows(random));
     const GeneralSix solver(chain_of(arm));
     for (int k = 0; k < 200; ++k) {
-      EXPECT_EQ(solver.solve(forward_kinematics(arm, anywhere(random)), q) % 2, 0);
+      EXPECT_EQ(solver.solve(forward_kinematics(arm, anywhere(random)), q).count % 2, 0);
     }
   }
 }
@@ -260,7 +260,7 @@ TEST(GeneralSix, FindsSolutionsThatMerge) {
     ++cases;
     const Pose pose = forward_kinematics(arm, from);
     const GeneralSix solver(chain_of(arm));
-    const int count = solver.solve(pose, q);
+    const int count = solver.solve(pose, q).count;
     expect_solutions(arm, pose, q, count);
     EXPECT_TRUE(holds(q, count, from, 1e-4)) << from.transpose();
   }
@@ -275,7 +275,7 @@ TEST(GeneralSix, NothingIsFoundOutOfReach) {
     const GeneralSix solver(chain_of(arm));
     Pose pose = random.pose();
     pose.translation() = arm.reach().centre + 1.01 * arm.reach().radius * random.direction();
-    EXPECT_EQ(solver.solve(pose, q), 0);
+    EXPECT_EQ(solver.solve(pose, q).count, 0);
   }
 }
 
