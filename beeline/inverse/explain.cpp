@@ -100,10 +100,11 @@ void explain(InverseMethods& methods, const Question& ask, const Beyond& beyond,
                     " comes no nearer than " + point(result.nearest->world_T_tool.translation());
     return;
   }
-  // Fewer descents may just have missed it, and so may many where it is nearly reached.
-  constexpr double clear = 1e-3;  // radians
-  const bool sure =
-      beyond.complete || (result.restarts >= most_descents && error.orientation > clear);
+  // Fewer descents may just have missed it, and so may many, and even formulas, where it is nearly
+  // reached.
+  constexpr double clear = 1e-3, hair = 1e-6;  // radians
+  const bool searched = result.restarts >= most_descents && error.orientation > clear;
+  const bool sure = searched || (beyond.complete && error.orientation > hair);
   if (turns && sure) {
     result.status = InverseStatus::orientation;
     result.residual = error.orientation;

@@ -69,6 +69,13 @@ int nearest_lane(const ClosedForm& form, const SixBranches& found) {
   return nearest;
 }
 
+bool nearly_found(const ClosedForm& form, const SixBranches& found) {
+  if (found.found != 0) return false;
+  const double near = 1e-4 * std::max(1.0, form.size());
+  return std::any_of(std::begin(found.residual), std::end(found.residual),
+                     [near](double residual) { return residual < near; });
+}
+
 LockedBranch first_within(const ClosedForm& form, const Pose& goal, const LockedRange& range,
                           int tries, SixQuestion& six, LeastOutside& outside) {
   LockedBranch branch;

@@ -29,6 +29,9 @@ double closed_residual(const ClosedForm& form);
 /// The lane nearest to the seed among those within limits whose loops are closed; -1: none.
 int nearest_lane(const ClosedForm& form, const SixBranches& found);
 
+/// Whether no lane has a solution, but one comes so near to it that rounding may have hidden it.
+bool nearly_found(const ClosedForm& form, const SixBranches& found);
+
 /// The branches that exceed limits least, of those that were met.
 struct LeastOutside {
   int count = 0;

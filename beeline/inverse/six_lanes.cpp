@@ -68,8 +68,8 @@ HWY_INLINE void solve_meeting(const SixLoop& loop, const Space& to, Lanes sign,
   // above = height - sum and below = difference - height: together 2 sin(alpha) sin(gamma).
   const double scale = 1 / (2 * sa * sc);
   const Lanes product = above * below;
-  constexpr double slack = 1e-9;
-  standing.found = standing.found & (product >= Lanes(-slack));
+  // Where a share was free another choice may be within reach: that is for others to find.
+  standing.found = standing.found & ((product >= Lanes(-root_slack)) | standing.continuum);
   turn[1].c = min(max((below - above) * Lanes(scale), Lanes(-1)), Lanes(1));
   turn[1].s = sign * sqrt(max(product, Lanes(0))) * Lanes(std::abs(2 * scale));
 
@@ -102,9 +102,10 @@ HWY_INLINE void solve_parallel(const SixLoop& loop, const Space& to, Lanes sign,
       Lanes(0.5) *
       (fma(x, x, y * y) - Lanes(ab[0] * ab[0] + ab[1] * ab[1] + bc[0] * bc[0] + bc[1] * bc[1]));
   LaneMask free;
-  standing.found = standing.found & solve_turn(Lanes(ab[0] * bc[0] + ab[1] * bc[1]),
-                                               Lanes(ab[1] * bc[0] - ab[0] * bc[1]), -stretch, sign,
-                                               loop.size * loop.size, preferred, turn[1], free);
+  const LaneMask reached =
+      solve_turn(Lanes(ab[0] * bc[0] + ab[1] * bc[1]), Lanes(ab[1] * bc[0] - ab[0] * bc[1]),
+                 -stretch, sign, loop.size * loop.size, preferred, turn[1], free);
+  standing.found = standing.found & (reached | standing.continuum);
   standing.continuum = standing.continuum | (free & standing.found);
   const Lanes reach_x = Lanes(ab[0]) + fma(turn[1].c, Lanes(bc[0]), -(turn[1].s * Lanes(bc[1])));
   const Lanes reach_y = Lanes(ab[1]) + fma(turn[1].s, Lanes(bc[0]), turn[1].c * Lanes(bc[1]));
@@ -197,7 +198,7 @@ void six_branches_kernel(const SixLoop& loop, const SixQuestion& question, SixBr
     prefer();
   }
   branches.found = bits(standing.found);
-  branches.continuum = bits(standing.continuum);
+  branches.continuum = bits(standing.continuum & standing.found);
   standing.residual.store(branches.residual);
   to_coordinates(loop, question, turn, branches);
 }

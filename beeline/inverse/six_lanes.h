@@ -16,7 +16,8 @@ struct SixQuestion {
 struct SixBranches {
   double q[6][8];          ///< by coordinate and lane: the turn nearest to the seed, within limits
                            ///< where there is one
-  double residual[8];      ///< metres and radians added up: how far the loop is from closed
+  double residual[8];      ///< metres and radians added up: how far the loop is from closed, where
+                           ///< there is no solution that of what comes near one
   double excess[8];        ///< by how much limits are exceeded, summed
   double distance[8];      ///< from the seed, squared
   unsigned found = 0;      ///< lanes whose equations have a solution, up to rounding

@@ -18,8 +18,9 @@ HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
 /// How far below zero, relative, the square under a root may be for the root to count as zero: at
-/// the edge of reach rounding decides. What is taken wrongly fails the check of the residual.
-inline constexpr double root_slack = 1e-9;
+/// the edge of reach, and more so where several edges meet, rounding decides. What is taken wrongly
+/// fails the check of the residual.
+inline constexpr double root_slack = 1e-6;
 
 /// The turn with n . (cos, sin) + k = 0 of the sign that is asked for. Where n and k vanish any
 /// turn will do: then the preferred one is taken, and `free` is set. `unit` is what n counts
@@ -28,7 +29,10 @@ HWY_INLINE LaneMask solve_turn(Lanes nx, Lanes ny, Lanes k, Lanes sign, double u
                                const Turn& preferred, Turn& turn, LaneMask& free) {
   const Lanes nn = fma(nx, nx, ny * ny), kk = k * k;
   const Lanes under = nn - kk;
-  const Lanes root = sqrt(max(under, Lanes(0)));
+  // A root that rounding alone would make is none, so that what is singular there is seen to be.
+  constexpr double rounding = 1e-14;
+  const LaneMask double_root = under <= Lanes(rounding) * nn;
+  const Lanes root = sqrt(choose(double_root, Lanes(0), under));
   const double nothing = 1e-12 * unit;
   free = (nn <= Lanes(nothing * nothing)) & (abs(k) <= Lanes(10 * nothing));
   const LaneMask vanishes = nn <= Lanes(0);

@@ -133,7 +133,7 @@ int quick(InverseMethods& methods, const Pose& goal, const ConfigurationRef& see
     form.configuration(found, branch.lane, branch.value, solutions.col(0));
     return 1;
   }
-  if (methods.options.every_turn || found.continuum != 0) return -1;
+  if (methods.options.every_turn || found.continuum != 0 || nearly_found(form, found)) return -1;
   const double closed = closed_residual(form);
   int lanes[8], count = 0;
   for (unsigned rest = found.found; rest != 0; rest &= rest - 1) {
@@ -189,7 +189,10 @@ InverseSolver::~InverseSolver() = default;
 std::string InverseSolver::method() const { return description(*methods_); }
 
 InverseResult InverseSolver::solve(const Pose& world_T_tool) {
-  const Configuration& seed = methods_->options.seed ? *methods_->options.seed : methods_->middle;
+  return solve(world_T_tool, methods_->options.seed ? *methods_->options.seed : methods_->middle);
+}
+
+InverseResult InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed) {
   return answer(*methods_, world_T_tool, seed, true);
 }
 

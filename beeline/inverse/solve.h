@@ -116,6 +116,7 @@ class InverseSolver {
   std::string method() const;
 
   InverseResult solve(const Pose& world_T_tool);
+  InverseResult solve(const Pose& world_T_tool, const ConfigurationRef& seed);
 
   /// For loops: writes the solutions nearest to `seed` first into the columns of `solutions`, as
   /// many as there is room for (one suffices unless options.all), and returns how many. No reason

@@ -15,7 +15,8 @@ class Claims {
   Claims(const Question& ask, InverseResult& result) : ask_(ask), result_(result) {}
 
   void add(Configuration q, bool continuum) {
-    double error = error_at(ask_, q);
+    beyond.continuum = beyond.continuum || continuum;
+    const double error = error_at(ask_, q);
     constexpr double hopeless = 1e-3;  // of the size: an added joint is not where it must be
     const double size = std::max(1.0, unit_of_length(ask_.arm));
     if (!(error <= hopeless * size)) return;
@@ -26,7 +27,6 @@ class Claims {
       if (!mended.converged || (mended.q - q).norm() > far) return;
       q = mended.q;
     }
-    beyond.continuum = beyond.continuum || continuum;
     const Configuration turned = nearest_representative(ask_.arm, q, ask_.seed, ask_.bounds);
     const double outside = excess(ask_.bounds, turned);
     if (!beyond.least || outside < least_) beyond.least = turned, least_ = outside;
@@ -59,8 +59,10 @@ void solve_locked(InverseMethods& methods, const Question& ask, Claims& claims) 
   if (ask.options.lock) {
     SixBranches found;
     form.branches(ask.goal, ask.seed[form.locked()], six, found);
+    claims.beyond.complete = !nearly_found(form, found);
     return add_branches(form, found, ask.seed[form.locked()], dof, claims);
   }
+  claims.beyond.complete = false;
   const int grid = ask.options.grid;
   if (ask.options.all) {
     for (const double value : grid_values(range, grid)) {
@@ -104,14 +106,14 @@ Beyond solve_closed(InverseMethods& methods, const Question& ask, InverseResult&
     solve_planar(ask, claims);
   } else if (methods.closed && methods.closed->locked() >= 0) {
     solve_locked(methods, ask, claims);
-    claims.beyond.complete = ask.options.lock.has_value();
   } else if (methods.closed) {
     SixQuestion six = methods.closed->question(ask.seed, ask.bounds.lower, ask.bounds.upper);
     SixBranches found;
     methods.closed->branches(ask.goal, 0, six, found);
     add_branches(*methods.closed, found, 0, ask.arm.dof(), claims);
     // Where an added joint may share a turn with the arm's, only one of infinitely many was seen.
-    claims.beyond.complete = !methods.closed->has_added_joints() || found.continuum == 0;
+    claims.beyond.complete = (!methods.closed->has_added_joints() || found.continuum == 0) &&
+                             !nearly_found(*methods.closed, found);
   } else if (methods.general) {
     Eigen::Matrix<double, 6, GeneralSix::most_solutions> q;
     const GeneralSix::Found found = methods.general->solve(ask.goal, q);

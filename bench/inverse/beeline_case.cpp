@@ -3,39 +3,31 @@
 namespace beeline::bench {
 namespace {
 
-/// The arm without its last joint, which stands still.
-Arm moving_part(const BenchArm& measured) {
-  if (!measured.last) return measured.arm;
-  std::vector<Joint> joints = measured.arm.joints();
-  const Pose tool = joint_transform(joints.back(), *measured.last) * measured.arm.tool();
-  joints.pop_back();
-  return {measured.arm.name(), joints, tool, measured.arm.base()};
-}
+constexpr int room = 64;  // for solutions
 
-InverseOptions options_of(CaseKind kind) {
+InverseOptions options_of(const BenchArm& arm, CaseKind kind) {
   InverseOptions options;
   options.all = kind == CaseKind::all_solutions;
   options.ignore_limits = kind == CaseKind::all_solutions || kind == CaseKind::numerical_free;
+  const bool numerical = kind == CaseKind::numerical_within_limits ||
+                         kind == CaseKind::numerical_free || kind == CaseKind::tracking;
+  if (numerical) options.method = InverseMethod::numerical;
+  if (arm.last) options.lock = arm.arm.dof() - 1;
   return options;
 }
 
 }  // namespace
 
 BeelineCase::BeelineCase(const BenchArm& arm, CaseKind kind)
-    : arm_(moving_part(arm)), last_(arm.last), options_(options_of(kind)) {}
+    : solver_(arm.arm, options_of(arm, kind)),
+      last_(arm.last),
+      solutions_(arm.arm.dof(), options_of(arm, kind).all ? room : 1) {}
 
 int BeelineCase::solve(const Pose& world_T_tool, const Configuration& seed) {
-  options_.seed = seed.head(arm_.dof());
-  result_ = inverse_kinematics(arm_, world_T_tool, options_);
-  return static_cast<int>(result_.solutions.size());
-}
-
-Configuration BeelineCase::solution(int i) const {
-  const Configuration& q = result_.solutions[static_cast<std::size_t>(i)];
-  if (!last_) return q;
-  Configuration whole(q.size() + 1);
-  whole << q, *last_;
-  return whole;
+  if (!last_) return solver_.solve(world_T_tool, seed, solutions_);
+  seed_ = seed;
+  seed_[seed_.size() - 1] = *last_;
+  return solver_.solve(world_T_tool, seed_, solutions_);
 }
 
 }  // namespace beeline::bench

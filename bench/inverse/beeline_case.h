@@ -14,14 +14,14 @@ class BeelineCase {
   /// Returns how many solutions there are.
   int solve(const Pose& world_T_tool, const Configuration& seed);
 
-  /// Solution i of the last call, with a value for every joint.
-  Configuration solution(int i) const;
+  /// Solution i of the last call.
+  Configuration solution(int i) const { return solutions_.col(i); }
 
  private:
-  Arm arm_;
+  InverseSolver solver_;
   std::optional<double> last_;
-  InverseOptions options_;
-  InverseResult result_;
+  Configuration seed_;
+  Eigen::MatrixXd solutions_;
 };
 
 }  // namespace beeline::bench

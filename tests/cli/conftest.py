@@ -5,6 +5,8 @@ import subprocess
 
 import pytest
 
+from arms import text
+
 
 class Answer:
     def __init__(self, process):
@@ -58,3 +60,40 @@ def written(tmp_path):
         return name
 
     return write
+
+
+@pytest.fixture
+def matrix(beeline):
+    """The tool's matrix at q, as a list of 16."""
+    return lambda arm, q: sum(beeline("fk", arm, "--q", q, "--json").json["pose"]["matrix"], [])
+
+
+@pytest.fixture
+def pose_at(beeline):
+    """The tool's pose at q in the form that --pose takes, exactly."""
+
+    def pose(arm, q):
+        document = beeline("fk", arm, "--q", q, "--json").json["pose"]
+        if "planar" in document:
+            return text(document["planar"][key] for key in ("x", "y", "theta"))
+        quaternion = [document["quaternion"][key] for key in ("qw", "qx", "qy", "qz")]
+        return text(document["translation"] + quaternion)
+
+    return pose
+
+
+@pytest.fixture
+def ik(beeline):
+    """ik("rrr", pose, ...) -> the JSON document, with the exit code and stderr that go with it."""
+
+    def solve(arm, pose, *options):
+        answer = beeline("ik", arm, "--pose", pose, "--json", *options)
+        document = answer.json
+        solved = document["status"] == "solved"
+        assert answer.code == (0 if solved else 1)
+        assert (document["solutions"] != []) == solved == (document["nearest"] is None)
+        assert answer.err == ("" if solved else f"beeline: {document['reason']}\n")
+        assert (document["reason"] != "") == (not solved or document["singular"])
+        return document
+
+    return solve

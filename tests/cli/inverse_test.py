@@ -1,15 +1,18 @@
-"""ik: both elbows, statuses, reasons."""
+"""ik: every status, each with a pose that has exactly that cause; the forms of the answer."""
 
+import json
 import math
 
 import pytest
 
+from arms import Q, joints, text
 
-def test_both_elbows_of_the_chapters_arm(beeline):
+
+def test_both_elbows_of_the_chapters_arm(beeline, ik):
     goal = beeline("fk", "rrr", "--q", "99.2,-68.8,-30.4", "--degrees", "--json").json
     planar = goal["pose"]["planar"]
-    pose = ",".join(repr(planar[key]) for key in ("x", "y", "theta"))
-    answer = beeline("ik", "rrr", "--pose", pose, "--all", "--degrees", "--json").json
+    pose = text(planar[key] for key in ("x", "y", "theta"))
+    answer = ik("rrr", pose, "--all", "--degrees")
     assert answer["status"] == "solved" and len(answer["solutions"]) == 2
     near = min(
         max(abs(math.remainder(a - b, 360)) for a, b in zip(q, (99.2, -68.8, -30.4)))
@@ -18,46 +21,151 @@ def test_both_elbows_of_the_chapters_arm(beeline):
     assert near < 1e-6 and answer["residual"] < 1e-9
 
 
-@pytest.mark.parametrize("arm", ["panda", "ur5", "puma560", "iiwa14", "stanford", "scara"])
-def test_what_ik_returns_reaches_the_pose(beeline, arm):
-    middle = beeline("show", arm, "--json").json["joints"]
-    q = [
-        (j["limits"]["lower"] * 0.6 + j["limits"]["upper"] * 0.4) for j in middle
-    ]
-    text = ",".join(map(repr, q))
-    pose = beeline("fk", arm, "--q", text, "--json").json["pose"]
-    quaternion = [pose["quaternion"][key] for key in ("qw", "qx", "qy", "qz")]
-    goal = ",".join(map(repr, pose["translation"] + quaternion))
-    answer = beeline("ik", arm, "--pose", goal, "--json").json
-    assert answer["status"] == "solved"
-    solution = ",".join(map(repr, answer["solutions"][0]))
-    there = beeline("fk", arm, "--q", solution, "--json")
-    assert there.err == ""  # within limits
-    for a, b in zip(sum(there.json["pose"]["matrix"], []), sum(pose["matrix"], [])):
-        assert a == pytest.approx(b, abs=1e-8)
+@pytest.mark.parametrize("options", [(), ("--all",), ("--method", "numerical")], ids=" ".join)
+@pytest.mark.parametrize("arm", Q)
+def test_what_ik_returns_reaches_the_pose(beeline, ik, matrix, pose_at, arm, options):
+    answer = ik(arm, pose_at(arm, Q[arm]), *options)
+    assert answer["status"] == "solved" and not answer["singular"]
+    assert answer["method"].startswith("numerical" if "numerical" in options else "closed form: ")
+    for q in answer["solutions"][:12]:
+        there = beeline("fk", arm, "--q", text(q), "--json")
+        assert there.err == ""  # within limits
+        assert matrix(arm, text(q)) == pytest.approx(matrix(arm, Q[arm]), abs=1e-8)
 
 
-def test_no_is_an_answer_with_a_reason(beeline):
-    answer = beeline("ik", "rrr", "--pose", "8,8,0", "--json")
-    assert answer.code == 1
-    assert answer.json["status"] == "unreachable" and answer.json["solutions"] == []
-    assert answer.json["reason"] and answer.json["reason"] in answer.err
+def test_solutions_come_by_their_distance_from_the_seed(ik, pose_at):
+    seed = "0.5,-0.8,0.9,0.1,1,0.3"
+    solutions = ik("ur5", pose_at("ur5", Q["ur5"]), "--all", "--seed", seed)["solutions"]
+    assert len(solutions) == 8
+    far = [math.dist(q, joints(seed)) for q in solutions]
+    assert far == sorted(far) and math.dist(solutions[0], joints(Q["ur5"])) < 1e-8
 
 
-def test_limits_block_unless_ignored(beeline, written):
-    arm = written(
-        "stiff.json",
-        '{"name": "stiff", "joints": [{"name": "a", "type": "revolute",'
-        ' "limits": {"lower": -0.5, "upper": 0.5}}], "tool": {"xyz": [1, 0, 0]}}',
-    )
-    pose = f"{math.cos(1)!r},{math.sin(1)!r},1"
-    answer = beeline("ik", arm, "--pose", pose, "--json")
-    assert answer.code == 1 and answer.json["status"] == "outside_limits"
-    assert " a " in answer.json["reason"]
-    free = beeline("ik", arm, "--pose", pose, "--ignore-limits", "--json")
-    assert free.code == 0 and free.json["solutions"][0] == pytest.approx([1])
+def test_the_json_documents_keys_and_their_order(beeline):
+    keys = ["status", "solutions", "singular", "residual", "reason", "nearest", "method",
+            "iterations", "restarts"]
+    for pose in ("4,5,0", "8,8,0"):
+        assert list(beeline("ik", "rrr", "--pose", pose, "--json").json) == keys
 
 
-def test_the_same_seed_gives_the_same_answer(beeline):
-    arguments = ("ik", "panda", "--pose", "0.3,0.2,0.5,3,0.1,0.2", "--json", "--random-seed", "7")
-    assert beeline(*arguments).out == beeline(*arguments).out
+def test_unreachable_says_by_how_much_and_where_the_arm_comes_nearest(ik, matrix):
+    answer = ik("rrr", "8,8,0", "--degrees")
+    beyond = math.hypot(8, 8) - 9
+    assert answer["status"] == "unreachable" and f"{beyond:.6g} m" in answer["reason"]
+    assert answer["residual"] == pytest.approx(beyond)
+    nearest = answer["nearest"]
+    assert list(nearest) == ["q", "pose", "position_error", "orientation_error"]
+    assert nearest["position_error"] == pytest.approx(beyond)
+    assert nearest["pose"]["planar"] == pytest.approx(
+        {"x": 9 / math.sqrt(2), "y": 9 / math.sqrt(2), "theta": 45}, abs=1e-6)
+    assert nearest["orientation_error"] == pytest.approx(45, abs=1e-6)
+    q = text(math.radians(value) for value in nearest["q"])
+    assert matrix("rrr", q) == pytest.approx(sum(nearest["pose"]["matrix"], []), abs=1e-12)
+
+
+@pytest.mark.parametrize("arm, pose, missing", [
+    ("puma560", "0.01,0,0,0,0,0", 0.15005 - 0.01),  # nearer to the axis than the shoulder's offset
+    ("iiwa14", "0,0,2,0,0,0", 2 - 0.36 - 0.42 - 0.4 - 0.126),
+    ("scara", "0.7,0,0.3,3.141592653589793,0,0", 0.7 - 0.325 - 0.275),
+])
+def test_unreachable_in_space(ik, arm, pose, missing):
+    answer = ik(arm, pose)
+    assert answer["status"] == "unreachable"
+    assert answer["residual"] == answer["nearest"]["position_error"]
+    assert answer["residual"] == pytest.approx(missing, abs=1e-6)
+    x, y, z = answer["nearest"]["pose"]["translation"]
+    goal = joints(pose)[:3]
+    assert math.dist((x, y, z), goal) == pytest.approx(missing, abs=1e-6)
+
+
+def test_orientation_says_how_much_turn_is_missing(ik):
+    # The wrist of the pose at (-7, 0) would be at (-9, 0), 2 m out of its reach. The triangle
+    # of sides 7 (wrist), 2 (hand) and 7 (tool) has the turn that brings it to the edge.
+    least = math.acos((7 * 7 - 7 * 7 - 2 * 2) / (2 * 7 * 2))
+    for unit, options in ((1, ()), (180 / math.pi, ("--degrees",))):
+        answer = ik("rrr", "-7,0,0", *options)
+        assert answer["status"] == "orientation"
+        # The search comes slowly to an arm that is stretched, but never below.
+        assert -1e-9 < answer["residual"] / unit - least < 2e-3
+        assert answer["nearest"]["orientation_error"] == pytest.approx(answer["residual"])
+        assert answer["nearest"]["position_error"] < 1e-9
+
+
+def test_orientation_where_every_axis_is_vertical(ik):
+    answer = ik("scara", "0.4,0.1,0.3,150,0,0", "--degrees")  # the tool hangs at roll 180
+    assert answer["status"] == "orientation" and "tilted" in answer["reason"]
+    assert answer["residual"] == pytest.approx(30)
+    anyhow = ik("scara", "0.4,0.1,0.3,150,0,0", "--degrees", "--task", "position")
+    assert anyhow["status"] == "solved"
+
+
+def test_outside_limits_names_the_joint_and_the_excess(ik, written):
+    joint = {"name": "a", "type": "revolute", "limits": {"lower": -0.5, "upper": 0.5}}
+    arm = {"name": "stiff", "joints": [joint], "tool": {"xyz": [1, 0, 0]}}
+    stiff = written("stiff.json", json.dumps(arm))
+    pose = text([math.cos(1), math.sin(1), 1])
+    answer = ik(stiff, pose)
+    assert answer["status"] == "outside_limits" and " a " in answer["reason"]
+    nearest = answer["nearest"]
+    assert nearest["q"] == pytest.approx([1]) and nearest["joint"] == "a"
+    assert nearest["excess"] == answer["residual"] == pytest.approx(0.5)
+    assert nearest["position_error"] < 1e-9 and nearest["orientation_error"] < 1e-9
+    free = ik(stiff, pose, "--ignore-limits")
+    assert free["solutions"][0] == pytest.approx([1])
+
+
+def test_an_excess_is_in_the_joints_own_unit(ik, beeline, written, pose_at, tmp_path):
+    slide = ik("stanford", "3,0,0,0,0,0", "--degrees")  # too far for its slide alone
+    assert slide["status"] == "outside_limits" and slide["nearest"]["joint"] == "joint3"
+    assert slide["nearest"]["excess"] == pytest.approx(slide["nearest"]["q"][2] - 1.27)
+    assert slide["residual"] == slide["nearest"]["excess"]
+    # A puma whose elbow is nearly locked: joint 3 settles how far the wrist is from the shoulder.
+    beeline("show", "puma560", "--out", "puma.json")
+    arm = json.loads((tmp_path / "puma.json").read_text())
+    arm["joints"][2]["limits"] = {"lower": -1.6, "upper": -1.5}
+    stiff = written("stiff.json", json.dumps(arm))
+    pose = pose_at("puma560", "0.3,1,-1,0.4,0.8,0.2")
+    for unit, options in ((1, ()), (180 / math.pi, ("--degrees",))):
+        answer = ik(stiff, pose, *options)
+        assert answer["status"] == "outside_limits"
+        nearest = answer["nearest"]
+        assert nearest["joint"] == "joint3"
+        value = nearest["q"][2] / unit  # of either elbow
+        assert nearest["excess"] == pytest.approx(unit * max(-1.6 - value, value + 1.5))
+        assert 0 < nearest["excess"] == answer["residual"] < 0.501 * unit
+
+
+def test_not_found_claims_nothing(ik, pose_at):
+    answer = ik("panda", pose_at("panda", Q["panda"]), "--method", "numerical", "--restarts", "0",
+                "--iterations", "1")
+    assert answer["status"] == "not_found" and answer["restarts"] == 0
+    assert "not shown" in answer["reason"] and answer["nearest"] is not None
+
+
+@pytest.mark.parametrize("arm, q, step", [
+    ("puma560", "0.3,1,-1,0.4,0,0.2", "0,0,0,0.3,0,-0.3"),  # axes 4 and 6 in one line
+    ("stanford", "0.3,1,0.5,0.4,0,0.2", "0,0,0,0.3,0,-0.3"),
+    ("iiwa14", "0,0,0,0,0,0,0", "0.3,0,-0.3,0,0,0,0"),  # stretched upwards
+])
+def test_singular_solutions_stand_for_infinitely_many(ik, beeline, matrix, pose_at, arm, q, step):
+    moved = text(a + b for a, b in zip(joints(q), joints(step)))
+    assert matrix(arm, moved) == pytest.approx(matrix(arm, q), abs=1e-12)
+    pose = pose_at(arm, q)
+    answer = ik(arm, pose, "--all")
+    assert answer["status"] == "solved" and answer["singular"]
+    assert "infinitely many" in answer["reason"]
+    printed = beeline("ik", arm, "--pose", pose)
+    assert printed.code == 0 and printed.err == "" and answer["reason"] in printed.out
+
+
+def test_what_a_person_reads(beeline):
+    far = beeline("ik", "rrr", "--pose", "8,0,0", "--task", "position", "--seed", "0,1,0").out
+    assert far.startswith("solved: 1 solution by ")
+    lines = beeline("ik", "rrr", "--pose", "10,0,90", "--degrees").out.splitlines()
+    assert lines[0].startswith("unreachable: 0 solutions by ")
+    assert lines[0].endswith("residual 1 m")
+    assert lines[1].startswith("  nearest: q ") and "; tool at 9, " in lines[1]
+    turned = beeline("ik", "scara", "--pose", "0.4,0.1,0.3,150,0,0", "--degrees").out
+    assert turned.splitlines()[0].endswith("residual 30 deg")
+    slide = beeline("ik", "stanford", "--pose", "3,0,0,0,0,0", "--degrees").out
+    assert slide.splitlines()[0].endswith(" m")

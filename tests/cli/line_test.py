@@ -66,11 +66,11 @@ def test_a_line_that_leaves_the_workspace_says_where_and_why_and_writes_nothing(
     assert sorted(p.name for p in tmp_path.iterdir()) == ["far.csv"]
 
 
-def test_a_line_whose_end_is_not_found_claims_no_proof(beeline, written):
+def test_a_line_whose_end_is_not_found_says_if_none_exists(beeline, written):
     through = written("w.csv", "x,y,z,roll,pitch,yaw\n-0.5,-0.1,1.0,0,0,0\n")
     answer = beeline("line", "ur5", "--from", "0,-1.2,1.5,-0.5,1.2,0", "--through", through, "--json")
     assert answer.code == 1
-    assert (answer.json["status"] == "unreachable") != ("not proved" in answer.json["reason"])
+    assert (answer.json["status"] == "unreachable") != ("not shown" in answer.json["reason"])
 
 
 def test_both_of_the_chapters_ways_can_be_compared(beeline, written):
