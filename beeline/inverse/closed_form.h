@@ -21,7 +21,11 @@ class ClosedForm {
   /// Empty when no loop of a known family is found. No mimic and no helical joints.
   static std::optional<ClosedForm> of(const Arm& arm, const Task& task);
 
-  std::string family() const { return description(loop_); }
+  /// In words. Joints are counted as those of the arm; with a coordinate `missing`, as those of the
+  /// arm that this one was made of by locking it.
+  std::string family(int missing = -1) const {
+    return description(loop_, locked_ == 0 ? 0 : missing);
+  }
 
   /// The coordinate that has to be given: the first or the last of seven, else -1.
   int locked() const { return locked_; }

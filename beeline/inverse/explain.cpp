@@ -19,10 +19,22 @@ Deviation error_in(const Question& ask, const Configuration& q) {
 
 NearestMiss nearest_miss(const Question& ask, const Configuration& q) {
   NearestMiss miss;
-  miss.q = q;
+  miss.q = nearest_representative(ask.arm, q, ask.seed, ask.bounds);
   miss.world_T_tool = forward_kinematics(ask.arm, q);
   miss.error = error_in(ask, q);
   return miss;
+}
+
+/// The goal; from far off, where descents would lose their digits, a place on the way to it.
+Pose drawn_near(const Question& ask) {
+  const Arm::Reach& reach = ask.arm.reach();
+  constexpr double far = 100;  // times the reach
+  const Vector3 way = ask.goal.translation() - reach.centre;
+  Pose goal = ask.goal;
+  if (way.norm() > far * reach.radius) {
+    goal.translation() = reach.centre + far * reach.radius * way.normalized();
+  }
+  return goal;
 }
 
 /// Of many descents for a part of the task, limits ignored, the one that ends nearest, followed to
@@ -30,7 +42,8 @@ NearestMiss nearest_miss(const Question& ask, const Configuration& q) {
 Configuration nearest_for(const Question& ask, const Task& task, InverseMethods& methods,
                           const Configuration& start) {
   const Descents ready = descents(ask.arm, task, no_bounds(ask.arm), ask.options);
-  multi_start(ready.problem, ready.deck, ask.goal, start,
+  const Pose goal = drawn_near(ask);
+  multi_start(ready.problem, ready.deck, goal, start,
               {.tolerance = ask.tolerance,
                .iterations = 200,
                .restarts = most_descents,
@@ -40,7 +53,7 @@ Configuration nearest_for(const Question& ask, const Task& task, InverseMethods&
   const Descent& nearest = methods.search.nearest;
   constexpr int short_enough = 12;  // joints; the Hessian of a long chain takes its time
   if (nearest.converged || ask.arm.dof() > short_enough) return nearest.q;
-  return nearest_for_task(ask.arm, ask.goal, task, nearest.q);
+  return nearest_for_task(ask.arm, goal, task, nearest.q);
 }
 
 /// Of many configurations at the position, the one whose orientation is nearest.
@@ -63,17 +76,22 @@ Configuration least_turned(const Question& ask, const Task& place, InverseMethod
   return best;
 }
 
-void outside_limits(const Question& ask, const Beyond& beyond, InverseResult& result) {
-  const Configuration& q = *beyond.least;
+void outside_limits(const Question& ask, const Configuration& q, bool all_seen,
+                    InverseResult& result) {
   result.status = InverseStatus::outside_limits;
   result.nearest = nearest_miss(ask, q);
   const Configuration over = (ask.bounds.lower - q).cwiseMax(q - ask.bounds.upper);
   result.nearest->excess = over.maxCoeff(&result.nearest->blocking);
   result.residual = result.nearest->excess;
-  result.reason = std::string(beyond.complete && !beyond.continuum
-                                  ? "every solution is outside the joint limits"
-                                  : "no solution within the joint limits was found") +
+  result.reason = std::string(all_seen ? "every solution is outside the joint limits"
+                                       : "no solution within the joint limits was found") +
                   "; in the nearest one " + blocking_joint(ask.arm, q, ask.bounds);
+}
+
+void by_law(const Obstacle& law, InverseResult& result) {
+  result.method = "geometry";
+  result.reason = law.reason;
+  result.residual = law.missing;
 }
 
 }  // namespace
@@ -81,11 +99,18 @@ void outside_limits(const Question& ask, const Beyond& beyond, InverseResult& re
 void explain(InverseMethods& methods, const Question& ask, const Beyond& beyond,
              InverseResult& result) {
   if (beyond.least && excess(ask.bounds, *beyond.least) > 0) {
-    return outside_limits(ask, beyond, result);
+    const bool all_seen = beyond.complete && !beyond.continuum;
+    return outside_limits(ask, *beyond.least, all_seen, result);
   }
   const Task place = position_part(ask.task);
   const bool turns = place.size() > 0 && place.size() < ask.task.size();
   Configuration q = nearest_for(ask, ask.task, methods, ask.seed);
+  if (error_at(ask, q) <= ask.tolerance) {  // one that a search cut short did not come to
+    confirm(ask, q, result);
+    if (!result.solutions.empty()) return;
+    return outside_limits(ask, nearest_representative(ask.arm, q, ask.seed, ask.bounds), false,
+                          result);
+  }
   if (turns) {
     q = nearest_for(ask, place, methods, q);
     q = least_turned(ask, place, methods, q);
@@ -96,6 +121,7 @@ void explain(InverseMethods& methods, const Question& ask, const Beyond& beyond,
   if (place.size() > 0 && error.position > ask.tolerance) {
     result.status = InverseStatus::unreachable;
     result.residual = error.position;
+    if (beyond.law && !beyond.law->of_orientation) return by_law(*beyond.law, result);
     result.reason = "the position is out of reach by " + number(error.position) + " m: " + arm +
                     " comes no nearer than " + point(result.nearest->world_T_tool.translation());
     return;
@@ -108,14 +134,16 @@ void explain(InverseMethods& methods, const Question& ask, const Beyond& beyond,
   if (turns && sure) {
     result.status = InverseStatus::orientation;
     result.residual = error.orientation;
+    if (beyond.law) return by_law(*beyond.law, result);
     result.reason = arm + " can come to the position, but not with that orientation: the nearest " +
                     "that was found is off by " + angle(error.orientation);
     return;
   }
   result.status = InverseStatus::not_found;
-  result.reason = "no solution was found in " + std::to_string(result.restarts + 1) +
-                  " descents; the nearest misses by " + miss(error, ask.tolerance) +
-                  "; that none exists is not shown";
+  const bool late = std::chrono::steady_clock::now() >= ask.deadline;
+  result.reason = "no solution was found in " + std::to_string(result.restarts + 1) + " descents" +
+                  (late ? ", which the time limit ended" : "") + "; the nearest misses by " +
+                  miss(error, ask.tolerance) + "; that none exists is not shown";
 }
 
 }  // namespace beeline

@@ -46,6 +46,17 @@ InverseMethods inverse_methods(const Arm& arm, const InverseOptions& options) {
   return methods;
 }
 
+void check_lock(const InverseMethods& methods, const ConfigurationRef& seed) {
+  if (methods.options.ignore_limits) return;
+  const int k = *methods.options.lock;
+  const double lower = methods.bounds.lower[k], upper = methods.bounds.upper[k];
+  if (seed[k] >= lower && seed[k] <= upper) return;
+  const bool slides = kind(methods.arm.joint_of(k)) == JointKind::prismatic;
+  const auto shown = [slides](double x) { return slides ? number(x) + " m" : angle(x); };
+  throw Error("joint " + methods.arm.joint_of(k).name + " is locked at " + shown(seed[k]) +
+              "; its limits are " + shown(lower) + " to " + shown(upper));
+}
+
 void prepare_general(InverseMethods& methods) {
   if (!methods.general_six || methods.general) return;
   GeneralSix general(chain_of(methods.arm));
@@ -55,7 +66,7 @@ void prepare_general(InverseMethods& methods) {
 
 std::string description(const InverseMethods& methods) {
   if (methods.planar) return "closed form: planar";
-  if (methods.closed) return "closed form: " + methods.closed->family();
+  if (methods.closed) return "closed form: " + methods.closed->family(methods.missing);
   if (methods.general) return "closed form: general six joints";
   return "numerical";
 }

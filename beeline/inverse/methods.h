@@ -7,6 +7,7 @@
 #include <beeline/inverse/locked_joint.h>
 #include <beeline/inverse/multi_start.h>
 #include <beeline/inverse/question.h>
+#include <beeline/inverse/reason.h>
 
 namespace beeline {
 
@@ -30,6 +31,9 @@ struct InverseMethods {
   bool general_six = false;  ///< six joints that turn, and no closed form of a family
   std::optional<GeneralSix> general = std::nullopt;
   std::optional<Descents> within = std::nullopt, anywhere = std::nullopt;
+  int missing = -1;  ///< the coordinate of a longer arm that is locked in this one
+  std::vector<InverseMethods> shorter = {};  ///< for options.lock: the arm that is left ...
+  double shorter_value = 0;                  ///< ... with the coordinate at this value
   MultiStartBuffers buffers = {};
   Search search = {};
 };
@@ -47,8 +51,21 @@ std::string description(const InverseMethods& methods);
 struct Beyond {
   bool complete = false;               ///< all there are have been looked at
   bool continuum = false;              ///< some of them stand for infinitely many
+  std::optional<Obstacle> law;         ///< there are none, whatever the joints do
   std::optional<Configuration> least;  ///< the one that is least outside limits
 };
+
+/// Throws Error where options.lock would hold a coordinate outside its limits.
+void check_lock(const InverseMethods& methods, const ConfigurationRef& seed);
+
+/// The whole answer. Reasons take longer than solutions: they are left out where nobody asks.
+InverseResult answer(InverseMethods& methods, const Pose& world_T_tool, const Configuration& seed,
+                     bool with_reason);
+
+/// The closed form's solutions where nothing about them needs a second look, into the columns;
+/// returns how many, or -1 where something does.
+int answer_at_once(InverseMethods& methods, const Pose& goal, const ConfigurationRef& seed,
+                   Eigen::Ref<Eigen::MatrixXd> solutions);
 
 /// Puts what formulas give into result.solutions, as far as it is within limits.
 Beyond solve_closed(InverseMethods& methods, const Question& ask, InverseResult& result);
@@ -67,7 +84,8 @@ int descend_at_once(InverseMethods& methods, const Pose& goal, const Configurati
 bool descend_from(InverseMethods& methods, const Pose& goal, const LeastOutside& outside,
                   double tolerance, Eigen::Ref<Configuration> q);
 
-/// Fills in status, residual, nearest miss and reason of a result without solutions.
+/// Fills in status, residual, nearest miss and reason of a result without solutions; or, where it
+/// comes upon one, that.
 void explain(InverseMethods& methods, const Question& ask, const Beyond& beyond,
              InverseResult& result);
 

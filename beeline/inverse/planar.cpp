@@ -83,7 +83,9 @@ std::vector<PlanarSolution> measured(const Arm& arm, const Pose& world_T_tool, c
 bool has_planar_closed_form(const Arm& arm, const Task& task) {
   const bool mimics = static_cast<std::size_t>(arm.dof()) != arm.joints().size();
   if (!arm.planar() || mimics) return false;
-  return (task == Task::planar() && arm.dof() <= 3) || (task == Task::position() && arm.dof() <= 2);
+  const Task point{{true, true, false, false, false, false}};
+  const bool position = task == Task::position() || task == point;
+  return (task == Task::planar() && arm.dof() <= 3) || (position && arm.dof() <= 2);
 }
 
 std::vector<PlanarSolution> nearest_planar_solutions(const Arm& arm, const Pose& world_T_tool,

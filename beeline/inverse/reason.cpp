@@ -44,9 +44,10 @@ std::optional<Obstacle> against_parallel_axes(const Arm& arm, const Vector3& axi
   const double tilt = std::atan2(seen.cross(asked).norm(), seen.dot(asked));
   const double skew = 2 * parallel * static_cast<double>(motions.size());
   if (tilt > tolerance + skew && (rows(task, 3) || (about_z && task.rows[3] && task.rows[4]))) {
-    return Obstacle{tilt, "the pose is tilted by " + angle(tilt) +
-                              " against all that the tool can take: every axis of arm " +
-                              arm.name() + " has the same direction, about which alone it turns"};
+    return Obstacle{tilt, true,
+                    "the pose is tilted by " + angle(tilt) +
+                        " against all that the tool can take: every axis of arm " + arm.name() +
+                        " has the same direction, about which alone it turns"};
   }
   const bool moves_along = std::any_of(
       motions.begin(), motions.end(),
@@ -56,9 +57,10 @@ std::optional<Obstacle> against_parallel_axes(const Arm& arm, const Vector3& axi
   const double size = std::isfinite(arm.reach().radius) ? arm.reach().radius : way;
   if (!moves_along && off > tolerance + skew * size &&
       (rows(task, 0) || (about_z && task.rows[2]))) {
-    return Obstacle{off, "the pose is " + number(off) + " m off the plane that the tool of arm " +
-                             arm.name() +
-                             " never leaves: all axes are normal to it, and nothing slides out"};
+    return Obstacle{off, false,
+                    "the pose is " + number(off) + " m off the plane that the tool of arm " +
+                        arm.name() +
+                        " never leaves: all axes are normal to it, and nothing slides out"};
   }
   return std::nullopt;
 }
@@ -69,8 +71,9 @@ std::optional<Obstacle> against_slides(const Arm& arm, const std::vector<Twist>&
   const Pose rest = forward_kinematics(arm, Configuration::Zero(arm.dof()));
   const double turn = task_deviation(task, goal, rest).orientation;
   if (turn > tolerance) {
-    return Obstacle{turn, "the orientation differs by " + angle(turn) +
-                              " from the tool's, which no joint of arm " + arm.name() + " turns"};
+    return Obstacle{turn, true,
+                    "the orientation differs by " + angle(turn) +
+                        " from the tool's, which no joint of arm " + arm.name() + " turns"};
   }
   const Rotation axes =
       task.frame == Frame::tool ? Rotation(rest.linear().transpose()) : Rotation::Identity();
@@ -89,13 +92,17 @@ std::optional<Obstacle> against_slides(const Arm& arm, const std::vector<Twist>&
   decomposition.compute(directions);
   const double off = (directions * decomposition.solve(way) - way).norm();
   if (off <= tolerance) return std::nullopt;
-  return Obstacle{off, "the position is " + number(off) + " m off all that the slides of arm " +
-                           arm.name() + " reach, however far they go"};
+  return Obstacle{off, false,
+                  "the position is " + number(off) + " m off all that the slides of arm " +
+                      arm.name() + " reach, however far they go"};
 }
 
 }  // namespace
 
-std::string point(const Vector3& p) {
+std::string point(const Vector3& exact) {
+  // What rounding leaves beside the other coordinates is noise to the reader.
+  const double noise = 1e-9 * exact.cwiseAbs().maxCoeff();
+  const Vector3 p = (exact.array().abs() < noise).select(0, exact);
   return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";
 }
 
@@ -108,10 +115,11 @@ std::optional<Obstacle> beyond_reach(const Arm& arm, const Pose& world_T_tool, c
   }
   const double beyond = way.norm() - arm.reach().radius;
   if (!(beyond > tolerance)) return std::nullopt;
-  return Obstacle{beyond, "the pose is " + number(beyond) + " m beyond the reach of arm " +
-                              arm.name() + ": " + number(way.norm()) + " m from " +
-                              point(arm.reach().centre) + ", which the tool never leaves by more " +
-                              "than " + number(arm.reach().radius) + " m"};
+  return Obstacle{beyond, false,
+                  "the pose is " + number(beyond) + " m beyond the reach of arm " + arm.name() +
+                      ": " + number(way.norm()) + " m from " + point(arm.reach().centre) +
+                      ", which the tool never leaves by more " + "than " +
+                      number(arm.reach().radius) + " m"};
 }
 
 bool limits_bound_reach(const Arm& arm) {

@@ -11,6 +11,7 @@ namespace beeline {
 /// radians where the orientation is the obstacle.
 struct Obstacle {
   double missing = 0;
+  bool of_orientation = false;
   std::string reason;
 };
 

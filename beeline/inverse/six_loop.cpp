@@ -171,8 +171,11 @@ std::optional<SixLoop> six_loop(const Chain& chain) {
   return best;
 }
 
-std::string description(const SixLoop& loop) {
-  const auto number = [&loop](std::size_t i) { return std::to_string(loop.order[i] + 1); };
+std::string description(const SixLoop& loop, int missing) {
+  const auto number = [&](std::size_t i) {
+    const int k = loop.order[i];
+    return std::to_string(missing >= 0 && k >= missing ? k + 2 : k + 1);
+  };
   return std::string(loop.family == SixLoop::Family::meeting ? "three axes meet"
                                                              : "three parallel axes") +
          " (joints " + number(3) + ", " + number(4) + ", " + number(5) + ")";

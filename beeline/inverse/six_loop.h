@@ -52,6 +52,6 @@ struct SixLoop {
 std::optional<SixLoop> six_loop(const Chain& chain);
 
 /// In words: `three axes meet (joints 4, 5, 6)`.
-std::string description(const SixLoop& loop);
+std::string description(const SixLoop& loop, int missing = -1);
 
 }  // namespace beeline

@@ -66,8 +66,10 @@ std::string name(InverseStatus status);
 
 /// The configuration that comes nearest to what was asked.
 struct NearestMiss {
-  Configuration q;    ///< outside_limits: a solution, and the least outside limits; else the one
-                      ///< whose tool is nearest to the position (of those, to the orientation)
+  /// Outside_limits: a solution, and the least outside limits. Not_found: what came nearest. Else
+  /// limits do not count: where the tool is nearest to the position, and of those, as far as a
+  /// search from many places shows, to the orientation.
+  Configuration q;
   Pose world_T_tool;  ///< what it reaches
   Deviation error;    ///< from the pose asked for
   int blocking = -1;  ///< outside_limits: the coordinate that is outside, by ...
@@ -77,12 +79,14 @@ struct NearestMiss {
 struct InverseResult {
   InverseStatus status = InverseStatus::not_found;
   std::vector<Configuration> solutions;  ///< by distance from the seed; empty unless solved
-  /// Solved, but singular: the solutions given stand for infinitely many that are one motion of the
-  /// arm with the tool at rest; those with the joints concerned nearest to the seed are given.
+  bool complete = false;                 ///< with `all`: these are all there are, of finitely many
+  /// Solved by a closed form, but singular: the solutions given stand for infinitely many that are
+  /// one motion of the arm with the tool at rest; those with the joints concerned nearest to the
+  /// seed are given.
   bool singular = false;
   /// Metres or radians, whichever is larger. Solved: the largest error that forward kinematics
-  /// shows. Unreachable: how far the position is out of reach. Orientation: the angle that is
-  /// missing at least. Outside limits: the nearest miss's excess. Not found: the error of the
+  /// shows. Unreachable: how far the position is out of reach. Orientation: the angle that the
+  /// nearest miss is off by. Outside limits: the nearest miss's excess. Not found: the error of the
   /// nearest miss within limits.
   double residual = 0;
   std::optional<NearestMiss> nearest;  ///< unless solved

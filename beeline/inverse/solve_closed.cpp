@@ -56,12 +56,6 @@ void solve_locked(InverseMethods& methods, const Question& ask, Claims& claims) 
   SixQuestion six = form.question(ask.seed, ask.bounds.lower, ask.bounds.upper);
   const LockedRange range = locked_range(ask.arm, ask.bounds, ask.seed, form);
   const int dof = ask.arm.dof();
-  if (ask.options.lock) {
-    SixBranches found;
-    form.branches(ask.goal, ask.seed[form.locked()], six, found);
-    claims.beyond.complete = !nearly_found(form, found);
-    return add_branches(form, found, ask.seed[form.locked()], dof, claims);
-  }
   claims.beyond.complete = false;
   const int grid = ask.options.grid;
   if (ask.options.all) {

@@ -1,0 +1,84 @@
+#include <algorithm>
+
+#include <beeline/error.h>
+#include <beeline/inverse/lock.h>
+#include <beeline/inverse/methods.h>
+#include <beeline/inverse/reason.h>
+
+namespace beeline {
+namespace {
+
+/// With a coordinate locked it is another arm, which is kept as long as the value stays.
+InverseResult answer_locked(InverseMethods& methods, const Pose& world_T_tool,
+                            const Configuration& seed, bool with_reason) {
+  check_configuration(methods.arm, seed);
+  check_lock(methods, seed);
+  const int k = *methods.options.lock;
+  const double value = seed[k];
+  if (methods.shorter.empty() || methods.shorter_value != value) {
+    InverseOptions options = methods.options;
+    options.lock.reset();
+    options.seed.reset();
+    options.task = methods.task;
+    methods.shorter = {inverse_methods(with_locked(methods.arm, k, value), options)};
+    methods.shorter.front().missing = k;
+    methods.shorter_value = value;
+  }
+  InverseResult result =
+      answer(methods.shorter.front(), world_T_tool, without(seed, k), with_reason);
+  for (Configuration& q : result.solutions) q = with(q, k, value);
+  if (result.nearest) {
+    result.nearest->q = with(result.nearest->q, k, value);
+    if (result.nearest->blocking >= k) ++result.nearest->blocking;
+  }
+  return result;
+}
+
+/// Whether the pose is so far off that no search is needed to see it.
+bool far(const Question& ask) {
+  return !limits_bound_reach(ask.arm) &&
+         beyond_reach(ask.arm, ask.goal, ask.task, ask.tolerance).has_value();
+}
+
+}  // namespace
+
+InverseResult answer(InverseMethods& methods, const Pose& world_T_tool, const Configuration& seed,
+                     bool with_reason) {
+  if (methods.options.lock) return answer_locked(methods, world_T_tool, seed, with_reason);
+  const Question ask =
+      question(methods.arm, methods.options, methods.task, methods.bounds, world_T_tool, seed);
+  InverseResult result;
+  result.method = description(methods);
+  const bool formulas = methods.planar || methods.closed || methods.general;
+  Beyond beyond;
+  beyond.law = against_what_stays(ask.arm, ask.goal, ask.task, ask.tolerance);
+  if (beyond.law) {
+    beyond.complete = true;
+  } else if (formulas) {
+    beyond = solve_closed(methods, ask, result);
+  }
+  // Of a continuum another member may be within limits.
+  const bool last_word = beyond.complete && !(beyond.continuum && result.solutions.empty());
+  const bool lacking = result.solutions.empty() || (methods.general && ask.options.all);
+  if (lacking && !last_word && methods.options.method != InverseMethod::closed_form && !far(ask)) {
+    const bool added = result.solutions.empty();
+    beyond = solve_numerical(methods, ask, result, beyond);
+    if (added && !result.solutions.empty()) result.method = "numerical";
+    if (result.solutions.empty() && !formulas && with_reason) {
+      prepare_general(methods);  // to be sure
+      if (methods.general) beyond = solve_closed(methods, ask, result);
+    }
+  }
+  if (result.solutions.empty() && with_reason) explain(methods, ask, beyond, result);
+  if (result.solutions.empty()) return result;
+  result.complete = ask.options.all && beyond.complete && !result.singular;
+  finish(ask, result);
+  if (result.singular) {
+    result.reason = "singular: arm " + ask.arm.name() +
+                    " can move with the tool at rest, so that there are infinitely many " +
+                    "solutions; in those given the joints concerned are nearest to the seed";
+  }
+  return result;
+}
+
+}  // namespace beeline

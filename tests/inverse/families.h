@@ -1,0 +1,83 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <beeline/inverse/numerical.h>
+#include <beeline/inverse/representative.h>
+#include <beeline/inverse/six_loop.h>
+
+#include <tests/random.h>
+
+namespace beeline::testing {
+
+/// Where a joint's axis is while every coordinate is zero.
+struct Axis {
+  Vector3 direction;
+  Vector3 point;
+  bool slides = false;
+};
+
+inline Axis random_axis(Random& random, bool slides = false, double size = 1) {
+  return {random.direction(), random.vector(size), slides};
+}
+
+/// The arm with these axes; its base, its tool and its link frames stand anywhere, so that nothing
+/// but the axes tells what it is. No limits.
+inline Arm arm_through(const std::vector<Axis>& axes, Random& random, double size = 1) {
+  const Pose base = random.pose(size);
+  Pose before = base;
+  std::vector<Joint> joints;
+  for (const Axis& axis : axes) {
+    const Pose frame = random.pose(size);
+    const Vector3 direction = frame.linear().transpose() * axis.direction;
+    const Vector3 point = frame.inverse(Eigen::Isometry) * axis.point;
+    Joint joint;
+    joint.name = "j" + std::to_string(joints.size() + 1);
+    joint.offset = before.inverse(Eigen::Isometry) * frame;
+    joint.screw = axis.slides ? translation_screw(direction) : rotation_screw(direction, point);
+    joints.push_back(joint);
+    before = frame;
+  }
+  return {"axes", joints, random.pose(size), base};
+}
+
+/// Random axes of the letters given (R or P), of which the three from `first` on (0 to 3) meet or
+/// are parallel.
+inline std::vector<Axis> axes_with(SixLoop::Family family, std::size_t first,
+                                   const std::string& letters, Random& random, double size = 1) {
+  std::vector<Axis> axes;
+  for (const char letter : letters) axes.push_back(random_axis(random, letter == 'P', size));
+  for (std::size_t i = first + 1; i < first + 3; ++i) {
+    if (family == SixLoop::Family::meeting) {
+      axes[i].point = axes[first].point + random.uniform(-size, size) * axes[i].direction;
+    } else {
+      axes[i].direction = axes[first].direction * (random.integer(0, 1) == 0 ? 1 : -1);
+    }
+  }
+  return axes;
+}
+
+inline bool holds(const Arm& arm, const std::vector<Configuration>& list, const Configuration& q,
+                  double tolerance = 1e-6) {
+  for (const Configuration& each : list) {
+    if (same_posture(arm, each, q, tolerance)) return true;
+  }
+  return false;
+}
+
+/// The solutions that descents from random starts find, limits ignored. It ends early when it has
+/// met `enough` and another 100 starts have found no more.
+inline std::vector<Configuration> search_all(const Arm& arm, const Pose& pose, const Task& task,
+                                             std::size_t enough, int starts, Random& random) {
+  std::vector<Configuration> found;
+  for (int start = 0, idle = 0; start < starts && (found.size() < enough || idle < 100); ++start) {
+    const Descent run = descend(arm, pose, task, no_bounds(arm), random.configuration(arm));
+    const bool is_new = run.converged && !holds(arm, found, run.q, 1e-4);
+    if (is_new) found.push_back(run.q);
+    idle = is_new ? 0 : idle + 1;
+  }
+  return found;
+}
+
+}  // namespace beeline::testing
