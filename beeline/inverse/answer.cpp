@@ -3,6 +3,7 @@
 #include <beeline/error.h>
 #include <beeline/inverse/lock.h>
 #include <beeline/inverse/methods.h>
+#include <beeline/inverse/posture.h>
 #include <beeline/inverse/reason.h>
 
 namespace beeline {
@@ -71,6 +72,8 @@ InverseResult answer(InverseMethods& methods, const Pose& world_T_tool, const Co
   }
   if (result.solutions.empty() && with_reason) explain(methods, ask, beyond, result);
   if (result.solutions.empty()) return result;
+  const bool spare = ask.arm.dof() > ask.task.size() && !ask.options.all;
+  if (spare && ask.options.redundancy != Redundancy::any) settle(ask, result);
   result.complete = ask.options.all && beyond.complete && !result.singular;
   finish(ask, result);
   if (result.singular) {

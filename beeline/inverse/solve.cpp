@@ -61,7 +61,7 @@ int InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed,
     const int count = answer_at_once(*methods_, goal, seed, solutions);
     if (count >= 0) return count;
   } else if (!methods_->planar && !methods_->general && !methods_->options.all &&
-             !methods_->options.lock) {
+             !methods_->options.lock && methods_->options.redundancy == Redundancy::any) {
     return descend_at_once(*methods_, goal, seed, solutions);
   }
   const InverseResult result = answer(*methods_, goal, seed, false);

@@ -19,7 +19,8 @@ enum class InverseMethod {
 InverseMethod inverse_method_named(std::string_view name);  ///< throws Error, naming the choices
 std::string name(InverseMethod method);
 
-/// Which of infinitely many, where the arm has one joint more than the task has rows.
+/// Which of infinitely many, where the arm has more joints than the task has rows: over the whole
+/// range of the joint to spare by a closed form, else as far as steps downhill from a solution go.
 enum class Redundancy {
   any,      ///< the first that is met, going out from the seed
   nearest,  ///< the nearest to the seed
