@@ -1,10 +1,12 @@
-#include <algorithm>
+#include <cmath>
 
 #include <beeline/error.h>
 #include <beeline/inverse/lock.h>
 #include <beeline/inverse/methods.h>
 #include <beeline/inverse/posture.h>
 #include <beeline/inverse/reason.h>
+#include <beeline/inverse/representative.h>
+#include <beeline/pose/angle.h>
 
 namespace beeline {
 namespace {
@@ -35,10 +37,17 @@ InverseResult answer_locked(InverseMethods& methods, const Pose& world_T_tool,
   return result;
 }
 
-/// Whether the pose is so far off that no search is needed to see it.
-bool far(const Question& ask) {
-  return !limits_bound_reach(ask.arm) &&
-         beyond_reach(ask.arm, ask.goal, ask.task, ask.tolerance).has_value();
+/// The seed, its joints that turn without limits by the nearest turn to zero where they are far
+/// off.
+Configuration brought_near(const InverseMethods& methods, Configuration seed) {
+  for (int k = 0; k < seed.size(); ++k) {
+    const bool open =
+        !std::isfinite(methods.bounds.lower[k]) && !std::isfinite(methods.bounds.upper[k]);
+    if (open && std::abs(seed[k]) > farthest_seed && turns_around(methods.arm, k)) {
+      seed[k] = wrap_angle(seed[k]);
+    }
+  }
+  return seed;
 }
 
 }  // namespace
@@ -46,8 +55,9 @@ bool far(const Question& ask) {
 InverseResult answer(InverseMethods& methods, const Pose& world_T_tool, const Configuration& seed,
                      bool with_reason) {
   if (methods.options.lock) return answer_locked(methods, world_T_tool, seed, with_reason);
-  const Question ask =
-      question(methods.arm, methods.options, methods.task, methods.bounds, world_T_tool, seed);
+  check_configuration(methods.arm, seed);
+  const Question ask = question(methods.arm, methods.options, methods.task, methods.bounds,
+                                world_T_tool, brought_near(methods, seed));
   InverseResult result;
   result.method = description(methods);
   const bool formulas = methods.planar || methods.closed || methods.general;
@@ -60,14 +70,15 @@ InverseResult answer(InverseMethods& methods, const Pose& world_T_tool, const Co
   }
   // Of a continuum another member may be within limits.
   const bool last_word = beyond.complete && !(beyond.continuum && result.solutions.empty());
-  const bool lacking = result.solutions.empty() || (methods.general && ask.options.all);
-  if (lacking && !last_word && methods.options.method != InverseMethod::closed_form && !far(ask)) {
+  const bool lacking = result.solutions.empty() || (beyond.doubtful && ask.options.all);
+  if (lacking && !last_word && methods.options.method != InverseMethod::closed_form &&
+      !out_of_reach(ask.arm, ask.goal, ask.task, ask.tolerance)) {
     const bool added = result.solutions.empty();
     beyond = solve_numerical(methods, ask, result, beyond);
     if (added && !result.solutions.empty()) result.method = "numerical";
-    if (result.solutions.empty() && !formulas && with_reason) {
-      prepare_general(methods);  // to be sure
-      if (methods.general) beyond = solve_closed(methods, ask, result);
+    if (result.solutions.empty() && !methods.general) {  // descents may have missed it
+      if (!methods.second_opinion) methods.second_opinion = prepared_general(methods);
+      if (methods.second_opinion) beyond = solve_general(*methods.second_opinion, ask, result);
     }
   }
   if (result.solutions.empty() && with_reason) explain(methods, ask, beyond, result);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <beeline/inverse/closed_form.h>
@@ -136,8 +137,9 @@ std::optional<ClosedForm> ClosedForm::of(const Arm& arm, const Task& task) {
 }
 
 SixQuestion ClosedForm::question(const ConfigurationRef& seed, const Configuration& lower,
-                                 const Configuration& upper) const {
+                                 const Configuration& upper, double tolerance) const {
   SixQuestion question{};
+  question.closed = std::min(1e-12 * std::max(1.0, loop_.size), tolerance);
   for (std::size_t i = 0; i < 6; ++i) {
     const auto k = static_cast<std::size_t>(loop_.order[i]);  // the coordinate of loop joint i
     const int own = coordinates_[k];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,13 +34,19 @@ class ClosedForm {
   /// Whether joints were added, whose share of a singular wrist's turn is not the arm's.
   bool has_added_joints() const { return dof_ < 6; }
 
+  /// Whether some of these may have any value: solutions that differ by them are one.
+  bool has_free_joints() const {
+    return std::find(any_value_.begin(), any_value_.end(), true) != any_value_.end();
+  }
+
   /// Metres: what rounding counts against.
   double size() const { return loop_.size; }
 
   /// A question with everything but the goal filled in: the seed, the bounds (of the arm's
-  /// coordinates), and which coordinates may be turned around.
+  /// coordinates), which coordinates may be turned around, and the residual that rounding leaves
+  /// or, where less, the tolerance.
   SixQuestion question(const ConfigurationRef& seed, const Configuration& lower,
-                       const Configuration& upper) const;
+                       const Configuration& upper, double tolerance = 1e-10) const;
 
   /// The branches at a goal, the locked coordinate at `locked_value`. `goal` is a rigid motion.
   void branches(const Pose& world_T_tool, double locked_value, SixQuestion& question,

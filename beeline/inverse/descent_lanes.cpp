@@ -202,7 +202,7 @@ HWY_INLINE void set_trial(const DescentProblem& problem, LaneDescents& lanes) {
     const auto& coordinate = problem.coordinates[k];
     const Lanes lower(coordinate.lower), upper(coordinate.upper), turn(whole_turn);
     Lanes q = fma(load(lanes.step[k]), scale, load(lanes.q[k]));
-    if (coordinate.lowest < coordinate.lower) {
+    if (coordinate.wraps) {
       q = choose(q > upper, q - turn, choose(q < lower, q + turn, q));
     }
     store(min(max(q, lower), upper), lanes.trial[k]);

@@ -19,6 +19,7 @@ struct DescentProblem {
   struct Coordinate {
     double unit = 1;                 ///< radians or metres
     double lower = 0, upper = 0;     ///< the bounds in units
+    bool wraps = false;              ///< goes on a turn away where it comes to a bound
     double lowest = 0, highest = 0;  ///< where it stops: infinite where it goes on a turn away
     bool slides = false;
     bool turns_around = false;         ///< see turns_around()

@@ -171,7 +171,7 @@ HWY_INLINE double step(const DescentProblem& problem, bool bent, NearDescent& ne
   for (size_t k = 0; k < near.q.size(); ++k) {
     const auto& coordinate = problem.coordinates[k];
     double q = near.q[k] + near.move[k];
-    if (coordinate.lowest < coordinate.lower) {
+    if (coordinate.wraps) {
       if (q > coordinate.upper) q -= whole_turn;
       if (q < coordinate.lower) q += whole_turn;
     }

@@ -44,6 +44,7 @@ DescentProblem descent_problem(const Arm& arm, const Task& task, const Bounds& b
     coordinate.upper = coordinate.highest = bounds.upper[k] / coordinate.unit;
     coordinate.turns_around = turns_around(arm, k);
     if (coordinate.turns_around && coordinate.upper - coordinate.lower >= 2 * std::numbers::pi) {
+      coordinate.wraps = std::isfinite(coordinate.lower) || std::isfinite(coordinate.upper);
       coordinate.lowest = -HUGE_VAL;
       coordinate.highest = HUGE_VAL;
     }

@@ -47,8 +47,7 @@ Configuration nearest_for(const Question& ask, const Task& task, InverseMethods&
               {.tolerance = ask.tolerance,
                .iterations = 200,
                .restarts = most_descents,
-               .random_seed = ask.options.random_seed,
-               .deadline = ask.deadline},
+               .random_seed = ask.options.random_seed},
               methods.buffers, methods.search);
   const Descent& nearest = methods.search.nearest;
   constexpr int short_enough = 12;  // joints; the Hessian of a long chain takes its time
@@ -65,8 +64,7 @@ Configuration least_turned(const Question& ask, const Task& place, InverseMethod
               {.tolerance = ask.tolerance,
                .restarts = most_descents,
                .all = true,
-               .random_seed = ask.options.random_seed,
-               .deadline = ask.deadline},
+               .random_seed = ask.options.random_seed},
               methods.buffers, methods.search);
   Configuration best = nearest_orientation(ask.arm, ask.goal, ask.task, start);
   for (const Configuration& q : methods.search.solutions) {
@@ -94,26 +92,51 @@ void by_law(const Obstacle& law, InverseResult& result) {
   result.residual = law.missing;
 }
 
+void not_found(const Question& ask, const Configuration& q, const std::string& why,
+               InverseResult& result) {
+  result.status = InverseStatus::not_found;
+  result.nearest = nearest_miss(ask, q);
+  const Deviation& error = result.nearest->error;
+  result.residual = std::max(error.position, error.orientation);
+  result.reason = "no solution was found" + why + "; the nearest misses by " +
+                  miss(error, ask.tolerance) + "; that none exists is not shown";
+}
+
+/// Whether q is a solution after all, which a search that was cut short did not come to.
+bool solves(const Question& ask, const Configuration& q, InverseResult& result) {
+  if (error_at(ask, q) > ask.tolerance) return false;
+  confirm(ask, q, result);
+  result.method = "numerical";
+  if (result.solutions.empty()) {
+    const Configuration turned = nearest_representative(ask.arm, q, ask.seed, ask.bounds);
+    outside_limits(ask, turned, false, result);
+  }
+  return true;
+}
+
 }  // namespace
 
 void explain(InverseMethods& methods, const Question& ask, const Beyond& beyond,
              InverseResult& result) {
-  if (beyond.least && excess(ask.bounds, *beyond.least) > 0) {
-    const bool all_seen = beyond.complete && !beyond.continuum;
-    return outside_limits(ask, *beyond.least, all_seen, result);
+  const bool late = std::chrono::steady_clock::now() >= ask.deadline;
+  const bool proved = beyond.law || out_of_reach(ask.arm, ask.goal, ask.task, ask.tolerance);
+  const bool outside = beyond.least && excess(ask.bounds, *beyond.least) > 0;
+  if (late && !proved && !(outside && beyond.complete)) {
+    const Configuration& met = methods.search.nearest.q;
+    const bool better =
+        met.size() == ask.seed.size() && error_at(ask, met) < error_at(ask, ask.seed);
+    return not_found(ask, better ? met : ask.seed, " before the time limit", result);
+  }
+  if (outside) {
+    return outside_limits(ask, *beyond.least, beyond.complete && !beyond.continuum, result);
   }
   const Task place = position_part(ask.task);
-  const bool turns = place.size() > 0 && place.size() < ask.task.size();
   Configuration q = nearest_for(ask, ask.task, methods, ask.seed);
-  if (error_at(ask, q) <= ask.tolerance) {  // one that a search cut short did not come to
-    confirm(ask, q, result);
-    if (!result.solutions.empty()) return;
-    return outside_limits(ask, nearest_representative(ask.arm, q, ask.seed, ask.bounds), false,
-                          result);
-  }
-  if (turns) {
+  if (solves(ask, q, result)) return;
+  if (place.size() > 0 && place.size() < ask.task.size()) {
     q = nearest_for(ask, place, methods, q);
     q = least_turned(ask, place, methods, q);
+    if (solves(ask, q, result)) return;
   }
   result.nearest = nearest_miss(ask, q);
   const Deviation& error = result.nearest->error;
@@ -130,20 +153,19 @@ void explain(InverseMethods& methods, const Question& ask, const Beyond& beyond,
   // reached.
   constexpr double clear = 1e-3, hair = 1e-6;  // radians
   const bool searched = result.restarts >= most_descents && error.orientation > clear;
-  const bool sure = searched || (beyond.complete && error.orientation > hair);
-  if (turns && sure) {
+  if (beyond.law || searched || (beyond.complete && error.orientation > hair)) {
     result.status = InverseStatus::orientation;
     result.residual = error.orientation;
     if (beyond.law) return by_law(*beyond.law, result);
-    result.reason = arm + " can come to the position, but not with that orientation: the nearest " +
-                    "that was found is off by " + angle(error.orientation);
+    result.reason =
+        arm +
+        (place.size() > 0 ? " can come to the position, but not with that" : " cannot take that") +
+        " orientation: the nearest that was found is off by " + angle(error.orientation);
     return;
   }
-  result.status = InverseStatus::not_found;
-  const bool late = std::chrono::steady_clock::now() >= ask.deadline;
-  result.reason = "no solution was found in " + std::to_string(result.restarts + 1) + " descents" +
-                  (late ? ", which the time limit ended" : "") + "; the nearest misses by " +
-                  miss(error, ask.tolerance) + "; that none exists is not shown";
+  const bool searches = result.iterations > 0;
+  not_found(ask, q, searches ? " in " + std::to_string(result.restarts + 1) + " descents" : "",
+            result);
 }
 
 }  // namespace beeline

@@ -66,7 +66,7 @@ HWY_INLINE double interpolate(const CircleSamples& samples, const double* values
   const double *cosine = coefficients, *sine = coefficients + n / 2;  // sine[0] is not one
   double largest = 1e-300, beyond = 0;
   for (int k = 0; k <= f.degree; ++k) {
-    f.cosine[k] = cosine[k];
+    f.cosine[k] = cosine[k];  // NOLINT(clang-analyzer-core.uninitialized.Assign): all are stored
     f.sine[k] = k > 0 ? sine[k] : 0;
     largest = std::max({largest, std::abs(f.cosine[k]), std::abs(f.sine[k])});
   }
@@ -89,6 +89,7 @@ struct CircleGrid {
 HWY_INLINE void fill(const CircleTables& tables, const CirclePolynomial& f, CircleGrid& grid) {
   constexpr int half = CircleGrid::points / 2;
   for (int j = 0; j < half; j += lane_count) {
+    // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): degree is never negative
     Lanes even[3] = {f.cosine[0], 0, 0}, odd[3] = {0, 0, 0};
     for (int k = 1; k <= f.degree; ++k) {
       const Lanes c = Lanes::load(tables.cosine[k - 1] + j),

@@ -35,7 +35,7 @@ double cost(const SixQuestion& six, const SixBranches& found, int lane, const Lo
     const double width = upper - lower;
     return std::isfinite(width) && width > 0 ? std::min(q - lower, upper - q) / width : 1;
   };
-  double least = share(value, range.lower, range.upper);
+  double least = range.limited ? share(value, range.lower, range.upper) : 1;
   for (std::size_t k = 0; k < 6; ++k) {
     least = std::min(least, share(found.q[k][lane], six.lower[k], six.upper[k]));
   }
@@ -50,30 +50,38 @@ LockedRange locked_range(const Arm& arm, const Bounds& bounds, const Configurati
   const bool slides = kind(arm.joint_of(k)) == JointKind::prismatic;
   const double far = slides ? form.size() : std::numbers::pi;
   LockedRange range{bounds.lower[k], bounds.upper[k], seed[k]};
-  if (!std::isfinite(range.lower)) range.lower = std::min(range.seed, range.upper) - far;
-  if (!std::isfinite(range.upper)) range.upper = std::max(range.seed, range.lower) + far;
+  const bool open = !std::isfinite(range.lower) && !std::isfinite(range.upper);
+  if (open) {
+    range.lower = range.seed - far;
+    range.upper = range.seed + far;
+  } else if (!std::isfinite(range.lower)) {
+    range.lower = range.upper - 2 * far;
+  } else if (!std::isfinite(range.upper)) {
+    range.upper = range.lower + 2 * far;
+  }
+  range.limited = std::isfinite(bounds.lower[k]) && std::isfinite(bounds.upper[k]);
   range.seed = std::clamp(range.seed, range.lower, range.upper);
   return range;
 }
 
-double closed_residual(const ClosedForm& form) { return 1e-12 * std::max(1.0, form.size()); }
-
-int nearest_lane(const ClosedForm& form, const SixBranches& found) {
+int nearest_lane(const SixQuestion& six, const SixBranches& found) {
   int nearest = -1;
-  const double closed = closed_residual(form);
   for (unsigned rest = found.within; rest != 0; rest &= rest - 1) {
     const int lane = std::countr_zero(rest);
-    if (!(found.residual[lane] <= closed)) continue;
+    if (!(found.residual[lane] <= six.closed)) continue;
     if (nearest < 0 || found.distance[lane] < found.distance[nearest]) nearest = lane;
   }
   return nearest;
 }
 
 bool nearly_found(const ClosedForm& form, const SixBranches& found) {
-  if (found.found != 0) return false;
-  const double near = 1e-4 * std::max(1.0, form.size());
-  return std::any_of(std::begin(found.residual), std::end(found.residual),
-                     [near](double residual) { return residual < near; });
+  // Added joints may stand still only where other lanes are at the edge of theirs.
+  if (form.has_added_joints() && found.found != 0) return false;
+  const double near = 1e-6 * std::max(1.0, form.size());
+  for (int lane = 0; lane < 8; ++lane) {
+    if ((found.found >> lane & 1) == 0 && found.residual[lane] < near) return true;
+  }
+  return false;
 }
 
 LockedBranch first_within(const ClosedForm& form, const Pose& goal, const LockedRange& range,
@@ -84,7 +92,7 @@ LockedBranch first_within(const ClosedForm& form, const Pose& goal, const Locked
     ++tried;
     branch.value = value;
     form.branches(goal, value, six, branch.found);
-    branch.lane = nearest_lane(form, branch.found);
+    branch.lane = nearest_lane(six, branch.found);
     if (branch.lane >= 0) return true;
     for (unsigned rest = branch.found.found; rest != 0; rest &= rest - 1) {
       insert(form, branch, std::countr_zero(rest), outside);
@@ -125,7 +133,7 @@ LockedBranch best_within(const ClosedForm& form, const Pose& goal, const LockedR
     double lowest = none;
     for (unsigned rest = branch.found.within; rest != 0; rest &= rest - 1) {
       const int lane = std::countr_zero(rest);
-      if (!(branch.found.residual[lane] <= closed_residual(form))) continue;
+      if (!(branch.found.residual[lane] <= six.closed)) continue;
       const double here = cost(six, branch.found, lane, range, value, redundancy);
       lowest = std::min(lowest, here);
       if (here < least) {

@@ -12,6 +12,7 @@ namespace beeline {
 struct LockedRange {
   double lower = 0, upper = 0;
   double seed = 0;
+  bool limited = false;  ///< whether both ends are limits
 };
 LockedRange locked_range(const Arm& arm, const Bounds& bounds, const ConfigurationRef& seed,
                          const ClosedForm& form);
@@ -23,13 +24,10 @@ struct LockedBranch {
   SixBranches found;
 };
 
-/// What rounding leaves of a loop that is closed: residuals above need mending.
-double closed_residual(const ClosedForm& form);
-
 /// The lane nearest to the seed among those within limits whose loops are closed; -1: none.
-int nearest_lane(const ClosedForm& form, const SixBranches& found);
+int nearest_lane(const SixQuestion& six, const SixBranches& found);
 
-/// Whether no lane has a solution, but one comes so near to it that rounding may have hidden it.
+/// Whether a lane without a solution comes so near to one that rounding may have hidden it.
 bool nearly_found(const ClosedForm& form, const SixBranches& found);
 
 /// The branches that exceed limits least, of those that were met.

@@ -37,7 +37,9 @@ InverseMethods inverse_methods(const Arm& arm, const InverseOptions& options) {
   if (formulas && !methods.planar) methods.closed = ClosedForm::of(arm, methods.task);
   methods.general_six = formulas && !methods.closed && is_general_six(arm, methods.task);
   // For one solution descents are sooner there.
-  if (options.all || options.method == InverseMethod::closed_form) prepare_general(methods);
+  if (options.all || options.method == InverseMethod::closed_form) {
+    methods.general = prepared_general(methods);
+  }
   if (options.method == InverseMethod::closed_form && !methods.planar && !methods.closed &&
       !methods.general) {
     throw Error("arm " + arm.name() + " has no closed form for the task " + name(methods.task) +
@@ -57,11 +59,10 @@ void check_lock(const InverseMethods& methods, const ConfigurationRef& seed) {
               "; its limits are " + shown(lower) + " to " + shown(upper));
 }
 
-void prepare_general(InverseMethods& methods) {
-  if (!methods.general_six || methods.general) return;
+std::optional<GeneralSix> prepared_general(const InverseMethods& methods) {
+  if (!methods.general_six) return std::nullopt;
   GeneralSix general(chain_of(methods.arm));
-  methods.general_six = general.reliable();
-  if (general.reliable()) methods.general = general;
+  return general.reliable() ? std::optional(std::move(general)) : std::nullopt;
 }
 
 std::string description(const InverseMethods& methods) {

@@ -30,6 +30,7 @@ struct InverseMethods {
   std::optional<ClosedForm> closed = std::nullopt;
   bool general_six = false;  ///< six joints that turn, and no closed form of a family
   std::optional<GeneralSix> general = std::nullopt;
+  std::optional<GeneralSix> second_opinion = std::nullopt;  ///< where descents find nothing
   std::optional<Descents> within = std::nullopt, anywhere = std::nullopt;
   int missing = -1;  ///< the coordinate of a longer arm that is locked in this one
   std::vector<InverseMethods> shorter = {};  ///< for options.lock: the arm that is left ...
@@ -41,8 +42,8 @@ struct InverseMethods {
 /// Throws Error for options that make no sense, or a closed form that the arm does not have.
 InverseMethods inverse_methods(const Arm& arm, const InverseOptions& options);
 
-/// Prepares the general solver of six joints, which takes milliseconds, if it is one for the arm.
-void prepare_general(InverseMethods& methods);
+/// The general solver of six joints, if it is one for the arm. Takes milliseconds.
+std::optional<GeneralSix> prepared_general(const InverseMethods& methods);
 
 /// In words.
 std::string description(const InverseMethods& methods);
@@ -50,10 +51,14 @@ std::string description(const InverseMethods& methods);
 /// What is known of the solutions when limits do not count.
 struct Beyond {
   bool complete = false;               ///< all there are have been looked at
+  bool doubtful = false;               ///< one may have been lost to rounding
   bool continuum = false;              ///< some of them stand for infinitely many
   std::optional<Obstacle> law;         ///< there are none, whatever the joints do
   std::optional<Configuration> least;  ///< the one that is least outside limits
 };
+
+/// Of a seed's joint that is farther from zero no turns are counted: that would cost digits.
+inline constexpr double farthest_seed = 1e3;  // radians
 
 /// Throws Error where options.lock would hold a coordinate outside its limits.
 void check_lock(const InverseMethods& methods, const ConfigurationRef& seed);
@@ -62,22 +67,23 @@ void check_lock(const InverseMethods& methods, const ConfigurationRef& seed);
 InverseResult answer(InverseMethods& methods, const Pose& world_T_tool, const Configuration& seed,
                      bool with_reason);
 
-/// The closed form's solutions where nothing about them needs a second look, into the columns;
-/// returns how many, or -1 where something does.
+/// The solutions in the shortest way, into the columns, where nothing about them needs a second
+/// look; returns how many, or -1 where something does. Does not allocate in the ordinary course.
 int answer_at_once(InverseMethods& methods, const Pose& goal, const ConfigurationRef& seed,
                    Eigen::Ref<Eigen::MatrixXd> solutions);
 
 /// Puts what formulas give into result.solutions, as far as it is within limits.
 Beyond solve_closed(InverseMethods& methods, const Question& ask, InverseResult& result);
+Beyond solve_general(const GeneralSix& general, const Question& ask, InverseResult& result);
 
 /// Puts what descents find into result.solutions; `beyond` is what is known already.
 Beyond solve_numerical(InverseMethods& methods, const Question& ask, InverseResult& result,
                        Beyond beyond = {});
 
-/// The same in the shortest way, for one solution without a closed form: from the seed into the
-/// first column. Returns how many. Does not allocate but at the first call.
-int descend_at_once(InverseMethods& methods, const Pose& goal, const ConfigurationRef& seed,
-                    Eigen::Ref<Eigen::MatrixXd> solutions);
+/// The same in the shortest way, for one solution: from the seed into the first column. Says
+/// whether there is one. Does not allocate but at the first call.
+bool descend_at_once(InverseMethods& methods, const Pose& goal, const ConfigurationRef& seed,
+                     Eigen::Ref<Eigen::MatrixXd> solutions);
 
 /// Eight descents within limits from branches that exceed these least; the first that arrives goes
 /// into q. Says whether one did. Does not allocate but at the first call.

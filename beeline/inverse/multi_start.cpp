@@ -48,7 +48,8 @@ class Run {
       }
       if (found_ > 0 && !options_.all && result_.restarts >= last_restart_) break;
       fill();
-      if (held_ == 0 || late()) break;
+      if (held_ == 0 || (ran_ && late())) break;
+      ran_ = true;
       run_lanes(problem_, world_T_tool_, descent(), steps_a_look, lanes_);
     }
     for (int lane = 0; lane < descent_lane_count; ++lane) {
@@ -146,7 +147,7 @@ class Run {
     const bool arrived = (lanes_.arrived >> lane & 1) != 0;
     const int grade = !arrived ? 0 : (lanes_.coarse >> lane & 1) != 0 ? 1 : 2;
     const Eigen::Map<const Configuration> q(q_.data(), start_.size());
-    result_.iterations += static_cast<int>(lanes_.iterations.lane[lane]);
+    result_.iterations += std::max(0, static_cast<int>(lanes_.iterations.lane[lane]));
     // Of those that arrived the one nearest to the start, of others that nearest to the pose.
     const double rank = arrived ? away : cost;
     if (grade > grade_ || (grade == grade_ && rank < rank_)) {
@@ -181,6 +182,7 @@ class Run {
   Search& result_;
   Splitmix random_;
   unsigned held_ = 0;
+  bool ran_ = false;  ///< the lanes, for a while
   std::size_t found_ = 0;
   int grade_ = -1;  ///< of the nearest: nothing yet, not arrived, stuck within tolerance, arrived
   double rank_ = 0;

@@ -62,12 +62,15 @@ int quartic_roots(const std::array<double, 5>& c, std::array<double, 4>& roots) 
   for (int i = 0; i < count; ++i) {
     double& x = roots[static_cast<std::size_t>(i)];
     x -= shift;
-    for (int step = 0; step < 3; ++step) {
-      const double value = (((c[4] * x + c[3]) * x + c[2]) * x + c[1]) * x + c[0];
+    const auto at = [&c](double t) {
+      return (((c[4] * t + c[3]) * t + c[2]) * t + c[1]) * t + c[0];
+    };
+    double value = at(x);
+    for (int step = 0; step < 4; ++step) {
       const double slope = ((4 * c[4] * x + 3 * c[3]) * x + 2 * c[2]) * x + c[1];
-      const double change = value / slope;
-      if (!(std::abs(change) < 1e-2 * (1 + std::abs(x)))) break;
-      x -= change;
+      const double next = x - value / slope, left = at(next);
+      if (!(std::abs(left) < std::abs(value))) break;  // a double root would be thrown off
+      x = next, value = left;
     }
   }
   return count;

@@ -116,6 +116,9 @@ void finish(const Question& ask, InverseResult& result) {
   result.status = InverseStatus::solved;
   if (ask.options.every_turn) {
     result.solutions = every_representative(ask.arm, result.solutions, ask.bounds);
+    std::erase_if(result.solutions, [&ask](const Configuration& q) {  // set on a bound, or far off
+      return error_at(ask, q) > ask.tolerance;
+    });
   }
   std::sort(result.solutions.begin(), result.solutions.end(),
             [&ask](const Configuration& a, const Configuration& b) {

@@ -122,11 +122,11 @@ std::optional<Obstacle> beyond_reach(const Arm& arm, const Pose& world_T_tool, c
                       number(arm.reach().radius) + " m"};
 }
 
-bool limits_bound_reach(const Arm& arm) {
+bool out_of_reach(const Arm& arm, const Pose& world_T_tool, const Task& task, double tolerance) {
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
-    if (arm.drives()[i].ratio != 0 && kind(arm.joints()[i]) != JointKind::revolute) return true;
+    if (arm.drives()[i].ratio != 0 && kind(arm.joints()[i]) != JointKind::revolute) return false;
   }
-  return false;
+  return beyond_reach(arm, world_T_tool, task, tolerance).has_value();
 }
 
 std::optional<Obstacle> against_what_stays(const Arm& arm, const Pose& world_T_tool,

@@ -19,8 +19,8 @@ struct Obstacle {
 std::optional<Obstacle> beyond_reach(const Arm& arm, const Pose& world_T_tool, const Task& task,
                                      double tolerance);
 
-/// Whether that ball would grow if the limits did not count.
-bool limits_bound_reach(const Arm& arm);
+/// The same, where that ball would not grow if the limits did not count: no search is needed then.
+bool out_of_reach(const Arm& arm, const Pose& world_T_tool, const Task& task, double tolerance);
 
 /// Something of the tool's pose that no joint can change is not as the task asks. Looks at arms
 /// whose axes are all parallel (the heights along them and the tilt against them stay) and at arms

@@ -61,14 +61,14 @@ std::vector<Configuration> every_representative(const Arm& arm,
     if (!turns_around(arm, k) || !std::isfinite(lower) || !std::isfinite(upper)) continue;
     std::vector<Configuration> turned;
     for (const Configuration& q : all) {
-      const double first = q[k] + turn * std::ceil((lower - rounding - q[k]) / turn);
-      for (double value = first; value <= upper + rounding; value += turn) {
+      const double first = std::ceil((lower - rounding - q[k]) / turn);
+      for (double turns = first; q[k] + turns * turn <= upper + rounding; ++turns) {
         if (turned.size() == most) {
           throw Error("arm " + arm.name() +
                       " has more than 100000 turns of this pose within limits");
         }
         turned.push_back(q);
-        turned.back()[k] = std::clamp(value, lower, upper);
+        turned.back()[k] = std::clamp(q[k] + turns * turn, lower, upper);
       }
     }
     all = turned;

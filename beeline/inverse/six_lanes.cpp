@@ -24,6 +24,7 @@ alignas(64) constexpr double third_sign[8] = {1, -1, 1, -1, 1, -1, 1, -1};
 struct Standing {
   LaneMask found;
   LaneMask continuum;
+  LaneMask twin;
   Lanes residual;
 };
 
@@ -70,6 +71,7 @@ HWY_INLINE void solve_meeting(const SixLoop& loop, const Space& to, Lanes sign,
   const Lanes product = above * below;
   // Where a share was free another choice may be within reach: that is for others to find.
   standing.found = standing.found & ((product >= Lanes(-root_slack)) | standing.continuum);
+  standing.twin = standing.twin | (product <= Lanes(nearly_double));
   turn[1].c = min(max((below - above) * Lanes(scale), Lanes(-1)), Lanes(1));
   turn[1].s = sign * sqrt(max(product, Lanes(0))) * Lanes(std::abs(2 * scale));
 
@@ -104,7 +106,7 @@ HWY_INLINE void solve_parallel(const SixLoop& loop, const Space& to, Lanes sign,
   LaneMask free;
   const LaneMask reached =
       solve_turn(Lanes(ab[0] * bc[0] + ab[1] * bc[1]), Lanes(ab[1] * bc[0] - ab[0] * bc[1]),
-                 -stretch, sign, loop.size * loop.size, preferred, turn[1], free);
+                 -stretch, sign, loop.size * loop.size, preferred, turn[1], free, standing.twin);
   standing.found = standing.found & (reached | standing.continuum);
   standing.continuum = standing.continuum | (free & standing.found);
   const Lanes reach_x = Lanes(ab[0]) + fma(turn[1].c, Lanes(bc[0]), -(turn[1].s * Lanes(bc[1])));
@@ -170,8 +172,9 @@ void six_branches_kernel(const SixLoop& loop, const SixQuestion& question, SixBr
   Turn turn[6];
   Standing standing;
   for (int pass = 0; pass < 2; ++pass) {
-    standing.continuum = Lanes(1) < Lanes(0);
-    standing.found = six_roots(loop, pair, preferred, turn[2], turn[0], standing.continuum);
+    standing.continuum = standing.twin = Lanes(1) < Lanes(0);
+    standing.found =
+        six_roots(loop, pair, preferred, turn[2], turn[0], standing.continuum, standing.twin);
 
     // Joint e turns what lies beyond it to where it is seen from before it.
     const bool points = loop.family == SixLoop::Family::meeting;
@@ -199,6 +202,7 @@ void six_branches_kernel(const SixLoop& loop, const SixQuestion& question, SixBr
   }
   branches.found = bits(standing.found);
   branches.continuum = bits(standing.continuum & standing.found);
+  branches.twin = bits(standing.twin & standing.found);
   standing.residual.store(branches.residual);
   to_coordinates(loop, question, turn, branches);
 }

@@ -10,6 +10,7 @@ struct SixQuestion {
   double seed[6];           ///< turns are counted from here; taken where a value is free
   double lower[6], upper[6];
   bool wraps[6];  ///< whether whole turns may be added
+  double closed;  ///< a loop whose residual is larger needs mending
 };
 
 /// Up to eight branches, one in each lane: the signs of three square roots.
@@ -23,6 +24,7 @@ struct SixBranches {
   unsigned found = 0;      ///< lanes whose equations have a solution, up to rounding
   unsigned within = 0;     ///< those of them within limits
   unsigned continuum = 0;  ///< those that stand for infinitely many
+  unsigned twin = 0;  ///< those so near to the edge of reach that two lanes may be one solution
 };
 
 /// Eight branches in one pass. Nothing is polished: see ClosedForm.

@@ -73,6 +73,11 @@ void decouple(SixLoop& loop) {
     return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&k.rotation[0][0]);
   };
   const auto vector = [](const Rigid& k) { return Eigen::Map<const Vector3>(k.translation); };
+  if (loop.family == SixLoop::Family::parallel && (loop.slides[0] || loop.slides[2])) {
+    loop.weight[0] = 1, loop.weight[1] = 0, loop.second = 1;  // the angle between axes, which stays
+    loop.first = loop.slides[0] ? SixLoop::First::w : SixLoop::First::u;
+    return;
+  }
   if (loop.goal_place != 1) {  // K_e is the arm's: axis e against axis d
     const Vector3 z = matrix(loop.before[1]).col(2), t = vector(loop.before[1]);
     if (loop.slides[0]
@@ -107,6 +112,10 @@ SixLoop cut(const Chain& chain, SixLoop::Family family, int d, double size) {
     loop.order[k] = joint;
     Pose before = constant_motion(link);
     if (slides) before = before * Eigen::AngleAxisd(link.rest_angle, Vector3::UnitZ());
+    // The goal takes the place of what is before joint 1: there its angle goes into the base.
+    if (slides && joint == 0) {
+      loop.base = rigid(chain.base * Eigen::AngleAxisd(link.rest_angle, Vector3::UnitZ()));
+    }
     loop.before[k] = rigid(before);
     loop.sign[k] = slides ? link.travel : link.turn;
     loop.rest[k] = slides ? 0 : link.rest_angle;

@@ -22,16 +22,20 @@ namespace beeline::HWY_NAMESPACE {
 /// fails the check of the residual.
 inline constexpr double root_slack = 1e-6;
 
+/// The square under a root, relative, below which its two solutions are within about 1e-4 rad.
+inline constexpr double nearly_double = 1e-9;
+
 /// The turn with n . (cos, sin) + k = 0 of the sign that is asked for. Where n and k vanish any
 /// turn will do: then the preferred one is taken, and `free` is set. `unit` is what n counts
-/// against.
+/// against. `twin` is set where the other sign gives nearly the same.
 HWY_INLINE LaneMask solve_turn(Lanes nx, Lanes ny, Lanes k, Lanes sign, double unit,
-                               const Turn& preferred, Turn& turn, LaneMask& free) {
+                               const Turn& preferred, Turn& turn, LaneMask& free, LaneMask& twin) {
   const Lanes nn = fma(nx, nx, ny * ny), kk = k * k;
   const Lanes under = nn - kk;
   // A root that rounding alone would make is none, so that what is singular there is seen to be.
   constexpr double rounding = 1e-14;
   const LaneMask double_root = under <= Lanes(rounding) * nn;
+  twin = twin | (under <= Lanes(nearly_double) * nn);
   const Lanes root = sqrt(choose(double_root, Lanes(0), under));
   const double nothing = 1e-12 * unit;
   free = (nn <= Lanes(nothing * nothing)) & (abs(k) <= Lanes(10 * nothing));
@@ -44,8 +48,10 @@ HWY_INLINE LaneMask solve_turn(Lanes nx, Lanes ny, Lanes k, Lanes sign, double u
 }
 
 /// The travel t with n1 t + n2 t^2 + k = 0, as (t, t^2). Where n2 vanishes there is one, of sign 1.
-HWY_INLINE LaneMask solve_slide(Lanes n1, Lanes n2, Lanes k, Lanes sign, Turn& turn) {
+HWY_INLINE LaneMask solve_slide(Lanes n1, Lanes n2, Lanes k, Lanes sign, Turn& turn,
+                                LaneMask& twin) {
   const Lanes under = fma(n1, n1, Lanes(-4) * n2 * k);
+  twin = twin | (under <= Lanes(nearly_double) * fma(n1, n1, abs(Lanes(4) * n2 * k)));
   const Lanes root = sqrt(max(under, Lanes(0)));
   const Lanes half = Lanes(-0.5) * (n1 + with_sign(root, n1));
   const LaneMask straight = n2 == Lanes(0), upper = sign > Lanes(0);
@@ -63,7 +69,7 @@ HWY_INLINE LaneMask solve_slide(Lanes n1, Lanes n2, Lanes k, Lanes sign, Turn& t
 /// The two equations where neither is free of an unknown: the turn `second` is linear in `first`,
 /// and has length one. That is a quartic, of the half angle's tangent or of the travel.
 HWY_INLINE LaneMask solve_quartic(const double (*first)[2], bool slides, const double (*second)[2],
-                                  const double* rest, Turn& one, Turn& other) {
+                                  const double* rest, Turn& one, Turn& other, LaneMask& twin) {
   const double det = second[0][0] * second[1][1] - second[0][1] * second[1][0];
   // |det| (second turn) = |m (first) + n|: each row is a combination of the two equations.
   double m[2][2], n[2];
@@ -74,8 +80,17 @@ HWY_INLINE LaneMask solve_quartic(const double (*first)[2], bool slides, const d
   n[0] = second[0][1] * rest[1] - second[1][1] * rest[0];
   n[1] = second[1][0] * rest[0] - second[0][0] * rest[1];
   double c[lane_count] = {}, s[lane_count] = {};
-  unsigned found = 0;
+  unsigned found = 0, close = 0;
   std::array<double, 4> roots{};
+  const auto compare = [&](int count) {
+    for (int i = 0; i < count; ++i) {
+      for (int j = 0; j < i; ++j) {
+        const double a = roots[static_cast<std::size_t>(i)], b = roots[static_cast<std::size_t>(j)];
+        constexpr double near = 1e-4;
+        if (std::abs(a - b) <= near * (1 + a * a)) close |= 3u << (2 * i) | 3u << (2 * j);
+      }
+    }
+  };
   if (slides) {
     std::array<double, 5> quartic{-det * det, 0, 0, 0, 0};
     for (int i = 0; i < 2; ++i) {
@@ -86,6 +101,7 @@ HWY_INLINE LaneMask solve_quartic(const double (*first)[2], bool slides, const d
       quartic[4] += m[i][1] * m[i][1];
     }
     const int count = quartic_roots(quartic, roots);
+    compare(count);
     for (int i = 0; i < count; ++i) {
       const double t = roots[static_cast<std::size_t>(i)];
       c[2 * i] = c[2 * i + 1] = t;
@@ -119,6 +135,7 @@ HWY_INLINE LaneMask solve_quartic(const double (*first)[2], bool slides, const d
     const std::array<double, 5> quartic{k0 + j1 + j3, 2 * j2 + 4 * j4, 2 * k0 - 6 * j3,
                                         2 * j2 - 4 * j4, k0 - j1 + j3};
     const int count = quartic[4] == 0 ? 0 : quartic_roots(quartic, roots);
+    compare(count);
     for (int i = 0; i < count; ++i) {
       const double t = roots[static_cast<std::size_t>(i)], size = 1 / (1 + t * t);
       const double cosine = (1 - t * t) * size, sine = 2 * t * size;
@@ -131,6 +148,7 @@ HWY_INLINE LaneMask solve_quartic(const double (*first)[2], bool slides, const d
   const Lanes x = fma(Lanes(m[0][0]), one.c, fma(Lanes(m[0][1]), one.s, Lanes(n[0])));
   const Lanes y = fma(Lanes(m[1][0]), one.c, fma(Lanes(m[1][1]), one.s, Lanes(n[1])));
   const Lanes square = fma(x, x, y * y);
+  twin = twin | mask_of(close);
   const LaneMask vanishes = square == Lanes(0);
   const Lanes scale = Lanes(det < 0 ? -1 : 1) / sqrt(choose(vanishes, Lanes(1), square));
   other = {x * scale, y * scale};
@@ -138,11 +156,12 @@ HWY_INLINE LaneMask solve_quartic(const double (*first)[2], bool slides, const d
 }
 
 HWY_INLINE LaneMask solve_one(Lanes nx, Lanes ny, Lanes k, bool slides, const double* signs,
-                              double unit, const Turn& preferred, Turn& turn, LaneMask& continuum) {
+                              double unit, const Turn& preferred, Turn& turn, LaneMask& continuum,
+                              LaneMask& twin) {
   const Lanes sign = Lanes::load(signs);
-  if (slides) return solve_slide(nx, ny, k, sign, turn);
+  if (slides) return solve_slide(nx, ny, k, sign, turn, twin);
   LaneMask free;
-  const LaneMask found = solve_turn(nx, ny, k, sign, unit, preferred, turn, free);
+  const LaneMask found = solve_turn(nx, ny, k, sign, unit, preferred, turn, free, twin);
   continuum = continuum | free;
   return found;
 }
@@ -150,12 +169,12 @@ HWY_INLINE LaneMask solve_one(Lanes nx, Lanes ny, Lanes k, bool slides, const do
 /// All pairs of joint f (w) and joint d (u) that satisfy both equations, two lanes for each: the
 /// lanes' numbers in binary are the branches.
 HWY_INLINE LaneMask six_roots(const SixLoop& loop, const SixPair& pair, const Turn* preferred,
-                              Turn& w, Turn& u, LaneMask& continuum) {
+                              Turn& w, Turn& u, LaneMask& continuum, LaneMask& twin) {
   alignas(64) static constexpr double first_sign[8] = {1, 1, 1, 1, -1, -1, -1, -1};
   alignas(64) static constexpr double second_sign[8] = {1, 1, -1, -1, 1, 1, -1, -1};
   if (loop.first == SixLoop::First::neither) {
-    return loop.slides[0] ? solve_quartic(pair.u, true, pair.w, pair.rest, u, w)
-                          : solve_quartic(pair.w, loop.slides[2], pair.u, pair.rest, w, u);
+    return loop.slides[0] ? solve_quartic(pair.u, true, pair.w, pair.rest, u, w, twin)
+                          : solve_quartic(pair.w, loop.slides[2], pair.u, pair.rest, w, u, twin);
   }
   const bool w_first = loop.first == SixLoop::First::w;
   const double(*first)[2] = w_first ? pair.w : pair.u;
@@ -170,10 +189,10 @@ HWY_INLINE LaneMask six_roots(const SixLoop& loop, const SixPair& pair, const Tu
   const LaneMask found = solve_one(
       Lanes(l0 * first[0][0] + l1 * first[1][0]), Lanes(l0 * first[0][1] + l1 * first[1][1]),
       Lanes(l0 * pair.rest[0] + l1 * pair.rest[1]), loop.slides[joint_one], first_sign,
-      unit[l1 == 0 ? 0 : 1], preferred[joint_one], one, continuum);
+      unit[l1 == 0 ? 0 : 1], preferred[joint_one], one, continuum, twin);
   const Lanes rest = fma(Lanes(first[e][0]), one.c, fma(Lanes(first[e][1]), one.s, pair.rest[e]));
   return found & solve_one(Lanes(second[e][0]), Lanes(second[e][1]), rest, loop.slides[joint_other],
-                           second_sign, unit[e], preferred[joint_other], other, continuum);
+                           second_sign, unit[e], preferred[joint_other], other, continuum, twin);
 }
 
 }  // namespace beeline::HWY_NAMESPACE

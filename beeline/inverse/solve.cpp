@@ -57,13 +57,8 @@ int InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed,
                 " rows and at least one column");
   }
   const Pose goal = checked_pose(world_T_tool);
-  if (methods_->closed) {
-    const int count = answer_at_once(*methods_, goal, seed, solutions);
-    if (count >= 0) return count;
-  } else if (!methods_->planar && !methods_->general && !methods_->options.all &&
-             !methods_->options.lock && methods_->options.redundancy == Redundancy::any) {
-    return descend_at_once(*methods_, goal, seed, solutions);
-  }
+  const int at_once = answer_at_once(*methods_, goal, seed, solutions);
+  if (at_once >= 0) return at_once;
   const InverseResult result = answer(*methods_, goal, seed, false);
   const auto room = static_cast<std::size_t>(solutions.cols());
   const std::size_t count = std::min(room, result.solutions.size());

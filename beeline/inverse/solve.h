@@ -44,13 +44,14 @@ struct InverseOptions {
   Redundancy redundancy = Redundancy::any;
   int grid = 32;  ///< values of the joint to spare that are tried first
   /// Largest error of a solution, metres and radians. Never taken below the rounding of forward
-  /// kinematics, about 4e-15 of the arm's size: from a reach of 1e4 m on that is what counts.
+  /// kinematics, about 1e-14 of the arm's size: from a reach of 1e4 m on that is what counts.
   double tolerance = 1e-10;
   int iterations = 100;           ///< most steps of the numerical solver in one descent
   int restarts = 1000;            ///< most descents after the first, from random configurations
   std::uint64_t random_seed = 1;  ///< the same seed gives the same answer
   /// Seconds after which a numerical search ends with what it has; then the answer may depend on
-  /// the machine.
+  /// the machine. Formulas, and the reason where there is no solution, are not cut short: they may
+  /// take milliseconds more, and a fine grid longer.
   std::optional<double> time_limit = std::nullopt;
 };
 
@@ -60,7 +61,8 @@ enum class InverseStatus {
                    ///< position alone none does
   orientation,     ///< it can come to the position, but not with the orientation that is asked for:
                    ///< by the closed form, or none of 64 descents and more came within 1e-3 rad
-  outside_limits,  ///< it can come to the pose, but not within the joint limits
+  outside_limits,  ///< it can come to the pose, but within the joint limits no solution was found,
+                   ///< and none exists where a closed form says so: see the reason
   not_found,       ///< the search ended without a solution; that none exists is not shown
 };
 std::string name(InverseStatus status);
@@ -87,8 +89,8 @@ struct InverseResult {
   bool singular = false;
   /// Metres or radians, whichever is larger. Solved: the largest error that forward kinematics
   /// shows. Unreachable: how far the position is out of reach. Orientation: the angle that the
-  /// nearest miss is off by. Outside limits: the nearest miss's excess. Not found: the error of the
-  /// nearest miss within limits.
+  /// nearest miss is off by. Outside limits: the nearest miss's excess. Not found: the nearest
+  /// miss's error.
   double residual = 0;
   std::optional<NearestMiss> nearest;  ///< unless solved
   std::string reason;                  ///< one sentence; empty when solved and not singular
@@ -100,7 +102,8 @@ struct InverseResult {
 /// The joint configurations that bring the tool to `world_T_tool`, as far as the task asks.
 /// Chooses the method from the arm's geometry: see InverseSolver::method(). Every q returned has
 /// been put through forward kinematics, and is finite and within limits. Angles are given by the
-/// turn that is nearest to the seed within limits; lengths, helical joints and joints whose
+/// turn that is nearest to the seed within limits (to zero, where a joint without limits has a seed
+/// beyond 1e3 rad); lengths, helical joints and joints whose
 /// followers would not come round as well are never wrapped. Distances from the seed are
 /// Euclidean, radians and metres weighing alike.
 /// Throws Error when the pose, the seed or an option makes no sense.
@@ -117,7 +120,8 @@ class InverseSolver {
   InverseSolver(const InverseSolver& other);
   ~InverseSolver();
 
-  /// In words: the closed form that the arm has, or "numerical".
+  /// In words: the closed form that the arm has, or "numerical". With a joint locked that may be
+  /// less than solve() finds for the arm that is left.
   std::string method() const;
 
   InverseResult solve(const Pose& world_T_tool);
@@ -125,8 +129,10 @@ class InverseSolver {
 
   /// For loops: writes the solutions nearest to `seed` first into the columns of `solutions`, as
   /// many as there is room for (one suffices unless options.all), and returns how many. No reason
-  /// is looked for where there is none: the answer is then 0. Does not allocate in the ordinary
-  /// course. Throws Error when a size does not fit or a number is not finite.
+  /// is looked for where there is none: the answer is then 0. What a closed form gives is checked
+  /// by closing the loop, which is forward kinematics all around it. Does not allocate in the
+  /// ordinary course; a lock at ever new values does, unless it is the first or last of seven
+  /// joints. Throws Error when a size does not fit or a number is not finite.
   int solve(const Pose& world_T_tool, const ConfigurationRef& seed,
             Eigen::Ref<Eigen::MatrixXd> solutions);
 

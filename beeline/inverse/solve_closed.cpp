@@ -24,7 +24,10 @@ class Claims {
       const Descent mended = descend(ask_.arm, ask_.goal, ask_.task, no_bounds(ask_.arm), q,
                                      {.tolerance = ask_.tolerance});
       constexpr double far = 1e-2;  // radians: another solution
-      if (!mended.converged || (mended.q - q).norm() > far) return;
+      if (!mended.converged || (mended.q - q).norm() > far) {
+        beyond.doubtful = true;
+        return;
+      }
       q = mended.q;
     }
     const Configuration turned = nearest_representative(ask_.arm, q, ask_.seed, ask_.bounds);
@@ -53,7 +56,7 @@ void add_branches(const ClosedForm& form, const SixBranches& found, double value
 
 void solve_locked(InverseMethods& methods, const Question& ask, Claims& claims) {
   const ClosedForm& form = *methods.closed;
-  SixQuestion six = form.question(ask.seed, ask.bounds.lower, ask.bounds.upper);
+  SixQuestion six = form.question(ask.seed, ask.bounds.lower, ask.bounds.upper, ask.tolerance);
   const LockedRange range = locked_range(ask.arm, ask.bounds, ask.seed, form);
   const int dof = ask.arm.dof();
   claims.beyond.complete = false;
@@ -93,6 +96,16 @@ void solve_planar(const Question& ask, Claims& claims) {
 
 }  // namespace
 
+Beyond solve_general(const GeneralSix& general, const Question& ask, InverseResult& result) {
+  Claims claims(ask, result);
+  Eigen::Matrix<double, 6, GeneralSix::most_solutions> q;
+  const GeneralSix::Found found = general.solve(ask.goal, q);
+  for (int i = 0; i < found.count; ++i) claims.add(q.col(i), false);
+  claims.beyond.complete = found.complete && !claims.beyond.doubtful;
+  claims.beyond.doubtful = !claims.beyond.complete;
+  return claims.beyond;
+}
+
 Beyond solve_closed(InverseMethods& methods, const Question& ask, InverseResult& result) {
   Claims claims(ask, result);
   claims.beyond.complete = true;
@@ -101,19 +114,18 @@ Beyond solve_closed(InverseMethods& methods, const Question& ask, InverseResult&
   } else if (methods.closed && methods.closed->locked() >= 0) {
     solve_locked(methods, ask, claims);
   } else if (methods.closed) {
-    SixQuestion six = methods.closed->question(ask.seed, ask.bounds.lower, ask.bounds.upper);
+    SixQuestion six =
+        methods.closed->question(ask.seed, ask.bounds.lower, ask.bounds.upper, ask.tolerance);
     SixBranches found;
     methods.closed->branches(ask.goal, 0, six, found);
     add_branches(*methods.closed, found, 0, ask.arm.dof(), claims);
     // Where an added joint may share a turn with the arm's, only one of infinitely many was seen.
-    claims.beyond.complete = (!methods.closed->has_added_joints() || found.continuum == 0) &&
-                             !nearly_found(*methods.closed, found);
+    claims.beyond.complete = !methods.closed->has_added_joints() || found.continuum == 0;
+    claims.beyond.doubtful |= nearly_found(*methods.closed, found);
   } else if (methods.general) {
-    Eigen::Matrix<double, 6, GeneralSix::most_solutions> q;
-    const GeneralSix::Found found = methods.general->solve(ask.goal, q);
-    for (int i = 0; i < found.count; ++i) claims.add(q.col(i), false);
-    claims.beyond.complete = found.complete;
+    return solve_general(*methods.general, ask, result);
   }
+  claims.beyond.complete = claims.beyond.complete && !claims.beyond.doubtful;
   result.singular = claims.beyond.continuum && !result.solutions.empty();
   return claims.beyond;
 }

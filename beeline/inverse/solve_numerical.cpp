@@ -39,8 +39,8 @@ Descents descents(const Arm& arm, const Task& task, const Bounds& bounds,
   return ready;
 }
 
-int descend_at_once(InverseMethods& methods, const Pose& goal, const ConfigurationRef& seed,
-                    Eigen::Ref<Eigen::MatrixXd> solutions) {
+bool descend_at_once(InverseMethods& methods, const Pose& goal, const ConfigurationRef& seed,
+                     Eigen::Ref<Eigen::MatrixXd> solutions) {
   if (!methods.within)
     methods.within = descents(methods.arm, methods.task, methods.bounds, methods.options);
   multi_start(methods.within->problem, methods.within->deck, goal, seed,
@@ -49,9 +49,9 @@ int descend_at_once(InverseMethods& methods, const Pose& goal, const Configurati
                .restarts = methods.options.restarts,
                .random_seed = methods.options.random_seed},
               methods.buffers, methods.search);
-  if (methods.search.solutions.empty()) return 0;
+  if (methods.search.solutions.empty()) return false;
   solutions.col(0) = methods.search.solutions.front();
-  return 1;
+  return true;
 }
 
 bool descend_from(InverseMethods& methods, const Pose& goal, const LeastOutside& outside,
@@ -85,8 +85,6 @@ Beyond solve_numerical(InverseMethods& methods, const Question& ask, InverseResu
     if (!result.solutions.empty()) return beyond;
   }
   search(methods, ask, *methods.within, ask.seed, ask.options.all, result);
-  result.residual =
-      std::max(methods.search.nearest.error.position, methods.search.nearest.error.orientation);
   const bool limited =
       ask.bounds.lower.array().isFinite().any() || ask.bounds.upper.array().isFinite().any();
   if (!result.solutions.empty() || !limited || beyond.complete) return beyond;

@@ -1,9 +1,10 @@
 #include <gtest/gtest.h>
-#include <tests/random_arm.h>
 
 #include <beeline/kinematics/chain.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
+
+#include <tests/random_arm.h>
 
 namespace beeline {
 namespace {
@@ -65,8 +66,8 @@ TEST(Chain, IsExactForAxesThatAreParallelButForALittle) {
     for (int i = 0; i < 6; ++i) {
       Joint joint;
       joint.name = "j" + std::to_string(i);
-      joint.offset = Pose(Eigen::Translation3d(0.5, 0.1, 0)) *
-                     Eigen::AngleAxisd(tilt, random.direction());
+      joint.offset =
+          Pose(Eigen::Translation3d(0.5, 0.1, 0)) * Eigen::AngleAxisd(tilt, random.direction());
       joint.screw = rotation_screw(Vector3::UnitZ());
       joints.push_back(joint);
     }

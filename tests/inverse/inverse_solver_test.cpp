@@ -1,0 +1,260 @@
+#include <cerrno>
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <optional>
+
+#include <beeline/inverse/solve.h>
+#include <beeline/model/catalog.h>
+
+#include <tests/inverse/answer.h>
+#include <tests/inverse/families.h>
+#include <tests/refusal.h>
+
+// Counts allocations. Eigen calls malloc itself, so that counting operator new would miss its own.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define BEELINE_TEST_COUNTS_MALLOC 0  // they have their own
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define BEELINE_TEST_COUNTS_MALLOC 0
+#endif
+#endif
+#if !defined(BEELINE_TEST_COUNTS_MALLOC) && defined(__GLIBC__)
+#define BEELINE_TEST_COUNTS_MALLOC 1
+#endif
+
+namespace {
+thread_local long allocations = 0;
+}
+
+#if BEELINE_TEST_COUNTS_MALLOC
+extern "C" {
+void* __libc_malloc(std::size_t size);                           // NOLINT
+void* __libc_memalign(std::size_t alignment, std::size_t size);  // NOLINT
+
+void* malloc(std::size_t size) noexcept {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+int posix_memalign(void** place, std::size_t alignment, std::size_t size) noexcept {
+  ++allocations;
+  *place = __libc_memalign(alignment, size);
+  return *place == nullptr ? ENOMEM : 0;
+}
+}
+#endif
+
+namespace beeline {
+namespace {
+
+using testing::expect_solved;
+using testing::Random;
+
+const char* const six_joints[] = {"puma560", "ur5", "ur5e", "stanford"};
+const char* const seven_joints[] = {"panda", "iiwa14"};
+
+TEST(InverseSolver, IntoColumnsGivesWhatInverseKinematicsGives) {
+  Random random;
+  for (const char* name : six_joints) {
+    const Arm arm = built_in(name);
+    for (const bool ignore_limits : {false, true}) {
+      const InverseOptions options{.all = true, .ignore_limits = ignore_limits};
+      InverseSolver solver(arm, options);
+      for (int i = 0; i < 500; ++i) {
+        const Configuration seed = random.configuration(arm);
+        const Pose pose = forward_kinematics(arm, random.configuration(arm));
+        InverseOptions with_seed = options;
+        with_seed.seed = seed;
+        const auto expected = inverse_kinematics(arm, pose, with_seed).solutions;
+        Eigen::MatrixXd columns(6, 8);
+        const int count = solver.solve(pose, seed, columns);
+        ASSERT_EQ(static_cast<std::size_t>(count), expected.size()) << name;
+        for (int k = 0; k < count; ++k) {
+          EXPECT_LT((columns.col(k) - expected[static_cast<std::size_t>(k)]).norm(), 1e-7) << name;
+        }
+      }
+    }
+  }
+}
+
+TEST(InverseSolver, IntoFewColumnsWritesTheNearestOnly) {
+  Random random;
+  for (const char* name : six_joints) {
+    const Arm arm = built_in(name);
+    InverseSolver all(arm, {.all = true}), one(arm);
+    for (int i = 0; i < 300; ++i) {
+      const Configuration seed = random.configuration(arm);
+      const Pose pose = forward_kinematics(arm, random.configuration(arm));
+      Eigen::MatrixXd eight(6, 8), two(6, 2), single(6, 1);
+      const int count = all.solve(pose, seed, eight);
+      ASSERT_GE(count, 1);
+      EXPECT_EQ(all.solve(pose, seed, two), std::min(count, 2));
+      EXPECT_EQ(two.leftCols(std::min(count, 2)), eight.leftCols(std::min(count, 2)));
+      EXPECT_EQ(one.solve(pose, seed, single), 1);
+      EXPECT_LT((single - eight.col(0)).norm(), 1e-7) << name;
+    }
+  }
+}
+
+/// Whatever the arm, what comes back reaches the pose within limits.
+TEST(InverseSolver, IntoColumnsSolvesEveryBuiltInArm) {
+  Random random;
+  for (const std::string& name : built_in_names()) {
+    const Arm arm = built_in(name);
+    InverseSolver solver(arm);
+    Eigen::MatrixXd column(arm.dof(), 1);
+    int missed = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const Configuration seed = random.configuration(arm);
+      const Configuration from = random.configuration(arm);
+      const Pose pose = forward_kinematics(arm, from);
+      if (solver.solve(pose, seed, column) != 1) {
+        // A few poses in a million are missed where a joint to spare has to be searched for.
+        EXPECT_EQ(arm.dof(), 7) << name << ' ' << from.transpose();
+        ++missed;
+        continue;
+      }
+      EXPECT_TRUE(within(bounds_of(arm), column.col(0))) << name << ' ' << column.transpose();
+      const Pose reached = forward_kinematics(arm, column.col(0));
+      EXPECT_LE(testing::largest(task_deviation(default_task(arm), pose, reached)), 1e-10) << name;
+    }
+    EXPECT_LE(missed, 1) << name;
+    Pose away = Pose::Identity();
+    away.translation().x() = 100;
+    if (arm.reach().radius < 90) {
+      EXPECT_EQ(solver.solve(away, middle_configuration(arm), column), 0);
+    }
+  }
+}
+
+TEST(InverseSolver, IntoColumnsKeepsALockedCoordinate) {
+  Random random;
+  for (const char* name : seven_joints) {
+    const Arm arm = built_in(name);
+    InverseSolver solver(arm, {.all = true, .lock = 6});
+    Eigen::MatrixXd columns(7, 8);
+    for (int i = 0; i < 300; ++i) {
+      const Configuration from = random.configuration(arm);
+      const Pose pose = forward_kinematics(arm, from);
+      const int count = solver.solve(pose, from, columns);
+      ASSERT_GE(count, 1) << name;
+      EXPECT_LT((columns.col(0) - from).norm(), 1e-6);
+      for (int k = 0; k < count; ++k) EXPECT_EQ(columns(6, k), from[6]);
+      const auto all = inverse_kinematics(arm, pose, {.seed = from, .all = true, .lock = 6});
+      EXPECT_EQ(static_cast<std::size_t>(count), all.solutions.size()) << name;
+    }
+  }
+}
+
+TEST(InverseSolver, DoesNotAllocateInTheOrdinaryCourse) {
+#if !BEELINE_TEST_COUNTS_MALLOC
+  GTEST_SKIP() << "allocations cannot be counted here";
+#endif
+  Random random;
+  for (const std::string& name : built_in_names()) {
+    const Arm arm = built_in(name);
+    if (default_task(arm) == Task::planar()) continue;
+    const bool spare = arm.dof() == 7;
+    InverseSolver solver(arm, {.all = !spare});
+    Eigen::MatrixXd columns(arm.dof(), spare ? 1 : 8);
+    int allocating = 0, poses = 500;
+    for (int i = 0; i < poses; ++i) {
+      const Configuration seed = random.configuration(arm);
+      const Pose pose = forward_kinematics(arm, random.configuration(arm));
+      const long before = allocations;
+      const int count = solver.solve(pose, seed, columns);
+      // The first call may fill buffers, and what needs a second look is out of the ordinary.
+      if (allocations != before && i > 0) ++allocating;
+      EXPECT_GE(count, 1);
+    }
+    EXPECT_LE(allocating, poses / 100) << name;
+  }
+  const long before = allocations;
+  std::free(std::malloc(8));
+  Eigen::MatrixXd matrix(3, 3);
+  EXPECT_GE(allocations, before + 1);
+  EXPECT_GT(matrix.size(), 0);
+}
+
+TEST(InverseSolver, CopiesAnswerAlike) {
+  Random random;
+  for (const char* name : {"puma560", "ur5", "panda", "scara", "rrr"}) {
+    const Arm arm = built_in(name);
+    std::optional<InverseSolver> solver(std::in_place, arm, InverseOptions{.all = true, .grid = 8});
+    InverseSolver copy(*solver);
+    EXPECT_EQ(copy.method(), solver->method());
+    std::vector<Pose> poses;
+    std::vector<std::vector<Configuration>> answers;
+    for (int i = 0; i < 30; ++i) {
+      poses.push_back(forward_kinematics(arm, random.configuration(arm)));
+      answers.push_back(solver->solve(poses.back()).solutions);
+      EXPECT_EQ(answers.back(),
+                inverse_kinematics(arm, poses.back(), {.all = true, .grid = 8}).solutions);
+    }
+    solver.reset();
+    InverseSolver second(copy);
+    for (std::size_t i = poses.size(); i-- > 0;) {
+      EXPECT_EQ(copy.solve(poses[i]).solutions, answers[i]) << name;
+      EXPECT_EQ(second.solve(poses[i]).solutions, answers[i]) << name;
+    }
+  }
+}
+
+TEST(InverseSolver, RefusesWhatDoesNotFit) {
+  const Arm arm = built_in("puma560");
+  InverseSolver solver(arm, {.all = true});
+  const Configuration seed = Configuration::Zero(6);
+  const Pose pose = forward_kinematics(arm, Configuration::Constant(6, 0.3));
+  Eigen::MatrixXd columns(6, 8), narrow(5, 8), wide(7, 8), none(6, 0);
+  EXPECT_EQ(testing::refusal([&] { solver.solve(pose, seed, columns); }), "accepted");
+  for (Eigen::MatrixXd* each : {&narrow, &wide, &none}) {
+    EXPECT_REFUSED(solver.solve(pose, seed, *each), "6 rows");
+  }
+  for (const int size : {0, 5, 7}) {
+    const Configuration other = Configuration::Zero(size);
+    EXPECT_REFUSED(solver.solve(pose, other, columns), "6");
+    EXPECT_REFUSED(solver.solve(pose, other), "6");
+  }
+  for (const double bad : {std::nan(""), Limits::none}) {
+    Configuration wrong = seed;
+    wrong[2] = bad;
+    EXPECT_REFUSED(solver.solve(pose, wrong, columns), "finite");
+    Pose broken = pose;
+    broken.translation().y() = bad;
+    EXPECT_REFUSED(solver.solve(broken, seed, columns), "finite");
+    EXPECT_REFUSED(solver.solve(broken), "finite");
+  }
+  Pose scaled = pose;
+  scaled.linear() *= 1.1;
+  EXPECT_REFUSED(solver.solve(scaled, seed, columns), "rigid");
+  EXPECT_REFUSED(InverseSolver(arm, {.every_turn = true}), "all");
+  EXPECT_REFUSED(InverseSolver(arm, {.lock = 6}), "0 to 5");
+  EXPECT_REFUSED(InverseSolver(arm, {.grid = 1}), "grid");
+  EXPECT_REFUSED(InverseSolver(arm, {.time_limit = 0.0}), "time limit");
+}
+
+TEST(InverseSolver, ATimeLimitEndsASearch) {
+  Random random;
+  std::vector<testing::Axis> axes(30);
+  for (testing::Axis& axis : axes) axis = testing::random_axis(random, false, 0.1);
+  const Arm arm = arm_through(axes, random, 0.1);
+  const Pose reached = forward_kinematics(arm, random.configuration(arm));
+  for (const double factor : {1.5, 100.0}) {  // a ball that it cannot leave
+    Pose pose = reached;
+    pose.translation() = arm.reach().centre + factor * arm.reach().radius * random.direction();
+    const InverseResult result =
+        inverse_kinematics(arm, pose, {.restarts = 1'000'000, .time_limit = 0.01});
+    testing::expect_no(result, result.status);
+    EXPECT_NE(result.status, InverseStatus::solved);
+    EXPECT_GT(result.residual, 0);
+    EXPECT_TRUE(result.nearest && result.nearest->q.allFinite());
+  }
+  const InverseResult result = inverse_kinematics(arm, reached, {.time_limit = 10.0});
+  expect_solved(arm, reached, Task::spatial(), result);
+}
+
+}  // namespace
+}  // namespace beeline
