@@ -10,7 +10,7 @@ from pathlib import Path
 
 LIBRARIES = {  # the first part of the include: the folders that may use it, in .cpp files
     "cairo": {"draw"},
-    "hwy": {"simd", "kinematics", "inverse"},
+    "hwy": {"simd", "kinematics", "inverse/closed", "inverse/descent", "inverse/general"},
     "nlohmann": {"read", "record"},
     "tinyxml2": {"read"},
 }

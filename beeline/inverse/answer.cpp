@@ -1,11 +1,11 @@
 #include <cmath>
 
 #include <beeline/error.h>
-#include <beeline/inverse/lock.h>
+#include <beeline/inverse/descent/representative.h>
 #include <beeline/inverse/methods.h>
 #include <beeline/inverse/posture.h>
 #include <beeline/inverse/reason.h>
-#include <beeline/inverse/representative.h>
+#include <beeline/inverse/shorter_arm.h>
 #include <beeline/pose/angle.h>
 
 namespace beeline {

@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/inverse/descent/representative.h>
 #include <beeline/inverse/methods.h>
 #include <beeline/inverse/nearest.h>
 #include <beeline/inverse/reason.h>
-#include <beeline/inverse/representative.h>
 #include <beeline/kinematics/forward.h>
 
 namespace beeline {

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include <beeline/error.h>
+#include <beeline/inverse/closed/planar.h>
 #include <beeline/inverse/methods.h>
-#include <beeline/inverse/planar.h>
 
 namespace beeline {
 namespace {

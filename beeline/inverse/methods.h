@@ -2,12 +2,12 @@
 
 #include <optional>
 
-#include <beeline/inverse/closed_form.h>
-#include <beeline/inverse/general_six.h>
-#include <beeline/inverse/locked_joint.h>
-#include <beeline/inverse/multi_start.h>
+#include <beeline/inverse/closed/closed_form.h>
+#include <beeline/inverse/descent/multi_start.h>
+#include <beeline/inverse/general/general_six.h>
 #include <beeline/inverse/question.h>
 #include <beeline/inverse/reason.h>
+#include <beeline/inverse/spare_joint.h>
 
 namespace beeline {
 

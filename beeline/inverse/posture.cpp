@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include <beeline/inverse/descent/representative.h>
 #include <beeline/inverse/posture.h>
-#include <beeline/inverse/representative.h>
 
 namespace beeline {
 namespace {

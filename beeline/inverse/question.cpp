@@ -3,9 +3,9 @@
 #include <limits>
 
 #include <beeline/error.h>
+#include <beeline/inverse/descent/representative.h>
 #include <beeline/inverse/question.h>
 #include <beeline/inverse/reason.h>
-#include <beeline/inverse/representative.h>
 #include <beeline/kinematics/forward.h>
 
 namespace beeline {

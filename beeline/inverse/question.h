@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include <beeline/inverse/numerical.h>
+#include <beeline/inverse/descent/numerical.h>
 #include <beeline/inverse/solve.h>
 
 namespace beeline {

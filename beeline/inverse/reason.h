@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include <beeline/inverse/numerical.h>
+#include <beeline/inverse/descent/numerical.h>
 
 namespace beeline {
 

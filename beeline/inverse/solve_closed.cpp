@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include <beeline/inverse/locked_joint.h>
+#include <beeline/inverse/closed/planar.h>
+#include <beeline/inverse/descent/representative.h>
 #include <beeline/inverse/methods.h>
-#include <beeline/inverse/planar.h>
 #include <beeline/inverse/reason.h>
-#include <beeline/inverse/representative.h>
+#include <beeline/inverse/spare_joint.h>
 
 namespace beeline {
 namespace {

@@ -2,9 +2,9 @@
 #include <bit>
 #include <cmath>
 
+#include <beeline/inverse/descent/representative.h>
 #include <beeline/inverse/methods.h>
 #include <beeline/inverse/reason.h>
-#include <beeline/inverse/representative.h>
 #include <beeline/pose/angle.h>
 
 namespace beeline {

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include <beeline/inverse/numerical.h>
+#include <beeline/inverse/descent/numerical.h>
 #include <beeline/motion/straightness.h>
 
 namespace beeline {

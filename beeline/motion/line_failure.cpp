@@ -2,7 +2,7 @@
 #include <optional>
 
 #include <beeline/error.h>
-#include <beeline/inverse/numerical.h>
+#include <beeline/inverse/descent/numerical.h>
 #include <beeline/inverse/solve.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/motion/line_failure.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <beeline/inverse/numerical.h>
+#include <beeline/inverse/descent/numerical.h>
 
 namespace beeline {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <beeline/inverse/representative.h>
+#include <beeline/inverse/descent/representative.h>
 #include <beeline/inverse/solve.h>
 #include <beeline/kinematics/forward.h>
 

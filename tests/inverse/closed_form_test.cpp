@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include <beeline/inverse/closed_form.h>
+#include <beeline/inverse/closed/closed_form.h>
 #include <beeline/model/catalog.h>
 
 #include <tests/inverse/answer.h>

@@ -1,7 +1,7 @@
 #include <bit>
 #include <gtest/gtest.h>
 
-#include <beeline/inverse/descent_lanes.h>
+#include <beeline/inverse/descent/descent_lanes.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/pose/orientation.h>

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <beeline/error.h>
-#include <beeline/inverse/descent_lanes.h>
-#include <beeline/inverse/representative.h>
+#include <beeline/inverse/descent/descent_lanes.h>
+#include <beeline/inverse/descent/representative.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/pose/orientation.h>

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include <beeline/inverse/numerical.h>
-#include <beeline/inverse/representative.h>
-#include <beeline/inverse/six_loop.h>
+#include <beeline/inverse/closed/six_loop.h>
+#include <beeline/inverse/descent/numerical.h>
+#include <beeline/inverse/descent/representative.h>
 
 #include <tests/random.h>
 

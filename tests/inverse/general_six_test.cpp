@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <beeline/error.h>
-#include <beeline/inverse/general_six.h>
+#include <beeline/inverse/general/general_six.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/model/catalog.h>

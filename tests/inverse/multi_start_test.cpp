@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <beeline/error.h>
-#include <beeline/inverse/multi_start.h>
-#include <beeline/inverse/representative.h>
+#include <beeline/inverse/descent/multi_start.h>
+#include <beeline/inverse/descent/representative.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/pose/orientation.h>

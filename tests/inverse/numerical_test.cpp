@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <beeline/error.h>
-#include <beeline/inverse/numerical.h>
+#include <beeline/inverse/descent/numerical.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/pose/orientation.h>

@@ -2,9 +2,9 @@
 #include <numbers>
 
 #include <beeline/error.h>
-#include <beeline/inverse/numerical.h>
-#include <beeline/inverse/planar.h>
-#include <beeline/inverse/representative.h>
+#include <beeline/inverse/closed/planar.h>
+#include <beeline/inverse/descent/numerical.h>
+#include <beeline/inverse/descent/representative.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/pose/angle.h>

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include <beeline/inverse/quartic.h>
+#include <beeline/inverse/closed/quartic.h>
 
 #include <tests/random.h>
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include <beeline/inverse/representative.h>
+#include <beeline/inverse/descent/representative.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include <beeline/inverse/six_lanes.h>
+#include <beeline/inverse/closed/six_lanes.h>
 #include <beeline/inverse/solve.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
