@@ -88,9 +88,10 @@ Residual residual_of(const UnitArgument& unit, const Arm& arm, const InverseResu
 void print_result(const Arguments& arguments, const Arm& arm, const InverseResult& result) {
   const UnitArgument& unit = arguments.unit;
   const Residual residual = residual_of(unit, arm, result);
-  fmt::print("{}: {} solution{} by {}, residual {}{}\n", name(result.status),
-             result.solutions.size(), result.solutions.size() == 1 ? "" : "s", result.method,
-             shown(residual.value), residual.unit);
+  fmt::print("{}: {} solution{}{} by {}, residual {}{}\n", name(result.status),
+             result.solutions.size(), result.solutions.size() == 1 ? "" : "s",
+             result.complete ? ", all there are," : "", result.method, shown(residual.value),
+             residual.unit);
   for (const Configuration& q : result.solutions) fmt::print("  {}\n", shown(unit.shown(arm, q)));
   if (result.singular) fmt::print("  {}\n", result.reason);
   if (result.nearest) {
@@ -124,6 +125,7 @@ OrderedJson result_document(const Arguments& arguments, const Arm& arm,
   return {{"status", name(result.status)},
           {"solutions", solutions},
           {"singular", result.singular},
+          {"complete", result.complete},
           {"residual", json_number(residual_of(arguments.unit, arm, result).value)},
           {"reason", result.reason},
           {"nearest", nearest},

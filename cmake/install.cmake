@@ -1,5 +1,5 @@
 # `cmake --install`: the command, and a package whose components are the libraries. A program that
-# asks for `core` alone gets by with Eigen.
+# asks for `core` alone gets by with Eigen and Highway.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/beeline)

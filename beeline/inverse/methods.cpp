@@ -61,7 +61,7 @@ void check_lock(const InverseMethods& methods, const ConfigurationRef& seed) {
 
 std::optional<GeneralSix> prepared_general(const InverseMethods& methods) {
   if (!methods.general_six) return std::nullopt;
-  GeneralSix general(chain_of(methods.arm));
+  GeneralSix general(methods.arm.chain());
   return general.reliable() ? std::optional(std::move(general)) : std::nullopt;
 }
 

@@ -6,7 +6,7 @@
 #define BEELINE_KINEMATICS_CHAIN_INL_H
 #endif
 
-#include <beeline/kinematics/chain.h>
+#include <beeline/model/chain.h>
 
 #include <beeline/simd/space-inl.h>
 

@@ -6,7 +6,7 @@
 #define BEELINE_KINEMATICS_CHAIN_ONE_INL_H
 #endif
 
-#include <beeline/kinematics/chain.h>
+#include <beeline/model/chain.h>
 
 #include <beeline/simd/trigonometry-inl.h>
 
@@ -27,6 +27,11 @@ struct Four {
   HWY_INLINE void store(double* four) const {
     for (int i = 0; i < 4 / width; ++i) hn::StoreU(part[i], Tag(), four + i * width);
   }
+  HWY_INLINE void store_three(double* three) const {
+    double four[4];
+    store(four);
+    for (int i = 0; i < 3; ++i) three[i] = four[i];
+  }
   HWY_INLINE Four times(double s) const {
     Four r;
     for (int i = 0; i < 4 / width; ++i) r.part[i] = hn::Mul(part[i], hn::Set(Tag(), s));
@@ -41,6 +46,36 @@ struct Four {
     return r;
   }
 };
+
+/// A frame in the world: its axes and its origin. The fourth numbers make it a matrix.
+struct Columns {
+  Four x, y, z, p;
+
+  static HWY_INLINE Columns load(const double* columns) {
+    return {Four::load(columns), Four::load(columns + 4), Four::load(columns + 8),
+            Four::load(columns + 12)};
+  }
+  HWY_INLINE void store(double* columns) const {
+    x.store(columns);
+    y.store(columns + 4);
+    z.store(columns + 8);
+    p.store(columns + 12);
+  }
+};
+
+/// The frame behind one link more, at this sine and cosine of its angle and this way of its slide.
+/// What waits for the link before is kept short: three operations in a row.
+HWY_INLINE Columns behind(const Columns& before, const Chain::Link& link, double s, double c,
+                          double slide) {
+  const auto& [x, y, z, p] = before;
+  const double* step = link.step.data();
+  Columns next;
+  next.x = z.times(s * link.sin_alpha).plus(c, x).plus(s * link.cos_alpha, y);
+  next.y = z.times(c * link.sin_alpha).plus(-s, x).plus(c * link.cos_alpha, y);
+  next.z = z.times(link.cos_alpha).plus(-link.sin_alpha, y);
+  next.p = p.plus(1, x.times(step[0]).plus(step[1], y).plus(step[2], z)).plus(slide, next.z);
+  return next;
+}
 
 /// The last link's frame at one configuration: four columns of four (x, y, z, origin), the fourth
 /// rows of no meaning. `angle`, `sine` and `cosine` have room for a multiple of eight links.
@@ -59,27 +94,14 @@ HWY_INLINE void last_frame_of_one(const Chain& chain, const double* q, double* a
     s.store(sine + i);
     c.store(cosine + i);
   }
-  const double* base = chain.base.data();
-  Four x = Four::load(base), y = Four::load(base + 4), z = Four::load(base + 8),
-       p = Four::load(base + 12);
+  Columns at = Columns::load(chain.base.data());
   for (size_t i = 0; i < links; ++i, axes += 8) {
     const Chain::Link& link = chain.links[i];
-    const double* step = link.step.data();
-    const double s = sine[i], c = cosine[i];
-    // What waits for the link before is kept short: three operations in a row.
-    p = p.plus(1, x.times(step[0]).plus(step[1], y).plus(step[2], z));
-    const Four x_before = x, y_before = y;
-    x = z.times(s * link.sin_alpha).plus(c, x).plus(s * link.cos_alpha, y);
-    y = z.times(c * link.sin_alpha).plus(-s, x_before).plus(c * link.cos_alpha, y);
-    z = z.times(link.cos_alpha).plus(-link.sin_alpha, y_before);
-    p = p.plus(link.travel * q[link.coordinate], z);
-    z.store(axes);
-    p.store(axes + 4);
+    at = behind(at, link, sine[i], cosine[i], link.travel * q[link.coordinate]);
+    at.z.store(axes);
+    at.p.store(axes + 4);
   }
-  x.store(frame);
-  y.store(frame + 4);
-  z.store(frame + 8);
-  p.store(frame + 12);
+  at.store(frame);
 }
 
 }  // namespace beeline::HWY_NAMESPACE

@@ -1,5 +1,8 @@
+#include <cmath>
+
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/forward_kernel.h>
 
 namespace beeline {
 namespace {
@@ -12,12 +15,11 @@ Pose link_transform(const Arm& arm, std::size_t i, const ConfigurationRef& q) {
 }  // namespace
 
 Pose forward_kinematics(const Arm& arm, const ConfigurationRef& q) {
-  check_configuration(arm, q);
-  Pose world_T_link = arm.base();
-  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
-    world_T_link = world_T_link * link_transform(arm, i, q);
-  }
-  return world_T_link * arm.tool();
+  if (q.size() != arm.dof()) check_configuration(arm, q);
+  Pose world_T_tool;
+  forward_kernel(arm, q.data(), world_T_tool.data());
+  if (!std::isfinite(world_T_tool.matrix().sum())) check_configuration(arm, q);
+  return world_T_tool;
 }
 
 void link_poses(const Arm& arm, const ConfigurationRef& q, std::span<Pose> world_T_link) {

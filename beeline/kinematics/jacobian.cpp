@@ -1,17 +1,31 @@
+#include <cmath>
+
 #include <beeline/error.h>
+#include <beeline/kinematics/forward_kernel.h>
 #include <beeline/kinematics/jacobian.h>
 
 namespace beeline {
 namespace {
 
-/// Replaces each spatial twist in `columns` by the velocity of the point `origin`, in the axes of
-/// `turn` (whose columns are those axes in the world).
-void seen_from(const Vector3& origin, const Rotation& turn, Eigen::Ref<Jacobian> columns) {
-  for (int k = 0; k < columns.cols(); ++k) {
-    const Vector3 w = columns.col(k).tail<3>();
-    const Vector3 v = columns.col(k).head<3>() + w.cross(origin);
-    columns.col(k) << turn.transpose() * v, turn.transpose() * w;
+/// For arms with mimic joints, which share columns: a joint at a time.
+Pose joint_by_joint(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> columns) {
+  columns.setZero();
+  Pose world_T_link = arm.base();
+  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
+    const Arm::Drive& drive = arm.drives()[i];
+    const Joint& joint = arm.joints()[i];
+    world_T_link =
+        world_T_link * joint_transform(joint, drive.ratio * q[drive.coordinate] + drive.shift);
+    // A screw looks the same from its own link before and after the motion.
+    Twist screw = adjoint(world_T_link, joint.screw);
+    if (arm.planar()) screw.tail<3>() = screw.tail<3>().array().round();
+    columns.col(drive.coordinate) += drive.ratio * screw;
   }
+  const Pose world_T_tool = world_T_link * arm.tool();
+  for (int k = 0; k < columns.cols(); ++k) {
+    columns.col(k).head<3>() += columns.col(k).tail<3>().cross(world_T_tool.translation());
+  }
+  return world_T_tool;
 }
 
 }  // namespace
@@ -30,27 +44,30 @@ Frame frame_named(std::string_view wanted) {
 
 Pose jacobian(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> columns,
               Frame frame) {
-  check_configuration(arm, q);
+  if (q.size() != arm.dof()) check_configuration(arm, q);
   if (columns.cols() != arm.dof()) {
     throw Error("the Jacobian of arm " + arm.name() + " has " + std::to_string(arm.dof()) +
                 " columns, not " + std::to_string(columns.cols()));
   }
-  columns.setZero();
-  Pose world_T_link = arm.base();
-  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
-    const Arm::Drive& drive = arm.drives()[i];
-    const Joint& joint = arm.joints()[i];
-    world_T_link =
-        world_T_link * joint_transform(joint, drive.ratio * q[drive.coordinate] + drive.shift);
-    // A screw looks the same from its own link before and after the motion.
-    Twist screw = adjoint(world_T_link, joint.screw);
+  Pose world_T_tool;
+  const bool side_by_side = columns.outerStride() == 6;
+  if (arm.chain_angles().in_order && side_by_side) {
+    jacobian_kernel(arm, q.data(), world_T_tool.data(), columns.data());
+    if (!std::isfinite(world_T_tool.matrix().sum())) check_configuration(arm, q);
     // The axes of a planar arm are parallel: the turn is exactly 1, without the poses' rounding.
-    if (arm.planar()) screw.tail<3>() = screw.tail<3>().array().round();
-    columns.col(drive.coordinate) += drive.ratio * screw;
+    if (arm.planar()) columns.bottomRows<3>() = columns.bottomRows<3>().array().round();
+  } else {
+    check_configuration(arm, q);
+    world_T_tool = joint_by_joint(arm, q, columns);
   }
-  const Pose world_T_tool = world_T_link * arm.tool();
-  if (frame == Frame::base) seen_from(world_T_tool.translation(), Rotation::Identity(), columns);
-  if (frame == Frame::tool) seen_from(world_T_tool.translation(), world_T_tool.linear(), columns);
+  const Vector3 place = world_T_tool.translation();
+  for (int k = 0; frame == Frame::space && k < columns.cols(); ++k) {
+    columns.col(k).head<3>() += place.cross(columns.col(k).tail<3>());
+  }
+  for (int k = 0; frame == Frame::tool && k < columns.cols(); ++k) {
+    const Vector3 v = columns.col(k).head<3>(), w = columns.col(k).tail<3>();
+    columns.col(k) << world_T_tool.linear().transpose() * v, world_T_tool.linear().transpose() * w;
+  }
   return world_T_tool;
 }
 

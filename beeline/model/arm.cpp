@@ -201,6 +201,8 @@ Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Po
     narrow(leader, joints_[i].limits, drives_[i], what);
     check_limits(leader, what + " with its leader");
   }
+  chain_ = chain_of(*this);
+  chain_angles_ = angles_of(chain_);
   planar_ = is_planar(*this);
   reach_ = reach_ball(*this);
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <beeline/model/chain.h>
 #include <beeline/model/joint.h>
 
 namespace beeline {
@@ -43,6 +44,10 @@ class Arm {
   };
   const std::vector<Drive>& drives() const { return drives_; }
 
+  /// The same kinematics in the form that is fast to run through.
+  const Chain& chain() const { return chain_; }
+  const ChainAngles& chain_angles() const { return chain_angles_; }
+
   /// All motion stays in one plane z = constant, and the tool's z axis is the world's.
   bool planar() const { return planar_; }
 
@@ -61,6 +66,8 @@ class Arm {
   std::vector<int> leaders_;
   std::vector<Drive> drives_;
   std::vector<Limits> limits_;
+  Chain chain_;
+  ChainAngles chain_angles_;
   bool planar_ = false;
   Reach reach_;
 };

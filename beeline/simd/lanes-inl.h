@@ -40,6 +40,23 @@ struct Lanes {
     }
     return r;
   }
+  /// The first few of eight; zero for the others.
+  static HWY_INLINE Lanes load_first(const double* some, int count) {
+#if HWY_TARGET <= HWY_AVX2  // others read what is masked
+    constexpr int width = lane_count / register_count;
+    Lanes r;
+    for (int i = 0; i < register_count; ++i) {
+      const int here = count - i * width;
+      const auto mask = hn::FirstN(RegisterTag(), static_cast<size_t>(here > 0 ? here : 0));
+      r.part[i] = hn::MaskedLoad(mask, RegisterTag(), some + i * width);
+    }
+    return r;
+#else
+    double eight[lane_count] = {};
+    for (int k = 0; k < count; ++k) eight[k] = some[k];
+    return load(eight);
+#endif
+  }
   HWY_INLINE void store(double* eight) const {
     for (int i = 0; i < register_count; ++i) {
       hn::StoreU(part[i], RegisterTag(), eight + i * (lane_count / register_count));

@@ -89,7 +89,7 @@ std::vector<Added> additions(int dof, const Task& task) {
 }  // namespace
 
 std::optional<ClosedForm> ClosedForm::of(const Arm& arm, const Task& task) {
-  const Chain chain = chain_of(arm);
+  const Chain& chain = arm.chain();
   if (!plain(arm, chain)) return std::nullopt;
   ClosedForm form;
   form.dof_ = arm.dof();

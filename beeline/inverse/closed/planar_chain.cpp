@@ -15,9 +15,9 @@ using Candidates = std::vector<PlanarCandidate>;
 /// How a slide's direction is turned: by nothing, by the first turning joint, by all of them.
 enum class Carried { not_at_all, by_first, by_all };
 
-class Chain {
+class PlanarChain {
  public:
-  Chain(const std::vector<PlanarJoint>& joints, Complex r, Complex t)
+  PlanarChain(const std::vector<PlanarJoint>& joints, Complex r, Complex t)
       : joints_(joints), r_(r), t_(t), size_(std::abs(t)) {
     for (std::size_t i = 0; i < joints.size(); ++i) {
       (joints[i].turns ? turns_ : slides_).push_back(i);
@@ -221,7 +221,7 @@ class Chain {
 std::vector<PlanarCandidate> planar_candidates(const std::vector<PlanarJoint>& joints,
                                                std::complex<double> rotation,
                                                std::complex<double> translation) {
-  return Chain(joints, rotation, translation).candidates();
+  return PlanarChain(joints, rotation, translation).candidates();
 }
 
 }  // namespace beeline

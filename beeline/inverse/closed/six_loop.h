@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <beeline/kinematics/chain.h>
+#include <beeline/model/chain.h>
 
 namespace beeline {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <beeline/inverse/descent/numerical.h>
-#include <beeline/kinematics/chain.h>
+#include <beeline/model/chain.h>
 
 namespace beeline {
 

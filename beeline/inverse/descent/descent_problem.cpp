@@ -35,7 +35,7 @@ DescentProblem descent_problem(const Arm& arm, const Task& task, const Bounds& b
   }
   DescentProblem problem{arm, task, bounds, 1, {}, {}, {}};
   problem.length = std::exp2(std::round(std::log2(unit_of_length(arm))));
-  const Chain chain = chain_of(arm);
+  const Chain& chain = arm.chain();
   for (int k = 0; k < arm.dof(); ++k) {
     DescentProblem::Coordinate coordinate;
     coordinate.slides = kind(arm.joint_of(k)) == JointKind::prismatic;

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include <beeline/kinematics/chain.h>
+#include <beeline/model/chain.h>
 
 namespace beeline {
 

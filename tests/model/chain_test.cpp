@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <beeline/kinematics/chain.h>
+#include <beeline/model/chain.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 

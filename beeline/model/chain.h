@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <beeline/model/arm.h>
+#include <beeline/pose/se3.h>
 
 namespace beeline {
 
@@ -22,12 +22,22 @@ struct Chain {
     double travel = 0;                    ///< metres for each unit of the coordinate; 0: revolute
     int coordinate = 0;                   ///< which q drives it: mimic joints share one
   };
-  Pose base;  ///< of the frame whose z axis is joint 1's, in the world
+  Pose base = Pose::Identity();  ///< of the frame whose z axis is joint 1's, in the world
   std::vector<Link> links;
-  Pose tool;  ///< in the last joint's frame
+  Pose tool = Pose::Identity();  ///< in the last joint's frame
 };
 
-/// forward_kinematics(arm, q) in that form, equal but for rounding.
+/// The links' angles side by side, filled with zeros to a multiple of eight: kernels take all sines
+/// and cosines of a configuration together.
+struct ChainAngles {
+  std::vector<double> rest, turn;
+  bool in_order = true;  ///< link i is driven by coordinate i
+};
+ChainAngles angles_of(const Chain& chain);
+
+class Arm;
+
+/// The arm's kinematics in that form, equal but for rounding.
 Chain chain_of(const Arm& arm);
 
 /// Where a joint's axis is in the world when every coordinate is zero.

@@ -1,7 +1,6 @@
 #include <cmath>
 
-#include <beeline/kinematics/chain.h>
-#include <beeline/kinematics/forward.h>
+#include <beeline/model/arm.h>
 
 namespace beeline {
 namespace {
@@ -67,10 +66,26 @@ Chain frames_along(const std::vector<JointAxis>& axes, const Pose& world_T_tool)
 
 }  // namespace
 
+ChainAngles angles_of(const Chain& chain) {
+  constexpr std::size_t lanes = 8;
+  const std::size_t links = chain.links.size(), room = (links + lanes - 1) / lanes * lanes;
+  ChainAngles angles{std::vector<double>(room, 0), std::vector<double>(room, 0)};
+  for (std::size_t i = 0; i < links; ++i) {
+    const Chain::Link& link = chain.links[i];
+    angles.rest[i] = link.rest_angle;
+    angles.turn[i] = link.turn;
+    angles.in_order = angles.in_order && link.coordinate == static_cast<int>(i);
+  }
+  return angles;
+}
+
 Chain chain_of(const Arm& arm) {
   const std::size_t n = arm.joints().size();
   std::vector<Pose> world_T_link(n + 1);
-  link_poses(arm, Configuration::Zero(arm.dof()), world_T_link);
+  world_T_link[0] = arm.base();
+  for (std::size_t i = 0; i < n; ++i) {
+    world_T_link[i + 1] = world_T_link[i] * joint_transform(arm.joints()[i], arm.drives()[i].shift);
+  }
   std::vector<JointAxis> axes;
   Vector3 origin = world_T_link[1].translation();
   for (std::size_t i = 0; i < n; ++i) {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <beeline/model/arm.h>
+
+namespace beeline {
+
+/// The tool's pose, four columns of four numbers, at q, which has the arm's dof numbers. Where a
+/// number of q is not finite those of the pose are not.
+void forward_kernel(const Arm& arm, const double* q, double* world_T_tool);
+
+/// The same, and the Jacobian in the base frame: dof columns of six. Its column k may be written
+/// with the rows of column k + 1 before these are: `columns` has room for 6 dof numbers.
+void jacobian_kernel(const Arm& arm, const double* q, double* world_T_tool, double* columns);
+
+}  // namespace beeline

@@ -1,0 +1,88 @@
+// Compiled once for each instruction set (Highway's foreach_target.h), so there is no #pragma once.
+#if defined(BEELINE_KINEMATICS_HALVES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BEELINE_KINEMATICS_HALVES_INL_H
+#undef BEELINE_KINEMATICS_HALVES_INL_H
+#else
+#define BEELINE_KINEMATICS_HALVES_INL_H
+#endif
+
+#include <beeline/kinematics/chain_one-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace beeline::HWY_NAMESPACE {
+
+/// The frame times a pose, given by four columns of four numbers.
+HWY_INLINE Columns times(const Columns& frame, const double* pose) {
+  const auto along = [&](const double* v) HWY_ATTR {
+    return frame.x.times(v[0]).plus(v[1], frame.y).plus(v[2], frame.z);
+  };
+  return {along(pose), along(pose + 4), along(pose + 8), frame.p.plus(1, along(pose + 12))};
+}
+
+/// Two frames that go through one half of a chain each: four numbers of the one, then four of the
+/// other, in every column.
+struct Halves {
+  Lanes x, y, z, p;
+
+  /// One number for the first half, another for the second.
+  static HWY_INLINE Lanes each(double first, double second) {
+    Lanes r;
+    constexpr int width = lane_count / register_count;
+    for (int i = 0; i < register_count; ++i) {
+      r.part[i] = hn::Set(RegisterTag(), i * width < 4 ? first : second);
+      if (width > 4) {
+        r.part[i] =
+            hn::IfThenElse(hn::FirstN(RegisterTag(), 4), r.part[i], hn::Set(RegisterTag(), second));
+      }
+    }
+    return r;
+  }
+
+  /// The first half starts with the frame, the second with none: where it leads is not known yet.
+  static HWY_INLINE Halves starting_with(const Columns& frame) {
+    double x[8] = {0, 0, 0, 0, 1}, y[8] = {0, 0, 0, 0, 0, 1}, z[8] = {0, 0, 0, 0, 0, 0, 1},
+           p[8] = {};
+    frame.x.store(x);
+    frame.y.store(y);
+    frame.z.store(z);
+    frame.p.store(p);
+    return {Lanes::load(x), Lanes::load(y), Lanes::load(z), Lanes::load(p)};
+  }
+
+  /// One link more in each.
+  HWY_INLINE void follow(const Chain::Link& a, double sine_a, double cosine_a, double slide_a,
+                         const Chain::Link& b, double sine_b, double cosine_b, double slide_b) {
+    const double *step = a.step.data(), *other = b.step.data();
+    const Lanes s = each(sine_a, sine_b), c = each(cosine_a, cosine_b);
+    const Lanes sa = each(a.sin_alpha, b.sin_alpha), ca = each(a.cos_alpha, b.cos_alpha);
+    const Lanes sx = each(step[0], other[0]), sy = each(step[1], other[1]),
+                sz = each(step[2], other[2]);
+    p = p + fma(x, sx, fma(y, sy, z * sz));
+    const Lanes x_before = x, y_before = y;
+    x = fma(s * ca, y, fma(c, x, (s * sa) * z));
+    y = fma(c * ca, y, fnma(s, x_before, (c * sa) * z));
+    z = fnma(sa, y_before, ca * z);
+    p = fma(each(slide_a, slide_b), z, p);
+  }
+
+  /// The first half's frame times the second's.
+  HWY_INLINE Columns together() const {
+    double first[4][8];
+    x.store(first[0]);
+    y.store(first[1]);
+    z.store(first[2]);
+    p.store(first[3]);
+    const Columns frame{Four::load(first[0]), Four::load(first[1]), Four::load(first[2]),
+                        Four::load(first[3])};
+    const auto along = [&](const double* v) HWY_ATTR {
+      return frame.x.times(v[0]).plus(v[1], frame.y).plus(v[2], frame.z);
+    };
+    return {along(first[0] + 4), along(first[1] + 4), along(first[2] + 4),
+            frame.p.plus(1, along(first[3] + 4))};
+  }
+};
+
+}  // namespace beeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
