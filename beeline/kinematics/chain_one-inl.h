@@ -47,6 +47,29 @@ struct Four {
   }
 };
 
+/// The cross product of the first three numbers; the fourth is of no meaning.
+HWY_INLINE Four cross(const Four& a, const Four& b) {
+#if HWY_MAX_BYTES >= 32
+  const Four::Tag tag;
+  alignas(32) static constexpr int64_t onward[4] = {1, 2, 0, 3};
+  const auto turned = [&](const Four& v) HWY_ATTR {
+    return hn::TableLookupLanes(v.part[0], hn::SetTableIndices(tag, onward));
+  };
+  // a x b = turned(a turned(b) - turned(a) b)
+  Four r;
+  r.part[0] = hn::NegMulAdd(turned(a), b.part[0], hn::Mul(a.part[0], turned(b)));
+  r.part[0] = turned(r);
+  return r;
+#else
+  double u[4], v[4];
+  a.store(u);
+  b.store(v);
+  const double w[4] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                       u[0] * v[1] - u[1] * v[0], 0};
+  return Four::load(w);
+#endif
+}
+
 /// A frame in the world: its axes and its origin. The fourth numbers make it a matrix.
 struct Columns {
   Four x, y, z, p;

@@ -57,42 +57,55 @@ void forward(const Arm& arm, const double* q, double* world_T_tool) {
   times(frame, arm.chain().tool.data()).store(world_T_tool);
 }
 
-/// The joints one after the other: each one's frame is needed. What they are, a place and a
-/// direction each, waits in the columns until it is known where the tool is.
-void jacobian(const Arm& arm, const double* q, double* world_T_tool, double* columns) {
+constexpr std::size_t most_waiting = 16;  // links
+
+/// From the frame through `count` links. `axes` gets eight numbers for each: its joint's direction,
+/// and from the fifth on its place.
+HWY_INLINE Columns go_through(const Arm& arm, const double* q, std::size_t first, std::size_t count,
+                              Columns frame, double* axes) {
   const std::vector<Chain::Link>& links = arm.chain().links;
-  Columns frame = Columns::load(arm.chain().base.data());
-  for (std::size_t first = 0; first < links.size(); first += block) {
-    double sine[block], cosine[block];
-    sines(arm, q, first, sine, cosine);
-    const std::size_t count = std::min(block, links.size() - first);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Chain::Link& link = links[first + i];
-      frame = behind(frame, link, sine[i], cosine[i], link.travel * q[first + i]);
-      double* column = columns + 6 * (first + i);
-      frame.p.store(column);
-      if (first + i + 1 < links.size()) {
-        frame.z.store(column + 3);  // the fourth number goes where the next column comes
-      } else {
-        frame.z.store_three(column + 3);
-      }
+  double sine[block], cosine[block];
+  for (std::size_t i = 0; i < count; ++i, axes += 8) {
+    if (i % block == 0) sines(arm, q, first + i, sine, cosine);
+    const Chain::Link& link = links[first + i];
+    frame = behind(frame, link, sine[i % block], cosine[i % block], link.travel * q[first + i]);
+    frame.z.store(axes);
+    frame.p.store(axes + 4);
+  }
+  return frame;
+}
+
+/// Columns of the Jacobian from their axes and the tool's place.
+HWY_INLINE void write_columns(const Chain::Link* links, std::size_t count, const double* axes,
+                              const Four& tool, double* columns) {
+  for (std::size_t i = 0; i < count; ++i, axes += 8, columns += 6) {
+    const Four z = Four::load(axes), turning = z.times(links[i].turn);
+    const Four arm = tool.plus(-1, Four::load(axes + 4));
+    cross(turning, arm).plus(links[i].travel, z).store(columns);
+    if (i + 1 < count) {
+      turning.store(columns + 3);  // the fourth number is where the next column comes
+    } else {
+      turning.store_three(columns + 3);
     }
   }
-  const Columns tool = times(frame, arm.chain().tool.data());
-  tool.store(world_T_tool);
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    double* column = columns + 6 * i;
-    const double* pose = world_T_tool;
-    const double turn = links[i].turn, travel = links[i].travel;
-    const double z[3] = {column[3], column[4], column[5]};
-    const double w[3] = {turn * z[0], turn * z[1], turn * z[2]};
-    const double r[3] = {pose[12] - column[0], pose[13] - column[1], pose[14] - column[2]};
-    column[0] = w[1] * r[2] - w[2] * r[1] + travel * z[0];
-    column[1] = w[2] * r[0] - w[0] * r[2] + travel * z[1];
-    column[2] = w[0] * r[1] - w[1] * r[0] + travel * z[2];
-    column[3] = w[0];
-    column[4] = w[1];
-    column[5] = w[2];
+}
+
+/// The joints one after the other: each one's frame is needed.
+void jacobian(const Arm& arm, const double* q, double* world_T_tool, double* columns) {
+  const std::vector<Chain::Link>& links = arm.chain().links;
+  const std::size_t count = links.size();
+  double axes[8 * most_waiting];
+  Columns frame = Columns::load(arm.chain().base.data());
+  if (count <= most_waiting) {
+    frame = times(go_through(arm, q, 0, count, frame, axes), arm.chain().tool.data());
+    frame.store(world_T_tool);
+    return write_columns(links.data(), count, axes, frame.p, columns);
+  }
+  forward(arm, q, world_T_tool);
+  for (std::size_t first = 0; first < count; first += most_waiting) {
+    const std::size_t some = std::min(most_waiting, count - first);
+    frame = go_through(arm, q, first, some, frame, axes);
+    write_columns(&links[first], some, axes, Four::load(world_T_tool + 12), columns + 6 * first);
   }
 }
 

@@ -8,8 +8,8 @@ namespace beeline {
 /// number of q is not finite those of the pose are not.
 void forward_kernel(const Arm& arm, const double* q, double* world_T_tool);
 
-/// The same, and the Jacobian in the base frame: dof columns of six. Its column k may be written
-/// with the rows of column k + 1 before these are: `columns` has room for 6 dof numbers.
+/// The same, and the Jacobian in the base frame: dof columns of six. Requires that every joint has
+/// a coordinate of its own (ChainAngles::in_order).
 void jacobian_kernel(const Arm& arm, const double* q, double* world_T_tool, double* columns);
 
 }  // namespace beeline

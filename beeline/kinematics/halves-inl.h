@@ -38,15 +38,22 @@ struct Halves {
     return r;
   }
 
+  static HWY_INLINE Lanes both(const Four& first, const Four& second) {
+    Lanes r;
+#if HWY_MAX_BYTES >= 64
+    r.part[0] = hn::Combine(RegisterTag(), second.part[0], first.part[0]);
+#else
+    constexpr int parts = register_count / 2;
+    for (int i = 0; i < parts; ++i) r.part[i] = first.part[i], r.part[parts + i] = second.part[i];
+#endif
+    return r;
+  }
+
   /// The first half starts with the frame, the second with none: where it leads is not known yet.
   static HWY_INLINE Halves starting_with(const Columns& frame) {
-    double x[8] = {0, 0, 0, 0, 1}, y[8] = {0, 0, 0, 0, 0, 1}, z[8] = {0, 0, 0, 0, 0, 0, 1},
-           p[8] = {};
-    frame.x.store(x);
-    frame.y.store(y);
-    frame.z.store(z);
-    frame.p.store(p);
-    return {Lanes::load(x), Lanes::load(y), Lanes::load(z), Lanes::load(p)};
+    alignas(64) static constexpr double none[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    return {both(frame.x, Four::load(none)), both(frame.y, Four::load(none + 4)),
+            both(frame.z, Four::load(none + 8)), both(frame.p, Four::load(none + 12))};
   }
 
   /// One link more in each.
