@@ -45,5 +45,8 @@ echo -e "\n### Completeness: exhaustive numerical search against \`all solutions
 echo -e "\n### Honesty: every configuration returned, put through forward kinematics\n"
 "$folder/bench_inverse_honesty" --count "${BENCH_HONEST:-1000000}" || status=1
 echo -e "\n### Cost of an iteration of the numerical solver by the number of joints\n"
-"$folder/bench_inverse_growth" || status=1
+"$folder/bench_inverse_growth" | tee "$folder/inverse_growth.md" || status=1
+.venv-bench/bin/python -B bench/draw_growth.py joints "µs an iteration" \
+  "$folder/inverse_growth.svg" <"$folder/inverse_growth.md" || status=1
+echo -e "\nDrawn: $folder/inverse_growth.svg"
 exit "$status"

@@ -8,12 +8,13 @@ namespace {
 bool slides(const Joint& joint) { return kind(joint) == JointKind::prismatic; }
 
 /// The direction about which `from` turns into `to`, or `otherwise` where they are parallel.
-/// However short the cross product, its error turns `to` by rounding only.
+/// However short the cross product, its error turns `to` by rounding only, once what of it is along
+/// `from` is taken out.
 Vector3 turning_direction(const Vector3& from, const Vector3& to, const Vector3& otherwise) {
-  const Vector3 normal = from.cross(to);
   constexpr double nothing = 1e-14;
-  if (normal.norm() < nothing) return (otherwise - otherwise.dot(from) * from).normalized();
-  return normal.normalized();
+  const Vector3 cross = from.cross(to);
+  const Vector3 normal = cross.norm() < nothing ? otherwise : Vector3(cross.normalized());
+  return (normal - normal.dot(from) * from).normalized();
 }
 
 Pose frame(const Vector3& x, const Vector3& z, const Vector3& origin) {

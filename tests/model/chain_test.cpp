@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <beeline/model/chain.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
+#include <beeline/model/chain.h>
 
 #include <tests/random_arm.h>
 
@@ -28,9 +28,10 @@ void expect_same(const Arm& arm, testing::Random& random, double tolerance) {
   for (int i = 0; i < 20; ++i) {
     Configuration q(arm.dof());
     for (double& value : q) value = random.uniform(-3, 3);
-    EXPECT_LT((through_chain(chain, q).matrix() - forward_kinematics(arm, q).matrix()).norm(),
-              tolerance)
-        << arm.name();
+    const Pose joint_by_joint = link_poses(arm, q).back() * arm.tool();
+    for (const Pose& pose : {through_chain(chain, q), forward_kinematics(arm, q)}) {
+      EXPECT_LT((pose.matrix() - joint_by_joint.matrix()).norm(), tolerance) << arm.name();
+    }
   }
 }
 
