@@ -34,45 +34,48 @@ HWY_INLINE void sines(const Arm& arm, const double* q, std::size_t first, double
   c.store(cosine);
 }
 
-/// The chain's frame behind the tool. A block's links are gone through in two halves side by side,
-/// which are then put together: that takes half as long as one after the other.
-void forward(const Arm& arm, const double* q, double* world_T_tool) {
+/// From the frame through a block's links, in two halves side by side, which are then put together:
+/// that takes half as long as one link after the other. `axes`, if kept, gets eight numbers for
+/// each link: its joint's direction, and from the fifth on its place.
+template <bool keep>
+HWY_INLINE Columns go_through(const Arm& arm, const double* q, std::size_t first,
+                              const Columns& frame, double* axes) {
   static const Chain::Link nothing;
   const std::vector<Chain::Link>& links = arm.chain().links;
-  Columns frame = Columns::load(arm.chain().base.data());
-  for (std::size_t first = 0; first < links.size(); first += block) {
-    double sine[block], cosine[block];
-    sines(arm, q, first, sine, cosine);
-    const std::size_t count = std::min(block, links.size() - first), half = (count + 1) / 2;
-    Halves halves = Halves::starting_with(frame);
-    for (std::size_t i = 0; i < half; ++i) {
-      const std::size_t j = half + i;
-      const Chain::Link& a = links[first + i];
-      const Chain::Link& b = j < count ? links[first + j] : nothing;
-      const double slide_a = a.travel * q[a.coordinate], slide_b = b.travel * q[b.coordinate];
-      halves.follow(a, sine[i], cosine[i], slide_a, b, sine[j % block], cosine[j % block], slide_b);
+  const std::size_t count = std::min(block, links.size() - first), half = (count + 1) / 2;
+  double sine[block], cosine[block], z[block / 2][lane_count], p[block / 2][lane_count];
+  sines(arm, q, first, sine, cosine);
+  Halves halves = Halves::starting_with(frame);
+  for (std::size_t i = 0; i < half; ++i) {
+    const std::size_t j = half + i;
+    const Chain::Link& a = links[first + i];
+    const Chain::Link& b = j < count ? links[first + j] : nothing;
+    const double slide_a = a.travel * q[a.coordinate], slide_b = b.travel * q[b.coordinate];
+    halves.follow(a, sine[i], cosine[i], slide_a, b, sine[j % block], cosine[j % block], slide_b);
+    if (keep) {
+      halves.z.store(z[i]);
+      halves.p.store(p[i]);
     }
-    frame = halves.together();
   }
-  times(frame, arm.chain().tool.data()).store(world_T_tool);
+  const Columns middle = halves.first();
+  for (std::size_t i = 0; keep && i < half; ++i) {
+    Four::load(z[i]).store(axes + 8 * i);
+    Four::load(p[i]).store(axes + 8 * i + 4);
+  }
+  for (std::size_t i = half; keep && i < count; ++i) {
+    turned(middle, z[i - half] + 4).store(axes + 8 * i);
+    moved(middle, p[i - half] + 4).store(axes + 8 * i + 4);
+  }
+  return halves.together();
 }
 
-constexpr std::size_t most_waiting = 16;  // links
-
-/// From the frame through `count` links. `axes` gets eight numbers for each: its joint's direction,
-/// and from the fifth on its place.
-HWY_INLINE Columns go_through(const Arm& arm, const double* q, std::size_t first, std::size_t count,
-                              Columns frame, double* axes) {
-  const std::vector<Chain::Link>& links = arm.chain().links;
-  double sine[block], cosine[block];
-  for (std::size_t i = 0; i < count; ++i, axes += 8) {
-    if (i % block == 0) sines(arm, q, first + i, sine, cosine);
-    const Chain::Link& link = links[first + i];
-    frame = behind(frame, link, sine[i % block], cosine[i % block], link.travel * q[first + i]);
-    frame.z.store(axes);
-    frame.p.store(axes + 4);
+/// The chain's frame behind the tool.
+void forward(const Arm& arm, const double* q, double* world_T_tool) {
+  Columns frame = Columns::load(arm.chain().base.data());
+  for (std::size_t first = 0; first < arm.chain().links.size(); first += block) {
+    frame = go_through<false>(arm, q, first, frame, nullptr);
   }
-  return frame;
+  times(frame, arm.chain().tool.data()).store(world_T_tool);
 }
 
 /// Columns of the Jacobian from their axes and the tool's place.
@@ -90,22 +93,22 @@ HWY_INLINE void write_columns(const Chain::Link* links, std::size_t count, const
   }
 }
 
-/// The joints one after the other: each one's frame is needed.
 void jacobian(const Arm& arm, const double* q, double* world_T_tool, double* columns) {
   const std::vector<Chain::Link>& links = arm.chain().links;
   const std::size_t count = links.size();
-  double axes[8 * most_waiting];
+  double axes[8 * block];
   Columns frame = Columns::load(arm.chain().base.data());
-  if (count <= most_waiting) {
-    frame = times(go_through(arm, q, 0, count, frame, axes), arm.chain().tool.data());
+  if (count <= block) {
+    frame = times(go_through<true>(arm, q, 0, frame, axes), arm.chain().tool.data());
     frame.store(world_T_tool);
     return write_columns(links.data(), count, axes, frame.p, columns);
   }
+  // Where the tool is must be known before the first column can be: a second round.
   forward(arm, q, world_T_tool);
-  for (std::size_t first = 0; first < count; first += most_waiting) {
-    const std::size_t some = std::min(most_waiting, count - first);
-    frame = go_through(arm, q, first, some, frame, axes);
-    write_columns(&links[first], some, axes, Four::load(world_T_tool + 12), columns + 6 * first);
+  for (std::size_t first = 0; first < count; first += block) {
+    frame = go_through<true>(arm, q, first, frame, axes);
+    write_columns(&links[first], std::min(block, count - first), axes,
+                  Four::load(world_T_tool + 12), columns + 6 * first);
   }
 }
 

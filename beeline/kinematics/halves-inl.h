@@ -11,12 +11,20 @@
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
-/// The frame times a pose, given by four columns of four numbers.
-HWY_INLINE Columns times(const Columns& frame, const double* pose) {
-  const auto along = [&](const double* v) HWY_ATTR {
-    return frame.x.times(v[0]).plus(v[1], frame.y).plus(v[2], frame.z);
-  };
-  return {along(pose), along(pose + 4), along(pose + 8), frame.p.plus(1, along(pose + 12))};
+/// A vector given along the frame's axes, along the world's.
+HWY_INLINE Four turned(const Columns& frame, const double* v) {
+  return frame.x.times(v[0]).plus(v[1], frame.y).plus(v[2], frame.z);
+}
+
+/// A point given in the frame, in the world.
+HWY_INLINE Four moved(const Columns& frame, const double* v) {
+  return frame.p.plus(1, turned(frame, v));
+}
+
+/// The frame times a pose, given by four columns that are `stride` numbers apart.
+HWY_INLINE Columns times(const Columns& frame, const double* pose, int stride = 4) {
+  return {turned(frame, pose), turned(frame, pose + stride), turned(frame, pose + 2 * stride),
+          moved(frame, pose + 3 * stride)};
 }
 
 /// Two frames that go through one half of a chain each: four numbers of the one, then four of the
@@ -72,20 +80,27 @@ struct Halves {
     p = fma(each(slide_a, slide_b), z, p);
   }
 
+  HWY_INLINE Columns first() const { return {first_of(x), first_of(y), first_of(z), first_of(p)}; }
+
   /// The first half's frame times the second's.
   HWY_INLINE Columns together() const {
-    double first[4][8];
-    x.store(first[0]);
-    y.store(first[1]);
-    z.store(first[2]);
-    p.store(first[3]);
-    const Columns frame{Four::load(first[0]), Four::load(first[1]), Four::load(first[2]),
-                        Four::load(first[3])};
-    const auto along = [&](const double* v) HWY_ATTR {
-      return frame.x.times(v[0]).plus(v[1], frame.y).plus(v[2], frame.z);
-    };
-    return {along(first[0] + 4), along(first[1] + 4), along(first[2] + 4),
-            frame.p.plus(1, along(first[3] + 4))};
+    double all[4 * lane_count];
+    x.store(all);
+    y.store(all + lane_count);
+    z.store(all + 2 * lane_count);
+    p.store(all + 3 * lane_count);
+    return times(first(), all + 4, lane_count);
+  }
+
+ private:
+  static HWY_INLINE Four first_of(const Lanes& both) {
+    Four r;
+#if HWY_MAX_BYTES >= 64
+    r.part[0] = hn::LowerHalf(both.part[0]);
+#else
+    for (int i = 0; i < register_count / 2; ++i) r.part[i] = both.part[i];
+#endif
+    return r;
   }
 };
 
