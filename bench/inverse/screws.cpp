@@ -34,6 +34,14 @@ Screws screws_of(const BenchArm& measured) {
   return screws;
 }
 
+Pose axis_frame(const Screws& screws, std::size_t i) {
+  Pose frame = Pose::Identity();
+  frame.linear() =
+      Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), screws.axis[i]).toRotationMatrix();
+  frame.translation() = screws.point[i];
+  return frame;
+}
+
 Pose forward(const Screws& screws, const ConfigurationRef& q) {
   Pose world_T_tool = screws.home;
   for (int i = screws.joints; i-- > 0;) {

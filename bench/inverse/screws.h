@@ -24,6 +24,9 @@ struct Screws {
 /// Throws Error for an arm with more than seven joints, helical or mimic joints.
 Screws screws_of(const BenchArm& arm);
 
+/// A frame in the world at q = 0 whose z axis is that of joint i.
+Pose axis_frame(const Screws& screws, std::size_t i);
+
 /// The tool's pose; q holds screws.joints values.
 Pose forward(const Screws& screws, const ConfigurationRef& q);
 
