@@ -34,6 +34,7 @@ demo: build
 
 bench:
 	@scripts/install_packages.sh build bench
+	@scripts/bench_peers.sh
 	@cmake --preset release -DBEELINE_BENCH=ON $(strict)
 	@cmake --build --preset release --parallel $(JOBS) --target bench
 	@scripts/bench.sh

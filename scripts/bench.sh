@@ -11,22 +11,6 @@ count=${BENCH_COUNT:-10000}
 passes=${BENCH_PASSES:-3}
 read -ra arms <<<"${BENCH_ARMS:-puma560 ur5 stanford general_6r panda iiwa14 panda_q7 iiwa14_q7}"
 
-stamp=.venv-bench/requirements.txt
-if ! cmp --silent bench/requirements.txt "$stamp"; then
-  # A python3 of one's own may stand first in the path without the modules that it takes.
-  for python in python3 /usr/bin/python3; do
-    if "$python" -c 'import ensurepip, venv' 2>/dev/null; then break; fi
-  done
-  echo "Making .venv-bench with $("$python" --version)" >&2
-  rm -rf .venv-bench
-  "$python" -m venv .venv-bench
-  while read -r peer; do
-    .venv-bench/bin/python -m pip install --quiet --disable-pip-version-check "$peer" >&2 ||
-      echo "Left out: $peer cannot be installed here" >&2
-  done < <(grep -v '^#' bench/requirements.txt)
-  cp bench/requirements.txt "$stamp"
-fi
-
 # Arm by arm, so that what disturbs the machine meets Beeline and its peers alike.
 rm -f "$folder"/*/*.jsonl
 for arm in "${arms[@]}"; do
@@ -49,4 +33,16 @@ echo -e "\n### Cost of an iteration of the numerical solver by the number of joi
 .venv-bench/bin/python -B bench/draw_growth.py joints "µs an iteration" \
   "$folder/inverse_growth.svg" <"$folder/inverse_growth.md" || status=1
 echo -e "\nDrawn: $folder/inverse_growth.svg"
+
+echo -e "\n### Kinematics, one configuration at a time, nanoseconds\n"
+"$folder/bench_kinematics" --benchmark_enable_random_interleaving=true \
+  --benchmark_repetitions="${BENCH_REPETITIONS:-9}" --benchmark_min_time=0.05 \
+  --benchmark_out="$folder/kinematics.json" --benchmark_out_format=json >&2
+python3 -B bench/kinematics/report.py "$folder/results.json" "$folder/kinematics.json"
+echo -e "\n### Instructions of a single call (AVX2)\n"
+python3 -B bench/kinematics/count.py "$folder/bench_instructions" "$folder/instructions.json" ||
+  status=1
+echo
+python3 -B bench/baseline.py check "$folder/results.json" "$folder/instructions.json" \
+  bench/baseline.json || status=1
 exit "$status"

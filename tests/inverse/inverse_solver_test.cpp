@@ -6,46 +6,10 @@
 #include <beeline/inverse/solve.h>
 #include <beeline/model/catalog.h>
 
+#include <tests/allocations.h>
 #include <tests/inverse/answer.h>
 #include <tests/inverse/families.h>
 #include <tests/refusal.h>
-
-// Counts allocations. Eigen calls malloc itself, so that counting operator new would miss its own.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define BEELINE_TEST_COUNTS_MALLOC 0  // they have their own
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define BEELINE_TEST_COUNTS_MALLOC 0
-#endif
-#endif
-#if !defined(BEELINE_TEST_COUNTS_MALLOC) && defined(__GLIBC__)
-#define BEELINE_TEST_COUNTS_MALLOC 1
-#endif
-
-namespace {
-thread_local long allocations = 0;
-}
-
-#if BEELINE_TEST_COUNTS_MALLOC
-extern "C" {
-void* __libc_malloc(std::size_t size);                           // NOLINT
-void* __libc_memalign(std::size_t alignment, std::size_t size);  // NOLINT
-
-void* malloc(std::size_t size) noexcept {
-  ++allocations;
-  return __libc_malloc(size);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
-  ++allocations;
-  return __libc_memalign(alignment, size);
-}
-int posix_memalign(void** place, std::size_t alignment, std::size_t size) noexcept {
-  ++allocations;
-  *place = __libc_memalign(alignment, size);
-  return *place == nullptr ? ENOMEM : 0;
-}
-}
-#endif
 
 namespace beeline {
 namespace {
@@ -150,7 +114,7 @@ TEST(InverseSolver, IntoColumnsKeepsALockedCoordinate) {
 }
 
 TEST(InverseSolver, DoesNotAllocateInTheOrdinaryCourse) {
-#if !BEELINE_TEST_COUNTS_MALLOC
+#if !BEELINE_COUNTS_ALLOCATIONS
   GTEST_SKIP() << "allocations cannot be counted here";
 #endif
   Random random;
