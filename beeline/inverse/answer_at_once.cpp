@@ -78,7 +78,8 @@ int answer_at_once(InverseMethods& methods, const Pose& goal, const Configuratio
     return descend_at_once(methods, goal, seed, solutions) ? 1 : -1;
   }
   const ClosedForm& form = *methods.closed;
-  if (form.has_free_joints()) return -1;  // these have shares in distances and solutions
+  // Free joints have shares in distances and solutions.
+  if (form.has_free_joints() || !methods.closed_is_sure) return -1;
   SixQuestion six =
       form.question(seed, methods.bounds.lower, methods.bounds.upper, options.tolerance);
   double value = 0;  // of a locked joint

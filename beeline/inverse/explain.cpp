@@ -12,6 +12,7 @@ namespace beeline {
 namespace {
 
 constexpr int most_descents = 64;  // that must agree on what is nearest
+constexpr int most_followed = 12;  // joints; the Hessian of a longer chain takes its time
 
 Deviation error_in(const Question& ask, const Configuration& q) {
   return task_deviation(ask.task, ask.goal, forward_kinematics(ask.arm, q));
@@ -50,8 +51,7 @@ Configuration nearest_for(const Question& ask, const Task& task, InverseMethods&
                .random_seed = ask.options.random_seed},
               methods.buffers, methods.search);
   const Descent& nearest = methods.search.nearest;
-  constexpr int short_enough = 12;  // joints; the Hessian of a long chain takes its time
-  if (nearest.converged || ask.arm.dof() > short_enough) return nearest.q;
+  if (nearest.converged || ask.arm.dof() > most_followed) return nearest.q;
   return nearest_for_task(ask.arm, goal, task, nearest.q);
 }
 
@@ -105,6 +105,10 @@ void not_found(const Question& ask, const Configuration& q, const std::string& w
 /// Whether q is a solution after all, which a search that was cut short did not come to.
 bool solves(const Question& ask, const Configuration& q, InverseResult& result) {
   if (error_at(ask, q) > ask.tolerance) return false;
+  if (ask.options.method == InverseMethod::closed_form) {
+    not_found(ask, q, " by the closed form, though descents find one", result);
+    return true;
+  }
   confirm(ask, q, result);
   result.method = "numerical";
   if (result.solutions.empty()) {
@@ -112,6 +116,29 @@ bool solves(const Question& ask, const Configuration& q, InverseResult& result) 
     outside_limits(ask, turned, false, result);
   }
   return true;
+}
+
+/// Whether all that is known of the arm solves the pose when limits do not count.
+bool solves_anywhere(const Question& ask, InverseResult& result) {
+  const bool limited =
+      ask.bounds.lower.array().isFinite().any() || ask.bounds.upper.array().isFinite().any();
+  if (!limited || ask.options.method != InverseMethod::automatic) return false;
+  InverseOptions open = ask.options;
+  open.ignore_limits = open.all = true;
+  open.every_turn = false;
+  open.task = ask.task;
+  open.seed.reset();
+  InverseMethods methods = inverse_methods(ask.arm, open);
+  const InverseResult found = answer(methods, ask.goal, ask.seed, false);
+  if (found.solutions.empty()) return false;
+  const Configuration* least = nullptr;
+  double excess_of_least = 0;
+  for (const Configuration& q : found.solutions) {
+    const double outside =
+        excess(ask.bounds, nearest_representative(ask.arm, q, ask.seed, ask.bounds));
+    if (least == nullptr || outside < excess_of_least) least = &q, excess_of_least = outside;
+  }
+  return solves(ask, *least, result);
 }
 
 }  // namespace
@@ -138,22 +165,28 @@ void explain(InverseMethods& methods, const Question& ask, const Beyond& beyond,
     q = least_turned(ask, place, methods, q);
     if (solves(ask, q, result)) return;
   }
+  if (!proved && solves_anywhere(ask, result)) return;
   result.nearest = nearest_miss(ask, q);
   const Deviation& error = result.nearest->error;
   const std::string arm = "the tool of arm " + ask.arm.name();
-  if (place.size() > 0 && error.position > ask.tolerance) {
+  // Descents, and even formulas, may just have missed what is nearly reached.
+  constexpr double hair = 1e-6;  // radians, or of the arm's size
+  const bool off = error.position > std::max(ask.tolerance, hair * unit_of_length(ask.arm));
+  if (place.size() > 0 && (off || (proved && error.position > ask.tolerance))) {
     result.status = InverseStatus::unreachable;
     result.residual = error.position;
     if (beyond.law && !beyond.law->of_orientation) return by_law(*beyond.law, result);
+    const bool to_the_end = ask.arm.dof() <= most_followed;
     result.reason = "the position is out of reach by " + number(error.position) + " m: " + arm +
-                    " comes no nearer than " + point(result.nearest->world_T_tool.translation());
+                    (to_the_end ? " comes no nearer than " : " was found to come as near as ") +
+                    point(result.nearest->world_T_tool.translation());
     return;
   }
-  // Fewer descents may just have missed it, and so may many, and even formulas, where it is nearly
-  // reached.
-  constexpr double clear = 1e-3, hair = 1e-6;  // radians
+  constexpr double clear = 1e-3;  // radians: fewer descents may just have missed it
   const bool searched = result.restarts >= most_descents && error.orientation > clear;
-  if (beyond.law || searched || (beyond.complete && error.orientation > hair)) {
+  const bool in_place = error.position <= ask.tolerance;
+  if (beyond.law || (in_place && searched) ||
+      (in_place && beyond.complete && error.orientation > hair)) {
     result.status = InverseStatus::orientation;
     result.residual = error.orientation;
     if (beyond.law) return by_law(*beyond.law, result);

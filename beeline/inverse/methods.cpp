@@ -2,7 +2,9 @@
 
 #include <beeline/error.h>
 #include <beeline/inverse/closed/planar.h>
+#include <beeline/inverse/descent/representative.h>
 #include <beeline/inverse/methods.h>
+#include <beeline/kinematics/forward.h>
 
 namespace beeline {
 namespace {
@@ -23,6 +25,32 @@ InverseMethods locked_methods(InverseMethods methods) {
   return methods;
 }
 
+/// Whether the closed form finds random configurations of the arm again, or says that they stand
+/// for infinitely many. Where axes of its loop coincide it may see nothing of what is free.
+bool finds_again(const ClosedForm& form, const Arm& arm) {
+  constexpr int trials = 16;
+  const Configuration zero = Configuration::Zero(arm.dof());
+  const Bounds open = no_bounds(arm);
+  SixQuestion six = form.question(zero, open.lower, open.upper);
+  Splitmix random(1);
+  for (int trial = 0; trial < trials; ++trial) {
+    Configuration q(arm.dof()), again(arm.dof());
+    for (double& value : q) value = 2 * random.next() - 1;
+    SixBranches found;
+    const double value = form.locked() >= 0 ? q[form.locked()] : 0;
+    form.branches(forward_kinematics(arm, q), value, six, found);
+    bool met = found.continuum != 0;
+    for (int lane = 0; lane < 8 && !met; ++lane) {
+      if ((found.found >> lane & 1) == 0) continue;
+      form.configuration(found, lane, value, again);
+      constexpr double near = 1e-4;
+      met = same_posture(arm, q, again, near);
+    }
+    if (!met) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 InverseMethods inverse_methods(const Arm& arm, const InverseOptions& options) {
@@ -35,6 +63,7 @@ InverseMethods inverse_methods(const Arm& arm, const InverseOptions& options) {
   const bool formulas = options.method != InverseMethod::numerical;
   methods.planar = formulas && has_planar_closed_form(arm, methods.task);
   if (formulas && !methods.planar) methods.closed = ClosedForm::of(arm, methods.task);
+  if (methods.closed) methods.closed_is_sure = finds_again(*methods.closed, arm);
   methods.general_six = formulas && !methods.closed && is_general_six(arm, methods.task);
   // For one solution descents are sooner there.
   if (options.all || options.method == InverseMethod::closed_form) {

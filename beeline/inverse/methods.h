@@ -28,7 +28,8 @@ struct InverseMethods {
   Configuration middle;  ///< the seed where none is given
   bool planar = false;   ///< has_planar_closed_form()
   std::optional<ClosedForm> closed = std::nullopt;
-  bool general_six = false;  ///< six joints that turn, and no closed form of a family
+  bool closed_is_sure = true;  ///< whether it found random configurations of the arm again
+  bool general_six = false;    ///< six joints that turn, and no closed form of a family
   std::optional<GeneralSix> general = std::nullopt;
   std::optional<GeneralSix> second_opinion = std::nullopt;  ///< where descents find nothing
   std::optional<Descents> within = std::nullopt, anywhere = std::nullopt;

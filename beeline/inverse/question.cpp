@@ -37,9 +37,9 @@ void check_options(const Arm& arm, const InverseOptions& options) {
   check_count("iterations", options.iterations, 0);
   check_count("restarts", options.restarts, 0);
   check_count("grid", options.grid, 2);
-  constexpr int finest = 1'000'000;
+  constexpr int finest = 10'000;
   if (options.grid > finest) {
-    throw Error("grid is " + std::to_string(options.grid) + "; it must be 1000000 or less");
+    throw Error("grid is " + std::to_string(options.grid) + "; it must be 10000 or less");
   }
   if (options.time_limit && !(*options.time_limit > 0)) {
     throw Error("time limit is " + number(*options.time_limit) + " s; it must be above zero");

@@ -15,6 +15,10 @@ class Claims {
   Claims(const Question& ask, InverseResult& result) : ask_(ask), result_(result) {}
 
   void add(Configuration q, bool continuum) {
+    if (!q.allFinite()) {
+      beyond.doubtful = true;
+      return;
+    }
     beyond.continuum = beyond.continuum || continuum;
     const double error = error_at(ask_, q);
     constexpr double hopeless = 1e-3;  // of the size: an added joint is not where it must be
@@ -121,7 +125,7 @@ Beyond solve_closed(InverseMethods& methods, const Question& ask, InverseResult&
     add_branches(*methods.closed, found, 0, ask.arm.dof(), claims);
     // Where an added joint may share a turn with the arm's, only one of infinitely many was seen.
     claims.beyond.complete = !methods.closed->has_added_joints() || found.continuum == 0;
-    claims.beyond.doubtful |= nearly_found(*methods.closed, found);
+    claims.beyond.doubtful |= !methods.closed_is_sure || nearly_found(*methods.closed, found);
   } else if (methods.general) {
     return solve_general(*methods.general, ask, result);
   }

@@ -56,7 +56,13 @@ HWY_EXPORT(nearest);
 void draw_configuration(const DescentProblem& problem, double far, Splitmix& random, double* q) {
   for (std::size_t k = 0; k < problem.coordinates.size(); ++k) {
     const DescentProblem::Coordinate& coordinate = problem.coordinates[k];
-    const double away = coordinate.slides ? far : 0x1.921fb54442d18p+1;
+    double away = coordinate.slides ? far : 0x1.921fb54442d18p+1;
+    for (int i = coordinate.first_link; i < coordinate.end_link && !coordinate.slides; ++i) {
+      const auto link = static_cast<std::size_t>(problem.links[static_cast<std::size_t>(i)]);
+      const double travel = std::abs(problem.chain.links[link].travel);
+      constexpr double most = 1e4;  // radians
+      if (travel > 0) away = std::max(away, std::min(2 * far / travel, most));
+    }
     double lower = coordinate.lower, upper = coordinate.upper;
     if (!std::isfinite(lower)) lower = std::min(-away, upper - 2 * away);
     if (!std::isfinite(upper)) upper = std::max(away, lower + 2 * away);

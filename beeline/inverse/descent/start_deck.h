@@ -24,7 +24,8 @@ class Splitmix {
 };
 
 /// A random configuration within the bounds, radians and metres, dof numbers into q. Where there
-/// is no bound: one turn for an angle, and `far` units of length each way for a slide.
+/// is no bound: one turn for an angle, `far` units of length each way for a slide, and for a screw
+/// as many turns as take it that far.
 void draw_configuration(const DescentProblem& problem, double far, Splitmix& random, double* q);
 
 /// Random configurations and where they bring the tool, made once for many poses: descents from
