@@ -77,6 +77,7 @@ int nearest_lane(const SixQuestion& six, const SixBranches& found) {
 bool nearly_found(const ClosedForm& form, const SixBranches& found) {
   // Added joints may stand still only where other lanes are at the edge of theirs.
   if (form.has_added_joints() && found.found != 0) return false;
+  if (found.weak != 0) return true;
   const double near = 1e-6 * std::max(1.0, form.size());
   for (int lane = 0; lane < 8; ++lane) {
     if ((found.found >> lane & 1) == 0 && found.residual[lane] < near) return true;

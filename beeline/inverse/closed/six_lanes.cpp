@@ -25,16 +25,18 @@ struct Standing {
   LaneMask found;
   LaneMask continuum;
   LaneMask twin;
+  LaneMask weak;
   Lanes residual;
 };
 
 /// The turn that takes (ax, ay) to (bx, by) in direction. Where either has no length any turn will
-/// do, and `free` is set.
-HWY_INLINE Turn turn_between(Lanes ax, Lanes ay, Lanes bx, Lanes by, double nothing,
-                             LaneMask& free) {
+/// do, and `free` is set; `weak` where they are so short that the turn is known badly.
+HWY_INLINE Turn turn_between(Lanes ax, Lanes ay, Lanes bx, Lanes by, double nothing, LaneMask& free,
+                             double little = 0, LaneMask* weak = nullptr) {
   const Lanes c = fma(ax, bx, ay * by), s = fma(ax, by, -(ay * bx));
   const Lanes square = fma(c, c, s * s);
   free = square <= Lanes(nothing * nothing);
+  if (weak != nullptr) *weak = square <= Lanes(little * little);
   const Lanes scale = Lanes(1) / sqrt(choose(free, Lanes(1), square));
   return {choose(free, Lanes(1), c * scale), choose(free, Lanes(0), s * scale)};
 }
@@ -183,7 +185,9 @@ void six_branches_kernel(const SixLoop& loop, const SixQuestion& question, SixBr
         moved_back(k[1], before_joint(pair.x, turn[0], loop.slides[0], points), points);
     LaneMask free;
     const double nothing = points ? 1e-12 * loop.size : 1e-12;
-    turn[1] = turn_between(beyond.x, beyond.y, seen.x, seen.y, nothing * nothing, free);
+    const double little = points ? 1e-5 * loop.size : 1e-5;
+    turn[1] = turn_between(beyond.x, beyond.y, seen.x, seen.y, nothing * nothing, free,
+                           little * little, &standing.weak);
     turn[1] = {choose(free, preferred[1].c, turn[1].c), choose(free, preferred[1].s, turn[1].s)};
     standing.continuum = standing.continuum | (free & standing.found);
 
@@ -202,6 +206,7 @@ void six_branches_kernel(const SixLoop& loop, const SixQuestion& question, SixBr
   }
   branches.found = bits(standing.found);
   branches.continuum = bits(standing.continuum & standing.found);
+  branches.weak = bits(standing.weak & !standing.found);
   branches.twin = bits(standing.twin & standing.found);
   standing.residual.store(branches.residual);
   to_coordinates(loop, question, turn, branches);

@@ -24,6 +24,7 @@ struct SixBranches {
   unsigned found = 0;      ///< lanes whose equations have a solution, up to rounding
   unsigned within = 0;     ///< those of them within limits
   unsigned continuum = 0;  ///< those that stand for infinitely many
+  unsigned weak = 0;       ///< lanes not found whose angles were read from something tiny
   unsigned twin = 0;  ///< those so near to the edge of reach that two lanes may be one solution
 };
 

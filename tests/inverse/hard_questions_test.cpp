@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include <beeline/model/catalog.h>
+#include <beeline/model/dh.h>
+#include <beeline/pose/orientation.h>
+
+#include <tests/inverse/answer.h>
+#include <tests/random_arm.h>
+
+// Each of these was answered wrongly once.
+
+namespace beeline {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+using testing::expect_solved;
+
+/// A copy with each joint within `width` of q.
+Arm narrowed(const Arm& arm, const Configuration& q, double width) {
+  std::vector<Joint> joints = arm.joints();
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    joints[i].limits.lower = q[static_cast<Eigen::Index>(i)] - width;
+    joints[i].limits.upper = q[static_cast<Eigen::Index>(i)] + width;
+  }
+  return {arm.name(), joints, arm.tool(), arm.base()};
+}
+
+TEST(HardQuestions, NextToASingularWristNothingIsCalledComplete) {
+  testing::Random random;
+  int solved = 0, asked = 0;
+  for (const double straight : {0.0, pi, -pi}) {
+    for (double off = 1e-12; off < 1e-5; off *= 10) {
+      for (int i = 0; i < 10; ++i, ++asked) {
+        Configuration q(6);
+        for (double& value : q) value = random.uniform(-1.5, 1.5);
+        q[4] = straight + (straight > 0 ? -off : off);
+        const Arm arm = narrowed(built_in("ur5"), q, 0.3);
+        const InverseResult result = inverse_kinematics(arm, forward_kinematics(arm, q));
+        if (result.status == InverseStatus::solved) ++solved;
+        EXPECT_NE(result.reason.find("every solution"), 0U) << result.reason;
+        EXPECT_NE(result.status, InverseStatus::unreachable) << result.reason;
+      }
+    }
+  }
+  EXPECT_GE(solved, asked * 95 / 100) << asked;
+}
+
+TEST(HardQuestions, SeedsFarAwayCostNoDigits) {
+  testing::Random random;
+  const Arm arm = built_in("ur5");
+  InverseSolver solver(arm, {.ignore_limits = true});
+  Eigen::MatrixXd column(6, 1);
+  for (const double far : {1e2, 1e4, 1e6, 1e9, 1e17}) {
+    const Configuration q = random.configuration(arm), seed = Configuration::Constant(6, far);
+    const Pose pose = forward_kinematics(arm, q);
+    const InverseResult result =
+        inverse_kinematics(arm, pose, {.seed = seed, .ignore_limits = true});
+    ASSERT_EQ(result.status, InverseStatus::solved) << far << result.reason;
+    EXPECT_LE(result.residual, 1e-10);
+    ASSERT_EQ(solver.solve(pose, seed, column), 1);
+    const Deviation error =
+        task_deviation(Task::spatial(), pose, forward_kinematics(arm, column.col(0)));
+    EXPECT_LE(testing::largest(error), 1e-10) << far;
+  }
+}
+
+TEST(HardQuestions, ATimeLimitMakesNothingUnreachable) {
+  testing::Random random;
+  std::vector<Joint> joints;
+  for (int i = 0; i < 20; ++i) {
+    joints.push_back(dh_joint({.a = 1}, DhConvention::standard));
+    joints.back() = testing::named(joints.back(), "j" + std::to_string(i), -0.6, 0.6);
+  }
+  const Arm arm("snake", joints);
+  for (int i = 0; i < 50; ++i) {
+    const Pose pose = forward_kinematics(arm, random.configuration(arm));
+    const InverseResult result =
+        inverse_kinematics(arm, pose, {.iterations = 5, .time_limit = 1e-9});
+    EXPECT_GE(result.iterations, 0);
+    if (result.status == InverseStatus::solved) continue;
+    EXPECT_EQ(result.status, InverseStatus::not_found) << result.reason;
+    EXPECT_GT(result.residual, 1e-10);
+  }
+}
+
+TEST(HardQuestions, AnswersDoNotHangOnThoseBefore) {
+  testing::Random random;
+  const Arm arm = testing::random_arm(random, 6, 0);
+  const Pose nowhere = make_pose({100, 0, 0});
+  InverseSolver used(arm);
+  used.solve(nowhere);
+  for (int i = 0; i < 50; ++i) {
+    const Pose pose = forward_kinematics(arm, random.configuration(arm));
+    InverseSolver fresh(arm);
+    const InverseResult a = used.solve(pose), b = fresh.solve(pose);
+    ASSERT_EQ(a.status, b.status);
+    ASSERT_EQ(a.solutions, b.solutions);
+    ASSERT_EQ(a.method, b.method);
+  }
+}
+
+TEST(HardQuestions, EveryTurnIsCheckedToo) {
+  std::vector<Joint> joints;
+  for (int i = 0; i < 2; ++i) {
+    joints.push_back(dh_joint({.a = 1}, DhConvention::standard));
+    joints.back() = testing::named(joints.back(), "j" + std::to_string(i), -500, 500);
+  }
+  const Arm arm("turns", joints);
+  const Configuration q{{0.3, 0.9}};
+  const InverseResult result = inverse_kinematics(
+      arm, forward_kinematics(arm, q), {.task = Task::position(), .all = true, .every_turn = true});
+  expect_solved(arm, forward_kinematics(arm, q), Task::position(), result, 1e-10);
+  EXPECT_GT(result.solutions.size(), 40'000U);
+}
+
+TEST(HardQuestions, WhatIsProvedIsSaidForAnyTask) {
+  const Arm scara = built_in("scara");
+  Pose tilted = forward_kinematics(scara, Configuration::Zero(4));
+  tilted.linear() = tilted.linear() * so3_exp(Vector3(0.5, 0, 0));
+  const InverseResult result = inverse_kinematics(scara, tilted, {.task = task_named("000111")});
+  EXPECT_EQ(result.status, InverseStatus::orientation) << result.reason;
+  EXPECT_NEAR(result.residual, 0.5, 1e-9);
+}
+
+TEST(HardQuestions, ScrewsWithoutLimitsAreTurnedFar) {
+  Joint turn = dh_joint({.a = 1}, DhConvention::standard), screw;
+  screw.screw = rotation_screw(Vector3::UnitZ(), Vector3::Zero(), 0.1);
+  screw.offset = make_pose({0.3, 0, 0});
+  const Arm arm("screw",
+                {testing::named(turn, "a"), testing::named(screw, "b"), testing::named(turn, "c")});
+  testing::Random random;
+  for (int i = 0; i < 20; ++i) {
+    const Configuration q{{random.uniform(-3, 3), random.uniform(-20, 20), random.uniform(-3, 3)}};
+    const Pose pose = forward_kinematics(arm, q);
+    expect_solved(arm, pose, Task::spatial(), inverse_kinematics(arm, pose));
+  }
+}
+
+}  // namespace
+}  // namespace beeline
