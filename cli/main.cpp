@@ -25,6 +25,8 @@ constexpr Verb verbs[] = {
     {"fk", "Forward kinematics: the tool's pose, or every link's", declare_fk},
     {"jacobian", "The Jacobian, its singular values and manipulability", declare_jacobian},
     {"ik", "Inverse kinematics: the configurations that reach a pose", declare_ik},
+    {"batch", "fk, jacobian or ik of any number of rows in files: CSV, numpy's .npy",
+     declare_batch},
     {"move", "Joint-space motion control from one configuration to another", declare_move},
     {"line", "Move the tool in straight lines through poses", declare_line},
     {"replay", "Play a recorded trajectory on an arm, checked against its limits", declare_replay},
@@ -32,13 +34,16 @@ constexpr Verb verbs[] = {
     {"figure", "Redraw a figure of the chapter", declare_figure},
 };
 
-void check_verb(const std::string& word) {
+/// A verb may have verbs of its own, as batch has.
+void check_verbs(const CLI::App& app, int argc, char** argv) {
+  const std::vector<const CLI::App*> verbs_of_app = app.get_subcommands({});
+  if (verbs_of_app.empty() || argc < 2 || argv[1][0] == '-') return;
   std::vector<std::string> names;
-  for (const Verb& verb : verbs) {
-    if (word == verb.name) return;
-    names.emplace_back(verb.name);
+  for (const CLI::App* verb : verbs_of_app) {
+    if (verb->get_name() == argv[1]) return check_verbs(*verb, argc - 1, argv + 1);
+    names.push_back(verb->get_name());
   }
-  throw beeline::unknown_name("verb", word, names);
+  throw beeline::unknown_name("verb", argv[1], names);
 }
 
 int fail(Exit exit, const std::string& message) {
@@ -57,6 +62,13 @@ std::string not_empty(const std::string& value) {
   return value.empty() ? "needs a value that is not empty" : "";
 }
 
+void refuse_empty_values(CLI::App& verb) {
+  for (CLI::Option* option : verb.get_options()) {
+    if (option->get_items_expected_max() > 0) option->check(not_empty);
+  }
+  for (CLI::App* part : verb.get_subcommands({})) refuse_empty_values(*part);
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Moves serial-link robot arms, and proves that they go where they were told to go.",
                "beeline");
@@ -71,11 +83,9 @@ int run(int argc, char** argv) {
   for (const Verb& verb : verbs) {
     CLI::App* subcommand = app.add_subcommand(verb.name, verb.summary);
     declared.emplace_back(subcommand, verb.declare(*subcommand));
-    for (CLI::Option* option : subcommand->get_options()) {
-      if (option->get_items_expected_max() > 0) option->check(not_empty);
-    }
+    refuse_empty_values(*subcommand);
   }
-  if (argc > 1 && argv[1][0] != '-') check_verb(argv[1]);
+  check_verbs(app, argc, argv);
   try {
     app.parse(argc, argv);
     for (const auto& [subcommand, run_verb] : declared) {

@@ -15,6 +15,7 @@ Run declare_show(CLI::App& verb);
 Run declare_fk(CLI::App& verb);
 Run declare_jacobian(CLI::App& verb);
 Run declare_ik(CLI::App& verb);
+Run declare_batch(CLI::App& verb);
 Run declare_move(CLI::App& verb);
 Run declare_line(CLI::App& verb);
 Run declare_replay(CLI::App& verb);

@@ -10,8 +10,10 @@ from pathlib import Path
 
 LIBRARIES = {  # the first part of the include: the folders that may use it, in .cpp files
     "cairo": {"draw"},
-    "hwy": {"simd", "kinematics", "inverse/closed", "inverse/descent", "inverse/general"},
+    "hwy": {"simd", "kinematics", "batch", "inverse/closed", "inverse/descent", "inverse/general"},
     "nlohmann": {"read", "record"},
+    "oneapi": {"batch"},
+    "tbb": {"batch"},
     "tinyxml2": {"read"},
 }
 SYSTEM = {"fcntl", "sys", "unistd"}  # C headers that any .cpp may use

@@ -127,6 +127,12 @@ CsvTable parse_csv(std::string_view text, const std::string& path) {
   return table;
 }
 
+std::vector<std::string> csv_items(std::string_view line) {
+  std::vector<std::string> items(1);
+  while (take_item(line, items.back())) items.emplace_back();
+  return items;
+}
+
 std::string csv_name(const std::string& name) {
   const bool plain = name.find_first_of(",\"") == std::string::npos && trimmed(name) == name &&
                      !name.starts_with('#');

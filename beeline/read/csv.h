@@ -20,6 +20,10 @@ struct CsvTable {
 /// and an item that is no finite number.
 CsvTable parse_csv(std::string_view text, const std::string& path);
 
+/// The items of one line, without blanks and quotes around them. Throws Error for a quotation mark
+/// in the wrong place.
+std::vector<std::string> csv_items(std::string_view line);
+
 /// A name as a CSV header holds it: in quotes where it must be.
 std::string csv_name(const std::string& name);
 

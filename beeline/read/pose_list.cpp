@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 
 #include <beeline/error.h>
 #include <beeline/pose/orientation.h>
@@ -13,13 +12,6 @@ namespace beeline {
 namespace {
 
 using Names = std::vector<std::string>;
-
-const std::array<Names, 3>& forms() {
-  static const std::array<Names, 3> known{{{"x", "y", "theta"},
-                                           {"x", "y", "z", "roll", "pitch", "yaw"},
-                                           {"x", "y", "z", "qw", "qx", "qy", "qz"}}};
-  return known;
-}
 
 constexpr const char* known_forms = "x,y,theta or x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz";
 
@@ -36,17 +28,6 @@ Names missing_from(const Names& there, const Names& wanted) {
   return missing;
 }
 
-/// The values in the order of one of the forms; how many there are tells which.
-Pose pose_of(const std::vector<double>& v, AngleUnit unit) {
-  const auto turn = [unit](double angle) { return to_radians(angle, unit); };
-  if (v.size() == 3) return to_space(Pose2{v[0], v[1], turn(v[2])});
-  const Vector3 position(v[0], v[1], v[2]);
-  if (v.size() == 6) {
-    return make_pose(position, rotation(RollPitchYaw{turn(v[3]), turn(v[4]), turn(v[5])}));
-  }
-  return make_pose(position, rotation_from_quaternion(v[3], v[4], v[5], v[6]));
-}
-
 /// The form whose columns the header has.
 const Names& form_of(const Names& header) {
   const std::string known = std::string("; poses are ") + known_forms;
@@ -55,10 +36,10 @@ const Names& form_of(const Names& header) {
   };
   for (const std::string& name : header) {
     const bool is_known = std::ranges::any_of(
-        forms(), [&](const Names& candidate) { return holds(candidate, name); });
+        pose_forms(), [&](const Names& candidate) { return holds(candidate, name); });
     if (!is_known) throw Error("unknown column " + in_quotes(name) + known);
   }
-  const Names& form = *std::ranges::min_element(forms(), {}, distance);
+  const Names& form = *std::ranges::min_element(pose_forms(), {}, distance);
   const Names missing = missing_from(header, form);
   if (!missing.empty()) throw Error("column " + listed(missing) + " is missing" + known);
   const Names extra = missing_from(form, header);
@@ -69,6 +50,26 @@ const Names& form_of(const Names& header) {
 }
 
 }  // namespace
+
+const std::array<Names, 3>& pose_forms() {
+  static const std::array<Names, 3> known{{{"x", "y", "theta"},
+                                           {"x", "y", "z", "roll", "pitch", "yaw"},
+                                           {"x", "y", "z", "qw", "qx", "qy", "qz"}}};
+  return known;
+}
+
+Pose pose_of(std::span<const double> v, AngleUnit unit) {
+  const auto turn = [unit](double angle) { return to_radians(angle, unit); };
+  if (v.size() == 3) return to_space(Pose2{v[0], v[1], turn(v[2])});
+  if (v.size() != 6 && v.size() != 7) {
+    throw Error("a pose of " + std::to_string(v.size()) + " numbers; poses are " + known_forms);
+  }
+  const Vector3 position(v[0], v[1], v[2]);
+  if (v.size() == 6) {
+    return make_pose(position, rotation(RollPitchYaw{turn(v[3]), turn(v[4]), turn(v[5])}));
+  }
+  return make_pose(position, rotation_from_quaternion(v[3], v[4], v[5], v[6]));
+}
 
 PoseList poses_from_csv(std::string_view text, const std::string& path, AngleUnit unit) {
   const CsvTable table = parse_csv(text, path);
@@ -101,8 +102,8 @@ PoseList read_poses(const std::string& path, AngleUnit unit) {
 
 WrittenPose parse_pose(std::string_view text, AngleUnit unit) {
   const std::vector<double> values = parse_numbers(text, "pose");
-  const bool known =
-      std::ranges::any_of(forms(), [&](const Names& form) { return form.size() == values.size(); });
+  const bool known = std::ranges::any_of(
+      pose_forms(), [&](const Names& form) { return form.size() == values.size(); });
   if (!known) {
     throw Error("pose " + in_quotes(text) + " has " + std::to_string(values.size()) +
                 " numbers; poses are " + known_forms);

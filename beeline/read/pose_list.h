@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +19,11 @@ struct PoseList {
   std::vector<int> lines;   ///< the line of the file that each stands on
   bool planar = false;      ///< written as x,y,theta
 };
+
+/// The names of the three forms' columns, and the pose that so many numbers stand for, in that
+/// order. Throws Error for a quaternion not of length 1.
+const std::array<std::vector<std::string>, 3>& pose_forms();
+Pose pose_of(std::span<const double> numbers, AngleUnit unit = AngleUnit::radians);
 
 /// From a CSV file whose header names one form's columns, in any order.
 /// Throws FileError for a column that is missing or unknown, and for a quaternion not of length 1.

@@ -167,7 +167,8 @@ def test_a_full_disk_is_no_success(build):
 
 
 def test_help_has_an_example_for_every_verb(beeline):
-    for verb in ("arms", "show", "fk", "jacobian", "ik", "move", "line", "replay", "draw", "figure"):
+    for verb in ("arms", "show", "fk", "jacobian", "ik", "batch", "move", "line", "replay", "draw",
+                 "figure"):
         answer = beeline(verb, "--help")
         assert answer.code == 0 and f"  beeline {verb}" in answer.out, verb
         assert verb in beeline("--help").out

@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include <beeline/batch/plan.h>
+
+#include <hwy/cache_control.h>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "beeline/batch/kernel.cpp"
+#include <hwy/foreach_target.h>
+
+#include <beeline/batch/passes-inl.h>
+#include <beeline/batch/transpose-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace beeline::HWY_NAMESPACE {
+namespace {
+
+/// Results of configurations that have a coordinate which is not finite are no numbers.
+template <class Real>
+HWY_NOINLINE void spoil(const BatchPlan<Real>& plan, const Real* q, int count, Real* rows) {
+  constexpr int width = Wide<Real>::width;
+  for (int lane = 0; lane < width; ++lane) {
+    Real nothing = 0;
+    for (int k = 0; k < plan.dof; ++k) nothing += 0 * q[k * width + lane];
+    for (int i = 0; nothing != 0 && i < count; ++i) rows[i * width + lane] = nothing;
+  }
+}
+
+/// One register's configurations between the passes.
+template <class Real>
+struct Rows {
+  Real *q, *sines, *cosines, *axes, *results;
+
+  explicit HWY_INLINE Rows(const BatchJob<Real>& job) {
+    constexpr int width = Wide<Real>::width;
+    const int links = static_cast<int>(job.plan->links.size());
+    q = job.work;
+    sines = q + job.plan->dof * width;
+    cosines = sines + links * width;
+    axes = cosines + links * width;
+    results = axes + 6 * links * width;
+  }
+};
+
+template <class Real>
+HWY_INLINE void write(const BatchJob<Real>& job, bool near, const Rows<Real>& rows, int count,
+                      Real* to, Eigen::Index stride) {
+  if (HWY_UNLIKELY(!near)) spoil(*job.plan, rows.q, count, rows.results);
+  store_rows(rows.results, count, to, stride);
+}
+
+enum class Wanted { tool, columns, links };
+
+template <Wanted wanted, class Real>
+HWY_INLINE void run_one(const BatchJob<Real>& job, const Rows<Real>& rows, Eigen::Index first) {
+  constexpr int width = Wide<Real>::width;
+  const BatchPlan<Real>& plan = *job.plan;
+  const int dof = plan.dof, links = static_cast<int>(plan.links.size());
+  const int pose_size = job.layout == PoseLayout::matrix ? 16 : 7;
+  load_rows(job.q + first * dof, dof, rows.q);
+  const bool near = take_sines(plan, rows.q, rows.sines, rows.cosines);
+  if (HWY_UNLIKELY(!near)) take_far_sines(plan, rows.q, rows.sines, rows.cosines);
+
+  const Eigen::Index link_stride = Eigen::Index(links + 1) * pose_size;
+  if constexpr (wanted == Wanted::links) {
+    write_pose(WideFrame<Real>::same(plan.base_link.number), job.layout, rows.results);
+    write(job, near, rows, pose_size, job.world_T_link + first * link_stride, link_stride);
+  }
+  auto frame = WideFrame<Real>::same(plan.base.number);
+  Real* axes = rows.axes;
+  for (int i = 0; i < links; ++i) {
+    follow(frame, plan.links[i], rows.q, rows.sines + i * width, rows.cosines + i * width);
+    if constexpr (wanted == Wanted::columns) {
+      frame.origin.store(axes);
+      Triple<Real> direction = frame.z;
+      if (plan.planar && plan.links[i].turns) {  // exactly so
+        direction = {round(direction.x), round(direction.y), round(direction.z)};
+      }
+      direction.store(axes + 3 * width);
+      axes += 6 * width;
+    }
+    if constexpr (wanted == Wanted::links) {
+      write_pose(times<Real>(frame, plan.frame_T_link[i]), job.layout, rows.results);
+      write(job, near, rows, pose_size,
+            job.world_T_link + first * link_stride + (i + 1) * pose_size, link_stride);
+    }
+  }
+  if constexpr (wanted == Wanted::links) return;
+  move_to_tool(frame, plan);
+  if constexpr (wanted == Wanted::columns) {
+    if (near && plan.in_order && !job.manipulability) {
+      store_columns(plan, job.frame, frame, rows.axes, job.columns + first * 6 * dof);
+    } else {
+      write_columns(plan, job.frame, frame, rows.axes, rows.results);
+      if (job.columns) {
+        write(job, near, rows, 6 * dof, job.columns + first * 6 * dof, Eigen::Index(6) * dof);
+      }
+    }
+    if (job.manipulability) {
+      volume(dof, rows.results).store(rows.results);
+      write(job, near, rows, 1, job.manipulability + first, 1);
+    }
+  }
+  if (job.world_T_tool && near && job.layout == PoseLayout::matrix) {
+    store_matrix(frame, job.world_T_tool + first * pose_size, pose_size);
+  } else if (job.world_T_tool) {
+    write_pose(frame, job.layout, rows.results);
+    write(job, near, rows, pose_size, job.world_T_tool + first * pose_size, pose_size);
+  }
+}
+
+template <class Real>
+HWY_INLINE void run(const BatchJob<Real>& job) {
+  const Rows<Real> rows(job);
+  const auto all = [&](auto wanted) HWY_ATTR {
+    for (Eigen::Index i = 0; i < job.count; i += Wide<Real>::width) {
+      run_one<decltype(wanted)::value>(job, rows, i);
+    }
+  };
+  if (job.world_T_link) {
+    all(std::integral_constant<Wanted, Wanted::links>());
+  } else if (job.columns || job.manipulability) {
+    all(std::integral_constant<Wanted, Wanted::columns>());
+  } else {
+    all(std::integral_constant<Wanted, Wanted::tool>());
+  }
+}
+
+void run_double(const BatchJob<double>& job) { run(job); }
+void run_float(const BatchJob<float>& job) { run(job); }
+
+/// `to` is a multiple of 64 bytes.
+template <class Real>
+void stream(const Real* from, Eigen::Index count, Real* to) {
+  const typename Wide<Real>::Tag d;
+  for (Eigen::Index i = 0; i < count; i += Wide<Real>::width) {
+    hn::Stream(hn::LoadU(d, from + i), d, to + i);
+  }
+}
+void stream_double(const double* from, Eigen::Index count, double* to) { stream(from, count, to); }
+void stream_float(const float* from, Eigen::Index count, float* to) { stream(from, count, to); }
+
+}  // namespace
+}  // namespace beeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace beeline {
+
+HWY_EXPORT(run_double);
+HWY_EXPORT(run_float);
+HWY_EXPORT(stream_double);
+HWY_EXPORT(stream_float);
+
+template <>
+void batch_kernel(const BatchJob<double>& job) {
+  HWY_DYNAMIC_DISPATCH(run_double)(job);
+}
+template <>
+void batch_kernel(const BatchJob<float>& job) {
+  HWY_DYNAMIC_DISPATCH(run_float)(job);
+}
+
+template <class Real>
+void batch_copy(const Real* from, Eigen::Index count, Real* to) {
+  constexpr Eigen::Index line = 64 / sizeof(Real);
+  const auto misplaced = static_cast<Eigen::Index>(reinterpret_cast<std::uintptr_t>(to) % 64);
+  const Eigen::Index head =
+      std::min(count, (64 - misplaced) % 64 / static_cast<Eigen::Index>(sizeof(Real)));
+  const Eigen::Index body = (count - head) / line * line;
+  std::copy(from, from + head, to);
+  if constexpr (sizeof(Real) == 8) {
+    HWY_DYNAMIC_DISPATCH(stream_double)(from + head, body, to + head);
+  } else {
+    HWY_DYNAMIC_DISPATCH(stream_float)(from + head, body, to + head);
+  }
+  std::copy(from + head + body, from + count, to + head + body);
+}
+template void batch_copy(const double*, Eigen::Index, double*);
+template void batch_copy(const float*, Eigen::Index, float*);
+
+void batch_copied() { hwy::FlushStream(); }
+
+}  // namespace beeline
+#endif

@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <beeline/batch/plan.h>
+#include <beeline/kinematics/forward.h>
+
+namespace beeline {
+namespace {
+
+constexpr double nothing = 1e-15, pi = std::numbers::pi;
+
+struct Angle {
+  double cosine, sine;
+};
+
+/// Right angles are right angles.
+Angle cleaned(double cosine, double sine) {
+  if (std::abs(sine) < nothing) return {cosine < 0 ? -1.0 : 1.0, 0};
+  if (std::abs(cosine) < nothing) return {0, sine < 0 ? -1.0 : 1.0};
+  return {cosine, sine};
+}
+
+Pose turned(const Vector3& axis, double angle) { return Pose(Eigen::AngleAxisd(angle, axis)); }
+
+template <class Real>
+typename BatchPlan<Real>::Move move_of(const Vector3& step, double cosine, double sine,
+                                       double size) {
+  using Bend = typename BatchPlan<Real>::Bend;
+  typename BatchPlan<Real>::Move move;
+  for (int i = 0; i < 3; ++i) {
+    move.step[i] = static_cast<Real>(step[i]);
+    move.steps[i] = std::abs(step[i]) >= nothing * size;
+  }
+  const Angle alpha = cleaned(cosine, sine);
+  move.cos_alpha = static_cast<Real>(alpha.cosine);
+  move.sin_alpha = static_cast<Real>(alpha.sine);
+  move.bend = Bend::other;
+  if (alpha.cosine == 1) move.bend = Bend::none;
+  if (alpha.sine == -1) move.bend = Bend::quarter;
+  return move;
+}
+
+template <class Real>
+typename BatchPlan<Real>::Columns columns_of(const Pose& pose) {
+  typename BatchPlan<Real>::Columns columns;
+  Eigen::Map<Eigen::Matrix<Real, 3, 4>>(columns.number) = pose.matrix().topRows<3>().cast<Real>();
+  return columns;
+}
+
+Pose at_rest(const Chain::Link& link) {
+  Pose pose = turned(Vector3::UnitX(), std::atan2(link.sin_alpha, link.cos_alpha));
+  pose.translation() = link.step;
+  return pose * turned(Vector3::UnitZ(), link.rest_angle);
+}
+
+/// Of the tool, turn_z(a) turn_x(b) turn_z(c), the first turn goes into the last link, and the
+/// constant start of the first link into the base.
+Chain gathered(Chain chain) {
+  const Rotation tool = chain.tool.linear();
+  const double a = std::hypot(tool(0, 2), tool(1, 2)) < nothing
+                       ? std::atan2(tool(1, 0), tool(0, 0))
+                       : std::atan2(tool(0, 2), -tool(1, 2));
+  chain.links.back().rest_angle += a;
+  chain.tool = turned(Vector3::UnitZ(), -a) * chain.tool;
+  Chain::Link& first = chain.links.front();
+  Chain::Link start = first;
+  start.rest_angle = 0;
+  chain.base = chain.base * at_rest(start);
+  first.step.setZero();
+  first.cos_alpha = 1;
+  first.sin_alpha = 0;
+  // Bends by 90 degrees become bends by -90: half a turn about z before and behind them.
+  for (std::size_t i = 1; i < chain.links.size(); ++i) {
+    Chain::Link &before = chain.links[i - 1], &link = chain.links[i];
+    if (link.sin_alpha < 1 - nothing || before.turn == 0 || link.turn == 0) continue;
+    before.rest_angle += pi;
+    link.step.head<2>() *= -1;
+    link.sin_alpha *= -1;
+    link.rest_angle += pi;
+  }
+  return chain;
+}
+
+}  // namespace
+
+template <class Real>
+BatchPlan<Real>::BatchPlan(const Arm& arm)
+    : dof(arm.dof()), in_order(arm.chain_angles().in_order), planar(arm.planar()) {
+  const Chain chain = gathered(arm.chain());
+  double size = chain.tool.translation().norm();
+  for (const Chain::Link& link : chain.links) size = std::max(size, link.step.norm());
+  base = columns_of<Real>(chain.base);
+
+  const std::vector<Pose> world_T_link = link_poses(arm, Configuration::Zero(arm.dof()));
+  base_link = columns_of<Real>(world_T_link[0]);
+  Pose world_T_frame = chain.base;
+  for (const Chain::Link& from : chain.links) {
+    Link link;
+    link.move = move_of<Real>(from.step, from.cos_alpha, from.sin_alpha, size);
+    link.coordinate = from.coordinate;
+    link.turn = static_cast<Real>(from.turn);
+    link.travel = static_cast<Real>(from.travel);
+    link.turns = from.turn != 0;
+    link.slides = from.travel != 0;
+    link.plain = from.turn == 1;
+    const Angle rest = cleaned(std::cos(from.rest_angle), std::sin(from.rest_angle));
+    const double half_turns = std::round(from.rest_angle / pi);
+    link.whole += static_cast<Real>(half_turns);
+    link.bent = rest.sine != 0;
+    if (link.bent) link.rest = static_cast<Real>(from.rest_angle - half_turns * pi);
+    link.rest_by_pi = link.rest / static_cast<Real>(pi);
+    link.cos_angle = static_cast<Real>(rest.cosine);
+    link.sin_angle = static_cast<Real>(rest.sine);
+    links.push_back(link);
+    world_T_frame = world_T_frame * at_rest(from);
+    frame_T_link.push_back(
+        columns_of<Real>(world_T_frame.inverse(Eigen::Isometry) * world_T_link[links.size()]));
+  }
+
+  const Rotation rotation = chain.tool.linear();  // turn_x(b) turn_z(c)
+  const Angle c = cleaned(rotation(0, 0), -rotation(0, 1));
+  tool = move_of<Real>(chain.tool.translation(), rotation(2, 2), -rotation(1, 2), size);
+  turns_tool = c.cosine != 1;
+  cos_tool = static_cast<Real>(c.cosine);
+  sin_tool = static_cast<Real>(c.sine);
+}
+
+template struct BatchPlan<double>;
+template struct BatchPlan<float>;
+
+template <class Real>
+Eigen::Index batch_work(const BatchPlan<Real>& plan) {
+  const auto links = static_cast<Eigen::Index>(plan.links.size());
+  // Coordinates, sines and cosines, axes; results.
+  return batch_width * (plan.dof + 8 * links + std::max(16, 6 * plan.dof));
+}
+template Eigen::Index batch_work(const BatchPlan<double>&);
+template Eigen::Index batch_work(const BatchPlan<float>&);
+
+}  // namespace beeline

@@ -1,0 +1,187 @@
+// Compiled once for each instruction set (Highway's foreach_target.h), so there is no #pragma once.
+#if defined(BEELINE_BATCH_TRANSPOSE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BEELINE_BATCH_TRANSPOSE_INL_H
+#undef BEELINE_BATCH_TRANSPOSE_INL_H
+#else
+#define BEELINE_BATCH_TRANSPOSE_INL_H
+#endif
+
+#include <algorithm>
+
+#include <beeline/batch/wide-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace beeline::HWY_NAMESPACE {
+
+// Between rows, one register for each number, and columns, one for each configuration: four numbers
+// at a time, by shuffles within blocks of 128 bits and then of whole blocks.
+
+template <class Real>
+using WideVec = hn::Vec<typename Wide<Real>::Tag>;
+
+#if HWY_TARGET != HWY_SCALAR
+
+/// Four configurations' four numbers in each block of floats; the other way as well.
+template <class V>
+HWY_INLINE void turn_blocks(V (&v)[4]) {
+  const hn::DFromV<V> d;
+  const hn::Repartition<double, decltype(d)> pairs;
+  const auto a = hn::BitCast(pairs, hn::InterleaveLower(d, v[0], v[1]));
+  const auto b = hn::BitCast(pairs, hn::InterleaveLower(d, v[2], v[3]));
+  const auto e = hn::BitCast(pairs, hn::InterleaveUpper(d, v[0], v[1]));
+  const auto f = hn::BitCast(pairs, hn::InterleaveUpper(d, v[2], v[3]));
+  v[0] = hn::BitCast(d, hn::InterleaveLower(pairs, a, b));
+  v[1] = hn::BitCast(d, hn::InterleaveUpper(pairs, a, b));
+  v[2] = hn::BitCast(d, hn::InterleaveLower(pairs, e, f));
+  v[3] = hn::BitCast(d, hn::InterleaveUpper(pairs, e, f));
+}
+
+/// In pairs of blocks, the first of a and the first of b; the second of a and the second of b.
+template <class V>
+HWY_INLINE void pair_blocks(V& a, V& b) {
+  const V first = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(b), a);
+  b = hn::OddEvenBlocks(b, hn::SwapAdjacentBlocks(a));
+  a = first;
+}
+
+/// Pieces of `D`'s length, `apart` numbers from each other, side by side in V.
+template <class D, class Real>
+HWY_INLINE hn::Vec<D> gather_pieces(D d, int piece, const Real* from, Eigen::Index apart) {
+  if constexpr (hn::MaxLanes(D()) * sizeof(Real) <= 16) {
+    return hn::LoadU(d, from);
+  } else {
+    const int lanes = static_cast<int>(hn::MaxLanes(d));
+    const hn::Half<D> half;
+    if (lanes == piece) return hn::LoadU(d, from);
+    const auto low = gather_pieces(half, piece, from, apart);
+    const auto high = gather_pieces(half, piece, from + apart * (lanes / piece / 2), apart);
+    return hn::Combine(d, high, low);
+  }
+}
+template <class D, class Real>
+HWY_INLINE void scatter_pieces(D d, hn::Vec<D> v, int piece, Real* to, Eigen::Index apart) {
+  if constexpr (hn::MaxLanes(D()) * sizeof(Real) <= 16) {
+    hn::StoreU(v, d, to);
+  } else {
+    const int lanes = static_cast<int>(hn::MaxLanes(d));
+    const hn::Half<D> half;
+    if (lanes == piece) return hn::StoreU(v, d, to);
+    scatter_pieces(half, hn::LowerHalf(half, v), piece, to, apart);
+    scatter_pieces(half, hn::UpperHalf(half, v), piece, to + apart * (lanes / piece / 2), apart);
+  }
+}
+
+/// Four rows from four numbers of each configuration, which are `stride` apart.
+template <class Real>
+HWY_INLINE void load_four(const Real* from, Eigen::Index stride, Real* rows) {
+  const typename Wide<Real>::Tag d;
+  constexpr int width = Wide<Real>::width;
+  WideVec<Real> v[4];
+  if constexpr (sizeof(Real) == 4) {
+    for (int c = 0; c < 4; ++c) v[c] = gather_pieces(d, 4, from + c * stride, 4 * stride);
+    turn_blocks(v);
+  } else {
+    if constexpr (width == 2) {
+      for (int c = 0; c < 4; ++c) v[c] = hn::LoadU(d, from + (c % 2) * stride + c / 2 * 2);
+    } else {
+      // Configurations 0 and 4, 2 and 6 beside them; 1 and 5, 3 and 7.
+      for (int c = 0; c < 2; ++c) {
+        v[c] = gather_pieces(d, 4, from + c * stride, 4 * stride);
+        v[c + 2] = gather_pieces(d, 4, from + (c + 2) * stride, 4 * stride);
+        pair_blocks(v[c], v[c + 2]);
+      }
+    }
+    const WideVec<Real> a = v[0], b = v[1], e = v[2], f = v[3];
+    v[0] = hn::InterleaveLower(d, a, b);
+    v[1] = hn::InterleaveUpper(d, a, b);
+    v[2] = hn::InterleaveLower(d, e, f);
+    v[3] = hn::InterleaveUpper(d, e, f);
+  }
+  for (int i = 0; i < 4; ++i) hn::Store(v[i], d, rows + i * width);
+}
+
+/// The other way.
+template <class Real>
+HWY_INLINE void store_four(Wide<Real> a, Wide<Real> b, Wide<Real> e, Wide<Real> f, Real* to,
+                           Eigen::Index stride) {
+  const typename Wide<Real>::Tag d;
+  constexpr int width = Wide<Real>::width;
+  WideVec<Real> v[4] = {a.v, b.v, e.v, f.v};
+  if constexpr (sizeof(Real) == 4) {
+    turn_blocks(v);
+    for (int c = 0; c < 4; ++c) scatter_pieces(d, v[c], 4, to + c * stride, 4 * stride);
+  } else {
+    WideVec<Real> low[2] = {hn::InterleaveLower(d, v[0], v[1]), hn::InterleaveLower(d, v[2], v[3])};
+    WideVec<Real> high[2] = {hn::InterleaveUpper(d, v[0], v[1]),
+                             hn::InterleaveUpper(d, v[2], v[3])};
+    if constexpr (width == 2) {
+      for (int i = 0; i < 2; ++i) {
+        hn::StoreU(low[i], d, to + 2 * i);
+        hn::StoreU(high[i], d, to + stride + 2 * i);
+      }
+    } else {
+      pair_blocks(low[0], low[1]);
+      pair_blocks(high[0], high[1]);
+      scatter_pieces(d, low[0], 4, to, 4 * stride);
+      scatter_pieces(d, high[0], 4, to + stride, 4 * stride);
+      if constexpr (width >= 4) {
+        scatter_pieces(d, low[1], 4, to + 2 * stride, 4 * stride);
+        scatter_pieces(d, high[1], 4, to + 3 * stride, 4 * stride);
+      }
+    }
+  }
+}
+
+#else
+
+template <class Real>
+HWY_INLINE void store_four(Wide<Real> a, Wide<Real> b, Wide<Real> e, Wide<Real> f, Real* to,
+                           Eigen::Index) {
+  a.store(to);
+  b.store(to + 1);
+  e.store(to + 2);
+  f.store(to + 3);
+}
+
+#endif  // HWY_TARGET != HWY_SCALAR
+
+/// `count` rows from as many numbers of each configuration. The last four overlap with those
+/// before them where the count is no multiple of four.
+template <class Real>
+HWY_INLINE void load_rows(const Real* from, int count, Real* rows) {
+  constexpr int width = Wide<Real>::width;
+#if HWY_TARGET != HWY_SCALAR
+  for (int i = 0; count >= 4 && i < count; i += 4) {
+    const int first = std::min(i, count - 4);
+    load_four(from + first, count, rows + first * width);
+  }
+  if (count >= 4) return;
+#endif
+  for (int i = 0; i < count; ++i) {
+    for (int c = 0; c < width; ++c) rows[i * width + c] = from[c * count + i];
+  }
+}
+
+/// The other way; each configuration's numbers are `stride` apart.
+template <class Real>
+HWY_INLINE void store_rows(const Real* rows, int count, Real* to, Eigen::Index stride) {
+  constexpr int width = Wide<Real>::width;
+#if HWY_TARGET != HWY_SCALAR
+  for (int i = 0; count >= 4 && i < count; i += 4) {
+    const int first = std::min(i, count - 4);
+    const Real* row = rows + first * width;
+    store_four(Wide<Real>::load(row), Wide<Real>::load(row + width),
+               Wide<Real>::load(row + 2 * width), Wide<Real>::load(row + 3 * width), to + first,
+               stride);
+  }
+  if (count >= 4) return;
+#endif
+  for (int i = 0; i < count; ++i) {
+    for (int c = 0; c < width; ++c) to[c * stride + i] = rows[i * width + c];
+  }
+}
+
+}  // namespace beeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

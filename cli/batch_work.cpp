@@ -1,0 +1,206 @@
+#include "batch_work.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+
+#include <beeline/error.h>
+#include <beeline/inverse/question.h>
+#include <beeline/read/pose_list.h>
+
+using namespace beeline;
+
+namespace {
+
+std::vector<std::string> matrix_columns() {
+  std::vector<std::string> names;
+  for (int row = 1; row <= 4; ++row) {
+    for (int column = 1; column <= 4; ++column) names.push_back(fmt::format("m{}{}", row, column));
+  }
+  return names;
+}
+
+const std::vector<std::string>& quaternion_columns() { return pose_forms()[2]; }
+
+/// Keeps the rows for which `good` is true, which meets the others.
+template <class Good>
+void keep_rows(RowBlock& block, Eigen::MatrixXd& values, Good&& good) {
+  Eigen::Index kept = 0;
+  for (Eigen::Index i = 0; i < block.count(); ++i) {
+    const RowPlace place = block.places[static_cast<std::size_t>(i)];
+    if (!good(i, place)) continue;
+    if (kept != i) values.col(kept) = values.col(i);
+    block.places[static_cast<std::size_t>(kept++)] = place;
+  }
+  block.places.resize(static_cast<std::size_t>(kept));
+}
+
+/// The block's first rows, as they were read, become configurations.
+class Configurations {
+ public:
+  Configurations(const BatchArguments& arguments, const Arm& arm) : arguments_(arguments) {
+    for (int k = 0; k < arm.dof(); ++k) {
+      turns_.push_back(kind(arm.joint_of(k)) != JointKind::prismatic);
+    }
+    const auto& limits = arm.limits();
+    lower_.resize(arm.dof());
+    upper_.resize(arm.dof());
+    for (int k = 0; k < arm.dof(); ++k) {
+      lower_[k] = limits[static_cast<std::size_t>(k)].lower;
+      upper_[k] = limits[static_cast<std::size_t>(k)].upper;
+    }
+  }
+
+  void convert(RowBlock& block, BatchCounts& counts) const {
+    for (Eigen::Index i = 0; i < block.count(); ++i) {
+      auto q = block.numbers.col(i);
+      for (Eigen::Index k = 0; k < q.size() && arguments_.unit.degrees; ++k) {
+        if (turns_[static_cast<std::size_t>(k)]) q[k] = to_radians(q[k], AngleUnit::degrees);
+      }
+      if ((q.array() >= lower_).all() && (q.array() <= upper_).all()) continue;
+      if (counts.outside_limits++ > 0) continue;
+      counts.first_outside = block.places[static_cast<std::size_t>(i)].row;
+    }
+  }
+
+  /// Takes out the rows whose results overflowed.
+  void check(RowBlock& block, Eigen::MatrixXd& results, BadRows& bad) const {
+    if (results.allFinite()) return;
+    keep_rows(block, results, [&](Eigen::Index i, const RowPlace& place) {
+      if (results.col(i).allFinite()) return true;
+      bad.meet(
+          bad_row(arguments_.source(), place, "the tool is farther away than a number can tell"));
+      return false;
+    });
+    results.conservativeResize(Eigen::NoChange, block.count());
+  }
+
+ private:
+  const BatchArguments& arguments_;
+  std::vector<bool> turns_;
+  Eigen::ArrayXd lower_, upper_;
+};
+
+PoseLayout layout_named(const std::string& name) {
+  if (name == "matrix") return PoseLayout::matrix;
+  if (name == "pose") return PoseLayout::position_quaternion;
+  throw unknown_name("layout", name, {"matrix", "pose"});
+}
+
+/// The pose of a row of one of the forms; throws Error for what is none.
+Pose pose_in(const Eigen::Ref<const Eigen::VectorXd>& row, const UnitArgument& unit) {
+  if (row.size() != 16) {
+    return pose_of({row.data(), static_cast<std::size_t>(row.size())}, unit.angle_unit());
+  }
+  Pose pose = Pose::Identity();
+  pose.matrix() = row.reshaped(4, 4).transpose();
+  constexpr double rounding = 1e-6;
+  if (!((row.tail<4>() - Eigen::Vector4d::UnitW()).cwiseAbs().maxCoeff() <= rounding)) {
+    throw Error("the matrix ends in the row " + number(row[12]) + ", " + number(row[13]) + ", " +
+                number(row[14]) + ", " + number(row[15]) + "; it must be 0, 0, 0, 1");
+  }
+  pose.makeAffine();
+  return pose;
+}
+
+/// The block's poses as columns of 16; bad ones are met, and their rows taken out.
+void read_goals(const BatchArguments& arguments, const Arm& arm, std::size_t width, RowBlock& block,
+                Eigen::MatrixXd& goals, BadRows& bad) {
+  const bool planar_form = width == pose_forms()[0].size();
+  goals.resize(16, block.count());
+  keep_rows(block, goals, [&](Eigen::Index i, const RowPlace& place) {
+    try {
+      const auto row = block.numbers.col(i).head(static_cast<Eigen::Index>(width));
+      const Pose pose = checked_pose(pose_in(row, arguments.unit));
+      if (arm.planar()) check_pose_form(arm, {pose, planar_form}, arguments.task, "pose");
+      goals.col(i) = pose.matrix().reshaped();
+      return true;
+    } catch (const Error& error) {
+      bad.meet(bad_row(arguments.source(), place, error.what()));
+      return false;
+    }
+  });
+}
+
+InverseOptions inverse_options(const BatchArguments& arguments, const Arm& arm) {
+  InverseOptions options = arguments.inverse;
+  options.task = arguments.task.read(arm);
+  options.method = inverse_method_named(arguments.method);
+  options.redundancy = redundancy_named(arguments.redundancy);
+  return options;
+}
+
+}  // namespace
+
+BatchWork forward_work(const BatchArguments& arguments, const Arm& arm) {
+  const PoseLayout layout = layout_named(arguments.layout);
+  const bool matrix = layout == PoseLayout::matrix;
+  const BatchOptions options{.layout = layout, .threads = arguments.threads};
+  const auto step = [&arm, options, matrix, rows = Configurations(arguments, arm)](
+                        std::size_t, RowBlock& block, Eigen::MatrixXd& results, BatchCounts& counts,
+                        BadRows& bad) {
+    rows.convert(block, counts);
+    results.resize(size(options.layout), block.count());
+    batch_forward<double>(arm, block.numbers.leftCols(block.count()), results, options);
+    rows.check(block, results, bad);
+    if (!matrix) return;
+    for (auto pose : results.colwise()) {  // row by row, as JSON and numpy have a matrix
+      Eigen::Map<Eigen::Matrix4d>(pose.data()).transposeInPlace();
+    }
+  };
+  return {.forms = {arm.joint_names()},
+          .columns = matrix ? matrix_columns() : quaternion_columns(),
+          .step = step};
+}
+
+BatchWork jacobian_work(const BatchArguments& arguments, const Arm& arm) {
+  Task task = arguments.task.read(arm);
+  if (task.frame == Frame::tool && arguments.frame != "tool") {
+    throw Error("the task's :tool does not go with --frame " + arguments.frame);
+  }
+  task.frame = frame_named(arguments.frame);
+  BatchWork work{.forms = {arm.joint_names()}, .columns = {}, .step = {}};
+  std::vector<Eigen::Index> source;  // of each number: row by row, as numpy has a matrix
+  for (const std::string& row : row_names({task.rows, Frame::base})) {
+    for (const std::string& joint : arm.joint_names()) work.columns.push_back(row + "_" + joint);
+  }
+  for (Eigen::Index row = 0; row < 6; ++row) {
+    if (!task.rows[static_cast<std::size_t>(row)]) continue;
+    for (int k = 0; k < arm.dof(); ++k) source.push_back(6 * k + row);
+  }
+  const BatchOptions options{.frame = task.frame, .threads = arguments.threads};
+  work.step = [&arm, options, source, rows = Configurations(arguments, arm),
+               whole = Eigen::MatrixXd()](std::size_t, RowBlock& block, Eigen::MatrixXd& results,
+                                          BatchCounts& counts, BadRows& bad) mutable {
+    rows.convert(block, counts);
+    whole.resize(6 * arm.dof(), block.count());
+    Eigen::MatrixXd no_poses(size(options.layout), 0);
+    batch_jacobian<double>(arm, block.numbers.leftCols(block.count()), whole, no_poses, options);
+    rows.check(block, whole, bad);
+    results = whole(source, Eigen::all);
+  };
+  return work;
+}
+
+BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
+  const InverseOptions options = inverse_options(arguments, arm);
+  const Configuration seed = arguments.seed.empty()
+                                 ? middle_configuration(arm)
+                                 : arguments.unit.configuration(arm, arguments.seed, "--seed");
+  InverseSolver(arm, options);  // refuses what makes no sense, before the rows are read
+  BatchWork work{.forms = {}, .columns = arm.joint_names(), .most_rows = 4096, .step = {}};
+  for (const auto& form : pose_forms()) {
+    if (form.size() > 3 || arm.planar()) work.forms.push_back(form);
+  }
+  work.forms.push_back(matrix_columns());
+  work.step = [&arguments, &arm, options, seed, forms = work.forms, goals = Eigen::MatrixXd()](
+                  std::size_t form, RowBlock& block, Eigen::MatrixXd& results, BatchCounts& counts,
+                  BadRows& bad) mutable {
+    read_goals(arguments, arm, forms[form].size(), block, goals, bad);
+    results.resize(arm.dof(), block.count());
+    counts.solved += batch_inverse(arm, goals.leftCols(block.count()), seed, results, options,
+                                   {.threads = arguments.threads});
+    if (!arguments.unit.degrees) return;
+    for (auto q : results.colwise()) q = arguments.unit.shown(arm, Configuration(q));
+  };
+  return work;
+}

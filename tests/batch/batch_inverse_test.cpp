@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+#include <limits>
+
+#include <beeline/batch/batch.h>
+#include <beeline/model/catalog.h>
+
+#include <tests/random.h>
+
+namespace beeline {
+namespace {
+
+using Eigen::MatrixXd;
+
+TEST(BatchInverse, IsTheSolversAnswers) {
+  testing::Random random;
+  for (const char* name : {"ur5", "panda", "rrr"}) {
+    const Arm arm = built_in(name);
+    const Eigen::Index count = 100;
+    MatrixXd goal(arm.dof(), count), seeds(arm.dof(), count), poses(16, count), seven(7, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      goal.col(i) = random.configuration(arm);
+      seeds.col(i) = random.configuration(arm);
+    }
+    batch_forward<double>(arm, goal, poses);
+    poses.col(50).segment<3>(12).setConstant(1e3);  // out of reach
+    poses(3, 60) = std::numeric_limits<double>::quiet_NaN();
+
+    MatrixXd q(arm.dof(), count), one = MatrixXd::Zero(arm.dof(), 1);
+    const Eigen::Index solved = batch_inverse(arm, poses, seeds, q, {}, {.threads = 2});
+    InverseSolver solver(arm);
+    Eigen::Index expected = 0;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      Pose pose;
+      pose.matrix() = poses.col(i).reshaped(4, 4);
+      const bool found = i != 60 && solver.solve(pose, seeds.col(i), one) == 1;
+      expected += found;
+      if (found) {
+        EXPECT_EQ(q.col(i), one.col(0));
+      } else {
+        EXPECT_TRUE(q.col(i).array().isNaN().all());
+      }
+    }
+    EXPECT_EQ(solved, expected);
+    EXPECT_GE(solved, 90);
+
+    MatrixXd again(arm.dof(), count);
+    for (const int threads : {1, 3}) {
+      EXPECT_EQ(batch_inverse(arm, poses, seeds, again, {}, {.threads = threads}), solved);
+      EXPECT_TRUE(
+          (again.array() == q.array() || (again.array().isNaN() && q.array().isNaN())).all());
+    }
+  }
+}
+
+TEST(BatchInverse, TakesQuaternionsAndOneSeedForAll) {
+  testing::Random random;
+  const Arm arm = built_in("ur5");
+  MatrixXd goal(6, 40), poses(7, 40), q(6, 40), reached(7, 40);
+  for (Eigen::Index i = 0; i < 40; ++i) goal.col(i) = random.configuration(arm);
+  const BatchOptions options{.layout = PoseLayout::position_quaternion};
+  batch_forward<double>(arm, goal, poses, options);
+  EXPECT_EQ(batch_inverse(arm, poses, goal.col(0), q, {}, options), 40);
+  batch_forward<double>(arm, q, reached, options);
+  for (Eigen::Index i = 0; i < 40; ++i) {
+    const double sign = reached.col(i).tail<4>().dot(poses.col(i).tail<4>()) < 0 ? -1 : 1;
+    reached.col(i).tail<4>() *= sign;
+  }
+  EXPECT_LE((reached - poses).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+}  // namespace
+}  // namespace beeline
