@@ -39,6 +39,22 @@ echo -e "\n### Kinematics, one configuration at a time, nanoseconds\n"
   --benchmark_repetitions="${BENCH_REPETITIONS:-9}" --benchmark_min_time=0.05 \
   --benchmark_out="$folder/kinematics.json" --benchmark_out_format=json >&2
 python3 -B bench/kinematics/report.py "$folder/results.json" "$folder/kinematics.json"
+echo -e "\n### Kinematics of many configurations, nanoseconds a configuration\n"
+"$folder/bench_peak"
+echo
+"$folder/bench_batch" --benchmark_enable_random_interleaving=true \
+  --benchmark_repetitions="${BENCH_REPETITIONS:-9}" --benchmark_min_time=0.05 \
+  --benchmark_out="$folder/batch.json" --benchmark_out_format=json >&2
+python3 -B bench/kinematics/report.py "$folder/results.json" "$folder/batch.json"
+for by in joints configurations; do
+  echo -e "\n### Forward kinematics by the number of $by\n"
+  "$folder/bench_kinematics_growth" "$by" | tee "$folder/forward_by_$by.md"
+  what="ns a call"
+  if [[ $by == configurations ]]; then what=µs; fi
+  .venv-bench/bin/python -B bench/draw_growth.py "$by" "$what" \
+    "$folder/forward_by_$by.svg" <"$folder/forward_by_$by.md" || status=1
+  echo -e "\nDrawn: $folder/forward_by_$by.svg"
+done
 echo -e "\n### Instructions of a single call (AVX2)\n"
 python3 -B bench/kinematics/count.py "$folder/bench_instructions" "$folder/instructions.json" ||
   status=1

@@ -60,7 +60,7 @@ def test_an_unknown_component_is_refused(prefix, tmp_path):
         text=True,
     )
     assert done.returncode != 0
-    assert "beeline has no component 'legs': core, read, draw" in done.stderr
+    assert "beeline has no component 'legs': core, batch, read, draw" in done.stderr
 
 
 def test_every_header_but_the_kernels_is_installed(prefix, root):

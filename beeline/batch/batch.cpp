@@ -10,11 +10,10 @@
 namespace beeline {
 namespace {
 
-/// As many configurations as fit into the nearest cache with their results; and as many as one
-/// thread takes at a time.
-constexpr Eigen::Index chunk = 32, block = 1024;
-/// Results of more bytes than that are written past the caches.
-constexpr double cached = 16e6;
+/// Configurations that one thread takes at a time; and those that go through buffers together.
+constexpr Eigen::Index block = 1024, chunk = batch_width;
+/// Results of more bytes leave the nearest cache; and all caches.
+constexpr double most_near = 24e3, most_cached = 16e6;
 
 /// One kind of result: the caller's matrix, and where the job has its pointer to it.
 template <class Real>
@@ -23,7 +22,6 @@ struct Sheet {
   ColumnsRef<Real>* matrix;
 
   Eigen::Index rows() const { return matrix->rows(); }
-  bool side_by_side() const { return matrix->outerStride() == rows(); }
 };
 
 template <class Real>
@@ -33,75 +31,78 @@ using Sheets = std::vector<Sheet<Real>>;
 template <class Real>
 using Buffer = hwy::AlignedFreeUniquePtr<Real[]>;
 template <class Real>
-Buffer<Real> buffer(Eigen::Index numbers) {
+Buffer<Real> allocated(Eigen::Index numbers) {
   return hwy::AllocateAligned<Real>(static_cast<size_t>(numbers));
 }
 
-Eigen::Index rounded_up(Eigen::Index count) {
-  return (count + batch_width - 1) / batch_width * batch_width;
+/// The columns from `first` to `last` by the kernel: side by side, a multiple of batch_width.
+template <class Real>
+void compute(BatchJob<Real>& job, const ConstColumnsRef<Real>& q, const Sheets<Real>& sheets,
+             Eigen::Index first, Eigen::Index last) {
+  job.q = q.data() + first * q.rows();
+  job.count = last - first;
+  for (const Sheet<Real>& sheet : sheets) {
+    job.*sheet.place = sheet.matrix->data() + first * sheet.rows();
+  }
+  batch_kernel(job);
 }
 
-/// The columns from `first` to `last`: through small buffers where they are the last ones, which
-/// are too few, or are not side by side; or too many for the caches.
+/// Through buffers where they are too few, or not side by side.
 template <class Real>
-void compute(BatchJob<Real> job, const ConstColumnsRef<Real>& q, const Sheets<Real>& sheets,
-             bool past_caches, Eigen::Index first, Eigen::Index last) {
-  Eigen::Index room = 0;
-  for (const Sheet<Real>& sheet : sheets) room += rounded_up(sheet.rows());
-  const Buffer<Real> work = buffer<Real>(batch_work(*job.plan));
-  const Buffer<Real> columns = buffer<Real>(chunk * q.rows());
-  const Buffer<Real> results = buffer<Real>(chunk * room);
-  job.work = work.get();
+void compute_apart(BatchJob<Real>& job, const ConstColumnsRef<Real>& q, const Sheets<Real>& sheets,
+                   Eigen::Index first, Eigen::Index last) {
+  Eigen::Index room = q.rows();
+  for (const Sheet<Real>& sheet : sheets) room += sheet.rows();
+  const Buffer<Real> buffer = allocated<Real>(chunk * room);
+  job.write = BatchWrite::at_once;
+  job.count = chunk;
+  job.q = buffer.get();
   for (; first < last; first += chunk) {
     const Eigen::Index count = std::min(chunk, last - first);
-    job.count = rounded_up(count);
-    const bool whole = job.count == count;
-    job.q = q.data() + first * q.outerStride();
-    if (!whole || q.outerStride() != q.rows()) {
-      Eigen::Map<Eigen::Matrix<Real, -1, -1>> padded(columns.get(), q.rows(), job.count);
-      padded.leftCols(count) = q.middleCols(first, count);
-      padded.rightCols(job.count - count).setZero();
-      job.q = columns.get();
-    }
-    Real* free = results.get();
+    Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>> padded(buffer.get(), q.rows(),
+                                                                           chunk);
+    padded.leftCols(count) = q.middleCols(first, count);
+    padded.rightCols(chunk - count).setZero();
+    Real* free = buffer.get() + chunk * q.rows();
     for (const Sheet<Real>& sheet : sheets) {
-      const bool direct = whole && sheet.side_by_side() && !past_caches;
-      job.*sheet.place = direct ? sheet.matrix->data() + first * sheet.rows() : free;
-      free += chunk * rounded_up(sheet.rows());
+      job.*sheet.place = free;
+      free += chunk * sheet.rows();
     }
     batch_kernel(job);
     for (const Sheet<Real>& sheet : sheets) {
-      const Real* made = job.*sheet.place;
-      Real* to = sheet.matrix->data() + first * sheet.matrix->outerStride();
-      if (made == to) continue;
-      if (past_caches && sheet.side_by_side()) {
-        batch_copy(made, count * sheet.rows(), to);
-        continue;
-      }
-      for (Eigen::Index i = 0; i < count; ++i) {
-        std::copy_n(made + i * sheet.rows(), sheet.rows(), to + i * sheet.matrix->outerStride());
-      }
+      sheet.matrix->middleCols(first, count) =
+          Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>>(job.*sheet.place,
+                                                                          sheet.rows(), count);
     }
   }
-  if (past_caches) batch_copied();
 }
 
 template <class Real>
 void run(const Arm& arm, const ConstColumnsRef<Real>& q, const Sheets<Real>& sheets,
          const BatchOptions& options) {
   check_rows(arm, "q", q, arm.dof());
-  double numbers = 0;
+  double bytes = 0;
+  bool side_by_side = q.outerStride() == q.rows();
   for (const Sheet<Real>& sheet : sheets) {
-    numbers += static_cast<double>(sheet.rows()) * static_cast<double>(q.cols());
+    bytes += static_cast<double>(sheet.rows()) * static_cast<double>(q.cols()) * sizeof(Real);
+    side_by_side = side_by_side && sheet.matrix->outerStride() == sheet.rows();
   }
-  const bool past_caches = numbers * sizeof(Real) > cached;
   const BatchPlan<Real> plan(arm);
-  BatchJob<Real> job{};
-  job.plan = &plan;
-  job.layout = options.layout;
-  job.frame = options.frame;
+  BatchJob<Real> all{};
+  all.plan = &plan;
+  all.layout = options.layout;
+  all.frame = options.frame;
+  all.write = bytes > most_cached ? BatchWrite::past_caches
+              : bytes > most_near ? BatchWrite::by_lines
+                                  : BatchWrite::at_once;
   in_parallel(q.cols(), block, options.threads, [&](Eigen::Index first, Eigen::Index last) {
-    compute(job, q, sheets, past_caches, first, last);
+    BatchJob<Real> job = all;
+    const Buffer<Real> work = allocated<Real>(batch_work(plan));
+    job.work = work.get();
+    const Eigen::Index whole =
+        side_by_side ? first + (last - first) / batch_width * batch_width : first;
+    if (whole != first) compute(job, q, sheets, first, whole);
+    if (whole != last) compute_apart(job, q, sheets, whole, last);
   });
 }
 

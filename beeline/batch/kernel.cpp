@@ -5,12 +5,11 @@
 
 #include <beeline/batch/plan.h>
 
-#include <hwy/cache_control.h>
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "beeline/batch/kernel.cpp"
 #include <hwy/foreach_target.h>
 
+#include <beeline/batch/drain-inl.h>
 #include <beeline/batch/passes-inl.h>
 #include <beeline/batch/transpose-inl.h>
 
@@ -32,7 +31,7 @@ HWY_NOINLINE void spoil(const BatchPlan<Real>& plan, const Real* q, int count, R
 /// One register's configurations between the passes.
 template <class Real>
 struct Rows {
-  Real *q, *sines, *cosines, *axes, *results;
+  Real *q, *sines, *cosines, *axes, *results, *columns, *poses;
 
   explicit HWY_INLINE Rows(const BatchJob<Real>& job) {
     constexpr int width = Wide<Real>::width;
@@ -42,6 +41,8 @@ struct Rows {
     cosines = sines + links * width;
     axes = cosines + links * width;
     results = axes + 6 * links * width;
+    columns = results + std::max(16, 6 * job.plan->dof) * width;
+    poses = columns + 6 * job.plan->dof * width + batch_width;
   }
 };
 
@@ -55,7 +56,8 @@ HWY_INLINE void write(const BatchJob<Real>& job, bool near, const Rows<Real>& ro
 enum class Wanted { tool, columns, links };
 
 template <Wanted wanted, class Real>
-HWY_INLINE void run_one(const BatchJob<Real>& job, const Rows<Real>& rows, Eigen::Index first) {
+HWY_INLINE void run_one(const BatchJob<Real>& job, const Rows<Real>& rows, Eigen::Index first,
+                        Drain<Real>& columns, Drain<Real>& poses) {
   constexpr int width = Wide<Real>::width;
   const BatchPlan<Real>& plan = *job.plan;
   const int dof = plan.dof, links = static_cast<int>(plan.links.size());
@@ -92,33 +94,39 @@ HWY_INLINE void run_one(const BatchJob<Real>& job, const Rows<Real>& rows, Eigen
   move_to_tool(frame, plan);
   if constexpr (wanted == Wanted::columns) {
     if (near && plan.in_order && !job.manipulability) {
-      store_columns(plan, job.frame, frame, rows.axes, job.columns + first * 6 * dof);
+      store_columns(plan, job.frame, frame, rows.axes, columns.next());
     } else {
       write_columns(plan, job.frame, frame, rows.axes, rows.results);
       if (job.columns) {
-        write(job, near, rows, 6 * dof, job.columns + first * 6 * dof, Eigen::Index(6) * dof);
+        write(job, near, rows, 6 * dof, columns.next(), Eigen::Index(6) * dof);
       }
     }
+    if (job.columns) columns.push();
     if (job.manipulability) {
       volume(dof, rows.results).store(rows.results);
       write(job, near, rows, 1, job.manipulability + first, 1);
     }
   }
   if (job.world_T_tool && near && job.layout == PoseLayout::matrix) {
-    store_matrix(frame, job.world_T_tool + first * pose_size, pose_size);
+    store_matrix(frame, poses.next(), pose_size);
   } else if (job.world_T_tool) {
     write_pose(frame, job.layout, rows.results);
-    write(job, near, rows, pose_size, job.world_T_tool + first * pose_size, pose_size);
+    write(job, near, rows, pose_size, poses.next(), pose_size);
   }
+  if (job.world_T_tool) poses.push();
 }
 
 template <class Real>
 HWY_INLINE void run(const BatchJob<Real>& job) {
   const Rows<Real> rows(job);
   const auto all = [&](auto wanted) HWY_ATTR {
+    Drain<Real> columns(job.columns, 6 * job.plan->dof, rows.columns, job.write);
+    Drain<Real> poses(job.world_T_tool, size(job.layout), rows.poses, job.write);
     for (Eigen::Index i = 0; i < job.count; i += Wide<Real>::width) {
-      run_one<decltype(wanted)::value>(job, rows, i);
+      run_one<decltype(wanted)::value>(job, rows, i, columns, poses);
     }
+    columns.finish();
+    poses.finish();
   };
   if (job.world_T_link) {
     all(std::integral_constant<Wanted, Wanted::links>());
@@ -132,17 +140,6 @@ HWY_INLINE void run(const BatchJob<Real>& job) {
 void run_double(const BatchJob<double>& job) { run(job); }
 void run_float(const BatchJob<float>& job) { run(job); }
 
-/// `to` is a multiple of 64 bytes.
-template <class Real>
-void stream(const Real* from, Eigen::Index count, Real* to) {
-  const typename Wide<Real>::Tag d;
-  for (Eigen::Index i = 0; i < count; i += Wide<Real>::width) {
-    hn::Stream(hn::LoadU(d, from + i), d, to + i);
-  }
-}
-void stream_double(const double* from, Eigen::Index count, double* to) { stream(from, count, to); }
-void stream_float(const float* from, Eigen::Index count, float* to) { stream(from, count, to); }
-
 }  // namespace
 }  // namespace beeline::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -152,8 +149,6 @@ namespace beeline {
 
 HWY_EXPORT(run_double);
 HWY_EXPORT(run_float);
-HWY_EXPORT(stream_double);
-HWY_EXPORT(stream_float);
 
 template <>
 void batch_kernel(const BatchJob<double>& job) {
@@ -163,26 +158,6 @@ template <>
 void batch_kernel(const BatchJob<float>& job) {
   HWY_DYNAMIC_DISPATCH(run_float)(job);
 }
-
-template <class Real>
-void batch_copy(const Real* from, Eigen::Index count, Real* to) {
-  constexpr Eigen::Index line = 64 / sizeof(Real);
-  const auto misplaced = static_cast<Eigen::Index>(reinterpret_cast<std::uintptr_t>(to) % 64);
-  const Eigen::Index head =
-      std::min(count, (64 - misplaced) % 64 / static_cast<Eigen::Index>(sizeof(Real)));
-  const Eigen::Index body = (count - head) / line * line;
-  std::copy(from, from + head, to);
-  if constexpr (sizeof(Real) == 8) {
-    HWY_DYNAMIC_DISPATCH(stream_double)(from + head, body, to + head);
-  } else {
-    HWY_DYNAMIC_DISPATCH(stream_float)(from + head, body, to + head);
-  }
-  std::copy(from + head + body, from + count, to + head + body);
-}
-template void batch_copy(const double*, Eigen::Index, double*);
-template void batch_copy(const float*, Eigen::Index, float*);
-
-void batch_copied() { hwy::FlushStream(); }
 
 }  // namespace beeline
 #endif

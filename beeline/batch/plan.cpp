@@ -132,8 +132,9 @@ template struct BatchPlan<float>;
 template <class Real>
 Eigen::Index batch_work(const BatchPlan<Real>& plan) {
   const auto links = static_cast<Eigen::Index>(plan.links.size());
-  // Coordinates, sines and cosines, axes; results.
-  return batch_width * (plan.dof + 8 * links + std::max(16, 6 * plan.dof));
+  // Coordinates, sines and cosines, axes; results; two buffers on their way, and a line's rest.
+  const Eigen::Index columns = 6 * plan.dof, poses = 16;
+  return batch_width * (plan.dof + 8 * links + std::max(poses, columns) + columns + poses + 2);
 }
 template Eigen::Index batch_work(const BatchPlan<double>&);
 template Eigen::Index batch_work(const BatchPlan<float>&);

@@ -58,6 +58,13 @@ struct BatchPlan {
 /// How many configurations the kernels take at least: their number is a multiple of this.
 inline constexpr Eigen::Index batch_width = 16;
 
+/// How results are written.
+enum class BatchWrite {
+  at_once,      ///< where the nearest cache holds all
+  by_lines,     ///< gathered in a buffer, to whole lines of the caches behind it
+  past_caches,  ///< likewise, to memory: what is not read soon
+};
+
 /// What is to be computed for `count` configurations side by side. What is null is left out.
 template <class Real>
 struct BatchJob {
@@ -70,7 +77,8 @@ struct BatchJob {
   Real* world_T_link;    ///< links + 1 times that
   Real* columns;         ///< 6 dof numbers each
   Real* manipulability;  ///< one each
-  Real* work;            ///< batch_work() numbers, at a multiple of 64 bytes
+  BatchWrite write;
+  Real* work;  ///< batch_work() numbers, at a multiple of 64 bytes
 };
 
 template <class Real>
@@ -78,10 +86,5 @@ Eigen::Index batch_work(const BatchPlan<Real>& plan);
 
 template <class Real>
 void batch_kernel(const BatchJob<Real>& job);
-
-/// Copies past the caches, to what is not read soon; batch_copied() is due before others read it.
-template <class Real>
-void batch_copy(const Real* from, Eigen::Index count, Real* to);
-void batch_copied();
 
 }  // namespace beeline
