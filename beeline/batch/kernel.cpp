@@ -42,7 +42,7 @@ struct Rows {
     axes = cosines + links * width;
     results = axes + 6 * links * width;
     columns = results + std::max(16, 6 * job.plan->dof) * width;
-    poses = columns + 6 * job.plan->dof * width + batch_width;
+    poses = columns + 2 * (6 * job.plan->dof * width + batch_width);
   }
 };
 
@@ -55,25 +55,30 @@ HWY_INLINE void write(const BatchJob<Real>& job, bool near, const Rows<Real>& ro
 
 enum class Wanted { tool, columns, links };
 
-template <Wanted wanted, class Real>
+template <Wanted wanted, class Real, bool buffered>
 HWY_INLINE void run_one(const BatchJob<Real>& job, const Rows<Real>& rows, Eigen::Index first,
-                        Drain<Real>& columns, Drain<Real>& poses) {
+                        Drain<Real, buffered>& columns, Drain<Real, buffered>& poses) {
   constexpr int width = Wide<Real>::width;
   const BatchPlan<Real>& plan = *job.plan;
   const int dof = plan.dof, links = static_cast<int>(plan.links.size());
   const int pose_size = job.layout == PoseLayout::matrix ? 16 : 7;
+  const auto flow = [&]() HWY_ATTR {
+    columns.flow();
+    poses.flow();
+  };
   load_rows(job.q + first * dof, dof, rows.q);
-  const bool near = take_sines(plan, rows.q, rows.sines, rows.cosines);
+  const bool near = take_sines(plan, rows.q, rows.sines, rows.cosines, flow);
   if (HWY_UNLIKELY(!near)) take_far_sines(plan, rows.q, rows.sines, rows.cosines);
 
   const Eigen::Index link_stride = Eigen::Index(links + 1) * pose_size;
   if constexpr (wanted == Wanted::links) {
     write_pose(WideFrame<Real>::same(plan.base_link.number), job.layout, rows.results);
-    write(job, near, rows, pose_size, job.world_T_link + first * link_stride, link_stride);
+    write(job, near, rows, pose_size, poses.next(), link_stride);
   }
   auto frame = WideFrame<Real>::same(plan.base.number);
   Real* axes = rows.axes;
   for (int i = 0; i < links; ++i) {
+    flow();
     follow(frame, plan.links[i], rows.q, rows.sines + i * width, rows.cosines + i * width);
     if constexpr (wanted == Wanted::columns) {
       frame.origin.store(axes);
@@ -86,11 +91,10 @@ HWY_INLINE void run_one(const BatchJob<Real>& job, const Rows<Real>& rows, Eigen
     }
     if constexpr (wanted == Wanted::links) {
       write_pose(times<Real>(frame, plan.frame_T_link[i]), job.layout, rows.results);
-      write(job, near, rows, pose_size,
-            job.world_T_link + first * link_stride + (i + 1) * pose_size, link_stride);
+      write(job, near, rows, pose_size, poses.next() + (i + 1) * pose_size, link_stride);
     }
   }
-  if constexpr (wanted == Wanted::links) return;
+  if constexpr (wanted == Wanted::links) return poses.push();
   move_to_tool(frame, plan);
   if constexpr (wanted == Wanted::columns) {
     if (near && plan.in_order && !job.manipulability) {
@@ -116,24 +120,39 @@ HWY_INLINE void run_one(const BatchJob<Real>& job, const Rows<Real>& rows, Eigen
   if (job.world_T_tool) poses.push();
 }
 
+template <Wanted wanted, bool buffered, class Real>
+HWY_NOINLINE void run_all(const BatchJob<Real>& job) {
+  const Rows<Real> rows(job);
+  constexpr bool every_link = wanted == Wanted::links;
+  const auto links = static_cast<Eigen::Index>(job.plan->links.size());
+  Drain<Real, buffered> columns(job.columns, 6 * job.plan->dof, rows.columns, links, job.write);
+  Drain<Real, buffered> poses(every_link ? job.world_T_link : job.world_T_tool,
+                              size(job.layout) * (every_link ? links + 1 : 1), rows.poses, links,
+                              job.write);
+  for (Eigen::Index i = 0; i < job.count; i += Wide<Real>::width) {
+    run_one<wanted>(job, rows, i, columns, poses);
+  }
+  columns.finish();
+  poses.finish();
+}
+
+template <bool buffered, class Real>
+HWY_INLINE void run(const BatchJob<Real>& job) {
+  if (job.world_T_link) {
+    run_all<Wanted::links, buffered>(job);
+  } else if (job.columns || job.manipulability) {
+    run_all<Wanted::columns, buffered>(job);
+  } else {
+    run_all<Wanted::tool, buffered>(job);
+  }
+}
+
 template <class Real>
 HWY_INLINE void run(const BatchJob<Real>& job) {
-  const Rows<Real> rows(job);
-  const auto all = [&](auto wanted) HWY_ATTR {
-    Drain<Real> columns(job.columns, 6 * job.plan->dof, rows.columns, job.write);
-    Drain<Real> poses(job.world_T_tool, size(job.layout), rows.poses, job.write);
-    for (Eigen::Index i = 0; i < job.count; i += Wide<Real>::width) {
-      run_one<decltype(wanted)::value>(job, rows, i, columns, poses);
-    }
-    columns.finish();
-    poses.finish();
-  };
-  if (job.world_T_link) {
-    all(std::integral_constant<Wanted, Wanted::links>());
-  } else if (job.columns || job.manipulability) {
-    all(std::integral_constant<Wanted, Wanted::columns>());
+  if (job.write == BatchWrite::at_once) {
+    run<false>(job);
   } else {
-    all(std::integral_constant<Wanted, Wanted::tool>());
+    run<true>(job);
   }
 }
 

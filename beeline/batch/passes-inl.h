@@ -16,26 +16,44 @@ namespace beeline::HWY_NAMESPACE {
 
 // What is done to one register's configurations, a pass after the other. Rows are of Wide's width.
 
-/// All links' sines and cosines; false where an angle is too large for that, or is no number.
-template <class Real>
-HWY_INLINE bool take_sines(const BatchPlan<Real>& plan, const Real* q, Real* sines, Real* cosines) {
-  constexpr int width = Wide<Real>::width;
-  const int links = static_cast<int>(plan.links.size());
-  Wide<Real> squares = Real(0);
-  for (int i = 0; i < links; ++i) {
-    const auto& link = plan.links[i];
-    Wide<Real> value = Wide<Real>::load(q + link.coordinate * width);
-    if (!link.plain) value = value * Wide<Real>(link.turns ? link.turn : Real(1));
-    Wide<Real> sign;
-    without_half_turns(value, link, sign).store(sines + i * width);
-    sign.store(cosines + i * width);
+/// Sines and cosines of a few links; adds their angles' squares.
+template <int count, class Real>
+HWY_INLINE void take_some_sines(const typename BatchPlan<Real>::Link* link, const Real* q,
+                                Real* sines, Real* cosines, Wide<Real>& squares) {
+  using W = Wide<Real>;
+  W r[count], sign[count];
+  for (int i = 0; i < count; ++i) {
+    W value = W::load(q + link[i].coordinate * W::width);
+    if (link[i].turns && !link[i].plain) value = value * W(link[i].turn);
     squares = fma(value, value, squares);
+    r[i] = without_half_turns(value, link[i], sign[i]);
   }
+  sines_to_rows<count>(r, sign, sines, cosines);
+}
+
+/// All links' sines and cosines; false where an angle is too large for that, or is no number.
+/// `between` is called for each link.
+template <class Real, class Between>
+HWY_INLINE bool take_sines(const BatchPlan<Real>& plan, const Real* q, Real* sines, Real* cosines,
+                           const Between& between) {
+  constexpr int width = Wide<Real>::width;
+  constexpr int some = HWY_MAX_BYTES >= 64 ? 4 : 2;  // as many as there are registers for
+  const int links = static_cast<int>(plan.links.size());
+  const auto* link = plan.links.data();
+  Wide<Real> squares = Real(0);
   int i = 0;
-  for (; i + 4 <= links; i += 4) sines_of_rows<4>(sines + i * width, cosines + i * width);
-  if (links - i == 3) sines_of_rows<3>(sines + i * width, cosines + i * width);
-  if (links - i == 2) sines_of_rows<2>(sines + i * width, cosines + i * width);
-  if (links - i == 1) sines_of_rows<1>(sines + i * width, cosines + i * width);
+  for (; i + some <= links; i += some, sines += some * width, cosines += some * width) {
+    take_some_sines<some>(link + i, q, sines, cosines, squares);
+    for (int k = 0; k < some; ++k) between();
+  }
+  if (links - i >= 2) {
+    take_some_sines<2>(link + i, q, sines, cosines, squares);
+    i += 2;
+    sines += 2 * width;
+    cosines += 2 * width;
+    between();
+  }
+  if (links != i) take_some_sines<1>(link + i, q, sines, cosines, squares);
   constexpr Real reach = SineNumbers<Real>::reach;
   return all_at_most(squares, reach * reach);
 }
@@ -218,10 +236,9 @@ HWY_INLINE void store_columns(const BatchPlan<Real>& plan, Frame in, const WideF
 template <class Real>
 HWY_INLINE void store_matrix(const WideFrame<Real>& frame, Real* to, Eigen::Index stride) {
   const Wide<Real> none = Real(0), one = Real(1);
-  store_four(frame.x.x, frame.x.y, frame.x.z, none, to, stride);
-  store_four(frame.y.x, frame.y.y, frame.y.z, none, to + 4, stride);
-  store_four(frame.z.x, frame.z.y, frame.z.z, none, to + 8, stride);
-  store_four(frame.origin.x, frame.origin.y, frame.origin.z, one, to + 12, stride);
+  const auto& [x, y, z, origin] = frame;
+  store_eight({x.x, x.y, x.z, none, y.x, y.y, y.z, none}, to, stride);
+  store_eight({z.x, z.y, z.z, none, origin.x, origin.y, origin.z, one}, to + 8, stride);
 }
 
 /// sqrt(det(J J^T)): the volume of J's six rows, each without its part along those before it

@@ -79,6 +79,8 @@ Chain gathered(Chain chain) {
     link.sin_alpha *= -1;
     link.rest_angle += pi;
   }
+  chain.base = chain.base * turned(Vector3::UnitZ(), first.rest_angle);
+  first.rest_angle = 0;
   return chain;
 }
 
@@ -133,8 +135,9 @@ template <class Real>
 Eigen::Index batch_work(const BatchPlan<Real>& plan) {
   const auto links = static_cast<Eigen::Index>(plan.links.size());
   // Coordinates, sines and cosines, axes; results; two buffers on their way, and a line's rest.
-  const Eigen::Index columns = 6 * plan.dof, poses = 16;
-  return batch_width * (plan.dof + 8 * links + std::max(poses, columns) + columns + poses + 2);
+  const Eigen::Index columns = 6 * plan.dof, poses = 16 * (links + 1);
+  return batch_width *
+         (plan.dof + 8 * links + std::max<Eigen::Index>(16, columns) + 2 * (columns + poses + 2));
 }
 template Eigen::Index batch_work(const BatchPlan<double>&);
 template Eigen::Index batch_work(const BatchPlan<float>&);

@@ -91,17 +91,16 @@ HWY_INLINE Wide<Real> without_half_turns(Wide<Real> value,
   return r;
 }
 
-/// Sines and cosines of `count` rows, whose angles without half turns stand where the sines go and
-/// their signs where the cosines go. To about 1.5 units in the last place of 1. Each step is done
-/// for all of the rows, so that none waits for the step before.
+/// Sines and cosines of angles without half turns, whose signs are given, to rows. To about 1.5
+/// units in the last place of 1. Each step is done for all, so that none waits for the one before.
 template <int count, class Real>
-HWY_INLINE void sines_of_rows(Real* sines, Real* cosines) {
+HWY_INLINE void sines_to_rows(const Wide<Real> (&r)[count], const Wide<Real> (&sign)[count],
+                              Real* sines, Real* cosines) {
   using Numbers = SineNumbers<Real>;
   using W = Wide<Real>;
   constexpr int width = W::width;
   constexpr int terms = std::size(Numbers::sine), even_terms = std::size(Numbers::cosine);
-  W r[count], z[count], s[count], c[count];
-  for (int i = 0; i < count; ++i) r[i] = W::load(sines + i * width);
+  W z[count], s[count], c[count];
   for (int i = 0; i < count; ++i) z[i] = r[i] * r[i];
   for (int i = 0; i < count; ++i) s[i] = Numbers::sine[terms - 1];
   for (int i = 0; i < count; ++i) c[i] = Numbers::cosine[even_terms - 1];
@@ -114,9 +113,8 @@ HWY_INLINE void sines_of_rows(Real* sines, Real* cosines) {
   for (int i = 0; i < count; ++i) {
     s[i] = fma(z[i] * r[i], s[i], r[i]);
     c[i] = fma(z[i] * z[i], c[i], fnma(z[i], W(Real(0.5)), W(Real(1))));
-    const W sign = W::load(cosines + i * width);
-    W(hn::Xor(s[i].v, sign.v)).store(sines + i * width);
-    W(hn::Xor(c[i].v, sign.v)).store(cosines + i * width);
+    W(hn::Xor(s[i].v, sign[i].v)).store(sines + i * width);
+    W(hn::Xor(c[i].v, sign[i].v)).store(cosines + i * width);
   }
 }
 

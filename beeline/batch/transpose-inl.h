@@ -100,36 +100,70 @@ HWY_INLINE void load_four(const Real* from, Eigen::Index stride, Real* rows) {
   for (int i = 0; i < 4; ++i) hn::Store(v[i], d, rows + i * width);
 }
 
+#if HWY_MAX_BYTES >= 32
+/// From four rows the pieces of configurations: those of 0 to 3, and behind each that of the fourth
+/// configuration after it, and so on.
+template <class Real>
+HWY_INLINE void pieces_of(WideVec<Real> (&v)[4]) {
+  const typename Wide<Real>::Tag d;
+  if constexpr (sizeof(Real) == 4) {
+    turn_blocks(v);
+  } else {
+    const WideVec<Real> a = v[0], b = v[1], e = v[2], f = v[3];
+    v[0] = hn::InterleaveLower(d, a, b);
+    v[1] = hn::InterleaveUpper(d, a, b);
+    v[2] = hn::InterleaveLower(d, e, f);
+    v[3] = hn::InterleaveUpper(d, e, f);
+    pair_blocks(v[0], v[2]);
+    pair_blocks(v[1], v[3]);
+  }
+}
+#endif
+
 /// The other way.
 template <class Real>
 HWY_INLINE void store_four(Wide<Real> a, Wide<Real> b, Wide<Real> e, Wide<Real> f, Real* to,
                            Eigen::Index stride) {
   const typename Wide<Real>::Tag d;
-  constexpr int width = Wide<Real>::width;
   WideVec<Real> v[4] = {a.v, b.v, e.v, f.v};
+#if HWY_MAX_BYTES >= 32
+  pieces_of<Real>(v);
+  for (int c = 0; c < 4; ++c) scatter_pieces(d, v[c], 4, to + c * stride, 4 * stride);
+#else
   if constexpr (sizeof(Real) == 4) {
     turn_blocks(v);
-    for (int c = 0; c < 4; ++c) scatter_pieces(d, v[c], 4, to + c * stride, 4 * stride);
+    for (int c = 0; c < 4; ++c) hn::StoreU(v[c], d, to + c * stride);
   } else {
-    WideVec<Real> low[2] = {hn::InterleaveLower(d, v[0], v[1]), hn::InterleaveLower(d, v[2], v[3])};
-    WideVec<Real> high[2] = {hn::InterleaveUpper(d, v[0], v[1]),
-                             hn::InterleaveUpper(d, v[2], v[3])};
-    if constexpr (width == 2) {
-      for (int i = 0; i < 2; ++i) {
-        hn::StoreU(low[i], d, to + 2 * i);
-        hn::StoreU(high[i], d, to + stride + 2 * i);
-      }
-    } else {
-      pair_blocks(low[0], low[1]);
-      pair_blocks(high[0], high[1]);
-      scatter_pieces(d, low[0], 4, to, 4 * stride);
-      scatter_pieces(d, high[0], 4, to + stride, 4 * stride);
-      if constexpr (width >= 4) {
-        scatter_pieces(d, low[1], 4, to + 2 * stride, 4 * stride);
-        scatter_pieces(d, high[1], 4, to + 3 * stride, 4 * stride);
-      }
+    for (int i = 0; i < 2; ++i) {
+      hn::StoreU(hn::InterleaveLower(d, v[2 * i], v[2 * i + 1]), d, to + 2 * i);
+      hn::StoreU(hn::InterleaveUpper(d, v[2 * i], v[2 * i + 1]), d, to + stride + 2 * i);
     }
   }
+#endif
+}
+
+/// Eight rows: what goes side by side is stored side by side, which the machine does in one step.
+template <class Real>
+HWY_INLINE void store_eight(const Wide<Real> (&row)[8], Real* to, Eigen::Index stride) {
+#if HWY_MAX_BYTES >= 64
+  if constexpr (sizeof(Real) == 8) {
+    const typename Wide<Real>::Tag d;
+    const hn::Half<decltype(d)> half;
+    WideVec<Real> v[4] = {row[0].v, row[1].v, row[2].v, row[3].v};
+    WideVec<Real> w[4] = {row[4].v, row[5].v, row[6].v, row[7].v};
+    pieces_of<Real>(v);
+    pieces_of<Real>(w);
+    for (int c = 0; c < 4; ++c, to += stride) {
+      hn::StoreU(hn::LowerHalf(half, v[c]), half, to);
+      hn::StoreU(hn::LowerHalf(half, w[c]), half, to + 4);
+      hn::StoreU(hn::UpperHalf(half, v[c]), half, to + 4 * stride);
+      hn::StoreU(hn::UpperHalf(half, w[c]), half, to + 4 * stride + 4);
+    }
+    return;
+  }
+#endif
+  store_four(row[0], row[1], row[2], row[3], to, stride);
+  store_four(row[4], row[5], row[6], row[7], to + 4, stride);
 }
 
 #else
@@ -141,6 +175,11 @@ HWY_INLINE void store_four(Wide<Real> a, Wide<Real> b, Wide<Real> e, Wide<Real> 
   b.store(to + 1);
   e.store(to + 2);
   f.store(to + 3);
+}
+
+template <class Real>
+HWY_INLINE void store_eight(const Wide<Real> (&row)[8], Real* to, Eigen::Index) {
+  for (int i = 0; i < 8; ++i) row[i].store(to + i);
 }
 
 #endif  // HWY_TARGET != HWY_SCALAR

@@ -29,9 +29,11 @@ HWY_INLINE void sines(const Arm& arm, const double* q, std::size_t first, double
     value = Lanes::load(gathered);
   }
   Lanes s, c;
-  sine_cosine(fma(value, Lanes::load(&angles.turn[first]), Lanes::load(&angles.rest[first])), s, c);
-  s.store(sine);
-  c.store(cosine);
+  sine_cosine(value * Lanes::load(&angles.turn[first]), s, c);
+  const Lanes rest_c = Lanes::load(&angles.cos_rest[first]),
+              rest_s = Lanes::load(&angles.sin_rest[first]);
+  fma(s, rest_c, c * rest_s).store(sine);
+  fnma(s, rest_s, c * rest_c).store(cosine);
 }
 
 /// From the frame through a block's links, in two halves side by side, which are then put together:

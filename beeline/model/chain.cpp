@@ -70,10 +70,12 @@ Chain frames_along(const std::vector<JointAxis>& axes, const Pose& world_T_tool)
 ChainAngles angles_of(const Chain& chain) {
   constexpr std::size_t lanes = 8;
   const std::size_t links = chain.links.size(), room = (links + lanes - 1) / lanes * lanes;
-  ChainAngles angles{std::vector<double>(room, 0), std::vector<double>(room, 0)};
+  ChainAngles angles{std::vector<double>(room, 0), std::vector<double>(room, 1),
+                     std::vector<double>(room, 0)};
   for (std::size_t i = 0; i < links; ++i) {
     const Chain::Link& link = chain.links[i];
-    angles.rest[i] = link.rest_angle;
+    angles.cos_rest[i] = std::cos(link.rest_angle);
+    angles.sin_rest[i] = std::sin(link.rest_angle);
     angles.turn[i] = link.turn;
     angles.in_order = angles.in_order && link.coordinate == static_cast<int>(i);
   }

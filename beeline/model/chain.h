@@ -27,10 +27,11 @@ struct Chain {
   Pose tool = Pose::Identity();  ///< in the last joint's frame
 };
 
-/// The links' angles side by side, filled with zeros to a multiple of eight: kernels take all sines
-/// and cosines of a configuration together.
+/// The links' angles side by side, filled up to a multiple of eight by links that stand still:
+/// kernels take all sines and cosines of a configuration together. The rest angles are added to
+/// these, as many turns away their sum with q would lose digits.
 struct ChainAngles {
-  std::vector<double> rest, turn;
+  std::vector<double> turn, cos_rest, sin_rest;
   bool in_order = true;  ///< link i is driven by coordinate i
 };
 ChainAngles angles_of(const Chain& chain);

@@ -43,6 +43,23 @@ TEST(Chain, MovesAsTheArmDoes) {
   }
 }
 
+TEST(Chain, KeepsItsDigitsManyTurnsAway) {
+  testing::Random random;
+  for (const std::string& name : built_in_names()) {
+    const Arm arm = built_in(name);
+    for (int i = 0; i < 50; ++i) {
+      Configuration q(arm.dof());
+      for (int k = 0; k < q.size(); ++k) {
+        const bool slides = kind(arm.joint_of(k)) == JointKind::prismatic;
+        q[k] = slides ? 0.5 : random.uniform(-1e6, 1e6);
+      }
+      const Pose joint_by_joint = link_poses(arm, q).back() * arm.tool();
+      EXPECT_LT((forward_kinematics(arm, q).matrix() - joint_by_joint.matrix()).norm(), 1e-13)
+          << name;
+    }
+  }
+}
+
 TEST(Chain, MovesTheSameWithFramesElsewhereOnTheAxes) {
   testing::Random random;
   for (int trial = 0; trial < 200; ++trial) {
