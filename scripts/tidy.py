@@ -22,7 +22,7 @@ ROOT = Path(__file__).resolve().parent.parent
 STAMPS = Path(os.environ.get("BEELINE_LINT_STAMPS", ROOT / "build" / "lint"))
 # The files are compiled with GCC's warnings, of which Clang does not know all.
 TIDY = ["clang-tidy-14", "--quiet", "--extra-arg=-Wno-unknown-warning-option"]
-LINTED = tuple(f"{ROOT}/{folder}/" for folder in ("beeline", "bench", "cli", "examples"))
+LINTED = tuple(f"{ROOT}/{folder}/" for folder in ("beeline", "cli", "examples"))
 INCLUDE = re.compile(rb'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 

@@ -56,6 +56,11 @@ void add_batches(const std::string& name, const Arm& arm, const Screws& screws, 
       batch_jacobian<double>(arm, *q, *columns, *poses, options);
       benchmark::DoNotOptimize(columns->data());
     });
+    add(name + "/batch jacobian without poses " + where + with + "/Beeline", count, [=] {
+      Matrix none(16, 0);
+      batch_jacobian<double>(arm, *q, *columns, none, options);
+      benchmark::DoNotOptimize(columns->data());
+    });
   }
 }
 
@@ -66,9 +71,11 @@ void add_peer(const std::string& name, const Screws& screws, const std::string& 
   add(name + "/batch forward " + where + "/" + peer->name(), count, [=] {
     for (int i = 0; i < count; ++i) benchmark::DoNotOptimize(peer->forward(q->col(i)));
   });
-  add(name + "/batch jacobian " + where + "/" + peer->name(), count, [=] {
-    for (int i = 0; i < count; ++i) benchmark::DoNotOptimize(peer->jacobian(q->col(i)));
-  });
+  for (const char* without : {"", "without poses "}) {
+    add(name + "/batch jacobian " + without + where + "/" + peer->name(), count, [=] {
+      for (int i = 0; i < count; ++i) benchmark::DoNotOptimize(peer->jacobian(q->col(i)));
+    });
+  }
 }
 
 }  // namespace

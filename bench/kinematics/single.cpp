@@ -50,7 +50,7 @@ void add_beeline(const std::string& name, const Subject& subject) {
 }
 
 void add_peer(const std::string& name, const Subject& subject,
-              std::shared_ptr<KinematicsPeer> peer) {
+              const std::shared_ptr<KinematicsPeer>& peer) {
   benchmark::RegisterBenchmark((name + "/forward/" + peer->name()).c_str(),
                                [subject, peer](benchmark::State& state) {
                                  Configurations q(subject.screws);
