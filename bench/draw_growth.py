@@ -1,7 +1,7 @@
 """Draws a Markdown table of costs, read from stdin, as a chart with logarithmic axes.
 
 Usage: draw_growth.py X Y FILE.svg: the titles of two columns, and where the picture goes. A dashed
-line shows what would grow in proportion from the first row on."""
+line shows what would grow in proportion, up to the last row."""
 
 import sys
 
@@ -23,7 +23,7 @@ def main():
     x_title, y_title, path = sys.argv[1:]
     x, y = columns(sys.stdin.read().splitlines(), x_title, y_title)
     figure, axes = pyplot.subplots(figsize=(5, 3.2))
-    axes.loglog(x, [y[0] * each / x[0] for each in x], "--", color="0.6", label="in proportion")
+    axes.loglog(x, [y[-1] * each / x[-1] for each in x], "--", color="0.6", label="in proportion")
     axes.loglog(x, y, "o-", label="measured")
     axes.set(xlabel=x_title, ylabel=y_title)
     axes.legend()
