@@ -5,7 +5,7 @@ set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config
        libeigen3-dev libhwy-dev libtbb-dev libtinyxml2-dev nlohmann-json3-dev libcli11-dev libfmt-dev libcairo2-dev)
-test=(libgtest-dev python3 python3-venv valgrind)
+test=(libgtest-dev python3 python3-venv)
 bench=(libbenchmark-dev liborocos-kdl-dev python3 python3-venv valgrind)
 lint=(clang-format-14 clang-tidy-14 shellcheck python3)
 
