@@ -36,8 +36,9 @@ typename BatchPlan<Real>::Move move_of(const Vector3& step, double cosine, doubl
   move.cos_alpha = static_cast<Real>(alpha.cosine);
   move.sin_alpha = static_cast<Real>(alpha.sine);
   move.bend = Bend::other;
-  if (alpha.cosine == 1) move.bend = Bend::none;
-  if (alpha.sine == -1) move.bend = Bend::quarter;
+  // A cosine of 1 may belong to an angle of 1e-8: the sine tells.
+  if (alpha.sine == 0 && alpha.cosine > 0) move.bend = Bend::none;
+  if (alpha.cosine == 0 && alpha.sine < 0) move.bend = Bend::quarter;
   return move;
 }
 
@@ -123,7 +124,7 @@ BatchPlan<Real>::BatchPlan(const Arm& arm)
   const Rotation rotation = chain.tool.linear();  // turn_x(b) turn_z(c)
   const Angle c = cleaned(rotation(0, 0), -rotation(0, 1));
   tool = move_of<Real>(chain.tool.translation(), rotation(2, 2), -rotation(1, 2), size);
-  turns_tool = c.cosine != 1;
+  turns_tool = c.sine != 0 || c.cosine < 0;
   cos_tool = static_cast<Real>(c.cosine);
   sin_tool = static_cast<Real>(c.sine);
 }

@@ -21,7 +21,10 @@ FileError refused(const std::string& path, const std::string& what, int reason) 
 std::string target_of(const std::string& path) {
   std::error_code unresolved;
   const std::filesystem::path target = std::filesystem::canonical(path, unresolved);
-  return unresolved ? path : target.string();
+  if (!unresolved) return target.string();
+  // A link to what is not there yet: what it points to is made, and the link stays.
+  const std::filesystem::path link(path), there = std::filesystem::read_symlink(link, unresolved);
+  return unresolved ? path : (link.parent_path() / there).string();
 }
 
 /// A name beside the target that no other writer takes.

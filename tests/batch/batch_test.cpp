@@ -1,3 +1,4 @@
+#include <array>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -17,6 +18,22 @@ using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+/// With right angles, rests and tools that are so but for a little, as text spells them.
+Arm nearly_square(double off) {
+  std::vector<Joint> joints;
+  for (int i = 0; i < 5; ++i) {
+    Joint joint;
+    joint.name = "joint" + std::to_string(i);
+    joint.screw = rotation_screw(Vector3::UnitZ());
+    const double angle = std::array{1.5707963267948966, -1.5707963267948966, 0.0}[i % 3] + off;
+    joint.offset = Pose(Eigen::Translation3d(0.3, 0.1, 0.2)) *
+                   Eigen::AngleAxisd(angle, Vector3::UnitX()) *
+                   Eigen::AngleAxisd(off, Vector3::UnitZ());
+    joints.push_back(joint);
+  }
+  return {"square", joints, Pose(Eigen::AngleAxisd(off, Vector3(1, 1, 1).normalized()))};
+}
+
 /// Built-in arms, and arms of all kinds of joints, from one joint to more than go into a register.
 std::vector<Arm> arms(testing::Random& random) {
   std::vector<Arm> all;
@@ -24,6 +41,7 @@ std::vector<Arm> arms(testing::Random& random) {
   for (const int joints : {1, 2, 3, 4, 6, 7, 8, 9, 17}) {
     for (const int mimics : {0, 3}) all.push_back(testing::random_arm(random, joints, mimics));
   }
+  for (double off = 1e-16; off < 1e-3; off *= 10) all.push_back(nearly_square(off));
   return all;
 }
 
