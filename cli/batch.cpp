@@ -10,9 +10,6 @@
 #include "results.h"
 #include "verb.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 using namespace beeline;
 
 namespace {
@@ -106,24 +103,12 @@ OrderedJson document(const BatchArguments& arguments, const std::string& kind, c
   return document;
 }
 
-/// Whether the file, by whatever name, is the one that is read through standard input.
-bool is_standard_input(const std::string& path) {
-  struct stat input {
-  }, output{};
-  return ::fstat(STDIN_FILENO, &input) == 0 && S_ISREG(input.st_mode) &&
-         ::stat(path.c_str(), &output) == 0 && input.st_dev == output.st_dev &&
-         input.st_ino == output.st_ino;
-}
-
 using MakeWork = BatchWork (*)(const BatchArguments&, const Arm&);
 
 Exit batch(const BatchArguments& arguments, const std::string& kind, MakeWork make_work) {
   row_format(arguments.in);
   row_format(arguments.out);
   refuse_overwriting(arguments.out, {arguments.in, arguments.arm.text});
-  if (arguments.in == "-" && is_standard_input(arguments.out)) {
-    throw Error("--out is the file that comes through standard input: it would be overwritten");
-  }
   if (arguments.json && arguments.out == "-") {
     throw Error("--json does not go with --out -: both would write to stdout");
   }

@@ -39,7 +39,8 @@ Trajectory read_recording(const std::string& path, const Arm& arm) {
 void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs) {
   for (const std::string& input : inputs) {
     std::error_code missing;
-    if (std::filesystem::equivalent(output, input, missing) && !missing) {
+    const std::string file = input == "-" ? "/dev/stdin" : input;
+    if (std::filesystem::equivalent(output, file, missing) && !missing) {
       throw Error("the output " + output + " is an input as well; choose another name");
     }
   }

@@ -14,7 +14,7 @@ std::vector<beeline::Configuration> at_equal_times(const beeline::Trajectory& tr
 /// A recording, its joints in the arm's order.
 beeline::Trajectory read_recording(const std::string& path, const beeline::Arm& arm);
 
-/// Throws Error when `output` is the same file as one of `inputs`.
+/// Throws Error when `output` is the same file as one of `inputs`, of which `-` is standard input.
 void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs);
 
 /// --out and --draw: where a motion's trajectory and picture go.

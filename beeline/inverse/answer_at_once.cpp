@@ -107,7 +107,7 @@ int answer_at_once(InverseMethods& methods, const Pose& goal, const Configuratio
   for (int i = 0; i < shown; ++i) {
     form.configuration(found, lanes[i], value, solutions.col(i));
   }
-  return std::min(count, shown);
+  return shown;
 }
 
 }  // namespace beeline

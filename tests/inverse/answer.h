@@ -7,6 +7,9 @@
 #include <beeline/inverse/descent/representative.h>
 #include <beeline/inverse/solve.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/pose/se3.h>
+
+#include <tests/random.h>
 
 namespace beeline::testing {
 
@@ -35,6 +38,18 @@ inline void expect_no(const InverseResult& result, InverseStatus status) {
   EXPECT_FALSE(result.reason.empty());
   EXPECT_EQ(result.reason.find('\n'), std::string::npos);
   EXPECT_TRUE(std::isfinite(result.residual));
+}
+
+/// The pose with what the task leaves free turned and moved far away: it must not disturb the rest.
+inline Pose moved_where_free(Pose pose, const Task& task, Random& random) {
+  Twist free = Twist::Zero();
+  for (int k = 0; k < 6; ++k) {
+    if (!task.rows[static_cast<std::size_t>(k)]) free[k] = random.uniform(-1, 1);
+  }
+  if (task.frame == Frame::tool) return pose * se3_exp(free);
+  pose.translation() += free.head<3>();
+  pose.linear() = so3_exp(free.tail<3>()) * pose.linear();
+  return pose;
 }
 
 inline Joint named(Joint joint, const std::string& name, double lower = -Limits::none,

@@ -6,25 +6,16 @@
 #include <beeline/model/catalog.h>
 #include <beeline/pose/orientation.h>
 
+#include <tests/inverse/answer.h>
+#include <tests/inverse/lane_starts.h>
 #include <tests/random.h>
 
 namespace beeline {
 namespace {
 
-Configuration found(const DescentProblem& problem, const LaneDescents& lanes, int lane) {
-  Configuration q(problem.arm.dof());
-  lane_configuration(problem, lanes, lane, q.data());
-  return q;
-}
-
-double largest(const Deviation& error) { return std::max(error.position, error.orientation); }
-
-/// Eight starts within `size` of q.
-Eigen::MatrixXd starts_near(const Configuration& q, double size, testing::Random& random) {
-  Eigen::MatrixXd starts(q.size(), descent_lane_count);
-  for (double& start : starts.reshaped()) start = random.uniform(-size, size);
-  return starts.colwise() + q;
-}
+using testing::found;
+using testing::largest;
+using testing::starts_near;
 
 TEST(DescentLanes, EveryMaskAndFrameConvergesFromNearby) {
   testing::Random random;
@@ -38,18 +29,7 @@ TEST(DescentLanes, EveryMaskAndFrameConvergesFromNearby) {
       int arrived = 0;
       for (int i = 0; i < 10; ++i) {
         const Configuration q = random.configuration(arm);
-        // What the task leaves free is turned and moved far away: it must not disturb the rest.
-        Twist free = Twist::Zero();
-        for (int k = 0; k < 6; ++k) {
-          if (!task.rows[static_cast<std::size_t>(k)]) free[k] = random.uniform(-1, 1);
-        }
-        Pose pose = forward_kinematics(arm, q);
-        if (frame == Frame::tool) {
-          pose = pose * se3_exp(free);
-        } else {
-          pose.translation() += free.head<3>();
-          pose.linear() = so3_exp(free.tail<3>()) * pose.linear();
-        }
+        const Pose pose = testing::moved_where_free(forward_kinematics(arm, q), task, random);
         descend_lanes(problem, pose, starts_near(q, 0.02, random), {}, lanes);
         for (int lane = 0; lane < descent_lane_count; ++lane) {
           const Pose at = forward_kinematics(arm, found(problem, lanes, lane));

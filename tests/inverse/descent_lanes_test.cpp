@@ -10,25 +10,16 @@
 
 #include <hwy/targets.h>
 
+#include <tests/inverse/answer.h>
+#include <tests/inverse/lane_starts.h>
 #include <tests/random_arm.h>
 
 namespace beeline {
 namespace {
 
-Configuration found(const DescentProblem& problem, const LaneDescents& lanes, int lane) {
-  Configuration q(problem.arm.dof());
-  lane_configuration(problem, lanes, lane, q.data());
-  return q;
-}
-
-double largest(const Deviation& error) { return std::max(error.position, error.orientation); }
-
-/// Eight starts within `size` of q.
-Eigen::MatrixXd starts_near(const Configuration& q, double size, testing::Random& random) {
-  Eigen::MatrixXd starts(q.size(), descent_lane_count);
-  for (double& start : starts.reshaped()) start = random.uniform(-size, size);
-  return starts.colwise() + q;
-}
+using testing::found;
+using testing::largest;
+using testing::starts_near;
 
 /// Built-in arms, and others with joints of all kinds, some of which follow others.
 std::vector<Arm> arms(testing::Random& random) {

@@ -6,12 +6,13 @@
 #include <beeline/model/catalog.h>
 #include <beeline/pose/orientation.h>
 
+#include <tests/inverse/answer.h>
 #include <tests/random.h>
 
 namespace beeline {
 namespace {
 
-double largest(const Deviation& error) { return std::max(error.position, error.orientation); }
+using testing::largest;
 
 Configuration nearby(const Arm& arm, const Configuration& q, double size, testing::Random& random) {
   Configuration start = q;
@@ -120,18 +121,7 @@ TEST(Descend, EveryMaskAndFrameConvergesFromNearby) {
       int hits = 0;
       for (int i = 0; i < 20; ++i) {
         const Configuration q = random.configuration(arm);
-        // What the task leaves free is turned and moved far away: it must not disturb the rest.
-        Twist free = Twist::Zero();
-        for (int k = 0; k < 6; ++k) {
-          if (!task.rows[static_cast<std::size_t>(k)]) free[k] = random.uniform(-1, 1);
-        }
-        Pose pose = forward_kinematics(arm, q);
-        if (frame == Frame::tool) {
-          pose = pose * se3_exp(free);
-        } else {
-          pose.translation() += free.head<3>();
-          pose.linear() = so3_exp(free.tail<3>()) * pose.linear();
-        }
+        const Pose pose = testing::moved_where_free(forward_kinematics(arm, q), task, random);
         const Descent run = descend(arm, pose, task, no_bounds(arm), nearby(arm, q, 0.02, random));
         hits += run.converged;
         EXPECT_EQ(run.converged,

@@ -25,14 +25,7 @@ Chain in_units(Chain chain, double length, const std::vector<DescentProblem::Coo
 }  // namespace
 
 DescentProblem descent_problem(const Arm& arm, const Task& task, const Bounds& bounds) {
-  if (task.size() == 0 || task.frame == Frame::space) {
-    throw Error("a task needs at least one row, and Frame::base or Frame::tool");
-  }
-  if (bounds.lower.size() != arm.dof() || bounds.upper.size() != arm.dof() ||
-      !(bounds.lower.array() <= bounds.upper.array()).all()) {
-    throw Error("the bounds for arm " + arm.name() + " need " + std::to_string(arm.dof()) +
-                " lower values, none above its upper one");
-  }
+  check_task(arm, task, bounds);
   DescentProblem problem{arm, task, bounds, 1, {}, {}, {}};
   problem.length = std::exp2(std::round(std::log2(unit_of_length(arm))));
   const Chain& chain = arm.chain();

@@ -70,7 +70,6 @@ class Run {
   LaneDescentOptions descent() const {
     return {.tolerance = options_.tolerance,
             .iterations = options_.iterations,
-            .polish = options_.polish,
             .first_is_enough = !options_.all};
   }
 

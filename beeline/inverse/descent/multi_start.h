@@ -11,7 +11,6 @@ struct MultiStartOptions {
   double tolerance = 1e-9;  ///< metres and radians
   int iterations = 100;     ///< most steps of one descent
   int restarts = 1000;      ///< most descents after the first
-  bool polish = true;       ///< go on below the tolerance until rounding, or 1e-13
   bool all = false;         ///< run all descents, and collect the solutions that differ
   std::uint64_t random_seed = 1;
   /// Looked at every few steps; what has been found by then is the answer.

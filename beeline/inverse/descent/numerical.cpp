@@ -128,14 +128,7 @@ void bounded_step(const Goal& goal, const Configuration& q, double damping, Work
 void check_goal(const Arm& arm, const Pose& world_T_tool, const Task& task, const Bounds& bounds,
                 const DescentOptions& options) {
   if (!world_T_tool.matrix().allFinite()) throw Error("the pose has a number that is not finite");
-  if (task.size() == 0 || task.frame == Frame::space) {
-    throw Error("a task needs at least one row, and Frame::base or Frame::tool");
-  }
-  if (bounds.lower.size() != arm.dof() || bounds.upper.size() != arm.dof() ||
-      !(bounds.lower.array() <= bounds.upper.array()).all()) {
-    throw Error("the bounds for arm " + arm.name() + " need " + std::to_string(arm.dof()) +
-                " lower values, none above its upper one");
-  }
+  check_task(arm, task, bounds);
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance) || options.iterations < 0) {
     throw Error("tolerance must be above zero, and iterations zero or more; not " +
                 number(options.tolerance) + " and " + std::to_string(options.iterations));
@@ -152,6 +145,17 @@ double unit_of_length(const Arm& arm) {
 Bounds no_bounds(const Arm& arm) {
   return {Configuration::Constant(arm.dof(), -Limits::none),
           Configuration::Constant(arm.dof(), Limits::none)};
+}
+
+void check_task(const Arm& arm, const Task& task, const Bounds& bounds) {
+  if (task.size() == 0 || task.frame == Frame::space) {
+    throw Error("a task needs at least one row, and Frame::base or Frame::tool");
+  }
+  if (bounds.lower.size() != arm.dof() || bounds.upper.size() != arm.dof() ||
+      !(bounds.lower.array() <= bounds.upper.array()).all()) {
+    throw Error("the bounds for arm " + arm.name() + " need " + std::to_string(arm.dof()) +
+                " lower values, none above its upper one");
+  }
 }
 
 Bounds bounds_of(const Arm& arm) {

@@ -12,6 +12,10 @@ struct Bounds {
 Bounds bounds_of(const Arm& arm);
 Bounds no_bounds(const Arm& arm);
 
+/// Throws Error unless a descent can be asked for: a task with rows, in the base or tool frame, and
+/// bounds that fit the arm.
+void check_task(const Arm& arm, const Task& task, const Bounds& bounds);
+
 /// The length that weighs like one radian when errors are added up: the radius of the arm's reach,
 /// or 1 m where that is infinite or zero.
 double unit_of_length(const Arm& arm);
