@@ -3,7 +3,7 @@
 #include <optional>
 
 #include <beeline/motion/status.h>
-#include <beeline/motion/trajectory.h>
+#include <beeline/motion/timing/trajectory.h>
 
 namespace beeline {
 

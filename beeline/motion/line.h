@@ -6,7 +6,7 @@
 
 #include <beeline/motion/status.h>
 #include <beeline/motion/straightness.h>
-#include <beeline/motion/trajectory.h>
+#include <beeline/motion/timing/trajectory.h>
 
 namespace beeline {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include <beeline/motion/trajectory.h>
+#include <beeline/motion/timing/trajectory.h>
 
 namespace beeline {
 

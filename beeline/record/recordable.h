@@ -1,6 +1,6 @@
 #pragma once
 
-#include <beeline/motion/trajectory.h>
+#include <beeline/motion/timing/trajectory.h>
 
 namespace beeline {
 

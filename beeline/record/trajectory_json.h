@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include <beeline/motion/trajectory.h>
+#include <beeline/motion/timing/trajectory.h>
 
 namespace beeline {
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <beeline/model/catalog.h>
-#include <beeline/motion/trajectory.h>
+#include <beeline/motion/timing/trajectory.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>

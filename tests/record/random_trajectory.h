@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/motion/trajectory.h>
+#include <beeline/motion/timing/trajectory.h>
 
 #include <tests/random.h>
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include <beeline/error.h>
-#include <beeline/motion/trajectory.h>
+#include <beeline/motion/timing/trajectory.h>
 
 namespace beeline {
 namespace {
