@@ -46,14 +46,18 @@ HWY_INLINE bool take_sines(const BatchPlan<Real>& plan, const Real* q, Real* sin
     take_some_sines<some>(link + i, q, sines, cosines, squares);
     for (int k = 0; k < some; ++k) between();
   }
-  if (links - i >= 2) {
-    take_some_sines<2>(link + i, q, sines, cosines, squares);
-    i += 2;
-    sines += 2 * width;
-    cosines += 2 * width;
-    between();
+  // The rest together: each group loads the numbers of the polynomials again.
+  switch (links - i) {
+    case 3:
+      take_some_sines<3>(link + i, q, sines, cosines, squares);
+      break;
+    case 2:
+      take_some_sines<2>(link + i, q, sines, cosines, squares);
+      break;
+    case 1:
+      take_some_sines<1>(link + i, q, sines, cosines, squares);
   }
-  if (links != i) take_some_sines<1>(link + i, q, sines, cosines, squares);
+  for (; i < links; ++i) between();
   constexpr Real reach = SineNumbers<Real>::reach;
   return all_at_most(squares, reach * reach);
 }
