@@ -55,6 +55,11 @@ for by in joints configurations; do
     "$folder/forward_by_$by.svg" <"$folder/forward_by_$by.md" || status=1
   echo -e "\nDrawn: $folder/forward_by_$by.svg"
 done
+echo -e "\n### Motions from rest to rest, nanoseconds\n"
+"$folder/bench_point_to_point" --benchmark_enable_random_interleaving=true \
+  --benchmark_repetitions="${BENCH_REPETITIONS:-9}" --benchmark_min_time=0.05 \
+  --benchmark_out="$folder/point_to_point.json" --benchmark_out_format=json >&2 || status=1
+python3 -B bench/kinematics/report.py "$folder/results.json" "$folder/point_to_point.json"
 echo -e "\n### Instructions of a single call (AVX2)\n"
 python3 -B bench/kinematics/count.py "$folder/bench_instructions" "$folder/instructions.json" ||
   status=1

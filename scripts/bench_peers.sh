@@ -19,3 +19,15 @@ if ! cmp --silent bench/requirements.txt "$stamp"; then
   done < <(grep -v '^#' bench/requirements.txt)
   cp bench/requirements.txt "$stamp"
 fi
+
+# Ruckig is measured from C++, which only its source package has.
+ruckig=$(grep '^ruckig==' tests/requirements.txt)
+sources=.venv-bench/${ruckig/==/-}
+if [[ ! -d $sources ]]; then
+  if .venv-bench/bin/python -m pip download --quiet --disable-pip-version-check --no-deps \
+    --no-binary :all: --dest .venv-bench "$ruckig" >&2; then
+    tar -xzf "$sources.tar.gz" -C .venv-bench
+  else
+    echo "Left out: the sources of $ruckig cannot be had here" >&2
+  fi
+fi

@@ -10,9 +10,6 @@ namespace beeline {
 /// the time u, both in [0, 1]; 10 u^3 - 15 u^4 + 6 u^5.
 double rest_to_rest(double u);
 
-/// What a joint without a known velocity limit is held to, per second (radians or metres).
-constexpr double velocity_when_unknown = 1.0;
-
 /// A motion from rest to rest, `samples[k]` at the fraction `fractions[k]` of its time (0 first, 1
 /// last, increasing): gives each sample its time, so that the joint speeds between samples and the
 /// accelerations and jerks told by their differences keep the arm's limits (unknown velocity limits

@@ -7,6 +7,9 @@
 
 namespace beeline {
 
+/// What a joint without a known velocity limit is held to, per second (radians or metres).
+constexpr double velocity_when_unknown = 1.0;
+
 /// A motion with time, as plain data. Sample k is positions[k] at times[k]; velocities and
 /// accelerations are empty where they are not known, else as long as positions.
 struct Trajectory {

@@ -1,0 +1,105 @@
+// Usage: bench_retime < cases > answers
+//
+// Beeline's time-optimal law beside TOPP-RA's own implementation, for retime.py. Both streams are
+// doubles in the machine's own order. A case is the numbers of joints, waypoints and grid points;
+// the limits of velocity and of acceleration; the waypoints' parameters and the waypoints; the grid
+// points' parameters (none: Beeline's own grid). The answer: the duration, the largest share of a
+// limit ten times as dense, the number of grid points and the best microseconds of the law alone.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include <beeline/motion/timing/fastest.h>
+#include <beeline/motion/timing/spline.h>
+
+using namespace beeline;
+
+namespace {
+
+bool read(double* values, std::size_t count) {
+  return std::fread(values, sizeof(double), count, stdin) == count;
+}
+
+Configuration read_one(Eigen::Index joints) {
+  Configuration values(joints);
+  read(values.data(), static_cast<std::size_t>(joints));
+  return values;
+}
+
+std::vector<double> read_many(double count) {
+  std::vector<double> values(static_cast<std::size_t>(count));
+  read(values.data(), values.size());
+  return values;
+}
+
+/// The path at other grid points, which include its own ends.
+JointPath at_grid(const JointPath& path, const std::vector<double>& grid) {
+  JointPath on_grid;
+  std::size_t k = 0;
+  for (const double s : grid) {
+    while (k + 2 < path.size() && s >= path.s[k + 1]) ++k;
+    const PathPoint point = path_point(path, k, (s - path.s[k]) / (path.s[k + 1] - path.s[k]));
+    on_grid.s.push_back(s);
+    on_grid.q.push_back(point.q);
+    on_grid.dq.push_back(point.dq);
+    on_grid.ddq.push_back(point.ddq);
+  }
+  return on_grid;
+}
+
+/// The largest share of a limit at ten places of every step.
+double largest_share(const JointPath& path, const PathLimits& limits, const PathLaw& law) {
+  double largest = 0;
+  for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+    const double x = law.speed[k] * law.speed[k], y = law.speed[k + 1] * law.speed[k + 1];
+    const double u = (y - x) / (2 * (path.s[k + 1] - path.s[k]));
+    for (int part = 0; part <= 10; ++part) {
+      const double share = part / 10.0, b = x + share * (y - x);
+      const PathPoint point = path_point(path, k, share);
+      const Configuration velocity = point.dq * std::sqrt(b);
+      const Configuration acceleration = point.dq * u + point.ddq * b;
+      largest = std::max({largest, (velocity.cwiseAbs().cwiseQuotient(limits.velocity)).maxCoeff(),
+                          acceleration.cwiseAbs().cwiseQuotient(limits.acceleration).maxCoeff()});
+    }
+  }
+  return largest;
+}
+
+double best_microseconds(const JointPath& path, const PathLimits& limits) {
+  double best = 1e9;
+  for (int pass = 0; pass < 15; ++pass) {
+    const auto begin = std::chrono::steady_clock::now();
+    const PathLaw law = fastest(path, limits);
+    const std::chrono::duration<double, std::micro> passed =
+        std::chrono::steady_clock::now() - begin;
+    best = std::min(best, passed.count() + 0 * law.duration());
+  }
+  return best;
+}
+
+}  // namespace
+
+int main() {
+  double head[3];
+  while (read(head, 3)) {
+    const auto joints = static_cast<Eigen::Index>(head[0]);
+    PathLimits limits;
+    limits.velocity = read_one(joints);
+    limits.acceleration = read_one(joints);
+    limits.jerk = Configuration::Constant(joints, Limits::none);
+    const std::vector<double> parameter = read_many(head[1]);
+    std::vector<Configuration> waypoints;
+    for (std::size_t k = 0; k < parameter.size(); ++k) waypoints.push_back(read_one(joints));
+    const JointPath spline = joint_spline(waypoints, parameter);
+    const std::vector<double> grid = read_many(head[2]);
+    const JointPath path = grid.empty() ? refined(spline) : at_grid(spline, grid);
+    const PathLaw law = fastest(path, limits);
+    const double answer[] = {law.found() ? law.duration() : -1,
+                             law.found() ? largest_share(path, limits, law) : -1,
+                             static_cast<double>(path.size()), best_microseconds(path, limits)};
+    std::fwrite(answer, sizeof(double), 4, stdout);
+    std::fflush(stdout);
+  }
+}
