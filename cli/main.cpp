@@ -30,6 +30,7 @@ constexpr Verb verbs[] = {
     {"move", "Joint-space motion control from one configuration to another", declare_move},
     {"line", "Move the tool in straight lines through poses", declare_line},
     {"replay", "Play a recorded trajectory on an arm, checked against its limits", declare_replay},
+    {"time", "Give the way of a recording new times: as quick as the limits allow", declare_time},
     {"draw", "Draw an arm or a motion as SVG, PNG or PDF", declare_draw},
     {"figure", "Redraw a figure of the chapter", declare_figure},
 };

@@ -19,5 +19,6 @@ Run declare_batch(CLI::App& verb);
 Run declare_move(CLI::App& verb);
 Run declare_line(CLI::App& verb);
 Run declare_replay(CLI::App& verb);
+Run declare_time(CLI::App& verb);
 Run declare_draw(CLI::App& verb);
 Run declare_figure(CLI::App& verb);

@@ -60,6 +60,8 @@ echo -e "\n### Motions from rest to rest, nanoseconds\n"
   --benchmark_repetitions="${BENCH_REPETITIONS:-9}" --benchmark_min_time=0.05 \
   --benchmark_out="$folder/point_to_point.json" --benchmark_out_format=json >&2 || status=1
 python3 -B bench/kinematics/report.py "$folder/results.json" "$folder/point_to_point.json"
+echo -e "\n### Time-optimal laws along splines\n"
+.venv-bench/bin/python -B bench/motion/retime.py "$folder/bench_retime" || status=1
 echo -e "\n### Instructions of a single call (AVX2)\n"
 python3 -B bench/kinematics/count.py "$folder/bench_instructions" "$folder/instructions.json" ||
   status=1

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <beeline/motion/timing/joint_path.h>
+#include <beeline/motion/timing/path_law.h>
+#include <beeline/motion/timing/trajectory.h>
+
+namespace beeline {
+
+/// A path with the law along it: a motion. The law's points include the path's grid points.
+struct TimedPath {
+  JointPath path;
+  PathLaw law;
+};
+
+/// Appends the motion, which begins at the trajectory's end if that has samples: every point of the
+/// law, and more where `gap` seconds would pass between two.
+void append_points(Trajectory& trajectory, const TimedPath& motion, double gap);
+
+/// The motions one after the other at `rate` samples a second, and the end of the last one.
+Trajectory at_rate(const std::vector<TimedPath>& motions, double rate);
+
+}  // namespace beeline

@@ -1,0 +1,105 @@
+"""time: the way of a recording, or of waypoints, with new times."""
+
+import csv
+import json
+
+import pytest
+
+WAYPOINTS = (
+    "joint1,joint2,joint3,joint4,joint5,joint6,joint7\n"
+    "0,-0.785,0,-2.356,0,1.571,0.785\n"
+    "0.5,-0.2,0.3,-1.9,0.2,1.9,0.3\n"
+    "-0.4,0.3,-0.2,-1.5,-0.6,2.2,1.0\n"
+    "0.9,0.1,0.5,-2.2,0.4,1.2,-0.3\n"
+)
+LAWS = ("fastest", "jerk", "trapezoidal", "quintic", "s-curve")
+
+
+def rows_of(path):
+    with open(path) as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_waypoints_without_times_become_a_motion_within_limits(beeline, written, tmp_path, law):
+    path = written("way.csv", WAYPOINTS)
+    answer = beeline("time", path, "panda", "--law", law, "--out", "move.csv", "--json")
+    assert answer.code == 0, answer.err
+    report = answer.json
+    assert report["status"] == "reached" and report["law"] == law and report["reason"] == ""
+    assert report["duration_before"] is None
+    for kind in ("velocity", "acceleration", "jerk"):
+        use = report["limits"][kind]
+        assert use["joint"].startswith("joint") and 0 <= use["time"] <= report["duration"]
+        if kind != "jerk" or law not in ("fastest", "trapezoidal"):
+            assert use["share"] <= 1 + 1e-9
+    rows = rows_of(tmp_path / "move.csv")
+    assert len(rows) == report["samples"]
+    assert float(rows[-1]["t"]) == report["duration"]
+    columns = WAYPOINTS.splitlines()[0].split(",")
+    moved = [[float(row[name]) for name in columns] for row in rows]
+    for line in WAYPOINTS.splitlines()[1:]:
+        assert [float(value) for value in line.split(",")] in moved
+    assert beeline("replay", "move.csv", "panda").code == 0  # within limits of velocity
+
+
+def test_the_default_law_keeps_the_arms_limits_of_jerk_where_it_has_them(beeline, written):
+    path = written("way.csv", WAYPOINTS)
+    assert beeline("time", path, "panda", "--json").json["law"] == "jerk"
+    six = "\n".join(line.rsplit(",", 1)[0] for line in WAYPOINTS.splitlines())
+    report = beeline("time", written("six.csv", six), "ur5", "--json").json
+    assert report["law"] == "fastest" and report["limits"]["jerk"] is None
+
+
+def test_a_line_keeps_its_way_and_takes_less_time(beeline, written, tmp_path):
+    through = written("waypoints.csv", "x,y,theta\n4.5,5.2,0\n2,6,45\n5,3,-20\n")
+    beeline("line", "rrr", "--from", "0,90,0", "--degrees", "--through", through,
+            "--out", "line.csv")
+    report = beeline("time", "line.csv", "rrr", "--out", "quick.json", "--json").json
+    assert report["duration"] < report["duration_before"]
+    assert report["stretches"] == 3  # it stops at every corner, as before
+    assert beeline("replay", "quick.json", "rrr").code == 0
+    points = json.loads((tmp_path / "quick.json").read_text())["points"]
+    quick = [point["positions"] for point in points]
+    for row in rows_of(tmp_path / "line.csv"):
+        assert [float(row[f"joint{i}"]) for i in (1, 2, 3)] in quick
+
+
+def test_speed_limits_and_rate(beeline, written, tmp_path):
+    path = written("way.csv", WAYPOINTS)
+    full = beeline("time", path, "panda", "--json").json["duration"]
+    half = beeline("time", path, "panda", "--speed-limit", "0.5", "--json").json
+    assert half["duration"] == pytest.approx(2 * full, rel=1e-2)
+    assert half["limits"]["velocity"]["share"] <= 0.5 + 1e-9
+    slow = beeline("time", path, "panda", "--tool-speed", "0.25", "--json").json
+    assert 0.2 < slow["tool_speed"] <= 0.25 * (1 + 1e-9)
+    beeline("time", path, "panda", "--rate", "100", "--out", "rated.csv")
+    times = [float(row["t"]) for row in rows_of(tmp_path / "rated.csv")]
+    assert times[:-1] == pytest.approx([k / 100 for k in range(len(times) - 1)])
+
+
+def test_a_way_outside_the_position_limits_is_a_no(beeline, written, tmp_path):
+    path = written("way.csv", WAYPOINTS.replace("-1.9", "0.5"))
+    answer = beeline("time", path, "panda", "--out", "move.csv", "--json")
+    assert answer.code == 1
+    assert answer.json["status"] == "outside_limits" and "joint4" in answer.json["reason"]
+    assert answer.json["duration"] is None
+    assert answer.err == f"beeline: {answer.json['reason']}\n"
+    assert not (tmp_path / "move.csv").exists()
+
+
+def test_bad_input_is_refused_in_one_line(refused, written):
+    path = written("way.csv", WAYPOINTS)
+    refused(2, "time", path, "panda", "--law", "scurve", says=("scurve", "s-curve"))
+    refused(2, "time", path, "panda", "--rate", "0", says=("--rate",))
+    refused(2, "time", path, "panda", "--rate", "1e9", says=("samples",))
+    refused(2, "time", path, "panda", "--speed-limit", "2", says=("share",))
+    refused(2, "time", path, "panda", "--tool-speed", "-1", says=("above zero",))
+    refused(2, "time", path, "panda", "--out", path, says=("input",))
+    refused(3, "time", path, "ur5", says=("way.csv", "joint7"))
+    refused(3, "time", written("half.csv", WAYPOINTS[:-6]), "panda", says=("half.csv:5",))
+    refused(3, "time", "none.csv", "panda", says=("none.csv",))
+    refused(2, "time", written("one.csv", "\n".join(WAYPOINTS.splitlines()[:2])), "panda",
+            says=("two different positions",))
+    six = "\n".join(line.rsplit(",", 1)[0] for line in WAYPOINTS.splitlines())
+    refused(2, "time", written("six.csv", six), "ur5", "--law", "jerk", says=("ur5", "jerk"))

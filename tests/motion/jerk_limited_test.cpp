@@ -1,0 +1,134 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include <beeline/motion/timing/fastest.h>
+#include <beeline/motion/timing/jerk_limited.h>
+#include <beeline/motion/timing/scalar_law.h>
+
+#include <tests/motion/random_path.h>
+#include <tests/refusal.h>
+
+namespace beeline {
+namespace {
+
+/// A path of 2 to 7 waypoints, with limits of jerk that take 2 ms to 100 ms to full acceleration.
+struct Case {
+  JointPath path;
+  PathLimits limits;
+};
+Case random_case(testing::Random& random) {
+  const int joints = random.integer(1, 7);
+  Case made{testing::random_path(random, joints, random.integer(2, 7)),
+            testing::random_limits(random, joints)};
+  for (int i = 0; i < joints; ++i) {
+    made.limits.jerk[i] = made.limits.acceleration[i] * random.uniform(10, 500);
+  }
+  return made;
+}
+
+double share(const Configuration& value, const Configuration& limit) {
+  return value.cwiseQuotient(limit).lpNorm<Eigen::Infinity>();
+}
+
+/// What the arm does at a point of the law.
+struct State {
+  Configuration velocity, acceleration;
+};
+State state_at(const JointPath& path, const PathLaw& law, std::size_t i, std::size_t& step) {
+  while (step + 2 < path.size() && path.s[step + 1] <= law.s[i]) ++step;
+  const double along = (law.s[i] - path.s[step]) / (path.s[step + 1] - path.s[step]);
+  const PathPoint point = path_point(path, step, along);
+  const double v = law.speed[i];
+  return {point.dq * v, point.dq * law.acceleration[i] + point.ddq * v * v};
+}
+
+TEST(JerkLimited, KeepsAllLimitsAtItsPointsAndBetween) {
+  testing::Random random;
+  for (int i = 0; i < 25; ++i) {
+    const auto [path, limits] = random_case(random);
+    const PathLaw law = jerk_limited(path, limits);
+    ASSERT_EQ(law.reason, "");
+    ASSERT_EQ(law.speed.front(), 0);
+    ASSERT_EQ(law.speed.back(), 0);
+    std::size_t step = 0;
+    State before = state_at(path, law, 0, step);
+    ASSERT_LT(before.acceleration.norm(), 1e-9);
+    for (std::size_t k = 1; k < law.t.size(); ++k) {
+      const State now = state_at(path, law, k, step);
+      const double dt = law.t[k] - law.t[k - 1];
+      ASSERT_GT(dt, 0);
+      ASSERT_LE(share(now.velocity, limits.velocity), 1 + 1e-4);
+      ASSERT_LE(share(now.acceleration, limits.acceleration), 1 + 1e-3);
+      ASSERT_LE(share((now.velocity - before.velocity) / dt, limits.acceleration), 1 + 1e-3);
+      ASSERT_LE(share((now.acceleration - before.acceleration) / dt, limits.jerk), 1 + 1e-2);
+      before = now;
+    }
+    ASSERT_LT(before.acceleration.norm(), 1e-9);
+  }
+}
+
+TEST(JerkLimited, IsNoSlowerThanSimplerLawsAndNearTheFastest) {
+  testing::Random random;
+  double worst = 0, sum = 0;
+  constexpr int count = 25;
+  for (int i = 0; i < count; ++i) {
+    const auto [path, limits] = random_case(random);
+    const double duration = jerk_limited(path, limits).duration();
+    ASSERT_LE(duration, scalar_law(ScalarForm::s_curve, path, limits).duration() * (1 + 1e-3));
+    ASSERT_LE(duration, scalar_law(ScalarForm::quintic, path, limits).duration());
+    const double least = fastest(path, limits).duration();
+    ASSERT_GE(duration, least * (1 - 1e-2));  // but for what a coarse grid costs the fastest
+    worst = std::max(worst, duration / least);
+    sum += duration / least;
+  }
+  std::cout << "slower than without limits of jerk: at most " << worst << " times, " << sum / count
+            << " in the mean\n";
+  EXPECT_LT(sum / count, 1.1);
+}
+
+TEST(JerkLimited, AlongAStraightLineIsTheSevenPhasesOfTheClosedForm) {
+  testing::Random random;
+  for (int i = 0; i < 20; ++i) {
+    auto [path, limits] = random_case(random);
+    const auto ends = testing::random_waypoints(random, int(limits.velocity.size()), 2);
+    const JointPath line = refined(joint_spline(ends, chord_length(ends)));
+    const Configuration way = (ends[1] - ends[0]).cwiseAbs();
+    Limits shares;
+    shares.velocity = limits.velocity.cwiseQuotient(way).minCoeff();
+    shares.acceleration = limits.acceleration.cwiseQuotient(way).minCoeff();
+    shares.jerk = limits.jerk.cwiseQuotient(way).minCoeff();
+    const double closed = s_curve(1, shares).duration;
+    ASSERT_NEAR(jerk_limited(line, limits).duration(), closed, 5e-3 * closed);
+  }
+}
+
+TEST(JerkLimited, IsAsMuchQuickerAsTheLimitsAreScaled) {
+  testing::Random random;
+  for (int i = 0; i < 10; ++i) {
+    auto [path, limits] = random_case(random);
+    const double duration = jerk_limited(path, limits).duration();
+    const double c = random.uniform(0.2, 5);
+    limits.velocity *= c;
+    limits.acceleration *= c * c;
+    limits.jerk *= c * c * c;
+    ASSERT_NEAR(jerk_limited(path, limits).duration(), duration / c, 5e-3 * duration / c);
+  }
+}
+
+TEST(JerkLimited, OfThePathReversedTakesAsLong) {
+  testing::Random random;
+  for (int i = 0; i < 10; ++i) {
+    const auto [path, limits] = random_case(random);
+    const double there = jerk_limited(path, limits).duration();
+    ASSERT_NEAR(jerk_limited(testing::reversed(path), limits).duration(), there, 2e-2 * there);
+  }
+}
+
+TEST(JerkLimited, NeedsALimitOfJerk) {
+  testing::Random random;
+  const JointPath path = testing::random_path(random, 2, 4);
+  EXPECT_REFUSED(jerk_limited(path, testing::random_limits(random, 2)), "none of the joints");
+}
+
+}  // namespace
+}  // namespace beeline
