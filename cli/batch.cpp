@@ -179,24 +179,12 @@ void declare_jacobian_rows(CLI::App& verb, BatchArguments& arguments) {
 }
 
 void declare_inverse(CLI::App& verb, BatchArguments& arguments) {
-  InverseOptions& options = arguments.inverse;
-  arguments.method = name(InverseMethod::automatic);
-  arguments.redundancy = name(Redundancy::any);
   declare_common(verb, arguments,
                  "Poses, one in a row, .csv, .npy or - for CSV from stdin: x,y,z,qw,qx,qy,qz,\n"
                  "x,y,z,roll,pitch,yaw, the matrix m11,m12,...,m44 row by row, or x,y,theta\n"
                  "(planar arms); without a header, as many numbers in this order");
-  verb.add_option("--seed", arguments.seed, "Joint values to be near to (default: the middle)");
-  arguments.task.declare(verb);
-  verb.add_option("--method", arguments.method, "automatic, closed_form or numerical")
-      ->capture_default_str();
-  verb.add_option("--redundancy", arguments.redundancy, "any, nearest or centred; see ik --help")
-      ->capture_default_str();
-  verb.add_flag("--ignore-limits", options.ignore_limits, "Joint limits do not count");
-  verb.add_option("--tolerance", options.tolerance, "Largest error, metres and radians")
-      ->capture_default_str();
-  verb.add_option("--restarts", options.restarts, "Most tries from random configurations")
-      ->capture_default_str();
+  arguments.inverse.declare_choices(verb);
+  arguments.inverse.declare_search(verb);
   declare_running(verb, arguments);
   verb.footer(
       "Each row has the joint values of one solution, nan where there is none; then the exit code\n"

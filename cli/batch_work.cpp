@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/core.h>
+#include <limits>
 
 #include <beeline/error.h>
 #include <beeline/inverse/question.h>
@@ -64,11 +65,16 @@ class Configurations {
 
   /// Takes out the rows whose results overflowed.
   void check(RowBlock& block, Eigen::MatrixXd& results, BadRows& bad) const {
-    if (results.allFinite()) return;
+    const double most =
+        arguments_.single ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
+    const auto fits = [most](const auto& numbers) { return (numbers.array().abs() <= most).all(); };
+    if (fits(results)) return;
     keep_rows(block, results, [&](Eigen::Index i, const RowPlace& place) {
-      if (results.col(i).allFinite()) return true;
-      bad.meet(
-          bad_row(arguments_.source(), place, "the tool is farther away than a number can tell"));
+      if (fits(results.col(i))) return true;
+      bad.meet(bad_row(arguments_.source(), place,
+                       arguments_.single && results.col(i).allFinite()
+                           ? "a result is too large for 32 bits; leave --float out"
+                           : "the tool is farther away than a number can tell"));
       return false;
     });
     results.conservativeResize(Eigen::NoChange, block.count());
@@ -111,7 +117,7 @@ void read_goals(const BatchArguments& arguments, const Arm& arm, std::size_t wid
     try {
       const auto row = block.numbers.col(i).head(static_cast<Eigen::Index>(width));
       const Pose pose = checked_pose(pose_in(row, arguments.unit));
-      if (arm.planar()) check_pose_form(arm, {pose, planar_form}, arguments.task, "pose");
+      if (arm.planar()) check_pose_form(arm, {pose, planar_form}, arguments.inverse.task, "pose");
       goals.col(i) = pose.matrix().reshaped();
       return true;
     } catch (const Error& error) {
@@ -119,14 +125,6 @@ void read_goals(const BatchArguments& arguments, const Arm& arm, std::size_t wid
       return false;
     }
   });
-}
-
-InverseOptions inverse_options(const BatchArguments& arguments, const Arm& arm) {
-  InverseOptions options = arguments.inverse;
-  options.task = arguments.task.read(arm);
-  options.method = inverse_method_named(arguments.method);
-  options.redundancy = redundancy_named(arguments.redundancy);
-  return options;
 }
 
 }  // namespace
@@ -182,10 +180,8 @@ BatchWork jacobian_work(const BatchArguments& arguments, const Arm& arm) {
 }
 
 BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
-  const InverseOptions options = inverse_options(arguments, arm);
-  const Configuration seed = arguments.seed.empty()
-                                 ? middle_configuration(arm)
-                                 : arguments.unit.configuration(arm, arguments.seed, "--seed");
+  const InverseOptions options = arguments.inverse.read(arm, arguments.unit);
+  const Configuration seed = options.seed ? *options.seed : middle_configuration(arm);
   InverseSolver(arm, options);  // refuses what makes no sense, before the rows are read
   BatchWork work{.forms = {}, .columns = arm.joint_names(), .most_rows = 4096, .step = {}};
   for (const auto& form : pose_forms()) {

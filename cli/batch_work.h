@@ -7,18 +7,17 @@
 #include <beeline/batch/batch.h>
 #include <beeline/record/row_block.h>
 
-#include "arguments.h"
+#include "inverse_argument.h"
 
 /// What `beeline batch` is told, whatever it computes.
 struct BatchArguments {
   ArmArgument arm;
   UnitArgument unit;
-  TaskArgument task;
+  TaskArgument task;  ///< of jacobian
   std::string in, out;
   std::string layout = "matrix";  ///< of fk
   std::string frame = "base";     ///< of jacobian
-  std::string seed, method, redundancy;
-  beeline::InverseOptions inverse;
+  InverseArgument inverse;        ///< of ik
   int threads = 0;
   bool single = false, skip_bad = false, json = false;
 

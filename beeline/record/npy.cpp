@@ -248,6 +248,12 @@ Eigen::Index NpyReader::read(Eigen::Ref<Eigen::MatrixXd> block) {
                         std::to_string(whole));
   }
   left_ -= rows;
+  char more = 0;
+  if (left_ == 0 && rows > 0 && !file_.size() && file_.read(&more, 1) > 0) {  // a pipe
+    throw FileError(file_.path(), 0,
+                    "has more than its " + std::to_string(header_.rows) + " rows of " +
+                        std::to_string(header_.width) + " numbers");
+  }
   return rows;
 }
 

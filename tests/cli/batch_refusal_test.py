@@ -1,5 +1,8 @@
 """batch: bad input ends with one line, the documented exit code, and no file."""
 
+import os
+import subprocess
+
 import numpy as np
 import pytest
 
@@ -105,8 +108,28 @@ def test_a_pose_off_the_plane_of_a_planar_arm(refused, beeline, written):
 def test_a_tool_out_of_the_numbers(refused, written):
     far = ("batch", "fk", "PP:0,0", "--in", written("q.csv", "0,0\n1e308,1e308\n"), "--out", "p.npy")
     refused(3, *far, says=["q.csv:2", "row 2", "farther"])
-    refused(2, "batch", "fk", "P", "--in", written("q.csv", "1e300\n"), "--out", "p.npy",
-            "--float", says=["32 bits"])
+    refused(3, "batch", "fk", "P", "--in", written("q.csv", "1\n1e300\n"), "--out", "p.npy",
+            "--float", says=["q.csv:2", "row 2", "32 bits", "--float"])
+
+
+def test_a_pipe_that_brings_more_than_its_header_says(build, tmp_path):
+    np.save(tmp_path / "q.npy", np.zeros((10, 3)))
+    os.mkfifo(tmp_path / "pipe.npy")
+    command = [str(build / "beeline"), "batch", "fk", "rrr", "--in", "pipe.npy", "--out", "o.npy"]
+    with subprocess.Popen(command, cwd=tmp_path, stderr=subprocess.PIPE, text=True) as process:
+        (tmp_path / "pipe.npy").write_bytes((tmp_path / "q.npy").read_bytes() + b"more")
+        _, err = process.communicate()
+    assert process.returncode == 3 and "pipe.npy: has more than its 10 rows" in err
+    assert not (tmp_path / "o.npy").exists()
+
+
+def test_the_input_is_not_written_over_by_way_of_stdin(build, written, tmp_path):
+    written("q.csv", GOOD)
+    command = [str(build / "beeline"), "batch", "fk", "rrr", "--in", "-", "--out", "q.csv"]
+    with open(tmp_path / "q.csv") as file:
+        process = subprocess.run(command, stdin=file, capture_output=True, text=True, cwd=tmp_path)
+    assert process.returncode == 2 and "q.csv" in process.stderr
+    assert (tmp_path / "q.csv").read_text() == GOOD
 
 
 USAGE = [
@@ -125,6 +148,7 @@ USAGE = [
     (("jacobian", "rrr", "--in", "q.csv", "--out", "p.csv", "--frame", "tol"), ["tol", "tool"]),
     (("jacobian", "rrr", "--in", "q.csv", "--out", "p.csv", "--task", "000000"), ["000000"]),
     (("ik", "rrr", "--in", "q.csv", "--out", "p.csv", "--seed", "1,2"), ["--seed"]),
+    (("ik", "panda", "--in", "q.csv", "--out", "p.csv", "--lock", "joint9"), ["joint9", "joint7"]),
     (("ik", "rrr", "--in", "q.csv", "--out", "p.csv", "--method", "magic"), ["magic"]),
     (("ik", "RRRRRRRR", "--in", "q.csv", "--out", "p.csv", "--method", "closed_form"),
      ["closed form"]),

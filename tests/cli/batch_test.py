@@ -28,7 +28,7 @@ def batch(beeline, tmp_path):
             np.save(tmp_path / "in.npy", given)
             given = "in.npy"
         answer = beeline("batch", kind, arm, "--in", given, "--out", out, "--json", *options)
-        assert answer.code == code, answer.err
+        assert code is None or answer.code == code, answer.err
         document = answer.json
         assert document["out"] == out and document["rows_per_second"] >= 0
         if out.endswith(".npy"):
@@ -197,6 +197,13 @@ def test_limits_count_unless_told_otherwise(batch, rows):
     _, strict = batch("ik", "scara", poses, code=1)
     _, free = batch("ik", "scara", poses, "--ignore-limits")
     assert strict["solved"] == 0 and free["solved"] == 20
+
+
+def test_a_locked_joint_stays_where_it_was_told(batch, rows):
+    poses, _ = batch("fk", "panda", rows(20, 7))
+    q, _ = batch("ik", "panda", poses, "--lock", "joint7=0.5", "--ignore-limits", code=None)
+    solved = q[~np.isnan(q[:, 0])]
+    assert len(solved) > 0 and np.all(solved[:, 6] == 0.5)
 
 
 def test_a_pipe_on_both_sides(build, batch, rows, tmp_path):
