@@ -7,6 +7,7 @@
 #include <beeline/motion/line.h>
 #include <beeline/read/pose_list.h>
 
+#include "branch_table.h"
 #include "progress.h"
 #include "results.h"
 #include "verb.h"
@@ -19,11 +20,11 @@ struct Arguments {
   ArmArgument arm;
   UnitArgument unit;
   TaskArgument task;
-  std::string from, through, method = "exact";
+  std::string from, through, law, method = "exact";
   LineOptions options;
   CartesianOptions control;
   ResultFiles files;
-  bool json = false;
+  bool branches = false, json = false;
   std::vector<const CLI::Option*> exact_options, control_options;
 };
 
@@ -47,23 +48,32 @@ struct Report {
   std::string reason;
   Trajectory trajectory;
   Straightness straightness;
-  int steps = 0;  ///< of a controller
+  LimitCheck limits = {};  ///< of method exact, as the margins are
+  double limit_margin = 0, dexterity = 0;
+  std::vector<NearbyLines> nearby = {};
+  std::vector<Branch> branches = {};  ///< when they were asked for
+  int steps = 0;                      ///< of a controller
   double overshoot = 0;
 };
 
-Report follow_exactly(const Arm& arm, const Configuration& start,
+Report follow_exactly(const Arm& arm, const std::optional<Configuration>& start,
                       const std::vector<Pose>& waypoints, LineOptions options) {
   Progress progress;
   options.progress = [&progress](double share) { progress.show(share); };
-  LineMotion motion = move_in_lines(arm, start, waypoints, options);
-  return {motion.status, motion.reason, std::move(motion.trajectory), motion.straightness};
+  options.suggest = true;
+  LineMotion motion = start ? move_in_lines(arm, *start, waypoints, options)
+                            : move_in_lines(arm, waypoints, options);
+  return {motion.status,       motion.reason, std::move(motion.trajectory),
+          motion.straightness, motion.limits, motion.limit_margin,
+          motion.dexterity,    motion.nearby};
 }
 
 Report follow_by_control(const Arm& arm, const Configuration& start,
                          const std::vector<Pose>& waypoints, const CartesianOptions& options) {
   ControlledMotion motion = control_in_lines(arm, start, waypoints, options);
-  Report report{motion.status, motion.reason,   std::move(motion.trajectory), {},
-                motion.steps,  motion.overshoot};
+  Report report{motion.status, motion.reason, std::move(motion.trajectory), {}};
+  report.steps = motion.steps;
+  report.overshoot = motion.overshoot;
   if (report.status == MotionStatus::reached) {
     report.straightness = straightness(arm, report.trajectory.positions, waypoints, motion.arrivals,
                                        options.task.value_or(default_task(arm)));
@@ -72,41 +82,54 @@ Report follow_by_control(const Arm& arm, const Configuration& start,
 }
 
 Report follow(const Arguments& arguments, const Arm& arm, const std::vector<Pose>& waypoints) {
-  const Configuration start = arguments.unit.configuration(arm, arguments.from, "--from");
+  std::optional<Configuration> start;
+  if (!arguments.from.empty()) {
+    start = arguments.unit.configuration(arm, arguments.from, "--from");
+  }
   const Task task = arguments.task.read(arm);
   if (arguments.method == "exact") {
     LineOptions options = arguments.options;
     options.task = task;
-    return follow_exactly(arm, start, waypoints, options);
+    if (!arguments.law.empty()) options.law = law_named(arguments.law);
+    Report report = follow_exactly(arm, start, waypoints, options);
+    if (arguments.branches) {
+      std::vector<Pose> poses = waypoints;
+      if (start) poses.insert(poses.begin(), forward_kinematics(arm, *start));
+      report.branches = branch_map(
+          arm, poses,
+          {.task = task, .tolerance = {options.tolerance, options.orientation_tolerance}});
+    }
+    return report;
   }
+  if (!start) throw Error("--method " + arguments.method + " needs --from");
   CartesianOptions options = arguments.control;
   options.task = task;
   options.method = arguments.method == name(CartesianMethod::inverse_jacobian)
                        ? CartesianMethod::inverse_jacobian
                        : CartesianMethod::inverse_kinematics;
-  return follow_by_control(arm, start, waypoints, options);
+  return follow_by_control(arm, *start, waypoints, options);
 }
 
 void print_report(const Arguments& arguments, const Report& report, std::size_t waypoints) {
   const bool reached = report.status == MotionStatus::reached;
   fmt::print("{}: {} waypoint{}, method {}\n", name(report.status), waypoints,
              waypoints == 1 ? "" : "s", arguments.method);
+  for (const NearbyLines& nearby : report.nearby) {
+    fmt::print("would work    {}\n", nearby.description);
+  }
   if (!reached) return;
-  const Straightness& straight = report.straightness;
   fmt::print("samples       {} in {} s\n", report.trajectory.size(),
              shown(report.trajectory.times.back()));
   if (arguments.method != "exact") {
     fmt::print("control       {} steps, overshoot {} % of a line\n", report.steps,
                shown(100 * report.overshoot));
   }
-  fmt::print("deviation     position     orientation\n");
-  const UnitArgument& unit = arguments.unit;
-  const auto row = [&unit](const char* label, const Deviation& deviation, const char* remark) {
-    fmt::print("  {:<10}  {:.2e} m   {:.2e} {}{}\n", label, deviation.position,
-               unit.shown(deviation.orientation), unit.name(), remark);
-  };
-  row("at samples", straight.sampled, "");
-  row("proved", straight.bound, "   (at every moment, joints linear between samples)");
+  print_straightness(report.straightness, arguments.unit);
+  if (arguments.method == "exact") {
+    print_limits(report.limits);
+    fmt::print("margins       {} % of a joint's range to its limits, inverse condition {}\n",
+               shown(100 * report.limit_margin), shown(report.dexterity));
+  }
   arguments.files.print();
 }
 
@@ -127,9 +150,21 @@ OrderedJson document(const Arguments& arguments, const Report& report, std::size
       {"samples", report.trajectory.size()},
       {"duration", measured(reached ? report.trajectory.times.back() : 0)},
       {"reason", report.reason}};
+  if (reached && arguments.method == "exact") {
+    document["limits"] = json_limits(report.limits);
+    document["limit_margin"] = json_number(report.limit_margin);
+    document["dexterity"] = json_number(report.dexterity);
+  }
   if (arguments.method != "exact") {
     document["steps"] = report.steps;
     document["overshoot"] = json_number(report.overshoot);
+  }
+  if (!report.nearby.empty()) {
+    for (const NearbyLines& nearby : report.nearby) {
+      document["nearby"].push_back({{"description", nearby.description},
+                                    {"moved", json_vector(nearby.moved)},
+                                    {"turned", json_vector(nearby.turned)}});
+    }
   }
   if (reached) arguments.files.add_to(document);
   return document;
@@ -139,18 +174,18 @@ Exit line(const Arguments& arguments) {
   arguments.files.check({arguments.arm.text, arguments.through});
   check_method(arguments);
   const Arm arm = arguments.arm.read();
-  const PoseList waypoints = read_poses(arguments.through, arguments.unit.angle_unit());
-  for (std::size_t i = 0; i < waypoints.poses.size(); ++i) {
-    check_pose_form(arm, {waypoints.poses[i], waypoints.planar}, arguments.task,
-                    fmt::format("{}:{}", arguments.through, waypoints.lines[i]));
-  }
+  const PoseList waypoints = read_waypoints(arguments.through, arm, arguments.task, arguments.unit);
   const Report report = follow(arguments, arm, waypoints.poses);
   const bool reached = report.status == MotionStatus::reached;
   if (reached) arguments.files.write(arm, report.trajectory, waypoints.poses);
   if (arguments.json) {
-    print_json(document(arguments, report, waypoints.poses.size()));
+    OrderedJson answer = document(arguments, report, waypoints.poses.size());
+    if (arguments.branches)
+      answer["branches"] = json_branches(arm, report.branches, arguments.unit);
+    print_json(answer);
   } else {
     print_report(arguments, report, waypoints.poses.size());
+    if (arguments.branches) print_branches(arm, report.branches, arguments.unit);
   }
   if (!reached) fmt::print(stderr, "beeline: {}\n", report.reason);
   return reached ? Exit::yes : Exit::no;
@@ -163,7 +198,10 @@ Run declare_line(CLI::App& verb) {
   LineOptions& options = arguments.options;
   CartesianOptions& control = arguments.control;
   arguments.arm.declare(verb);
-  verb.add_option("--from", arguments.from, "Joint values at the start")->required();
+  verb.add_option(
+      "--from", arguments.from,
+      "Joint values at the start; without it the motion begins at the first pose, with\n"
+      "the joint values that are best for the whole way");
   verb.add_option("--through", arguments.through,
                   "Poses, a CSV file with the header x,y,theta (planar arms),\n"
                   "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz")
@@ -182,6 +220,16 @@ Run declare_line(CLI::App& verb) {
       verb.add_option("--orientation-tolerance", options.orientation_tolerance,
                       "exact: most turn away from the line, radians")
           ->capture_default_str(),
+      verb.add_option(
+          "--law", arguments.law,
+          "exact: of time on each line: fastest, jerk, trapezoidal, quintic or s-curve;\n"
+          "see time --help"),
+      verb.add_option("--rate", options.rate,
+                      "exact: samples a second (default: as few as the tolerance needs)"),
+      verb.add_flag(
+          "--branches", arguments.branches,
+          "exact: also list what becomes of every solution for the first pose: how far it\n"
+          "goes, how near to limits and singularities, and why it ends"),
       verb.add_option("--tool-speed", options.tool_speed, "exact: most speed of the tool, m/s"),
       verb.add_option("--most-samples", options.most_samples,
                       "exact: samples after which to give up")
@@ -202,6 +250,7 @@ Run declare_line(CLI::App& verb) {
       "Examples:\n"
       "  beeline line rrr --from 0,90,0 --degrees --through waypoints.csv --out move.csv "
       "--draw move.svg\n"
+      "  beeline line panda --through poses.csv --law s-curve --rate 250 --out move.csv\n"
       "  beeline line robot.urdf --tip tool0 --from 0,-1,1,0,1,0 --through poses.csv --json\n"
       "  beeline line rrr --from 0,90,0 --degrees --through waypoints.csv "
       "--method inverse-jacobian --gain 0.5");

@@ -36,6 +36,53 @@ Trajectory read_recording(const std::string& path, const Arm& arm) {
   }
 }
 
+PoseList read_waypoints(const std::string& path, const Arm& arm, const TaskArgument& task,
+                        const UnitArgument& unit) {
+  PoseList list = read_poses(path, unit.angle_unit());
+  for (std::size_t i = 0; i < list.poses.size(); ++i) {
+    check_pose_form(arm, {list.poses[i], list.planar}, task,
+                    fmt::format("{}:{}", path, list.lines[i]));
+  }
+  return list;
+}
+
+void print_straightness(const Straightness& straight, const UnitArgument& unit) {
+  fmt::print("deviation     position     orientation\n");
+  const auto row = [&unit](const char* label, const Deviation& deviation, const char* remark) {
+    fmt::print("  {:<10}  {:.2e} m   {:.2e} {}{}\n", label, deviation.position,
+               unit.shown(deviation.orientation), unit.name(), remark);
+  };
+  row("measured", straight.sampled, "   (at the samples and half-way between)");
+  row("proved", straight.bound, "   (at every moment, joints linear between samples)");
+}
+
+namespace {
+
+OrderedJson json_use(const LimitUse& use) {
+  if (use.joint.empty()) return nullptr;
+  return {{"share", json_number(use.share)}, {"joint", use.joint}, {"time", use.time}};
+}
+
+void print_use(const char* what, const LimitUse& use) {
+  if (use.joint.empty()) return;
+  fmt::print("{:<14}{} % of the limit at most, joint {} at {} s\n", what, shown(100 * use.share),
+             use.joint, shown(use.time));
+}
+
+}  // namespace
+
+void print_limits(const LimitCheck& limits) {
+  print_use("velocity", limits.velocity);
+  print_use("acceleration", limits.acceleration);
+  print_use("jerk", limits.jerk);
+}
+
+OrderedJson json_limits(const LimitCheck& limits) {
+  return {{"velocity", json_use(limits.velocity)},
+          {"acceleration", json_use(limits.acceleration)},
+          {"jerk", json_use(limits.jerk)}};
+}
+
 void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs) {
   for (const std::string& input : inputs) {
     std::error_code missing;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/motion/timing/trajectory.h>
+#include <beeline/motion/timing/limit_check.h>
 
 #include "output.h"
 
@@ -13,6 +13,17 @@ std::vector<beeline::Configuration> at_equal_times(const beeline::Trajectory& tr
 
 /// A recording, its joints in the arm's order.
 beeline::Trajectory read_recording(const std::string& path, const beeline::Arm& arm);
+
+/// The poses of a file that --through names, each of a form that fits the arm and the task.
+beeline::PoseList read_waypoints(const std::string& path, const beeline::Arm& arm,
+                                 const TaskArgument& task, const UnitArgument& unit);
+
+/// Prints what was measured and what is proved of a motion along lines.
+void print_straightness(const beeline::Straightness& straight, const UnitArgument& unit);
+
+/// How much of the limits a motion uses, and which joint where.
+void print_limits(const beeline::LimitCheck& limits);
+OrderedJson json_limits(const beeline::LimitCheck& limits);
 
 /// Throws Error when `output` is the same file as one of `inputs`, of which `-` is standard input.
 void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs);

@@ -49,17 +49,6 @@ Way read_way(const std::string& path, const Arm& arm) {
   }
 }
 
-OrderedJson json_use(const LimitUse& use) {
-  if (use.joint.empty()) return nullptr;
-  return {{"share", json_number(use.share)}, {"joint", use.joint}, {"time", use.time}};
-}
-
-void print_use(const char* what, const LimitUse& use) {
-  if (use.joint.empty()) return;
-  fmt::print("{:<14}{} % of the limit at most, joint {} at {} s\n", what, shown(100 * use.share),
-             use.joint, shown(use.time));
-}
-
 Exit time_path(const Arguments& arguments) {
   arguments.files.check({arguments.arm.text, arguments.path});
   RetimeOptions options = arguments.options;
@@ -85,10 +74,7 @@ Exit time_path(const Arguments& arguments) {
         {"duration", found ? OrderedJson(duration) : OrderedJson(nullptr)},
         {"duration_before", way.has_times ? OrderedJson(duration_before) : OrderedJson(nullptr)},
         {"stretches", timed.stretches},
-        {"limits",
-         {{"velocity", json_use(timed.limits.velocity)},
-          {"acceleration", json_use(timed.limits.acceleration)},
-          {"jerk", json_use(timed.limits.jerk)}}},
+        {"limits", json_limits(timed.limits)},
         {"tool_speed", json_number(timed.tool_speed)},
         {"reason", timed.reason}};
     if (found) arguments.files.add_to(document);
@@ -101,9 +87,7 @@ Exit time_path(const Arguments& arguments) {
     fmt::print("{}\n", timed.stretches > 1
                            ? fmt::format(", with {} stops on the way", timed.stretches - 1)
                            : "");
-    print_use("velocity", timed.limits.velocity);
-    print_use("acceleration", timed.limits.acceleration);
-    print_use("jerk", timed.limits.jerk);
+    print_limits(timed.limits);
     fmt::print("tool speed    {} m/s at most\n", shown(timed.tool_speed));
     arguments.files.print();
   }

@@ -2,8 +2,8 @@
 # Beeline beside others on the same poses, one pinned thread: prints tables in Markdown and writes
 # build/bench/results.json. Peers that cannot be had are left out and said to be.
 # Then looks for solutions that Beeline missed and for wrong ones; fails if there are any.
-# BENCH_COUNT (poses an arm), BENCH_PASSES, BENCH_CORE, BENCH_ARMS, BENCH_COMPLETE (poses an arm) and
-# BENCH_HONEST (poses in all) change what is run.
+# BENCH_COUNT (poses an arm), BENCH_PASSES, BENCH_CORE, BENCH_ARMS, BENCH_COMPLETE (poses an arm),
+# BENCH_HONEST (poses in all) and BENCH_STEPS (of the servo) change what is run.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=build/bench
@@ -46,6 +46,8 @@ echo
   --benchmark_repetitions="${BENCH_REPETITIONS:-9}" --benchmark_min_time=0.05 \
   --benchmark_out="$folder/batch.json" --benchmark_out_format=json >&2
 python3 -B bench/kinematics/report.py "$folder/results.json" "$folder/batch.json"
+echo -e "\n### A step of the servo\n"
+"$folder/bench_servo" "${BENCH_STEPS:-10000000}"
 for by in joints configurations; do
   echo -e "\n### Forward kinematics by the number of $by\n"
   "$folder/bench_kinematics_growth" "$by" | tee "$folder/forward_by_$by.md"

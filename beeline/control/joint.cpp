@@ -9,36 +9,6 @@ namespace {
 
 constexpr double no_way = 1e-9;  // a joint that starts this near to its goal cannot overshoot
 
-void check_gains(const PidGains& gains) {
-  if (!(gains.kp > 0) || !std::isfinite(gains.kp)) {
-    throw Error("the gain kp must be above zero, not " + number(gains.kp));
-  }
-  for (const double gain : {gains.ki, gains.kd}) {
-    if (!(gain >= 0) || !std::isfinite(gain)) {
-      throw Error("the gains ki and kd must be zero or more, not " + number(gain));
-    }
-  }
-}
-
-/// The law's memory: the sum of the errors and the error before.
-class Pid {
- public:
-  Pid(const PidGains& gains, const Configuration& goal, const Configuration& start)
-      : gains_(gains), goal_(goal), sum_(Configuration::Zero(goal.size())), before_(goal - start) {}
-
-  Configuration step(const Configuration& q) {
-    const Configuration e = goal_ - q;
-    sum_ += e;
-    const Configuration change = e - before_;
-    before_ = e;
-    return gains_.kp * e + gains_.ki * sum_ + gains_.kd * change;
-  }
-
- private:
-  PidGains gains_;
-  Configuration goal_, sum_, before_;
-};
-
 }  // namespace
 
 double joint_overshoot(std::span<const Configuration> samples, const Configuration& goal) {
@@ -56,8 +26,8 @@ ControlledMotion control_joints(const Arm& arm, const Configuration& start,
                                 const Configuration& goal, const PidGains& gains,
                                 const SimulationOptions& options) {
   check_options(options);
-  check_gains(gains);
   check_configuration(arm, goal);
+  Pid pid(gains, goal);
   ControlledMotion motion = begin_motion(arm, start);
   motion.error = (goal - start).lpNorm<Eigen::Infinity>();
   const auto outside = limit_violations(arm, goal);
@@ -66,7 +36,7 @@ ControlledMotion control_joints(const Arm& arm, const Configuration& start,
     motion.reason = "the goal cannot be kept: " + outside.front();
     return motion;
   }
-  Pid pid(gains, goal, start);
+  pid.start(start);
   const ControlLaw law{
       [&goal](const Configuration& q) { return (goal - q).lpNorm<Eigen::Infinity>(); },
       [&pid](const Configuration& q) { return pid.step(q); }};

@@ -2,18 +2,10 @@
 
 #include <span>
 
+#include <beeline/control/pid.h>
 #include <beeline/control/simulate.h>
 
 namespace beeline {
-
-/// Each step is kp e + ki sum(e) + kd (e - e_before), with e = goal - q. With ki = kd = 0 this is
-/// the chapter's eq. 1.3: below kp = 1 it approaches the goal from one side, slowly when kp is
-/// small; from 1 to 2 it overshoots and swings; from 2 on it never arrives.
-struct PidGains {
-  double kp = 0.1;
-  double ki = 0;
-  double kd = 0;
-};
 
 /// Joint-space motion control from `start` to `goal`, joints on a straight line in joint space when
 /// kp alone acts, which is a curve for the tool. Joint values are plain numbers here: no turn is

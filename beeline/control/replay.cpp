@@ -3,13 +3,13 @@
 
 #include <beeline/control/replay.h>
 #include <beeline/error.h>
-#include <beeline/motion/time_law.h>
+#include <beeline/motion/timing/point_to_point.h>
 
 namespace beeline {
 namespace {
 
 constexpr std::size_t most_samples = 1'000'000;
-constexpr int lead_in_steps = 64;
+constexpr double lead_in_samples = 64;  // at least
 constexpr double already_there = 1e-9;
 
 /// The first sample outside the position limits, as a reason; empty when there is none.
@@ -43,17 +43,11 @@ Fastest fastest_moment(const Arm& arm, const Trajectory& recording) {
 }
 
 /// From rest at `start` to rest at `goal`, in a straight line in joint space.
-Trajectory joint_line(const Arm& arm, const Configuration& start, const Configuration& goal) {
-  std::vector<Configuration> samples;
-  std::vector<double> fractions;
-  for (int k = 0; k <= lead_in_steps; ++k) {
-    fractions.push_back(double(k) / lead_in_steps);
-    samples.push_back(start + rest_to_rest(fractions.back()) * (goal - start));
-  }
-  samples.back() = goal;
-  Trajectory trajectory = at_rest(arm, start);
-  append_timed(trajectory, arm, samples, fractions);
-  return trajectory;
+Trajectory lead_in(const Arm& arm, const Configuration& start, const Configuration& goal,
+                   double rate) {
+  const PointToPoint motion =
+      point_to_point(arm, start, goal, {.synchronise = Synchronise::straight});
+  return sampled(arm, motion, std::max(rate, lead_in_samples / motion.duration));
 }
 
 /// The recorded samples themselves, so that no corner is cut, and between them more at the rate.
@@ -119,7 +113,7 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
   played.joint_names = arm.joint_names();
   const Configuration& first = recording.positions.front();
   if (options.start && (first - *options.start).lpNorm<Eigen::Infinity>() > already_there) {
-    played = joint_line(arm, *options.start, first);
+    played = lead_in(arm, *options.start, first, options.rate);
     played.velocities.clear();
     played.accelerations.clear();
     result.lead_in = played.times.back();

@@ -2,93 +2,171 @@
 #include <cmath>
 #include <optional>
 
+#include <beeline/kinematics/forward.h>
 #include <beeline/motion/follow.h>
+#include <beeline/motion/matched.h>
 #include <beeline/motion/redundancy.h>
-#include <beeline/motion/time_law.h>
 
 namespace beeline {
 namespace {
 
 constexpr double rounding = 1e-11;  // metres and radians that a sample of an arm of 1 m may be off
-constexpr double longest_step = 1.0 / 64;  // of a line's time: the time law needs that many samples
-constexpr double shortest_step = 1e-7;     // of a line's time: below it the arm has to jump
-constexpr double largest_turn = 0.1;       // of one joint in one step, radians
-constexpr double aside = 0.01;             // radians or metres: a guess off a singularity
+constexpr double first_step = 1.0 / 32;   // of a line
+constexpr double longest_step = 1.0 / 4;  // of a line: its ends and some of its way are looked at
+constexpr double shortest_step = 1e-7;    // of a line: below it the arm has to jump
+constexpr double largest_turn = 0.5;      // of one joint in one step, radians
+constexpr double aside = 0.01;            // radians or metres: a guess off a singularity
+constexpr double share = 0.8;             // of the tolerance that a step is made for
+
+/// A step that is proved.
+struct Step {
+  Configuration q;
+  Deviation bound;
+};
+
+void grow(Deviation& largest, const Deviation& met) {
+  largest.position = std::max(largest.position, met.position);
+  largest.orientation = std::max(largest.orientation, met.orientation);
+}
+
+/// A place that the arm is at, or may be at next: a share of the way.
+struct Place {
+  const Configuration& q;
+  double s = 0;
+};
+
+/// What is followed: a line or another piece.
+struct Way {
+  std::function<Pose(double)> at;
+  std::function<Deviation(const Place&, const Place&)> step_bound;
+  std::function<Deviation(double, const Pose&)> deviation;
+};
 
 /// Everything that one step needs.
 struct Follower {
   const Arm& arm;
-  const Line& line;
+  const Way& way;
   const Task& task;
   const Bounds& bounds;
-  Deviation tolerance;  ///< between samples
-  double exact = 0;     ///< at a sample
+  const FollowOptions& options;
+  double exact = 0;  ///< at a sample
+  double use = 0;    ///< of the tolerance, by the last step tried; 0: it had no configuration
 
-  /// The configuration at the fraction `u` of the line's time, next to q; none when there is none
-  /// or the motion to it is not proved to stay near the line.
-  std::optional<Configuration> step(const Configuration& q, double u) const {
-    const Pose target = interpolate(line.from, line.to, rest_to_rest(u));
-    return proved(q, target, predicted(arm, q, target, task, bounds));
+  /// The configuration at the fraction `s`, next to the last; none when there is none or the motion
+  /// to it is not proved to stay near the line.
+  std::optional<Step> step(const Place& last, double s) {
+    const Pose target = way.at(s);
+    return proved(last, s, target,
+                  options.guide ? options.guide(s) : predicted(arm, last.q, target, task, bounds));
   }
 
   /// The same from a singular q such as an arm stretched out, where the Jacobian shows no way: to
   /// the first side to which a joint can bend.
-  std::optional<Configuration> step_aside(const Configuration& q, double u) const {
-    const Pose target = interpolate(line.from, line.to, rest_to_rest(u));
+  std::optional<Step> step_aside(const Place& last, double s) {
+    const Pose target = way.at(s);
     for (int k = 0; k < arm.dof(); ++k) {
       for (const double side : {aside, -aside}) {
-        Configuration guess = q;
+        Configuration guess = last.q;
         guess[k] += side;
-        if (const auto next = proved(q, target, guess)) return next;
+        if (auto next = proved(last, s, target, guess)) return next;
       }
     }
     return {};
   }
 
-  std::optional<Configuration> proved(const Configuration& q, const Pose& target,
-                                      const Configuration& guess) const {
+  std::optional<Step> proved(const Place& last, double s, const Pose& target,
+                             const Configuration& guess) {
+    use = 0;
     const Descent found =
         descend(arm, target, task, bounds, guess, {.tolerance = exact, .iterations = 30});
     if (!found.converged) return {};
     for (int k = 0; k < arm.dof(); ++k) {
       const bool turns = kind(arm.joint_of(k)) != JointKind::prismatic;
-      if (turns && std::abs(found.q[k] - q[k]) > largest_turn) return {};
+      if (turns && std::abs(found.q[k] - last.q[k]) > largest_turn) return {};
     }
-    // The nearest point of the line, which may be told by its position alone, can be that much off.
-    const Deviation ends{exact, exact * (1 + 1 / way_of_a_radian)};
-    const Deviation bound = step_bound(arm, line, task, q, found.q, ends, ends);
-    const bool near =
-        bound.position <= tolerance.position && bound.orientation <= tolerance.orientation;
-    return near ? std::optional(found.q) : std::nullopt;
+    const Deviation bound = way.step_bound(last, {found.q, s});
+    use = std::max(bound.position / options.tolerance.position,
+                   bound.orientation / options.tolerance.orientation);
+    return use <= 1 ? std::optional(Step{found.q, bound}) : std::nullopt;
+  }
+
+  /// What the last step tried says of the length that the next may have: a bound falls with the
+  /// square of it.
+  double stretch() const {
+    if (use == 0) return 0.5;
+    const double wanted = std::sqrt(share / use);
+    return use > 1 ? std::clamp(wanted, 0.1, 0.7) : std::clamp(wanted, 0.5, 3.0);
   }
 };
+
+/// The deviation that samples may have.
+double exact_at_samples(const Arm& arm) {
+  const double reach = arm.reach().radius;
+  return rounding * (std::isfinite(reach) ? std::max(1.0, reach) : 1);
+}
+
+Followed follow_way(const Arm& arm, const Way& way, const Task& task, const Bounds& bounds,
+                    const Configuration& start, const FollowOptions& options) {
+  Follower follower{arm, way, task, bounds, options, exact_at_samples(arm)};
+  Followed followed{{start}, {0}, {}};
+  followed.straightness.sampled = way.deviation(0, forward_kinematics(arm, start));
+  double length = first_step;
+  while (!followed.through() && length >= shortest_step &&
+         followed.samples.size() < options.most_samples) {
+    const double done = followed.fractions.back(), left = 1 - done;
+    const double steps =
+        std::ceil(left / length);  // equal ones to the end, none of rounding's size
+    const double s = steps > 1 ? done + left / steps : 1;
+    const Configuration& q = followed.samples.back();
+    auto next = follower.step({q, done}, s);
+    const double stretch = follower.stretch();
+    if (!next && followed.samples.size() == 1) next = follower.step_aside({start, 0}, s);
+    length = std::min((s - done) * stretch, longest_step);
+    if (!next) continue;
+    for (const double t : {0.5, 1.0}) {
+      const Pose pose = forward_kinematics(arm, q + t * (next->q - q));
+      grow(followed.straightness.sampled, way.deviation(std::lerp(done, s, t), pose));
+    }
+    grow(followed.straightness.bound, next->bound);
+    followed.samples.push_back(std::move(next->q));
+    followed.fractions.push_back(s);
+    if (options.progress && followed.samples.size() % 64 == 0) options.progress(s);
+  }
+  return followed;
+}
 
 }  // namespace
 
 Followed follow(const Arm& arm, const Line& line, const Task& task, const Bounds& bounds,
                 const Configuration& start, const FollowOptions& options) {
-  const double reach = arm.reach().radius;
-  const double size = std::isfinite(reach) ? std::max(1.0, reach) : 1;
-  const Follower follower{arm, line, task, bounds, options.tolerance, rounding * size};
-  Followed way{{start}, {0}};
-  double length = longest_step;
-  while (!way.through() && length >= shortest_step && way.samples.size() < options.most_samples) {
-    // Equal steps to the end: a last one of rounding's size would spoil the time law's differences.
-    const double done = way.fractions.back(), left = 1 - done;
-    const double steps = std::ceil(left / length);
-    const double u = steps > 1 ? done + left / steps : 1;
-    auto next = follower.step(way.samples.back(), u);
-    if (!next && way.samples.size() == 1) next = follower.step_aside(start, u);
-    if (next) {
-      way.samples.push_back(*next);
-      way.fractions.push_back(u);
-      length = std::min(1.5 * length, longest_step);
-      if (options.progress && way.samples.size() % 64 == 0) options.progress(u);
-    } else {
-      length = std::min(length, left) / 2;
-    }
+  // The nearest point of the line, which may be told by its position alone, can be that much off.
+  const double exact = exact_at_samples(arm);
+  const Deviation ends{exact, exact * (1 + 1 / way_of_a_radian)};
+  const Way way{.at = [&](double s) { return interpolate(line.from, line.to, s); },
+                .step_bound =
+                    [&](const Place& a, const Place& b) {
+                      return step_bound(arm, line, task, a.q, b.q, ends, ends);
+                    },
+                .deviation = [&](double, const Pose& p) { return deviation_from(line, p, task); }};
+  return follow_way(arm, way, task, bounds, start, options);
+}
+
+Followed follow(const Arm& arm, const Piece& piece, const Task& task, const Bounds& bounds,
+                const Configuration& start, const FollowOptions& options) {
+  if (const auto* line = std::get_if<Line>(&piece)) {
+    return follow(arm, *line, task, bounds, start, options);
   }
-  return way;
+  const Deviation ends{exact_at_samples(arm), exact_at_samples(arm)};
+  check_matched(arm, piece, task);
+  const Way way{
+      .at = [&](double s) { return pose_at(piece, s); },
+      .step_bound =
+          [&](const Place& a, const Place& b) {
+            return matched_step_bound(arm, piece, task, {a.q, a.s, ends}, {b.q, b.s, ends});
+          },
+      .deviation = [&](double s,
+                       const Pose& pose) { return task_deviation(task, pose_at(piece, s), pose); }};
+  return follow_way(arm, way, task, bounds, start, options);
 }
 
 }  // namespace beeline

@@ -6,7 +6,6 @@
 #include <beeline/inverse/solve.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/motion/line_failure.h>
-#include <beeline/motion/time_law.h>
 
 namespace beeline {
 namespace {
@@ -22,12 +21,7 @@ std::string joints_outside(const Arm& arm, const Configuration& q) {
   for (int k = 0; k < arm.dof(); ++k) {
     const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
     if (q[k] >= limits.lower && q[k] <= limits.upper) continue;
-    const bool low = q[k] < limits.lower;
-    const double limit = low ? limits.lower : limits.upper;
-    const bool metres = kind(arm.joint_of(k)) == JointKind::prismatic;
-    text += (text.empty() ? "joint " : ", and joint ") + arm.joint_of(k).name +
-            " would have to pass its " + (low ? "lower" : "upper") + " limit of " +
-            (metres ? number(limit) + " m" : angle(limit));
+    text += (text.empty() ? "" : ", and ") + limit_in_the_way(arm, k, q[k] < limits.lower);
   }
   return text;
 }
@@ -45,23 +39,40 @@ std::string passed_limits(const Arm& arm, const Line& line, const Task& task,
   return {};
 }
 
-std::string place(const Line& line, double s) {
+}  // namespace
+
+std::string line_place(const Line& line, double s) {
   const Vector3 p = interpolate(line.from, line.to, s).translation();
   return "stops after " + number(100 * s) + " % of its length, at x " + number(p.x()) + ", y " +
          number(p.y()) + ", z " + number(p.z()) + " m: ";
 }
 
-}  // namespace
+std::string limit_in_the_way(const Arm& arm, int coordinate, bool lower) {
+  const Limits& limits = arm.limits()[static_cast<std::size_t>(coordinate)];
+  const double limit = lower ? limits.lower : limits.upper;
+  const bool metres = kind(arm.joint_of(coordinate)) == JointKind::prismatic;
+  return "joint " + arm.joint_of(coordinate).name + " would have to pass its " +
+         (lower ? "lower" : "upper") + " limit of " +
+         (metres ? number(limit) + " m" : angle(limit));
+}
 
 LineFailure line_failure(const Arm& arm, const Line& line, const Task& task, const Configuration& q,
-                         double u) {
-  const double s = rest_to_rest(u);
-  const std::string where = place(line, s);
+                         double s) {
+  const std::string where = line_place(line, s);
   const std::string joints = passed_limits(arm, line, task, q, s);
   if (!joints.empty()) return {MotionStatus::outside_limits, where + joints};
 
-  const Pose next = interpolate(line.from, line.to, std::min(1.0, s + std::end(looks)[-1]));
-  const InverseResult answer = inverse_kinematics(arm, next, {.seed = q, .task = task});
+  // Next to the edge of the workspace solutions are nearly there: that none exists shows farther
+  // on.
+  InverseResult answer;
+  for (const double look : {1e-3, 1e-2, 1e-1}) {
+    const Pose next = interpolate(line.from, line.to, std::min(1.0, s + look));
+    InverseResult ahead = inverse_kinematics(arm, next, {.seed = q, .task = task});
+    const bool none =
+        ahead.status == InverseStatus::unreachable || ahead.status == InverseStatus::orientation;
+    if (answer.reason.empty() || none) answer = std::move(ahead);
+    if (answer.status != InverseStatus::not_found) break;
+  }
   const double condition = dexterity(task_jacobian(arm, q, task)).condition;
   switch (answer.status) {
     case InverseStatus::solved:

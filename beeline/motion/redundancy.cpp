@@ -10,21 +10,23 @@ namespace {
 constexpr double damping = 1e-4;  // far below the singular values of an arm that can move on
 constexpr double urge = 5;        // push at a limit, over the step; more lengthens motions
 
-/// Back to the middle for coordinates in the outer half of their range: 0 at a quarter of the range
-/// from the end, growing with the square to 1 at the limit.
 Configuration away_from_limits(const Configuration& q, const Bounds& bounds) {
-  Configuration push = Configuration::Zero(q.size());
+  Configuration push(q.size());
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    const double half = (bounds.upper[k] - bounds.lower[k]) / 2;
-    if (!std::isfinite(half) || half <= 0) continue;
-    const double side = (q[k] - bounds.lower[k]) / half - 1;  // -1 to 1
-    const double depth = std::max(0.0, std::abs(side) - 0.5) * 2;
-    push[k] = -std::copysign(depth * depth, side);
+    push[k] = push_from_limits(q[k], bounds.lower[k], bounds.upper[k]);
   }
   return push;
 }
 
 }  // namespace
+
+double push_from_limits(double q, double lower, double upper) {
+  const double half = (upper - lower) / 2;
+  if (!std::isfinite(half) || half <= 0) return 0;
+  const double side = (q - lower) / half - 1;  // -1 to 1
+  const double depth = std::max(0.0, std::abs(side) - 0.5) * 2;
+  return -std::copysign(depth * depth, side);
+}
 
 Eigen::VectorXd damped_solve(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& error,
                              double damping_factor) {

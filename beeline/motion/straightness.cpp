@@ -120,11 +120,44 @@ bool whole_turns(const Arm& arm, const Line& line, const Extent& extent, const T
          turns_within_rows(task, pose_difference(forward_kinematics(arm, q), line.from).tail<3>());
 }
 
+/// The step's bend has a part along its chord `way`, which moves the tool on the line but not off
+/// it, unless it is enough to lead back beyond an end of the chord.
+bool stays_on_chord(const ChordBound& step, const Vector3& bend, const Vector3& way) {
+  const double length = way.norm();
+  return length > nothing && 4 * std::abs(bend.dot(way)) / length + 6 * step.rest <= length;
+}
+
+/// How far beyond the line's ends the tool is by its nearest fraction, which is none there.
+double beyond_ends(const Line& line, const Extent& extent, const Pose& pose, const Task& task) {
+  const Vector3 done = position_rows(task, pose, pose.translation() - line.from.translation());
+  const double s = done.dot(extent.way) / extent.way.squaredNorm();
+  return std::max({0.0, -s, s - 1});
+}
+
+double part_across(const Vector3& v, const Vector3& way) {
+  return (v - v.dot(way) / way.squaredNorm() * way).norm();
+}
+
+/// As ChordBound::orientation, but measured from the line's orientation at the point nearest by
+/// position, of which the fraction s of the line has s'' = p''.way / length^2. The change of the
+/// line's angular velocity is compared in the axes of the other: they differ by `turned` at most.
+double orientation_at_nearest(const ChordBound& step, const Extent& extent, double ends) {
+  const double square = extent.length * extent.length;
+  const double pull = 8 * step.bend.dot(extent.way) / square;
+  const double swing =
+      (step.swing - pull * extent.turn).norm() + step.swing_rest +
+      extent.angle * (8 * step.rest / extent.length + std::abs(pull) * (step.turned + ends));
+  return swing_bound(swing, step.turned);
+}
+
 }  // namespace
 
+Pose nearest_on(const Line& line, const Pose& pose, const Task& task) {
+  return interpolate(line.from, line.to, nearest_fraction(line, extent_of(line, task), pose, task));
+}
+
 Deviation deviation_from(const Line& line, const Pose& pose, const Task& task) {
-  const double s = nearest_fraction(line, extent_of(line, task), pose, task);
-  return task_deviation(task, interpolate(line.from, line.to, s), pose);
+  return task_deviation(task, nearest_on(line, pose, task), pose);
 }
 
 // Let s_a and s_b be the nearest fractions at the ends, s' the one in proportion between them.
@@ -139,9 +172,12 @@ Deviation step_bound(const Arm& arm, const Line& line, const Task& task,
   const bool whole = whole_turns(arm, line, extent, task, q_a);
   Deviation bound{std::max(a.position, b.position), std::max(a.orientation, b.orientation)};
 
+  const Pose at_a = forward_kinematics(arm, q_a), at_b = forward_kinematics(arm, q_b);
+  const Vector3 way = position_rows(task, at_a, at_b.translation() - at_a.translation());
+  const Vector3 bend = position_rows(task, at_a, step.bend);
+  const bool on_chord = still && extent.told_by_way() && stays_on_chord(step, bend, way);
   double apart = 0, off = 0, length = extent.length;
   if (!still || !whole) {
-    const Pose at_a = forward_kinematics(arm, q_a), at_b = forward_kinematics(arm, q_b);
     const double s_a = nearest_fraction(line, extent, at_a, task);
     const double s_b = nearest_fraction(line, extent, at_b, task);
     const auto distance = [&line](const Pose& pose, double s) {
@@ -154,7 +190,10 @@ Deviation step_bound(const Arm& arm, const Line& line, const Task& task,
   }
 
   if (still) {  // distance from a straight segment is convex
-    if (rows(task, 0) > 0) bound.position += step.position;
+    if (rows(task, 0) > 0) {
+      bound.position +=
+          std::min(step.position, on_chord ? part_across(bend, way) + step.rest : step.position);
+    }
   } else {  // from the nearer end, at most half of all motion
     bound.position += (step.moved + extent.length * apart + off * step.turned) / 2;
   }
@@ -162,14 +201,23 @@ Deviation step_bound(const Arm& arm, const Line& line, const Task& task,
     // Between two shortest turns in SO(3), a sphere of radius 2, the distance exceeds that of their
     // ends by 1 / cos(angle/4) at most (Jacobi's equation).
     const double angle = step.turned + a.orientation + b.orientation;
-    bound.orientation =
-        angle < pi ? bound.orientation / std::cos(angle / 4) + step.orientation : pi;
+    const double ends = bound.orientation;
+    bound.orientation = angle < pi ? ends / std::cos(angle / 4) : pi;
+    if (on_chord) {
+      const double beyond =
+          std::max(beyond_ends(line, extent, at_a, task), beyond_ends(line, extent, at_b, task));
+      bound.orientation +=
+          orientation_at_nearest(step, extent, ends) + 2 * extent.angle * std::min(1.0, beyond);
+    } else {
+      bound.orientation += step.orientation;
+    }
   } else if (rows(task, 3) > 0) {  // |d log| <= pi/2 |d angle| wherever the free rows stand
     bound.orientation += pi / 4 * (step.turned + extent.angle * apart);
   }
 
-  if (extent.told_by_way()) {
-    const double shift = still ? bound.position : 2 * bound.position;
+  if (extent.told_by_way() && !(whole && on_chord)) {
+    const double shift =
+        still ? std::max(a.position, b.position) + step.position : 2 * bound.position;
     const double drift = shift < length ? shift / length : 1;
     bound.orientation += (whole ? 1 : pi / 2) * extent.angle * drift;
   } else if (extent.told_by_turn() && rows(task, 0) > 0) {
@@ -203,7 +251,9 @@ Straightness straightness(const Arm& arm, std::span<const Configuration> samples
     grow(result.bound, before);
     for (std::size_t k = first + 1; k <= arrivals[w]; ++k) {
       const Deviation now = deviation_from(line, forward_kinematics(arm, samples[k]), task);
+      const Configuration middle = (samples[k - 1] + samples[k]) / 2;
       grow(result.sampled, now);
+      grow(result.sampled, deviation_from(line, forward_kinematics(arm, middle), task));
       grow(result.bound, step_bound(arm, line, task, samples[k - 1], samples[k], before, now));
       before = now;
     }

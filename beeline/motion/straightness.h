@@ -4,22 +4,17 @@
 #include <vector>
 
 #include <beeline/kinematics/task.h>
+#include <beeline/motion/path/piece.h>
 
 namespace beeline {
-
-/// A straight line for the tool: interpolate(from, to, s) with s from 0 to 1.
-struct Line {
-  Pose from;
-  Pose to;
-};
-
-/// A line that moves less than this for each radian that it turns, in metres, is told by its turn.
-constexpr double way_of_a_radian = 0.01;
 
 /// How far `pose` is from the nearest point of the line: the distance to the segment and the turn
 /// to the line's orientation at that point, as far as the task asks. Nearest is meant by position;
 /// by orientation where the line moves less than `way_of_a_radian`.
 Deviation deviation_from(const Line& line, const Pose& pose, const Task& task);
+
+/// The line's pose at that point.
+Pose nearest_on(const Line& line, const Pose& pose, const Task& task);
 
 /// A bound on deviation_from(line, ..., task) while every joint moves in proportion from q_a to
 /// q_b, at whose ends it was measured to be `a` and `b`. From chord_bound(), so it falls with the
@@ -32,7 +27,7 @@ Deviation step_bound(const Arm& arm, const Line& line, const Task& task,
 
 /// How straight a joint motion is along the lines through waypoints, measured and proved.
 struct Straightness {
-  Deviation sampled;  ///< the largest deviation at the samples
+  Deviation sampled;  ///< the largest deviation at the samples and half-way between them
   Deviation bound;    ///< proved: at no moment between samples, joints moving in proportion, more
 };
 

@@ -4,7 +4,6 @@
 
 #include <beeline/control/replay.h>
 #include <beeline/model/catalog.h>
-#include <beeline/motion/time_law.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>

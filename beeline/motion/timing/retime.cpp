@@ -21,8 +21,6 @@ constexpr double standing = 1e-9;      // of the largest velocity
 constexpr double longest_gap = 0.005;  // of a stretch's duration, between its samples
 constexpr double most_samples = 1e6;
 
-bool keeps_jerk(Law law) { return law != Law::fastest && law != Law::trapezoidal; }
-
 /// The positions between the stops, which end one stretch and begin the next.
 std::vector<std::vector<Configuration>> stretches(const Trajectory& trajectory) {
   double largest = 0;
@@ -146,6 +144,8 @@ void measure(const Arm& arm, Retimed& timed) {
 }
 
 }  // namespace
+
+bool keeps_jerk(Law law) { return law != Law::fastest && law != Law::trapezoidal; }
 
 std::string name(Law law) { return law_names[static_cast<int>(law)]; }
 

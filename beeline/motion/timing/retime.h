@@ -17,6 +17,9 @@ enum class Law {
 };
 std::string name(Law law);
 
+/// Whether limits of jerk are kept; they are free under the fastest and the trapezoidal.
+bool keeps_jerk(Law law);
+
 /// Throws Error listing the laws for another name.
 Law law_named(const std::string& name);
 

@@ -1,0 +1,60 @@
+#include <cmath>
+
+#include <beeline/control/pid.h>
+#include <beeline/error.h>
+
+namespace beeline {
+namespace {
+
+void check_gains(const PidGains& gains) {
+  if (!(gains.kp > 0) || !std::isfinite(gains.kp)) {
+    throw Error("the gain kp must be above zero, not " + number(gains.kp));
+  }
+  for (const double gain : {gains.ki, gains.kd}) {
+    if (!(gain >= 0) || !std::isfinite(gain)) {
+      throw Error("the gains ki and kd must be zero or more, not " + number(gain));
+    }
+  }
+}
+
+}  // namespace
+
+Pid::Pid(const PidGains& gains, const ConfigurationRef& goal)
+    : gains_((check_gains(gains), gains)),
+      goal_(goal),
+      sum_(Configuration::Zero(goal.size())),
+      before_(Configuration::Zero(goal.size())),
+      change_(Configuration::Zero(goal.size())) {}
+
+void Pid::check_size(const ConfigurationRef& q) const {
+  if (q.size() == goal_.size()) return;
+  throw Error("the controller's goal has " + std::to_string(goal_.size()) + " joint values, not " +
+              std::to_string(q.size()));
+}
+
+void Pid::start(const ConfigurationRef& q) {
+  check_size(q);
+  sum_.setZero();
+  before_ = goal_ - q;
+  started_ = true;
+}
+
+void Pid::set_goal(const ConfigurationRef& goal) {
+  check_size(goal);
+  before_ += goal - goal_;
+  goal_ = goal;
+}
+
+const Configuration& Pid::step(const ConfigurationRef& q) {
+  if (!started_) start(q);
+  check_size(q);
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    const double e = goal_[k] - q[k];
+    sum_[k] += e;
+    change_[k] = gains_.kp * e + gains_.ki * sum_[k] + gains_.kd * (e - before_[k]);
+    before_[k] = e;
+  }
+  return change_;
+}
+
+}  // namespace beeline

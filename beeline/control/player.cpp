@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/control/player.h>
+#include <beeline/error.h>
+
+namespace beeline {
+namespace {
+
+void check_speed(double speed) {
+  if (speed >= 0 && std::isfinite(speed)) return;
+  throw Error("the speed of a player must be zero or above, not " + number(speed));
+}
+
+void check(const PlayerOptions& options) {
+  for (const double positive : {options.time_step, options.ramp}) {
+    if (positive > 0 && std::isfinite(positive)) continue;
+    throw Error("the time step and the ramp of a player must be above zero, not " +
+                number(positive) + " s");
+  }
+  check_speed(options.speed);
+}
+
+}  // namespace
+
+Player::Player(const Arm& arm, const Trajectory& recording, const ConfigurationRef& start,
+               const PlayerOptions& options)
+    : arm_(arm),
+      options_(options),
+      recording_(matched_to(arm, recording)),
+      wanted_(options.speed),
+      slope_(Configuration::Zero(arm.dof())),
+      acceleration_(Configuration::Zero(arm.dof())),
+      largest_(Configuration::Zero(arm.dof())),
+      squares_(Configuration::Zero(arm.dof())) {
+  check(options);
+  if (recording_.size() == 0) throw Error("the recording has no samples");
+  for (std::size_t k = 0; k < recording_.size(); ++k) {
+    const auto outside = limit_violations(arm, recording_.positions[k]);
+    if (outside.empty()) continue;
+    throw Error("at " + number(recording_.times[k]) + " s " + outside.front());
+  }
+  lead_ = point_to_point(arm, start, recording_.positions.front(),
+                         {.synchronise = Synchronise::straight});
+  time_ = recording_.times.front();
+  command_ = {start, Configuration::Zero(arm.dof())};
+}
+
+void Player::set_speed(double speed) {
+  check_speed(speed);
+  wanted_ = speed;
+}
+
+bool Player::done() const { return !leading_in() && time_ >= recording_.times.back(); }
+
+/// The place and its derivatives by the recording's own time.
+void Player::read(double time) {
+  const auto& t = recording_.times;
+  while (segment_ + 2 < t.size() && t[segment_ + 1] <= time) ++segment_;
+  const std::size_t a = segment_, b = std::min(segment_ + 1, t.size() - 1);
+  if (a == b) {
+    command_.q = recording_.positions[a];
+    slope_.setZero();
+    acceleration_.setZero();
+    return;
+  }
+  const double h = t[b] - t[a], u = std::clamp((time - t[a]) / h, 0.0, 1.0);
+  const Configuration &p = recording_.positions[a], &q = recording_.positions[b];
+  if (recording_.velocities.empty()) {
+    slope_ = (q - p) / h;
+    acceleration_.setZero();
+    command_.q = p + u * (q - p);
+    return;
+  }
+  const Configuration &v = recording_.velocities[a], &w = recording_.velocities[b];
+  for (Eigen::Index k = 0; k < p.size(); ++k) {
+    const double step = q[k] - p[k];
+    const double c1 = v[k] * h, c2 = 3 * step - (2 * v[k] + w[k]) * h;
+    const double c3 = -2 * step + (v[k] + w[k]) * h;
+    command_.q[k] = p[k] + u * (c1 + u * (c2 + u * c3));
+    slope_[k] = (c1 + u * (2 * c2 + 3 * u * c3)) / h;
+    acceleration_[k] = (2 * c2 + 6 * u * c3) / (h * h);
+  }
+}
+
+/// By how much the speed may change in a step: the joints' q'' = a speed^2 + v speed' must keep
+/// their limits as far as the recording leaves room.
+double Player::largest_change() const {
+  constexpr double least = 0.05;  // of the ramp: a recording at its limits must be able to pause
+  double rate = 1 / options_.ramp;
+  for (Eigen::Index k = 0; k < slope_.size(); ++k) {
+    const double limit = arm_.limits()[static_cast<std::size_t>(k)].acceleration;
+    const double left = limit - std::abs(acceleration_[k]) * speed_ * speed_;
+    if (std::abs(slope_[k]) * rate > left) rate = left / std::abs(slope_[k]);
+  }
+  return std::max(rate, least / options_.ramp) * options_.time_step;
+}
+
+const Command& Player::step() {
+  const double dt = options_.time_step;
+  if (leading_in()) {
+    lead_time_ += dt * std::min(1.0, std::max(wanted_, 0.0));
+    at(lead_, std::min(lead_time_, lead_.duration), command_.q, command_.velocity, acceleration_);
+    return command_;
+  }
+  const double before = speed_, change = largest_change();
+  speed_ += std::clamp(wanted_ - speed_, -change, change);
+  time_ = std::min(time_ + dt * (before + speed_) / 2, recording_.times.back());
+  read(time_);
+  const bool ended = time_ >= recording_.times.back();
+  command_.velocity = (ended ? 0 : speed_) * slope_;
+  return command_;
+}
+
+void Player::measured(const ConfigurationRef& q) {
+  if (q.size() != command_.q.size()) {
+    throw Error("what was measured has " + std::to_string(q.size()) + " values; the arm has " +
+                std::to_string(command_.q.size()) + " coordinates");
+  }
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    const double error = std::abs(q[k] - command_.q[k]);
+    largest_[k] = std::max(largest_[k], error);
+    squares_[k] += error * error;
+  }
+  ++steps_;
+}
+
+TrackingError Player::tracking() const {
+  const double count = std::max(1.0, static_cast<double>(steps_));
+  return {largest_, (squares_ / count).cwiseSqrt(), steps_};
+}
+
+}  // namespace beeline

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <beeline/inverse/descent/numerical.h>
+
+namespace beeline {
+
+/// What kept a servo's step from doing all of what was asked for.
+enum class ServoLimit { none, velocity, acceleration, position, singular };
+std::string name(ServoLimit limit);
+
+/// What limits leave of a coordinate's velocity in one step; 0 is always in it.
+struct Room {
+  double lower = 0, upper = 0;
+  ServoLimit kind = ServoLimit::velocity;  ///< position where a stop before an end asks for less
+};
+
+/// How fast a coordinate may go towards a place that is `way` off and still stop there, when it
+/// goes on for one time step and then brakes; as fast as gets there in one step where the
+/// acceleration has no limit.
+double fast_to_stop(double way, double acceleration, double time_step);
+
+/// One room for each coordinate of q; a q outside the bounds may only come back.
+void fill_rooms(const Arm& arm, const Bounds& bounds, const ConfigurationRef& q, double time_step,
+                std::vector<Room>& rooms);
+
+}  // namespace beeline

@@ -1,0 +1,287 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <beeline/error.h>
+#include <beeline/inverse/descent/representative.h>
+#include <beeline/inverse/solve.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/manipulability.h>
+#include <beeline/motion/branch.h>
+#include <beeline/motion/line_failure.h>
+#include <beeline/motion/waypoints.h>
+
+namespace beeline {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr double no_motion = 1e-9;  // metres or radians: the tool is there already
+constexpr double rounding = 1e-9;   // radians or metres that a joint may be beyond a limit
+
+Line line_of(std::span<const Pose> poses, std::size_t w) { return {poses[w], poses[w + 1]}; }
+
+/// "line 2 of 3 ", as failures begin.
+std::string line_number(std::size_t w, std::size_t lines) {
+  return "line " + std::to_string(w + 1) + " of " + std::to_string(lines) + " ";
+}
+
+/// Follows all lines from branch.start as far as they go.
+void follow_all(const Arm& arm, std::span<const Pose> poses, const Bounds& bounds,
+                const BranchOptions& options, Branch& branch) {
+  Configuration q = branch.start;
+  std::size_t left = options.most_samples;
+  for (std::size_t w = 0; w + 1 < poses.size(); ++w) {
+    const Line line = line_of(poses, w);
+    const Deviation way = task_deviation(options.task, line.to, line.from);
+    if (way.position <= no_motion && way.orientation <= no_motion) {
+      branch.lines.push_back({{q}, {1}, {}});
+      branch.done = static_cast<double>(w + 1);
+      continue;
+    }
+    FollowOptions follow_options{.tolerance = options.tolerance, .most_samples = left};
+    if (options.guide) {
+      follow_options.guide = [&](double s) { return options.guide(static_cast<double>(w) + s); };
+    }
+    if (options.progress) {
+      follow_options.progress = [&](double s) {
+        options.progress((static_cast<double>(w) + s) / static_cast<double>(poses.size() - 1));
+      };
+    }
+    branch.lines.push_back(follow(arm, line, options.task, bounds, q, follow_options));
+    const Followed& way_done = branch.lines.back();
+    branch.done = static_cast<double>(w) + way_done.fractions.back();
+    q = way_done.samples.back();
+    if (!way_done.through()) {
+      branch.status = MotionStatus::not_converged;  // until it is asked why
+      return;
+    }
+    left -= std::min(left, way_done.samples.size() - 1);  // the corner is both lines'
+  }
+}
+
+/// How far a coordinate goes on the way.
+struct Extent {
+  double lower = 0, upper = 0;
+};
+
+Extent extent_of(const Branch& branch, int k) {
+  Extent extent{branch.start[k], branch.start[k]};
+  for (const Followed& line : branch.lines) {
+    for (const Configuration& q : line.samples) {
+      extent.lower = std::min(extent.lower, q[k]);
+      extent.upper = std::max(extent.upper, q[k]);
+    }
+  }
+  return extent;
+}
+
+/// Where coordinate k first is outside [lower, upper]: lines done, with a fraction of the next.
+double leaves_at(const Branch& branch, int k, double lower, double upper) {
+  for (std::size_t w = 0; w < branch.lines.size(); ++w) {
+    const Followed& line = branch.lines[w];
+    for (std::size_t i = 0; i < line.samples.size(); ++i) {
+      const double now = line.samples[i][k];
+      if (now >= lower && now <= upper) continue;
+      if (i == 0) return static_cast<double>(w);
+      const double before = line.samples[i - 1][k], limit = now > upper ? upper : lower;
+      const double share = std::clamp((limit - before) / (now - before), 0.0, 1.0);
+      return static_cast<double>(w) + std::lerp(line.fractions[i - 1], line.fractions[i], share);
+    }
+  }
+  return branch.done;
+}
+
+/// The whole turns that take coordinate k farthest along, of these the ones that keep it farthest
+/// from its limits, and of these the fewest.
+double best_turns(const Branch& branch, int k, double lower, double upper) {
+  constexpr int most_turns = 16;  // either way: limits may be far away, or nowhere
+  const Extent extent = extent_of(branch, k);
+  double best = 0, best_done = -1, best_margin = 0;
+  for (int i = 0; i <= 2 * most_turns; ++i) {
+    const double shift = (i % 2 == 0 ? -(i / 2) : (i + 1) / 2) * turn;
+    const double low = lower - shift, high = upper - shift;
+    if (branch.start[k] < low - rounding || branch.start[k] > high + rounding) continue;
+    const double done = leaves_at(branch, k, low - rounding, high + rounding);
+    const double margin = std::min(extent.lower - low, high - extent.upper);
+    if (done < best_done || (done == best_done && margin <= best_margin)) continue;
+    best = shift, best_done = done, best_margin = margin;
+  }
+  return best;
+}
+
+void shift(Branch& branch, int k, double turns) {
+  branch.start[k] += turns;
+  for (Followed& line : branch.lines) {
+    for (Configuration& q : line.samples) q[k] += turns;
+  }
+}
+
+/// Cuts the branch off where it first leaves the limits, and tells which joint's.
+void keep_limits(const Arm& arm, std::size_t lines, std::span<const Pose> poses, Branch& branch) {
+  const Bounds bounds = bounds_of(arm);
+  int blocking = -1;
+  double first = branch.done;
+  for (int k = 0; k < arm.dof(); ++k) {
+    const double done =
+        leaves_at(branch, k, bounds.lower[k] - rounding, bounds.upper[k] + rounding);
+    if (done < first || (done == first && done < branch.done)) first = done, blocking = k;
+  }
+  if (blocking < 0) return;
+  const auto w = std::min(static_cast<std::size_t>(first), lines - 1);
+  const double s = first - static_cast<double>(w);
+  branch.lines.resize(w + 1);
+  Followed& line = branch.lines[w];
+  while (line.fractions.size() > 1 && line.fractions.back() > s) {
+    line.fractions.pop_back();
+    line.samples.pop_back();
+  }
+  branch.done = first;
+  branch.status = MotionStatus::outside_limits;
+  const double ahead = line.samples.back()[blocking];
+  const bool low = ahead - bounds.lower[blocking] < bounds.upper[blocking] - ahead;
+  branch.reason = line_number(w, lines) + line_place(line_of(poses, w), s) +
+                  limit_in_the_way(arm, blocking, low);
+}
+
+void measure(const Arm& arm, const Task& task, Branch& branch) {
+  const double unit = unit_of_length(arm);
+  for (const Followed& line : branch.lines) {
+    for (const Configuration& q : line.samples) {
+      for (int k = 0; k < arm.dof(); ++k) {
+        const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
+        const double half = (limits.upper - limits.lower) / 2;
+        if (!std::isfinite(half) || half <= 0) continue;
+        const double way = std::min(q[k] - limits.lower, limits.upper - q[k]);
+        branch.limit_margin = std::min(branch.limit_margin, std::max(0.0, way / half));
+      }
+      Eigen::MatrixXd j = task_jacobian(arm, q, task);
+      Eigen::Index row = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (task.rows[i]) j.row(row++) /= unit;
+      }
+      branch.dexterity = std::min(branch.dexterity, 1 / dexterity(j).condition);
+    }
+  }
+}
+
+/// The branches that go all the way from the lines' end to their begin, told the right way round:
+/// at a singular begin one solution stands for infinitely many, and the lines may need another.
+std::vector<Branch> backward_branches(const Arm& arm, const std::vector<Pose>& poses,
+                                      const Bounds& bounds, const BranchOptions& options) {
+  const std::vector<Pose> back(poses.rbegin(), poses.rend());
+  const InverseResult ends = inverse_kinematics(
+      arm, back.front(), {.task = options.task, .all = true, .ignore_limits = true});
+  std::vector<Branch> branches;
+  for (const Configuration& end : ends.solutions) {
+    if (!within(bounds, end)) continue;
+    Branch branch{.start = end};
+    follow_all(arm, back, bounds, options, branch);
+    if (branch.status != MotionStatus::reached) continue;
+    std::reverse(branch.lines.begin(), branch.lines.end());
+    for (Followed& line : branch.lines) {
+      std::reverse(line.samples.begin(), line.samples.end());
+      if (line.samples.size() == 1) continue;
+      std::reverse(line.fractions.begin(), line.fractions.end());
+      for (double& fraction : line.fractions) fraction = 1 - fraction;
+    }
+    branch.start = branch.lines.front().samples.front();
+    branches.push_back(std::move(branch));
+  }
+  return branches;
+}
+
+void check(std::span<const Pose> poses, const BranchOptions& options) {
+  if (poses.size() < 2) throw Error("a line needs a pose to begin at and one to end at");
+  if (options.task.size() == 0 || options.task.frame == Frame::space) {
+    throw Error("the task needs at least one row, and the base or the tool frame");
+  }
+}
+
+}  // namespace
+
+void explain(const Arm& arm, std::span<const Pose> poses, const BranchOptions& options,
+             Branch& branch) {
+  if (branch.status != MotionStatus::not_converged) return;
+  std::size_t samples = 1;
+  for (const Followed& line : branch.lines) samples += line.samples.size() - 1;
+  const std::size_t w = branch.lines.size() - 1;
+  const Followed& last = branch.lines.back();
+  const LineFailure failure = samples >= options.most_samples
+                                  ? too_many_samples(static_cast<int>(options.most_samples))
+                                  : line_failure(arm, line_of(poses, w), options.task,
+                                                 last.samples.back(), last.fractions.back());
+  branch.status = failure.status;
+  branch.reason = line_number(w, poses.size() - 1) + failure.reason;
+}
+
+bool better(const Branch& a, const Branch& b) {
+  if (a.done != b.done) return a.done > b.done;
+  return std::min(a.limit_margin, a.dexterity) > std::min(b.limit_margin, b.dexterity);
+}
+
+Branch follow_branch(const Arm& arm, const Configuration& start, std::span<const Pose> given,
+                     const BranchOptions& options) {
+  check(given, options);
+  const std::vector<Pose> poses = checked_waypoints(given);
+  Branch branch{.start = start};
+  follow_all(arm, poses, bounds_of(arm), options, branch);
+  if (options.reasons != BranchOptions::Reasons::none) explain(arm, poses, options, branch);
+  measure(arm, options.task, branch);
+  return branch;
+}
+
+std::vector<Branch> follow_branches(const Arm& arm, std::span<const Pose> given,
+                                    const BranchOptions& options) {
+  check(given, options);
+  const std::vector<Pose> poses = checked_waypoints(given);
+  const InverseResult starts = inverse_kinematics(
+      arm, poses.front(), {.task = options.task, .all = true, .ignore_limits = true});
+  const Bounds limits = bounds_of(arm);
+  Bounds bounds = limits;
+  for (int k = 0; k < arm.dof(); ++k) {
+    if (!turns_around(arm, k)) continue;
+    bounds.lower[k] = -Limits::none;
+    bounds.upper[k] = Limits::none;
+  }
+  std::vector<Branch> branches;
+  const auto add = [&](Branch branch) {
+    for (int k = 0; k < arm.dof(); ++k) {
+      if (turns_around(arm, k))
+        shift(branch, k, best_turns(branch, k, limits.lower[k], limits.upper[k]));
+    }
+    keep_limits(arm, poses.size() - 1, poses, branch);
+    branches.push_back(std::move(branch));
+  };
+  for (const Configuration& start : starts.solutions) {
+    if (!within(bounds, start)) continue;
+    Branch branch{.start = start};
+    follow_all(arm, poses, bounds, options, branch);
+    add(std::move(branch));
+  }
+  const bool through = std::any_of(branches.begin(), branches.end(), [](const Branch& branch) {
+    return branch.status == MotionStatus::reached;
+  });
+  const auto singular = [&](const Configuration& q) {
+    constexpr double rank_lost = 1e-6;
+    return 1 / dexterity(task_jacobian(arm, q, options.task)).condition < rank_lost;
+  };
+  if (!through && std::any_of(starts.solutions.begin(), starts.solutions.end(), singular)) {
+    for (Branch& branch : backward_branches(arm, poses, bounds, options)) add(std::move(branch));
+  }
+  double farthest = 0;
+  for (const Branch& branch : branches) farthest = std::max(farthest, branch.done);
+  for (Branch& branch : branches) {  // what only breaks ties is not measured where there is none
+    if (options.reasons == BranchOptions::Reasons::all || branch.done == farthest)
+      measure(arm, options.task, branch);
+  }
+  std::stable_sort(branches.begin(), branches.end(), better);
+  using Reasons = BranchOptions::Reasons;
+  for (Branch& branch : branches) {
+    if (options.reasons == Reasons::none) break;
+    explain(arm, poses, options, branch);
+    if (options.reasons == Reasons::best) break;
+  }
+  return branches;
+}
+
+}  // namespace beeline

@@ -1,0 +1,236 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/inverse/descent/numerical.h>
+#include <beeline/inverse/descent/representative.h>
+#include <beeline/inverse/solve.h>
+#include <beeline/motion/ladder.h>
+#include <beeline/motion/redundancy.h>
+
+namespace beeline {
+namespace {
+
+constexpr double longest_edge = 1.2;  // radians or metres of one joint between neighbours
+constexpr int most_repairs = 60;      // edges that turn out not to lead on
+constexpr int smoothings = 12;
+constexpr double limit_weight = 0.003;  // of nearness to limits, against the square of seconds
+
+/// One place on the lines and the solutions there.
+struct Rung {
+  double place = 0;
+  Pose pose;
+  std::vector<Configuration> solutions;
+  std::vector<double> cost;  ///< of the best chain from the first rung
+  std::vector<int> before;   ///< its solution on the rung before; -1: none
+};
+
+std::vector<Rung> rungs(std::span<const Pose> poses, double spacing) {
+  std::vector<Rung> all{{0, poses.front(), {}, {}, {}}};
+  for (std::size_t w = 0; w + 1 < poses.size(); ++w) {
+    const Twist way = pose_difference(poses[w + 1], poses[w]);
+    const double length = way.head<3>().norm() + way.tail<3>().norm() / 5;
+    const int parts = std::clamp(static_cast<int>(std::ceil(length / spacing)), 4, 400);
+    for (int i = 1; i <= parts; ++i) {
+      const double s = static_cast<double>(i) / parts;
+      all.push_back(
+          {static_cast<double>(w) + s, interpolate(poses[w], poses[w + 1], s), {}, {}, {}});
+    }
+  }
+  return all;
+}
+
+/// The graph's costs, in seconds squared.
+struct Costs {
+  Eigen::VectorXd pace;  ///< seconds a radian or metre
+  Bounds bounds;
+
+  explicit Costs(const Arm& arm) : pace(arm.dof()), bounds(bounds_of(arm)) {
+    for (int k = 0; k < arm.dof(); ++k) {
+      const double velocity = arm.limits()[static_cast<std::size_t>(k)].velocity;
+      pace[k] = std::isfinite(velocity) ? 1 / velocity : 1;
+    }
+  }
+  double near_limits(const Configuration& q) const {
+    double sum = 0;
+    for (Eigen::Index k = 0; k < q.size(); ++k) {
+      const double half = (bounds.upper[k] - bounds.lower[k]) / 2;
+      if (!std::isfinite(half) || half <= 0) continue;
+      const double way = std::min(q[k] - bounds.lower[k], bounds.upper[k] - q[k]) / half;
+      sum += limit_weight / (std::max(way, 0.0) + 0.02);
+    }
+    return sum;
+  }
+  double step(const Configuration& a, const Configuration& b) const {
+    return (b - a).cwiseProduct(pace).squaredNorm();
+  }
+};
+
+struct Edge {
+  std::size_t rung;
+  int from, to;
+  bool operator==(const Edge&) const = default;
+};
+
+/// Fills in costs from the rung `first` on; returns how many rungs can be reached.
+std::size_t relax(std::vector<Rung>& all, const Costs& costs, const std::vector<Edge>& closed,
+                  std::size_t first) {
+  for (std::size_t r = first; r < all.size(); ++r) {
+    Rung& rung = all[r];
+    rung.cost.assign(rung.solutions.size(), Limits::none);
+    rung.before.assign(rung.solutions.size(), -1);
+    bool reached = false;
+    for (std::size_t j = 0; j < rung.solutions.size(); ++j) {
+      const Configuration& q = rung.solutions[j];
+      if (r == 0) {
+        rung.cost[j] = costs.near_limits(q);
+        reached = true;
+        continue;
+      }
+      const Rung& last = all[r - 1];
+      for (std::size_t i = 0; i < last.solutions.size(); ++i) {
+        if (!(last.cost[i] < rung.cost[j])) continue;
+        const Configuration& p = last.solutions[i];
+        if ((q - p).lpNorm<Eigen::Infinity>() > longest_edge) continue;
+        const double cost = last.cost[i] + costs.step(p, q);
+        if (cost >= rung.cost[j]) continue;
+        const Edge edge{r, static_cast<int>(i), static_cast<int>(j)};
+        if (std::find(closed.begin(), closed.end(), edge) != closed.end()) continue;
+        rung.cost[j] = cost;
+        rung.before[j] = static_cast<int>(i);
+      }
+      if (rung.before[j] < 0) continue;
+      rung.cost[j] += costs.near_limits(q);
+      reached = true;
+    }
+    if (!reached) return r;
+  }
+  return all.size();
+}
+
+/// The best chain to the rung before `end`: its solutions' numbers.
+std::vector<int> chain_to(const std::vector<Rung>& all, std::size_t end) {
+  std::vector<int> chain(end);
+  const auto& costs = all[end - 1].cost;
+  chain[end - 1] = static_cast<int>(std::min_element(costs.begin(), costs.end()) - costs.begin());
+  for (std::size_t r = end - 1; r > 0; --r) {
+    chain[r - 1] = all[r].before[static_cast<std::size_t>(chain[r])];
+  }
+  return chain;
+}
+
+/// Whether half-way between two solutions there is one near their middle.
+bool leads_on(const Arm& arm, const Task& task, const Bounds& bounds, const Rung& a,
+              const Configuration& p, const Rung& b, const Configuration& q) {
+  const Configuration middle = (p + q) / 2;
+  const Descent found = descend(arm, interpolate(a.pose, b.pose, 0.5), task, bounds, middle,
+                                {.tolerance = 1e-9, .iterations = 20});
+  const double way = (q - p).lpNorm<Eigen::Infinity>();
+  return found.converged && (found.q - middle).lpNorm<Eigen::Infinity>() < 0.3 * way + 0.02;
+}
+
+/// Draws the chain taut: each knot towards its neighbours' middle and away from limits, as far as
+/// the tool's pose leaves it free.
+void smooth(const Arm& arm, const Task& task, const Costs& costs, const std::vector<Rung>& all,
+            bool first_is_fixed, std::vector<Knot>& knots) {
+  constexpr double pull = 0.5, push = 0.02;
+  for (int pass = 0; pass < smoothings; ++pass) {
+    for (std::size_t r = first_is_fixed ? 1 : 0; r < knots.size(); ++r) {
+      const Configuration& q = knots[r].q;
+      const Configuration& before = knots[r == 0 ? 0 : r - 1].q;
+      const Configuration& after = knots[std::min(r + 1, knots.size() - 1)].q;
+      const double share =
+          r == 0 || r + 1 == knots.size()
+              ? 0.5
+              : (knots[r].place - knots[r - 1].place) / (knots[r + 1].place - knots[r - 1].place);
+      Configuration wanted = q + pull * (before + share * (after - before) - q);
+      for (Eigen::Index k = 0; k < q.size(); ++k) {
+        wanted[k] += push * push_from_limits(q[k], costs.bounds.lower[k], costs.bounds.upper[k]);
+      }
+      const Descent found = descend(arm, all[r].pose, task, costs.bounds, wanted,
+                                    {.tolerance = 1e-9, .iterations = 20});
+      if (found.converged && (found.q - q).lpNorm<Eigen::Infinity>() < 0.3) knots[r].q = found.q;
+    }
+  }
+}
+
+}  // namespace
+
+Ladder ladder(const Arm& arm, std::span<const Pose> poses, const LadderOptions& options) {
+  std::vector<Rung> all = rungs(poses, options.spacing);
+  const Costs costs(arm);
+  InverseSolver solver(arm, {.task = options.task,
+                             .all = true,
+                             .every_turn = false,
+                             .grid = options.grid,
+                             .tolerance = 1e-9,
+                             .restarts = 4 * options.grid});
+  const Configuration middle = middle_configuration(arm);
+  Eigen::MatrixXd columns(arm.dof(), 16 * options.grid);
+  for (std::size_t r = 0; r < all.size(); ++r) {
+    if (r == 0 && options.start) {
+      all[r].solutions = {*options.start};
+    } else {
+      const int count = solver.solve(all[r].pose, middle, columns);
+      for (int i = 0; i < count; ++i) all[r].solutions.emplace_back(columns.col(i));
+    }
+    if (all[r].solutions.empty()) {
+      all.resize(r);
+      break;
+    }
+  }
+  if (all.empty()) return {};
+  const std::size_t wanted = rungs(poses, options.spacing).size();
+
+  std::vector<Edge> closed;
+  Ladder result;
+  std::size_t first = 0;
+  for (int repair = 0; repair <= most_repairs; ++repair) {
+    const std::size_t end = relax(all, costs, closed, first);
+    if (end == 0) return result;
+    const std::vector<int> chain = chain_to(all, end);
+    std::vector<Knot> knots;
+    std::size_t r = 0;
+    for (; r < end; ++r) {
+      const Configuration& q = all[r].solutions[static_cast<std::size_t>(chain[r])];
+      if (r > 0 &&
+          !leads_on(arm, options.task, costs.bounds, all[r - 1], knots.back().q, all[r], q)) {
+        closed.push_back({r, chain[r - 1], chain[r]});
+        break;
+      }
+      knots.push_back({all[r].place, q});
+    }
+    if (knots.size() > result.knots.size()) result.knots = knots;
+    result.through = knots.size() == wanted;
+    if (r == end) break;  // as far as there are solutions
+    first = r;
+  }
+  if (result.knots.size() > 1) {
+    smooth(arm, options.task, costs, all, options.start.has_value(), result.knots);
+  }
+  return result;
+}
+
+KnotSpline::KnotSpline(const std::vector<Knot>& knots) : knots_(knots), slopes_(knots.size()) {
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    const Knot& before = knots[i == 0 ? 0 : i - 1];
+    const Knot& after = knots[std::min(i + 1, knots.size() - 1)];
+    const double way = after.place - before.place;
+    slopes_[i] = way > 0 ? Configuration((after.q - before.q) / way)
+                         : Configuration(Configuration::Zero(knots[i].q.size()));
+  }
+}
+
+Configuration KnotSpline::at(double place) const {
+  if (place <= knots_.front().place) return knots_.front().q;
+  if (place >= knots_.back().place) return knots_.back().q;
+  const auto next = std::upper_bound(knots_.begin(), knots_.end(), place,
+                                     [](double p, const Knot& knot) { return p < knot.place; });
+  const auto i = static_cast<std::size_t>(next - knots_.begin());
+  const Knot &a = knots_[i - 1], &b = knots_[i];
+  const double h = b.place - a.place, t = (place - a.place) / h;
+  const double t2 = t * t, t3 = t2 * t;
+  return (2 * t3 - 3 * t2 + 1) * a.q + (t3 - 2 * t2 + t) * h * slopes_[i - 1] +
+         (3 * t2 - 2 * t3) * b.q + (t3 - t2) * h * slopes_[i];
+}
+
+}  // namespace beeline

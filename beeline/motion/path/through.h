@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <beeline/motion/path/piece.h>
+
+namespace beeline {
+
+enum class PathKind { line, screw, arc, spline };
+std::string name(PathKind kind);
+PathKind path_kind_named(std::string_view name);  ///< throws Error for another name
+
+/// Pieces, each of which begins where the one before it ends, and how much of one parameter each
+/// takes. A smooth path's velocity is continuous by that parameter: motion_at() over the span.
+struct ToolPath {
+  std::vector<Piece> pieces;
+  std::vector<double> spans;  ///< about metres
+};
+
+/// How a spline begins and ends: with a velocity (world axes, by the parameter: about metres and
+/// radians for each metre; zero: at rest), or else without acceleration.
+struct SplineEnds {
+  std::optional<Twist> first = std::nullopt;
+  std::optional<Twist> last = std::nullopt;
+};
+
+/// A line's size, metres: its length, or `way_of_a_radian` of its turn where that is more.
+double span_of(const Line& line);
+
+/// A path through the poses in order. Lines and screws join neighbours; arcs each take two more
+/// poses, of the first of which the position alone counts; a spline passes them all, its velocity
+/// and acceleration, angular ones too, continuous by the parameter.
+///
+/// The spline's positions are cubic over the lengths of the chords, to which the turns are added as
+/// if a radian were 0.2 m (the root of the squares' sum). The shortest turns from each pose to the
+/// next, added up as vectors, have such a spline too: its velocities and accelerations are taken as
+/// angular ones at the poses. Between two poses the rotation vector from the orientation half-way
+/// between them is the polynomial of fifth degree that has them at both ends: like Park & Ravani,
+/// "Smooth invariant interpolation of rotations" (1997), whose cubic ones need the poses before.
+/// Rigid motions of all poses move the path with them; poses in reverse make the path in reverse.
+///
+/// Throws Error for too few poses, their number even for arcs, one that is no rigid motion, or that
+/// repeats the one before it; and what arc_through() refuses.
+ToolPath path_through(std::span<const Pose> poses, PathKind kind, const SplineEnds& ends = {});
+
+/// The poses with their rotations freed of the rounding of text, up to 1e-6. Throws Error, naming
+/// the pose, where one is no rigid motion or repeats the one before it.
+std::vector<Pose> checked_path(std::span<const Pose> poses);
+
+}  // namespace beeline

@@ -1,0 +1,90 @@
+#include <algorithm>
+
+#include <beeline/inverse/solve.h>
+#include <beeline/motion/ladder.h>
+#include <beeline/motion/plan.h>
+
+namespace beeline {
+namespace {
+
+constexpr int grids[] = {16, 64};  // solutions of each pose, roughly, by which the ladder is made
+
+MotionStatus status_of(InverseStatus status) {
+  switch (status) {
+    case InverseStatus::outside_limits:
+      return MotionStatus::outside_limits;
+    case InverseStatus::unreachable:
+    case InverseStatus::orientation:
+      return MotionStatus::unreachable;
+    default:
+      return MotionStatus::not_found;
+  }
+}
+
+/// From any configuration for the first pose, or why there is none.
+Branch from_any_beginning(const Arm& arm, std::span<const Pose> poses,
+                          const BranchOptions& options) {
+  const InverseResult answer = inverse_kinematics(arm, poses.front(), {.task = options.task});
+  if (answer.status == InverseStatus::solved) {
+    return follow_branch(arm, answer.solutions.front(), poses, options);
+  }
+  Branch branch;
+  branch.status = status_of(answer.status);
+  branch.reason = "the lines' beginning: " + answer.reason;
+  return branch;
+}
+
+/// The best of what ladders lead to; nothing when they lead nowhere.
+std::optional<Branch> follow_ladders(const Arm& arm, const std::optional<Configuration>& start,
+                                     std::span<const Pose> poses, const BranchOptions& options) {
+  std::optional<Branch> best;
+  for (const int grid : grids) {
+    const Ladder rungs = ladder(arm, poses, {.task = options.task, .start = start, .grid = grid});
+    if (rungs.knots.empty()) continue;
+    const KnotSpline spline(rungs.knots);
+    BranchOptions guided = options;
+    guided.reasons = BranchOptions::Reasons::none;
+    guided.guide = [&spline](double place) { return spline.at(place); };
+    const Branch branch = follow_branch(arm, rungs.knots.front().q, poses, guided);
+    if (!best || branch.done > best->done) best = branch;
+    if (branch.status == MotionStatus::reached) break;
+  }
+  return best;
+}
+
+}  // namespace
+
+Branch plan_lines(const Arm& arm, const std::optional<Configuration>& start,
+                  std::span<const Pose> poses, const BranchOptions& options) {
+  const bool spare = arm.dof() > options.task.size();
+  if (!spare && start) return follow_branch(arm, *start, poses, options);
+  if (!spare) {
+    const std::vector<Branch> branches = follow_branches(arm, poses, options);
+    return branches.empty() ? from_any_beginning(arm, poses, options) : branches.front();
+  }
+  std::optional<Branch> planned = follow_ladders(arm, start, poses, options);
+  if (planned && planned->status == MotionStatus::reached) return *planned;
+  if (!planned && !start) return from_any_beginning(arm, poses, options);
+  // As the joints come, deciding at each step: where solutions are too rare for a ladder.
+  const Branch greedy = follow_branch(arm, start ? *start : planned->start, poses, options);
+  if (!planned || planned->done <= greedy.done) return greedy;
+  if (options.reasons != BranchOptions::Reasons::none) explain(arm, poses, options, *planned);
+  return *planned;
+}
+
+std::vector<Branch> branch_map(const Arm& arm, std::span<const Pose> poses, BranchOptions options) {
+  options.reasons = BranchOptions::Reasons::all;
+  if (arm.dof() <= options.task.size()) return follow_branches(arm, poses, options);
+  constexpr int coarse = 6;
+  const InverseResult starts = inverse_kinematics(
+      arm, poses.front(),
+      {.task = options.task, .all = true, .grid = coarse, .restarts = 4 * coarse});
+  std::vector<Branch> branches;
+  for (const Configuration& start : starts.solutions) {
+    branches.push_back(plan_lines(arm, start, poses, options));
+  }
+  std::stable_sort(branches.begin(), branches.end(), better);
+  return branches;
+}
+
+}  // namespace beeline

@@ -1,0 +1,226 @@
+// Usage: bench_certified_lines ARM [LINES]
+//
+// Random lines of 0.1 to 0.8 m with turns of up to 90 degrees from random poses of an arm: every
+// one that a dense search of other make finds feasible has to be solved, every other refused with
+// the reason that the search sees too. Solved ones are measured on 10,000 points and verified.
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <map>
+
+#include <beeline/model/catalog.h>
+#include <beeline/motion/follow.h>
+#include <beeline/motion/ladder.h>
+#include <beeline/motion/line.h>
+#include <beeline/motion/verify.h>
+
+#include <tests/motion/dense_search.h>
+
+using namespace beeline;
+using namespace beeline::testing;
+
+namespace {
+
+struct Tally {
+  int solved = 0, missed = 0, refused = 0, wrong = 0, early = 0, unverified = 0, broken = 0,
+      fast = 0;
+  int undecided = 0;  ///< the dense search goes through, but its way cannot be followed
+  double position_ratio = 0, orientation_ratio = 0, samples = 0;
+  std::vector<double> position_ratios, orientation_ratios, times_solved, times_refused;
+  std::map<std::string, int> statuses;
+};
+
+/// How far the tool is from the segment and from the orientation there: in other words than
+/// deviation_from().
+Deviation off_segment(const Line& line, const Pose& pose) {
+  const Vector3 way = line.to.translation() - line.from.translation();
+  const Vector3 done = pose.translation() - line.from.translation();
+  const double s = std::clamp(done.dot(way) / way.squaredNorm(), 0.0, 1.0);
+  const Vector3 turn = so3_log(line.to.linear() * line.from.linear().transpose());
+  const Rotation there = so3_exp(s * turn) * line.from.linear();
+  return {(done - s * way).norm(), so3_log(pose.linear() * there.transpose()).norm()};
+}
+
+/// The fraction of the line that a refusal tells; -1 where it tells none.
+double told_fraction(const LineMotion& motion) {
+  const std::size_t at = motion.reason.find("stops after ");
+  return at == std::string::npos ? -1 : std::stod(motion.reason.substr(at + 12)) / 100;
+}
+
+/// Of the processor, which is all that counts on a busy machine.
+double seconds_of(const auto& work) {
+  const std::clock_t begin = std::clock();
+  work();
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+void measure(const Arm& arm, const Line& line, const LineMotion& motion, int number, Tally& tally) {
+  const auto& positions = motion.trajectory.positions;
+  const auto& times = motion.trajectory.times;
+  const auto steps = static_cast<int>(positions.size()) - 1;
+  const int parts = std::max(2, (10'000 + steps - 1) / steps);
+  Deviation worst;
+  for (std::size_t k = 0; k + 1 < positions.size(); ++k) {
+    const Configuration step = positions[k + 1] - positions[k];
+    for (int i = 0; i <= parts; ++i) {
+      const Pose pose = forward_kinematics(arm, positions[k] + double(i) / parts * step);
+      const Deviation off = off_segment(line, pose);
+      worst.position = std::max(worst.position, off.position);
+      worst.orientation = std::max(worst.orientation, off.orientation);
+    }
+    for (int j = 0; j < arm.dof(); ++j) {
+      const double limit = arm.limits()[static_cast<std::size_t>(j)].velocity;
+      const double most = std::isfinite(limit) ? limit : velocity_when_unknown;
+      if (std::abs(step[j]) > most * (times[k + 1] - times[k]) * (1 + 1e-6)) {
+        ++tally.fast;
+        std::printf("  %d: joint %d too fast after sample %zu\n", number, j + 1, k);
+      }
+    }
+  }
+  const Deviation& bound = motion.straightness.bound;
+  if (worst.position > bound.position + 1e-12 || worst.orientation > bound.orientation + 1e-12) {
+    ++tally.broken;
+    std::printf("  %d: BOUND BROKEN %g > %g or %g > %g\n", number, worst.position, bound.position,
+                worst.orientation, bound.orientation);
+  }
+  tally.position_ratios.push_back(bound.position / worst.position);
+  if (worst.orientation > 1e-7) {
+    tally.orientation_ratios.push_back(bound.orientation / worst.orientation);
+  }
+  if (tally.position_ratios.back() > 3 || bound.orientation / worst.orientation > 3) {
+    std::printf("  %d: loose: position %g / %g, orientation %g / %g, %d samples, dexterity %g\n",
+                number, bound.position, worst.position, bound.orientation, worst.orientation,
+                steps + 1, motion.dexterity);
+  }
+}
+
+/// Whether the arm has a configuration for the line's pose at s, limits or not.
+bool reachable(const Arm& arm, const Line& line, double s, bool limits) {
+  const InverseResult result =
+      inverse_kinematics(arm, interpolate(line.from, line.to, std::clamp(s, 0.0, 1.0)),
+                         {.all = true, .ignore_limits = !limits, .grid = 256});
+  return result.status == InverseStatus::solved;
+}
+
+void judge_refusal(const Arm& arm, const Line& line, const LineMotion& motion, int number,
+                   Tally& tally) {
+  const bool spare = arm.dof() == 7;
+  const DenseAnswer dense =
+      spare ? dense_layers(arm, line.from, line.to) : dense_branches(arm, line.from, line.to);
+  const double told = told_fraction(motion);
+  const auto print = [&](const char* what) {
+    std::printf("  %d: %s: dense %.6f joint %d margin %.2g; told %.6f %s: %s\n", number, what,
+                dense.done, dense.joint + 1, dense.margin, told, name(motion.status).c_str(),
+                motion.reason.c_str());
+  };
+  if (dense.feasible() && spare) {
+    std::vector<Knot> knots;
+    for (std::size_t r = 0; r < dense.way.size(); ++r) {
+      knots.push_back(
+          {static_cast<double>(r) / static_cast<double>(dense.way.size() - 1), dense.way[r]});
+    }
+    const KnotSpline spline(knots);
+    const Followed way =
+        follow(arm, line, Task::spatial(), bounds_of(arm), dense.way.front(),
+               {.tolerance = {1e-4, 1e-4}, .most_samples = 100'000, .guide = [&](double s) {
+                  return spline.at(s);
+                }});
+    if (way.through()) {
+      ++tally.missed;
+      return print("MISSED");
+    }
+    ++tally.undecided;
+    return print("undecided");
+  }
+  if (dense.feasible()) {
+    ++(dense.margin > 1e-6 ? tally.missed : tally.undecided);
+    return print("MISSED");
+  }
+  ++tally.refused;
+  const double place = spare ? told : dense.done;
+  if (told < dense.done - (spare ? 0.02 : 2e-3)) {
+    ++tally.early;
+    print("EARLY");
+  }
+  bool right = false;
+  if (motion.status == MotionStatus::unreachable) {
+    right =
+        !reachable(arm, line, place + 1e-3, false) || !reachable(arm, line, place + 1e-5, false);
+  } else if (motion.status == MotionStatus::outside_limits) {
+    right = spare ? reachable(arm, line, told + 1e-4, false)
+                  : dense.joint >= 0 && motion.reason.find(arm.joint_of(dense.joint).name + " ") !=
+                                            std::string::npos;
+  } else if (motion.status == MotionStatus::singular) {
+    right = reachable(arm, line, place + 1e-3, spare) && dense.joint < 0;
+  }
+  if (right) return;
+  ++tally.wrong;
+  print("WRONG REASON");
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return values.empty() ? 0 : sum / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Arm arm = built_in(argc > 1 ? argv[1] : "panda");
+  const int lines = argc > 2 ? std::stoi(argv[2]) : 1000;
+  Random random;
+  Tally tally;
+  for (int i = 0; i < lines; ++i) {
+    const Line line = random_certified_line(random, arm);
+    const std::vector<Pose> poses{line.from, line.to};
+    LineMotion motion;
+    const double seconds = seconds_of([&] { motion = move_in_lines(arm, poses); });
+    ++tally.statuses[name(motion.status)];
+    if (motion.status == MotionStatus::reached) {
+      ++tally.solved;
+      tally.samples += static_cast<double>(motion.trajectory.size());
+      tally.times_solved.push_back(seconds);
+      measure(arm, line, motion, i, tally);
+      const Verification proof = verify(arm, motion.trajectory, poses);
+      if (proof.fault != Fault::none) {
+        ++tally.unverified;
+        std::printf("  %d: not verified: %s\n", i, proof.reason.c_str());
+      }
+    } else {
+      tally.times_refused.push_back(seconds);
+      judge_refusal(arm, line, motion, i, tally);
+    }
+    std::fflush(stdout);
+  }
+  const auto ms = [](const std::vector<double>& times, double share) {
+    return 1e3 * quantile(times, share);
+  };
+  std::printf(
+      "%s: %d lines, feasible %d, solved %d, missed %d, undecided %d, refused %d, of these "
+      "wrongly reasoned %d, stopped early %d\n",
+      arm.name().c_str(), lines, tally.solved + tally.missed, tally.solved, tally.missed,
+      tally.undecided, tally.refused, tally.wrong, tally.early);
+  for (const auto& [status, count] : tally.statuses) {
+    std::printf("  %s %d", status.c_str(), count);
+  }
+  std::printf("\n  bounds broken %d, too fast %d, not verified %d\n", tally.broken, tally.fast,
+              tally.unverified);
+  for (const auto& [what, ratios] :
+       {std::pair{"position", tally.position_ratios}, {"orientation", tally.orientation_ratios}}) {
+    std::printf("  %s bound / measured: mean %.2f, 99 %% %.2f, worst %.2f\n", what, mean(ratios),
+                quantile(ratios, 0.99), quantile(ratios, 1));
+  }
+  std::printf(
+      "  samples %.1f; ms solved: mean %.2f, 99 %% %.2f, most %.2f; refused: mean %.2f, "
+      "99 %% %.2f, most %.2f\n",
+      tally.samples / std::max(1, tally.solved), 1e3 * mean(tally.times_solved),
+      ms(tally.times_solved, 0.99), ms(tally.times_solved, 1), 1e3 * mean(tally.times_refused),
+      ms(tally.times_refused, 0.99), ms(tally.times_refused, 1));
+}

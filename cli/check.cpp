@@ -1,0 +1,88 @@
+#include <fmt/core.h>
+
+#include <beeline/motion/verify.h>
+#include <beeline/read/pose_list.h>
+
+#include "results.h"
+#include "verb.h"
+
+using namespace beeline;
+
+namespace {
+
+struct Arguments {
+  std::string trajectory;
+  ArmArgument arm;
+  UnitArgument unit;
+  TaskArgument task;
+  std::string through;
+  VerifyOptions options;
+  bool json = false;
+};
+
+OrderedJson document(const Arguments& arguments, const Verification& found, std::size_t samples) {
+  const bool passed = found.fault == Fault::none;
+  const Straightness& straight = found.straightness;
+  OrderedJson document{
+      {"status", passed ? "passed" : "failed"},
+      {"fault", passed ? OrderedJson(nullptr) : OrderedJson(name(found.fault))},
+      {"sample", passed ? OrderedJson(nullptr) : OrderedJson(found.sample + 1)},
+      {"time", passed ? OrderedJson(nullptr) : OrderedJson(found.time)},
+      {"deviation_bound", json_number(straight.bound.position)},
+      {"deviation_sampled", json_number(straight.sampled.position)},
+      {"orientation_bound", json_number(arguments.unit.shown(straight.bound.orientation))},
+      {"orientation_sampled", json_number(arguments.unit.shown(straight.sampled.orientation))},
+      {"samples", samples},
+      {"reason", found.reason}};
+  for (const std::size_t arrival : found.arrivals) document["arrivals"].push_back(arrival + 1);
+  return document;
+}
+
+Exit check(const Arguments& arguments) {
+  const Arm arm = arguments.arm.read();
+  const Trajectory trajectory = read_recording(arguments.trajectory, arm);
+  const PoseList waypoints = read_waypoints(arguments.through, arm, arguments.task, arguments.unit);
+  VerifyOptions options = arguments.options;
+  options.task = arguments.task.read(arm);
+  const Verification found = verify(arm, trajectory, waypoints.poses, options);
+  const bool passed = found.fault == Fault::none;
+  if (arguments.json) {
+    print_json(document(arguments, found, trajectory.size()));
+  } else {
+    fmt::print("{}: {} samples through {} waypoint{}\n", passed ? "passed" : "failed",
+               trajectory.size(), waypoints.poses.size(), waypoints.poses.size() == 1 ? "" : "s");
+    if (passed) print_straightness(found.straightness, arguments.unit);
+    if (!passed) fmt::print("fault         {}\n", name(found.fault));
+  }
+  if (!passed) fmt::print(stderr, "beeline: {}\n", found.reason);
+  return passed ? Exit::yes : Exit::no;
+}
+
+}  // namespace
+
+Run declare_check(CLI::App& verb) {
+  static Arguments arguments;
+  VerifyOptions& options = arguments.options;
+  verb.add_option("FILE", arguments.trajectory, "A trajectory: .csv or .json")->required();
+  arguments.arm.declare(verb);
+  verb.add_option("--through", arguments.through,
+                  "The poses that it should go through, after its own first one: see line --help")
+      ->required();
+  arguments.unit.declare(verb);
+  arguments.task.declare(verb);
+  verb.add_option("--tolerance", options.tolerance, "Most deviation from the lines, metres")
+      ->capture_default_str();
+  verb.add_option("--orientation-tolerance", options.orientation_tolerance,
+                  "Most turn away from them, radians")
+      ->capture_default_str();
+  verb.add_flag("--json", arguments.json, "Print JSON");
+  verb.footer(
+      "Proves, from the file alone, that the tool goes in straight lines through the poses and\n"
+      "the joints keep their limits, whoever made the file; joints move in proportion between its\n"
+      "samples. Exit code 1, and the first fault with its place, when it does not.\n"
+      "The trajectory's own values are radians and metres; --degrees is for the poses.\n"
+      "Examples:\n"
+      "  beeline check move.csv rrr --through waypoints.csv\n"
+      "  beeline check recorded.json robot.urdf --through poses.csv --tolerance 0.001 --json");
+  return [] { return check(arguments); };
+}

@@ -1,0 +1,161 @@
+"""check: passes all that line makes, and tells each fault planted in it, with its place."""
+
+import csv
+import math
+
+import pytest
+
+STARTS = {"ur5": "0.2,-1.2,1.5,-0.5,1.2,0", "puma560": "0.2,-0.6,0.3,0.4,0.7,0",
+          "panda": "0,0.3,0,-1.6,0,1.2,0.785", "rrr": "1.0,-0.9,0.4"}
+LAWS = ["fastest", "trapezoidal", "quintic", "s-curve"]
+
+
+@pytest.fixture
+def lines(beeline, written):
+    """The file of poses for an arm: from STARTS over two others."""
+
+    def poses(arm):
+        pose = beeline("fk", arm, "--q", STARTS[arm], "--json").json["pose"]
+        if "planar" in pose:
+            x, y, theta = (pose["planar"][key] for key in ("x", "y", "theta"))
+            rows = [(x, y, theta), (x - 0.5, y + 0.4, theta + 0.3), (x + 0.2, y - 0.3, theta)]
+            return written(f"{arm}.csv", "x,y,theta\n" + "".join(f"{a},{b},{c}\n" for a, b, c in rows))
+        x, y, z = pose["translation"]
+        quaternion = [pose["quaternion"][key] for key in ("qw", "qx", "qy", "qz")]
+        turn = ",".join(map(repr, quaternion))
+        rows = [(x, y, z), (x + 0.05, y + 0.1, z - 0.08), (x - 0.06, y + 0.02, z + 0.05)]
+        text = "".join(f"{a!r},{b!r},{c!r},{turn}\n" for a, b, c in rows)
+        return written(f"{arm}.csv", "x,y,z,qw,qx,qy,qz\n" + text)
+
+    return poses
+
+
+@pytest.fixture
+def made(beeline, lines, tmp_path):
+    """made("ur5", "--law", "quintic") -> the file of poses and the rows of the motion."""
+
+    def make(arm, *options):
+        through = lines(arm)
+        answer = beeline("line", arm, "--through", through, "--out", "move.csv", *options)
+        assert answer.code == 0, answer.err
+        with open(tmp_path / "move.csv") as file:
+            return through, list(csv.DictReader(file))
+
+    return make
+
+
+@pytest.fixture
+def told(beeline, tmp_path):
+    """told(rows, arm, through) -> the report on rows, written to a file."""
+
+    def check(rows, arm, through, code=1):
+        with open(tmp_path / "planted.csv", "w", newline="") as file:
+            writer = csv.DictWriter(file, rows[0].keys())
+            writer.writeheader()
+            writer.writerows(rows)
+        answer = beeline("check", "planted.csv", arm, "--through", through, "--json")
+        assert answer.code == code, answer.out + answer.err
+        return answer.json if code < 2 else answer.err
+
+    return check
+
+
+def shift(rows, first, joint, by):
+    for row in rows[first:]:
+        row[joint] = repr(float(row[joint]) + by)
+
+
+@pytest.mark.parametrize("arm", STARTS)
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("rate", ["0", "250"])
+def test_all_that_line_makes_passes(beeline, made, arm, law, rate):
+    through, rows = made(arm, "--law", law, "--rate", rate)
+    report = beeline("check", "move.csv", arm, "--through", through, "--json").json
+    if arm == "panda" and law in ("fastest", "trapezoidal"):  # they do not keep its jerk limits
+        assert report["fault"] in (None, "jerk")
+        return
+    assert report["status"] == "passed", report["reason"]
+    assert report["samples"] == len(rows)
+    assert report["deviation_sampled"] <= report["deviation_bound"] <= 1e-4
+    assert report["arrivals"][0] == 1 and report["arrivals"][-1] == len(rows)
+
+
+@pytest.mark.parametrize("arm", STARTS)
+def test_a_motion_from_given_joints_passes(beeline, lines, arm):
+    through = lines(arm)
+    answer = beeline("line", arm, "--from", STARTS[arm], "--through", through, "--out", "m.json")
+    assert answer.code == 0, answer.err
+    report = beeline("check", "m.json", arm, "--through", through, "--json").json
+    assert report["status"] == "passed", report["reason"]
+
+
+@pytest.mark.parametrize("arm", ["ur5", "panda"])
+@pytest.mark.parametrize("rate", ["0", "250"])
+def test_one_sample_moved_by_a_fifth_of_a_millimetre_is_told(beeline, made, told, arm, rate):
+    through, rows = made(arm, "--rate", rate, "--law", "quintic")
+    k = len(rows) // 3
+    q = [float(rows[k][f"joint{i}"]) for i in range(1, len(STARTS[arm].split(",")) + 1)]
+
+    def place(q):
+        return beeline("fk", arm, "--q", ",".join(map(repr, q)), "--json").json["pose"]["translation"]
+
+    moved = math.dist(place(q), place([q[0] + 1e-3, *q[1:]]))
+    rows[k]["joint1"] = repr(q[0] + 2e-4 * 1e-3 / moved)
+    report = told(rows, arm, through)
+    assert k - 3 <= report["sample"] <= k + 2
+    assert f"sample {report['sample']}" in report["reason"]
+
+
+@pytest.mark.parametrize("arm", ["ur5", "puma560"])
+def test_a_whole_turn_is_told(made, told, arm):
+    through, rows = made(arm)
+    half = len(rows) // 2
+    shift(rows, half, "joint6", -2 * math.pi if float(rows[half]["joint6"]) > 0 else 2 * math.pi)
+    report = told(rows, arm, through)
+    assert report["fault"] == "flip" and report["sample"] == half
+
+
+def test_a_change_of_branch_is_told(beeline, made, told, pose_at):
+    through, rows = made("ur5")
+    half = len(rows) // 2
+    for row in rows[half:]:
+        q = ",".join(row[f"joint{i}"] for i in range(1, 7))
+        answer = beeline("ik", "ur5", f"--pose={pose_at('ur5', q)}", f"--seed={q}", "--all", "--json")
+        other = answer.json["solutions"][1]
+        row.update({f"joint{i + 1}": repr(value) for i, value in enumerate(other)})
+    report = told(rows, "ur5", through)
+    assert report["sample"] == half and report["fault"] in ("flip", "deviation")
+
+
+def test_a_limit_that_is_passed_between_samples_only_is_told(beeline, made, told):
+    through, rows = made("panda")
+    k = len(rows) // 2
+    top = 3.0 + float(rows[k]["t"]) - float(rows[k - 1]["t"])
+    rows[k]["joint2_vel"] = repr(1e3 * top)
+    report = told(rows, "panda", through)
+    assert report["fault"] == "limits" and report["sample"] in (k, k + 1)
+    assert "before the next sample" in report["reason"] and "joint2" in report["reason"]
+
+
+def test_haste_is_told(made, told):
+    through, rows = made("panda")
+    for row in rows:
+        row["t"] = repr(0.9 * float(row["t"]))
+    assert told(rows, "panda", through)["fault"] in ("velocity", "acceleration", "jerk")
+
+
+def test_files_that_are_no_trajectory_are_refused(made, told):
+    through, rows = made("ur5")
+    rows[4]["t"] = rows[3]["t"]
+    assert "planted.csv" in told(rows, "ur5", through, code=3)
+    through, rows = made("ur5")
+    renamed = [{key.replace("joint3", "elbow"): row[key] for key in row} for row in rows]
+    refusal = told(renamed, "ur5", through, code=3)
+    assert "elbow" in refusal and len(refusal.strip().splitlines()) == 1
+
+
+def test_a_tolerance_that_is_none_is_refused(beeline, made):
+    through, _ = made("rrr")
+    for bad in ("0", "-1", "nan"):
+        answer = beeline("check", "move.csv", "rrr", "--through", through, f"--tolerance={bad}")
+        assert answer.code == 2 and len(answer.err.strip().splitlines()) == 1, answer.err

@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include <beeline/control/pid.h>
+#include <beeline/control/player.h>
+#include <beeline/control/servo.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
+
+#include <tests/allocations.h>
+#include <tests/random.h>
+
+namespace beeline {
+namespace {
+
+TEST(Servo, DoesNotAllocate) {
+#if !BEELINE_COUNTS_ALLOCATIONS
+  GTEST_SKIP() << "allocations cannot be counted here";
+#endif
+  testing::Random random;
+  for (const std::string& name : built_in_names()) {
+    const Arm arm = built_in(name);
+    Servo servo(arm);
+    Eigen::VectorXd v(arm.dof());
+    for (int i = 0; i < 200; ++i) {
+      Configuration q = random.configuration(arm);
+      if (i % 4 == 0) q.setZero();  // singular
+      Twist command;
+      command << random.vector(), random.vector();
+      const Pose goal = forward_kinematics(arm, random.configuration(arm));
+      const long before = allocations;
+      servo.step(q, command, v);
+      servo.step_towards(q, goal, v);
+      EXPECT_EQ(allocations, before) << name;
+    }
+  }
+}
+
+TEST(Pid, DoesNotAllocate) {
+#if !BEELINE_COUNTS_ALLOCATIONS
+  GTEST_SKIP() << "allocations cannot be counted here";
+#endif
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  Pid pid({0.3, 0.02, 0.1}, middle_configuration(arm));
+  Configuration q = random.configuration(arm);
+  const long before = allocations;
+  for (int i = 0; i < 100; ++i) q += pid.step(q);
+  EXPECT_EQ(allocations, before);
+}
+
+TEST(Player, DoesNotAllocate) {
+#if !BEELINE_COUNTS_ALLOCATIONS
+  GTEST_SKIP() << "allocations cannot be counted here";
+#endif
+  const Arm arm = built_in("panda");
+  const Configuration middle = middle_configuration(arm);
+  const PointToPoint way =
+      point_to_point(arm, middle, middle + Configuration::Constant(7, 0.3));
+  Player player(arm, sampled(arm, way, 100), middle - Configuration::Constant(7, 0.1));
+  Configuration q = middle;
+  const long before = allocations;
+  for (int i = 0; i < 3000; ++i) {
+    player.set_speed(i % 500 < 250 ? 1 : 0.2);
+    q = player.step().q;
+    player.measured(q);
+  }
+  EXPECT_EQ(allocations, before);
+  EXPECT_TRUE(player.done());
+}
+
+}  // namespace
+}  // namespace beeline

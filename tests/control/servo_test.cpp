@@ -1,0 +1,248 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include <beeline/control/servo.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/manipulability.h>
+#include <beeline/model/catalog.h>
+
+#include <tests/random.h>
+#include <tests/refusal.h>
+
+namespace beeline {
+namespace {
+
+constexpr double dt = 1e-3;
+constexpr double rounding = 1e-9;
+
+/// The built-in arm with accelerations, and velocities, where it has none.
+Arm with_accelerations(const std::string& name) {
+  const Arm arm = built_in(name);
+  std::vector<Joint> joints = arm.joints();
+  for (Joint& joint : joints) {
+    if (!std::isfinite(joint.limits.acceleration)) joint.limits.acceleration = 8;
+    if (!std::isfinite(joint.limits.velocity)) joint.limits.velocity = 2.5;
+  }
+  return Arm(name, joints, arm.tool(), arm.base());
+}
+
+Twist random_command(testing::Random& random) {
+  Twist command;
+  command << random.vector(), random.vector(2);
+  return command;
+}
+
+double largest_excess(const Eigen::VectorXd& values, const Arm& arm, double Limits::*kind) {
+  double excess = 0;
+  for (int k = 0; k < arm.dof(); ++k) {
+    excess = std::max(excess, std::abs(values[k]) - arm.limits()[k].*kind);
+  }
+  return excess;
+}
+
+TEST(Servo, KeepsAllLimitsWhateverItIsTold) {
+  testing::Random random;
+  for (const char* name : {"puma560", "ur5", "panda", "iiwa14", "rrr", "scara", "stanford"}) {
+    const Arm arm = with_accelerations(name);
+    for (int run = 0; run < 10; ++run) {
+      Servo servo(arm);
+      Configuration q = 0.9 * random.configuration(arm) + 0.1 * middle_configuration(arm);
+      Eigen::VectorXd v(arm.dof()), before = Eigen::VectorXd::Zero(arm.dof());
+      Twist command = random_command(random);
+      for (int i = 0; i < 4000; ++i) {
+        if (i % 500 == 0) command = random_command(random);
+        const ServoStep step = servo.step(q, command, v);
+        ASSERT_TRUE(v.allFinite()) << name << ' ' << run;
+        ASSERT_GE(step.share, 0);
+        ASSERT_LE(step.share, 1);
+        ASSERT_LT(largest_excess(v, arm, &Limits::velocity), rounding) << name;
+        ASSERT_LT(largest_excess((v - before) / dt, arm, &Limits::acceleration), 1e-6) << name;
+        q += v * dt;
+        ASSERT_TRUE(limit_violations(arm, q).empty()) << limit_violations(arm, q).front();
+        before = v;
+      }
+    }
+  }
+}
+
+TEST(Servo, DoesACommandWithinTheLimitsWhole) {
+  testing::Random random;
+  for (const char* name : {"puma560", "ur5", "panda", "iiwa14"}) {
+    const Arm arm = built_in(name);
+    for (int i = 0; i < 1000; ++i) {
+      Servo servo(arm);
+      const Configuration q = 0.8 * random.configuration(arm) + 0.2 * middle_configuration(arm);
+      const Twist command = 1e-3 * random_command(random);
+      Eigen::VectorXd v(arm.dof());
+      const ServoStep step = servo.step(q, command, v);
+      const Twist moved = jacobian(arm, q) * v;
+      if (step.limit == ServoLimit::none) {
+        ASSERT_LT((moved - command).norm(), 1e-6 * command.norm()) << name;
+        ASSERT_NEAR(step.share, 1, 1e-6);
+      } else if (step.limit != ServoLimit::singular && step.limit != ServoLimit::acceleration) {
+        ASSERT_LT((moved - step.share * command).norm(), 1e-6 * command.norm()) << name;
+        ASSERT_GE(step.joint, 0);
+      }
+    }
+  }
+}
+
+TEST(Servo, GoesOnInTheDirectionAskedForNextToSingularities) {
+  testing::Random random;
+  for (const char* name : {"puma560", "ur5"}) {
+    const Arm arm = with_accelerations(name);
+    int against = 0;
+    for (int i = 0; i < 200; ++i) {
+      Servo servo(arm);
+      Configuration q = 0.4 * random.configuration(arm);
+      q[4] = random.uniform(-1, 1) * std::pow(10, random.uniform(-9, -1));  // the wrist's
+      const Twist command = 0.2 * random_command(random);
+      Eigen::VectorXd v(arm.dof());
+      double least = 0;
+      for (int k = 0; k < 300; ++k) {
+        const ServoStep step = servo.step(q, command, v);
+        const Twist moved = jacobian(arm, q) * v;
+        least = std::min(least, moved.dot(command) / command.squaredNorm());
+        q += v * dt;
+        if (step.limit == ServoLimit::position) break;
+      }
+      // Where accelerations do not suffice for a turn it moves aside or back, but hardly.
+      ASSERT_GT(least, -0.02) << name << ' ' << i;
+      if (least < -1e-4) ++against;
+    }
+    EXPECT_LE(against, 4) << name;
+  }
+}
+
+TEST(Servo, IsNotSlowedByASingularityThatTheCommandDoesNotMind) {
+  const Arm arm = with_accelerations("puma560");
+  Configuration q(6);
+  q << 0.3, 0.8, -0.6, 0.4, -0.5, 0.2;
+  Servo servo(arm);
+  Eigen::VectorXd v(6);
+  const Twist command = jacobian(arm, q).col(4);  // about the wrist's middle axis, which stays
+  double least = 1;
+  for (int i = 0; q[4] < 0.5; ++i) {
+    ASSERT_LT(i, 2000);
+    const ServoStep step = servo.step(q, command, v);
+    if (i > 200) least = std::min(least, step.share);
+    q += v * dt;
+  }
+  EXPECT_GT(least, 1 - 1e-6);
+}
+
+TEST(Servo, StaysOnItsLineWhenTheCommandTurnsRound) {
+  testing::Random random;
+  for (const char* name : {"puma560", "ur5", "panda"}) {
+    const Arm arm = with_accelerations(name);
+    for (int i = 0; i < 20; ++i) {
+      Configuration q = 0.3 * random.configuration(arm) + 0.7 * middle_configuration(arm);
+      if (dexterity(jacobian(arm, q)).manipulability < 0.01) continue;
+      Servo servo(arm);
+      Eigen::VectorXd v(arm.dof());
+      const Twist command = 0.1 * random_command(random);
+      for (int k = 0; k < 400; ++k) {
+        const ServoStep step = servo.step(q, k < 200 ? command : Twist(-command), v);
+        if (step.limit == ServoLimit::position) break;
+        const Twist moved = jacobian(arm, q) * v;
+        const double along = moved.dot(command) / command.squaredNorm();
+        ASSERT_LT((moved - along * command).norm(), 1e-6 * command.norm()) << name << ' ' << i;
+        q += v * dt;
+      }
+    }
+  }
+}
+
+TEST(Servo, RetreatsFromAStretchedOutPose) {
+  const Arm arm = built_in("rrr");
+  for (const double bend : {0.0, 1e-12, 1e-7, 1e-4}) {
+    Configuration q(3);
+    q << 0.3, bend, 0;  // all links on a line, or nearly
+    const Vector3 out = forward_kinematics(arm, q).translation().normalized();
+    Twist command = Twist::Zero();
+    command.head<3>() = -0.5 * out;
+    Servo servo(arm);
+    Eigen::VectorXd v(3);
+    const double far = forward_kinematics(arm, q).translation().norm();
+    for (int i = 0; i < 2000; ++i) {
+      servo.step(q, command, v);
+      q += v * dt;
+      ASSERT_LE(forward_kinematics(arm, q).translation().norm(), far + 1e-9);
+    }
+    EXPECT_LT(forward_kinematics(arm, q).translation().norm(), far - 0.4) << bend;
+
+    Servo outward(arm);
+    q << 0.3, 0, 0;
+    command = -command;
+    const ServoStep step = outward.step(q, command, v);
+    EXPECT_EQ(step.limit, ServoLimit::singular);
+    EXPECT_LT(step.share, 1e-6);
+    EXPECT_LT(v.norm(), 1e-6);
+  }
+}
+
+TEST(Servo, LetsTheOthersMoveWhereAJointIsAtItsLimit) {
+  const Arm arm = built_in("panda");
+  testing::Random random;
+  int at_limit = 0;
+  for (int i = 0; i < 500; ++i) {
+    Configuration q = 0.6 * random.configuration(arm) + 0.4 * middle_configuration(arm);
+    const int k = random.integer(0, 6);
+    q[k] = random.integer(0, 1) == 0 ? arm.limits()[k].lower : arm.limits()[k].upper;
+    Servo servo(arm);
+    Eigen::VectorXd v(7);
+    Twist command = 1e-3 * random_command(random);
+    const ServoStep step = servo.step(q, command, v);
+    if (step.limit == ServoLimit::position) continue;  // the others cannot
+    ++at_limit;
+    ASSERT_TRUE(limit_violations(arm, q + v * dt).empty());
+  }
+  EXPECT_GT(at_limit, 450);
+}
+
+TEST(Servo, ArrivesAtAPoseUnlessTheWayLeadsThroughASingularity) {
+  testing::Random random;
+  for (const char* name : {"ur5", "panda", "rrr"}) {
+    const Arm arm = with_accelerations(name);
+    const Task task = default_task(arm);
+    int arrived = 0;
+    for (int i = 0; i < 20; ++i) {
+      Configuration q = 0.5 * random.configuration(arm) + 0.5 * middle_configuration(arm);
+      Configuration aside = q;
+      for (int k = 0; k < arm.dof(); ++k) aside[k] += random.uniform(-0.2, 0.2);
+      const Pose goal = forward_kinematics(arm, aside);
+      Servo servo(arm, {.linear_speed = 0.5, .angular_speed = 1});
+      Eigen::VectorXd v(arm.dof());
+      ServoStep last;
+      for (int k = 0; k < 10000; ++k) {
+        last = servo.step_towards(q, goal, v);
+        q += v * dt;
+      }
+      const Deviation left = task_deviation(task, goal, forward_kinematics(arm, q));
+      if (left.position < 1e-6 && left.orientation < 1e-6) {
+        ++arrived;
+      } else if (last.limit == ServoLimit::singular) {  // the elbow stretched out, for one
+        EXPECT_LT(dexterity(task_jacobian(arm, q, task)).singular_values.minCoeff(), 1e-4) << name;
+        EXPECT_LT(v.norm(), 1e-3);
+      } else {
+        EXPECT_EQ(last.limit, ServoLimit::position) << name << ' ' << i;
+      }
+    }
+    EXPECT_GE(arrived, 15) << name;
+  }
+}
+
+TEST(Servo, RefusesWhatMakesNoSense) {
+  const Arm arm = built_in("ur5");
+  EXPECT_REFUSED((Servo(arm, {.time_step = 0})), "time step");
+  EXPECT_REFUSED((Servo(arm, {.gain = 2000})), "at most 1 / time step");
+  EXPECT_REFUSED((Servo(arm, {.linear_speed = -1})), "speeds");
+  Servo servo(arm);
+  Eigen::VectorXd v(5), six(6);
+  EXPECT_REFUSED((servo.step(Configuration::Zero(6), Twist::Zero(), v)), "room");
+  Twist bad = Twist::Constant(NAN);
+  EXPECT_REFUSED((servo.step(Configuration::Zero(6), bad, six)), "finite");
+}
+
+}  // namespace
+}  // namespace beeline
