@@ -54,8 +54,7 @@ TEST(Player, DoesNotAllocate) {
 #endif
   const Arm arm = built_in("panda");
   const Configuration middle = middle_configuration(arm);
-  const PointToPoint way =
-      point_to_point(arm, middle, middle + Configuration::Constant(7, 0.3));
+  const PointToPoint way = point_to_point(arm, middle, middle + Configuration::Constant(7, 0.3));
   Player player(arm, sampled(arm, way, 100), middle - Configuration::Constant(7, 0.1));
   Configuration q = middle;
   const long before = allocations;
