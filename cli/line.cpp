@@ -4,7 +4,9 @@
 #include <beeline/control/cartesian.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/motion/along.h>
 #include <beeline/motion/line.h>
+#include <beeline/motion/path/corner.h>
 #include <beeline/read/pose_list.h>
 
 #include "branch_table.h"
@@ -20,13 +22,16 @@ struct Arguments {
   ArmArgument arm;
   UnitArgument unit;
   TaskArgument task;
-  std::string from, through, law, method = "exact";
+  std::string from, through, law, path = "line", method = "exact";
+  std::optional<double> round;
   LineOptions options;
   CartesianOptions control;
   ResultFiles files;
   bool branches = false, json = false;
   std::vector<const CLI::Option*> exact_options, control_options;
 };
+
+constexpr double rounding_turn = 0.2;  // metres that count as a radian
 
 /// Refuses an option that the chosen method would ignore.
 void check_method(const Arguments& arguments) {
@@ -68,6 +73,28 @@ Report follow_exactly(const Arm& arm, const std::optional<Configuration>& start,
           motion.dexterity,    motion.nearby};
 }
 
+/// Arcs, screws, splines, and lines with rounded corners.
+Report follow_route(const Arguments& arguments, const Arm& arm,
+                    const std::optional<Configuration>& start, const std::vector<Pose>& poses,
+                    const LineOptions& options) {
+  const PathKind kind = path_kind_named(arguments.path);
+  if (arguments.round && kind != PathKind::line) {
+    throw Error("--round goes with --path line, whose corners it rounds");
+  }
+  if (options.rate > 0) throw Error("--rate goes with straight lines without --round only");
+  Route route;
+  if (arguments.round) {
+    const double turn = *arguments.round / rounding_turn;
+    route = route_of(rounded_lines(poses, {*arguments.round, turn}));
+  } else {
+    route = route_of(path_through(poses, kind), kind);
+  }
+  LineMotion motion = move_along(arm, start, route, options);
+  return {motion.status,       motion.reason, std::move(motion.trajectory),
+          motion.straightness, motion.limits, motion.limit_margin,
+          motion.dexterity};
+}
+
 Report follow_by_control(const Arm& arm, const Configuration& start,
                          const std::vector<Pose>& waypoints, const CartesianOptions& options) {
   ControlledMotion motion = control_in_lines(arm, start, waypoints, options);
@@ -91,10 +118,14 @@ Report follow(const Arguments& arguments, const Arm& arm, const std::vector<Pose
     LineOptions options = arguments.options;
     options.task = task;
     if (!arguments.law.empty()) options.law = law_named(arguments.law);
+    std::vector<Pose> poses = waypoints;
+    if (start) poses.insert(poses.begin(), forward_kinematics(arm, *start));
+    if (arguments.round || arguments.path != "line") {
+      if (arguments.branches) throw Error("--branches goes with straight lines without --round");
+      return follow_route(arguments, arm, start, poses, options);
+    }
     Report report = follow_exactly(arm, start, waypoints, options);
     if (arguments.branches) {
-      std::vector<Pose> poses = waypoints;
-      if (start) poses.insert(poses.begin(), forward_kinematics(arm, *start));
       report.branches = branch_map(
           arm, poses,
           {.task = task, .tolerance = {options.tolerance, options.orientation_tolerance}});
@@ -250,6 +281,7 @@ Run declare_line(CLI::App& verb) {
       "Examples:\n"
       "  beeline line rrr --from 0,90,0 --degrees --through waypoints.csv --out move.csv "
       "--draw move.svg\n"
+      "  beeline line panda --through poses.csv --round 0.02 --out move.csv\n"
       "  beeline line panda --through poses.csv --law s-curve --rate 250 --out move.csv\n"
       "  beeline line robot.urdf --tip tool0 --from 0,-1,1,0,1,0 --through poses.csv --json\n"
       "  beeline line rrr --from 0,90,0 --degrees --through waypoints.csv "
