@@ -228,6 +228,19 @@ Deviation step_bound(const Arm& arm, const Line& line, const Task& task,
   return bound;
 }
 
+HalvedStep halved_step(const Arm& arm, const Line& line, const Task& task,
+                       const ConfigurationRef& q_a, const ConfigurationRef& q_b, const Deviation& a,
+                       const Deviation& b) {
+  const Configuration half_way = (q_a + q_b) / 2;
+  const Deviation middle = deviation_from(line, forward_kinematics(arm, half_way), task);
+  const Deviation whole = step_bound(arm, line, task, q_a, q_b, a, b);
+  const Deviation first = step_bound(arm, line, task, q_a, half_way, a, middle);
+  const Deviation second = step_bound(arm, line, task, half_way, q_b, middle, b);
+  return {middle,
+          {std::min(whole.position, std::max(first.position, second.position)),
+           std::min(whole.orientation, std::max(first.orientation, second.orientation))}};
+}
+
 Straightness straightness(const Arm& arm, std::span<const Configuration> samples,
                           std::span<const Pose> waypoints, std::span<const std::size_t> arrivals,
                           const Task& task) {
@@ -251,10 +264,11 @@ Straightness straightness(const Arm& arm, std::span<const Configuration> samples
     grow(result.bound, before);
     for (std::size_t k = first + 1; k <= arrivals[w]; ++k) {
       const Deviation now = deviation_from(line, forward_kinematics(arm, samples[k]), task);
-      const Configuration middle = (samples[k - 1] + samples[k]) / 2;
       grow(result.sampled, now);
-      grow(result.sampled, deviation_from(line, forward_kinematics(arm, middle), task));
-      grow(result.bound, step_bound(arm, line, task, samples[k - 1], samples[k], before, now));
+      const auto [middle, bound] =
+          halved_step(arm, line, task, samples[k - 1], samples[k], before, now);
+      grow(result.sampled, middle);
+      grow(result.bound, bound);
       before = now;
     }
     line.from = line.to;

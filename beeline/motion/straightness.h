@@ -25,6 +25,16 @@ Deviation step_bound(const Arm& arm, const Line& line, const Task& task,
                      const ConfigurationRef& q_a, const ConfigurationRef& q_b, const Deviation& a,
                      const Deviation& b);
 
+/// A step measured half-way, and its bound with that known: the lesser of step_bound() and the
+/// larger of both halves' own, where what the bound cannot tell of a step is an eighth.
+struct HalvedStep {
+  Deviation middle;
+  Deviation bound;
+};
+HalvedStep halved_step(const Arm& arm, const Line& line, const Task& task,
+                       const ConfigurationRef& q_a, const ConfigurationRef& q_b, const Deviation& a,
+                       const Deviation& b);
+
 /// How straight a joint motion is along the lines through waypoints, measured and proved.
 struct Straightness {
   Deviation sampled;  ///< the largest deviation at the samples and half-way between them

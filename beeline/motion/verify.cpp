@@ -46,19 +46,26 @@ struct Verifier {
   }
 
   /// The sample at which waypoint w is reached: of the first ones in a row that are near it the
-  /// nearest. The number of samples where there is none.
+  /// nearest; of the last ones where it is the end of the motion, which may pass near it before, as
+  /// far as the rows that matter tell. The number of samples where there is none.
   std::size_t arrival(std::size_t w, std::size_t first) const {
-    std::size_t best = trajectory.size();
+    const auto off = [&](std::size_t k) {
+      return task_deviation(task, waypoints[w], world_T_tool[k]);
+    };
+    const std::size_t end = trajectory.size();
+    std::size_t k = first;
+    if (w + 1 == waypoints.size() && near(off(end - 1))) {
+      for (k = end - 1; k > first && near(off(k - 1));) --k;
+    }
+    std::size_t best = end;
     double least = 0;
-    for (std::size_t k = first; k < trajectory.size(); ++k) {
-      const Deviation off = task_deviation(task, waypoints[w], world_T_tool[k]);
-      if (!near(off)) {
-        if (best < trajectory.size()) break;
-        continue;
-      }
+    for (; k < end; ++k) {
+      const Deviation here = off(k);
+      if (!near(here) && best < end) break;
+      if (!near(here)) continue;
       const double size =
-          std::max(off.position / tolerance.position, off.orientation / tolerance.orientation);
-      if (best == trajectory.size() || size < least) best = k, least = size;
+          std::max(here.position / tolerance.position, here.orientation / tolerance.orientation);
+      if (best == end || size < least) best = k, least = size;
     }
     return best;
   }
@@ -66,14 +73,13 @@ struct Verifier {
   /// The step from sample k to the next on line w.
   void check_step(std::size_t k, const Line& on, const Deviation& a, const Deviation& b) {
     const Configuration &q = trajectory.positions[k], &next = trajectory.positions[k + 1];
-    const Deviation bound = step_bound(arm, on, task, q, next, a, b);
+    const auto [middle, bound] = halved_step(arm, on, task, q, next, a, b);
     Deviation seen = a;
-    for (int i = 1; i <= (near(bound) ? 2 : looks); ++i) {
-      const double t = i / (near(bound) ? 2.0 : looks);
-      const Pose pose = forward_kinematics(arm, q + t * (next - q));
-      const Deviation off = deviation_from(on, pose, task);
-      seen.position = std::max(seen.position, off.position);
-      seen.orientation = std::max(seen.orientation, off.orientation);
+    grow(seen, middle);
+    grow(seen, b);
+    for (int i = 1; i < looks && !near(bound); ++i) {
+      const Pose pose = forward_kinematics(arm, q + i * (next - q) / looks);
+      grow(seen, deviation_from(on, pose, task));
     }
     grow(result.straightness.sampled, seen);
     grow(result.straightness.bound, bound);
