@@ -15,8 +15,7 @@ namespace {
 
 constexpr double least_tolerance = 1e-8;  // below, rounding at the samples would use it up
 constexpr double margin = 0.9;            // of the tolerance that the plan may use
-// At a rate, samples are moved from the spline onto the line: it must be near.
-constexpr double finer = 1.0 / 16;
+constexpr double finer = 1.0 / 64;        // of that, where a motion must keep nearer to its samples
 
 void check_options(const LineOptions& options) {
   const std::pair<const char*, double> positives[] = {
@@ -180,12 +179,18 @@ LineMotion move(const Arm& arm, const std::optional<Configuration>& start,
   LineMotion motion = timed(arm, poses, plan, task, options);
   // A smooth motion of a joint that goes along its limit for a while may pass it between samples.
   if (plan.status == MotionStatus::reached && motion.status == MotionStatus::outside_limits) {
-    for (const double inset : {1e-3, 1e-2}) {
-      const Branch other = plan_lines(held_back(arm, start, inset), start, poses, planning);
-      if (other.status != MotionStatus::reached) break;
+    const std::pair<double, double> attempts[] = {{1e-3, 1}, {1e-2, 1}, {1e-3, finer}};
+    for (const auto& [inset, share] : attempts) {
+      BranchOptions again = planning;
+      again.tolerance.position *= share;
+      again.tolerance.orientation *= share;
+      const Branch other = plan_lines(held_back(arm, start, inset), start, poses, again);
+      if (other.status != MotionStatus::reached) continue;
+      LineMotion better = timed(arm, poses, other, task, options);
+      if (better.status != MotionStatus::reached) continue;
       plan = other;
-      motion = timed(arm, poses, plan, task, options);
-      if (motion.status == MotionStatus::reached) break;
+      motion = std::move(better);
+      break;
     }
   }
   if (motion.status == MotionStatus::reached) {
