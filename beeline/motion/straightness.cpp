@@ -150,6 +150,16 @@ double orientation_at_nearest(const ChordBound& step, const Extent& extent, doub
   return swing_bound(swing, step.turned);
 }
 
+/// With one row free, along an axis e of the task's frame, the turn in the other two is at most
+/// f / (2 sin(f/2)) times the distance of the tool's e from the line's, f being the whole angle.
+/// As for positions |e''| counts: |w'| + |w|^2 <= 3/2 `turned`^2, and `line_turned`^2 of the
+/// line's.
+double with_row_free(double ends, double turned, double line_turned, double angle_at_ends) {
+  const double f = std::min(pi, angle_at_ends + turned + line_turned);
+  const double ratio = f > nothing ? f / (2 * std::sin(f / 2)) : 1;
+  return ratio * (ends + (1.5 * turned * turned + line_turned * line_turned) / 8);
+}
+
 }  // namespace
 
 Pose nearest_on(const Line& line, const Pose& pose, const Task& task) {
@@ -176,7 +186,10 @@ Deviation step_bound(const Arm& arm, const Line& line, const Task& task,
   const Vector3 way = position_rows(task, at_a, at_b.translation() - at_a.translation());
   const Vector3 bend = position_rows(task, at_a, step.bend);
   const bool on_chord = still && extent.told_by_way() && stays_on_chord(step, bend, way);
-  double apart = 0, off = 0, length = extent.length;
+  const double beyond = extent.told_by_way() ? std::max(beyond_ends(line, extent, at_a, task),
+                                                        beyond_ends(line, extent, at_b, task))
+                                             : 0;
+  double apart = 0, off = 0, length = extent.length, full_angle = 0;
   if (!still || !whole) {
     const double s_a = nearest_fraction(line, extent, at_a, task);
     const double s_b = nearest_fraction(line, extent, at_b, task);
@@ -185,6 +198,10 @@ Deviation step_bound(const Arm& arm, const Line& line, const Task& task,
     };
     apart = std::abs(s_b - s_a);
     off = std::max(distance(at_a, s_a), distance(at_b, s_b));
+    for (const auto& [pose, s] : {std::pair{at_a, s_a}, {at_b, s_b}}) {
+      const Pose there = interpolate(line.from, line.to, s);
+      full_angle = std::max(full_angle, pose_difference(there, pose).tail<3>().norm());
+    }
     const double shown = position_rows(task, at_a, extent.way).norm();
     if (!still) length = shown - extent.length * step.turned;  // the least that the rows may show
   }
@@ -204,15 +221,19 @@ Deviation step_bound(const Arm& arm, const Line& line, const Task& task,
     const double ends = bound.orientation;
     bound.orientation = angle < pi ? ends / std::cos(angle / 4) : pi;
     if (on_chord) {
-      const double beyond =
-          std::max(beyond_ends(line, extent, at_a, task), beyond_ends(line, extent, at_b, task));
       bound.orientation +=
           orientation_at_nearest(step, extent, ends) + 2 * extent.angle * std::min(1.0, beyond);
     } else {
       bound.orientation += step.orientation;
     }
   } else if (rows(task, 3) > 0) {  // |d log| <= pi/2 |d angle| wherever the free rows stand
+    double by_curve = pi;
+    if (rows(task, 3) == 2 && (still || !extent.told_by_way())) {
+      by_curve = pi / 2 * extent.angle * std::min(1.0, beyond) +
+                 with_row_free(bound.orientation, step.turned, extent.angle * apart, full_angle);
+    }
     bound.orientation += pi / 4 * (step.turned + extent.angle * apart);
+    bound.orientation = std::min(bound.orientation, by_curve);
   }
 
   if (extent.told_by_way() && !(whole && on_chord)) {

@@ -42,9 +42,10 @@ Line random_line(testing::Random& random, const Pose& a, const Pose& b) {
   }
 }
 
-const std::vector<std::string> tasks = {"spatial",     "position",    "planar", "111110:tool",
-                                        "001000",      "110001",      "000111", "000001",
-                                        "110111:tool", "001000:tool", "111001", "100100:tool"};
+const std::vector<std::string> tasks = {"spatial",     "position",    "planar",      "111110:tool",
+                                        "001000",      "110001",      "000111",      "000001",
+                                        "110111:tool", "001000:tool", "111001",      "111110",
+                                        "100100:tool", "000110",      "110110:tool", "101011:tool"};
 
 void expect_step_bound(testing::Random& random, const Arm& arm, const Task& task) {
   const double size = std::pow(10, random.uniform(-3, 0));
