@@ -201,10 +201,12 @@ LineMotion move(const Arm& arm, const std::optional<Configuration>& start,
     const Deviation& bound = motion.straightness.bound;
     if (bound.position > options.tolerance || bound.orientation > options.orientation_tolerance) {
       motion.status = MotionStatus::not_converged;
-      motion.reason = "at " + number(options.rate) +
-                      " samples a second the tool is only proved to stay within " +
-                      number(bound.position) + " m and " + number(bound.orientation) +
-                      " rad of the line; ask for a higher rate or a lower speed";
+      const bool rated = options.rate > 0;
+      motion.reason =
+          (rated ? "at " + number(options.rate) + " samples a second" : std::string("timed,")) +
+          " the tool is only proved to stay within " + number(bound.position) + " m and " +
+          number(bound.orientation) + " rad of the line" +
+          (rated ? "; ask for a higher rate or a lower speed" : "");
     }
   }
   if (motion.status != MotionStatus::reached) {

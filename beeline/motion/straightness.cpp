@@ -205,7 +205,6 @@ Deviation step_bound(const Arm& arm, const Line& line, const Task& task,
     const double shown = position_rows(task, at_a, extent.way).norm();
     if (!still) length = shown - extent.length * step.turned;  // the least that the rows may show
   }
-
   if (still) {  // distance from a straight segment is convex
     if (rows(task, 0) > 0) {
       bound.position +=
