@@ -80,6 +80,7 @@ TEST(PlanLines, ComesToTheElbowsLimitAndNotBeyond) {
 // Rows that do not matter: the finished motion is proved on the very line that was planned.
 TEST(PlanLines, LeavesRowsFree) {
   Random random;
+  int reached = 0;
   for (const char* task : {"111000", "111110:tool", "000111", "001000", "111000:tool"}) {
     for (const char* name : {"ur5", "panda"}) {
       const Arm arm = built_in(name);
@@ -90,11 +91,14 @@ TEST(PlanLines, LeavesRowsFree) {
       const LineOptions options{.task = task_named(task), .law = Law::quintic};
       const std::vector<Pose> poses{from, to};
       const LineMotion motion = move_in_lines(arm, poses, options);
-      if (motion.status == MotionStatus::outside_limits) continue;
-      ASSERT_EQ(motion.status, MotionStatus::reached) << name << task << motion.reason;
+      ASSERT_NE(motion.status, MotionStatus::not_converged) << name << task << motion.reason;
+      if (motion.status != MotionStatus::reached) continue;
+      ++reached;
+      EXPECT_LT(motion.trajectory.size(), 5'000) << name << task;
       EXPECT_EQ(verify(arm, motion.trajectory, poses, {.task = options.task}).reason, "");
     }
   }
+  EXPECT_GE(reached, 5);
 }
 
 // Any arm of 1 to 10 joints of any kind, some of them driven together: an answer, with a reason.
