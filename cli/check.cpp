@@ -29,8 +29,10 @@ OrderedJson document(const Arguments& arguments, const Verification& found, std:
       {"sample", passed ? OrderedJson(nullptr) : OrderedJson(found.sample + 1)},
       {"time", passed ? OrderedJson(nullptr) : OrderedJson(found.time)},
       {"deviation_bound", json_number(straight.bound.position)},
+      {"deviation_measured", json_number(straight.measured.position)},
       {"deviation_sampled", json_number(straight.sampled.position)},
       {"orientation_bound", json_number(arguments.unit.shown(straight.bound.orientation))},
+      {"orientation_measured", json_number(arguments.unit.shown(straight.measured.orientation))},
       {"orientation_sampled", json_number(arguments.unit.shown(straight.sampled.orientation))},
       {"samples", samples},
       {"reason", found.reason}};

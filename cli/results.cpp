@@ -52,7 +52,8 @@ void print_straightness(const Straightness& straight, const UnitArgument& unit) 
     fmt::print("  {:<10}  {:.2e} m   {:.2e} {}{}\n", label, deviation.position,
                unit.shown(deviation.orientation), unit.name(), remark);
   };
-  row("measured", straight.sampled, "   (at the samples and half-way between)");
+  row("at samples", straight.sampled, "");
+  row("measured", straight.measured, "   (between samples too)");
   row("proved", straight.bound, "   (at every moment, joints linear between samples)");
 }
 

@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   std::cout << motion.trajectory.size() << " samples; off the line by "
-            << motion.straightness.sampled.position
+            << motion.straightness.measured.position
             << " m as measured, and at no moment by more than "
             << motion.straightness.bound.position << " m\n";
   write_trajectory("05_straight_line.csv", motion.trajectory);

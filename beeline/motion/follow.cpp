@@ -24,11 +24,6 @@ struct Step {
   Deviation bound;
 };
 
-void grow(Deviation& largest, const Deviation& met) {
-  largest.position = std::max(largest.position, met.position);
-  largest.orientation = std::max(largest.orientation, met.orientation);
-}
-
 /// A place that the arm is at, or may be at next: a share of the way.
 struct Place {
   const Configuration& q;
@@ -123,15 +118,15 @@ Followed follow_way(const Arm& arm, const Way& way, const Task& task, const Boun
     if (!next && followed.samples.size() == 1) next = follower.step_aside({start, 0}, s);
     length = std::min((s - done) * stretch, longest_step);
     if (!next) continue;
-    for (const double t : {0.5, 1.0}) {
-      const Pose pose = forward_kinematics(arm, q + t * (next->q - q));
-      grow(followed.straightness.sampled, way.deviation(std::lerp(done, s, t), pose));
-    }
+    const Pose middle = forward_kinematics(arm, (q + next->q) / 2);
+    grow(followed.straightness.measured, way.deviation((done + s) / 2, middle));
+    grow(followed.straightness.sampled, way.deviation(s, forward_kinematics(arm, next->q)));
     grow(followed.straightness.bound, next->bound);
     followed.samples.push_back(std::move(next->q));
     followed.fractions.push_back(s);
     if (options.progress && followed.samples.size() % 64 == 0) options.progress(s);
   }
+  grow(followed.straightness.measured, followed.straightness.sampled);
   return followed;
 }
 

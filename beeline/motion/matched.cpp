@@ -78,10 +78,6 @@ Straightness closeness(const Arm& arm, std::span<const Configuration> samples,
     throw Error("closeness needs samples, and a place on the path for each");
   }
   for (const Piece& piece : path.pieces) check_matched(arm, piece, task);
-  const auto grow = [](Deviation& largest, const Deviation& met) {
-    largest.position = std::max(largest.position, met.position);
-    largest.orientation = std::max(largest.orientation, met.orientation);
-  };
   Straightness result;
   std::optional<StepEnd> before;
   std::size_t piece = 0;
@@ -100,10 +96,17 @@ Straightness closeness(const Arm& arm, std::span<const Configuration> samples,
       return StepEnd{samples[k], s, off};
     };
     const StepEnd now = end_on(piece);
-    if (before) grow(result.bound, matched_step_bound(arm, path.pieces[piece], task, *before, now));
+    if (before) {
+      const Piece& on = path.pieces[piece];
+      const Pose middle = forward_kinematics(arm, (samples[k - 1] + samples[k]) / 2);
+      const Pose wanted = pose_at(on, (before->s + now.s) / 2);
+      grow(result.measured, task_deviation(task, wanted, middle));
+      grow(result.bound, matched_step_bound(arm, on, task, *before, now));
+    }
     const bool next = now.s == 1 && piece + 1 < path.pieces.size();
     before.emplace(next ? end_on(++piece) : now);
   }
+  grow(result.measured, result.sampled);
   return result;
 }
 

@@ -268,10 +268,6 @@ Straightness straightness(const Arm& arm, std::span<const Configuration> samples
     throw Error("straightness needs samples, and an arrival for each waypoint");
   }
   Straightness result;
-  const auto grow = [](Deviation& largest, const Deviation& met) {
-    largest.position = std::max(largest.position, met.position);
-    largest.orientation = std::max(largest.orientation, met.orientation);
-  };
   Line line{forward_kinematics(arm, samples.front()), Pose::Identity()};
   std::size_t first = 0;
   for (std::size_t w = 0; w < waypoints.size(); ++w) {
@@ -287,13 +283,14 @@ Straightness straightness(const Arm& arm, std::span<const Configuration> samples
       grow(result.sampled, now);
       const auto [middle, bound] =
           halved_step(arm, line, task, samples[k - 1], samples[k], before, now);
-      grow(result.sampled, middle);
+      grow(result.measured, middle);
       grow(result.bound, bound);
       before = now;
     }
     line.from = line.to;
     first = arrivals[w];
   }
+  grow(result.measured, result.sampled);
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -35,10 +36,17 @@ HalvedStep halved_step(const Arm& arm, const Line& line, const Task& task,
                        const ConfigurationRef& q_a, const ConfigurationRef& q_b, const Deviation& a,
                        const Deviation& b);
 
+/// Makes `largest` no less than what was met.
+inline void grow(Deviation& largest, const Deviation& met) {
+  largest.position = std::max(largest.position, met.position);
+  largest.orientation = std::max(largest.orientation, met.orientation);
+}
+
 /// How straight a joint motion is along the lines through waypoints, measured and proved.
 struct Straightness {
-  Deviation sampled;  ///< the largest deviation at the samples and half-way between them
-  Deviation bound;    ///< proved: at no moment between samples, joints moving in proportion, more
+  Deviation sampled;   ///< the largest deviation at the samples
+  Deviation measured;  ///< at the samples and at places between them
+  Deviation bound;     ///< proved: at no moment between samples, joints moving in proportion, more
 };
 
 /// `arrivals[w]` is the sample at which waypoint w is taken to be reached; the first line begins at

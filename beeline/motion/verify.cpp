@@ -81,7 +81,9 @@ struct Verifier {
       const Pose pose = forward_kinematics(arm, q + i * (next - q) / looks);
       grow(seen, deviation_from(on, pose, task));
     }
-    grow(result.straightness.sampled, seen);
+    grow(result.straightness.sampled, a);
+    grow(result.straightness.sampled, b);
+    grow(result.straightness.measured, seen);
     grow(result.straightness.bound, bound);
     if (near(bound)) return;
     const double turn = (next - q).lpNorm<Eigen::Infinity>();
@@ -103,6 +105,7 @@ struct Verifier {
         fail(Fault::deviation, k,
              "the tool is off line " + std::to_string(w + 1) + " by " + metres_and_radians(before));
         grow(result.straightness.sampled, before);
+        grow(result.straightness.measured, before);
         grow(result.straightness.bound, before);
         return;
       }
@@ -139,11 +142,6 @@ struct Verifier {
              "the tool moves on from the last waypoint, by " + metres_and_radians(off));
       }
     }
-  }
-
-  static void grow(Deviation& largest, const Deviation& met) {
-    largest.position = std::max(largest.position, met.position);
-    largest.orientation = std::max(largest.orientation, met.orientation);
   }
 };
 

@@ -71,8 +71,9 @@ inline void expect_straight(const Arm& arm, const Configuration& start,
   ASSERT_LT((trajectory.positions.front() - start).norm(), 1e-8);
   expect_within_limits(arm, trajectory);
   ASSERT_EQ(motion.arrivals.size(), waypoints.size());
-  EXPECT_LE(motion.straightness.sampled.position, motion.straightness.bound.position + 1e-12);
-  EXPECT_LE(motion.straightness.sampled.orientation, motion.straightness.bound.orientation + 1e-12);
+  EXPECT_LE(motion.straightness.measured.position, motion.straightness.bound.position + 1e-12);
+  EXPECT_LE(motion.straightness.measured.orientation,
+            motion.straightness.bound.orientation + 1e-12);
   EXPECT_LE(motion.straightness.bound.position, options.tolerance);
   EXPECT_LE(motion.straightness.bound.orientation, options.orientation_tolerance);
 
