@@ -2,6 +2,7 @@
 
 #include <beeline/motion/line.h>
 #include <beeline/motion/matched.h>
+#include <beeline/motion/path/corner.h>
 
 namespace beeline {
 
