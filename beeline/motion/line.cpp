@@ -180,10 +180,10 @@ LineMotion move(const Arm& arm, const std::optional<Configuration>& start,
   // A smooth motion of a joint that goes along its limit for a while may pass it between samples.
   if (plan.status == MotionStatus::reached && motion.status == MotionStatus::outside_limits) {
     const std::pair<double, double> attempts[] = {{1e-3, 1}, {1e-2, 1}, {1e-3, finer}};
-    for (const auto& [inset, share] : attempts) {
+    for (const auto& [inset, part] : attempts) {
       BranchOptions again = planning;
-      again.tolerance.position *= share;
-      again.tolerance.orientation *= share;
+      again.tolerance.position *= part;
+      again.tolerance.orientation *= part;
       const Branch other = plan_lines(held_back(arm, start, inset), start, poses, again);
       if (other.status != MotionStatus::reached) continue;
       LineMotion better = timed(arm, poses, other, task, options);
