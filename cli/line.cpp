@@ -254,6 +254,15 @@ Run declare_line(CLI::App& verb) {
                       "exact: most turn away from the line, radians")
           ->capture_default_str(),
       verb.add_option(
+              "--path", arguments.path,
+              "exact: line; screw motions between the poses; arc, each through two more\n"
+              "poses, of the first of which the position counts; or spline through them all")
+          ->capture_default_str(),
+      verb.add_option(
+          "--round", arguments.round,
+          "exact: round the lines' corners and pass them without a stop, at no more than\n"
+          "this from them, metres, and 5 rad for each metre"),
+      verb.add_option(
           "--law", arguments.law,
           "exact: of time on each line: fastest, jerk, trapezoidal, quintic or s-curve;\n"
           "see time --help"),

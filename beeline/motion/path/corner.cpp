@@ -98,7 +98,8 @@ SplinePiece rounding(const Pose& corner, const Sides& sides, double radius) {
 
 RoundedPath rounded_lines(std::span<const Pose> given, const Deviation& within) {
   if (!(within.position > 0) || !(within.orientation > 0)) {
-    throw Error("corners are rounded within a distance and an angle that are more than zero");
+    throw Error("corners are rounded within a distance and an angle above zero, not " +
+                number(within.position) + " m and " + number(within.orientation) + " rad");
   }
   const std::vector<Pose> poses = checked_path(given);
   const std::size_t lines = poses.size() - 1;

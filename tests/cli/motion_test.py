@@ -1,0 +1,105 @@
+"""line's branches, paths and laws, move --method quickest, diff: as a user would call them."""
+
+import csv
+
+import pytest
+
+READY = "0,-0.785,0,-2.356,0,1.571,0.785"
+POSES = ("x,y,z,roll,pitch,yaw\n0.45,-0.2,0.5,3.14159,0,0\n0.5,0.1,0.4,3.14159,0,0.3\n"
+         "0.4,0.2,0.5,3.14159,0.1,0.6\n")
+
+
+def test_the_branches_are_listed_best_first(beeline, written):
+    through = written("poses.csv", POSES)
+    answer = beeline("line", "ur5", "--through", through, "--branches", "--json").json
+    branches = answer["branches"]
+    assert len(branches) == 8 and answer["status"] == "reached"
+    done = [branch["done"] for branch in branches]
+    assert done == sorted(done, reverse=True) and done[0] == 2
+    for branch in branches:
+        assert (branch["status"] == "reached") == (branch["done"] == 2) == (branch["reason"] == "")
+    text = beeline("line", "ur5", "--through", through, "--branches").out
+    assert "branches      8" in text
+
+
+@pytest.mark.parametrize("law", ["fastest", "jerk", "trapezoidal", "quintic", "s-curve"])
+def test_every_law_keeps_the_line(beeline, written, law):
+    through = written("poses.csv", POSES)
+    made = beeline("line", "panda", "--through", through, "--law", law, "--rate", "250", "--out",
+                   "m.csv", "--json")
+    assert made.code == 0 and made.json["limits"]["velocity"]["share"] <= 1 + 1e-6
+    checked = beeline("check", "m.csv", "panda", "--through", through, "--json").json
+    assert checked["fault"] in ((None, "jerk") if law in ("fastest", "trapezoidal") else (None,))
+
+
+@pytest.mark.parametrize("path", ["screw", "arc", "spline"])
+def test_other_paths(beeline, written, path):
+    through = written("poses.csv", POSES)
+    answer = beeline("line", "panda", "--through", through, "--path", path, "--json")
+    assert answer.code == 0, answer.err
+    assert answer.json["deviation_bound"] <= 1e-4 and answer.json["deviation_sampled"] < 1e-9
+
+
+def test_rounded_corners_are_quicker(beeline, written):
+    through = written("poses.csv", POSES)
+    sharp = beeline("line", "panda", "--through", through, "--json").json
+    rounded = beeline("line", "panda", "--through", through, "--round", "0.02", "--json").json
+    assert rounded["status"] == "reached" and rounded["duration"] < sharp["duration"]
+
+
+def test_a_line_out_of_reach_comes_with_one_that_would_work(beeline, written):
+    through = written("far.csv", "x,y,z,roll,pitch,yaw\n0.5,-0.3,0.5,3.14159,0,0\n"
+                                 "0.8,0.3,0.5,3.14159,0,0.6\n")
+    answer = beeline("line", "ur5", "--through", through, "--json")
+    assert answer.code == 1 and answer.json["status"] == "unreachable"
+    moved = answer.json["nearby"][0]["moved"]
+    assert moved[0] < -0.05 and "along -x" in answer.json["nearby"][0]["description"]
+    x, y, z = moved
+    rows = [[0.5 + x, -0.3 + y, 0.5 + z, 3.14159, 0, 0], [0.8 + x, 0.3 + y, 0.5 + z, 3.14159, 0, 0.6]]
+    text = "x,y,z,roll,pitch,yaw\n" + "".join(",".join(map(repr, row)) + "\n" for row in rows)
+    assert beeline("line", "ur5", "--through", written("near.csv", text)).code == 0
+
+
+def test_the_quickest_move(beeline, tmp_path):
+    goal = "0.5,-0.3,0.2,-1.9,0.1,2,0.3"
+    command = ("move", "panda", "--from", READY, "--to", goal, "--method", "quickest")
+    answer = beeline(*command, "--rate", "1000", "--out", "m.csv", "--json").json
+    assert answer["status"] == "reached" and answer["error"] == 0
+    rows = list(csv.DictReader((tmp_path / "m.csv").open()))
+    assert [float(rows[-1][f"joint{i}"]) for i in range(1, 8)] == [float(q) for q in goal.split(",")]
+    assert float(rows[-1]["t"]) == answer["duration"]
+    straight = beeline(*command, "--synchronise", "straight", "--json").json
+    assert straight["duration"] >= answer["duration"] - 1e-9
+
+
+def test_a_recording_does_not_differ_from_itself_and_does_from_another(beeline):
+    command = ("move", "panda", "--from", READY, "--method", "quickest", "--rate", "200")
+    beeline(*command, "--to", "0.5,-0.3,0.2,-1.9,0.1,2,0.3", "--out", "a.csv")
+    beeline(*command, "--to", "0.5,-0.3,0.2,-1.9,0.1,2,0.4", "--out", "b.csv")
+    same = beeline("diff", "a.csv", "a.csv", "panda", "--tolerance", "0", "--json")
+    assert same.code == 0 and same.json["position"] == 0
+    apart = beeline("diff", "a.csv", "b.csv", "panda", "--tolerance", "0.01", "--json")
+    assert apart.code == 1 and "joint7" in apart.err
+    largest = {joint["joint"]: joint["largest"] for joint in apart.json["joints"]}
+    assert largest["joint7"] == pytest.approx(0.1, abs=0.02) and largest["joint1"] < 0.02
+
+
+REFUSED = [
+    (("line", "panda", "--through", "p.csv", "--law", "fast"), ["fast", "s-curve"]),
+    (("line", "panda", "--through", "p.csv", "--path", "curve"), ["curve", "spline"]),
+    (("line", "panda", "--through", "p.csv", "--path", "arc", "--round", "1"), ["--round"]),
+    (("line", "panda", "--through", "p.csv", "--round", "-1"), ["-1"]),
+    (("line", "panda", "--through", "p.csv", "--rate", "-5"), ["rate", "-5"]),
+    (("line", "panda", "--through", "p.csv", "--method", "inverse-jacobian"), ["--from"]),
+    (("move", "panda", "--from", READY, "--to", READY, "--method", "fast"), ["fast", "quickest"]),
+    (("move", "panda", "--from", READY, "--to", READY, "--rate", "5"), ["--rate", "feedback"]),
+    (("move", "panda", "--from", READY, "--to", READY, "--method", "quickest", "--kp", "1"),
+     ["--kp", "quickest"]),
+    (("diff", "p.csv", "p.csv", "panda", "--tolerance", "-1"), ["--tolerance"]),
+]
+
+
+@pytest.mark.parametrize("arguments, says", REFUSED, ids=lambda value: " ".join(value)[:70])
+def test_bad_usage(refused, written, arguments, says):
+    written("p.csv", POSES)
+    refused(2, *arguments, says=says)
