@@ -59,6 +59,7 @@ struct Report {
   std::vector<Branch> branches = {};  ///< when they were asked for
   int steps = 0;                      ///< of a controller
   double overshoot = 0;
+  std::optional<FollowedLines> lines = std::nullopt;  ///< when reached
 };
 
 Report follow_exactly(const Arm& arm, const std::optional<Configuration>& start,
@@ -68,9 +69,14 @@ Report follow_exactly(const Arm& arm, const std::optional<Configuration>& start,
   options.suggest = true;
   LineMotion motion = start ? move_in_lines(arm, *start, waypoints, options)
                             : move_in_lines(arm, waypoints, options);
-  return {motion.status,       motion.reason, std::move(motion.trajectory),
-          motion.straightness, motion.limits, motion.limit_margin,
-          motion.dexterity,    motion.nearby};
+  Report report{motion.status,       motion.reason, std::move(motion.trajectory),
+                motion.straightness, motion.limits, motion.limit_margin,
+                motion.dexterity,    motion.nearby};
+  if (report.status == MotionStatus::reached) {
+    report.lines = {waypoints, motion.arrivals, options.task.value_or(default_task(arm)),
+                    Deviation{options.tolerance, options.orientation_tolerance}};
+  }
+  return report;
 }
 
 /// Arcs, screws, splines, and lines with rounded corners.
@@ -102,8 +108,10 @@ Report follow_by_control(const Arm& arm, const Configuration& start,
   report.steps = motion.steps;
   report.overshoot = motion.overshoot;
   if (report.status == MotionStatus::reached) {
-    report.straightness = straightness(arm, report.trajectory.positions, waypoints, motion.arrivals,
-                                       options.task.value_or(default_task(arm)));
+    const Task task = options.task.value_or(default_task(arm));
+    report.lines = {waypoints, motion.arrivals, task};
+    report.straightness =
+        straightness(arm, report.trajectory.positions, waypoints, motion.arrivals, task);
   }
   return report;
 }
@@ -210,7 +218,7 @@ Exit line(const Arguments& arguments) {
   const PoseList waypoints = read_waypoints(arguments.through, arm, arguments.task, arguments.unit);
   const Report report = follow(arguments, arm, waypoints.poses);
   const bool reached = report.status == MotionStatus::reached;
-  if (reached) arguments.files.write(arm, report.trajectory, waypoints.poses);
+  if (reached) arguments.files.write(arm, report.trajectory, waypoints.poses, report.lines);
   if (arguments.json) {
     OrderedJson answer = document(arguments, report, waypoints.poses.size());
     if (arguments.branches)

@@ -5,6 +5,7 @@
 
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>
+#include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
 #include <beeline/read/file.h>
 #include <beeline/record/trajectory_file.h>
@@ -25,6 +26,8 @@ std::vector<Configuration> at_equal_times(const Trajectory& trajectory) {
 void ResultFiles::declare(CLI::App& verb) {
   verb.add_option("--out", out, "Write the joint trajectory to this file: .csv or .json");
   verb.add_option("--draw", draw, "Draw the motion to this file: .svg, .png or .pdf");
+  verb.add_option("--plot", plot,
+                  "Draw the joints and the tool over time, beside their limits, to this file");
 }
 
 Trajectory read_recording(const std::string& path, const Arm& arm) {
@@ -97,18 +100,28 @@ void refuse_overwriting(const std::string& output, const std::vector<std::string
 void ResultFiles::check(const std::vector<std::string>& inputs) const {
   if (!out.empty()) trajectory_format(out);
   if (!draw.empty()) format_of(draw);
-  if (!out.empty() && out == draw) throw Error("--out and --draw name the same file: " + out);
-  refuse_overwriting(out, inputs);
-  refuse_overwriting(draw, inputs);
+  if (!plot.empty()) format_of(plot);
+  const auto apart = [](const char* options, const std::string& a, const std::string& b) {
+    if (!a.empty() && a == b) throw Error(options + std::string(" name the same file: ") + a);
+  };
+  apart("--out and --draw", out, draw);
+  apart("--out and --plot", out, plot);
+  apart("--draw and --plot", draw, plot);
+  for (const std::string& file : {out, draw, plot}) refuse_overwriting(file, inputs);
 }
 
 void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
-                        const std::vector<Pose>& waypoints) const {
+                        const std::vector<Pose>& waypoints,
+                        const std::optional<FollowedLines>& lines) const {
   std::vector<NewFile> files;
   if (!out.empty()) files.push_back({out, trajectory_text(trajectory, trajectory_format(out))});
   if (!draw.empty()) {
     const Figure figure = motion_figure(arm, at_equal_times(trajectory), waypoints);
     files.push_back({draw, render(figure, format_of(draw))});
+  }
+  if (!plot.empty()) {
+    const Drawing drawing = timing_figure(arm, trajectory, {.lines = lines});
+    files.push_back({plot, render(drawing, format_of(plot))});
   }
   write_files(files);
 }
@@ -116,9 +129,11 @@ void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
 void ResultFiles::print() const {
   if (!out.empty()) fmt::print("trajectory    {}\n", out);
   if (!draw.empty()) fmt::print("picture       {}\n", draw);
+  if (!plot.empty()) fmt::print("plot          {}\n", plot);
 }
 
 void ResultFiles::add_to(OrderedJson& document) const {
   if (!out.empty()) document["out"] = out;
   if (!draw.empty()) document["draw"] = draw;
+  if (!plot.empty()) document["plot"] = plot;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <beeline/draw/line_trace.h>
 #include <beeline/motion/timing/limit_check.h>
 
 #include "output.h"
@@ -28,17 +29,18 @@ OrderedJson json_limits(const beeline::LimitCheck& limits);
 /// Throws Error when `output` is the same file as one of `inputs`, of which `-` is standard input.
 void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs);
 
-/// --out and --draw: where a motion's trajectory and picture go.
+/// --out, --draw and --plot: where a motion's trajectory and pictures go.
 struct ResultFiles {
-  std::string out, draw;
+  std::string out, draw, plot;
 
   void declare(CLI::App& verb);
   /// Throws Error for a format that is not known and for the name of an input file: to be asked
   /// before the work begins.
   void check(const std::vector<std::string>& inputs) const;
-  /// Writes what was asked for, all or nothing.
+  /// Writes what was asked for, all or nothing. `lines` are those that the motion was to follow.
   void write(const beeline::Arm& arm, const beeline::Trajectory& trajectory,
-             const std::vector<beeline::Pose>& waypoints) const;
+             const std::vector<beeline::Pose>& waypoints,
+             const std::optional<beeline::FollowedLines>& lines = std::nullopt) const;
   /// Says where the files are.
   void print() const;
   void add_to(OrderedJson& document) const;

@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/draw/deviation_charts.h>
+#include <beeline/draw/text.h>
+#include <beeline/draw/trail.h>
+#include <beeline/error.h>
+
+namespace beeline {
+namespace {
+
+constexpr double rounding = 1e-12;  // metres or radians, below which a deviation is none
+
+bool asks(const Task& task, std::size_t first) {
+  return task.rows[first] || task.rows[first + 1] || task.rows[first + 2];
+}
+
+/// A unit in which the size is between 1 and 1000.
+struct Unit {
+  double size = 1;
+  std::string name;
+};
+
+Unit unit_for(double size, const std::string& base) {
+  const char* prefixes[] = {"", "m", "µ", "n", "p"};
+  Unit unit{1, base};
+  for (const char* prefix : prefixes) {
+    unit.name = prefix + base;
+    if (size >= unit.size) break;
+    if (*prefix != 'p') unit.size /= 1000;
+  }
+  return unit;
+}
+
+Chart chart_of(const LineTrace& trace, const FollowedLines& lines, double Deviation::*part,
+               const char* what, const char* base) {
+  double largest = rounding;
+  for (const LineTrace::Step& step : trace.steps) largest = std::max(largest, step.bound.*part);
+  for (const LineTrace::Place& place : trace.places) largest = std::max(largest, place.off.*part);
+  const Unit unit = unit_for(largest, base);
+  Curve measured{.name = "measured", .colour = amber, .width = 0.9};
+  for (const LineTrace::Place& place : trace.places) {
+    measured.x.push_back(place.way);
+    measured.y.push_back(place.off.*part / unit.size);
+  }
+  Curve bound{.name = "proved bound", .colour = ink, .width = 0.7};
+  for (const LineTrace::Step& step : trace.steps) {
+    bound.x.insert(bound.x.end(), {step.from, step.to});
+    bound.y.insert(bound.y.end(), {step.bound.*part / unit.size, step.bound.*part / unit.size});
+  }
+  Chart chart{.heading = what,
+              .x_name = trace.turns_only ? "way along the lines [m; a turn: 0.01 m a radian]"
+                                         : "way along the lines [m]",
+              .left_name = unit.name,
+              .curves = {std::move(measured), std::move(bound)},
+              .least = rounding / unit.size,
+              .from_zero = true};
+  if (lines.tolerance) chart.levels = {{"tolerance", (*lines.tolerance).*part / unit.size}};
+  return chart;
+}
+
+std::vector<Vector3> enlarged(const LineTrace& trace, double factor) {
+  std::vector<Vector3> points;
+  for (const LineTrace::Place& place : trace.places) {
+    points.emplace_back(place.tool + (factor - 1) * place.across);
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<Chart> deviation_charts(const LineTrace& trace, const FollowedLines& lines) {
+  std::vector<Chart> charts;
+  if (asks(lines.task, 0)) {
+    charts.push_back(chart_of(trace, lines, &Deviation::position, "deviation: position", "m"));
+  }
+  if (asks(lines.task, 3)) {
+    charts.push_back(
+        chart_of(trace, lines, &Deviation::orientation, "deviation: orientation", "rad"));
+  }
+  for (std::size_t w = 0; w < trace.ends.size(); ++w) {
+    for (Chart& chart : charts) {
+      const bool first = &chart == charts.data();
+      chart.stations.push_back({trace.ends[w], first ? std::to_string(w + 1) : ""});
+    }
+  }
+  return charts;
+}
+
+double exaggeration(const LineTrace& trace) {
+  constexpr double share = 0.04;  // of the lines' extent
+  double most = 0;
+  for (const LineTrace::Place& place : trace.places) most = std::max(most, place.across.norm());
+  Vector3 low = trace.corners.front(), high = low;
+  for (const Vector3& corner : trace.corners) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  const double extent = (high - low).norm();
+  if (most <= rounding * std::max(1.0, extent)) return 1;
+  const double factor = share * extent / most;
+  return factor > 2.5 ? round_step(factor / 2.5) : 1;
+}
+
+Figure exaggerated_figure(const Arm& arm, const LineTrace& trace, const FollowedLines& lines,
+                          double factor) {
+  Scene scene;
+  scene.add(Layer::trail, Polyline{trace.corners, Colour{0.45, 0.47, 0.5}, 0.7});
+  scene.add(Layer::trail, Polyline{enlarged(trace, factor), amber, 0.9});
+  scene.add(Layer::mark, Dots{{trace.corners.front()}, ink, 5});
+  std::vector<std::string> names;
+  for (std::size_t w = 0; w < lines.waypoints.size(); ++w) names.push_back(std::to_string(w + 1));
+  add_poses(scene, lines.waypoints, names);
+  Panel panel{.scene = std::move(scene)};
+  panel.view = arm.planar() ? top_view() : oblique_view(-0.87, 0.44);
+  panel.caption = factor > 1 ? "tool's trail, its distance from the lines × " + fixed(factor, 0)
+                             : "tool's trail, to scale";
+  Figure figure;
+  figure.columns = {{std::move(panel)}};
+  return figure;
+}
+
+}  // namespace beeline

@@ -1,0 +1,87 @@
+#include <algorithm>
+
+#include <beeline/draw/deviation_charts.h>
+#include <beeline/draw/joint_charts.h>
+#include <beeline/draw/sheet.h>
+#include <beeline/draw/timing_figure.h>
+#include <beeline/error.h>
+#include <beeline/inverse/descent/numerical.h>
+#include <beeline/kinematics/manipulability.h>
+
+namespace beeline {
+namespace {
+
+constexpr double plot_height = 76;
+
+Chart condition_chart(const Arm& arm, const Trajectory& trajectory, const Task& task) {
+  constexpr std::size_t most = 1500;  // places; a chart shows no more
+  const double unit = unit_of_length(arm);
+  Chart chart{.heading = "inverse condition of the Jacobian",
+              .x_name = "time [s]",
+              .left_name = "0: singular",
+              .curves = {{.colour = ink}},
+              .from_zero = true};
+  Curve& curve = chart.curves.front();
+  const std::size_t last = trajectory.size() - 1;
+  const std::size_t stride = std::max<std::size_t>(1, last / most);
+  for (std::size_t k = 0;; k = std::min(k + stride, last)) {
+    Eigen::MatrixXd j = task_jacobian(arm, trajectory.positions[k], task);
+    Eigen::Index row = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (task.rows[i]) j.row(row++) /= unit;
+    }
+    curve.x.push_back(trajectory.times[k]);
+    curve.y.push_back(1 / dexterity(j).condition);
+    if (k == last) break;
+  }
+  return chart;
+}
+
+/// The trail and the charts of the deviation, as high together as `height`.
+ChartColumn line_column(const Arm& arm, const Trajectory& trajectory, const FollowedLines& lines,
+                        double height) {
+  ChartColumn column{.plot_width = 300};
+  const LineTrace trace = trace_lines(arm, trajectory.positions, lines);
+  column.charts = deviation_charts(trace, lines);
+  double taken = 60;  // by the trail's caption and margins, and the numbers of the way
+  for (std::size_t i = 0; i < column.charts.size(); ++i) taken += plot_height + 24;
+  Figure trail = exaggerated_figure(arm, trace, lines, exaggeration(trace));
+  trail.width = column.plot_width;
+  trail.height = std::max(140.0, height - taken);
+  column.above = compose(trail);
+  return column;
+}
+
+}  // namespace
+
+Drawing timing_figure(const Arm& arm, const Trajectory& given, const TimingFigureOptions& options) {
+  const Trajectory trajectory = matched_to(arm, given);
+  if (trajectory.times.empty()) throw Error("a motion without samples cannot be drawn");
+  const Task task = options.task    ? *options.task
+                    : options.lines ? options.lines->task
+                                    : default_task(arm);
+  Sheet sheet{.title = options.title.empty() ? arm.name() : options.title,
+              .plot_height = plot_height};
+  for (int k = 0; k < arm.dof(); ++k) sheet.key.push_back(joint_curve(arm, k));
+  ChartColumn over_time{.charts = joint_charts(arm, trajectory)};
+  over_time.charts.push_back(tool_speed_chart(arm, trajectory));
+  over_time.charts.push_back(condition_chart(arm, trajectory, task));
+  if (options.lines) {
+    for (std::size_t w = 0; w < options.lines->arrivals.size(); ++w) {
+      for (Chart& chart : over_time.charts) {
+        const bool first = &chart == over_time.charts.data();
+        const std::size_t at = options.lines->arrivals[w];
+        if (at >= trajectory.size()) continue;  // trace_lines() refuses it
+        chart.stations.push_back({trajectory.times[at], first ? std::to_string(w + 1) : ""});
+      }
+    }
+  }
+  const double height = static_cast<double>(over_time.charts.size()) * (plot_height + 20) + 30;
+  sheet.columns.push_back(std::move(over_time));
+  if (options.lines && !options.lines->waypoints.empty()) {
+    sheet.columns.push_back(line_column(arm, trajectory, *options.lines, height));
+  }
+  return compose(sheet);
+}
+
+}  // namespace beeline
