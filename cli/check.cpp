@@ -1,6 +1,9 @@
 #include <fmt/core.h>
 
+#include <beeline/draw/canvas.h>
+#include <beeline/draw/timing_figure.h>
 #include <beeline/motion/verify.h>
+#include <beeline/read/file.h>
 #include <beeline/read/pose_list.h>
 
 #include "results.h"
@@ -15,10 +18,21 @@ struct Arguments {
   ArmArgument arm;
   UnitArgument unit;
   TaskArgument task;
-  std::string through;
+  std::string through, plot;
   VerifyOptions options;
   bool json = false;
 };
+
+/// The motion beside its limits, along the lines that it has gone to their ends.
+void draw_plot(const Arguments& arguments, const Arm& arm, const Trajectory& trajectory,
+               std::vector<Pose> waypoints, const Verification& found) {
+  const VerifyOptions& options = arguments.options;
+  waypoints.resize(found.arrivals.size());
+  const FollowedLines lines{waypoints, found.arrivals, arguments.task.read(arm),
+                            Deviation{options.tolerance, options.orientation_tolerance}};
+  const Drawing drawing = timing_figure(arm, trajectory, {.lines = lines});
+  write_file(arguments.plot, render(drawing, format_of(arguments.plot)));
+}
 
 OrderedJson document(const Arguments& arguments, const Verification& found, std::size_t samples) {
   const bool passed = found.fault == Fault::none;
@@ -37,10 +51,16 @@ OrderedJson document(const Arguments& arguments, const Verification& found, std:
       {"samples", samples},
       {"reason", found.reason}};
   for (const std::size_t arrival : found.arrivals) document["arrivals"].push_back(arrival + 1);
+  if (!arguments.plot.empty()) document["plot"] = arguments.plot;
   return document;
 }
 
 Exit check(const Arguments& arguments) {
+  if (!arguments.plot.empty()) {
+    format_of(arguments.plot);
+    refuse_overwriting(arguments.plot,
+                       {arguments.arm.text, arguments.trajectory, arguments.through});
+  }
   const Arm arm = arguments.arm.read();
   const Trajectory trajectory = read_recording(arguments.trajectory, arm);
   const PoseList waypoints = read_waypoints(arguments.through, arm, arguments.task, arguments.unit);
@@ -48,6 +68,7 @@ Exit check(const Arguments& arguments) {
   options.task = arguments.task.read(arm);
   const Verification found = verify(arm, trajectory, waypoints.poses, options);
   const bool passed = found.fault == Fault::none;
+  if (!arguments.plot.empty()) draw_plot(arguments, arm, trajectory, waypoints.poses, found);
   if (arguments.json) {
     print_json(document(arguments, found, trajectory.size()));
   } else {
@@ -55,6 +76,7 @@ Exit check(const Arguments& arguments) {
                trajectory.size(), waypoints.poses.size(), waypoints.poses.size() == 1 ? "" : "s");
     if (passed) print_straightness(found.straightness, arguments.unit);
     if (!passed) fmt::print("fault         {}\n", name(found.fault));
+    if (!arguments.plot.empty()) fmt::print("plot          {}\n", arguments.plot);
   }
   if (!passed) fmt::print(stderr, "beeline: {}\n", found.reason);
   return passed ? Exit::yes : Exit::no;
@@ -77,6 +99,9 @@ Run declare_check(CLI::App& verb) {
   verb.add_option("--orientation-tolerance", options.orientation_tolerance,
                   "Most turn away from them, radians")
       ->capture_default_str();
+  verb.add_option("--plot", arguments.plot,
+                  "Draw the joints over time, and the deviation along the lines, to this file:\n"
+                  ".svg, .png or .pdf");
   verb.add_flag("--json", arguments.json, "Print JSON");
   verb.footer(
       "Proves, from the file alone, that the tool goes in straight lines through the poses and\n"

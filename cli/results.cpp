@@ -27,7 +27,8 @@ void ResultFiles::declare(CLI::App& verb) {
   verb.add_option("--out", out, "Write the joint trajectory to this file: .csv or .json");
   verb.add_option("--draw", draw, "Draw the motion to this file: .svg, .png or .pdf");
   verb.add_option("--plot", plot,
-                  "Draw the joints and the tool over time, beside their limits, to this file");
+                  "Draw the joints and the tool over time, beside their limits, to this "
+                  "file:\n.svg, .png or .pdf");
 }
 
 Trajectory read_recording(const std::string& path, const Arm& arm) {

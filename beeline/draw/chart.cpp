@@ -270,7 +270,7 @@ void draw(const ChartCell& cell, std::vector<Mark>& marks) {
     return std::max(0.0, width - 10);
   };
   const double above = low.y() - heading_height(cell);
-  while (!key.empty() && width_of_key() > 0.8 * (high.x() - low.x())) key.pop_back();
+  while (!key.empty() && width_of_key() > 0.86 * (high.x() - low.x())) key.pop_back();
   const double room = high.x() - low.x() - (key.empty() ? 0 : width_of_key() + 10);
   draw_key(key, {high.x() - width_of_key(), above + 1}, width_of_key() + 1, &marks);
   const std::string heading = cut_to(cell.chart->heading, heading_size, room, true);

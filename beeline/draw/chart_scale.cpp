@@ -13,7 +13,7 @@ namespace {
 int exponent_of(const Scale& scale) {
   const double size = std::max(std::abs(scale.low), std::abs(scale.high));
   // What is far from zero and short, as seconds since 1970, needs its digits.
-  if (size > 0 && scale.high - scale.low < 1e-4 * size && size < 1e12) return 0;
+  if (scale.high - scale.low < 1e-4 * size && size >= 1 && size < 1e12) return 0;
   if (!(size > 0) || (size >= 5e-3 && size < 5e4)) return 0;
   return 3 * static_cast<int>(std::floor(std::log10(size) / 3));
 }

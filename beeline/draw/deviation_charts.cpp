@@ -32,26 +32,47 @@ Unit unit_for(double size, const std::string& base) {
   return unit;
 }
 
+/// Arcs from sample to sample so narrow that they would run into each other on paper.
+bool dense(const LineTrace& trace) { return trace.steps.size() > 150; }
+
+/// All places or, of a dense trace, that place of each step which is farthest off.
+std::vector<std::size_t> shown_places(const LineTrace& trace, const auto& off) {
+  std::vector<std::size_t> shown;
+  for (std::size_t i = 0; i < trace.places.size(); ++i) {
+    const std::size_t before = i > 0 ? trace.places[i - 1].step : 0;
+    const bool begins = i == 0 || trace.places[i].step == 0;  // a line
+    if (dense(trace) && !begins && (before == 0 || before == trace.places[i].step)) {
+      if (off(i) > off(shown.back())) shown.back() = i;
+    } else {
+      shown.push_back(i);
+    }
+  }
+  return shown;
+}
+
 Chart chart_of(const LineTrace& trace, const FollowedLines& lines, double Deviation::*part,
                const char* what, const char* base) {
   double largest = rounding;
   for (const LineTrace::Step& step : trace.steps) largest = std::max(largest, step.bound.*part);
   for (const LineTrace::Place& place : trace.places) largest = std::max(largest, place.off.*part);
   const Unit unit = unit_for(largest, base);
-  Curve measured{.name = "measured", .colour = amber, .width = 0.9};
-  for (const LineTrace::Place& place : trace.places) {
-    measured.x.push_back(place.way);
-    measured.y.push_back(place.off.*part / unit.size);
+  Curve measured{.name = dense(trace) ? "measured, most of a step" : "measured",
+                 .colour = amber,
+                 .width = 0.9};
+  for (const std::size_t i :
+       shown_places(trace, [&](std::size_t k) { return trace.places[k].off.*part; })) {
+    measured.x.push_back(trace.places[i].way);
+    measured.y.push_back(trace.places[i].off.*part / unit.size);
   }
   Curve bound{.name = "proved bound", .colour = ink, .width = 0.7};
   for (const LineTrace::Step& step : trace.steps) {
     bound.x.insert(bound.x.end(), {step.from, step.to});
     bound.y.insert(bound.y.end(), {step.bound.*part / unit.size, step.bound.*part / unit.size});
   }
-  Chart chart{.heading = what,
+  Chart chart{.heading = "deviation",
               .x_name = trace.turns_only ? "way along the lines [m; a turn: 0.01 m a radian]"
                                          : "way along the lines [m]",
-              .left_name = unit.name,
+              .left_name = std::string(what) + " [" + unit.name + "]",
               .curves = {std::move(measured), std::move(bound)},
               .least = rounding / unit.size,
               .from_zero = true};
@@ -61,8 +82,9 @@ Chart chart_of(const LineTrace& trace, const FollowedLines& lines, double Deviat
 
 std::vector<Vector3> enlarged(const LineTrace& trace, double factor) {
   std::vector<Vector3> points;
-  for (const LineTrace::Place& place : trace.places) {
-    points.emplace_back(place.tool + (factor - 1) * place.across);
+  for (const std::size_t i :
+       shown_places(trace, [&](std::size_t k) { return trace.places[k].across.norm(); })) {
+    points.emplace_back(trace.places[i].tool + (factor - 1) * trace.places[i].across);
   }
   return points;
 }
@@ -72,11 +94,10 @@ std::vector<Vector3> enlarged(const LineTrace& trace, double factor) {
 std::vector<Chart> deviation_charts(const LineTrace& trace, const FollowedLines& lines) {
   std::vector<Chart> charts;
   if (asks(lines.task, 0)) {
-    charts.push_back(chart_of(trace, lines, &Deviation::position, "deviation: position", "m"));
+    charts.push_back(chart_of(trace, lines, &Deviation::position, "position", "m"));
   }
   if (asks(lines.task, 3)) {
-    charts.push_back(
-        chart_of(trace, lines, &Deviation::orientation, "deviation: orientation", "rad"));
+    charts.push_back(chart_of(trace, lines, &Deviation::orientation, "orientation", "rad"));
   }
   for (std::size_t w = 0; w < trace.ends.size(); ++w) {
     for (Chart& chart : charts) {
@@ -88,7 +109,7 @@ std::vector<Chart> deviation_charts(const LineTrace& trace, const FollowedLines&
 }
 
 double exaggeration(const LineTrace& trace) {
-  constexpr double share = 0.04;  // of the lines' extent
+  constexpr double share = 0.06;  // of the lines' extent
   double most = 0;
   for (const LineTrace::Place& place : trace.places) most = std::max(most, place.across.norm());
   Vector3 low = trace.corners.front(), high = low;
@@ -113,7 +134,8 @@ Figure exaggerated_figure(const Arm& arm, const LineTrace& trace, const Followed
   add_poses(scene, lines.waypoints, names);
   Panel panel{.scene = std::move(scene)};
   panel.view = arm.planar() ? top_view() : oblique_view(-0.87, 0.44);
-  panel.caption = factor > 1 ? "tool's trail, its distance from the lines × " + fixed(factor, 0)
+  panel.caption = factor > 1 ? "tool's trail, its distance from the lines × " + fixed(factor, 0) +
+                                   (dense(trace) ? " (the most of each step)" : "")
                              : "tool's trail, to scale";
   Figure figure;
   figure.columns = {{std::move(panel)}};

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/draw/joint_charts.h>
+#include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
 
@@ -101,7 +102,7 @@ Chart chart_of(const Arm& arm, const Course& course, const char* what, const cha
   if (some) chart.levels = {{"limit", 100}, {"", -100}};
   if (!all && kind == &Limits::velocity) {
     const double held = velocity_when_unknown;
-    chart.levels.push_back({"limit unknown", held, some});
+    chart.levels.push_back({"no limit known: " + number(held) + " " + units, held, some});
     chart.levels.push_back({"", -held, some});
   }
   return chart;

@@ -35,14 +35,14 @@ Vector3 in_rows(const Task& task, const Pose& pose, const Vector3& v) {
   return turned ? Vector3(pose.linear() * kept) : kept;
 }
 
-LineTrace::Place place_of(const Arm& arm, const Configuration& q, const Stretch& stretch,
-                          const Task& task) {
+LineTrace::Place place_of(const Arm& arm, const Configuration& q, std::size_t step,
+                          const Stretch& stretch, const Task& task) {
   const Pose pose = forward_kinematics(arm, q);
   const Pose nearest = nearest_on(stretch.line, pose, task);
   const Line& line = stretch.line;
   const double done = stretch.by_turn ? way_of_a_radian * turn_of(nearest, line.from)
                                       : (nearest.translation() - line.from.translation()).norm();
-  return {stretch.begin + std::min(done, stretch.length), task_deviation(task, nearest, pose),
+  return {step, stretch.begin + std::min(done, stretch.length), task_deviation(task, nearest, pose),
           pose.translation(), in_rows(task, pose, pose.translation() - nearest.translation())};
 }
 
@@ -65,15 +65,15 @@ LineTrace trace_lines(const Arm& arm, std::span<const Configuration> samples,
       throw Error("arrival " + std::to_string(w + 1) + " is not among the samples, in order");
     }
     const Stretch stretch = stretch_of({from, lines.waypoints[w]}, begin);
-    LineTrace::Place before = place_of(arm, samples[first], stretch, lines.task);
+    LineTrace::Place before = place_of(arm, samples[first], 0, stretch, lines.task);
     trace.places.push_back(before);
     for (std::size_t k = first + 1; k <= lines.arrivals[w]; ++k) {
       for (std::size_t part = 1; part < parts; ++part) {
         const double share = static_cast<double>(part) / static_cast<double>(parts);
         trace.places.push_back(place_of(arm, samples[k - 1] + share * (samples[k] - samples[k - 1]),
-                                        stretch, lines.task));
+                                        k, stretch, lines.task));
       }
-      const LineTrace::Place now = place_of(arm, samples[k], stretch, lines.task);
+      const LineTrace::Place now = place_of(arm, samples[k], k, stretch, lines.task);
       trace.places.push_back(now);
       trace.steps.push_back({before.way, now.way,
                              step_bound(arm, stretch.line, lines.task, samples[k - 1], samples[k],

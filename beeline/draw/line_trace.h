@@ -21,6 +21,7 @@ struct FollowedLines {
 struct LineTrace {
   /// One place at which it was measured.
   struct Place {
+    std::size_t step = 0;              ///< between which samples; 0: the beginning of a line
     double way = 0;                    ///< along the lines, metres
     Deviation off;                     ///< from the line, see deviation_from()
     Vector3 tool = Vector3::Zero();    ///< in the world, metres

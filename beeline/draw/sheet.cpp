@@ -57,20 +57,30 @@ Mark moved(Mark mark, const Point& by) {
   return mark;
 }
 
-/// Draws one column from `corner` on; where it ends.
-double draw_column(ColumnCells& column, const Point& corner, double plot_height,
-                   std::vector<Mark>& marks) {
+double height_of(const ColumnCells& column, double plot_height) {
+  double height = column.column->above.height;
+  for (const ChartCell& cell : column.cells) {
+    height +=
+        heading_height(cell) + plot_height + gap_below + (cell.numbers_below ? numbers_height : 0);
+  }
+  return height;
+}
+
+/// Draws one column from `corner` on. What it does not take of `height` is left free around the
+/// picture, so that all columns end together.
+void draw_column(ColumnCells& column, const Point& corner, double height, double plot_height,
+                 std::vector<Mark>& marks) {
   const Drawing& above = column.column->above;
-  const Point centred(std::floor((column.width() - above.width) / 2), 0);
+  const double free = above.marks.empty() ? 0 : height - height_of(column, plot_height);
+  const Point centred(std::floor((column.width() - above.width) / 2), std::floor(free / 2));
   for (const Mark& mark : above.marks) marks.push_back(moved(mark, corner + centred));
-  double y = corner.y() + above.height;
+  double y = corner.y() + above.height + free;
   for (ChartCell& cell : column.cells) {
     cell.plot.low = {corner.x() + column.left, y + heading_height(cell)};
     cell.plot.high = cell.plot.low + Point(column.column->plot_width, plot_height);
     draw(cell, marks);
     y = cell.plot.high.y() + (cell.numbers_below ? numbers_height : 0) + gap_below;
   }
-  return y;
 }
 
 }  // namespace
@@ -96,12 +106,15 @@ Drawing compose(const Sheet& sheet) {
   const double begin = page_margin + columns.front().left;
   top += 3 + draw_key(sheet.key, {begin, top + 3}, width - columns.front().left, &drawing.marks);
   Point corner(page_margin, top + 3);
-  double bottom = corner.y();
+  double height = 0;
+  for (const ColumnCells& column : columns) {
+    height = std::max(height, height_of(column, sheet.plot_height));
+  }
   for (ColumnCells& column : columns) {
-    bottom = std::max(bottom, draw_column(column, corner, sheet.plot_height, drawing.marks));
+    draw_column(column, corner, height, sheet.plot_height, drawing.marks);
     corner.x() += column.width() + gap_between;
   }
-  drawing.height = std::ceil(bottom + page_margin - gap_below);
+  drawing.height = std::ceil(corner.y() + height + page_margin - gap_below);
   return drawing;
 }
 

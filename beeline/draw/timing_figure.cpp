@@ -40,7 +40,7 @@ Chart condition_chart(const Arm& arm, const Trajectory& trajectory, const Task& 
 /// The trail and the charts of the deviation, as high together as `height`.
 ChartColumn line_column(const Arm& arm, const Trajectory& trajectory, const FollowedLines& lines,
                         double height) {
-  ChartColumn column{.plot_width = 300};
+  ChartColumn column{.plot_width = 340};
   const LineTrace trace = trace_lines(arm, trajectory.positions, lines);
   column.charts = deviation_charts(trace, lines);
   double taken = 60;  // by the trail's caption and margins, and the numbers of the way
@@ -60,8 +60,13 @@ Drawing timing_figure(const Arm& arm, const Trajectory& given, const TimingFigur
   const Task task = options.task    ? *options.task
                     : options.lines ? options.lines->task
                                     : default_task(arm);
-  Sheet sheet{.title = options.title.empty() ? arm.name() : options.title,
-              .plot_height = plot_height};
+  const double duration = trajectory.times.back() - trajectory.times.front();
+  Sheet sheet{.title = options.title, .plot_height = plot_height};
+  if (sheet.title.empty()) {
+    sheet.title = arm.name() + ": " + number(duration) + " s, " +
+                  std::to_string(trajectory.size()) +
+                  (trajectory.size() == 1 ? " sample" : " samples");
+  }
   for (int k = 0; k < arm.dof(); ++k) sheet.key.push_back(joint_curve(arm, k));
   ChartColumn over_time{.charts = joint_charts(arm, trajectory)};
   over_time.charts.push_back(tool_speed_chart(arm, trajectory));

@@ -10,7 +10,7 @@
 namespace beeline {
 
 struct TimingFigureOptions {
-  std::string title = {};                   ///< default: the arm's name
+  std::string title = {};                   ///< default: the arm, and how long it moves
   std::optional<FollowedLines> lines = {};  ///< adds the deviation from them
   std::optional<Task> task = std::nullopt;  ///< default: that of the lines, or default_task()
 };

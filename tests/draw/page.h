@@ -1,0 +1,24 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <string>
+
+#include <beeline/draw/paper.h>
+
+namespace beeline::testing {
+
+inline void expect_within_page(const Drawing& drawing, const std::string& what) {
+  EXPECT_GT(drawing.width, 0);
+  EXPECT_GT(drawing.height, 0);
+  for (const Mark& mark : drawing.marks) {
+    const Box box = box_of(mark);
+    if (box.low.x() > box.high.x()) continue;  // nothing
+    ASSERT_TRUE(box.low.allFinite() && box.high.allFinite()) << what;
+    EXPECT_GE(box.low.x(), 0) << what;
+    EXPECT_GE(box.low.y(), 0) << what;
+    EXPECT_LE(box.high.x(), drawing.width) << what;
+    EXPECT_LE(box.high.y(), drawing.height) << what;
+  }
+}
+
+}  // namespace beeline::testing
