@@ -59,10 +59,12 @@ Scale upright_scale(const Chart& chart, bool right) {
     if (level.right == right && shown(chart, level)) range.include(level.y);
   }
   if (chart.from_zero) range.include(0);
-  Scale scale = spanning(range.low, range.high, chart.least);
+  double least = chart.least;
+  if (range.low == range.high) least = std::max(least, range.low == 0 ? 1 : std::abs(range.low));
+  Scale scale = spanning(range.low, range.high, least);
   const double span = scale.high - scale.low;
   scale = spanning(scale.low - (chart.from_zero && range.low >= 0 ? 0 : air * span),
-                   scale.high + air * span, chart.least);
+                   scale.high + air * span, least);
   if (chart.from_zero && range.low >= 0) scale.low = 0;
   return scale;
 }
@@ -105,7 +107,7 @@ std::vector<Curve> key_of(const Chart& chart) {
   for (const Level& level : chart.levels) {
     if (level.name.empty()) continue;
     key.push_back(as_curve(level));
-    if (!shown(chart, level)) key.back().name += " (off the scale)";
+    if (!shown(chart, level)) key.back().name += " (off scale)";
   }
   return key;
 }

@@ -56,20 +56,18 @@ Chart chart_of(const LineTrace& trace, const FollowedLines& lines, double Deviat
   for (const LineTrace::Step& step : trace.steps) largest = std::max(largest, step.bound.*part);
   for (const LineTrace::Place& place : trace.places) largest = std::max(largest, place.off.*part);
   const Unit unit = unit_for(largest, base);
-  Curve measured{.name = dense(trace) ? "measured, most of a step" : "measured",
-                 .colour = amber,
-                 .width = 0.9};
+  Curve measured{.name = "measured", .colour = amber, .width = 0.9};
   for (const std::size_t i :
        shown_places(trace, [&](std::size_t k) { return trace.places[k].off.*part; })) {
     measured.x.push_back(trace.places[i].way);
     measured.y.push_back(trace.places[i].off.*part / unit.size);
   }
-  Curve bound{.name = "proved bound", .colour = ink, .width = 0.7};
+  Curve bound{.name = "proved", .colour = ink, .width = 0.7};
   for (const LineTrace::Step& step : trace.steps) {
     bound.x.insert(bound.x.end(), {step.from, step.to});
     bound.y.insert(bound.y.end(), {step.bound.*part / unit.size, step.bound.*part / unit.size});
   }
-  Chart chart{.heading = "deviation",
+  Chart chart{.heading = dense(trace) ? "largest deviation" : "deviation",
               .x_name = trace.turns_only ? "way along the lines [m; a turn: 0.01 m a radian]"
                                          : "way along the lines [m]",
               .left_name = std::string(what) + " [" + unit.name + "]",

@@ -85,12 +85,13 @@ Chart chart_of(const Arm& arm, const Course& course, const char* what, const cha
   const bool all = std::all_of(shares.begin(), shares.end(), limited);
   const std::string units = units_of(arm, shares, per);
   chart.left_name = some ? share_name : units;
-  if (some && !all) chart.right_name = units;
+  if (some && !all) chart.right_name = units + " (thick)";
   for (int k = 0; k < arm.dof(); ++k) {
     const Share& share = shares[static_cast<std::size_t>(k)];
     Curve curve = joint_curve(arm, k);
     curve.name.clear();  // it is in the sheet's key
     curve.right = some && !limited(share);
+    if (curve.right) curve.width = 1.8;
     draw_course(
         course,
         [&](const Configuration& q) {

@@ -119,7 +119,7 @@ TEST(Sheet, LeavesLevelsFarAwayOffTheScaleAndSaysSo) {
     bool told = false, drawn = false;
     for (const Mark& mark : drawing.marks) {
       if (const auto* text = std::get_if<Text>(&mark)) {
-        told = told || text->text == "limit (off the scale)";
+        told = told || text->text == "limit (off scale)";
       } else {
         const Box box = box_of(mark);
         drawn = drawn || (!std::get<Stroke>(mark).dashes.empty() && box.size().x() > 300);
