@@ -13,7 +13,7 @@ constexpr Colour grid_grey{0.90, 0.91, 0.925};
 constexpr Colour zero_grey{0.76, 0.78, 0.81};
 constexpr Colour frame_grey{0.55, 0.57, 0.60};
 constexpr Colour level_grey{0.35, 0.37, 0.40};
-constexpr double name_size = 8, heading_size = 8.5, key_size = 7.5;
+constexpr double name_size = 8.5, heading_size = 8.5, key_size = 7.5;
 constexpr double stroke_length = 16, row_height = 11;
 constexpr double air = 0.07;  // of the curves' span, above and below them
 

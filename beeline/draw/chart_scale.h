@@ -29,6 +29,6 @@ double widest_tick(const Scale& scale);
 /// "m" or, with an exponent, "10⁻⁶ m".
 std::string with_power(const std::string& unit, int exponent);
 
-constexpr double tick_size = 7;  ///< of the numbers, points
+constexpr double tick_size = 7.5;  ///< of the numbers, points
 
 }  // namespace beeline

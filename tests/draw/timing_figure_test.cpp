@@ -114,8 +114,12 @@ TEST(JointCharts, TakesDifferencesForWhatIsNotKnown) {
   }
   const Curve speed = tool_speed_chart(arm, known).curves[0];
   const Curve steps = tool_speed_chart(arm, bare).curves[0];
-  for (std::size_t s = 0; s + 1 < speed.y.size(); ++s) {
-    EXPECT_NEAR(steps.y[2 * s], (speed.y[s] + speed.y[s + 1]) / 2, 0.01);
+  for (std::size_t s = 0; s + 1 < speed.y.size(); ++s) {  // but where it turns back within a step
+    const double before = speed.y[s], after = speed.y[s + 1];
+    EXPECT_LT(steps.y[2 * s], std::max(before, after) + 0.01);
+    if (std::min(before, after) > 0.1) {
+      EXPECT_NEAR(steps.y[2 * s], (before + after) / 2, 0.01);
+    }
   }
 }
 
