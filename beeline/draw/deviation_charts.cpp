@@ -35,13 +35,19 @@ Unit unit_for(double size, const std::string& base) {
 /// Arcs from sample to sample so narrow that they would run into each other on paper.
 bool dense(const LineTrace& trace) { return trace.steps.size() > 150; }
 
-/// All places or, of a dense trace, that place of each step which is farthest off.
+/// All places or, of a dense trace, that place of each step which is farthest off; of very many
+/// steps, that of some together.
 std::vector<std::size_t> shown_places(const LineTrace& trace, const auto& off) {
+  constexpr std::size_t most = 1500;
+  const std::size_t together = 1 + trace.steps.size() / most;
+  const auto group = [&](std::size_t i) {
+    return (trace.places[i].step + together - 1) / together;
+  };
   std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < trace.places.size(); ++i) {
-    const std::size_t before = i > 0 ? trace.places[i - 1].step : 0;
-    const bool begins = i == 0 || trace.places[i].step == 0;  // a line
-    if (dense(trace) && !begins && (before == 0 || before == trace.places[i].step)) {
+    const bool begins = trace.places[i].step == 0;  // a line
+    const std::size_t before = begins ? 0 : group(i - 1);
+    if (dense(trace) && !begins && (before == 0 || before == group(i))) {
       if (off(i) > off(shown.back())) shown.back() = i;
     } else {
       shown.push_back(i);

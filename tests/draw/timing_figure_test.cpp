@@ -238,6 +238,29 @@ TEST(LineTrace, ExaggeratesToWhatShows) {
   }
 }
 
+TEST(LineTrace, OfManySamplesIsASmallPictureThatKeepsTheExtremes) {
+  const auto [arm, motion, lines] = panda_lines(20'000);
+  const LineTrace trace = trace_lines(arm, motion.trajectory.positions, lines);
+  ASSERT_GT(trace.steps.size(), 10'000u);
+  double most = 0;
+  for (const LineTrace::Place& place : trace.places) most = std::max(most, place.across.norm());
+  const Figure figure = exaggerated_figure(arm, trace, lines, 1e9);
+  const auto& trail = std::get<Polyline>(figure.columns[0][0].scene.items[1].shape);
+  EXPECT_LT(trail.points.size(), 3000u);
+  double farthest = 0;
+  for (const Vector3& p : trail.points) {
+    double off = 1e300;
+    for (std::size_t i = 1; i < trace.corners.size(); ++i) {
+      const Vector3 way = trace.corners[i] - trace.corners[i - 1];
+      const double length = std::max(way.squaredNorm(), 1e-12);
+      const double t = std::clamp(way.dot(p - trace.corners[i - 1]) / length, 0.0, 1.0);
+      off = std::min(off, (p - trace.corners[i - 1] - t * way).norm());
+    }
+    farthest = std::max(farthest, off);
+  }
+  EXPECT_NEAR(farthest, 1e9 * most, 0.01 * 1e9 * most);
+}
+
 TEST(LineTrace, HasNothingToExaggerateOnLinesOfRounding) {
   const Arm arm = built_in("gantry");
   const std::vector<Pose> waypoints{Pose(Eigen::Translation3d(1, 0.5, 0)),
