@@ -39,8 +39,8 @@ ColumnCells cells_of(const ChartColumn& column, double plot_height) {
       result.cells[i - 1].numbers_below = false;
     }
     cell.x = across;
-    set_upright_ticks(cell.left, plot_height, 19);
-    if (cell.has_right) set_upright_ticks(cell.right, plot_height, 19);
+    set_upright_ticks(cell.left, plot_height, 13);
+    if (cell.has_right) set_upright_ticks(cell.right, plot_height, 13);
     result.left = std::max(result.left, side_width(cell, false));
     result.right = std::max(result.right, side_width(cell, true));
   }
