@@ -9,7 +9,7 @@
 #include <beeline/motion/path/corner.h>
 #include <beeline/read/pose_list.h>
 
-#include "branch_table.h"
+#include "line_report.h"
 #include "progress.h"
 #include "results.h"
 #include "verb.h"
@@ -47,42 +47,39 @@ void check_method(const Arguments& arguments) {
   }
 }
 
-/// What is reported, whichever way the line was followed.
-struct Report {
-  MotionStatus status = MotionStatus::not_converged;
-  std::string reason;
-  Trajectory trajectory;
-  Straightness straightness;
-  LimitCheck limits = {};  ///< of method exact, as the margins are
-  double limit_margin = 0, dexterity = 0;
-  std::vector<NearbyLines> nearby = {};
-  std::vector<Branch> branches = {};  ///< when they were asked for
-  int steps = 0;                      ///< of a controller
-  double overshoot = 0;
-  std::optional<FollowedLines> lines = std::nullopt;  ///< when reached
-};
+LineReport report_of(LineMotion motion) {
+  LineReport report;
+  report.status = motion.status;
+  report.reason = std::move(motion.reason);
+  report.trajectory = std::move(motion.trajectory);
+  report.straightness = motion.straightness;
+  report.limits = motion.limits;
+  report.limit_margin = motion.limit_margin;
+  report.dexterity = motion.dexterity;
+  report.nearby = std::move(motion.nearby);
+  return report;
+}
 
-Report follow_exactly(const Arm& arm, const std::optional<Configuration>& start,
-                      const std::vector<Pose>& waypoints, LineOptions options) {
+LineReport follow_exactly(const Arm& arm, const std::optional<Configuration>& start,
+                          const std::vector<Pose>& waypoints, LineOptions options) {
   Progress progress;
   options.progress = [&progress](double share) { progress.show(share); };
   options.suggest = true;
   LineMotion motion = start ? move_in_lines(arm, *start, waypoints, options)
                             : move_in_lines(arm, waypoints, options);
-  Report report{motion.status,       motion.reason, std::move(motion.trajectory),
-                motion.straightness, motion.limits, motion.limit_margin,
-                motion.dexterity,    motion.nearby};
+  const std::vector<std::size_t> arrivals = motion.arrivals;
+  LineReport report = report_of(std::move(motion));
   if (report.status == MotionStatus::reached) {
-    report.lines = {waypoints, motion.arrivals, options.task.value_or(default_task(arm)),
+    report.lines = {waypoints, arrivals, options.task.value_or(default_task(arm)),
                     Deviation{options.tolerance, options.orientation_tolerance}};
   }
   return report;
 }
 
 /// Arcs, screws, splines, and lines with rounded corners.
-Report follow_route(const Arguments& arguments, const Arm& arm,
-                    const std::optional<Configuration>& start, const std::vector<Pose>& poses,
-                    const LineOptions& options) {
+LineReport follow_route(const Arguments& arguments, const Arm& arm,
+                        const std::optional<Configuration>& start, const std::vector<Pose>& poses,
+                        const LineOptions& options) {
   const PathKind kind = path_kind_named(arguments.path);
   if (arguments.round && kind != PathKind::line) {
     throw Error("--round goes with --path line, whose corners it rounds");
@@ -95,16 +92,16 @@ Report follow_route(const Arguments& arguments, const Arm& arm,
   } else {
     route = route_of(path_through(poses, kind), kind);
   }
-  LineMotion motion = move_along(arm, start, route, options);
-  return {motion.status,       motion.reason, std::move(motion.trajectory),
-          motion.straightness, motion.limits, motion.limit_margin,
-          motion.dexterity};
+  return report_of(move_along(arm, start, route, options));
 }
 
-Report follow_by_control(const Arm& arm, const Configuration& start,
-                         const std::vector<Pose>& waypoints, const CartesianOptions& options) {
+LineReport follow_by_control(const Arm& arm, const Configuration& start,
+                             const std::vector<Pose>& waypoints, const CartesianOptions& options) {
   ControlledMotion motion = control_in_lines(arm, start, waypoints, options);
-  Report report{motion.status, motion.reason, std::move(motion.trajectory), {}};
+  LineReport report;
+  report.status = motion.status;
+  report.reason = motion.reason;
+  report.trajectory = std::move(motion.trajectory);
   report.steps = motion.steps;
   report.overshoot = motion.overshoot;
   if (report.status == MotionStatus::reached) {
@@ -116,7 +113,7 @@ Report follow_by_control(const Arm& arm, const Configuration& start,
   return report;
 }
 
-Report follow(const Arguments& arguments, const Arm& arm, const std::vector<Pose>& waypoints) {
+LineReport follow(const Arguments& arguments, const Arm& arm, const std::vector<Pose>& waypoints) {
   std::optional<Configuration> start;
   if (!arguments.from.empty()) {
     start = arguments.unit.configuration(arm, arguments.from, "--from");
@@ -132,7 +129,7 @@ Report follow(const Arguments& arguments, const Arm& arm, const std::vector<Pose
       if (arguments.branches) throw Error("--branches goes with straight lines without --round");
       return follow_route(arguments, arm, start, poses, options);
     }
-    Report report = follow_exactly(arm, start, waypoints, options);
+    LineReport report = follow_exactly(arm, start, waypoints, options);
     if (arguments.branches) {
       report.branches = branch_map(
           arm, poses,
@@ -149,84 +146,20 @@ Report follow(const Arguments& arguments, const Arm& arm, const std::vector<Pose
   return follow_by_control(arm, *start, waypoints, options);
 }
 
-void print_report(const Arguments& arguments, const Report& report, std::size_t waypoints) {
-  const bool reached = report.status == MotionStatus::reached;
-  fmt::print("{}: {} waypoint{}, method {}\n", name(report.status), waypoints,
-             waypoints == 1 ? "" : "s", arguments.method);
-  for (const NearbyLines& nearby : report.nearby) {
-    fmt::print("would work    {}\n", nearby.description);
-  }
-  if (!reached) return;
-  fmt::print("samples       {} in {} s\n", report.trajectory.size(),
-             shown(report.trajectory.times.back()));
-  if (arguments.method != "exact") {
-    fmt::print("control       {} steps, overshoot {} % of a line\n", report.steps,
-               shown(100 * report.overshoot));
-  }
-  print_straightness(report.straightness, arguments.unit);
-  if (arguments.method == "exact") {
-    print_limits(report.limits);
-    fmt::print("margins       {} % of a joint's range to its limits, inverse condition {}\n",
-               shown(100 * report.limit_margin), shown(report.dexterity));
-  }
-  arguments.files.print();
-}
-
-OrderedJson document(const Arguments& arguments, const Report& report, std::size_t waypoints) {
-  const bool reached = report.status == MotionStatus::reached;
-  const auto measured = [reached](double value) {
-    return reached ? json_number(value) : OrderedJson(nullptr);
-  };
-  const Straightness& straight = report.straightness;
-  OrderedJson document{
-      {"status", name(report.status)},
-      {"method", arguments.method},
-      {"waypoints", waypoints},
-      {"deviation_bound", measured(straight.bound.position)},
-      {"deviation_measured", measured(straight.measured.position)},
-      {"deviation_sampled", measured(straight.sampled.position)},
-      {"orientation_bound", measured(arguments.unit.shown(straight.bound.orientation))},
-      {"orientation_measured", measured(arguments.unit.shown(straight.measured.orientation))},
-      {"orientation_sampled", measured(arguments.unit.shown(straight.sampled.orientation))},
-      {"samples", report.trajectory.size()},
-      {"duration", measured(reached ? report.trajectory.times.back() : 0)},
-      {"reason", report.reason}};
-  if (reached && arguments.method == "exact") {
-    document["limits"] = json_limits(report.limits);
-    document["limit_margin"] = json_number(report.limit_margin);
-    document["dexterity"] = json_number(report.dexterity);
-  }
-  if (arguments.method != "exact") {
-    document["steps"] = report.steps;
-    document["overshoot"] = json_number(report.overshoot);
-  }
-  if (!report.nearby.empty()) {
-    for (const NearbyLines& nearby : report.nearby) {
-      document["nearby"].push_back({{"description", nearby.description},
-                                    {"moved", json_vector(nearby.moved)},
-                                    {"turned", json_vector(nearby.turned)}});
-    }
-  }
-  if (reached) arguments.files.add_to(document);
-  return document;
-}
-
 Exit line(const Arguments& arguments) {
   arguments.files.check({arguments.arm.text, arguments.through});
   check_method(arguments);
   const Arm arm = arguments.arm.read();
   const PoseList waypoints = read_waypoints(arguments.through, arm, arguments.task, arguments.unit);
-  const Report report = follow(arguments, arm, waypoints.poses);
+  LineReport report = follow(arguments, arm, waypoints.poses);
+  report.method = arguments.method;
+  report.waypoints = waypoints.poses.size();
   const bool reached = report.status == MotionStatus::reached;
   if (reached) arguments.files.write(arm, report.trajectory, waypoints.poses, report.lines);
   if (arguments.json) {
-    OrderedJson answer = document(arguments, report, waypoints.poses.size());
-    if (arguments.branches)
-      answer["branches"] = json_branches(arm, report.branches, arguments.unit);
-    print_json(answer);
+    print_json(json_report(arm, report, arguments.unit, arguments.files));
   } else {
-    print_report(arguments, report, waypoints.poses.size());
-    if (arguments.branches) print_branches(arm, report.branches, arguments.unit);
+    print_report(arm, report, arguments.unit, arguments.files);
   }
   if (!reached) fmt::print(stderr, "beeline: {}\n", report.reason);
   return reached ? Exit::yes : Exit::no;
