@@ -91,7 +91,9 @@ Run declare_diff(CLI::App& verb) {
   verb.add_flag("--json", arguments.json, "Print JSON");
   verb.footer(
       "Each recording counts from its own first sample; joints are linear between samples. With\n"
-      "what was commanded and what was measured it tells the tracking error.\n"
+      "what was commanded and what was measured it tells the tracking error. What one lasts "
+      "longer\n"
+      "than the other is told, but not judged by --tolerance.\n"
       "Examples:\n"
       "  beeline diff commanded.csv measured.csv panda\n"
       "  beeline diff before.csv after.json robot.urdf --tolerance 1e-3 --json");

@@ -3,13 +3,14 @@
 
 #include <beeline/control/player.h>
 #include <beeline/error.h>
+#include <beeline/motion/joint_faults.h>
 
 namespace beeline {
 namespace {
 
 void check_speed(double speed) {
-  if (speed >= 0 && std::isfinite(speed)) return;
-  throw Error("the speed of a player must be zero or above, not " + number(speed));
+  if (speed >= 0 && speed <= 1) return;
+  throw Error("the speed of a player must be from 0 to 1, not " + number(speed));
 }
 
 void check(const PlayerOptions& options) {
@@ -35,10 +36,9 @@ Player::Player(const Arm& arm, const Trajectory& recording, const ConfigurationR
       squares_(Configuration::Zero(arm.dof())) {
   check(options);
   if (recording_.size() == 0) throw Error("the recording has no samples");
-  for (std::size_t k = 0; k < recording_.size(); ++k) {
-    const auto outside = limit_violations(arm, recording_.positions[k]);
-    if (outside.empty()) continue;
-    throw Error("at " + number(recording_.times[k]) + " s " + outside.front());
+  const auto fault = first_joint_fault(arm, recording_);
+  if (fault && fault->kind == Fault::limits) {
+    throw Error("at " + number(recording_.times[fault->sample]) + " s " + fault->reason);
   }
   lead_ = point_to_point(arm, start, recording_.positions.front(),
                          {.synchronise = Synchronise::straight});
@@ -98,13 +98,15 @@ double Player::largest_change() const {
 
 const Command& Player::step() {
   const double dt = options_.time_step;
-  if (leading_in()) {
-    lead_time_ += dt * std::min(1.0, std::max(wanted_, 0.0));
-    at(lead_, std::min(lead_time_, lead_.duration), command_.q, command_.velocity, acceleration_);
-    return command_;
-  }
   const double before = speed_, change = largest_change();
   speed_ += std::clamp(wanted_ - speed_, -change, change);
+  if (leading_in()) {
+    lead_time_ += dt * (before + speed_) / 2;
+    at(lead_, std::min(lead_time_, lead_.duration), command_.q, slope_, acceleration_);
+    command_.velocity = speed_ * slope_;
+    if (!leading_in()) speed_ = 0;  // at rest at the recording's begin
+    return command_;
+  }
   time_ = std::min(time_ + dt * (before + speed_) / 2, recording_.times.back());
   read(time_);
   const bool ended = time_ >= recording_.times.back();

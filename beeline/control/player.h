@@ -29,16 +29,19 @@ struct TrackingError {
 /// Plays a recording step by step, in a control loop: first from where the arm is to the
 /// recording's begin (point_to_point.h), then at a speed that may change while it runs, down to
 /// zero, which is a pause. The speed goes up and down steadily, and not faster than accelerations
-/// allow as far as these are known. Between samples the way is the cubic that their velocities
-/// make, or straight where there are none. No step allocates. One object for each playing.
+/// allow as far as these are known; but at a twentieth of the ramp's rate at least, so that a
+/// recording which uses all of its accelerations can pause too. Between samples the way is the
+/// cubic that their velocities make, or straight where there are none. No step allocates. One
+/// object for each playing.
 class Player {
  public:
   /// Begins at rest at `start`. Throws Error when the recording does not fit the arm or leaves its
-  /// position limits, `start` is outside them, or an option makes no sense.
+  /// position limits, by its samples or between them by its velocities, `start` is outside them, or
+  /// an option makes no sense.
   Player(const Arm& arm, const Trajectory& recording, const ConfigurationRef& start,
          const PlayerOptions& options = {});
 
-  /// From now on the speed goes towards this, zero or more: 0 pauses. Throws Error for another one.
+  /// From now on the speed goes towards this, from 0, which pauses, to 1. Throws Error for another.
   void set_speed(double speed);
 
   /// One step of time: where the arm should be at its end. Stays at the recording's end.

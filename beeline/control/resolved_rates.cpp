@@ -40,7 +40,10 @@ bool ResolvedRates::take(const ConfigurationRef& q, const Twist& command) {
     rows_.col(k) = weight[k] * scale_.cwiseProduct(columns_.col(k));
   }
   for (int i = 0; i < 6; ++i) command_[i] = scale_[i] > 0 ? scale_[i] * command[i] : 0;
-  if (!command_.allFinite()) throw Error("the commanded velocity must be finite");
+  constexpr double absurd = 1e100;  // beyond, squares overflow
+  if (!(command_.lpNorm<Eigen::Infinity>() < absurd)) {
+    throw Error("the commanded velocity must be finite, and below 1e100");
+  }
   return command_.squaredNorm() > 0;
 }
 

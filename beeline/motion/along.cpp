@@ -4,14 +4,15 @@
 #include <beeline/error.h>
 #include <beeline/inverse/solve.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/kinematics/manipulability.h>
 #include <beeline/motion/along.h>
+#include <beeline/motion/branch.h>
+#include <beeline/motion/joint_faults.h>
 #include <beeline/motion/timed_samples.h>
 
 namespace beeline {
 namespace {
 
-constexpr double at_begin = 1e-6;  // metres and radians: a start this near is on the path
+constexpr double at_begin = 1e-9;  // metres and radians: a start this near is on the path
 constexpr int coarse = 8;          // values of a joint to spare, for starts
 constexpr double share = 0.9;      // of the tolerance that the plan may use
 
@@ -19,19 +20,8 @@ constexpr double share = 0.9;      // of the tolerance that the plan may use
 struct Way {
   std::vector<Followed> pieces;
   double done = 0;
-  double room = 1;  ///< the least of limit margins and inverse conditions
+  Margins margins;
 };
-
-double room_at(const Arm& arm, const Task& task, const Configuration& q) {
-  double room = 1 / dexterity(task_jacobian(arm, q, task)).condition;
-  for (int k = 0; k < arm.dof(); ++k) {
-    const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
-    const double half = (limits.upper - limits.lower) / 2;
-    if (!std::isfinite(half) || half <= 0) continue;
-    room = std::min(room, std::min(q[k] - limits.lower, limits.upper - q[k]) / half);
-  }
-  return room;
-}
 
 Way follow_pieces(const Arm& arm, const Configuration& start, const ToolPath& path,
                   const Task& task, const LineOptions& options) {
@@ -45,7 +35,7 @@ Way follow_pieces(const Arm& arm, const Configuration& start, const ToolPath& pa
                 .most_samples = left}));
     const Followed& piece_way = way.pieces.back();
     for (const Configuration& sample : piece_way.samples) {
-      way.room = std::min(way.room, room_at(arm, task, sample));
+      narrow(way.margins, arm, task, sample);
     }
     way.done += piece_way.fractions.back();
     if (!piece_way.through()) break;
@@ -109,6 +99,13 @@ void check_start(const Arm& arm, const Configuration& start, const Pose& begin, 
               angle(off.orientation) + " away from the path's begin");
 }
 
+LineMotion failed(MotionStatus status, const std::string& reason) {
+  LineMotion none;
+  none.status = status;
+  none.reason = reason;
+  return none;
+}
+
 /// The samples from stop to stop get their times.
 void time_pieces(const Arm& arm, const Route& route, const Way& way, const LineOptions& options,
                  LineMotion& motion, std::vector<double>& places) {
@@ -155,6 +152,7 @@ Route route_of(const RoundedPath& rounded) {
 
 LineMotion move_along(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
                       const LineOptions& options) {
+  check_options(options);
   const ToolPath& path = route.path;
   if (path.pieces.empty() || route.stops.size() != path.pieces.size()) {
     throw Error("a route needs pieces, and for each whether the arm stops behind it");
@@ -170,7 +168,8 @@ LineMotion move_along(const Arm& arm, const std::optional<Configuration>& start,
   Way best;
   for (const Configuration& q : from) {
     Way way = follow_pieces(arm, q, path, task, options);
-    const bool better = way.done > best.done || (way.done == best.done && way.room > best.room);
+    const bool better = way.done > best.done ||
+                        (way.done == best.done && way.margins.least() > best.margins.least());
     if (best.pieces.empty() || better) best = std::move(way);
   }
   if (best.done < static_cast<double>(path.pieces.size())) {
@@ -179,16 +178,17 @@ LineMotion move_along(const Arm& arm, const std::optional<Configuration>& start,
   }
   std::vector<double> places;
   time_pieces(arm, route, best, options, motion, places);
-  if (motion.status != MotionStatus::reached) {
-    LineMotion none;
-    none.status = motion.status;
-    none.reason = motion.reason;
-    return none;
-  }
+  if (motion.status != MotionStatus::reached) return failed(motion.status, motion.reason);
   motion.straightness = closeness(arm, motion.trajectory.positions, places, path, task);
   motion.limits = limit_check(motion.trajectory, arm);
-  motion.limit_margin = motion.dexterity = best.room;
-  return motion;
+  motion.limit_margin = best.margins.limit;
+  motion.dexterity = best.margins.dexterity;
+  const auto fault = first_joint_fault(arm, motion.trajectory);
+  if (fault && fault->kind == Fault::limits) {
+    return failed(MotionStatus::outside_limits, fault->reason);
+  }
+  const std::string reason = not_proved(motion.straightness, options);
+  return reason.empty() ? motion : failed(MotionStatus::not_converged, reason);
 }
 
 }  // namespace beeline

@@ -22,7 +22,7 @@ Route route_of(const RoundedPath& rounded);
 /// `start`, which must have the tool at the path's begin, or from the solution there from which the
 /// arm goes farthest, then stays farthest from limits and singularities. `straightness` is
 /// closeness() of the finished trajectory, `arrivals` the sample at each piece's end.
-/// `options.rate` and `options.suggest` do not count.
+/// `options.rate`, `options.suggest` and `options.progress` do not count.
 /// Throws Error for a start that is elsewhere or outside limits, and what check_matched() refuses.
 LineMotion move_along(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
                       const LineOptions& options = {});

@@ -144,24 +144,12 @@ void keep_limits(const Arm& arm, std::size_t lines, std::span<const Pose> poses,
 }
 
 void measure(const Arm& arm, const Task& task, Branch& branch) {
-  const double unit = unit_of_length(arm);
+  Margins margins;
   for (const Followed& line : branch.lines) {
-    for (const Configuration& q : line.samples) {
-      for (int k = 0; k < arm.dof(); ++k) {
-        const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
-        const double half = (limits.upper - limits.lower) / 2;
-        if (!std::isfinite(half) || half <= 0) continue;
-        const double way = std::min(q[k] - limits.lower, limits.upper - q[k]);
-        branch.limit_margin = std::min(branch.limit_margin, std::max(0.0, way / half));
-      }
-      Eigen::MatrixXd j = task_jacobian(arm, q, task);
-      Eigen::Index row = 0;
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (task.rows[i]) j.row(row++) /= unit;
-      }
-      branch.dexterity = std::min(branch.dexterity, 1 / dexterity(j).condition);
-    }
+    for (const Configuration& q : line.samples) narrow(margins, arm, task, q);
   }
+  branch.limit_margin = margins.limit;
+  branch.dexterity = margins.dexterity;
 }
 
 /// The branches that go all the way from the lines' end to their begin, told the right way round:
@@ -198,6 +186,22 @@ void check(std::span<const Pose> poses, const BranchOptions& options) {
 }
 
 }  // namespace
+
+void narrow(Margins& margins, const Arm& arm, const Task& task, const Configuration& q) {
+  for (int k = 0; k < arm.dof(); ++k) {
+    const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
+    const double half = (limits.upper - limits.lower) / 2;
+    if (!std::isfinite(half) || half <= 0) continue;
+    const double way = std::min(q[k] - limits.lower, limits.upper - q[k]);
+    margins.limit = std::min(margins.limit, std::max(0.0, way / half));
+  }
+  Eigen::MatrixXd j = task_jacobian(arm, q, task);
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (task.rows[i]) j.row(row++) /= unit_of_length(arm);
+  }
+  margins.dexterity = std::min(margins.dexterity, 1 / dexterity(j).condition);
+}
 
 void explain(const Arm& arm, std::span<const Pose> poses, const BranchOptions& options,
              Branch& branch) {

@@ -1,11 +1,26 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include <beeline/motion/follow.h>
 #include <beeline/motion/status.h>
 
 namespace beeline {
+
+/// How near a motion comes to what it should stay away from.
+struct Margins {
+  /// The least way that a joint has left to a limit, as a share of half its range; 1 where no joint
+  /// has limits.
+  double limit = 1;
+  /// The least inverse condition of the task's Jacobian, lengths in units of the arm's reach: 0 at
+  /// a singularity.
+  double dexterity = 1;
+  double least() const { return std::min(limit, dexterity); }
+};
+
+/// Takes in one more configuration of the motion.
+void narrow(Margins& margins, const Arm& arm, const Task& task, const Configuration& q);
 
 /// One way of the arm along lines: what becomes of a solution at their begin that is followed
 /// continuously.
@@ -14,11 +29,7 @@ struct Branch {
   MotionStatus status = MotionStatus::reached;
   std::string reason = {};  ///< where and why it ends; empty when it goes all the way, or not asked
   double done = 0;          ///< lines gone, the last one in part
-  /// The least way that a joint has left to a limit, as a share of half its range; 1 where no joint
-  /// has limits.
-  double limit_margin = 1;
-  /// The least inverse condition of the task's Jacobian, lengths in units of the arm's reach: 0 at
-  /// a singularity.
+  double limit_margin = 1;  ///< see Margins
   double dexterity = 1;
   std::vector<Followed> lines = {};
 };

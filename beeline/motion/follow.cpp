@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/motion/follow.h>
 #include <beeline/motion/matched.h>
@@ -11,6 +12,7 @@ namespace beeline {
 namespace {
 
 constexpr double rounding = 1e-11;  // metres and radians that a sample of an arm of 1 m may be off
+constexpr double farthest_start = 1e-8;   // off the way, for an arm of 1 m
 constexpr double first_step = 1.0 / 32;   // of a line
 constexpr double longest_step = 1.0 / 4;  // of a line: its ends and some of its way are looked at
 constexpr double shortest_step = 1e-7;    // of a line: below it the arm has to jump
@@ -104,7 +106,12 @@ Followed follow_way(const Arm& arm, const Way& way, const Task& task, const Boun
                     const Configuration& start, const FollowOptions& options) {
   Follower follower{arm, way, task, bounds, options, exact_at_samples(arm)};
   Followed followed{{start}, {0}, {}};
-  followed.straightness.sampled = way.deviation(0, forward_kinematics(arm, start));
+  const Deviation off = way.deviation(0, forward_kinematics(arm, start));
+  if (std::max(off.position, off.orientation) > farthest_start * follower.exact / rounding) {
+    throw Error("the start is " + number(off.position) + " m and " + angle(off.orientation) +
+                " away from where the way begins");
+  }
+  followed.straightness.sampled = off;
   double length = first_step;
   while (!followed.through() && length >= shortest_step &&
          followed.samples.size() < options.most_samples) {
@@ -148,9 +155,6 @@ Followed follow(const Arm& arm, const Line& line, const Task& task, const Bounds
 
 Followed follow(const Arm& arm, const Piece& piece, const Task& task, const Bounds& bounds,
                 const Configuration& start, const FollowOptions& options) {
-  if (const auto* line = std::get_if<Line>(&piece)) {
-    return follow(arm, *line, task, bounds, start, options);
-  }
   const Deviation ends{exact_at_samples(arm), exact_at_samples(arm)};
   check_matched(arm, piece, task);
   const Way way{

@@ -29,13 +29,13 @@ struct Followed {
 /// that on the way from the one before it the tool stays within the tolerance; steps are as long as
 /// that allows. So there can be no jump to another branch between two samples, whatever its size.
 /// A singular start is left to the first side that works, in the order of the joints. Ends early
-/// where the arm cannot go on, or with most_samples.
+/// where the arm cannot go on, or with most_samples. Throws Error for a start that is elsewhere.
 Followed follow(const Arm& arm, const Line& line, const Task& task, const Bounds& bounds,
                 const Configuration& start, const FollowOptions& options);
 
-/// The same along any piece of a path; along lines the very same. The deviation is that from the
-/// piece's pose at the share in proportion to the step, and matched_step_bound() proves it. Throws
-/// Error for a task that it refuses.
+/// The same along any piece of a path. The deviation is that from the piece's pose at the share in
+/// proportion to the step, and matched_step_bound() proves it. Throws Error for a task that it
+/// refuses.
 Followed follow(const Arm& arm, const Piece& piece, const Task& task, const Bounds& bounds,
                 const Configuration& start, const FollowOptions& options);
 

@@ -14,6 +14,14 @@ constexpr double forgiven = 1e-6;   // of a velocity, acceleration or jerk, as a
 constexpr std::size_t stencil = 3;  // steps of the longest difference
 constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
 
+void check_fits(const Arm& arm, const Trajectory& trajectory) {
+  check_trajectory(trajectory);
+  if (trajectory.joint_names.size() == static_cast<std::size_t>(arm.dof())) return;
+  throw Error("a trajectory of " + std::to_string(trajectory.joint_names.size()) +
+              " joints is not one of arm " + arm.name() + ", which has " +
+              std::to_string(arm.dof()));
+}
+
 bool slides(const Arm& arm, int i) { return kind(arm.joint_of(i)) == JointKind::prismatic; }
 
 std::string amount(const Arm& arm, int i, double value, const std::string& per = "") {
@@ -129,6 +137,9 @@ std::string name(Fault fault) {
 }
 
 double told_by_positions(const Trajectory& trajectory, std::size_t k, int coordinate, int order) {
+  if (order < 1 || order > 3) {
+    throw Error("derivatives are told to the third, not the " + std::to_string(order) + "th");
+  }
   const auto count = static_cast<std::size_t>(order);
   if (k + count >= trajectory.size()) return 0;
   double table[4] = {}, lost = 0, factorial = 1;
@@ -150,6 +161,7 @@ double told_by_positions(const Trajectory& trajectory, std::size_t k, int coordi
 }
 
 double slower_by_positions(const Arm& arm, const Trajectory& trajectory, bool keep_jerk) {
+  check_fits(arm, trajectory);
   double factor = 1;
   for (int i = 0; i < arm.dof(); ++i) {
     const Limits& limits = arm.limits()[static_cast<std::size_t>(i)];
@@ -166,6 +178,7 @@ double slower_by_positions(const Arm& arm, const Trajectory& trajectory, bool ke
 }
 
 std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& trajectory) {
+  check_fits(arm, trajectory);
   return Search(arm, trajectory).first();
 }
 

@@ -4,10 +4,10 @@
 #include <beeline/error.h>
 #include <beeline/inverse/descent/numerical.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/motion/chord.h>
 #include <beeline/motion/joint_faults.h>
 #include <beeline/motion/line.h>
 #include <beeline/motion/plan.h>
+#include <beeline/motion/timed_samples.h>
 #include <beeline/motion/waypoints.h>
 
 namespace beeline {
@@ -17,42 +17,6 @@ constexpr double least_tolerance = 1e-8;  // below, rounding at the samples woul
 constexpr double margin = 0.9;            // of the tolerance that the plan may use
 constexpr double finer = 1.0 / 64;        // of that, where a motion must keep nearer to its samples
 
-void check_options(const LineOptions& options) {
-  const std::pair<const char*, double> positives[] = {
-      {"tolerance", options.tolerance},
-      {"orientation tolerance", options.orientation_tolerance},
-      {"tool speed", options.tool_speed}};
-  for (const auto& [what, value] : positives) {
-    if (!(value >= least_tolerance)) {
-      throw Error("the line's " + std::string(what) + " must be at least 1e-8, not " +
-                  number(value));
-    }
-  }
-  if (!(options.rate >= 0) || !std::isfinite(options.rate)) {
-    throw Error("the rate must be zero or above, not " + number(options.rate) +
-                " samples a second");
-  }
-  if (options.most_samples < 2) {
-    throw Error("most samples is " + std::to_string(options.most_samples) + "; a line needs two");
-  }
-}
-
-/// Of the retimed motion, the samples that were asked for: they are all there, in order.
-Trajectory only_samples(const Trajectory& timed, std::span<const Configuration> samples) {
-  Trajectory kept{timed.joint_names, {}, {}, {}, {}};
-  std::size_t next = 0;
-  for (std::size_t k = 0; k < timed.size() && next < samples.size(); ++k) {
-    if (timed.positions[k] != samples[next]) continue;
-    kept.times.push_back(timed.times[k]);
-    kept.positions.push_back(timed.positions[k]);
-    kept.velocities.push_back(timed.velocities[k]);
-    kept.accelerations.push_back(timed.accelerations[k]);
-    do ++next;
-    while (next < samples.size() && samples[next] == samples[next - 1]);
-  }
-  return kept;
-}
-
 /// The samples at equal times are on the spline through the exact ones: each is brought onto the
 /// line, where the tool is nearest.
 void put_on_line(const Arm& arm, const Line& line, const Task& task, Trajectory& timed) {
@@ -61,38 +25,6 @@ void put_on_line(const Arm& arm, const Line& line, const Task& task, Trajectory&
     const Pose target = nearest_on(line, forward_kinematics(arm, timed.positions[k]), task);
     const Descent found = descend(arm, target, task, bounds, timed.positions[k]);
     if (found.converged) timed.positions[k] = found.q;
-  }
-}
-
-/// The most speed of the tool's origin between samples: joints in proportion, its velocity differs
-/// from the mean by half its largest change, which is 4 times what leaves the chord.
-double largest_speed(const Arm& arm, const Trajectory& timed) {
-  double largest = 0;
-  Vector3 before = forward_kinematics(arm, timed.positions.front()).translation();
-  for (std::size_t k = 1; k < timed.size(); ++k) {
-    const Vector3 now = forward_kinematics(arm, timed.positions[k]).translation();
-    const ChordBound step = chord_bound(arm, timed.positions[k - 1], timed.positions[k]);
-    const double dt = timed.times[k] - timed.times[k - 1];
-    largest = std::max(largest, ((now - before).norm() + 4 * step.position) / dt);
-    before = now;
-  }
-  return largest;
-}
-
-void slow_down(Trajectory& timed, double factor) {
-  if (factor <= 1) return;
-  for (double& t : timed.times) t *= factor;
-  for (Configuration& v : timed.velocities) v /= factor;
-  for (Configuration& a : timed.accelerations) a /= factor * factor;
-}
-
-void append(Trajectory& trajectory, const Trajectory& more) {
-  const double start = trajectory.times.back();
-  for (std::size_t k = 1; k < more.size(); ++k) {
-    trajectory.times.push_back(start + more.times[k]);
-    trajectory.positions.push_back(more.positions[k]);
-    trajectory.velocities.push_back(more.velocities[k]);
-    trajectory.accelerations.push_back(more.accelerations[k]);
   }
 }
 
@@ -123,26 +55,14 @@ void time_lines(const Arm& arm, std::span<const Pose> poses, const Branch& plan,
   motion.arrivals = {0};
   for (std::size_t w = 0; w < plan.lines.size(); ++w) {
     const Followed& way = plan.lines[w];
-    const bool moves = std::any_of(way.samples.begin(), way.samples.end(),
-                                   [&](const auto& q) { return q != way.samples.front(); });
-    if (moves) {
-      const Retimed timed =
-          retime(arm, Trajectory{arm.joint_names(), way.fractions, way.samples, {}, {}}, retiming);
-      if (!timed.found()) {
-        motion.reason = "line " + std::to_string(w + 1) + ": " + timed.reason;
-        motion.status = MotionStatus::outside_limits;
-        return;
-      }
-      Trajectory line = timed.trajectory;
-      if (options.rate > 0) {
-        put_on_line(arm, {poses[w], poses[w + 1]}, task, line);
-      } else {
-        line = only_samples(timed.trajectory, way.samples);
-      }
-      const double speed = std::isfinite(options.tool_speed) ? largest_speed(arm, line) : 0;
-      slow_down(line, std::max(speed / options.tool_speed,
-                               slower_by_positions(arm, line, keeps_jerk(timed.law))));
-      append(motion.trajectory, line);
+    const auto brought = [&](Trajectory& line) {
+      put_on_line(arm, {poses[w], poses[w + 1]}, task, line);
+    };
+    motion.reason = append_timed(motion.trajectory, arm, way.samples, retiming, brought);
+    if (!motion.reason.empty()) {
+      motion.reason = "line " + std::to_string(w + 1) + ": " + motion.reason;
+      motion.status = MotionStatus::outside_limits;
+      return;
     }
     motion.arrivals.push_back(motion.trajectory.size() - 1);
   }
@@ -198,15 +118,13 @@ LineMotion move(const Arm& arm, const std::optional<Configuration>& start,
     motion.straightness =
         straightness(arm, motion.trajectory.positions, poses, motion.arrivals, task);
     motion.limits = limit_check(motion.trajectory, arm);
-    const Deviation& bound = motion.straightness.bound;
-    if (bound.position > options.tolerance || bound.orientation > options.orientation_tolerance) {
+    motion.reason = not_proved(motion.straightness, options);
+    if (!motion.reason.empty()) {
       motion.status = MotionStatus::not_converged;
-      const bool rated = options.rate > 0;
-      motion.reason =
-          (rated ? "at " + number(options.rate) + " samples a second" : std::string("timed,")) +
-          " the tool is only proved to stay within " + number(bound.position) + " m and " +
-          number(bound.orientation) + " rad of the line" +
-          (rated ? "; ask for a higher rate or a lower speed" : "");
+      if (options.rate > 0) {
+        motion.reason = "at " + number(options.rate) + " samples a second " + motion.reason +
+                        ", ask for a higher rate or a lower speed";
+      }
     }
   }
   if (motion.status != MotionStatus::reached) {
@@ -226,6 +144,35 @@ LineMotion move(const Arm& arm, const std::optional<Configuration>& start,
 }
 
 }  // namespace
+
+void check_options(const LineOptions& options) {
+  const std::pair<const char*, double> positives[] = {
+      {"tolerance", options.tolerance},
+      {"orientation tolerance", options.orientation_tolerance},
+      {"tool speed", options.tool_speed}};
+  for (const auto& [what, value] : positives) {
+    if (!(value >= least_tolerance)) {
+      throw Error("the line's " + std::string(what) + " must be at least 1e-8, not " +
+                  number(value));
+    }
+  }
+  if (!(options.rate >= 0) || !std::isfinite(options.rate)) {
+    throw Error("the rate must be zero or above, not " + number(options.rate) +
+                " samples a second");
+  }
+  if (options.most_samples < 2) {
+    throw Error("most samples is " + std::to_string(options.most_samples) + "; a line needs two");
+  }
+}
+
+std::string not_proved(const Straightness& straightness, const LineOptions& options) {
+  const Deviation& bound = straightness.bound;
+  if (bound.position <= options.tolerance && bound.orientation <= options.orientation_tolerance) {
+    return {};
+  }
+  return "the tool is only proved to stay within " + number(bound.position) + " m and " +
+         number(bound.orientation) + " rad of its way; allow a larger tolerance";
+}
 
 LineMotion move_in_lines(const Arm& arm, const Configuration& start,
                          std::span<const Pose> given_waypoints, const LineOptions& options) {

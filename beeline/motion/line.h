@@ -35,6 +35,12 @@ struct LineMotion {
   double dexterity = 0;
 };
 
+/// Throws Error for tolerances, speeds, rates or numbers of samples that make no sense.
+void check_options(const LineOptions& options);
+
+/// Why a finished motion is not within the tolerances by proof; empty where it is.
+std::string not_proved(const Straightness& straightness, const LineOptions& options);
+
 /// Moves the tool from its pose at `start` in straight lines through the waypoints (world_T_tool):
 /// positions on the segments, orientations by the shortest turn, at rest at each waypoint.
 /// Every sample is solved to rounding, within joint limits, and it is proved that between samples,

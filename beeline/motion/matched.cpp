@@ -78,6 +78,7 @@ Straightness closeness(const Arm& arm, std::span<const Configuration> samples,
     throw Error("closeness needs samples, and a place on the path for each");
   }
   for (const Piece& piece : path.pieces) check_matched(arm, piece, task);
+  if (path.pieces.empty()) throw Error("a path needs pieces");
   Straightness result;
   std::optional<StepEnd> before;
   std::size_t piece = 0;

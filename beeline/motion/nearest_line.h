@@ -16,9 +16,10 @@ struct NearbyLines {
 };
 
 /// The least shift along one of the world's axes, or, if `turns`, the least turn of the tool about
-/// one of its own, with which plan_lines() goes through: of steps that double, up to 0.26 m and
-/// 0.64 rad, and then made smaller by halving. Nothing where none of them works. With a start the
-/// arm's own first pose stays, and the lines begin there. Planar arms move in their plane.
+/// one of its own, with which plan_lines() goes through with ten times the tolerance: of steps that
+/// double, up to 0.26 m and 0.64 rad, and then made smaller by halving. Nothing where none of them
+/// works. With a start the arm's own first pose stays, and the lines begin there. Planar arms move
+/// in their plane.
 std::optional<NearbyLines> nearest_lines(const Arm& arm, const std::optional<Configuration>& start,
                                          std::span<const Pose> poses, const BranchOptions& options,
                                          bool turns);

@@ -28,17 +28,19 @@ Trajectory only_samples(const Trajectory& timed, std::span<const Configuration> 
 }  // namespace
 
 std::string append_timed(Trajectory& trajectory, const Arm& arm,
-                         std::span<const Configuration> samples, const RetimeOptions& options) {
-  const bool moves = std::any_of(samples.begin(), samples.end(),
-                                 [&](const auto& q) { return q != samples.front(); });
+                         std::span<const Configuration> samples, const RetimeOptions& options,
+                         const std::function<void(Trajectory&)>& brought) {
+  constexpr double rounding = 1e-11;  // what retime() does not take for a motion is a tenth of it
+  const bool moves = std::any_of(samples.begin(), samples.end(), [&](const auto& q) {
+    return (q - samples.front()).lpNorm<Eigen::Infinity>() > rounding;
+  });
   if (!moves) return {};
   Trajectory way{arm.joint_names(), {}, {samples.begin(), samples.end()}, {}, {}};
   for (std::size_t k = 0; k < samples.size(); ++k) way.times.push_back(static_cast<double>(k));
-  RetimeOptions every_sample = options;
-  every_sample.rate = 0;
-  const Retimed timed = retime(arm, way, every_sample);
+  const Retimed timed = retime(arm, way, options);
   if (!timed.found()) return timed.reason;
-  Trajectory motion = only_samples(timed.trajectory, samples);
+  Trajectory motion = options.rate > 0 ? timed.trajectory : only_samples(timed.trajectory, samples);
+  if (options.rate > 0 && brought) brought(motion);
   const bool paced = std::isfinite(options.tool_speed);
   slow_down(motion, paced ? largest_tool_speed(arm, motion) / options.tool_speed : 1);
   slow_down(motion, slower_by_positions(arm, motion, keeps_jerk(timed.law)));

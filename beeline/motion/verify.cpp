@@ -140,6 +140,8 @@ struct Verifier {
       if (!near(off)) {
         fail(Fault::deviation, k,
              "the tool moves on from the last waypoint, by " + metres_and_radians(off));
+      } else {
+        check_step(k - 1, stay, deviation_from(stay, world_T_tool[k - 1], task), off);
       }
     }
   }
