@@ -31,7 +31,7 @@ std::string append_timed(Trajectory& trajectory, const Arm& arm,
                          std::span<const Configuration> samples, const RetimeOptions& options,
                          const std::function<void(Trajectory&)>& brought) {
   constexpr double rounding = 1e-11;  // what retime() does not take for a motion is a tenth of it
-  const bool moves = std::any_of(samples.begin(), samples.end(), [&](const auto& q) {
+  const bool moves = std::any_of(samples.begin(), samples.end(), [&](const Configuration& q) {
     return (q - samples.front()).lpNorm<Eigen::Infinity>() > rounding;
   });
   if (!moves) return {};
