@@ -165,13 +165,14 @@ double slower_by_positions(const Arm& arm, const Trajectory& trajectory, bool ke
   double factor = 1;
   for (int i = 0; i < arm.dof(); ++i) {
     const Limits& limits = arm.limits()[static_cast<std::size_t>(i)];
+    const bool known = limits.velocity < Limits::none;
+    const double velocity = known ? limits.velocity : velocity_when_unknown;
     for (std::size_t k = 0; k < trajectory.size(); ++k) {
       const auto share = [&](int order, double limit) {
         return told_by_positions(trajectory, k, i, order) / limit;
       };
-      factor =
-          std::max({factor, share(1, limits.velocity), std::sqrt(share(2, limits.acceleration)),
-                    keep_jerk ? std::cbrt(share(3, limits.jerk)) : 0});
+      factor = std::max({factor, share(1, velocity), std::sqrt(share(2, limits.acceleration)),
+                         keep_jerk ? std::cbrt(share(3, limits.jerk)) : 0});
     }
   }
   return factor;

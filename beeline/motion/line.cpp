@@ -132,7 +132,8 @@ LineMotion move(const Arm& arm, const std::optional<Configuration>& start,
     none.status = motion.status;
     none.reason = motion.reason;
     for (const bool turns : {false, true}) {
-      if (!options.suggest || plan.status == MotionStatus::reached) break;
+      const bool quick = arm.dof() <= task.size() + 1;  // else each look takes long
+      if (!options.suggest || !quick || plan.status == MotionStatus::reached) break;
       auto near = nearest_lines(arm, start, poses, planning, turns);
       if (near) none.nearby.push_back(std::move(*near));
     }

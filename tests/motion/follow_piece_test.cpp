@@ -153,9 +153,7 @@ void expect_proved(const Arm& arm, const Piece& piece, const Task& task, const F
       const double t = i == 0 ? 0.5 : random.uniform(0, 1);
       const double s = std::lerp(way.fractions[k - 1], way.fractions[k], t);
       const Pose pose = forward_kinematics(arm, way.samples[k - 1] + t * step);
-      const Deviation off = std::holds_alternative<Line>(piece)
-                                ? deviation_from(std::get<Line>(piece), pose, task)
-                                : task_deviation(task, pose_at(piece, s), pose);
+      const Deviation off = task_deviation(task, pose_at(piece, s), pose);
       ASSERT_LE(off.position, way.straightness.bound.position + 1e-12) << kind_of(piece);
       ASSERT_LE(off.orientation, way.straightness.bound.orientation + 1e-12) << kind_of(piece);
       tally.worst = std::max(tally.worst, off.position / way.straightness.bound.position);

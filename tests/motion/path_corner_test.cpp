@@ -204,8 +204,8 @@ TEST(RoundedLines, StopWhereTheToolTurnsBackAndNotWhereItGoesStraightOn) {
 
 TEST(RoundedLines, RefuseWhatMakesNoSense) {
   const std::vector poses{at(0, 0), at(1, 0), at(1, 1)};
-  EXPECT_REFUSED(rounded_lines(poses, {0, 1}), "more than zero");
-  EXPECT_REFUSED(rounded_lines(poses, {1, NAN}), "more than zero");
+  EXPECT_REFUSED(rounded_lines(poses, {0, 1}), "above zero");
+  EXPECT_REFUSED(rounded_lines(poses, {1, NAN}), "above zero");
   EXPECT_REFUSED(rounded_lines({poses.data(), 1}, {1, 1}), "two poses");
   EXPECT_REFUSED(rounded_lines(std::vector{poses[0], poses[0]}, {1, 1}), "pose 2");
 }
