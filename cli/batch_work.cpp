@@ -6,6 +6,7 @@
 
 #include <beeline/error.h>
 #include <beeline/inverse/question.h>
+#include <beeline/kinematics/forward.h>
 #include <beeline/read/pose_list.h>
 
 using namespace beeline;
@@ -182,7 +183,9 @@ BatchWork jacobian_work(const BatchArguments& arguments, const Arm& arm) {
 BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
   const InverseOptions options = arguments.inverse.read(arm, arguments.unit);
   const Configuration seed = options.seed ? *options.seed : middle_configuration(arm);
-  InverseSolver(arm, options);  // refuses what makes no sense, before the rows are read
+  // Refuses what makes no sense before the rows are read, a lock outside limits too.
+  Eigen::MatrixXd any(arm.dof(), 1);
+  InverseSolver(arm, options).solve(forward_kinematics(arm, seed), seed, any);
   BatchWork work{.forms = {}, .columns = arm.joint_names(), .most_rows = 4096, .step = {}};
   for (const auto& form : pose_forms()) {
     if (form.size() > 3 || arm.planar()) work.forms.push_back(form);

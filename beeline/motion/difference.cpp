@@ -57,7 +57,13 @@ TrajectoryDifference difference(const Arm& arm, const Trajectory& given_a,
     }
     before = apart;
   }
+  if (!std::isfinite(result.longer) || !std::isfinite(result.overlap)) {
+    throw Error("the recordings' times are too large to be compared");
+  }
   for (JointDifference& joint : result.joints) {
+    if (!std::isfinite(joint.rms)) {
+      throw Error("the recordings' positions are too large to be compared");
+    }
     joint.rms = result.overlap > 0 ? std::sqrt(joint.rms / result.overlap) : joint.largest;
   }
   return result;
