@@ -106,6 +106,18 @@ LineMotion failed(MotionStatus status, const std::string& reason) {
   return none;
 }
 
+/// Where only what does not matter moves the arm stays, for a moment, so that each place of the
+/// path has its sample.
+void stand_still(Trajectory& trajectory, const std::vector<Configuration>& samples) {
+  constexpr double moment = 1e-3;  // seconds
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    trajectory.times.push_back(trajectory.times.back() + moment);
+    trajectory.positions.push_back(samples.front());
+    trajectory.velocities.emplace_back(Configuration::Zero(samples.front().size()));
+    trajectory.accelerations.emplace_back(Configuration::Zero(samples.front().size()));
+  }
+}
+
 /// The samples from stop to stop get their times.
 void time_pieces(const Arm& arm, const Route& route, const Way& way, const LineOptions& options,
                  LineMotion& motion, std::vector<double>& places) {
@@ -121,7 +133,14 @@ void time_pieces(const Arm& arm, const Route& route, const Way& way, const LineO
     }
     motion.arrivals.push_back(places.size() - 1);
     if (i + 1 < way.pieces.size() && !route.stops[i]) continue;
+    const std::size_t before = motion.trajectory.size();
     motion.reason = append_timed(motion.trajectory, arm, stretch, retiming);
+    if (motion.reason.empty() && motion.trajectory.size() == before) {
+      stand_still(motion.trajectory, stretch);
+    }
+    if (motion.reason.empty() && motion.trajectory.size() != places.size()) {
+      motion.reason = "the joints stand still on a part of the path, which has no smooth time law";
+    }
     if (!motion.reason.empty()) {
       motion.status = MotionStatus::outside_limits;
       return;

@@ -140,5 +140,32 @@ TEST(Player, RefusesWhatMakesNoSense) {
   EXPECT_TRUE(player.done());
 }
 
+TEST(Player, PausesOnItsWayToTheBeginWithoutAJerk) {
+  const Arm arm = built_in("panda");
+  testing::Random random;
+  const Trajectory way = recording(random, arm);
+  const Configuration start = 0.5 * (random.configuration(arm) + middle_configuration(arm));
+  Player player(arm, way, start, {.time_step = dt});
+  Configuration before = start;
+  for (int i = 0; i < 600 && player.leading_in(); ++i) {
+    player.set_speed(i / 100 % 2 == 0 ? 1 : 0);
+    const Command& command = player.step();
+    const Configuration v = (command.q - before) / dt;
+    ASSERT_LT((v - command.velocity).lpNorm<Eigen::Infinity>(), 0.02) << "step " << i;
+    before = command.q;
+  }
+}
+
+TEST(Player, RefusesARecordingThatLeavesTheLimitsBetweenItsSamples) {
+  const Arm arm = built_in("panda");
+  const Configuration middle = middle_configuration(arm);
+  Trajectory way{arm.joint_names(), {0, 1}, {middle, middle}, {}, {}};
+  Configuration fast = Configuration::Zero(7);
+  fast[0] = 40;
+  way.velocities = {fast, -fast};
+  way.accelerations = {Configuration::Zero(7), Configuration::Zero(7)};
+  EXPECT_REFUSED(Player(arm, way, middle), "joint1");
+}
+
 }  // namespace
 }  // namespace beeline

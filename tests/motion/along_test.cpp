@@ -114,5 +114,28 @@ TEST(MoveAlong, RefusesAStartElsewhere) {
   EXPECT_REFUSED(move_along(arm, ready, route, {.task = task_named("111110:tool")}), "orientation");
 }
 
+TEST(MoveAlong, RefusesOptionsThatMakeNoSense) {
+  const Arm arm = built_in("panda");
+  const Route route = route_through(square(arm), PathKind::screw);
+  EXPECT_REFUSED(move_along(arm, ready, route, {.tolerance = -1}), "tolerance");
+  EXPECT_REFUSED(move_along(arm, ready, route, {.orientation_tolerance = NAN}), "tolerance");
+  EXPECT_REFUSED(move_along(arm, ready, route, {.most_samples = -5}), "samples");
+  const std::vector<Configuration> samples{ready};
+  const std::vector<double> places{0};
+  EXPECT_REFUSED(closeness(arm, samples, places, ToolPath{}, Task::spatial()), "pieces");
+}
+
+// Rows that do not matter alone move: the arm does not, and needs no time.
+TEST(MoveAlong, StaysWhereNothingThatMattersMoves) {
+  const Arm arm = built_in("rrr");
+  const Configuration start{{0.3, 1, 0.2}};
+  const Pose from = forward_kinematics(arm, start);
+  Pose turned = from;
+  turned.linear() = from.linear() * so3_exp({0, 0, 0.4});
+  const Route route = route_through({from, turned}, PathKind::screw);
+  const LineMotion motion = move_along(arm, start, route, {.task = task_named("110000")});
+  EXPECT_EQ(motion.status, MotionStatus::reached) << motion.reason;
+}
+
 }  // namespace
 }  // namespace beeline

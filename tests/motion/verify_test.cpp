@@ -163,5 +163,16 @@ TEST(Verify, RefusesWhatIsNoTrajectory) {
   EXPECT_REFUSED(verify(motion.arm, good, {}), "waypoint");
 }
 
+// Two samples at one pose, elbow up and elbow down, behind the last waypoint.
+TEST(Verify, SeesAJumpAfterTheLastWaypoint) {
+  const Arm arm = built_in("rrr");
+  const Configuration up{{0.2, 1, 0.3}};
+  const Pose pose = forward_kinematics(arm, up);
+  const auto both = inverse_kinematics(arm, pose, {.seed = up, .all = true}).solutions;
+  ASSERT_GE(both.size(), 2);
+  const Trajectory motion{arm.joint_names(), {0, 1, 100}, {up, both[0], both[1]}, {}, {}};
+  EXPECT_EQ(verify(arm, motion, std::vector{pose}).fault, Fault::deviation);
+}
+
 }  // namespace
 }  // namespace beeline
