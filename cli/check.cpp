@@ -36,20 +36,13 @@ void draw_plot(const Arguments& arguments, const Arm& arm, const Trajectory& tra
 
 OrderedJson document(const Arguments& arguments, const Verification& found, std::size_t samples) {
   const bool passed = found.fault == Fault::none;
-  const Straightness& straight = found.straightness;
-  OrderedJson document{
-      {"status", passed ? "passed" : "failed"},
-      {"fault", passed ? OrderedJson(nullptr) : OrderedJson(name(found.fault))},
-      {"sample", passed ? OrderedJson(nullptr) : OrderedJson(found.sample + 1)},
-      {"time", passed ? OrderedJson(nullptr) : OrderedJson(found.time)},
-      {"deviation_bound", json_number(straight.bound.position)},
-      {"deviation_measured", json_number(straight.measured.position)},
-      {"deviation_sampled", json_number(straight.sampled.position)},
-      {"orientation_bound", json_number(arguments.unit.shown(straight.bound.orientation))},
-      {"orientation_measured", json_number(arguments.unit.shown(straight.measured.orientation))},
-      {"orientation_sampled", json_number(arguments.unit.shown(straight.sampled.orientation))},
-      {"samples", samples},
-      {"reason", found.reason}};
+  OrderedJson document{{"status", passed ? "passed" : "failed"},
+                       {"fault", passed ? OrderedJson(nullptr) : OrderedJson(name(found.fault))},
+                       {"sample", passed ? OrderedJson(nullptr) : OrderedJson(found.sample + 1)},
+                       {"time", passed ? OrderedJson(nullptr) : OrderedJson(found.time)}};
+  add_straightness(document, found.straightness, arguments.unit);
+  document["samples"] = samples;
+  document["reason"] = found.reason;
   for (const std::size_t arrival : found.arrivals) document["arrivals"].push_back(arrival + 1);
   if (!arguments.plot.empty()) document["plot"] = arguments.plot;
   return document;

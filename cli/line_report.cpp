@@ -38,23 +38,12 @@ void print_report(const Arm& arm, const LineReport& report, const UnitArgument& 
 OrderedJson json_report(const Arm& arm, const LineReport& report, const UnitArgument& unit,
                         const ResultFiles& files) {
   const bool reached = report.status == MotionStatus::reached;
-  const auto measured = [reached](double value) {
-    return reached ? json_number(value) : OrderedJson(nullptr);
-  };
-  const Straightness& straight = report.straightness;
   OrderedJson document{
-      {"status", name(report.status)},
-      {"method", report.method},
-      {"waypoints", report.waypoints},
-      {"deviation_bound", measured(straight.bound.position)},
-      {"deviation_measured", measured(straight.measured.position)},
-      {"deviation_sampled", measured(straight.sampled.position)},
-      {"orientation_bound", measured(unit.shown(straight.bound.orientation))},
-      {"orientation_measured", measured(unit.shown(straight.measured.orientation))},
-      {"orientation_sampled", measured(unit.shown(straight.sampled.orientation))},
-      {"samples", report.trajectory.size()},
-      {"duration", measured(reached ? report.trajectory.times.back() : 0)},
-      {"reason", report.reason}};
+      {"status", name(report.status)}, {"method", report.method}, {"waypoints", report.waypoints}};
+  add_straightness(document, reached ? std::optional(report.straightness) : std::nullopt, unit);
+  document["samples"] = report.trajectory.size();
+  document["duration"] = reached ? json_number(report.trajectory.times.back()) : nullptr;
+  document["reason"] = report.reason;
   if (reached && report.method == "exact") {
     document["limits"] = json_limits(report.limits);
     document["limit_margin"] = json_number(report.limit_margin);

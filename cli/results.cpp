@@ -61,6 +61,22 @@ void print_straightness(const Straightness& straight, const UnitArgument& unit) 
   row("proved", straight.bound, "   (at every moment, joints linear between samples)");
 }
 
+void add_straightness(OrderedJson& document, const std::optional<Straightness>& straight,
+                      const UnitArgument& unit) {
+  const std::pair<const char*, Deviation Straightness::*> kinds[] = {
+      {"bound", &Straightness::bound},
+      {"measured", &Straightness::measured},
+      {"sampled", &Straightness::sampled}};
+  for (const auto& [kind, member] : kinds) {
+    const std::string key = std::string("deviation_") + kind;
+    document[key] = straight ? json_number((*straight.*member).position) : nullptr;
+  }
+  for (const auto& [kind, member] : kinds) {
+    const std::string key = std::string("orientation_") + kind;
+    document[key] = straight ? json_number(unit.shown((*straight.*member).orientation)) : nullptr;
+  }
+}
+
 namespace {
 
 OrderedJson json_use(const LimitUse& use) {

@@ -22,6 +22,10 @@ beeline::PoseList read_waypoints(const std::string& path, const beeline::Arm& ar
 /// Prints what was measured and what is proved of a motion along lines.
 void print_straightness(const beeline::Straightness& straight, const UnitArgument& unit);
 
+/// The same as data: keys deviation_... and orientation_..., null where there is nothing to tell.
+void add_straightness(OrderedJson& document, const std::optional<beeline::Straightness>& straight,
+                      const UnitArgument& unit);
+
 /// How much of the limits a motion uses, and which joint where.
 void print_limits(const beeline::LimitCheck& limits);
 OrderedJson json_limits(const beeline::LimitCheck& limits);

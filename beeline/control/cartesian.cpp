@@ -67,14 +67,6 @@ double error_left(const Arm& arm, const Pose& goal, const Task& task, const Conf
   return task_error(task, goal, forward_kinematics(arm, q)).lpNorm<Eigen::Infinity>();
 }
 
-MotionStatus status_of(InverseStatus status) {
-  if (status == InverseStatus::outside_limits) return MotionStatus::outside_limits;
-  if (status == InverseStatus::unreachable || status == InverseStatus::orientation) {
-    return MotionStatus::unreachable;
-  }
-  return MotionStatus::not_found;
-}
-
 /// One waypoint by eq. 1.6.
 bool by_jacobian(const Arm& arm, const Pose& goal, const Task& task,
                  const CartesianOptions& options, ControlledMotion& motion) {

@@ -45,14 +45,6 @@ Way follow_pieces(const Arm& arm, const Configuration& start, const ToolPath& pa
   return way;
 }
 
-MotionStatus status_of(InverseStatus status) {
-  if (status == InverseStatus::outside_limits) return MotionStatus::outside_limits;
-  if (status == InverseStatus::unreachable || status == InverseStatus::orientation) {
-    return MotionStatus::unreachable;
-  }
-  return MotionStatus::not_found;
-}
-
 /// Why the way ends before the path does.
 void explain(const Arm& arm, const ToolPath& path, const Task& task, const Way& way,
              const LineOptions& options, LineMotion& motion) {

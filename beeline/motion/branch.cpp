@@ -9,6 +9,7 @@
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/motion/branch.h>
 #include <beeline/motion/line_failure.h>
+#include <beeline/motion/redundancy.h>
 #include <beeline/motion/waypoints.h>
 
 namespace beeline {
@@ -117,7 +118,8 @@ void shift(Branch& branch, int k, double turns) {
 }
 
 /// Cuts the branch off where it first leaves the limits, and tells which joint's.
-void keep_limits(const Arm& arm, std::size_t lines, std::span<const Pose> poses, Branch& branch) {
+void keep_limits(const Arm& arm, std::span<const Pose> poses, Branch& branch) {
+  const std::size_t lines = poses.size() - 1;
   const Bounds bounds = bounds_of(arm);
   int blocking = -1;
   double first = branch.done;
@@ -190,10 +192,7 @@ void check(std::span<const Pose> poses, const BranchOptions& options) {
 void narrow(Margins& margins, const Arm& arm, const Task& task, const Configuration& q) {
   for (int k = 0; k < arm.dof(); ++k) {
     const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
-    const double half = (limits.upper - limits.lower) / 2;
-    if (!std::isfinite(half) || half <= 0) continue;
-    const double way = std::min(q[k] - limits.lower, limits.upper - q[k]);
-    margins.limit = std::min(margins.limit, std::max(0.0, way / half));
+    margins.limit = std::min(margins.limit, margin_to_limits(q[k], limits.lower, limits.upper));
   }
   Eigen::MatrixXd j = task_jacobian(arm, q, task);
   Eigen::Index row = 0;
@@ -253,7 +252,7 @@ std::vector<Branch> follow_branches(const Arm& arm, std::span<const Pose> given,
       if (turns_around(arm, k))
         shift(branch, k, best_turns(branch, k, limits.lower[k], limits.upper[k]));
     }
-    keep_limits(arm, poses.size() - 1, poses, branch);
+    keep_limits(arm, poses, branch);
     branches.push_back(std::move(branch));
   };
   for (const Configuration& start : starts.solutions) {

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/motion/chord.h>
+#include <beeline/motion/path/turning.h>
 
 namespace beeline {
 namespace {
@@ -39,14 +39,6 @@ std::vector<Contribution> contributions(const Arm& arm, const ConfigurationRef& 
 }
 
 }  // namespace
-
-double swing_bound(double swing, double turned) {
-  using std::numbers::inv_sqrtpi;
-  using std::numbers::pi;
-  if (!(turned < pi)) return pi;
-  const double k = turned * inv_sqrtpi;
-  return std::min(pi, swing / 8 * (k > 0 ? k / std::sin(k) : 1));
-}
 
 ChordBound chord_bound(const Arm& arm, const ConfigurationRef& q_a, const ConfigurationRef& q_b) {
   check_configuration(arm, q_a);

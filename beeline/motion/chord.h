@@ -37,7 +37,4 @@ struct ChordBound {
 /// Throws Error when q_a or q_b does not fit the arm.
 ChordBound chord_bound(const Arm& arm, const ConfigurationRef& q_a, const ConfigurationRef& q_b);
 
-/// That bound on f for the sum in brackets, `swing`; pi from turned = pi on.
-double swing_bound(double swing, double turned);
-
 }  // namespace beeline

@@ -53,10 +53,7 @@ struct Costs {
   double near_limits(const Configuration& q) const {
     double sum = 0;
     for (Eigen::Index k = 0; k < q.size(); ++k) {
-      const double half = (bounds.upper[k] - bounds.lower[k]) / 2;
-      if (!std::isfinite(half) || half <= 0) continue;
-      const double way = std::min(q[k] - bounds.lower[k], bounds.upper[k] - q[k]) / half;
-      sum += limit_weight / (std::max(way, 0.0) + 0.02);
+      sum += limit_weight / (margin_to_limits(q[k], bounds.lower[k], bounds.upper[k]) + 0.02);
     }
     return sum;
   }
@@ -157,6 +154,7 @@ void smooth(const Arm& arm, const Task& task, const Costs& costs, const std::vec
 
 Ladder ladder(const Arm& arm, std::span<const Pose> poses, const LadderOptions& options) {
   std::vector<Rung> all = rungs(poses, options.spacing);
+  const std::size_t wanted = all.size();
   const Costs costs(arm);
   InverseSolver solver(arm, {.task = options.task,
                              .all = true,
@@ -179,7 +177,6 @@ Ladder ladder(const Arm& arm, std::span<const Pose> poses, const LadderOptions& 
     }
   }
   if (all.empty()) return {};
-  const std::size_t wanted = rungs(poses, options.spacing).size();
 
   std::vector<Edge> closed;
   Ladder result;

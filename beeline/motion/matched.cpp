@@ -9,6 +9,7 @@
 #include <beeline/motion/chord.h>
 #include <beeline/motion/matched.h>
 #include <beeline/motion/path/off_chord.h>
+#include <beeline/motion/path/turning.h>
 
 namespace beeline {
 namespace {

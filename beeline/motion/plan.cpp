@@ -9,18 +9,6 @@ namespace {
 
 constexpr int grids[] = {16, 64};  // solutions of each pose, roughly, by which the ladder is made
 
-MotionStatus status_of(InverseStatus status) {
-  switch (status) {
-    case InverseStatus::outside_limits:
-      return MotionStatus::outside_limits;
-    case InverseStatus::unreachable:
-    case InverseStatus::orientation:
-      return MotionStatus::unreachable;
-    default:
-      return MotionStatus::not_found;
-  }
-}
-
 /// From any configuration for the first pose, or why there is none.
 Branch from_any_beginning(const Arm& arm, std::span<const Pose> poses,
                           const BranchOptions& options) {

@@ -1,4 +1,5 @@
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include <beeline/kinematics/forward.h>
@@ -19,6 +20,12 @@ Configuration away_from_limits(const Configuration& q, const Bounds& bounds) {
 }
 
 }  // namespace
+
+double margin_to_limits(double q, double lower, double upper) {
+  const double half = (upper - lower) / 2;
+  if (!std::isfinite(half) || half <= 0) return Limits::none;
+  return std::max(0.0, std::min(q - lower, upper - q) / half);
+}
 
 double push_from_limits(double q, double lower, double upper) {
   const double half = (upper - lower) / 2;

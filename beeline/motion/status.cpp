@@ -8,4 +8,16 @@ std::string name(MotionStatus status) {
   return names[static_cast<int>(status)];
 }
 
+MotionStatus status_of(InverseStatus status) {
+  switch (status) {
+    case InverseStatus::outside_limits:
+      return MotionStatus::outside_limits;
+    case InverseStatus::unreachable:
+    case InverseStatus::orientation:
+      return MotionStatus::unreachable;
+    default:
+      return MotionStatus::not_found;
+  }
+}
+
 }  // namespace beeline

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <beeline/inverse/solve.h>
+
 namespace beeline {
 
 /// How a motion ended. Every status but `reached` comes with a reason of one sentence.
@@ -14,5 +16,8 @@ enum class MotionStatus {
   not_converged,   ///< the controller did not arrive: gain too large or too small, or stuck
 };
 std::string name(MotionStatus status);
+
+/// What a pose on the way makes of the motion, when inverse kinematics finds no solution for it.
+MotionStatus status_of(InverseStatus status);
 
 }  // namespace beeline

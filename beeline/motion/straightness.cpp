@@ -6,6 +6,7 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/motion/chord.h>
+#include <beeline/motion/path/turning.h>
 #include <beeline/motion/straightness.h>
 #include <beeline/pose/angle.h>
 

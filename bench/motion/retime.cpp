@@ -14,6 +14,8 @@
 #include <beeline/motion/timing/fastest.h>
 #include <beeline/motion/timing/spline.h>
 
+#include <tests/motion/random_path.h>
+
 using namespace beeline;
 
 namespace {
@@ -49,24 +51,6 @@ JointPath at_grid(const JointPath& path, const std::vector<double>& grid) {
   return on_grid;
 }
 
-/// The largest share of a limit at ten places of every step.
-double largest_share(const JointPath& path, const PathLimits& limits, const PathLaw& law) {
-  double largest = 0;
-  for (std::size_t k = 0; k + 1 < path.size(); ++k) {
-    const double x = law.speed[k] * law.speed[k], y = law.speed[k + 1] * law.speed[k + 1];
-    const double u = (y - x) / (2 * (path.s[k + 1] - path.s[k]));
-    for (int part = 0; part <= 10; ++part) {
-      const double share = part / 10.0, b = x + share * (y - x);
-      const PathPoint point = path_point(path, k, share);
-      const Configuration velocity = point.dq * std::sqrt(b);
-      const Configuration acceleration = point.dq * u + point.ddq * b;
-      largest = std::max({largest, (velocity.cwiseAbs().cwiseQuotient(limits.velocity)).maxCoeff(),
-                          acceleration.cwiseAbs().cwiseQuotient(limits.acceleration).maxCoeff()});
-    }
-  }
-  return largest;
-}
-
 double best_microseconds(const JointPath& path, const PathLimits& limits) {
   double best = 1e9;
   for (int pass = 0; pass < 15; ++pass) {
@@ -97,7 +81,7 @@ int main() {
     const JointPath path = grid.empty() ? refined(spline) : at_grid(spline, grid);
     const PathLaw law = fastest(path, limits);
     const double answer[] = {law.found() ? law.duration() : -1,
-                             law.found() ? largest_share(path, limits, law) : -1,
+                             law.found() ? testing::largest_share(path, limits, law) : -1,
                              static_cast<double>(path.size()), best_microseconds(path, limits)};
     std::fwrite(answer, sizeof(double), 4, stdout);
     std::fflush(stdout);

@@ -10,25 +10,9 @@
 namespace beeline {
 namespace {
 
+using testing::largest_share;
 using testing::random_limits;
 using testing::random_path;
-
-/// The largest share of a limit at ten places of every step.
-double largest_share(const JointPath& path, const PathLimits& limits, const PathLaw& law) {
-  double largest = 0;
-  for (std::size_t k = 0; k + 1 < path.size(); ++k) {
-    const double x = law.speed[k] * law.speed[k], y = law.speed[k + 1] * law.speed[k + 1];
-    const double u = (y - x) / (2 * (path.s[k + 1] - path.s[k]));
-    for (int part = 0; part <= 10; ++part) {
-      const double b = x + part / 10.0 * (y - x);
-      const PathPoint point = path_point(path, k, part / 10.0);
-      const Configuration v = point.dq * std::sqrt(b), a = point.dq * u + point.ddq * b;
-      largest = std::max({largest, v.cwiseQuotient(limits.velocity).lpNorm<Eigen::Infinity>(),
-                          a.cwiseQuotient(limits.acceleration).lpNorm<Eigen::Infinity>()});
-    }
-  }
-  return largest;
-}
 
 TEST(Fastest, KeepsLimitsBetweenGridPointsAndUsesThem) {
   testing::Random random;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include <beeline/motion/timing/path_law.h>
 #include <beeline/motion/timing/spline.h>
 
@@ -32,6 +35,23 @@ inline PathLimits random_limits(Random& random, int joints) {
     limits.jerk[i] = Limits::none;
   }
   return limits;
+}
+
+/// The largest share of a limit of velocity or acceleration at ten places of every step.
+inline double largest_share(const JointPath& path, const PathLimits& limits, const PathLaw& law) {
+  double largest = 0;
+  for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+    const double x = law.speed[k] * law.speed[k], y = law.speed[k + 1] * law.speed[k + 1];
+    const double u = (y - x) / (2 * (path.s[k + 1] - path.s[k]));
+    for (int part = 0; part <= 10; ++part) {
+      const double b = x + part / 10.0 * (y - x);
+      const PathPoint point = path_point(path, k, part / 10.0);
+      const Configuration v = point.dq * std::sqrt(b), a = point.dq * u + point.ddq * b;
+      largest = std::max({largest, v.cwiseQuotient(limits.velocity).lpNorm<Eigen::Infinity>(),
+                          a.cwiseQuotient(limits.acceleration).lpNorm<Eigen::Infinity>()});
+    }
+  }
+  return largest;
 }
 
 inline JointPath reversed(const JointPath& path) {

@@ -58,15 +58,6 @@ std::array<Twist, 6> derivatives(const SplinePiece& piece, double s) {
   return d;
 }
 
-/// Off the shortest turn, with |w'| <= swing + swing_change |t - 1/2| on a way of `turned` at most:
-/// f'' + k^2 f >= -|w'|, k = turned/sqrt(pi); see chord_bound().
-double off_turn(double swing, double swing_change, double turned) {
-  using std::numbers::pi;
-  if (!(turned < pi)) return pi;
-  const double k = turned * std::numbers::inv_sqrtpi;
-  return std::min(pi, (swing + swing_change / 6) / 8 * (k > 0 ? k / std::sin(k) : 1));
-}
-
 OffChord off(const SplinePiece& piece, double s_a, double s_b) {
   const std::array<Twist, 6> d = derivatives(piece, (s_a + s_b) / 2);
   const double step = std::abs(s_b - s_a), half = step / 2, square = step * step;
@@ -89,8 +80,8 @@ OffChord off(const SplinePiece& piece, double s_a, double s_b) {
   const double size = r[0] + half * rate;                // |r| and |r x r'|
   const double across = d[0].tail<3>().cross(d[1].tail<3>()).norm() + half * size * second;
   bound.turned = step * rate;
-  bound.orientation =
-      off_turn(square * (r[2] + curved(r) + across * rate / 6), square * step * r[3], bound.turned);
+  bound.orientation = swing_bound(
+      square * (r[2] + curved(r) + across * rate / 6) + square * step * r[3] / 6, bound.turned);
   const double third = r[3] + half * r[4] + half * half / 2 * r[5];
   bound.swing =
       square * angular_motion(d[0].tail<3>(), {d[1].tail<3>(), d[2].tail<3>()}).acceleration;

@@ -1,6 +1,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <beeline/motion/path/turning.h>
 
@@ -58,6 +60,14 @@ Turning rotation_vector_rates(const Vector3& r, const Turning& motion) {
   const Eigen::Matrix3d inverse = left_jacobian(r, f).inverse();
   const Vector3 rate = inverse * motion.velocity;
   return {rate, inverse * (motion.acceleration - change(r, rate, f))};
+}
+
+double swing_bound(double swing, double turned) {
+  using std::numbers::inv_sqrtpi;
+  using std::numbers::pi;
+  if (!(turned < pi)) return pi;
+  const double k = turned * inv_sqrtpi;
+  return std::min(pi, swing / 8 * (k > 0 ? k / std::sin(k) : 1));
 }
 
 }  // namespace beeline

@@ -19,4 +19,9 @@ Turning angular_motion(const Vector3& r, const Turning& rates);
 /// The other way round: r' and r'' that make w and w'; |r| < 2 pi.
 Turning rotation_vector_rates(const Vector3& r, const Turning& motion);
 
+/// How far two rotations that begin and end as one come apart, radians: with |w'| <= a + b |t -
+/// 1/2| for the difference of their angular accelerations over the time from 0 to 1, and a way of
+/// `turned` at most, `swing` being a + b / 6: see chord_bound(). pi from turned = pi on.
+double swing_bound(double swing, double turned);
+
 }  // namespace beeline
