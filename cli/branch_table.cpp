@@ -7,7 +7,7 @@ using namespace beeline;
 void print_branches(const Arm& arm, const std::vector<Branch>& branches, const UnitArgument& unit) {
   fmt::print("branches      {}\n", branches.size());
   if (branches.empty()) return;
-  fmt::print("   #  lines done  margin  inv. cond.  start ({})\n", unit.name());
+  fmt::print("   # pieces done  margin  inv. cond.  start ({})\n", unit.name());
   for (std::size_t i = 0; i < branches.size(); ++i) {
     const Branch& branch = branches[i];
     fmt::print("  {:>2}  {:>10}  {:>4.0f} %  {:>10}  {}\n", i + 1, shown(branch.done),

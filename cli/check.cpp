@@ -2,10 +2,13 @@
 
 #include <beeline/draw/canvas.h>
 #include <beeline/draw/timing_figure.h>
+#include <beeline/error.h>
+#include <beeline/kinematics/forward.h>
 #include <beeline/motion/verify.h>
 #include <beeline/read/file.h>
 #include <beeline/read/pose_list.h>
 
+#include "path_argument.h"
 #include "results.h"
 #include "verb.h"
 
@@ -18,19 +21,30 @@ struct Arguments {
   ArmArgument arm;
   UnitArgument unit;
   TaskArgument task;
+  PathArgument path;
   std::string through, plot;
   VerifyOptions options;
   bool json = false;
 };
 
-/// The motion beside its limits, along the lines that it has gone to their ends.
+/// Arcs, screws, splines and rounded lines from the first pose, or from where the motion begins.
+Verification verify_route(const Arguments& arguments, const Arm& arm, const Trajectory& trajectory,
+                          std::vector<Pose> poses, const VerifyOptions& options) {
+  if (trajectory.size() == 0) throw Error("the trajectory has no samples");
+  const Pose begin = forward_kinematics(arm, trajectory.positions.front());
+  const Deviation off = task_deviation(*options.task, poses.front(), begin);
+  if (!within(off, {options.tolerance, options.orientation_tolerance})) {
+    poses.insert(poses.begin(), begin);
+  }
+  return verify(arm, trajectory, arguments.path.through(poses), options);
+}
+
+/// The motion beside its limits, along its path as far as it follows that.
 void draw_plot(const Arguments& arguments, const Arm& arm, const Trajectory& trajectory,
-               std::vector<Pose> waypoints, const Verification& found) {
-  const VerifyOptions& options = arguments.options;
-  waypoints.resize(found.arrivals.size());
-  const FollowedLines lines{waypoints, found.arrivals, arguments.task.read(arm),
-                            Deviation{options.tolerance, options.orientation_tolerance}};
-  const Drawing drawing = timing_figure(arm, trajectory, {.lines = lines});
+               const Verification& found, const VerifyOptions& options) {
+  const Deviation tolerance{options.tolerance, options.orientation_tolerance};
+  const FollowedPath path{found.path, found.places, *options.task, tolerance};
+  const Drawing drawing = timing_figure(arm, trajectory, {.path = path});
   write_file(arguments.plot, render(drawing, format_of(arguments.plot)));
 }
 
@@ -59,9 +73,12 @@ Exit check(const Arguments& arguments) {
   const PoseList waypoints = read_waypoints(arguments.through, arm, arguments.task, arguments.unit);
   VerifyOptions options = arguments.options;
   options.task = arguments.task.read(arm);
-  const Verification found = verify(arm, trajectory, waypoints.poses, options);
+  const Verification found =
+      arguments.path.straight()
+          ? verify(arm, trajectory, waypoints.poses, options)
+          : verify_route(arguments, arm, trajectory, waypoints.poses, options);
   const bool passed = found.fault == Fault::none;
-  if (!arguments.plot.empty()) draw_plot(arguments, arm, trajectory, waypoints.poses, found);
+  if (!arguments.plot.empty()) draw_plot(arguments, arm, trajectory, found, options);
   if (arguments.json) {
     print_json(document(arguments, found, trajectory.size()));
   } else {
@@ -87,22 +104,25 @@ Run declare_check(CLI::App& verb) {
       ->required();
   arguments.unit.declare(verb);
   arguments.task.declare(verb);
-  verb.add_option("--tolerance", options.tolerance, "Most deviation from the lines, metres")
+  arguments.path.declare(verb);
+  verb.add_option("--tolerance", options.tolerance, "Most deviation from the path, metres")
       ->capture_default_str();
   verb.add_option("--orientation-tolerance", options.orientation_tolerance,
-                  "Most turn away from them, radians")
+                  "Most turn away from it, radians")
       ->capture_default_str();
   verb.add_option("--plot", arguments.plot,
-                  "Draw the joints over time, and the deviation along the lines, to this file:\n"
+                  "Draw the joints over time, and the deviation along the path, to this file:\n"
                   ".svg, .png or .pdf");
   verb.add_flag("--json", arguments.json, "Print JSON");
   verb.footer(
-      "Proves, from the file alone, that the tool goes in straight lines through the poses and\n"
-      "the joints keep their limits, whoever made the file; joints move in proportion between its\n"
-      "samples. Exit code 1, and the first fault with its place, when it does not.\n"
+      "Proves, from the file alone, that the tool goes in straight lines through the poses, or on\n"
+      "the path that --path or --round names, and the joints keep their limits, whoever made the\n"
+      "file; joints move in proportion between its samples. Exit code 1, and the first fault with "
+      "its place, when it does not.\n"
       "The trajectory's own values are radians and metres; --degrees is for the poses.\n"
       "Examples:\n"
       "  beeline check move.csv rrr --through waypoints.csv\n"
+      "  beeline check move.csv panda --through poses.csv --path spline --plot check.svg\n"
       "  beeline check recorded.json robot.urdf --through poses.csv --tolerance 0.001 --json");
   return [] { return check(arguments); };
 }

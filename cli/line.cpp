@@ -4,12 +4,11 @@
 #include <beeline/control/cartesian.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/motion/along.h>
 #include <beeline/motion/line.h>
-#include <beeline/motion/path/corner.h>
 #include <beeline/read/pose_list.h>
 
 #include "line_report.h"
+#include "path_argument.h"
 #include "progress.h"
 #include "results.h"
 #include "verb.h"
@@ -22,16 +21,14 @@ struct Arguments {
   ArmArgument arm;
   UnitArgument unit;
   TaskArgument task;
-  std::string from, through, law, path = "line", method = "exact";
-  std::optional<double> round;
+  PathArgument path;
+  std::string from, through, law, method = "exact";
   LineOptions options;
   CartesianOptions control;
   ResultFiles files;
   bool branches = false, json = false;
   std::vector<const CLI::Option*> exact_options, control_options;
 };
-
-constexpr double rounding_turn = 0.2;  // metres that count as a radian
 
 /// Refuses an option that the chosen method would ignore.
 void check_method(const Arguments& arguments) {
@@ -47,7 +44,19 @@ void check_method(const Arguments& arguments) {
   }
 }
 
-LineReport report_of(LineMotion motion) {
+LineReport follow_exactly(const Arguments& arguments, const Arm& arm,
+                          const std::optional<Configuration>& start, std::vector<Pose> poses,
+                          const Task& task) {
+  Progress progress;
+  LineOptions options = arguments.options;
+  options.task = task;
+  if (!arguments.law.empty()) options.law = law_named(arguments.law);
+  options.progress = [&progress](double share) { progress.show(share); };
+  options.suggest = true;
+  if (start) poses.insert(poses.begin(), forward_kinematics(arm, *start));
+  const Route route = arguments.path.through(poses);
+  LineMotion motion = move_along(arm, start, route, options);
+  const Deviation tolerance{options.tolerance, options.orientation_tolerance};
   LineReport report;
   report.status = motion.status;
   report.reason = std::move(motion.reason);
@@ -57,42 +66,13 @@ LineReport report_of(LineMotion motion) {
   report.limit_margin = motion.limit_margin;
   report.dexterity = motion.dexterity;
   report.nearby = std::move(motion.nearby);
-  return report;
-}
-
-LineReport follow_exactly(const Arm& arm, const std::optional<Configuration>& start,
-                          const std::vector<Pose>& waypoints, LineOptions options) {
-  Progress progress;
-  options.progress = [&progress](double share) { progress.show(share); };
-  options.suggest = true;
-  LineMotion motion = start ? move_in_lines(arm, *start, waypoints, options)
-                            : move_in_lines(arm, waypoints, options);
-  const std::vector<std::size_t> arrivals = motion.arrivals;
-  LineReport report = report_of(std::move(motion));
   if (report.status == MotionStatus::reached) {
-    report.lines = {waypoints, arrivals, options.task.value_or(default_task(arm)),
-                    Deviation{options.tolerance, options.orientation_tolerance}};
+    report.path = {std::move(motion.path), std::move(motion.places), task, tolerance};
+  }
+  if (arguments.branches) {
+    report.branches = branch_map(arm, route.path, {.task = task, .tolerance = tolerance});
   }
   return report;
-}
-
-/// Arcs, screws, splines, and lines with rounded corners.
-LineReport follow_route(const Arguments& arguments, const Arm& arm,
-                        const std::optional<Configuration>& start, const std::vector<Pose>& poses,
-                        const LineOptions& options) {
-  const PathKind kind = path_kind_named(arguments.path);
-  if (arguments.round && kind != PathKind::line) {
-    throw Error("--round goes with --path line, whose corners it rounds");
-  }
-  if (options.rate > 0) throw Error("--rate goes with straight lines without --round only");
-  Route route;
-  if (arguments.round) {
-    const double turn = *arguments.round / rounding_turn;
-    route = route_of(rounded_lines(poses, {*arguments.round, turn}));
-  } else {
-    route = route_of(path_through(poses, kind), kind);
-  }
-  return report_of(move_along(arm, start, route, options));
 }
 
 LineReport follow_by_control(const Arm& arm, const Configuration& start,
@@ -106,9 +86,13 @@ LineReport follow_by_control(const Arm& arm, const Configuration& start,
   report.overshoot = motion.overshoot;
   if (report.status == MotionStatus::reached) {
     const Task task = options.task.value_or(default_task(arm));
-    report.lines = {waypoints, motion.arrivals, task};
-    report.straightness =
-        straightness(arm, report.trajectory.positions, waypoints, motion.arrivals, task);
+    std::vector<Pose> poses = waypoints;
+    poses.insert(poses.begin(), forward_kinematics(arm, start));
+    const auto& samples = report.trajectory.positions;
+    const ToolPath path = lines_through(poses);
+    const auto places = places_along(arm, samples, path, motion.arrivals, task);
+    report.path = {path, places, task};
+    report.straightness = straightness(arm, samples, places, path, task);
   }
   return report;
 }
@@ -119,24 +103,7 @@ LineReport follow(const Arguments& arguments, const Arm& arm, const std::vector<
     start = arguments.unit.configuration(arm, arguments.from, "--from");
   }
   const Task task = arguments.task.read(arm);
-  if (arguments.method == "exact") {
-    LineOptions options = arguments.options;
-    options.task = task;
-    if (!arguments.law.empty()) options.law = law_named(arguments.law);
-    std::vector<Pose> poses = waypoints;
-    if (start) poses.insert(poses.begin(), forward_kinematics(arm, *start));
-    if (arguments.round || arguments.path != "line") {
-      if (arguments.branches) throw Error("--branches goes with straight lines without --round");
-      return follow_route(arguments, arm, start, poses, options);
-    }
-    LineReport report = follow_exactly(arm, start, waypoints, options);
-    if (arguments.branches) {
-      report.branches = branch_map(
-          arm, poses,
-          {.task = task, .tolerance = {options.tolerance, options.orientation_tolerance}});
-    }
-    return report;
-  }
+  if (arguments.method == "exact") return follow_exactly(arguments, arm, start, waypoints, task);
   if (!start) throw Error("--method " + arguments.method + " needs --from");
   CartesianOptions options = arguments.control;
   options.task = task;
@@ -155,7 +122,7 @@ Exit line(const Arguments& arguments) {
   report.method = arguments.method;
   report.waypoints = waypoints.poses.size();
   const bool reached = report.status == MotionStatus::reached;
-  if (reached) arguments.files.write(arm, report.trajectory, waypoints.poses, report.lines);
+  if (reached) arguments.files.write(arm, report.trajectory, waypoints.poses, report.path);
   if (arguments.json) {
     print_json(json_report(arm, report, arguments.unit, arguments.files));
   } else {
@@ -195,15 +162,6 @@ Run declare_line(CLI::App& verb) {
                       "exact: most turn away from the line, radians")
           ->capture_default_str(),
       verb.add_option(
-              "--path", arguments.path,
-              "exact: line; screw motions between the poses; arc, each through two more\n"
-              "poses, of the first of which the position counts; or spline through them all")
-          ->capture_default_str(),
-      verb.add_option(
-          "--round", arguments.round,
-          "exact: round the lines' corners and pass them without a stop, at no more than\n"
-          "this from them, metres, and 5 rad for each metre"),
-      verb.add_option(
           "--law", arguments.law,
           "exact: of time on each line: fastest, jerk, trapezoidal, quintic or s-curve;\n"
           "see time --help"),
@@ -217,6 +175,9 @@ Run declare_line(CLI::App& verb) {
       verb.add_option("--most-samples", options.most_samples,
                       "exact: samples after which to give up")
           ->capture_default_str()};
+  for (const CLI::Option* option : arguments.path.declare(verb, "exact: ")) {
+    arguments.exact_options.push_back(option);
+  }
   arguments.control_options = {
       verb.add_option("--gain", control.gain, "feedback: K_p")->capture_default_str(),
       verb.add_option("--intermediate", control.intermediate,

@@ -12,7 +12,7 @@ void print_report(const Arm& arm, const LineReport& report, const UnitArgument& 
   const bool reached = report.status == MotionStatus::reached;
   fmt::print("{}: {} waypoint{}, method {}\n", name(report.status), waypoints,
              waypoints == 1 ? "" : "s", report.method);
-  for (const NearbyLines& nearby : report.nearby) {
+  for (const NearbyPath& nearby : report.nearby) {
     fmt::print("would work    {}\n", nearby.description);
   }
   if (!reached) {
@@ -53,7 +53,7 @@ OrderedJson json_report(const Arm& arm, const LineReport& report, const UnitArgu
     document["steps"] = report.steps;
     document["overshoot"] = json_number(report.overshoot);
   }
-  for (const NearbyLines& nearby : report.nearby) {
+  for (const NearbyPath& nearby : report.nearby) {
     document["nearby"].push_back({{"description", nearby.description},
                                   {"moved", json_vector(nearby.moved)},
                                   {"turned", json_vector(nearby.turned)}});

@@ -16,11 +16,11 @@ struct LineReport {
   beeline::Straightness straightness;
   beeline::LimitCheck limits = {};  ///< of method exact, as the margins are
   double limit_margin = 0, dexterity = 0;
-  std::vector<beeline::NearbyLines> nearby = {};
+  std::vector<beeline::NearbyPath> nearby = {};
   std::optional<std::vector<beeline::Branch>> branches = {};  ///< when they were asked for
   int steps = 0;                                              ///< of a controller
   double overshoot = 0;
-  std::optional<beeline::FollowedLines> lines = std::nullopt;  ///< when reached
+  std::optional<beeline::FollowedPath> path = std::nullopt;  ///< when reached
 };
 
 void print_report(const beeline::Arm& arm, const LineReport& report, const UnitArgument& unit,

@@ -129,7 +129,7 @@ void ResultFiles::check(const std::vector<std::string>& inputs) const {
 
 void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
                         const std::vector<Pose>& waypoints,
-                        const std::optional<FollowedLines>& lines) const {
+                        const std::optional<FollowedPath>& path) const {
   std::vector<NewFile> files;
   if (!out.empty()) files.push_back({out, trajectory_text(trajectory, trajectory_format(out))});
   if (!draw.empty()) {
@@ -137,7 +137,7 @@ void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
     files.push_back({draw, render(figure, format_of(draw))});
   }
   if (!plot.empty()) {
-    const Drawing drawing = timing_figure(arm, trajectory, {.lines = lines});
+    const Drawing drawing = timing_figure(arm, trajectory, {.path = path});
     files.push_back({plot, render(drawing, format_of(plot))});
   }
   write_files(files);

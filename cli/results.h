@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/draw/line_trace.h>
+#include <beeline/draw/path_trace.h>
 #include <beeline/motion/timing/limit_check.h>
 
 #include "output.h"
@@ -19,7 +19,7 @@ beeline::Trajectory read_recording(const std::string& path, const beeline::Arm& 
 beeline::PoseList read_waypoints(const std::string& path, const beeline::Arm& arm,
                                  const TaskArgument& task, const UnitArgument& unit);
 
-/// Prints what was measured and what is proved of a motion along lines.
+/// Prints what was measured and what is proved of a motion along a path.
 void print_straightness(const beeline::Straightness& straight, const UnitArgument& unit);
 
 /// The same as data: keys deviation_... and orientation_..., null where there is nothing to tell.
@@ -41,10 +41,10 @@ struct ResultFiles {
   /// Throws Error for a format that is not known and for the name of an input file: to be asked
   /// before the work begins.
   void check(const std::vector<std::string>& inputs) const;
-  /// Writes what was asked for, all or nothing. `lines` are those that the motion was to follow.
+  /// Writes what was asked for, all or nothing. `path` is the one that the motion was to follow.
   void write(const beeline::Arm& arm, const beeline::Trajectory& trajectory,
              const std::vector<beeline::Pose>& waypoints,
-             const std::optional<beeline::FollowedLines>& lines = std::nullopt) const;
+             const std::optional<beeline::FollowedPath>& path = std::nullopt) const;
   /// Says where the files are.
   void print() const;
   void add_to(OrderedJson& document) const;

@@ -7,7 +7,7 @@
 #include <beeline/error.h>
 #include <beeline/inverse/solve.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/motion/waypoints.h>
+#include <beeline/motion/path/through.h>
 
 namespace beeline {
 namespace {
@@ -141,9 +141,7 @@ void check(const CartesianOptions& options) {
     throw Error("intermediate is " + std::to_string(options.intermediate) +
                 "; a line takes 1 to 100000 intermediate poses, its end counted");
   }
-  if (options.task && (options.task->size() == 0 || options.task->frame == Frame::space)) {
-    throw Error("the task needs at least one row, and the base or the tool frame");
-  }
+  if (options.task) check_task(*options.task);
 }
 
 }  // namespace

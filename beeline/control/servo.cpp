@@ -27,9 +27,7 @@ void check(const ServoOptions& options) {
     throw Error("the speeds of a servo must be above zero, not " + number(options.linear_speed) +
                 " m/s and " + number(options.angular_speed) + " rad/s");
   }
-  if (options.task && (options.task->size() == 0 || options.task->frame == Frame::space)) {
-    throw Error("the task needs at least one row, and the base or the tool frame");
-  }
+  if (options.task) check_task(*options.task);
 }
 
 }  // namespace

@@ -11,10 +11,6 @@ namespace {
 
 constexpr double rounding = 1e-12;  // metres or radians, below which a deviation is none
 
-bool asks(const Task& task, std::size_t first) {
-  return task.rows[first] || task.rows[first + 1] || task.rows[first + 2];
-}
-
 /// A unit in which the size is between 1 and 1000.
 struct Unit {
   double size = 1;
@@ -33,11 +29,11 @@ Unit unit_for(double size, const std::string& base) {
 }
 
 /// Arcs from sample to sample so narrow that they would run into each other on paper.
-bool dense(const LineTrace& trace) { return trace.steps.size() > 150; }
+bool dense(const PathTrace& trace) { return trace.steps.size() > 150; }
 
 /// All places or, of a dense trace, that place of each step which is farthest off; of very many
 /// steps, that of some together.
-std::vector<std::size_t> shown_places(const LineTrace& trace, const auto& off) {
+std::vector<std::size_t> shown_places(const PathTrace& trace, const auto& off) {
   constexpr std::size_t most = 1500;
   const std::size_t together = 1 + trace.steps.size() / most;
   const auto group = [&](std::size_t i) {
@@ -45,7 +41,7 @@ std::vector<std::size_t> shown_places(const LineTrace& trace, const auto& off) {
   };
   std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < trace.places.size(); ++i) {
-    const bool begins = trace.places[i].step == 0;  // a line
+    const bool begins = trace.places[i].step == 0;  // a piece
     const std::size_t before = begins ? 0 : group(i - 1);
     if (dense(trace) && !begins && (before == 0 || before == group(i))) {
       if (off(i) > off(shown.back())) shown.back() = i;
@@ -56,11 +52,11 @@ std::vector<std::size_t> shown_places(const LineTrace& trace, const auto& off) {
   return shown;
 }
 
-Chart chart_of(const LineTrace& trace, const FollowedLines& lines, double Deviation::*part,
+Chart chart_of(const PathTrace& trace, const FollowedPath& followed, double Deviation::*part,
                const char* what, const char* base) {
   double largest = rounding;
-  for (const LineTrace::Step& step : trace.steps) largest = std::max(largest, step.bound.*part);
-  for (const LineTrace::Place& place : trace.places) largest = std::max(largest, place.off.*part);
+  for (const PathTrace::Step& step : trace.steps) largest = std::max(largest, step.bound.*part);
+  for (const PathTrace::Place& place : trace.places) largest = std::max(largest, place.off.*part);
   const Unit unit = unit_for(largest, base);
   Curve measured{.name = "measured", .colour = amber, .width = 0.9};
   for (const std::size_t i :
@@ -69,22 +65,22 @@ Chart chart_of(const LineTrace& trace, const FollowedLines& lines, double Deviat
     measured.y.push_back(trace.places[i].off.*part / unit.size);
   }
   Curve bound{.name = "proved", .colour = ink, .width = 0.7};
-  for (const LineTrace::Step& step : trace.steps) {
+  for (const PathTrace::Step& step : trace.steps) {
     bound.x.insert(bound.x.end(), {step.from, step.to});
     bound.y.insert(bound.y.end(), {step.bound.*part / unit.size, step.bound.*part / unit.size});
   }
   Chart chart{.heading = dense(trace) ? "largest deviation" : "deviation",
-              .x_name = trace.turns_only ? "way along the lines [m; a turn: 0.01 m a radian]"
-                                         : "way along the lines [m]",
+              .x_name = trace.turns_only ? "way along the path [m; a turn: 0.01 m a radian]"
+                                         : "way along the path [m]",
               .left_name = std::string(what) + " [" + unit.name + "]",
               .curves = {std::move(measured), std::move(bound)},
               .least = rounding / unit.size,
               .from_zero = true};
-  if (lines.tolerance) chart.levels = {{"tolerance", (*lines.tolerance).*part / unit.size}};
+  if (followed.tolerance) chart.levels = {{"tolerance", (*followed.tolerance).*part / unit.size}};
   return chart;
 }
 
-std::vector<Vector3> enlarged(const LineTrace& trace, double factor) {
+std::vector<Vector3> enlarged(const PathTrace& trace, double factor) {
   std::vector<Vector3> points;
   for (const std::size_t i :
        shown_places(trace, [&](std::size_t k) { return trace.places[k].across.norm(); })) {
@@ -95,13 +91,13 @@ std::vector<Vector3> enlarged(const LineTrace& trace, double factor) {
 
 }  // namespace
 
-std::vector<Chart> deviation_charts(const LineTrace& trace, const FollowedLines& lines) {
+std::vector<Chart> deviation_charts(const PathTrace& trace, const FollowedPath& followed) {
   std::vector<Chart> charts;
-  if (asks(lines.task, 0)) {
-    charts.push_back(chart_of(trace, lines, &Deviation::position, "position", "m"));
+  if (followed.task.positions() > 0) {
+    charts.push_back(chart_of(trace, followed, &Deviation::position, "position", "m"));
   }
-  if (asks(lines.task, 3)) {
-    charts.push_back(chart_of(trace, lines, &Deviation::orientation, "orientation", "rad"));
+  if (followed.task.orientations() > 0) {
+    charts.push_back(chart_of(trace, followed, &Deviation::orientation, "orientation", "rad"));
   }
   for (std::size_t w = 0; w < trace.ends.size(); ++w) {
     for (Chart& chart : charts) {
@@ -112,14 +108,14 @@ std::vector<Chart> deviation_charts(const LineTrace& trace, const FollowedLines&
   return charts;
 }
 
-double exaggeration(const LineTrace& trace) {
-  constexpr double share = 0.06;  // of the lines' extent
+double exaggeration(const PathTrace& trace) {
+  constexpr double share = 0.06;  // of the path's extent
   double most = 0;
-  for (const LineTrace::Place& place : trace.places) most = std::max(most, place.across.norm());
-  Vector3 low = trace.corners.front(), high = low;
-  for (const Vector3& corner : trace.corners) {
-    low = low.cwiseMin(corner);
-    high = high.cwiseMax(corner);
+  for (const PathTrace::Place& place : trace.places) most = std::max(most, place.across.norm());
+  Vector3 low = trace.course.front(), high = low;
+  for (const Vector3& point : trace.course) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
   }
   const double extent = (high - low).norm();
   if (most <= rounding * std::max(1.0, extent)) return 1;
@@ -127,18 +123,22 @@ double exaggeration(const LineTrace& trace) {
   return factor > 2.5 ? round_step(factor / 2.5) : 1;
 }
 
-Figure exaggerated_figure(const Arm& arm, const LineTrace& trace, const FollowedLines& lines,
+Figure exaggerated_figure(const Arm& arm, const PathTrace& trace, const FollowedPath& followed,
                           double factor) {
   Scene scene;
-  scene.add(Layer::trail, Polyline{trace.corners, Colour{0.45, 0.47, 0.5}, 0.7});
+  scene.add(Layer::trail, Polyline{trace.course, Colour{0.45, 0.47, 0.5}, 0.7});
   scene.add(Layer::trail, Polyline{enlarged(trace, factor), amber, 0.9});
-  scene.add(Layer::mark, Dots{{trace.corners.front()}, ink, 5});
+  scene.add(Layer::mark, Dots{{trace.course.front()}, ink, 5});
   std::vector<std::string> names;
-  for (std::size_t w = 0; w < lines.waypoints.size(); ++w) names.push_back(std::to_string(w + 1));
-  add_poses(scene, lines.waypoints, names);
+  std::vector<Pose> waypoints;
+  for (const Piece& piece : followed.path.pieces) {
+    waypoints.push_back(pose_at(piece, 1));
+    names.push_back(std::to_string(waypoints.size()));
+  }
+  add_poses(scene, waypoints, names);
   Panel panel{.scene = std::move(scene)};
   panel.view = arm.planar() ? top_view() : oblique_view(-0.87, 0.44);
-  panel.caption = factor > 1 ? "tool's trail, its distance from the lines × " + fixed(factor, 0) +
+  panel.caption = factor > 1 ? "tool's trail, its distance from the path × " + fixed(factor, 0) +
                                    (dense(trace) ? " (the most of each step)" : "")
                              : "tool's trail, to scale";
   Figure figure;

@@ -38,14 +38,14 @@ Chart condition_chart(const Arm& arm, const Trajectory& trajectory, const Task& 
 }
 
 /// The trail and the charts of the deviation, as high together as `height`.
-ChartColumn line_column(const Arm& arm, const Trajectory& trajectory, const FollowedLines& lines,
+ChartColumn path_column(const Arm& arm, const Trajectory& trajectory, const FollowedPath& followed,
                         double height) {
   ChartColumn column{.plot_width = 340};
-  const LineTrace trace = trace_lines(arm, trajectory.positions, lines);
-  column.charts = deviation_charts(trace, lines);
+  const PathTrace trace = trace_path(arm, trajectory.positions, followed);
+  column.charts = deviation_charts(trace, followed);
   double taken = 60;  // by the trail's caption and margins, and the numbers of the way
   for (std::size_t i = 0; i < column.charts.size(); ++i) taken += plot_height + 24;
-  Figure trail = exaggerated_figure(arm, trace, lines, exaggeration(trace));
+  Figure trail = exaggerated_figure(arm, trace, followed, exaggeration(trace));
   trail.width = column.plot_width;
   trail.height = std::max(140.0, height - taken);
   column.above = compose(trail);
@@ -57,9 +57,9 @@ ChartColumn line_column(const Arm& arm, const Trajectory& trajectory, const Foll
 Drawing timing_figure(const Arm& arm, const Trajectory& given, const TimingFigureOptions& options) {
   const Trajectory trajectory = matched_to(arm, given);
   if (trajectory.times.empty()) throw Error("a motion without samples cannot be drawn");
-  const Task task = options.task    ? *options.task
-                    : options.lines ? options.lines->task
-                                    : default_task(arm);
+  const Task task = options.task   ? *options.task
+                    : options.path ? options.path->task
+                                   : default_task(arm);
   const double duration = trajectory.times.back() - trajectory.times.front();
   Sheet sheet{.title = options.title, .plot_height = plot_height};
   if (sheet.title.empty()) {
@@ -71,20 +71,21 @@ Drawing timing_figure(const Arm& arm, const Trajectory& given, const TimingFigur
   ChartColumn over_time{.charts = joint_charts(arm, trajectory)};
   over_time.charts.push_back(tool_speed_chart(arm, trajectory));
   over_time.charts.push_back(condition_chart(arm, trajectory, task));
-  if (options.lines) {
-    for (std::size_t w = 0; w < options.lines->arrivals.size(); ++w) {
+  if (options.path) {
+    const std::vector<std::size_t> reached = arrivals(options.path->places);
+    for (std::size_t w = 0; w < reached.size(); ++w) {
       for (Chart& chart : over_time.charts) {
         const bool first = &chart == over_time.charts.data();
-        const std::size_t at = options.lines->arrivals[w];
-        if (at >= trajectory.size()) continue;  // trace_lines() refuses it
-        chart.stations.push_back({trajectory.times[at], first ? std::to_string(w + 1) : ""});
+        if (reached[w] >= trajectory.size()) continue;  // trace_path() refuses it
+        chart.stations.push_back(
+            {trajectory.times[reached[w]], first ? std::to_string(w + 1) : ""});
       }
     }
   }
   const double height = static_cast<double>(over_time.charts.size()) * (plot_height + 20) + 30;
   sheet.columns.push_back(std::move(over_time));
-  if (options.lines && !options.lines->waypoints.empty()) {
-    sheet.columns.push_back(line_column(arm, trajectory, *options.lines, height));
+  if (options.path) {
+    sheet.columns.push_back(path_column(arm, trajectory, *options.path, height));
   }
   return compose(sheet);
 }

@@ -28,9 +28,7 @@ void check_count(const char* what, int value, int least) {
 }  // namespace
 
 void check_options(const Arm& arm, const InverseOptions& options) {
-  if (options.task && (options.task->size() == 0 || options.task->frame == Frame::space)) {
-    throw Error("the task needs at least one row, and the base or the tool frame");
-  }
+  if (options.task) check_task(*options.task);
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
     throw Error("tolerance is " + number(options.tolerance) + "; it must be above zero");
   }

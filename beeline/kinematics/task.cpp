@@ -17,6 +17,11 @@ Twist masked_error(const Task& task, const Pose& desired, const Pose& current) {
 
 }  // namespace
 
+void check_task(const Task& task) {
+  if (task.size() > 0 && task.frame != Frame::space) return;
+  throw Error("the task needs at least one row, and the base or the tool frame");
+}
+
 int Task::size() const { return static_cast<int>(std::count(rows.begin(), rows.end(), true)); }
 
 Task task_named(std::string_view text) {

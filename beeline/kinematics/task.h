@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -20,8 +21,14 @@ struct Task {
   static Task planar() { return {{true, true, false, false, false, true}}; }
   bool operator==(const Task&) const = default;
 
-  int size() const;  ///< how many rows matter
+  int size() const;                                                 ///< how many rows matter
+  int positions() const { return rows[0] + rows[1] + rows[2]; }     ///< of them
+  int orientations() const { return rows[3] + rows[4] + rows[5]; }  ///< of them
 };
+
+/// Throws Error unless poses can be compared by the task: it has a row, in the axes of the base or
+/// of the tool.
+void check_task(const Task& task);
 
 /// `spatial`, `position`, `planar`, or a mask such as `111110`; with `:tool` behind it the rows are
 /// those of the tool's axes (`111110:tool` leaves the turn about the tool's own z free).
@@ -55,5 +62,16 @@ struct Deviation {
   double orientation = 0;
 };
 Deviation task_deviation(const Task& task, const Pose& desired, const Pose& current);
+
+/// Makes `largest` no less than what was met.
+inline void grow(Deviation& largest, const Deviation& met) {
+  largest.position = std::max(largest.position, met.position);
+  largest.orientation = std::max(largest.orientation, met.orientation);
+}
+
+/// Neither part is above that of the tolerance.
+inline bool within(const Deviation& deviation, const Deviation& tolerance) {
+  return deviation.position <= tolerance.position && deviation.orientation <= tolerance.orientation;
+}
 
 }  // namespace beeline

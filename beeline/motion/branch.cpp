@@ -8,55 +8,54 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/motion/branch.h>
-#include <beeline/motion/line_failure.h>
+#include <beeline/motion/piece_failure.h>
 #include <beeline/motion/redundancy.h>
-#include <beeline/motion/waypoints.h>
 
 namespace beeline {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
-constexpr double no_motion = 1e-9;  // metres or radians: the tool is there already
-constexpr double rounding = 1e-9;   // radians or metres that a joint may be beyond a limit
+constexpr double rounding = 1e-9;  // radians or metres that a joint may be beyond a limit
 
-Line line_of(std::span<const Pose> poses, std::size_t w) { return {poses[w], poses[w + 1]}; }
-
-/// "line 2 of 3 ", as failures begin.
-std::string line_number(std::size_t w, std::size_t lines) {
-  return "line " + std::to_string(w + 1) + " of " + std::to_string(lines) + " ";
+bool all_lines(const ToolPath& path) {
+  return std::all_of(path.pieces.begin(), path.pieces.end(),
+                     [](const Piece& piece) { return std::holds_alternative<Line>(piece); });
 }
 
-/// Follows all lines from branch.start as far as they go.
-void follow_all(const Arm& arm, std::span<const Pose> poses, const Bounds& bounds,
+/// "line 2 of 3 ", as failures begin.
+std::string piece_number(const ToolPath& path, std::size_t i) {
+  return (all_lines(path) ? "line " : "piece ") + std::to_string(i + 1) + " of " +
+         std::to_string(path.pieces.size()) + " ";
+}
+
+/// Follows the path from branch.start as far as it goes.
+void follow_all(const Arm& arm, const ToolPath& path, const Bounds& bounds,
                 const BranchOptions& options, Branch& branch) {
   Configuration q = branch.start;
   std::size_t left = options.most_samples;
-  for (std::size_t w = 0; w + 1 < poses.size(); ++w) {
-    const Line line = line_of(poses, w);
-    const Deviation way = task_deviation(options.task, line.to, line.from);
-    if (way.position <= no_motion && way.orientation <= no_motion) {
-      branch.lines.push_back({{q}, {1}, {}});
-      branch.done = static_cast<double>(w + 1);
+  for (std::size_t i = 0; i < path.pieces.size(); ++i) {
+    const auto before = static_cast<double>(i), pieces = static_cast<double>(path.pieces.size());
+    if (stands_still(path.pieces[i], options.task)) {
+      branch.pieces.push_back({{q}, {1}, {}});
+      branch.done = before + 1;
       continue;
     }
     FollowOptions follow_options{.tolerance = options.tolerance, .most_samples = left};
     if (options.guide) {
-      follow_options.guide = [&](double s) { return options.guide(static_cast<double>(w) + s); };
+      follow_options.guide = [&](double s) { return options.guide(before + s); };
     }
     if (options.progress) {
-      follow_options.progress = [&](double s) {
-        options.progress((static_cast<double>(w) + s) / static_cast<double>(poses.size() - 1));
-      };
+      follow_options.progress = [&](double s) { options.progress((before + s) / pieces); };
     }
-    branch.lines.push_back(follow(arm, line, options.task, bounds, q, follow_options));
-    const Followed& way_done = branch.lines.back();
-    branch.done = static_cast<double>(w) + way_done.fractions.back();
-    q = way_done.samples.back();
-    if (!way_done.through()) {
+    branch.pieces.push_back(follow(arm, path.pieces[i], options.task, bounds, q, follow_options));
+    const Followed& way = branch.pieces.back();
+    branch.done = before + way.fractions.back();
+    q = way.samples.back();
+    if (!way.through()) {
       branch.status = MotionStatus::not_converged;  // until it is asked why
       return;
     }
-    left -= std::min(left, way_done.samples.size() - 1);  // the corner is both lines'
+    left -= std::min(left, way.samples.size() - 1);  // the corner is both pieces'
   }
 }
 
@@ -67,8 +66,8 @@ struct Extent {
 
 Extent extent_of(const Branch& branch, int k) {
   Extent extent{branch.start[k], branch.start[k]};
-  for (const Followed& line : branch.lines) {
-    for (const Configuration& q : line.samples) {
+  for (const Followed& piece : branch.pieces) {
+    for (const Configuration& q : piece.samples) {
       extent.lower = std::min(extent.lower, q[k]);
       extent.upper = std::max(extent.upper, q[k]);
     }
@@ -76,17 +75,17 @@ Extent extent_of(const Branch& branch, int k) {
   return extent;
 }
 
-/// Where coordinate k first is outside [lower, upper]: lines done, with a fraction of the next.
+/// Where coordinate k first is outside [lower, upper]: pieces done, with a fraction of the next.
 double leaves_at(const Branch& branch, int k, double lower, double upper) {
-  for (std::size_t w = 0; w < branch.lines.size(); ++w) {
-    const Followed& line = branch.lines[w];
-    for (std::size_t i = 0; i < line.samples.size(); ++i) {
-      const double now = line.samples[i][k];
+  for (std::size_t w = 0; w < branch.pieces.size(); ++w) {
+    const Followed& piece = branch.pieces[w];
+    for (std::size_t i = 0; i < piece.samples.size(); ++i) {
+      const double now = piece.samples[i][k];
       if (now >= lower && now <= upper) continue;
       if (i == 0) return static_cast<double>(w);
-      const double before = line.samples[i - 1][k], limit = now > upper ? upper : lower;
+      const double before = piece.samples[i - 1][k], limit = now > upper ? upper : lower;
       const double share = std::clamp((limit - before) / (now - before), 0.0, 1.0);
-      return static_cast<double>(w) + std::lerp(line.fractions[i - 1], line.fractions[i], share);
+      return static_cast<double>(w) + std::lerp(piece.fractions[i - 1], piece.fractions[i], share);
     }
   }
   return branch.done;
@@ -112,14 +111,13 @@ double best_turns(const Branch& branch, int k, double lower, double upper) {
 
 void shift(Branch& branch, int k, double turns) {
   branch.start[k] += turns;
-  for (Followed& line : branch.lines) {
-    for (Configuration& q : line.samples) q[k] += turns;
+  for (Followed& piece : branch.pieces) {
+    for (Configuration& q : piece.samples) q[k] += turns;
   }
 }
 
 /// Cuts the branch off where it first leaves the limits, and tells which joint's.
-void keep_limits(const Arm& arm, std::span<const Pose> poses, Branch& branch) {
-  const std::size_t lines = poses.size() - 1;
+void keep_limits(const Arm& arm, const ToolPath& path, Branch& branch) {
   const Bounds bounds = bounds_of(arm);
   int blocking = -1;
   double first = branch.done;
@@ -129,62 +127,60 @@ void keep_limits(const Arm& arm, std::span<const Pose> poses, Branch& branch) {
     if (done < first || (done == first && done < branch.done)) first = done, blocking = k;
   }
   if (blocking < 0) return;
-  const auto w = std::min(static_cast<std::size_t>(first), lines - 1);
+  const auto w = std::min(static_cast<std::size_t>(first), path.pieces.size() - 1);
   const double s = first - static_cast<double>(w);
-  branch.lines.resize(w + 1);
-  Followed& line = branch.lines[w];
-  while (line.fractions.size() > 1 && line.fractions.back() > s) {
-    line.fractions.pop_back();
-    line.samples.pop_back();
+  branch.pieces.resize(w + 1);
+  Followed& piece = branch.pieces[w];
+  while (piece.fractions.size() > 1 && piece.fractions.back() > s) {
+    piece.fractions.pop_back();
+    piece.samples.pop_back();
   }
   branch.done = first;
   branch.status = MotionStatus::outside_limits;
-  const double ahead = line.samples.back()[blocking];
+  const double ahead = piece.samples.back()[blocking];
   const bool low = ahead - bounds.lower[blocking] < bounds.upper[blocking] - ahead;
-  branch.reason = line_number(w, lines) + line_place(line_of(poses, w), s) +
+  branch.reason = piece_number(path, w) + place_in_words(path.pieces[w], s) +
                   limit_in_the_way(arm, blocking, low);
 }
 
 void measure(const Arm& arm, const Task& task, Branch& branch) {
   Margins margins;
-  for (const Followed& line : branch.lines) {
-    for (const Configuration& q : line.samples) narrow(margins, arm, task, q);
+  for (const Followed& piece : branch.pieces) {
+    for (const Configuration& q : piece.samples) narrow(margins, arm, task, q);
   }
   branch.limit_margin = margins.limit;
   branch.dexterity = margins.dexterity;
 }
 
-/// The branches that go all the way from the lines' end to their begin, told the right way round:
-/// at a singular begin one solution stands for infinitely many, and the lines may need another.
-std::vector<Branch> backward_branches(const Arm& arm, const std::vector<Pose>& poses,
-                                      const Bounds& bounds, const BranchOptions& options) {
-  const std::vector<Pose> back(poses.rbegin(), poses.rend());
+/// The branches that go all the way from the path's end to its begin, told the right way round: at
+/// a singular begin one solution stands for infinitely many, and the path may need another.
+std::vector<Branch> backward_branches(const Arm& arm, const ToolPath& path, const Bounds& bounds,
+                                      const BranchOptions& options) {
+  const ToolPath back = reversed(path);
   const InverseResult ends = inverse_kinematics(
-      arm, back.front(), {.task = options.task, .all = true, .ignore_limits = true});
+      arm, pose_at(back, 0), {.task = options.task, .all = true, .ignore_limits = true});
   std::vector<Branch> branches;
   for (const Configuration& end : ends.solutions) {
     if (!within(bounds, end)) continue;
     Branch branch{.start = end};
     follow_all(arm, back, bounds, options, branch);
     if (branch.status != MotionStatus::reached) continue;
-    std::reverse(branch.lines.begin(), branch.lines.end());
-    for (Followed& line : branch.lines) {
-      std::reverse(line.samples.begin(), line.samples.end());
-      if (line.samples.size() == 1) continue;
-      std::reverse(line.fractions.begin(), line.fractions.end());
-      for (double& fraction : line.fractions) fraction = 1 - fraction;
+    std::reverse(branch.pieces.begin(), branch.pieces.end());
+    for (Followed& piece : branch.pieces) {
+      std::reverse(piece.samples.begin(), piece.samples.end());
+      if (piece.samples.size() == 1) continue;
+      std::reverse(piece.fractions.begin(), piece.fractions.end());
+      for (double& fraction : piece.fractions) fraction = 1 - fraction;
     }
-    branch.start = branch.lines.front().samples.front();
+    branch.start = branch.pieces.front().samples.front();
     branches.push_back(std::move(branch));
   }
   return branches;
 }
 
-void check(std::span<const Pose> poses, const BranchOptions& options) {
-  if (poses.size() < 2) throw Error("a line needs a pose to begin at and one to end at");
-  if (options.task.size() == 0 || options.task.frame == Frame::space) {
-    throw Error("the task needs at least one row, and the base or the tool frame");
-  }
+void check(const Arm& arm, const ToolPath& path, const BranchOptions& options) {
+  if (path.pieces.empty()) throw Error("a path needs pieces");
+  for (const Piece& piece : path.pieces) check_task(arm, piece, options.task);
 }
 
 }  // namespace
@@ -202,19 +198,18 @@ void narrow(Margins& margins, const Arm& arm, const Task& task, const Configurat
   margins.dexterity = std::min(margins.dexterity, 1 / dexterity(j).condition);
 }
 
-void explain(const Arm& arm, std::span<const Pose> poses, const BranchOptions& options,
-             Branch& branch) {
+void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options, Branch& branch) {
   if (branch.status != MotionStatus::not_converged) return;
   std::size_t samples = 1;
-  for (const Followed& line : branch.lines) samples += line.samples.size() - 1;
-  const std::size_t w = branch.lines.size() - 1;
-  const Followed& last = branch.lines.back();
-  const LineFailure failure = samples >= options.most_samples
-                                  ? too_many_samples(static_cast<int>(options.most_samples))
-                                  : line_failure(arm, line_of(poses, w), options.task,
-                                                 last.samples.back(), last.fractions.back());
+  for (const Followed& piece : branch.pieces) samples += piece.samples.size() - 1;
+  const std::size_t w = branch.pieces.size() - 1;
+  const Followed& last = branch.pieces.back();
+  const PieceFailure failure = samples >= options.most_samples
+                                   ? too_many_samples(static_cast<int>(options.most_samples))
+                                   : piece_failure(arm, path.pieces[w], options.task,
+                                                   last.samples.back(), last.fractions.back());
   branch.status = failure.status;
-  branch.reason = line_number(w, poses.size() - 1) + failure.reason;
+  branch.reason = piece_number(path, w) + failure.reason;
 }
 
 bool better(const Branch& a, const Branch& b) {
@@ -222,23 +217,21 @@ bool better(const Branch& a, const Branch& b) {
   return std::min(a.limit_margin, a.dexterity) > std::min(b.limit_margin, b.dexterity);
 }
 
-Branch follow_branch(const Arm& arm, const Configuration& start, std::span<const Pose> given,
+Branch follow_branch(const Arm& arm, const Configuration& start, const ToolPath& path,
                      const BranchOptions& options) {
-  check(given, options);
-  const std::vector<Pose> poses = checked_waypoints(given);
+  check(arm, path, options);
   Branch branch{.start = start};
-  follow_all(arm, poses, bounds_of(arm), options, branch);
-  if (options.reasons != BranchOptions::Reasons::none) explain(arm, poses, options, branch);
+  follow_all(arm, path, bounds_of(arm), options, branch);
+  if (options.reasons != BranchOptions::Reasons::none) explain(arm, path, options, branch);
   measure(arm, options.task, branch);
   return branch;
 }
 
-std::vector<Branch> follow_branches(const Arm& arm, std::span<const Pose> given,
+std::vector<Branch> follow_branches(const Arm& arm, const ToolPath& path,
                                     const BranchOptions& options) {
-  check(given, options);
-  const std::vector<Pose> poses = checked_waypoints(given);
+  check(arm, path, options);
   const InverseResult starts = inverse_kinematics(
-      arm, poses.front(), {.task = options.task, .all = true, .ignore_limits = true});
+      arm, pose_at(path, 0), {.task = options.task, .all = true, .ignore_limits = true});
   const Bounds limits = bounds_of(arm);
   Bounds bounds = limits;
   for (int k = 0; k < arm.dof(); ++k) {
@@ -252,13 +245,13 @@ std::vector<Branch> follow_branches(const Arm& arm, std::span<const Pose> given,
       if (turns_around(arm, k))
         shift(branch, k, best_turns(branch, k, limits.lower[k], limits.upper[k]));
     }
-    keep_limits(arm, poses, branch);
+    keep_limits(arm, path, branch);
     branches.push_back(std::move(branch));
   };
   for (const Configuration& start : starts.solutions) {
     if (!within(bounds, start)) continue;
     Branch branch{.start = start};
-    follow_all(arm, poses, bounds, options, branch);
+    follow_all(arm, path, bounds, options, branch);
     add(std::move(branch));
   }
   const bool through = std::any_of(branches.begin(), branches.end(), [](const Branch& branch) {
@@ -269,7 +262,7 @@ std::vector<Branch> follow_branches(const Arm& arm, std::span<const Pose> given,
     return 1 / dexterity(task_jacobian(arm, q, options.task)).condition < rank_lost;
   };
   if (!through && std::any_of(starts.solutions.begin(), starts.solutions.end(), singular)) {
-    for (Branch& branch : backward_branches(arm, poses, bounds, options)) add(std::move(branch));
+    for (Branch& branch : backward_branches(arm, path, bounds, options)) add(std::move(branch));
   }
   double farthest = 0;
   for (const Branch& branch : branches) farthest = std::max(farthest, branch.done);
@@ -281,7 +274,7 @@ std::vector<Branch> follow_branches(const Arm& arm, std::span<const Pose> given,
   using Reasons = BranchOptions::Reasons;
   for (Branch& branch : branches) {
     if (options.reasons == Reasons::none) break;
-    explain(arm, poses, options, branch);
+    explain(arm, path, options, branch);
     if (options.reasons == Reasons::best) break;
   }
   return branches;

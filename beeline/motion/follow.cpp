@@ -5,7 +5,6 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/motion/follow.h>
-#include <beeline/motion/matched.h>
 #include <beeline/motion/redundancy.h>
 
 namespace beeline {
@@ -13,9 +12,9 @@ namespace {
 
 constexpr double rounding = 1e-11;  // metres and radians that a sample of an arm of 1 m may be off
 constexpr double farthest_start = 1e-8;   // off the way, for an arm of 1 m
-constexpr double first_step = 1.0 / 32;   // of a line
-constexpr double longest_step = 1.0 / 4;  // of a line: its ends and some of its way are looked at
-constexpr double shortest_step = 1e-7;    // of a line: below it the arm has to jump
+constexpr double first_step = 1.0 / 32;   // of a piece
+constexpr double longest_step = 1.0 / 4;  // of a piece: its ends and some of its way are looked at
+constexpr double shortest_step = 1e-7;    // of a piece: below it the arm has to jump
 constexpr double largest_turn = 0.5;      // of one joint in one step, radians
 constexpr double aside = 0.01;            // radians or metres: a guess off a singularity
 constexpr double share = 0.8;             // of the tolerance that a step is made for
@@ -26,41 +25,29 @@ struct Step {
   Deviation bound;
 };
 
-/// A place that the arm is at, or may be at next: a share of the way.
-struct Place {
-  const Configuration& q;
-  double s = 0;
-};
-
-/// What is followed: a line or another piece.
-struct Way {
-  std::function<Pose(double)> at;
-  std::function<Deviation(const Place&, const Place&)> step_bound;
-  std::function<Deviation(double, const Pose&)> deviation;
-};
-
 /// Everything that one step needs.
 struct Follower {
   const Arm& arm;
-  const Way& way;
+  const Piece& piece;
   const Task& task;
   const Bounds& bounds;
   const FollowOptions& options;
   double exact = 0;  ///< at a sample
+  Deviation ends;    ///< by which samples may be off
   double use = 0;    ///< of the tolerance, by the last step tried; 0: it had no configuration
 
   /// The configuration at the fraction `s`, next to the last; none when there is none or the motion
-  /// to it is not proved to stay near the line.
-  std::optional<Step> step(const Place& last, double s) {
-    const Pose target = way.at(s);
+  /// to it is not proved to stay near the piece.
+  std::optional<Step> step(const StepEnd& last, double s) {
+    const Pose target = pose_at(piece, s);
     return proved(last, s, target,
                   options.guide ? options.guide(s) : predicted(arm, last.q, target, task, bounds));
   }
 
   /// The same from a singular q such as an arm stretched out, where the Jacobian shows no way: to
   /// the first side to which a joint can bend.
-  std::optional<Step> step_aside(const Place& last, double s) {
-    const Pose target = way.at(s);
+  std::optional<Step> step_aside(const StepEnd& last, double s) {
+    const Pose target = pose_at(piece, s);
     for (int k = 0; k < arm.dof(); ++k) {
       for (const double side : {aside, -aside}) {
         Configuration guess = last.q;
@@ -71,7 +58,7 @@ struct Follower {
     return {};
   }
 
-  std::optional<Step> proved(const Place& last, double s, const Pose& target,
+  std::optional<Step> proved(const StepEnd& last, double s, const Pose& target,
                              const Configuration& guess) {
     use = 0;
     const Descent found =
@@ -81,7 +68,7 @@ struct Follower {
       const bool turns = kind(arm.joint_of(k)) != JointKind::prismatic;
       if (turns && std::abs(found.q[k] - last.q[k]) > largest_turn) return {};
     }
-    const Deviation bound = way.step_bound(last, {found.q, s});
+    const Deviation bound = step_bound(arm, piece, task, last, {found.q, s, ends});
     use = std::max(bound.position / options.tolerance.position,
                    bound.orientation / options.tolerance.orientation);
     return use <= 1 ? std::optional(Step{found.q, bound}) : std::nullopt;
@@ -102,11 +89,17 @@ double exact_at_samples(const Arm& arm) {
   return rounding * (std::isfinite(reach) ? std::max(1.0, reach) : 1);
 }
 
-Followed follow_way(const Arm& arm, const Way& way, const Task& task, const Bounds& bounds,
-                    const Configuration& start, const FollowOptions& options) {
-  Follower follower{arm, way, task, bounds, options, exact_at_samples(arm)};
+}  // namespace
+
+Followed follow(const Arm& arm, const Piece& piece, const Task& task, const Bounds& bounds,
+                const Configuration& start, const FollowOptions& options) {
+  check_task(arm, piece, task);
+  const double exact = exact_at_samples(arm);
+  // The nearest point of a line, which may be told by its position alone, can be that much off.
+  const double turned = std::holds_alternative<Line>(piece) ? 1 + 1 / way_of_a_radian : 1;
+  Follower follower{arm, piece, task, bounds, options, exact, {exact, exact * turned}};
   Followed followed{{start}, {0}, {}};
-  const Deviation off = way.deviation(0, forward_kinematics(arm, start));
+  const Deviation off = deviation_from(piece, 0, forward_kinematics(arm, start), task);
   if (std::max(off.position, off.orientation) > farthest_start * follower.exact / rounding) {
     throw Error("the start is " + number(off.position) + " m and " + angle(off.orientation) +
                 " away from where the way begins");
@@ -120,14 +113,16 @@ Followed follow_way(const Arm& arm, const Way& way, const Task& task, const Boun
         std::ceil(left / length);  // equal ones to the end, none of rounding's size
     const double s = steps > 1 ? done + left / steps : 1;
     const Configuration& q = followed.samples.back();
-    auto next = follower.step({q, done}, s);
+    const StepEnd last{q, done, follower.ends};
+    auto next = follower.step(last, s);
     const double stretch = follower.stretch();
-    if (!next && followed.samples.size() == 1) next = follower.step_aside({start, 0}, s);
+    if (!next && followed.samples.size() == 1) next = follower.step_aside(last, s);
     length = std::min((s - done) * stretch, longest_step);
     if (!next) continue;
     const Pose middle = forward_kinematics(arm, (q + next->q) / 2);
-    grow(followed.straightness.measured, way.deviation((done + s) / 2, middle));
-    grow(followed.straightness.sampled, way.deviation(s, forward_kinematics(arm, next->q)));
+    grow(followed.straightness.measured, deviation_from(piece, (done + s) / 2, middle, task));
+    const Pose reached = forward_kinematics(arm, next->q);
+    grow(followed.straightness.sampled, deviation_from(piece, s, reached, task));
     grow(followed.straightness.bound, next->bound);
     followed.samples.push_back(std::move(next->q));
     followed.fractions.push_back(s);
@@ -135,37 +130,6 @@ Followed follow_way(const Arm& arm, const Way& way, const Task& task, const Boun
   }
   grow(followed.straightness.measured, followed.straightness.sampled);
   return followed;
-}
-
-}  // namespace
-
-Followed follow(const Arm& arm, const Line& line, const Task& task, const Bounds& bounds,
-                const Configuration& start, const FollowOptions& options) {
-  // The nearest point of the line, which may be told by its position alone, can be that much off.
-  const double exact = exact_at_samples(arm);
-  const Deviation ends{exact, exact * (1 + 1 / way_of_a_radian)};
-  const Way way{.at = [&](double s) { return interpolate(line.from, line.to, s); },
-                .step_bound =
-                    [&](const Place& a, const Place& b) {
-                      return step_bound(arm, line, task, a.q, b.q, ends, ends);
-                    },
-                .deviation = [&](double, const Pose& p) { return deviation_from(line, p, task); }};
-  return follow_way(arm, way, task, bounds, start, options);
-}
-
-Followed follow(const Arm& arm, const Piece& piece, const Task& task, const Bounds& bounds,
-                const Configuration& start, const FollowOptions& options) {
-  const Deviation ends{exact_at_samples(arm), exact_at_samples(arm)};
-  check_matched(arm, piece, task);
-  const Way way{
-      .at = [&](double s) { return pose_at(piece, s); },
-      .step_bound =
-          [&](const Place& a, const Place& b) {
-            return matched_step_bound(arm, piece, task, {a.q, a.s, ends}, {b.q, b.s, ends});
-          },
-      .deviation = [&](double s,
-                       const Pose& pose) { return task_deviation(task, pose_at(piece, s), pose); }};
-  return follow_way(arm, way, task, bounds, start, options);
 }
 
 }  // namespace beeline

@@ -6,6 +6,7 @@
 #include <beeline/inverse/solve.h>
 #include <beeline/motion/ladder.h>
 #include <beeline/motion/redundancy.h>
+#include <beeline/motion/straightness.h>
 
 namespace beeline {
 namespace {
@@ -15,7 +16,7 @@ constexpr int most_repairs = 60;      // edges that turn out not to lead on
 constexpr int smoothings = 12;
 constexpr double limit_weight = 0.003;  // of nearness to limits, against the square of seconds
 
-/// One place on the lines and the solutions there.
+/// One place on the path and the solutions there.
 struct Rung {
   double place = 0;
   Pose pose;
@@ -24,16 +25,30 @@ struct Rung {
   std::vector<int> before;   ///< its solution on the rung before; -1: none
 };
 
-std::vector<Rung> rungs(std::span<const Pose> poses, double spacing) {
-  std::vector<Rung> all{{0, poses.front(), {}, {}, {}}};
-  for (std::size_t w = 0; w + 1 < poses.size(); ++w) {
-    const Twist way = pose_difference(poses[w + 1], poses[w]);
-    const double length = way.head<3>().norm() + way.tail<3>().norm() / 5;
-    const int parts = std::clamp(static_cast<int>(std::ceil(length / spacing)), 4, 400);
+/// About how far the tool moves on a piece, a radian counting as a fifth of a metre.
+double size_of(const Piece& piece) {
+  constexpr int chords = 8;
+  double size = 0;
+  Pose before = pose_at(piece, 0);
+  for (int i = 1; i <= chords; ++i) {
+    const Pose now = pose_at(piece, static_cast<double>(i) / chords);
+    const Twist way = pose_difference(now, before);
+    size += way.head<3>().norm() + way.tail<3>().norm() / 5;
+    before = now;
+  }
+  return size;
+}
+
+/// None where what matters stands still.
+std::vector<Rung> rungs(const ToolPath& path, const Task& task, double spacing) {
+  std::vector<Rung> all{{0, pose_at(path, 0), {}, {}, {}}};
+  for (std::size_t w = 0; w < path.pieces.size(); ++w) {
+    if (stands_still(path.pieces[w], task)) continue;
+    const double wanted = std::ceil(size_of(path.pieces[w]) / spacing);
+    const int parts = static_cast<int>(std::clamp(wanted, 4.0, 400.0));
     for (int i = 1; i <= parts; ++i) {
       const double s = static_cast<double>(i) / parts;
-      all.push_back(
-          {static_cast<double>(w) + s, interpolate(poses[w], poses[w + 1], s), {}, {}, {}});
+      all.push_back({static_cast<double>(w) + s, pose_at(path.pieces[w], s), {}, {}, {}});
     }
   }
   return all;
@@ -116,12 +131,12 @@ std::vector<int> chain_to(const std::vector<Rung>& all, std::size_t end) {
 }
 
 /// Whether half-way between two solutions there is one near their middle.
-bool leads_on(const Arm& arm, const Task& task, const Bounds& bounds, const Rung& a,
-              const Configuration& p, const Rung& b, const Configuration& q) {
-  const Configuration middle = (p + q) / 2;
-  const Descent found = descend(arm, interpolate(a.pose, b.pose, 0.5), task, bounds, middle,
+bool leads_on(const Arm& arm, const ToolPath& path, const Task& task, const Bounds& bounds,
+              const Knot& a, const Knot& b) {
+  const Configuration middle = (a.q + b.q) / 2;
+  const Descent found = descend(arm, pose_at(path, (a.place + b.place) / 2), task, bounds, middle,
                                 {.tolerance = 1e-9, .iterations = 20});
-  const double way = (q - p).lpNorm<Eigen::Infinity>();
+  const double way = (b.q - a.q).lpNorm<Eigen::Infinity>();
   return found.converged && (found.q - middle).lpNorm<Eigen::Infinity>() < 0.3 * way + 0.02;
 }
 
@@ -152,8 +167,8 @@ void smooth(const Arm& arm, const Task& task, const Costs& costs, const std::vec
 
 }  // namespace
 
-Ladder ladder(const Arm& arm, std::span<const Pose> poses, const LadderOptions& options) {
-  std::vector<Rung> all = rungs(poses, options.spacing);
+Ladder ladder(const Arm& arm, const ToolPath& path, const LadderOptions& options) {
+  std::vector<Rung> all = rungs(path, options.task, options.spacing);
   const std::size_t wanted = all.size();
   const Costs costs(arm);
   InverseSolver solver(arm, {.task = options.task,
@@ -188,13 +203,12 @@ Ladder ladder(const Arm& arm, std::span<const Pose> poses, const LadderOptions& 
     std::vector<Knot> knots;
     std::size_t r = 0;
     for (; r < end; ++r) {
-      const Configuration& q = all[r].solutions[static_cast<std::size_t>(chain[r])];
-      if (r > 0 &&
-          !leads_on(arm, options.task, costs.bounds, all[r - 1], knots.back().q, all[r], q)) {
+      const Knot next{all[r].place, all[r].solutions[static_cast<std::size_t>(chain[r])]};
+      if (r > 0 && !leads_on(arm, path, options.task, costs.bounds, knots.back(), next)) {
         closed.push_back({r, chain[r - 1], chain[r]});
         break;
       }
-      knots.push_back({all[r].place, q});
+      knots.push_back(next);
     }
     if (knots.size() > result.knots.size()) result.knots = knots;
     result.through = knots.size() == wanted;
@@ -207,27 +221,30 @@ Ladder ladder(const Arm& arm, std::span<const Pose> poses, const LadderOptions& 
   return result;
 }
 
-KnotSpline::KnotSpline(const std::vector<Knot>& knots) : knots_(knots), slopes_(knots.size()) {
-  for (std::size_t i = 0; i < knots.size(); ++i) {
-    const Knot& before = knots[i == 0 ? 0 : i - 1];
-    const Knot& after = knots[std::min(i + 1, knots.size() - 1)];
-    const double way = after.place - before.place;
-    slopes_[i] = way > 0 ? Configuration((after.q - before.q) / way)
-                         : Configuration(Configuration::Zero(knots[i].q.size()));
+KnotSpline::KnotSpline(const std::vector<Knot>& knots, const ToolPath& path) : path_(path) {
+  for (const Knot& knot : knots) {
+    const double way = way_to(path, knot.place);
+    if (!ways_.empty() && !(way > ways_.back())) continue;
+    ways_.push_back(way);
+    q_.push_back(knot.q);
+  }
+  for (std::size_t i = 0; i < q_.size(); ++i) {
+    const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, q_.size() - 1);
+    slopes_.emplace_back(Configuration::Zero(q_[i].size()));
+    if (after > before) slopes_[i] = (q_[after] - q_[before]) / (ways_[after] - ways_[before]);
   }
 }
 
 Configuration KnotSpline::at(double place) const {
-  if (place <= knots_.front().place) return knots_.front().q;
-  if (place >= knots_.back().place) return knots_.back().q;
-  const auto next = std::upper_bound(knots_.begin(), knots_.end(), place,
-                                     [](double p, const Knot& knot) { return p < knot.place; });
-  const auto i = static_cast<std::size_t>(next - knots_.begin());
-  const Knot &a = knots_[i - 1], &b = knots_[i];
-  const double h = b.place - a.place, t = (place - a.place) / h;
+  const double way = way_to(path_, place);
+  if (way <= ways_.front()) return q_.front();
+  if (way >= ways_.back()) return q_.back();
+  const auto next = std::upper_bound(ways_.begin(), ways_.end(), way);
+  const auto b = static_cast<std::size_t>(next - ways_.begin()), a = b - 1;
+  const double h = ways_[b] - ways_[a], t = (way - ways_[a]) / h;
   const double t2 = t * t, t3 = t2 * t;
-  return (2 * t3 - 3 * t2 + 1) * a.q + (t3 - 2 * t2 + t) * h * slopes_[i - 1] +
-         (3 * t2 - 2 * t3) * b.q + (t3 - t2) * h * slopes_[i];
+  return (2 * t3 - 3 * t2 + 1) * q_[a] + (t3 - 2 * t2 + t) * h * slopes_[a] +
+         (3 * t2 - 2 * t3) * q_[b] + (t3 - t2) * h * slopes_[b];
 }
 
 }  // namespace beeline

@@ -1,14 +1,14 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
 #include <beeline/kinematics/task.h>
+#include <beeline/motion/path/through.h>
 
 namespace beeline {
 
-/// A configuration at a place on lines: `place` whole lines, with a fraction of the next.
+/// A configuration at a place on a path: `place` whole pieces, with a fraction of the next.
 struct Knot {
   double place = 0;
   Configuration q;
@@ -26,23 +26,25 @@ struct Ladder {
   bool through = false;
 };
 
-/// What joints to spare do along lines, decided for the whole way at once: solutions of inverse
-/// kinematics within limits at places along them, of which a chain is chosen whose joints move
+/// What joints to spare do along a path, decided for the whole way at once: solutions of inverse
+/// kinematics within limits at places along it, of which a chain is chosen whose joints move
 /// least and stay away from their limits (dynamic programming over a ladder graph, as in Descartes
 /// and in Ferrentino & Chiacchio 2020). Neighbours in the chain can be joined without leaving the
-/// line by more than the joints move; it is then drawn taut in the joints' self-motion. That the
+/// path by more than the joints move; it is then drawn taut in the joints' self-motion. That the
 /// arm can follow is not proved by this: see follow().
-Ladder ladder(const Arm& arm, std::span<const Pose> poses, const LadderOptions& options);
+Ladder ladder(const Arm& arm, const ToolPath& path, const LadderOptions& options);
 
-/// The knots' spline at a place, for follow() to keep near.
+/// The knots' spline at a place, for follow() to keep near: cubic by the way (way_to()), so that it
+/// has no kink where a piece ends.
 class KnotSpline {
  public:
-  explicit KnotSpline(const std::vector<Knot>& knots);
+  KnotSpline(const std::vector<Knot>& knots, const ToolPath& path);
   Configuration at(double place) const;
 
  private:
-  std::vector<Knot> knots_;
-  std::vector<Configuration> slopes_;
+  ToolPath path_;
+  std::vector<double> ways_;
+  std::vector<Configuration> q_, slopes_;
 };
 
 }  // namespace beeline

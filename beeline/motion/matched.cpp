@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
-#include <string>
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
@@ -13,10 +11,6 @@
 
 namespace beeline {
 namespace {
-
-int rows(const Task& task, std::size_t first) {
-  return task.rows[first] + task.rows[first + 1] + task.rows[first + 2];
-}
 
 /// The tool and the piece both stand upright all the way.
 bool planar(const Arm& arm, const Piece& piece) {
@@ -49,12 +43,12 @@ Deviation matched_step_bound(const Arm& arm, const Piece& piece, const Task& tas
   const ChordBound tool = chord_bound(arm, a.q, b.q);
   const OffChord way = off_chord(piece, a.s, b.s);
   Deviation bound;
-  if (rows(task, 0) > 0) {
+  if (task.positions() > 0) {
     bound.position = std::max(a.off.position, b.off.position) +
                      std::min(tool.position + way.position,
                               (tool.bend - way.bend).norm() + tool.rest + way.rest);
   }
-  if (rows(task, 3) > 0) {
+  if (task.orientations() > 0) {
     const double ends = std::max(a.off.orientation, b.off.orientation);
     bound.orientation = turn_between(tool, way, ends);
   }
@@ -62,7 +56,7 @@ Deviation matched_step_bound(const Arm& arm, const Piece& piece, const Task& tas
 }
 
 void check_matched(const Arm& arm, const Piece& piece, const Task& task) {
-  const int positions = rows(task, 0), turns = rows(task, 3);
+  const int positions = task.positions(), turns = task.orientations();
   const bool whole =
       turns % 3 == 0 || (task.rows[5] && task.frame == Frame::base && planar(arm, piece));
   if (task.frame == Frame::space || !whole || (positions % 3 != 0 && task.frame != Frame::base)) {
@@ -70,46 +64,6 @@ void check_matched(const Arm& arm, const Piece& piece, const Task& task) {
                 " is followed along straight lines alone: other pieces need all position rows or "
                 "none, and all orientation rows or none; a planar arm its rows in the plane");
   }
-}
-
-Straightness closeness(const Arm& arm, std::span<const Configuration> samples,
-                       std::span<const double> places, const ToolPath& path, const Task& task) {
-  const auto pieces = static_cast<double>(path.pieces.size());
-  if (samples.empty() || samples.size() != places.size()) {
-    throw Error("closeness needs samples, and a place on the path for each");
-  }
-  for (const Piece& piece : path.pieces) check_matched(arm, piece, task);
-  if (path.pieces.empty()) throw Error("a path needs pieces");
-  Straightness result;
-  std::optional<StepEnd> before;
-  std::size_t piece = 0;
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    const double done = static_cast<double>(piece);
-    if (!(places[k] >= (k > 0 ? places[k - 1] : 0)) || places[k] > std::min(done + 1, pieces)) {
-      throw Error("the place of sample " + std::to_string(k + 1) +
-                  " is not on the path, in order, with the end of every piece");
-    }
-    const Pose pose = forward_kinematics(arm, samples[k]);
-    const auto end_on = [&](std::size_t i) {
-      const double s = places[k] - static_cast<double>(i);
-      const Deviation off = task_deviation(task, pose_at(path.pieces[i], s), pose);
-      grow(result.sampled, off);
-      grow(result.bound, off);
-      return StepEnd{samples[k], s, off};
-    };
-    const StepEnd now = end_on(piece);
-    if (before) {
-      const Piece& on = path.pieces[piece];
-      const Pose middle = forward_kinematics(arm, (samples[k - 1] + samples[k]) / 2);
-      const Pose wanted = pose_at(on, (before->s + now.s) / 2);
-      grow(result.measured, task_deviation(task, wanted, middle));
-      grow(result.bound, matched_step_bound(arm, on, task, *before, now));
-    }
-    const bool next = now.s == 1 && piece + 1 < path.pieces.size();
-    before.emplace(next ? end_on(++piece) : now);
-  }
-  grow(result.measured, result.sampled);
-  return result;
 }
 
 }  // namespace beeline

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <span>
-
-#include <beeline/motion/path/through.h>
-#include <beeline/motion/straightness.h>
+#include <beeline/kinematics/task.h>
+#include <beeline/motion/path/piece.h>
 
 namespace beeline {
 
@@ -30,12 +28,5 @@ Deviation matched_step_bound(const Arm& arm, const Piece& piece, const Task& tas
 /// or all or none; all orientation rows or none, or that about z for a planar arm and a piece that
 /// turns about z alone.
 void check_matched(const Arm& arm, const Piece& piece, const Task& task);
-
-/// How close a joint motion is to a path, measured and proved. `places[k]` is where on the path
-/// sample k should be: pieces done, with a share of the next; the end of each piece on the way is
-/// among them, so that no step goes round a corner. Throws Error when sizes or places do not fit,
-/// and what check_matched() refuses.
-Straightness closeness(const Arm& arm, std::span<const Configuration> samples,
-                       std::span<const double> places, const ToolPath& path, const Task& task);
 
 }  // namespace beeline

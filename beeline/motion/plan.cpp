@@ -10,30 +10,29 @@ namespace {
 constexpr int grids[] = {16, 64};  // solutions of each pose, roughly, by which the ladder is made
 
 /// From any configuration for the first pose, or why there is none.
-Branch from_any_beginning(const Arm& arm, std::span<const Pose> poses,
-                          const BranchOptions& options) {
-  const InverseResult answer = inverse_kinematics(arm, poses.front(), {.task = options.task});
+Branch from_any_beginning(const Arm& arm, const ToolPath& path, const BranchOptions& options) {
+  const InverseResult answer = inverse_kinematics(arm, pose_at(path, 0), {.task = options.task});
   if (answer.status == InverseStatus::solved) {
-    return follow_branch(arm, answer.solutions.front(), poses, options);
+    return follow_branch(arm, answer.solutions.front(), path, options);
   }
   Branch branch;
   branch.status = status_of(answer.status);
-  branch.reason = "the lines' beginning: " + answer.reason;
+  branch.reason = "the path's beginning: " + answer.reason;
   return branch;
 }
 
 /// The best of what ladders lead to; nothing when they lead nowhere.
 std::optional<Branch> follow_ladders(const Arm& arm, const std::optional<Configuration>& start,
-                                     std::span<const Pose> poses, const BranchOptions& options) {
+                                     const ToolPath& path, const BranchOptions& options) {
   std::optional<Branch> best;
   for (const int grid : grids) {
-    const Ladder rungs = ladder(arm, poses, {.task = options.task, .start = start, .grid = grid});
+    const Ladder rungs = ladder(arm, path, {.task = options.task, .start = start, .grid = grid});
     if (rungs.knots.empty()) continue;
-    const KnotSpline spline(rungs.knots);
+    const KnotSpline spline(rungs.knots, path);
     BranchOptions guided = options;
     guided.reasons = BranchOptions::Reasons::none;
     guided.guide = [&spline](double place) { return spline.at(place); };
-    const Branch branch = follow_branch(arm, rungs.knots.front().q, poses, guided);
+    const Branch branch = follow_branch(arm, rungs.knots.front().q, path, guided);
     if (!best || branch.done > best->done) best = branch;
     if (branch.status == MotionStatus::reached) break;
   }
@@ -42,34 +41,34 @@ std::optional<Branch> follow_ladders(const Arm& arm, const std::optional<Configu
 
 }  // namespace
 
-Branch plan_lines(const Arm& arm, const std::optional<Configuration>& start,
-                  std::span<const Pose> poses, const BranchOptions& options) {
+Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, const ToolPath& path,
+                 const BranchOptions& options) {
   const bool spare = arm.dof() > options.task.size();
-  if (!spare && start) return follow_branch(arm, *start, poses, options);
+  if (!spare && start) return follow_branch(arm, *start, path, options);
   if (!spare) {
-    const std::vector<Branch> branches = follow_branches(arm, poses, options);
-    return branches.empty() ? from_any_beginning(arm, poses, options) : branches.front();
+    const std::vector<Branch> branches = follow_branches(arm, path, options);
+    return branches.empty() ? from_any_beginning(arm, path, options) : branches.front();
   }
-  std::optional<Branch> planned = follow_ladders(arm, start, poses, options);
+  std::optional<Branch> planned = follow_ladders(arm, start, path, options);
   if (planned && planned->status == MotionStatus::reached) return *planned;
-  if (!planned && !start) return from_any_beginning(arm, poses, options);
+  if (!planned && !start) return from_any_beginning(arm, path, options);
   // As the joints come, deciding at each step: where solutions are too rare for a ladder.
-  const Branch greedy = follow_branch(arm, start ? *start : planned->start, poses, options);
+  const Branch greedy = follow_branch(arm, start ? *start : planned->start, path, options);
   if (!planned || planned->done <= greedy.done) return greedy;
-  if (options.reasons != BranchOptions::Reasons::none) explain(arm, poses, options, *planned);
+  if (options.reasons != BranchOptions::Reasons::none) explain(arm, path, options, *planned);
   return *planned;
 }
 
-std::vector<Branch> branch_map(const Arm& arm, std::span<const Pose> poses, BranchOptions options) {
+std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, BranchOptions options) {
   options.reasons = BranchOptions::Reasons::all;
-  if (arm.dof() <= options.task.size()) return follow_branches(arm, poses, options);
+  if (arm.dof() <= options.task.size()) return follow_branches(arm, path, options);
   constexpr int coarse = 6;
   const InverseResult starts = inverse_kinematics(
-      arm, poses.front(),
+      arm, pose_at(path, 0),
       {.task = options.task, .all = true, .grid = coarse, .restarts = 4 * coarse});
   std::vector<Branch> branches;
   for (const Configuration& start : starts.solutions) {
-    branches.push_back(plan_lines(arm, start, poses, options));
+    branches.push_back(plan_path(arm, start, path, options));
   }
   std::stable_sort(branches.begin(), branches.end(), better);
   return branches;

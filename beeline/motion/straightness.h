@@ -1,58 +1,81 @@
 #pragma once
 
-#include <algorithm>
 #include <span>
 #include <vector>
 
-#include <beeline/kinematics/task.h>
-#include <beeline/motion/path/piece.h>
+#include <beeline/motion/matched.h>
+#include <beeline/motion/path/through.h>
 
 namespace beeline {
 
-/// How far `pose` is from the nearest point of the line: the distance to the segment and the turn
-/// to the line's orientation at that point, as far as the task asks. Nearest is meant by position;
-/// by orientation where the line moves less than `way_of_a_radian`.
-Deviation deviation_from(const Line& line, const Pose& pose, const Task& task);
+/// Throws Error unless step_bound() holds for the task: any along a line, for others see
+/// check_matched().
+void check_task(const Arm& arm, const Piece& piece, const Task& task);
 
-/// The line's pose at that point.
-Pose nearest_on(const Line& line, const Pose& pose, const Task& task);
+/// Throws Error unless the route has pieces, for each its span and whether the arm stops behind it,
+/// and what check_task() refuses.
+void check_route(const Arm& arm, const Route& route, const Task& task);
 
-/// A bound on deviation_from(line, ..., task) while every joint moves in proportion from q_a to
-/// q_b, at whose ends it was measured to be `a` and `b`. From chord_bound(), so it falls with the
-/// square of the step; but only with the step itself where the task leaves two of the orientation
-/// rows free, or some position rows in the tool's axes, for there the rows that matter turn. Throws
-/// Error when q_a or q_b does not fit the arm.
-Deviation step_bound(const Arm& arm, const Line& line, const Task& task,
-                     const ConfigurationRef& q_a, const ConfigurationRef& q_b, const Deviation& a,
-                     const Deviation& b);
+/// What matters of the piece does not move, but for 1e-9 m and rad.
+bool stands_still(const Piece& piece, const Task& task);
 
-/// A step measured half-way, and its bound with that known: the lesser of step_bound() and the
-/// larger of both halves' own, where what the bound cannot tell of a step is an eighth.
-struct HalvedStep {
-  Deviation middle;
+/// How far `pose` is from the piece, as far as the task asks: from the nearest point of a line
+/// (nearest_on_line.h), of other pieces from the pose at s.
+Deviation deviation_from(const Piece& piece, double s, const Pose& pose, const Task& task);
+
+/// A bound on deviation_from() while every joint moves in proportion from one end of the step to
+/// the other, and s does too: line_step_bound(), matched_step_bound(). Throws Error when a
+/// configuration does not fit the arm.
+Deviation step_bound(const Arm& arm, const Piece& piece, const Task& task, const StepEnd& a,
+                     const StepEnd& b);
+
+/// What a motion does between two samples on one piece of its path.
+struct PieceStep {
+  std::size_t piece = 0;
+  Configuration q_a, q_b;
+  double s_a = 0, s_b = 0;
+};
+
+/// The step from one place on the path to another that is not before it: where it goes over the end
+/// of a piece, joints in proportion to ToolPath::spans, it is cut there.
+std::vector<PieceStep> cut_at_pieces(const ToolPath& path, const Task& task,
+                                     const ConfigurationRef& q_a, double place_a,
+                                     const ConfigurationRef& q_b, double place_b);
+
+/// A step's deviations at both ends and half-way, and its bound with these known: the lesser of
+/// step_bound() and the larger of both halves' own, where what it cannot tell of a step is an
+/// eighth.
+struct MeasuredStep {
+  Deviation begin, middle, end;
   Deviation bound;
 };
-HalvedStep halved_step(const Arm& arm, const Line& line, const Task& task,
-                       const ConfigurationRef& q_a, const ConfigurationRef& q_b, const Deviation& a,
-                       const Deviation& b);
+MeasuredStep measured(const Arm& arm, const ToolPath& path, const Task& task,
+                      const PieceStep& step);
 
-/// Makes `largest` no less than what was met.
-inline void grow(Deviation& largest, const Deviation& met) {
-  largest.position = std::max(largest.position, met.position);
-  largest.orientation = std::max(largest.orientation, met.orientation);
-}
+/// Throws Error unless the places are on the path, in order.
+void check_places(const ToolPath& path, std::span<const double> places);
 
-/// How straight a joint motion is along the lines through waypoints, measured and proved.
+/// How near a joint motion stays to its path, measured and proved.
 struct Straightness {
   Deviation sampled;   ///< the largest deviation at the samples
   Deviation measured;  ///< at the samples and at places between them
   Deviation bound;     ///< proved: at no moment between samples, joints moving in proportion, more
 };
 
-/// `arrivals[w]` is the sample at which waypoint w is taken to be reached; the first line begins at
-/// the first sample's own pose. Throws Error when sizes do not fit.
+/// `places[k]` is where on the path sample k is: pieces done, with a share of the next. Throws
+/// Error when sizes do not fit, for places that are not on the path in order, and what check_task()
+/// refuses.
 Straightness straightness(const Arm& arm, std::span<const Configuration> samples,
-                          std::span<const Pose> waypoints, std::span<const std::size_t> arrivals,
-                          const Task& task);
+                          std::span<const double> places, const ToolPath& path, const Task& task);
+
+/// The places of samples of which `arrivals[i]` is the one that reaches the end of piece i: between
+/// these the nearest ones (nearest_place()); behind the last all are at its end. Throws Error when
+/// arrivals are not among the samples, in order, or more than pieces.
+std::vector<double> places_along(const Arm& arm, std::span<const Configuration> samples,
+                                 const ToolPath& path, std::span<const std::size_t> arrivals,
+                                 const Task& task);
+
+/// The first sample at or behind the end of each piece, as far as the places go.
+std::vector<std::size_t> arrivals(std::span<const double> places);
 
 }  // namespace beeline

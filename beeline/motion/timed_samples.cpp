@@ -30,6 +30,7 @@ Trajectory only_samples(const Trajectory& timed, std::span<const Configuration> 
 std::string append_timed(Trajectory& trajectory, const Arm& arm,
                          std::span<const Configuration> samples, const RetimeOptions& options,
                          const std::function<void(Trajectory&)>& brought) {
+  constexpr int most_attempts = 4;    // to find how much slower samples at a rate have to be
   constexpr double rounding = 1e-11;  // what retime() does not take for a motion is a tenth of it
   const bool moves = std::any_of(samples.begin(), samples.end(), [&](const Configuration& q) {
     return (q - samples.front()).lpNorm<Eigen::Infinity>() > rounding;
@@ -37,13 +38,24 @@ std::string append_timed(Trajectory& trajectory, const Arm& arm,
   if (!moves) return {};
   Trajectory way{arm.joint_names(), {}, {samples.begin(), samples.end()}, {}, {}};
   for (std::size_t k = 0; k < samples.size(); ++k) way.times.push_back(static_cast<double>(k));
-  const Retimed timed = retime(arm, way, options);
-  if (!timed.found()) return timed.reason;
-  Trajectory motion = options.rate > 0 ? timed.trajectory : only_samples(timed.trajectory, samples);
-  if (options.rate > 0 && brought) brought(motion);
+  RetimeOptions retiming = options;
   const bool paced = std::isfinite(options.tool_speed);
-  slow_down(motion, paced ? largest_tool_speed(arm, motion) / options.tool_speed : 1);
-  slow_down(motion, slower_by_positions(arm, motion, keeps_jerk(timed.law)));
+  Trajectory motion;
+  for (int left = most_attempts; left > 0; --left) {
+    const Retimed timed = retime(arm, way, retiming);
+    if (!timed.found()) return timed.reason;
+    motion = options.rate > 0 ? timed.trajectory : only_samples(timed.trajectory, samples);
+    if (options.rate > 0 && brought) brought(motion);
+    const double slower = std::max(paced ? largest_tool_speed(arm, motion) / options.tool_speed : 1,
+                                   slower_by_positions(arm, motion, keeps_jerk(timed.law)));
+    if (options.rate > 0 && slower > 1 && left > 1) {  // so that the samples keep the rate
+      retiming.speed_limit /= slower * (1 + 1e-3);
+      if (paced) retiming.tool_speed /= slower * (1 + 1e-3);
+      continue;
+    }
+    slow_down(motion, slower);
+    break;
+  }
   append(trajectory, motion);
   return {};
 }

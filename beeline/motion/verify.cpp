@@ -3,8 +3,8 @@
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/motion/path/nearest.h>
 #include <beeline/motion/verify.h>
-#include <beeline/motion/waypoints.h>
 
 namespace beeline {
 namespace {
@@ -18,15 +18,18 @@ std::string metres_and_radians(const Deviation& deviation) {
 struct Verifier {
   const Arm& arm;
   const Trajectory& trajectory;
-  const std::vector<Pose>& waypoints;
+  const Route& route;
   Task task;
   Deviation tolerance;
   std::vector<Pose> world_T_tool = {};  ///< at the samples
   Verification result = {};
 
-  bool near(const Deviation& deviation) const {
-    return deviation.position <= tolerance.position &&
-           deviation.orientation <= tolerance.orientation;
+  bool near(const Deviation& deviation) const { return within(deviation, tolerance); }
+
+  /// "line 2", "piece 2".
+  std::string name_of(std::size_t i) const {
+    const bool line = std::holds_alternative<Line>(route.path.pieces[i]);
+    return (line ? "line " : "piece ") + std::to_string(i + 1);
   }
 
   void fail(Fault fault, std::size_t k, const std::string& reason) {
@@ -41,117 +44,156 @@ struct Verifier {
         "at " + number(result.time) + " s, sample " + std::to_string(k + 1) + ": " + reason;
   }
 
-  Line line(std::size_t w) const {
-    return {w == 0 ? world_T_tool.front() : waypoints[w - 1], waypoints[w]};
+  /// The places of the samples from `first` on, up to the one at which the end of the stretch is
+  /// reached: of the first ones in a row that are near it the nearest; of the last ones where it is
+  /// the end of the motion, which may pass near it before, as far as the rows that matter tell. All
+  /// the others', and `reached` false, where there is none.
+  std::vector<double> places_from(std::size_t first, double begin, std::size_t piece,
+                                  bool& reached) const {
+    const auto end = static_cast<double>(piece + 1);
+    const bool last = piece + 1 == route.path.pieces.size();
+    const Pose goal = pose_at(route.path.pieces[piece], 1);
+    const bool line = std::holds_alternative<Line>(route.path.pieces[piece]);
+    std::vector<double> places, sizes;  // of the deviation from the goal; -1: not there
+    std::size_t next = 0;
+    bool met = false;
+    for (; first + next < trajectory.size() && (last || !met || sizes.back() >= 0); ++next) {
+      const Pose& tool = world_T_tool[first + next];
+      places.push_back(
+          nearest_place(route.path, task, tool, places.empty() ? begin : places.back(), end));
+      const Deviation off = task_deviation(task, goal, tool);
+      const bool there = near(off) && (line || places.back() > end - 0.5);  // a way may close
+      sizes.push_back(there ? std::max(off.position / tolerance.position,
+                                       off.orientation / tolerance.orientation)
+                            : -1);
+      met = met || there;
+    }
+    reached = met;
+    if (!met) return places;
+    std::size_t k = 0;
+    if (last && sizes.back() >= 0) {
+      for (k = sizes.size() - 1; k > 0 && sizes[k - 1] >= 0;) --k;
+    }
+    while (sizes[k] < 0) ++k;
+    std::size_t best = k;
+    for (; k < sizes.size() && sizes[k] >= 0; ++k) {
+      if (sizes[k] < sizes[best]) best = k;
+    }
+    places.resize(best + 1);
+    places.back() = end;
+    return places;
   }
 
-  /// The sample at which waypoint w is reached: of the first ones in a row that are near it the
-  /// nearest; of the last ones where it is the end of the motion, which may pass near it before, as
-  /// far as the rows that matter tell. The number of samples where there is none.
-  std::size_t arrival(std::size_t w, std::size_t first) const {
-    const auto off = [&](std::size_t k) {
-      return task_deviation(task, waypoints[w], world_T_tool[k]);
-    };
-    const std::size_t end = trajectory.size();
-    std::size_t k = first;
-    if (w + 1 == waypoints.size() && near(off(end - 1))) {
-      for (k = end - 1; k > first && near(off(k - 1));) --k;
-    }
-    std::size_t best = end;
-    double least = 0;
-    for (; k < end; ++k) {
-      const Deviation here = off(k);
-      if (!near(here) && best < end) break;
-      if (!near(here)) continue;
-      const double size =
-          std::max(here.position / tolerance.position, here.orientation / tolerance.orientation);
-      if (best == end || size < least) best = k, least = size;
-    }
-    return best;
+  /// Whether sample k is near where it should be.
+  bool check_sample(std::size_t k, double place) {
+    const std::size_t i = piece_at(route.path, place);
+    const Deviation off =
+        deviation_from(route.path.pieces[i], place - static_cast<double>(i), world_T_tool[k], task);
+    grow(result.straightness.sampled, off);
+    if (near(off)) return true;
+    grow(result.straightness.measured, off);
+    grow(result.straightness.bound, off);
+    fail(Fault::deviation, k, "the tool is off " + name_of(i) + " by " + metres_and_radians(off));
+    return false;
   }
 
-  /// The step from sample k to the next on line w.
-  void check_step(std::size_t k, const Line& on, const Deviation& a, const Deviation& b) {
-    const Configuration &q = trajectory.positions[k], &next = trajectory.positions[k + 1];
-    const auto [middle, bound] = halved_step(arm, on, task, q, next, a, b);
-    Deviation seen = a;
-    grow(seen, middle);
-    grow(seen, b);
-    for (int i = 1; i < looks && !near(bound); ++i) {
-      const Pose pose = forward_kinematics(arm, q + i * (next - q) / looks);
-      grow(seen, deviation_from(on, pose, task));
+  /// The step from sample k to the next, or the part of it that is on one piece.
+  void check_step(std::size_t k, const ToolPath& path, const PieceStep& step) {
+    const MeasuredStep met = measured(arm, path, task, step);
+    Deviation seen = met.begin;
+    grow(seen, met.middle);
+    grow(seen, met.end);
+    for (int i = 1; i < looks && !near(met.bound); ++i) {
+      const double share = static_cast<double>(i) / looks;
+      const Pose pose = forward_kinematics(arm, step.q_a + share * (step.q_b - step.q_a));
+      grow(seen, deviation_from(path.pieces[step.piece], std::lerp(step.s_a, step.s_b, share), pose,
+                                task));
     }
-    grow(result.straightness.sampled, a);
-    grow(result.straightness.sampled, b);
     grow(result.straightness.measured, seen);
-    grow(result.straightness.bound, bound);
-    if (near(bound)) return;
-    const double turn = (next - q).lpNorm<Eigen::Infinity>();
+    grow(result.straightness.bound, met.bound);
+    if (near(met.bound)) return;
+    const double turn =
+        (trajectory.positions[k + 1] - trajectory.positions[k]).lpNorm<Eigen::Infinity>();
     const std::string jump =
         turn > 0.5 ? "; a joint moves by " + number(turn) + ", as where the branch changes" : "";
+    const std::string way = std::holds_alternative<Line>(path.pieces[step.piece]) ? "line" : "path";
     fail(Fault::deviation, k,
          near(seen) ? "up to the next sample the tool is only proved to stay within " +
-                          metres_and_radians(bound) + " of the line" + jump
-                    : "up to the next sample the tool leaves the line by " +
+                          metres_and_radians(met.bound) + " of the " + way + jump
+                    : "up to the next sample the tool leaves the " + way + " by " +
                           metres_and_radians(seen) + jump);
   }
 
-  /// Samples first to last on line w.
-  void check_line(std::size_t w, std::size_t first, std::size_t last) {
-    const Line on = line(w);
-    Deviation before = deviation_from(on, world_T_tool[first], task);
-    for (std::size_t k = first;; ++k) {
-      if (!near(before)) {
-        fail(Fault::deviation, k,
-             "the tool is off line " + std::to_string(w + 1) + " by " + metres_and_radians(before));
-        grow(result.straightness.sampled, before);
-        grow(result.straightness.measured, before);
-        grow(result.straightness.bound, before);
-        return;
+  /// Samples from `first` on, as many as have places, along the route.
+  void check_stretch(std::size_t first, const std::vector<double>& places) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (!check_sample(first + i, places[i])) return;
+      if (i > 0) result.places.push_back(places[i]);
+      if (i + 1 == places.size()) return;
+      const std::size_t k = first + i;
+      const std::size_t on = piece_at(route.path, places[i + 1]);
+      const Deviation next =
+          deviation_from(route.path.pieces[on], places[i + 1] - static_cast<double>(on),
+                         world_T_tool[k + 1], task);
+      if (!near(next)) continue;  // told as the sample's own fault
+      for (const PieceStep& step :
+           cut_at_pieces(route.path, task, trajectory.positions[k], places[i],
+                         trajectory.positions[k + 1], places[i + 1])) {
+        check_step(k, route.path, step);
       }
-      if (k == last || result.fault != Fault::none) return;
-      const Deviation now = deviation_from(on, world_T_tool[k + 1], task);
-      if (near(now)) check_step(k, on, before, now);
-      before = now;
+      if (result.fault != Fault::none) return;
     }
   }
 
-  /// Finds the arrivals and checks the lines between them.
-  void check_lines() {
-    std::size_t first = 0;
-    for (std::size_t w = 0; w < waypoints.size() && result.fault == Fault::none; ++w) {
-      const std::size_t reached = arrival(w, first);
-      const bool missed = reached == trajectory.size();
-      const std::size_t last = missed ? trajectory.size() - 1 : reached;
-      check_line(w, first, last);
-      if (missed) {
-        const Deviation left = task_deviation(task, waypoints[w], world_T_tool.back());
-        fail(Fault::not_through, last,
-             "waypoint " + std::to_string(w + 1) + " is not reached; at the end the tool is " +
-                 metres_and_radians(left) + " from it");
-        return;
-      }
-      result.arrivals.push_back(reached);
-      first = reached;
-    }
+  /// After the route's end the tool stays there.
+  void check_rest(std::size_t first) {
+    const Pose goal = pose_at(route.path.pieces.back(), 1);
+    const ToolPath stay = lines_through(std::vector{goal, goal});
     for (std::size_t k = first + 1; k < trajectory.size() && result.fault == Fault::none; ++k) {
-      const Line stay{waypoints.back(), waypoints.back()};
-      const Deviation off = deviation_from(stay, world_T_tool[k], task);
+      const Deviation off = task_deviation(task, goal, world_T_tool[k]);
       if (!near(off)) {
         fail(Fault::deviation, k,
              "the tool moves on from the last waypoint, by " + metres_and_radians(off));
       } else {
-        check_step(k - 1, stay, deviation_from(stay, world_T_tool[k - 1], task), off);
+        check_step(k - 1, stay, {0, trajectory.positions[k - 1], trajectory.positions[k], 1, 1});
       }
     }
+  }
+
+  /// Finds where the samples are, from stop to stop, and checks the ways between them.
+  void check_route() {
+    const std::size_t pieces = route.path.pieces.size();
+    result.path = route.path;
+    result.places = {0};
+    std::size_t first = 0, begin = 0;
+    for (std::size_t i = 0; i < pieces && result.fault == Fault::none; ++i) {
+      if (i + 1 < pieces && !route.stops[i]) continue;
+      bool reached = false;
+      const std::vector<double> places = places_from(first, static_cast<double>(begin), i, reached);
+      check_stretch(first, places);
+      if (!reached) {
+        const Deviation left =
+            task_deviation(task, pose_at(route.path.pieces[i], 1), world_T_tool.back());
+        const bool line = std::holds_alternative<Line>(route.path.pieces[i]);
+        fail(Fault::not_through, trajectory.size() - 1,
+             (line ? "waypoint " : "the end of piece ") + std::to_string(i + 1) +
+                 " is not reached; at the end the tool is " + metres_and_radians(left) +
+                 " from it");
+        break;
+      }
+      if (result.fault == Fault::none) result.places.back() = places.back();
+      first += places.size() - 1;
+      begin = i + 1;
+    }
+    if (result.fault == Fault::none) check_rest(first);
+    result.arrivals = beeline::arrivals(result.places);
   }
 };
 
 }  // namespace
 
-Verification verify(const Arm& arm, const Trajectory& given, std::span<const Pose> given_waypoints,
+Verification verify(const Arm& arm, const Trajectory& given, const Route& route,
                     const VerifyOptions& options) {
-  const std::vector<Pose> waypoints = checked_waypoints(given_waypoints);
   if (!(options.tolerance > 0) || !(options.orientation_tolerance > 0)) {
     throw Error("the tolerances must be above zero, not " + number(options.tolerance) + " m and " +
                 number(options.orientation_tolerance) + " rad");
@@ -159,15 +201,13 @@ Verification verify(const Arm& arm, const Trajectory& given, std::span<const Pos
   const Trajectory trajectory = matched_to(arm, given);
   if (trajectory.size() == 0) throw Error("the trajectory has no samples");
   const Task task = options.task.value_or(default_task(arm));
-  if (task.size() == 0 || task.frame == Frame::space) {
-    throw Error("the task needs at least one row, and the base or the tool frame");
-  }
+  check_route(arm, route, task);
   Verifier verifier{
-      arm, trajectory, waypoints, task, {options.tolerance, options.orientation_tolerance}};
+      arm, trajectory, route, task, {options.tolerance, options.orientation_tolerance}};
   for (const Configuration& q : trajectory.positions) {
     verifier.world_T_tool.push_back(forward_kinematics(arm, q));
   }
-  verifier.check_lines();
+  verifier.check_route();
   constexpr std::size_t stencil = 3;  // samples by which a jerk is told before its cause
   const auto fault = first_joint_fault(arm, trajectory);
   if (fault) {
@@ -178,6 +218,15 @@ Verification verify(const Arm& arm, const Trajectory& given, std::span<const Pos
     }
   }
   return verifier.result;
+}
+
+Verification verify(const Arm& arm, const Trajectory& given, std::span<const Pose> waypoints,
+                    const VerifyOptions& options) {
+  std::vector<Pose> poses = checked_waypoints(waypoints);
+  const Trajectory trajectory = matched_to(arm, given);
+  if (trajectory.size() == 0) throw Error("the trajectory has no samples");
+  poses.insert(poses.begin(), forward_kinematics(arm, trajectory.positions.front()));
+  return verify(arm, trajectory, route_of(lines_through(poses), PathKind::line), options);
 }
 
 }  // namespace beeline

@@ -119,7 +119,7 @@ void judge_refusal(const Arm& arm, const Line& line, const LineMotion& motion, i
       knots.push_back(
           {static_cast<double>(r) / static_cast<double>(dense.way.size() - 1), dense.way[r]});
     }
-    const KnotSpline spline(knots);
+    const KnotSpline spline(knots, lines_through(std::vector{line.from, line.to}));
     const Followed way =
         follow(arm, line, Task::spatial(), bounds_of(arm), dense.way.front(),
                {.tolerance = {1e-4, 1e-4}, .most_samples = 100'000, .guide = [&](double s) {

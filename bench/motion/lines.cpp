@@ -39,7 +39,7 @@ BranchOptions planning() { return {.task = Task::spatial(), .tolerance = {9e-5, 
 void plan(benchmark::State& state, bool panda) {
   const Case line = half_a_metre(panda);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(plan_lines(line.arm, {}, line.poses, planning()));
+    benchmark::DoNotOptimize(plan_path(line.arm, {}, lines_through(line.poses), planning()));
   }
 }
 

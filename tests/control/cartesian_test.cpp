@@ -65,9 +65,13 @@ void expect_arrived(const Case& given, const ControlledMotion& motion) {
 }
 
 double bend(const Case& given, const ControlledMotion& motion) {
-  return straightness(given.arm, motion.trajectory.positions, given.waypoints, motion.arrivals,
-                      default_task(given.arm))
-      .sampled.position;
+  const auto& samples = motion.trajectory.positions;
+  std::vector<Pose> poses = given.waypoints;
+  poses.insert(poses.begin(), forward_kinematics(given.arm, samples.front()));
+  const ToolPath path = lines_through(poses);
+  const Task task = default_task(given.arm);
+  const auto places = places_along(given.arm, samples, path, motion.arrivals, task);
+  return straightness(given.arm, samples, places, path, task).sampled.position;
 }
 
 std::vector<Case> cases() {

@@ -52,7 +52,7 @@ Arm limited(const Arm& arm, Random& random) {
 struct LinesOf {
   Arm arm;
   LineMotion motion;
-  FollowedLines lines;
+  FollowedPath path;
 };
 
 LinesOf panda_lines(double rate = 0) {
@@ -63,8 +63,8 @@ LinesOf panda_lines(double rate = 0) {
                                     tool * Eigen::AngleAxisd(0.3, Vector3::UnitZ()),
                                     tool * Eigen::AngleAxisd(0.1, Vector3::UnitX())};
   LineMotion motion = move_in_lines(arm, q, waypoints, {.rate = rate});
-  FollowedLines lines{waypoints, motion.arrivals, Task::spatial(), Deviation{1e-4, 1e-4}};
-  return {arm, motion, lines};
+  FollowedPath path{motion.path, motion.places, Task::spatial(), Deviation{1e-4, 1e-4}};
+  return {arm, motion, path};
 }
 
 TEST(JointCharts, GivesEveryJointACurveByItsOwnLimitOrInItsUnit) {
@@ -186,19 +186,20 @@ TEST(TimingFigure, RefusesWhatDoesNotFit) {
   const Arm arm = built_in("rrr");
   EXPECT_REFUSED(timing_figure(arm, Trajectory{arm.joint_names(), {}, {}, {}, {}}), "samples");
   EXPECT_REFUSED(timing_figure(arm, at_rest(built_in("panda"), Configuration::Zero(7))), "joint");
-  const FollowedLines lines{{Pose::Identity()}, {5}, Task::planar()};
-  EXPECT_REFUSED(timing_figure(arm, at_rest(arm, Configuration::Zero(3)), {.lines = lines}),
-                 "arrival 1");
+  const ToolPath still = lines_through(std::vector{Pose::Identity(), Pose::Identity()});
+  const FollowedPath path{still, {0, 5}, Task::planar()};
+  EXPECT_REFUSED(timing_figure(arm, at_rest(arm, Configuration::Zero(3)), {.path = path}),
+                 "places");
 }
 
-TEST(LineTrace, AgreesWithTheStraightnessReported) {
+TEST(PathTrace, AgreesWithTheStraightnessReported) {
   for (const double rate : {0.0, 200.0}) {
-    const auto [arm, motion, lines] = panda_lines(rate);
+    const auto [arm, motion, path] = panda_lines(rate);
     ASSERT_EQ(motion.status, MotionStatus::reached);
-    const LineTrace trace = trace_lines(arm, motion.trajectory.positions, lines);
+    const PathTrace trace = trace_path(arm, motion.trajectory.positions, path);
     ASSERT_EQ(trace.steps.size(), motion.trajectory.size() - 1);
     Deviation measured, bound;
-    for (const LineTrace::Place& place : trace.places) {
+    for (const PathTrace::Place& place : trace.places) {
       measured.position = std::max(measured.position, place.off.position);
       measured.orientation = std::max(measured.orientation, place.off.orientation);
       EXPECT_NEAR(place.across.norm(), place.off.position, 1e-12);
@@ -209,7 +210,7 @@ TEST(LineTrace, AgreesWithTheStraightnessReported) {
       EXPECT_LE(place.off.position, proved.position + 1e-15);
       EXPECT_LE(place.off.orientation, proved.orientation + 1e-12);
     }
-    for (const LineTrace::Step& step : trace.steps) {
+    for (const PathTrace::Step& step : trace.steps) {
       bound.position = std::max(bound.position, step.bound.position);
       bound.orientation = std::max(bound.orientation, step.bound.orientation);
     }
@@ -220,59 +221,59 @@ TEST(LineTrace, AgreesWithTheStraightnessReported) {
   }
 }
 
-TEST(LineTrace, ExaggeratesToWhatShows) {
+TEST(PathTrace, ExaggeratesToWhatShows) {
   for (const double rate : {0.0, 200.0}) {
-    const auto [arm, motion, lines] = panda_lines(rate);
-    const LineTrace trace = trace_lines(arm, motion.trajectory.positions, lines);
+    const auto [arm, motion, path] = panda_lines(rate);
+    const PathTrace trace = trace_path(arm, motion.trajectory.positions, path);
     const double factor = exaggeration(trace);
     EXPECT_EQ(factor, round_step(factor));
     double most = 0;
-    for (const LineTrace::Place& place : trace.places) {
+    for (const PathTrace::Place& place : trace.places) {
       most = std::max(most, place.across.norm());
     }
     EXPECT_GT(factor * most, 0.005);
     EXPECT_LT(factor * most, 0.05);
-    const Figure figure = exaggerated_figure(arm, trace, lines, factor);
+    const Figure figure = exaggerated_figure(arm, trace, path, factor);
     EXPECT_NE(figure.columns[0][0].caption.find("× "), std::string::npos);
-    expect_within_page(timing_figure(arm, motion.trajectory, {.lines = lines}), "panda");
+    expect_within_page(timing_figure(arm, motion.trajectory, {.path = path}), "panda");
   }
 }
 
-TEST(LineTrace, OfManySamplesIsASmallPictureThatKeepsTheExtremes) {
-  const auto [arm, motion, lines] = panda_lines(20'000);
-  const LineTrace trace = trace_lines(arm, motion.trajectory.positions, lines);
+TEST(PathTrace, OfManySamplesIsASmallPictureThatKeepsTheExtremes) {
+  const auto [arm, motion, path] = panda_lines(20'000);
+  const PathTrace trace = trace_path(arm, motion.trajectory.positions, path);
   ASSERT_GT(trace.steps.size(), 10'000u);
   double most = 0;
-  for (const LineTrace::Place& place : trace.places) most = std::max(most, place.across.norm());
-  const Figure figure = exaggerated_figure(arm, trace, lines, 1e9);
+  for (const PathTrace::Place& place : trace.places) most = std::max(most, place.across.norm());
+  const Figure figure = exaggerated_figure(arm, trace, path, 1e9);
   const auto& trail = std::get<Polyline>(figure.columns[0][0].scene.items[1].shape);
   EXPECT_LT(trail.points.size(), 3000u);
   double farthest = 0;
   for (const Vector3& p : trail.points) {
     double off = 1e300;
-    for (std::size_t i = 1; i < trace.corners.size(); ++i) {
-      const Vector3 way = trace.corners[i] - trace.corners[i - 1];
+    for (std::size_t i = 1; i < trace.course.size(); ++i) {
+      const Vector3 way = trace.course[i] - trace.course[i - 1];
       const double length = std::max(way.squaredNorm(), 1e-12);
-      const double t = std::clamp(way.dot(p - trace.corners[i - 1]) / length, 0.0, 1.0);
-      off = std::min(off, (p - trace.corners[i - 1] - t * way).norm());
+      const double t = std::clamp(way.dot(p - trace.course[i - 1]) / length, 0.0, 1.0);
+      off = std::min(off, (p - trace.course[i - 1] - t * way).norm());
     }
     farthest = std::max(farthest, off);
   }
   EXPECT_NEAR(farthest, 1e9 * most, 0.01 * 1e9 * most);
 }
 
-TEST(LineTrace, HasNothingToExaggerateOnLinesOfRounding) {
+TEST(PathTrace, HasNothingToExaggerateOnLinesOfRounding) {
   const Arm arm = built_in("gantry");
   const std::vector<Pose> waypoints{Pose(Eigen::Translation3d(1, 0.5, 0)),
                                     Pose(Eigen::Translation3d(1, 0.5, 0))};
   const Task task = Task::position();
   const LineMotion motion = move_in_lines(arm, Configuration::Zero(2), waypoints, {.task = task});
   ASSERT_EQ(motion.status, MotionStatus::reached) << motion.reason;
-  const FollowedLines lines{waypoints, motion.arrivals, task};
-  const LineTrace trace = trace_lines(arm, motion.trajectory.positions, lines);
+  const FollowedPath path{motion.path, motion.places, task};
+  const PathTrace trace = trace_path(arm, motion.trajectory.positions, path);
   EXPECT_EQ(exaggeration(trace), 1);
-  EXPECT_EQ(deviation_charts(trace, lines).size(), 1u);  // orientation is not asked for
-  expect_within_page(timing_figure(arm, motion.trajectory, {.lines = lines}), "gantry");
+  EXPECT_EQ(deviation_charts(trace, path).size(), 1u);  // orientation is not asked for
+  expect_within_page(timing_figure(arm, motion.trajectory, {.path = path}), "gantry");
 }
 
 }  // namespace

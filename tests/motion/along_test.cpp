@@ -2,8 +2,9 @@
 
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/motion/along.h>
 #include <beeline/motion/joint_faults.h>
+#include <beeline/motion/line.h>
+#include <beeline/motion/path/corner.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>
@@ -72,12 +73,43 @@ TEST(MoveAlong, PassesRoundedCornersWithoutAStop) {
   EXPECT_LT(motion.trajectory.times.back(), stops.trajectory.times.back());
   for (std::size_t w = 1; w + 1 < poses.size(); ++w) {  // each pose is passed within the distance
     double nearest = 1;
-    for (const Configuration& q : motion.trajectory.positions) {
-      const Vector3 p = forward_kinematics(arm, q).translation();
-      nearest = std::min(nearest, (p - poses[w].translation()).norm());
+    const auto& samples = motion.trajectory.positions;
+    for (std::size_t k = 1; k < samples.size(); ++k) {
+      for (const double t : {0.0, 0.25, 0.5, 0.75}) {
+        const Configuration q = samples[k - 1] + t * (samples[k] - samples[k - 1]);
+        const Vector3 p = forward_kinematics(arm, q).translation();
+        nearest = std::min(nearest, (p - poses[w].translation()).norm());
+      }
     }
     EXPECT_LT(nearest, 0.0101);
     EXPECT_GT(nearest, 1e-4);
+  }
+}
+
+// At a rate all samples are on the path too, and it takes hardly longer.
+TEST(MoveAlong, KeepsTheRateOnEveryKindOfPath) {
+  const Arm arm = built_in("panda");
+  const std::vector<Pose> poses = square(arm);
+  std::vector<Route> routes{route_of(rounded_lines(poses, {0.01, 0.05}))};
+  for (const PathKind kind : {PathKind::line, PathKind::screw, PathKind::arc, PathKind::spline}) {
+    routes.push_back(route_through(poses, kind));
+  }
+  for (const Route& route : routes) {
+    const LineMotion sparse = move_along(arm, ready, route);
+    for (const double rate : {125.0, 1000.0}) {
+      const LineMotion motion = move_along(arm, ready, route, {.rate = rate});
+      ASSERT_EQ(motion.status, MotionStatus::reached) << motion.reason;
+      EXPECT_LE(motion.straightness.sampled.position, 1e-9);
+      EXPECT_LE(motion.straightness.bound.position, 1e-4);
+      EXPECT_FALSE(first_joint_fault(arm, motion.trajectory).has_value());
+      EXPECT_LT(motion.trajectory.times.back(), 1.25 * sparse.trajectory.times.back());
+      int uneven = 0;  // but before stops
+      for (std::size_t k = 1; k < motion.trajectory.size(); ++k) {
+        const double step = motion.trajectory.times[k] - motion.trajectory.times[k - 1];
+        uneven += std::abs(step * rate - 1) > 1e-6;
+      }
+      EXPECT_LE(uneven, static_cast<int>(route.path.pieces.size()));
+    }
   }
 }
 
@@ -120,9 +152,6 @@ TEST(MoveAlong, RefusesOptionsThatMakeNoSense) {
   EXPECT_REFUSED(move_along(arm, ready, route, {.tolerance = -1}), "tolerance");
   EXPECT_REFUSED(move_along(arm, ready, route, {.orientation_tolerance = NAN}), "tolerance");
   EXPECT_REFUSED(move_along(arm, ready, route, {.most_samples = -5}), "samples");
-  const std::vector<Configuration> samples{ready};
-  const std::vector<double> places{0};
-  EXPECT_REFUSED(closeness(arm, samples, places, ToolPath{}, Task::spatial()), "pieces");
 }
 
 // Rows that do not matter alone move: the arm does not, and needs no time.

@@ -17,7 +17,7 @@ Configuration joints(std::initializer_list<double> values) {
 
 std::vector<Branch> branches(const Arm& arm, const std::vector<Pose>& poses, bool reasons = false) {
   return follow_branches(
-      arm, poses,
+      arm, lines_through(poses),
       {.task = default_task(arm),
        .reasons = reasons ? BranchOptions::Reasons::all : BranchOptions::Reasons::best});
 }
@@ -42,9 +42,9 @@ TEST(FollowBranches, GivesOneForEachSolutionOfTheFirstPoseTheBestFirst) {
     EXPECT_LE(branch.done, all.front().done);
     if (branch.status != MotionStatus::reached) continue;
     EXPECT_EQ(branch.done, 2);
-    ASSERT_EQ(branch.lines.size(), 2);
-    EXPECT_EQ(branch.lines[0].samples.back(), branch.lines[1].samples.front());
-    const Configuration& end = branch.lines[1].samples.back();
+    ASSERT_EQ(branch.pieces.size(), 2);
+    EXPECT_EQ(branch.pieces[0].samples.back(), branch.pieces[1].samples.front());
+    const Configuration& end = branch.pieces[1].samples.back();
     EXPECT_LT((end - branch.start).lpNorm<Eigen::Infinity>(), 1e-7) << "there and back again";
   }
 }
@@ -77,7 +77,7 @@ TEST(FollowBranches, BeginsAJointAtTheTurnThatLastsLongest) {
   }
   const std::vector<Branch> all = branches(arm, poses);
   ASSERT_EQ(all.front().status, MotionStatus::reached) << all.front().reason;
-  const double turned = all.front().lines.back().samples.back()[5] - all.front().start[5];
+  const double turned = all.front().pieces.back().samples.back()[5] - all.front().start[5];
   EXPECT_NEAR(turned, 400 * deg, 1e-6);
   EXPECT_LT(all.front().start[5], 0);
   EXPECT_GT(all.front().limit_margin, 0);

@@ -28,7 +28,7 @@ TEST(Ladder, LeadsThroughPosesOnTheLinesWithinLimits) {
   for (int i = 0; i < 12; ++i) {
     const Case a = i % 3 == 2 ? spare_case(random, "ur5", "111110:tool")
                               : spare_case(random, i % 3 == 0 ? "panda" : "iiwa14");
-    const Ladder rungs = ladder(a.arm, a.poses, {.task = a.task});
+    const Ladder rungs = ladder(a.arm, lines_through(a.poses), {.task = a.task});
     ASSERT_FALSE(rungs.knots.empty());
     EXPECT_EQ(rungs.knots.front().place, 0);
     EXPECT_EQ(rungs.through, rungs.knots.back().place == 2);
@@ -56,7 +56,7 @@ TEST(Ladder, BeginsWhereItIsTold) {
   Random random;
   for (int i = 0; i < 6; ++i) {
     const Case a = spare_case(random, "panda");
-    const Ladder rungs = ladder(a.arm, a.poses, {.task = a.task, .start = a.q});
+    const Ladder rungs = ladder(a.arm, lines_through(a.poses), {.task = a.task, .start = a.q});
     ASSERT_FALSE(rungs.knots.empty());
     EXPECT_EQ(rungs.knots.front().q, a.q);
   }
@@ -67,10 +67,11 @@ TEST(Ladder, EndsWhereSolutionsDo) {
   const Pose from = forward_kinematics(arm, inner_configuration(*std::make_unique<Random>(), arm));
   Pose to = from;
   to.translation().z() += 3;
-  const Ladder rungs = ladder(arm, std::vector<Pose>{from, to}, {.task = Task::spatial()});
+  const Ladder rungs = ladder(arm, lines_through(std::vector{from, to}), {.task = Task::spatial()});
   EXPECT_FALSE(rungs.through);
   EXPECT_LT(rungs.knots.back().place, 0.7);
-  EXPECT_TRUE(ladder(arm, std::vector<Pose>{to, from}, {.task = Task::spatial()}).knots.empty());
+  EXPECT_TRUE(
+      ladder(arm, lines_through(std::vector{to, from}), {.task = Task::spatial()}).knots.empty());
 }
 
 TEST(KnotSpline, GoesThroughItsKnotsSmoothly) {
@@ -81,7 +82,10 @@ TEST(KnotSpline, GoesThroughItsKnotsSmoothly) {
     knots.push_back({place, (Configuration(2) << random.uniform(-1, 1), 2 - 3 * place).finished()});
     place += random.uniform(0.1, 0.6);
   }
-  const KnotSpline spline(knots);
+  std::vector<Pose> poses;  // on lines of one metre
+  for (int i = 0; i < 7; ++i) poses.push_back(make_pose({double(i), 0, 0}));
+  const ToolPath path = lines_through(poses);
+  const KnotSpline spline(knots, path);
   constexpr double h = 1e-6;
   for (const Knot& knot : knots) {
     EXPECT_LT((spline.at(knot.place) - knot.q).norm(), 1e-14);
@@ -93,9 +97,24 @@ TEST(KnotSpline, GoesThroughItsKnotsSmoothly) {
   for (double p = 0; p < knots.back().place; p += 0.01) {
     EXPECT_NEAR(spline.at(p)[1], 2 - 3 * p, 1e-12) << "straight knots make a straight line";
   }
-  EXPECT_EQ(spline.at(-1), knots.front().q);
-  EXPECT_EQ(spline.at(100), knots.back().q);
-  EXPECT_EQ(KnotSpline({knots.front()}).at(3), knots.front().q);
+  EXPECT_EQ(spline.at(0), knots.front().q);
+  EXPECT_EQ(spline.at(6), knots.back().q);
+  EXPECT_EQ(KnotSpline({knots.front()}, path).at(3), knots.front().q);
+}
+
+// The end of a short piece next to a long one makes no kink by the way.
+TEST(KnotSpline, IsSmoothWherePiecesOfDifferentLengthMeet) {
+  const std::vector<Pose> poses{make_pose({0, 0, 0}), make_pose({1, 0, 0}), make_pose({1.1, 0, 0})};
+  const ToolPath path = lines_through(poses);
+  std::vector<Knot> knots;
+  for (const double place : {0.0, 0.4, 0.8, 1.0, 1.4, 2.0}) {
+    knots.push_back({place, Configuration::Constant(1, std::pow(way_to(path, place), 2))});
+  }
+  const KnotSpline spline(knots, path);
+  constexpr double h = 1e-6;
+  const double left = (spline.at(1)[0] - spline.at(1 - h)[0]) / h;
+  const double right = (spline.at(1 + 10 * h)[0] - spline.at(1)[0]) / h;
+  EXPECT_NEAR(left, right, 1e-3);
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include <beeline/motion/path/nearest_on_line.h>
+
 #include <tests/motion/line_promises.h>
 
 namespace beeline {

@@ -11,7 +11,7 @@ namespace {
 using namespace testing;
 
 // These lines are feasible only with a joint that goes along its limit, or next to it.
-TEST(PlanLines, GoesAlongLimits) {
+TEST(PlanPath, GoesAlongLimits) {
   const Arm arm = built_in("panda");
   Random random(20);
   for (int i = 0; i < 500; ++i) {
@@ -24,13 +24,13 @@ TEST(PlanLines, GoesAlongLimits) {
   }
 }
 
-TEST(PlanLines, AlwaysSaysWhyAndWhere) {
+TEST(PlanPath, AlwaysSaysWhyAndWhere) {
   const Arm arm = built_in("panda");
   Random random;
   for (int i = 0; i < 40; ++i) {
     const Line line = random_certified_line(random, arm);
-    const Branch plan =
-        plan_lines(arm, {}, std::vector<Pose>{line.from, line.to}, {.task = Task::spatial()});
+    const Branch plan = plan_path(arm, {}, lines_through(std::vector{line.from, line.to}),
+                                  {.task = Task::spatial()});
     if (plan.status == MotionStatus::reached) {
       EXPECT_EQ(plan.reason, "");
       EXPECT_EQ(plan.done, 1);
@@ -41,7 +41,7 @@ TEST(PlanLines, AlwaysSaysWhyAndWhere) {
   }
 }
 
-TEST(PlanLines, TellsABeginningThatCannotBe) {
+TEST(PlanPath, TellsABeginningThatCannotBe) {
   for (const char* name : {"puma560", "ur5", "panda", "rrr", "scara", "gantry"}) {
     const Arm arm = built_in(name);
     Pose far = forward_kinematics(arm, Configuration::Zero(arm.dof()));
@@ -55,7 +55,7 @@ TEST(PlanLines, TellsABeginningThatCannotBe) {
 }
 
 // The elbow stretched out as far as it goes, short of that and beyond it.
-TEST(PlanLines, ComesToTheElbowsLimitAndNotBeyond) {
+TEST(PlanPath, ComesToTheElbowsLimitAndNotBeyond) {
   const Arm arm = built_in("panda");
   constexpr double stretched = -0.46671;  // of joint 4: both parts of the arm in one line
   for (const double off : {0.0, 1e-6, 1e-3, 0.1}) {
@@ -78,7 +78,7 @@ TEST(PlanLines, ComesToTheElbowsLimitAndNotBeyond) {
 }
 
 // Rows that do not matter: the finished motion is proved on the very line that was planned.
-TEST(PlanLines, LeavesRowsFree) {
+TEST(PlanPath, LeavesRowsFree) {
   Random random;
   int reached = 0;
   for (const char* task : {"111000", "111110:tool", "000111", "001000", "111000:tool"}) {
@@ -102,7 +102,7 @@ TEST(PlanLines, LeavesRowsFree) {
 }
 
 // Any arm of 1 to 10 joints of any kind, some of them driven together: an answer, with a reason.
-TEST(PlanLines, AnswersForAnyArm) {
+TEST(PlanPath, AnswersForAnyArm) {
   Random random;
   for (int i = 0; i < 60; ++i) {
     const Arm arm = random_arm(random, 1 + i % 10, i % 3 == 0 ? 3 : 0);

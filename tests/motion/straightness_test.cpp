@@ -1,200 +1,36 @@
-#include <algorithm>
 #include <gtest/gtest.h>
-#include <numbers>
 
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/motion/straightness.h>
+#include <beeline/motion/follow.h>
+#include <beeline/motion/path/nearest.h>
 #include <beeline/pose/orientation.h>
 
-#include <tests/random.h>
-#include <tests/random_arm.h>
+#include <tests/motion/random_line.h>
+#include <tests/motion/random_piece.h>
 #include <tests/refusal.h>
 
 namespace beeline {
 namespace {
 
-using std::numbers::pi;
+using testing::Random;
 
-Pose moved_by(const Pose& pose, const Vector3& way, const Vector3& turn) {
-  return make_pose(pose.translation() + way, so3_exp(turn) * pose.linear());
-}
-
-/// A line in the neighbourhood of two poses, of every sort.
-Line random_line(testing::Random& random, const Pose& a, const Pose& b) {
-  const Vector3 way = b.translation() - a.translation();
-  switch (random.integer(0, 6)) {
-    case 0:
-      return {a, b};
-    case 1:
-      return {interpolate(a, b, -1), interpolate(a, b, 2)};  // longer than the step
-    case 2:
-      return {interpolate(a, b, 0.3), interpolate(a, b, 0.6)};  // ends within the step
-    case 3:
-      return {a, moved_by(a, Vector3::Zero(), random.vector())};  // only turns
-    case 4:
-      return {a, moved_by(a, random.vector(1e-3), random.vector())};
-    case 5:
-      return {a, a};
-    default:
-      return {moved_by(a, random.vector(0.1), random.vector(0.1)),
-              moved_by(b, 2 * way + random.vector(0.1), random.vector(0.5))};
-  }
-}
-
-const std::vector<std::string> tasks = {"spatial",     "position",    "planar",      "111110:tool",
-                                        "001000",      "110001",      "000111",      "000001",
-                                        "110111:tool", "001000:tool", "111001",      "111110",
-                                        "100100:tool", "000110",      "110110:tool", "101011:tool"};
-
-void expect_step_bound(testing::Random& random, const Arm& arm, const Task& task) {
-  const double size = std::pow(10, random.uniform(-3, 0));
-  const Configuration q_a = random.configuration(arm);
-  Configuration q_b = q_a;
-  for (double& value : q_b) value += random.uniform(-size, size);
-  const Line line = random_line(random, forward_kinematics(arm, q_a), forward_kinematics(arm, q_b));
-  const auto measured = [&](double t) {
-    return deviation_from(line, forward_kinematics(arm, q_a + t * (q_b - q_a)), task);
-  };
-  const Deviation bound = step_bound(arm, line, task, q_a, q_b, measured(0), measured(1));
-  for (int i = 0; i <= 20; ++i) {
-    const Deviation seen = measured(i / 20.0);
-    // Three decimals short of rounding, where log's derivative or a search magnifies that.
-    ASSERT_LE(seen.position, bound.position + 1e-9)
-        << name(task) << " step " << size << " at " << i;
-    ASSERT_LE(seen.orientation, bound.orientation + 1e-9)
-        << name(task) << " step " << size << " at " << i;
-  }
-}
-
-TEST(StepBound, HoldsForEveryTaskOnEveryLine) {
-  testing::Random random;
-  for (int i = 0; i < 4000; ++i) {
-    const Arm arm = testing::random_arm(random, random.integer(1, 8), random.integer(0, 3));
-    expect_step_bound(random, arm, task_named(tasks[i % tasks.size()]));
-  }
-}
-
-TEST(StepBound, HoldsForBuiltInArmsInTheirOwnTask) {
-  testing::Random random;
-  for (const std::string& name : built_in_names()) {
-    const Arm arm = built_in(name);
-    for (int i = 0; i < 300; ++i) expect_step_bound(random, arm, default_task(arm));
-  }
-}
-
-// On a line of the step's own chord the bound is the chord's: it must not cost more samples.
-TEST(StepBound, FallsWithTheSquareOfTheStep) {
-  testing::Random random;
-  for (const std::string name : {"rrr", "panda", "ur5", "scara"}) {
-    const Arm arm = built_in(name);
-    const Task task = default_task(arm);
-    for (int i = 0; i < 50; ++i) {
-      const Configuration q = random.configuration(arm);
-      Configuration way(arm.dof());
-      for (double& part : way) part = random.uniform(-1, 1);
-      const auto bound_of = [&](double step) {
-        const Configuration q_b = q + step * way;
-        const Pose from = forward_kinematics(arm, q), to = forward_kinematics(arm, q_b);
-        return step_bound(arm, {from, to}, task, q, q_b, {}, {});
-      };
-      const Deviation large = bound_of(1e-2), small = bound_of(1e-3);
-      ASSERT_LE(small.position, 0.012 * large.position) << name;
-      if (large.orientation > 0) {
-        ASSERT_LE(small.orientation, 0.02 * large.orientation) << name;
-      }
-    }
-  }
-}
-
-TEST(DeviationFrom, IsNothingOnTheLine) {
-  testing::Random random;
-  for (int i = 0; i < 3000; ++i) {
-    const Pose a = random.pose(), b = random.pose();
-    const Line line = random_line(random, a, b);
-    const double s = random.uniform(0, 1);
-    const Task task = task_named(tasks[i % tasks.size()]);
-    const Deviation on = deviation_from(line, interpolate(line.from, line.to, s), task);
-    ASSERT_LT(on.position, 1e-9) << name(task);
-    ASSERT_LT(on.orientation, 1e-9) << name(task);
-  }
-}
-
-TEST(DeviationFrom, IsTheDistanceToTheSegment) {
-  const Line line{make_pose({1, 0, 0}), make_pose({3, 0, 0})};
-  const auto position = [&](const Vector3& p) {
-    return deviation_from(line, make_pose(p), Task::spatial()).position;
-  };
-  EXPECT_NEAR(position({2, 0.5, 0}), 0.5, 1e-15);
-  EXPECT_NEAR(position({2, 3, 4}), 5, 1e-15);
-  EXPECT_NEAR(position({0, 0, 0}), 1, 1e-15) << "before the line's begin";
-  EXPECT_NEAR(position({6, 4, 0}), 5, 1e-15) << "behind its end";
-}
-
-TEST(DeviationFrom, ComparesTheOrientationAtTheNearestPoint) {
-  const Line line{make_pose({0, 0, 0}), make_pose({2, 0, 0}, so3_exp({0, 0, 1}))};
-  for (const double s : {0.0, 0.25, 0.7, 1.0}) {
-    const Pose pose = make_pose({2 * s, 1, 0}, so3_exp({0, 0, s + 0.1}));
-    EXPECT_NEAR(deviation_from(line, pose, Task::spatial()).orientation, 0.1, 1e-14);
-  }
-}
-
-TEST(DeviationFrom, CountsOnlyTheRowsOfTheTask) {
-  const Line line{make_pose({0, 0, 0}), make_pose({1, 0, 0})};
-  const Pose pose = make_pose({0.5, 3, 4}, so3_exp({0.1, 0, 0.2}));
-  EXPECT_NEAR(deviation_from(line, pose, task_named("110001")).position, 3, 1e-15);
-  EXPECT_NEAR(deviation_from(line, pose, task_named("110001")).orientation, 0.2, 1e-12);
-  EXPECT_NEAR(deviation_from(line, pose, Task::position()).orientation, 0, 0);
-  EXPECT_NEAR(deviation_from(line, pose, task_named("000111")).position, 0, 0);
-}
-
-// A turn in place is told by the turn, also by half a turn, where its two directions meet.
-TEST(DeviationFrom, IsTheAngleToTheArcWhereTheLineOnlyTurns) {
-  testing::Random random;
-  for (int i = 0; i < 2000; ++i) {
-    const double angle = i % 4 == 0 ? pi : random.uniform(0.01, pi);
-    const Vector3 axis = random.direction();
-    const Pose from = random.pose();
-    const Line line{from, moved_by(from, Vector3::Zero(), angle * axis)};
-    // At exactly pi either direction may be the line's own.
-    const Vector3 turn = pose_difference(line.to, line.from).tail<3>();
-    ASSERT_NEAR(turn.norm(), angle, 1e-7);
-    const Vector3 across = turn.unitOrthogonal();
-    const double s = random.uniform(0, 1), off = random.uniform(0, 0.2);
-    const Pose at = interpolate(line.from, line.to, s);
-    const Pose beside = moved_by(at, Vector3::Zero(), off * (so3_exp(s * turn) * across));
-    const double seen = deviation_from(line, beside, Task::spatial()).orientation;
-    ASSERT_LE(seen, off + 1e-9);
-    ASSERT_GE(seen, off * 0.6) << "a swing away leads off the arc";
-    const Pose beyond = moved_by(line.to, Vector3::Zero(), 0.1 * turn.normalized());
-    ASSERT_NEAR(deviation_from(line, beyond, Task::spatial()).orientation, 0.1, 1e-7);
-  }
-}
-
-TEST(DeviationFrom, IsTheLeastOverTheArc) {
-  testing::Random random;
-  for (int i = 0; i < 300; ++i) {
-    const Pose from = random.pose();
-    const Line line{from, moved_by(from, Vector3::Zero(), random.rotation().col(0) * 2)};
-    const Pose pose = make_pose(from.translation(), random.rotation());
-    const Task task = task_named(i % 2 == 0 ? "spatial" : "111110:tool");
-    double least = pi;
-    for (int k = 0; k <= 1000; ++k) {
-      const Pose at = interpolate(line.from, line.to, k / 1000.0);
-      least = std::min(least, task_deviation(task, at, pose).orientation);
-    }
-    ASSERT_NEAR(deviation_from(line, pose, task).orientation, least, 2e-3) << name(task);
-  }
-}
+Configuration at(double x, double y) { return Configuration{{x, y}}; }
 
 TEST(Straightness, MeasuresEveryLineFromItsOwnWaypoint) {
   const Arm arm = built_in("gantry");
-  const auto at = [](double x, double y) { return Configuration{{x, y}}; };
   const std::vector<Configuration> samples{at(0, 0), at(1, 0.25), at(2, 0), at(2.5, 1), at(2, 2)};
-  const std::vector<Pose> poses{forward_kinematics(arm, at(2, 0)),
-                                forward_kinematics(arm, at(2, 2))};
-  const std::vector<std::size_t> arrivals{2, 4};
-  const Straightness told = straightness(arm, samples, poses, arrivals, Task::position());
+  std::vector<Pose> poses;
+  for (const Configuration& q : {at(0, 0), at(2, 0), at(2, 2)}) {
+    poses.push_back(forward_kinematics(arm, q));
+  }
+  const ToolPath path = lines_through(poses);
+  const Task task = Task::position();
+  const std::vector<std::size_t> reached{2, 4};
+  const std::vector<double> places = places_along(arm, samples, path, reached, task);
+  EXPECT_EQ(arrivals(places), reached);
+  EXPECT_NEAR(places[1], 0.5, 1e-12);
+  const Straightness told = straightness(arm, samples, places, path, task);
   EXPECT_NEAR(told.sampled.position, 0.5, 1e-15);
   EXPECT_NEAR(told.bound.position, 0.5, 1e-15) << "slides leave no arc";
   EXPECT_EQ(told.sampled.orientation, 0);
@@ -203,14 +39,124 @@ TEST(Straightness, MeasuresEveryLineFromItsOwnWaypoint) {
 TEST(Straightness, RefusesWhatDoesNotFit) {
   const Arm arm = built_in("rrr");
   const std::vector<Configuration> samples{Configuration::Zero(3), Configuration::Zero(3)};
-  const std::vector<Pose> waypoints{make_pose({9, 0, 0})};
-  const auto told = [&](std::vector<std::size_t> arrivals) {
-    return straightness(arm, samples, waypoints, arrivals, Task::planar());
+  const ToolPath path = lines_through(std::vector{make_pose({0, 0, 0}), make_pose({9, 0, 0})});
+  const auto placed = [&](std::vector<std::size_t> reached) {
+    return places_along(arm, samples, path, reached, Task::planar());
   };
-  EXPECT_REFUSED(told({}), "arrival");
-  EXPECT_REFUSED(told({2}), "arrival 1");
-  EXPECT_REFUSED(straightness(arm, {}, waypoints, std::vector<std::size_t>{0}, Task::planar()),
-                 "samples");
+  EXPECT_REFUSED(placed({0, 1}), "arrival");
+  EXPECT_REFUSED(placed({2}), "arrival 1");
+  EXPECT_REFUSED(places_along(arm, {}, path, {}, Task::planar()), "samples");
+  const auto told = [&](std::vector<double> places, const ToolPath& on) {
+    return straightness(arm, samples, places, on, Task::planar());
+  };
+  EXPECT_NO_THROW(told({0.2, 1}, path));
+  EXPECT_REFUSED(told({0}, path), "a place");
+  EXPECT_REFUSED(told({0.5, 0.4}, path), "sample 2");
+  EXPECT_REFUSED(told({-0.1, 1}, path), "sample 1");
+  EXPECT_REFUSED(told({0, 1.5}, path), "sample 2");
+  EXPECT_REFUSED(told({0, NAN}, path), "sample 2");
+  EXPECT_REFUSED(told({0, 0}, ToolPath{}), "pieces");
+}
+
+/// A path of the kind in front of the arm.
+ToolPath path_ahead(Random& random, const Arm& arm, const Pose& from, int kind) {
+  std::vector<Pose> poses{from};
+  for (int w = 0; w < 3; ++w) poses.push_back(testing::nearby_pose(random, arm, from));
+  if (kind == 4) return rounded_lines(poses, {0.03, 0.3}).path;
+  if (kind == 2) poses.pop_back();
+  return path_through(poses, static_cast<PathKind>(kind));
+}
+
+/// Follows a path with joints in proportion between a few samples that lie on it, none of them at
+/// the end of a piece but the last one.
+struct Coarse {
+  std::vector<Configuration> samples;
+  std::vector<double> places;
+};
+
+Coarse coarse(const Arm& arm, const ToolPath& path, Configuration q) {
+  Coarse way{{q}, {0}};
+  for (std::size_t i = 0; i < path.pieces.size(); ++i) {
+    const Followed piece = follow(arm, path.pieces[i], Task::spatial(), bounds_of(arm), q,
+                                  {.tolerance = {1e-4, 1e-4}, .most_samples = 2000});
+    const bool last = i + 1 == path.pieces.size() || !piece.through();
+    for (std::size_t k = 1; k < piece.samples.size(); ++k) {
+      const bool end = k + 1 == piece.samples.size();
+      if (k % 7 != 3 && !(end && last)) continue;
+      way.samples.push_back(piece.samples[k]);
+      way.places.push_back(static_cast<double>(i) + piece.fractions[k]);
+    }
+    if (!piece.through()) break;
+    q = piece.samples.back();
+  }
+  return way;
+}
+
+// Round the corners of lines too, where it is large: whatever is between the samples is counted.
+TEST(Straightness, BoundsWhatIsBetweenSamplesAlsoOverTheEndsOfPieces) {
+  Random random;
+  int cut = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Arm arm = built_in(i % 2 == 0 ? "ur5" : "puma560");
+    const Configuration q = testing::inner_configuration(random, arm);
+    const ToolPath path = path_ahead(random, arm, forward_kinematics(arm, q), i % 5);
+    const Coarse way = coarse(arm, path, q);
+    const Straightness told = straightness(arm, way.samples, way.places, path, Task::spatial());
+    ASSERT_LE(told.sampled.position, 1e-9);
+    for (std::size_t k = 1; k < way.samples.size(); ++k) {
+      const auto steps = cut_at_pieces(path, Task::spatial(), way.samples[k - 1], way.places[k - 1],
+                                       way.samples[k], way.places[k]);
+      cut += steps.size() > 1;
+      for (const PieceStep& step : steps) {
+        for (int j = 0; j <= 10; ++j) {
+          const Configuration between = step.q_a + j / 10.0 * (step.q_b - step.q_a);
+          const Deviation off =
+              deviation_from(path.pieces[step.piece], std::lerp(step.s_a, step.s_b, j / 10.0),
+                             forward_kinematics(arm, between), Task::spatial());
+          ASSERT_LE(off.position, told.bound.position + 1e-12);
+          ASSERT_LE(off.orientation, told.bound.orientation + 1e-12);
+        }
+      }
+      ASSERT_EQ(steps.front().q_a, way.samples[k - 1]);
+      ASSERT_EQ(steps.back().q_b, way.samples[k]);
+    }
+  }
+  EXPECT_GT(cut, 20);
+}
+
+TEST(NearestPlace, FindsTheSamplesOfAWay) {
+  Random random;
+  for (int i = 0; i < 40; ++i) {
+    const Arm arm = built_in("ur5");
+    const Configuration q = testing::inner_configuration(random, arm);
+    const ToolPath path = path_ahead(random, arm, forward_kinematics(arm, q), i % 5);
+    const Coarse way = coarse(arm, path, q);
+    double before = 0;
+    const bool stops = i % 5 <= 2;  // at corners, one piece at a time
+    for (std::size_t k = 1; k < way.samples.size(); ++k) {
+      const auto piece = static_cast<double>(piece_at(path, way.places[k]));
+      const double end = stops ? piece + 1 : static_cast<double>(path.pieces.size());
+      const Pose tool = forward_kinematics(arm, way.samples[k]);
+      if (stops) before = std::max(before, piece);
+      before = nearest_place(path, Task::spatial(), tool, before, end);
+      const Deviation off = task_deviation(Task::spatial(), pose_at(path, before), tool);
+      ASSERT_LT(off.position, 1e-9) << i % 5 << " place " << before << " of " << way.places[k];
+      ASSERT_LT(off.orientation, 1e-8) << i % 5;
+      ASSERT_NEAR(before, way.places[k], 1e-6);
+    }
+  }
+}
+
+TEST(Reversed, IsTheSamePathFromItsEnd) {
+  Random random;
+  for (int i = 0; i < 50; ++i) {
+    const Piece piece = testing::random_piece(random);
+    const Piece back = reversed(piece);
+    for (const double s : {0.0, 0.1, 0.5, 0.77, 1.0}) {
+      const Twist off = pose_difference(pose_at(piece, s), pose_at(back, 1 - s));
+      ASSERT_LT(off.norm(), 1e-9) << testing::kind_of(piece) << " " << s;
+    }
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <beeline/inverse/solve.h>
 #include <beeline/kinematics/jacobian.h>
+#include <beeline/motion/path/corner.h>
 #include <beeline/motion/verify.h>
 
 #include <tests/motion/line_promises.h>
@@ -160,7 +161,7 @@ TEST(Verify, RefusesWhatIsNoTrajectory) {
   for (const double bad : {0.0, -1.0, static_cast<double>(NAN)}) {
     EXPECT_REFUSED(verify(motion.arm, good, motion.poses, {.tolerance = bad}), "tolerance");
   }
-  EXPECT_REFUSED(verify(motion.arm, good, {}), "waypoint");
+  EXPECT_REFUSED(verify(motion.arm, good, std::vector<Pose>{}), "waypoint");
 }
 
 // Two samples at one pose, elbow up and elbow down, behind the last waypoint.
@@ -172,6 +173,86 @@ TEST(Verify, SeesAJumpAfterTheLastWaypoint) {
   ASSERT_GE(both.size(), 2);
   const Trajectory motion{arm.joint_names(), {0, 1, 100}, {up, both[0], both[1]}, {}, {}};
   EXPECT_EQ(verify(arm, motion, std::vector{pose}).fault, Fault::deviation);
+}
+
+/// A closed way of every kind, and its motion at a rate or with few samples.
+struct MadeAlong {
+  Arm arm;
+  Route route;
+  Trajectory trajectory;
+};
+
+std::vector<MadeAlong> made_along(const std::string& name) {
+  const Made lines = made(name, {.law = Law::quintic});
+  const Pose &a = lines.poses[0], &b = lines.poses[1], &c = lines.poses[2];
+  Pose d = b;
+  d.translation() += Vector3(0.02, -0.05, 0.03);
+  const std::vector<Pose> poses{a, b, c, d, a};
+  std::vector<Route> routes{route_of(rounded_lines(poses, {0.01, 0.05}))};
+  for (const PathKind kind : {PathKind::line, PathKind::screw, PathKind::arc, PathKind::spline}) {
+    routes.push_back(route_of(path_through(poses, kind), kind));
+  }
+  // A whole circle: its end is its begin.
+  const Pose& begin = pose_at(routes[3].path, 0);
+  const Arc round{begin, begin, begin.translation() + Vector3(0, 0.03, 0), Vector3(0, 0, 2 * pi)};
+  routes.push_back({{{round, round}, {0.2, 0.2}}, {true, true}});
+  std::vector<MadeAlong> all;
+  for (const Route& route : routes) {
+    for (const double rate : {0.0, 200.0}) {
+      const LineMotion motion = move_along(lines.arm, lines.trajectory.positions.front(), route,
+                                           {.law = Law::quintic, .rate = rate});
+      EXPECT_EQ(motion.reason, "") << name << " " << all.size();
+      all.push_back({lines.arm, route, motion.trajectory});
+    }
+  }
+  return all;
+}
+
+TEST(Verify, PassesWhatMovesAlongEveryKindOfPath) {
+  for (const std::string name : arms) {
+    int number = 0;
+    for (const auto& [arm, route, trajectory] : made_along(name)) {
+      const Verification found = verify(arm, trajectory, route);
+      EXPECT_EQ(found.reason, "") << name << " " << number;
+      EXPECT_EQ(found.arrivals.size(), route.path.pieces.size()) << name << " " << number;
+      ++number;
+    }
+  }
+}
+
+TEST(Verify, TellsFaultsOnEveryKindOfPath) {
+  for (const auto& [arm, route, trajectory] : made_along("ur5")) {
+    const std::size_t half = trajectory.size() / 2;
+    Trajectory moved = trajectory;
+    const Jacobian j = jacobian(arm, moved.positions[half]);
+    const Twist aside = (Twist() << 2e-4 * Vector3(1, 1, 1).normalized(), 0, 0, 0).finished();
+    for (const Twist& step : {aside, Twist(-aside)}) {  // one of them leads across
+      moved.positions[half] += j.completeOrthogonalDecomposition().solve(step);
+      if (verify(arm, moved, route).fault != Fault::none) break;
+    }
+    const Verification off = verify(arm, moved, route);
+    EXPECT_NE(off.fault, Fault::none);
+    EXPECT_LE(off.sample, half);
+    EXPECT_GE(off.sample + 4, half);
+    Trajectory shorter = trajectory;
+    for (auto* column : {&shorter.positions, &shorter.velocities, &shorter.accelerations}) {
+      column->resize(half);
+    }
+    shorter.times.resize(half);
+    EXPECT_EQ(verify(arm, shorter, route).fault, Fault::not_through);
+  }
+}
+
+// On the same poses each kind of path is another one.
+TEST(Verify, TellsAnotherKindOfPath) {
+  const std::vector<MadeAlong> all = made_along("puma560");
+  for (std::size_t i = 0; i < all.size(); i += 2) {
+    for (std::size_t k = 0; k < all.size(); k += 2) {
+      const Verification found = verify(all[i].arm, all[i].trajectory, all[k].route);
+      const bool same = i == k;
+      EXPECT_EQ(found.fault == Fault::none, same) << i << " " << k << found.reason;
+    }
+  }
 }
 
 }  // namespace

@@ -148,9 +148,7 @@ Bounds no_bounds(const Arm& arm) {
 }
 
 void check_task(const Arm& arm, const Task& task, const Bounds& bounds) {
-  if (task.size() == 0 || task.frame == Frame::space) {
-    throw Error("a task needs at least one row, and Frame::base or Frame::tool");
-  }
+  check_task(task);
   if (bounds.lower.size() != arm.dof() || bounds.upper.size() != arm.dof() ||
       !(bounds.lower.array() <= bounds.upper.array()).all()) {
     throw Error("the bounds for arm " + arm.name() + " need " + std::to_string(arm.dof()) +

@@ -30,36 +30,54 @@ bool turns_back(const Sides& sides) {
   return back(sides.in.tail<3>(), sides.out.tail<3>());
 }
 
-/// Most curvature of the parabola from -a by way of 0 to b: |a x b| / (2 |q|^3) where q, half its
-/// velocity, is least between a and b.
+/// f(s) = 2 s^3 - s^4 half-way. Its derivatives are 0 at s = 0, and 2 and 0 at s = 1.
+constexpr double half_way = 3.0 / 16;
+
+/// Most curvature of -f(1 - s) a + f(s) b: 3 s (1 - s) |a x b| / |q|^3 where q is half its
+/// velocity, on the way from a to b by u = 3 s^2 - 2 s^3. Half-way where both are of a length; else
+/// found by looks, and thirds about the best of them.
 double curvature_between(const Vector3& a, const Vector3& b) {
+  constexpr int looks = 32, thirds = 60;
   const double area = a.cross(b).norm();
   if (area <= nothing) return 0;
-  const double share = std::clamp(a.dot(a - b) / (b - a).squaredNorm(), 0.0, 1.0);
-  return area / (2 * std::pow((a + share * (b - a)).norm(), 3));
+  const auto at = [&](double s) {
+    const Vector3 q = a + (3 - 2 * s) * s * s * (b - a);
+    return 3 * s * (1 - s) * area / std::pow(q.norm(), 3);
+  };
+  int best = looks / 2;
+  for (int i = 1; i < looks; ++i) {
+    if (at(double(i) / looks) > at(double(best) / looks)) best = i;
+  }
+  double low = (best - 1.0) / looks, high = (best + 1.0) / looks;
+  for (int i = 0; i < thirds; ++i) {
+    const double third = (high - low) / 3;
+    const bool rises = at(low + third) < at(high - third);
+    (rises ? low : high) += rises ? third : -third;
+  }
+  return std::max(at(double(best) / looks), at((low + high) / 2));
 }
 
 /// Everything about the corner is in proportion to its radius: this is for 1.
 ///
 /// Off the lines, with in and out of the same length, c the cosine between them and s <= 1/2: the
-/// nearest point of the first line is its share (1 - s)^2 - s^2 c before the corner, at the
-/// distance s^2 |sin|; its turn from the corner is that share of in's, so that the turns differ by
-/// s^2 |out - c in| at most. The other half is the mirror image. If one of them does not move: from
-/// the share (1 - s)^2 before the corner it is s^2 out away, position and turn.
+/// nearest point of the first line is its share f(1 - s) - f(s) c before the corner, at the
+/// distance f(s) |sin|; its turn from the corner is that share of in's, so that the turns differ by
+/// f(s) |out - c in| at most. The other half is the mirror image. If one of them does not move:
+/// from the share f(1 - s) before the corner it is f(s) out away, position and turn.
 Corner of_radius_one(const Sides& sides) {
   const Vector3 a = sides.in.head<3>(), b = sides.out.head<3>();
   const Vector3 turn_a = sides.in.tail<3>(), turn_b = sides.out.tail<3>();
   Corner corner;
-  corner.off_corner = {(b - a).norm() / 4, (turn_b - turn_a).norm() / 4};
+  corner.off_corner = {half_way * (b - a).norm(), half_way * (turn_b - turn_a).norm()};
   corner.curvature = curvature_between(a, b);
   if (!moves(sides.in) || !moves(sides.out)) {
-    corner.off_lines = {std::max(a.norm(), b.norm()) / 4,
-                        std::max(turn_a.norm(), turn_b.norm()) / 4};
+    corner.off_lines = {half_way * std::max(a.norm(), b.norm()),
+                        half_way * std::max(turn_a.norm(), turn_b.norm())};
     return corner;
   }
   const double c = a.dot(b);
-  corner.off_lines = {a.cross(b).norm() / 4,
-                      std::max((turn_b - c * turn_a).norm(), (turn_a - c * turn_b).norm()) / 4};
+  const double turned = std::max((turn_b - c * turn_a).norm(), (turn_a - c * turn_b).norm());
+  corner.off_lines = {half_way * a.cross(b).norm(), half_way * turned};
   return corner;
 }
 
@@ -90,7 +108,8 @@ SplinePiece rounding(const Pose& corner, const Sides& sides, double radius) {
   SplinePiece piece{corner};
   piece.terms.col(0) = -in;
   piece.terms.col(1) = 2 * in;
-  piece.terms.col(2) = out - in;
+  piece.terms.col(3) = 2 * (out - in);
+  piece.terms.col(4) = in - out;
   return piece;
 }
 
@@ -138,6 +157,19 @@ RoundedPath rounded_lines(std::span<const Pose> given, const Deviation& within) 
     }
   }
   return rounded;
+}
+
+Route route_of(const RoundedPath& rounded) {
+  const auto& pieces = rounded.path.pieces;
+  Route route{rounded.path, std::vector<bool>(pieces.size(), false)};
+  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+    const Twist before = motion_at(pieces[i], 1).velocity / rounded.path.spans[i];
+    const Twist after = motion_at(pieces[i + 1], 0).velocity / rounded.path.spans[i + 1];
+    const bool lines =
+        std::holds_alternative<Line>(pieces[i]) && std::holds_alternative<Line>(pieces[i + 1]);
+    route.stops[i] = lines && (before - after).norm() > 1e-9 * before.norm();
+  }
+  return route;
 }
 
 }  // namespace beeline

@@ -19,19 +19,22 @@ struct Corner {
 
 /// Lines with rounded corners: pieces are what is left of the lines, and between them SplinePieces.
 struct RoundedPath {
-  ToolPath path;                ///< with continuous velocity, but for sharp corners
+  ToolPath path;                ///< velocity and acceleration continuous, but for sharp corners
   std::vector<Corner> corners;  ///< one for each pose between the first and the last
 };
 
 /// Lines through the poses with corners rounded: at half-way the rounding passes each pose within
 /// `within`, and so never leaves the lines by more than Corner::off_lines, which is within it too.
 /// With the vectors `in` and `out`, which lead from its begin on the one line to the corner and
-/// from there to its end on the other, position and turn, it is the parabola
-///     x(s) = -(1 - s)^2 in + s^2 out
+/// from there to its end on the other, position and turn, it is
+///     x(s) = -f(1 - s) in + f(s) out,   f(s) = 2 s^3 - s^4
 /// from the corner, the turn taken as a rotation vector: reversal makes the same path. Roundings do
 /// not overlap: each has half of a line at least, or what its neighbour leaves.
 /// Throws Error for fewer than two poses, one that is no rigid motion or repeats the one before it,
 /// and distances that are not positive.
 RoundedPath rounded_lines(std::span<const Pose> poses, const Deviation& within);
+
+/// The tool stops at sharp corners only: where one line follows another in another direction.
+Route route_of(const RoundedPath& rounded);
 
 }  // namespace beeline

@@ -64,7 +64,27 @@ PieceMotion motion(const SplinePiece& piece, double s) {
   return at;
 }
 
+Piece back(const Line& line) { return Line{line.to, line.from}; }
+Piece back(const ScrewLine& screw) { return ScrewLine{screw.to, screw.from}; }
+Piece back(const Arc& arc) { return Arc{arc.to, arc.from, arc.centre, -arc.turn}; }
+
+/// The polynomial at 1 - s.
+Piece back(const SplinePiece& piece) {
+  SplinePiece other{piece.centre};
+  for (int k = 5; k >= 0; --k) {  // Horner, by the polynomial 1 - s
+    Matrix6 next = other.terms;
+    next.rightCols<5>() -= other.terms.leftCols<5>();
+    other.terms = next;
+    other.terms.col(0) += piece.terms.col(k);
+  }
+  return other;
+}
+
 }  // namespace
+
+Piece reversed(const Piece& piece) {
+  return std::visit([](const auto& kind) { return back(kind); }, piece);
+}
 
 Arc arc_through(const Pose& from, const Vector3& passed, const Pose& to) {
   constexpr double flattest = 1e-6;

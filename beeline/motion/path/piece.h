@@ -63,6 +63,9 @@ PieceMotion motion_at(const Piece& piece, double s);
 /// 80 points; about ten digits where the origin does not come to rest).
 double length_of(const Piece& piece);
 
+/// The piece gone from its end to its begin.
+Piece reversed(const Piece& piece);
+
 /// The piece turns about the world's z axis alone, and so moves planar arms.
 bool turns_about_z(const Piece& piece);
 

@@ -31,6 +31,18 @@ struct SplineEnds {
 /// A line's size, metres: its length, or `way_of_a_radian` of its turn where that is more.
 double span_of(const Line& line);
 
+/// The pose at a place: whole pieces, with a share of the next.
+Pose pose_at(const ToolPath& path, double place);
+
+/// The way to a place: spans of pieces, with the share of the next.
+double way_to(const ToolPath& path, double place);
+
+/// The path gone from its end to its begin.
+ToolPath reversed(const ToolPath& path);
+
+/// The piece that a place is on, of two the one that ends there.
+std::size_t piece_at(const ToolPath& path, double place);
+
 /// A path through the poses in order. Lines and screws join neighbours; arcs each take two more
 /// poses, of the first of which the position alone counts; a spline passes them all, its velocity
 /// and acceleration, angular ones too, continuous by the parameter.
@@ -47,8 +59,28 @@ double span_of(const Line& line);
 /// repeats the one before it; and what arc_through() refuses.
 ToolPath path_through(std::span<const Pose> poses, PathKind kind, const SplineEnds& ends = {});
 
-/// The poses with their rotations freed of the rounding of text, up to 1e-6. Throws Error, naming
-/// the pose, where one is no rigid motion or repeats the one before it.
+/// Straight lines through the poses in order; one may repeat the one before it. Throws Error for
+/// fewer than two poses, and what checked_poses() refuses.
+ToolPath lines_through(std::span<const Pose> poses);
+
+/// The poses with their rotations freed of the rounding of text, up to 1e-6. Throws Error, calling
+/// them by `noun` and number, where one is no rigid motion, not finite or farther away than 1e100
+/// m.
+std::vector<Pose> checked_poses(std::span<const Pose> poses, const std::string& noun = "pose");
+
+/// The same for what is to be reached in lines: throws Error where there are none.
+std::vector<Pose> checked_waypoints(std::span<const Pose> waypoints);
+
+/// The same, and throws Error for fewer than two poses and where one repeats the one before it.
 std::vector<Pose> checked_path(std::span<const Pose> poses);
+
+/// Pieces, and where the tool comes to rest on them.
+struct Route {
+  ToolPath path;
+  std::vector<bool> stops;  ///< after each piece; the last is one whatever it says
+};
+
+/// Lines, screws and arcs stop where two of them meet; a spline goes through.
+Route route_of(ToolPath path, PathKind kind);
 
 }  // namespace beeline

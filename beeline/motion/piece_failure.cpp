@@ -5,12 +5,12 @@
 #include <beeline/inverse/descent/numerical.h>
 #include <beeline/inverse/solve.h>
 #include <beeline/kinematics/manipulability.h>
-#include <beeline/motion/line_failure.h>
+#include <beeline/motion/piece_failure.h>
 
 namespace beeline {
 namespace {
 
-// How far ahead to look, in lengths of the line: just behind the wall, and clearly behind it.
+// How far ahead to look, in lengths of the piece: just behind the wall, and clearly behind it.
 constexpr double looks[] = {1e-6, 1e-5, 1e-4, 1e-3};
 constexpr double regular = 1e3;    // a condition below: the arm is far from singular
 constexpr double next_door = 0.2;  // radians or metres: farther away is another branch
@@ -27,10 +27,10 @@ std::string joints_outside(const Arm& arm, const Configuration& q) {
 }
 
 /// What the motion would go on to without limits, if that is outside of them.
-std::string passed_limits(const Arm& arm, const Line& line, const Task& task,
+std::string passed_limits(const Arm& arm, const Piece& piece, const Task& task,
                           const Configuration& q, double s) {
   for (const double look : looks) {
-    const Pose next = interpolate(line.from, line.to, std::min(1.0, s + look));
+    const Pose next = pose_at(piece, std::min(1.0, s + look));
     const Descent free = descend(arm, next, task, no_bounds(arm), q);
     if (!free.converged || (free.q - q).lpNorm<Eigen::Infinity>() > next_door) return {};
     const std::string joints = joints_outside(arm, free.q);
@@ -41,10 +41,11 @@ std::string passed_limits(const Arm& arm, const Line& line, const Task& task,
 
 }  // namespace
 
-std::string line_place(const Line& line, double s) {
-  const Vector3 p = interpolate(line.from, line.to, s).translation();
-  return "stops after " + number(100 * s) + " % of its length, at x " + number(p.x()) + ", y " +
-         number(p.y()) + ", z " + number(p.z()) + " m: ";
+std::string place_in_words(const Piece& piece, double s) {
+  const Vector3 p = pose_at(piece, s).translation();
+  const bool line = std::holds_alternative<Line>(piece);
+  return "stops after " + number(100 * s) + (line ? " % of its length, at x " : " % of it, at x ") +
+         number(p.x()) + ", y " + number(p.y()) + ", z " + number(p.z()) + " m: ";
 }
 
 std::string limit_in_the_way(const Arm& arm, int coordinate, bool lower) {
@@ -56,17 +57,17 @@ std::string limit_in_the_way(const Arm& arm, int coordinate, bool lower) {
          (metres ? number(limit) + " m" : angle(limit));
 }
 
-LineFailure line_failure(const Arm& arm, const Line& line, const Task& task, const Configuration& q,
-                         double s) {
-  const std::string where = line_place(line, s);
-  const std::string joints = passed_limits(arm, line, task, q, s);
+PieceFailure piece_failure(const Arm& arm, const Piece& piece, const Task& task,
+                           const Configuration& q, double s) {
+  const std::string where = place_in_words(piece, s);
+  const std::string joints = passed_limits(arm, piece, task, q, s);
   if (!joints.empty()) return {MotionStatus::outside_limits, where + joints};
 
   // Next to the edge of the workspace solutions are nearly there: that none exists shows farther
   // on.
   InverseResult answer;
   for (const double look : {1e-3, 1e-2, 1e-1}) {
-    const Pose next = interpolate(line.from, line.to, std::min(1.0, s + look));
+    const Pose next = pose_at(piece, std::min(1.0, s + look));
     InverseResult ahead = inverse_kinematics(arm, next, {.seed = q, .task = task});
     const bool none =
         ahead.status == InverseStatus::unreachable || ahead.status == InverseStatus::orientation;
@@ -88,7 +89,7 @@ LineFailure line_failure(const Arm& arm, const Line& line, const Task& task, con
       return {MotionStatus::outside_limits, where + answer.reason};
     case InverseStatus::unreachable:
       return {MotionStatus::unreachable,
-              where + "the line leaves the arm's workspace; " + answer.reason};
+              where + "the way leaves the arm's workspace; " + answer.reason};
     case InverseStatus::orientation:
       return {MotionStatus::unreachable, where + answer.reason};
     case InverseStatus::not_found:
@@ -99,7 +100,7 @@ LineFailure line_failure(const Arm& arm, const Line& line, const Task& task, con
   return {MotionStatus::not_found, where + "no way on was found" + edge + "; " + answer.reason};
 }
 
-LineFailure too_many_samples(int most) {
+PieceFailure too_many_samples(int most) {
   return {MotionStatus::not_converged,
           "needs more than " + std::to_string(most) +
               " samples in all; allow a larger tolerance or more samples (--most-samples)"};

@@ -4,7 +4,7 @@
 #include <beeline/inverse/solve.h>
 #include <beeline/model/catalog.h>
 #include <beeline/motion/follow.h>
-#include <beeline/motion/line_failure.h>
+#include <beeline/motion/piece_failure.h>
 
 #include <tests/motion/random_line.h>
 
@@ -12,7 +12,7 @@ namespace beeline {
 namespace {
 
 // What a reason claims is looked up by other means at the place where the line stops.
-TEST(LineFailure, TellsTheTruth) {
+TEST(PieceFailure, TellsTheTruth) {
   testing::Random random;
   int seen[6] = {};
   for (const std::string name : {"rrr", "panda", "ur5", "puma560", "stanford"}) {
@@ -26,7 +26,7 @@ TEST(LineFailure, TellsTheTruth) {
                                   {.tolerance = {1e-4, 1e-3}, .most_samples = 100'000});
       if (way.through()) continue;
       const Configuration& q = way.samples.back();
-      const LineFailure failure = line_failure(arm, line, task, q, way.fractions.back());
+      const PieceFailure failure = piece_failure(arm, line, task, q, way.fractions.back());
       ++seen[static_cast<int>(failure.status)];
 
       const double s = way.fractions.back();
@@ -67,8 +67,8 @@ TEST(LineFailure, TellsTheTruth) {
   EXPECT_GT(seen[static_cast<int>(MotionStatus::singular)], 0);
 }
 
-TEST(LineFailure, OfTooManySamplesSaysHowMany) {
-  const LineFailure failure = too_many_samples(1234);
+TEST(PieceFailure, OfTooManySamplesSaysHowMany) {
+  const PieceFailure failure = too_many_samples(1234);
   EXPECT_EQ(failure.status, MotionStatus::not_converged);
   EXPECT_NE(failure.reason.find("1234"), std::string::npos);
 }

@@ -1,0 +1,78 @@
+#include <beeline/inverse/descent/numerical.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/motion/path/nearest.h>
+#include <beeline/motion/timed_plan.h>
+#include <beeline/motion/timed_samples.h>
+
+namespace beeline {
+namespace {
+
+/// The samples at equal times are on the spline through the exact ones: each but the first and the
+/// last is brought onto the path. Returns their places, from that of the first on.
+std::vector<double> put_on_path(const Arm& arm, const ToolPath& path, const Task& task,
+                                double begin, double end, Trajectory& timed) {
+  const Bounds bounds = bounds_of(arm);
+  std::vector<double> places{begin};
+  for (std::size_t k = 1; k + 1 < timed.size(); ++k) {
+    Configuration& q = timed.positions[k];
+    places.push_back(nearest_place(path, task, forward_kinematics(arm, q), places.back(), end));
+    const Descent found = descend(arm, pose_at(path, places.back()), task, bounds, q);
+    if (found.converged) q = found.q;
+  }
+  places.push_back(end);
+  return places;
+}
+
+/// What the arm does from one stop to the next.
+struct Stretch {
+  std::vector<Configuration> samples;
+  std::vector<double> places;
+};
+
+void add(Stretch& stretch, const Followed& piece, double before) {
+  for (std::size_t k = 1; k < piece.samples.size(); ++k) {
+    stretch.samples.push_back(piece.samples[k]);
+    stretch.places.push_back(before + piece.fractions[k]);
+  }
+  stretch.places.back() = before + 1;  // also where what matters stands still
+}
+
+/// Returns why it has no times; empty when it has.
+std::string append(TimedPlan& timed, const Arm& arm, const ToolPath& path, const Stretch& stretch,
+                   const Task& task, const RetimeOptions& options) {
+  const std::size_t before = timed.trajectory.size();
+  std::vector<double> places = stretch.places;
+  const auto brought = [&](Trajectory& motion) {
+    places = put_on_path(arm, path, task, places.front(), places.back(), motion);
+  };
+  const std::string reason = append_timed(timed.trajectory, arm, stretch.samples, options, brought);
+  if (!reason.empty()) return reason;
+  const std::size_t added = timed.trajectory.size() - before;
+  if (added > 0 && added + 1 != places.size()) {
+    return "the joints stand still on a part of the way, which has no smooth time law";
+  }
+  if (added > 0) timed.places.insert(timed.places.end(), places.begin() + 1, places.end());
+  timed.places.back() = places.back();
+  return {};
+}
+
+}  // namespace
+
+TimedPlan timed_plan(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
+                     const RetimeOptions& options) {
+  TimedPlan timed{{}, at_rest(arm, plan.start), {0}};
+  Stretch stretch{{plan.start}, {0}};
+  for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
+    add(stretch, plan.pieces[i], static_cast<double>(i));
+    if (i + 1 < plan.pieces.size() && !route.stops[i]) continue;
+    timed.reason = append(timed, arm, route.path, stretch, task, options);
+    if (!timed.reason.empty()) {
+      timed.reason = "up to the end of piece " + std::to_string(i + 1) + ": " + timed.reason;
+      return timed;
+    }
+    stretch = {{stretch.samples.back()}, {stretch.places.back()}};
+  }
+  return timed;
+}
+
+}  // namespace beeline

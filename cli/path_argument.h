@@ -1,0 +1,21 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <beeline/motion/path/through.h>
+
+/// --path and --round: what the tool does between the poses.
+struct PathArgument {
+  std::string kind = "line";
+  std::optional<double> round;
+
+  std::vector<const CLI::Option*> declare(CLI::App& verb, const std::string& before = "");
+  /// Straight lines with a stop at each pose.
+  bool straight() const;
+  /// Throws Error for what does not go together, and poses that do not make such a path.
+  beeline::Route through(std::span<const beeline::Pose> poses) const;
+};
