@@ -30,23 +30,33 @@ struct Way {
   Trajectory trajectory;
   bool has_times = true;
 };
-Way read_way(const std::string& path, const Arm& arm) {
-  if (extension(path) != "csv") return {read_recording(path, arm), true};
-  const CsvTable table = parse_csv(read_file(path), path);
-  if (std::find(table.columns.begin(), table.columns.end(), "t") != table.columns.end()) {
-    return {read_recording(path, arm), true};
-  }
-  Trajectory way{table.columns, {}, {}, {}, {}};
+
+Trajectory counted(const CsvTable& table) {
+  Trajectory path{table.columns, {}, {}, {}, {}};
   for (const std::vector<double>& row : table.rows) {
-    way.times.push_back(static_cast<double>(way.times.size()));
-    way.positions.push_back(
+    path.times.push_back(static_cast<double>(path.times.size()));
+    path.positions.push_back(
         Eigen::Map<const Configuration>(row.data(), static_cast<Eigen::Index>(row.size())));
   }
+  return path;
+}
+
+Way read_way(const std::string& path, const Arm& arm) {
+  Way way;
+  if (extension(path) == "csv") {
+    const CsvTable table = parse_csv(read_file(path), path);
+    const auto& columns = table.columns;
+    way.has_times = std::find(columns.begin(), columns.end(), "t") != columns.end();
+    if (!way.has_times) way.trajectory = counted(table);
+  }
+  if (way.has_times) way.trajectory = read_recording(path, arm);
   try {
-    return {matched_to(arm, way), false};
+    way.trajectory = matched_to(arm, way.trajectory);
+    check_moves(way.trajectory);
   } catch (const Error& error) {
     throw FileError(path, 0, error.what());
   }
+  return way;
 }
 
 Exit time_path(const Arguments& arguments) {

@@ -88,18 +88,26 @@ def test_a_way_outside_the_position_limits_is_a_no(beeline, written, tmp_path):
     assert not (tmp_path / "move.csv").exists()
 
 
-def test_bad_input_is_refused_in_one_line(refused, written):
+def test_bad_input_is_refused_in_one_line(refused, beeline, written):
     path = written("way.csv", WAYPOINTS)
     refused(2, "time", path, "panda", "--law", "scurve", says=("scurve", "s-curve"))
     refused(2, "time", path, "panda", "--rate", "0", says=("--rate",))
     refused(2, "time", path, "panda", "--rate", "1e9", says=("samples",))
-    refused(2, "time", path, "panda", "--speed-limit", "2", says=("share",))
-    refused(2, "time", path, "panda", "--tool-speed", "-1", says=("above zero",))
+    line = refused(2, "time", path, "panda", "--rate", "1e-9", says=("1e-09", "would do"))
+    enough = line.split("; ")[1].split()[0]
+    assert beeline("time", path, "panda", "--rate", enough).code == 0
+    for share in ("2", "1e-300"):
+        refused(2, "time", path, "panda", "--speed-limit", share, says=("from 1e-06 to 1", share))
+    for speed in ("-1", "1e-300"):
+        refused(2, "time", path, "panda", "--tool-speed", speed, says=("1e-09 m/s", speed))
     refused(2, "time", path, "panda", "--out", path, says=("input",))
     refused(3, "time", path, "ur5", says=("way.csv", "joint7"))
     refused(3, "time", written("half.csv", WAYPOINTS[:-6]), "panda", says=("half.csv:5",))
     refused(3, "time", "none.csv", "panda", says=("none.csv",))
-    refused(2, "time", written("one.csv", "\n".join(WAYPOINTS.splitlines()[:2])), "panda",
-            says=("two different positions",))
+    lines = WAYPOINTS.splitlines()
+    refused(3, "time", written("one.csv", "\n".join(lines[:2])), "panda",
+            says=("one.csv", "two different positions", "one sample"))
+    refused(3, "time", written("still.csv", "\n".join([lines[0], lines[1], lines[1]])), "panda",
+            says=("still.csv", "two different positions", "2 samples"))
     six = "\n".join(line.rsplit(",", 1)[0] for line in WAYPOINTS.splitlines())
     refused(2, "time", written("six.csv", six), "ur5", "--law", "jerk", says=("ur5", "jerk"))

@@ -167,6 +167,38 @@ TEST(Retime, SaysNoWhereThePathLeavesThePositionLimits) {
   EXPECT_EQ(timed.trajectory.size(), 0u);
 }
 
+TEST(Retime, GoesAsSlowlyAsItMayBeAskedTo) {
+  testing::Random random;
+  for (const char* name : {"panda", "ur5", "scara", "rrr"}) {
+    const Arm arm = built_in(name);
+    Trajectory way{arm.joint_names(), {0, 1, 2}, {}, {}, {}};
+    const Configuration middle = middle_configuration(arm);
+    for (int k = 0; k < 3; ++k) {
+      way.positions.push_back(middle + 0.2 * (random.configuration(arm) - middle));
+    }
+    for (const Law law : laws) {
+      if (law == Law::jerk && default_law(arm) != Law::jerk) continue;
+      const Retimed slow = retime(arm, way, {.law = law, .speed_limit = 1e-6});
+      ASSERT_TRUE(slow.found()) << slow.reason;
+      EXPECT_LE(slow.limits.velocity.share, 1e-6 * (1 + 1e-6));
+      const Retimed creeping = retime(arm, way, {.law = law, .tool_speed = 1e-9});
+      ASSERT_TRUE(creeping.found()) << creeping.reason;
+      EXPECT_LE(creeping.tool_speed, 1e-9 * (1 + 1e-6));
+    }
+  }
+}
+
+TEST(Retime, NamesTheRateThatKeepsSomethingOfTheWay) {
+  testing::Random random;
+  const Arm arm = built_in("ur5");
+  const Trajectory way{
+      arm.joint_names(), {0, 1}, {random.configuration(arm), random.configuration(arm)}, {}, {}};
+  const double duration = retime(arm, way).trajectory.times.back();
+  EXPECT_REFUSED(retime(arm, way, {.rate = 1e-9}), "or more would do");
+  EXPECT_REFUSED(retime(arm, way, {.rate = 3.9 / duration}), number(4 * (1 + 1e-5) / duration));
+  EXPECT_GE(retime(arm, way, {.rate = 4.1 / duration}).trajectory.size(), 5u);
+}
+
 TEST(Retime, RefusesWhatMakesNoSense) {
   const Arm arm = built_in("ur5");
   const Configuration zero = Configuration::Zero(6);
@@ -174,8 +206,12 @@ TEST(Retime, RefusesWhatMakesNoSense) {
   EXPECT_REFUSED(retime(arm, still), "two different positions");
   EXPECT_REFUSED(retime(arm, {arm.joint_names(), {}, {}, {}, {}}), "no samples");
   EXPECT_REFUSED(retime(arm, still, {.law = Law::jerk}), "limits of jerk");
-  EXPECT_REFUSED(retime(arm, still, {.speed_limit = 1.5}), "share");
-  EXPECT_REFUSED(retime(arm, still, {.tool_speed = 0}), "above zero");
+  for (const double share : {1.5, 0.0, 1e-7, 1e-300, std::nan("")}) {
+    EXPECT_REFUSED(retime(arm, still, {.speed_limit = share}), "from 1e-06 to 1");
+  }
+  for (const double speed : {0.0, -1.0, 1e-10, 1e-300, std::nan("")}) {
+    EXPECT_REFUSED(retime(arm, still, {.tool_speed = speed}), "1e-09 m/s at least");
+  }
   EXPECT_REFUSED(retime(arm, still, {.rate = -1}), "above zero");
   EXPECT_REFUSED(law_named("scurve"), "s-curve");
   for (const Law law : laws) EXPECT_EQ(law_named(name(law)), law);

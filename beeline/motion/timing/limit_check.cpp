@@ -12,9 +12,8 @@ using Columns = std::vector<Configuration>;
 constexpr double epsilon = 4 * std::numeric_limits<double>::epsilon();
 
 double limit_of(const Arm& arm, int i, double Limits::*kind) {
-  const double limit = arm.limits()[static_cast<std::size_t>(i)].*kind;
-  const bool known = limit < Limits::none || kind != &Limits::velocity;
-  return known ? limit : velocity_when_unknown;
+  const Limits& limits = arm.limits()[static_cast<std::size_t>(i)];
+  return kind == &Limits::velocity ? held_velocity(limits) : limits.*kind;
 }
 
 /// Takes the values of one kind, and the differences of what they are the derivative of.

@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include <beeline/error.h>
 #include <beeline/motion/timing/path_law.h>
 #include <beeline/motion/timing/trajectory.h>
@@ -7,16 +5,16 @@
 namespace beeline {
 
 PathLimits path_limits(const Arm& arm, double share) {
-  if (!(share > 0 && share <= 1)) {
-    throw Error("the share of the speed limits must be above 0 and 1 at most, not " +
+  constexpr double least = 1e-6;  // its cube, of a jerk, is far above rounding
+  if (!(share >= least && share <= 1)) {
+    throw Error("the share of the speed limits must be from " + number(least) + " to 1, not " +
                 number(share));
   }
   PathLimits limits;
   limits.velocity = limits.acceleration = limits.jerk = Configuration(arm.dof());
   for (int i = 0; i < arm.dof(); ++i) {
     const Limits& joint = arm.limits()[static_cast<std::size_t>(i)];
-    const bool known = std::isfinite(joint.velocity);
-    limits.velocity[i] = share * (known ? joint.velocity : velocity_when_unknown);
+    limits.velocity[i] = share * held_velocity(joint);
     limits.acceleration[i] = share * share * joint.acceleration;
     limits.jerk[i] = share * share * share * joint.jerk;
   }

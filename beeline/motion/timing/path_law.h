@@ -16,8 +16,8 @@ struct PathLimits {
   std::vector<double> speed;
 };
 
-/// The arm's limits, an unknown velocity limit counting as `velocity_when_unknown`. `share` (above
-/// 0, 1 at most) slows the motion down: that share of the velocities, its square of the
+/// The arm's limits, an unknown velocity limit counting as `velocity_when_unknown`. `share` (from
+/// 1e-6 to 1) slows the motion down: that share of the velocities, its square of the
 /// accelerations, its cube of the jerks. Throws Error for another share.
 PathLimits path_limits(const Arm& arm, double share = 1);
 

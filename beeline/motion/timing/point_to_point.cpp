@@ -41,7 +41,7 @@ void check_within(const Arm& arm, const ConfigurationRef& q, const char* which) 
 }
 
 Limits with_velocity(Limits limits) {
-  if (limits.velocity == Limits::none) limits.velocity = velocity_when_unknown;
+  limits.velocity = held_velocity(limits);
   return limits;
 }
 

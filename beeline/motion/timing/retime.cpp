@@ -20,6 +20,8 @@ constexpr double repeated = 1e-12;     // radians, metres: positions as near as 
 constexpr double standing = 1e-9;      // of the largest velocity
 constexpr double longest_gap = 0.005;  // of a stretch's duration, between its samples
 constexpr double most_samples = 1e6;
+constexpr double fewest_steps = 4;     // of a rate: fewer would leave nothing of the way
+constexpr double slowest_tool = 1e-9;  // metres per second
 
 /// The positions between the stops, which end one stretch and begin the next.
 std::vector<std::vector<Configuration>> stretches(const Trajectory& trajectory) {
@@ -39,9 +41,6 @@ std::vector<std::vector<Configuration>> stretches(const Trajectory& trajectory) 
     all.back().push_back(q);
     stop = !trajectory.velocities.empty() &&
            trajectory.velocities[k].lpNorm<Eigen::Infinity>() <= standing * largest;
-  }
-  if (all.front().size() == 1) {
-    throw Error("a trajectory needs two different positions to be timed");
   }
   return all;
 }
@@ -85,8 +84,9 @@ PathLaw law_along(const JointPath& path, const PathLimits& limits, Law law) {
 }
 
 void check(const Arm& arm, const RetimeOptions& options, Law law) {
-  if (!(options.tool_speed > 0)) {
-    throw Error("the tool's speed must be above zero, not " + number(options.tool_speed) + " m/s");
+  if (!(options.tool_speed >= slowest_tool)) {
+    throw Error("the tool's speed must be " + number(slowest_tool) + " m/s at least, not " +
+                number(options.tool_speed) + " m/s");
   }
   if (!(options.rate >= 0) || !std::isfinite(options.rate)) {
     throw Error("the rate must be above zero, not " + number(options.rate) + " samples a second");
@@ -106,6 +106,18 @@ double slower(const Retimed& timed, const RetimeOptions& options) {
                             timed.tool_speed / options.tool_speed});
   if (keeps_jerk(timed.law)) factor = std::max(factor, std::cbrt(timed.limits.jerk.share) / share);
   return factor;
+}
+
+void check_rate(double rate, double duration) {
+  if (rate * duration > most_samples) {
+    throw Error(number(rate) + " samples a second make more than " + number(most_samples) + " in " +
+                number(duration) + " s");
+  }
+  if (rate > 0 && rate * duration < fewest_steps) {
+    constexpr double up = 1 + 1e-5;  // that number() rounds away
+    throw Error(number(rate) + " samples a second lose the way of a motion of " + number(duration) +
+                " s; " + number(up * fewest_steps / duration) + " or more would do");
+  }
 }
 
 void slow_down(PathLaw& law, double factor) {
@@ -161,13 +173,25 @@ Law default_law(const Arm& arm) {
   return std::any_of(arm.limits().begin(), arm.limits().end(), has_jerk) ? Law::jerk : Law::fastest;
 }
 
+void check_moves(const Trajectory& trajectory) {
+  const auto& q = trajectory.positions;
+  const auto elsewhere = [&](const Configuration& other) {
+    return (other - q.front()).norm() > repeated;
+  };
+  if (std::any_of(q.begin(), q.end(), elsewhere)) return;
+  const std::string found = q.empty()       ? "no samples"
+                            : q.size() == 1 ? "one sample"
+                                            : std::to_string(q.size()) + " samples at one place";
+  throw Error("a trajectory needs two different positions to be timed; this one has " + found);
+}
+
 Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& options) {
   Retimed timed;
   timed.law = options.law.value_or(default_law(arm));
   check(arm, options, timed.law);
   const Trajectory trajectory = matched_to(arm, recorded);
-  if (trajectory.size() == 0) throw Error("the trajectory has no samples");
   PathLimits limits = path_limits(arm, options.speed_limit);
+  check_moves(trajectory);
   std::vector<TimedPath> motions;
   double duration = 0;
   for (const std::vector<Configuration>& samples : stretches(trajectory)) {
@@ -185,10 +209,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
     if (!timed.found()) return timed;
     duration += motion.law.duration();
   }
-  if (options.rate * duration > most_samples) {
-    throw Error(number(options.rate) + " samples a second make more than " + number(most_samples) +
-                " in " + number(duration) + " s");
-  }
+  check_rate(options.rate, duration);
   timed.stretches = motions.size();
   constexpr double rounding = 1e-12;
   double factor = 1 + 2 * rounding;

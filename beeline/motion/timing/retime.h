@@ -28,8 +28,9 @@ Law default_law(const Arm& arm);
 
 struct RetimeOptions {
   std::optional<Law> law = std::nullopt;  ///< default_law() when none is given
-  double speed_limit = 1;  ///< share of the velocity limits, squared of acceleration, cubed of jerk
-  double tool_speed = Limits::none;  ///< of the tool's origin, metres per second
+  /// Share of the velocity limits, squared of acceleration, cubed of jerk: from 1e-6 to 1.
+  double speed_limit = 1;
+  double tool_speed = Limits::none;  ///< of the tool's origin, metres per second; 1e-9 at least
   double rate = 0;  ///< samples a second; 0: every sample of the path, and more between
 };
 
@@ -44,6 +45,9 @@ struct Retimed {
   bool found() const { return reason.empty(); }
 };
 
+/// Throws Error unless a trajectory has two different positions, as retime() needs.
+void check_moves(const Trajectory& trajectory);
+
 /// The way of a trajectory with new times, from rest to rest: the cubic spline through its samples
 /// (joint_spline.h, by the lengths of the chords), as quickly as the law and the limits allow. What
 /// velocities and times it had play no part, except that it stands still where it stood still, and
@@ -51,7 +55,7 @@ struct Retimed {
 /// stays, but for repeated ones, unless a rate is given, which keeps the first and the last one.
 /// No motion, with the reason, when a position or the spline between two is outside the arm's
 /// limits. Throws Error when the trajectory does not fit the arm, has no two different positions,
-/// or an option makes no sense.
+/// an option makes no sense, or the rate has fewer than four steps in the motion.
 Retimed retime(const Arm& arm, const Trajectory& trajectory, const RetimeOptions& options = {});
 
 }  // namespace beeline

@@ -10,6 +10,11 @@ namespace beeline {
 /// What a joint without a known velocity limit is held to, per second (radians or metres).
 constexpr double velocity_when_unknown = 1.0;
 
+/// What a joint is held to, per second: its velocity limit where that is known.
+constexpr double held_velocity(const Limits& limits) {
+  return limits.velocity < Limits::none ? limits.velocity : velocity_when_unknown;
+}
+
 /// A motion with time, as plain data. Sample k is positions[k] at times[k]; velocities and
 /// accelerations are empty where they are not known, else as long as positions.
 struct Trajectory {
