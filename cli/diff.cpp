@@ -3,6 +3,7 @@
 #include <beeline/error.h>
 #include <beeline/motion/difference.h>
 
+#include "difference_report.h"
 #include "results.h"
 #include "verb.h"
 
@@ -18,26 +19,6 @@ struct Arguments {
   bool json = false;
 };
 
-OrderedJson document(const Arguments& arguments, const Arm& arm, const TrajectoryDifference& apart,
-                     bool same) {
-  OrderedJson joints = OrderedJson::array();
-  for (int k = 0; k < arm.dof(); ++k) {
-    const JointDifference& joint = apart.joints[static_cast<std::size_t>(k)];
-    joints.push_back({{"joint", arm.joint_of(k).name},
-                      {"largest", json_number(arguments.unit.shown(arm, k, joint.largest))},
-                      {"time", joint.time},
-                      {"rms", json_number(arguments.unit.shown(arm, k, joint.rms))}});
-  }
-  return {{"status", same ? "within" : "apart"},
-          {"joints", joints},
-          {"position", json_number(apart.largest_position)},
-          {"position_time", apart.position_time},
-          {"orientation", json_number(arguments.unit.shown(apart.largest_orientation))},
-          {"orientation_time", apart.orientation_time},
-          {"overlap", apart.overlap},
-          {"longer", apart.longer}};
-}
-
 Exit diff(const Arguments& arguments) {
   if (!(arguments.tolerance >= 0)) {
     throw Error("--tolerance must be zero or above, not " + number(arguments.tolerance));
@@ -45,7 +26,6 @@ Exit diff(const Arguments& arguments) {
   const Arm arm = arguments.arm.read();
   const TrajectoryDifference apart =
       difference(arm, read_recording(arguments.a, arm), read_recording(arguments.b, arm));
-  const UnitArgument& unit = arguments.unit;
   int worst = 0;
   for (int k = 1; k < arm.dof(); ++k) {
     const auto& joints = apart.joints;
@@ -56,20 +36,11 @@ Exit diff(const Arguments& arguments) {
   const JointDifference& most = apart.joints[static_cast<std::size_t>(worst)];
   const bool same = most.largest <= arguments.tolerance;
   if (arguments.json) {
-    print_json(document(arguments, arm, apart, same));
+    OrderedJson document{{"status", same ? "within" : "apart"}};
+    document.update(json_difference(arm, apart, arguments.unit));
+    print_json(document);
   } else {
-    fmt::print("joint         largest       at s          rms\n");
-    for (int k = 0; k < arm.dof(); ++k) {
-      const JointDifference& joint = apart.joints[static_cast<std::size_t>(k)];
-      fmt::print("  {:<10}  {:<12}  {:<12}  {}\n", arm.joint_of(k).name,
-                 shown(unit.shown(arm, k, joint.largest)), shown(joint.time),
-                 shown(unit.shown(arm, k, joint.rms)));
-    }
-    fmt::print("tool          {} m at {} s, {} {} at {} s\n", shown(apart.largest_position),
-               shown(apart.position_time), shown(unit.shown(apart.largest_orientation)),
-               unit.name(), shown(apart.orientation_time));
-    fmt::print("time          {} s compared; the second lasts {} s {}\n", shown(apart.overlap),
-               shown(std::abs(apart.longer)), apart.longer < 0 ? "less" : "more");
+    print_difference(arm, apart, arguments.unit);
   }
   if (same) return Exit::yes;
   fmt::print(stderr, "beeline: joint {} differs by {} at {} s; the tolerance is {}\n",

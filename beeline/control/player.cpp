@@ -3,7 +3,7 @@
 
 #include <beeline/control/player.h>
 #include <beeline/error.h>
-#include <beeline/motion/joint_faults.h>
+#include <beeline/motion/timing/cubic.h>
 
 namespace beeline {
 namespace {
@@ -22,7 +22,34 @@ void check(const PlayerOptions& options) {
   check_speed(options.speed);
 }
 
+/// How the way from sample k to the next leaves the arm's limits; empty when it does not.
+std::string violation_after(const Arm& arm, const Trajectory& recording, std::size_t k) {
+  const auto& [names, t, q, v, a] = recording;
+  Configuration least = q[k], largest = q[k];
+  for (int i = 0; i < arm.dof(); ++i) {
+    const Cubic way = cubic_between(q[k][i], q[k + 1][i], v[k][i], v[k + 1][i], t[k + 1] - t[k]);
+    least[i] = extremes(way).least;
+    largest[i] = extremes(way).largest;
+  }
+  for (const Configuration& farthest : {least, largest}) {
+    const auto outside = limit_violations(arm, farthest);
+    if (!outside.empty()) return outside.front() + ", by the velocities of the recording";
+  }
+  return {};
+}
+
 }  // namespace
+
+std::string first_violation(const Arm& arm, const Trajectory& recording) {
+  for (std::size_t k = 0; k < recording.size(); ++k) {
+    const auto outside = limit_violations(arm, recording.positions[k]);
+    if (!outside.empty()) return "at " + number(recording.times[k]) + " s " + outside.front();
+    if (recording.velocities.empty() || k + 1 == recording.size()) continue;
+    const std::string between = violation_after(arm, recording, k);
+    if (!between.empty()) return "after " + number(recording.times[k]) + " s " + between;
+  }
+  return {};
+}
 
 Player::Player(const Arm& arm, const Trajectory& recording, const ConfigurationRef& start,
                const PlayerOptions& options)
@@ -36,10 +63,8 @@ Player::Player(const Arm& arm, const Trajectory& recording, const ConfigurationR
       squares_(Configuration::Zero(arm.dof())) {
   check(options);
   if (recording_.size() == 0) throw Error("the recording has no samples");
-  const auto fault = first_joint_fault(arm, recording_);
-  if (fault && fault->kind == Fault::limits) {
-    throw Error("at " + number(recording_.times[fault->sample]) + " s " + fault->reason);
-  }
+  const std::string violation = first_violation(arm, recording_);
+  if (!violation.empty()) throw Error(violation);
   lead_ = point_to_point(arm, start, recording_.positions.front(),
                          {.synchronise = Synchronise::straight});
   time_ = recording_.times.front();
@@ -74,12 +99,10 @@ void Player::read(double time) {
   }
   const Configuration &v = recording_.velocities[a], &w = recording_.velocities[b];
   for (Eigen::Index k = 0; k < p.size(); ++k) {
-    const double step = q[k] - p[k];
-    const double c1 = v[k] * h, c2 = 3 * step - (2 * v[k] + w[k]) * h;
-    const double c3 = -2 * step + (v[k] + w[k]) * h;
-    command_.q[k] = p[k] + u * (c1 + u * (c2 + u * c3));
-    slope_[k] = (c1 + u * (2 * c2 + 3 * u * c3)) / h;
-    acceleration_[k] = (2 * c2 + 6 * u * c3) / (h * h);
+    const Cubic way = cubic_between(p[k], q[k], v[k], w[k], h);
+    command_.q[k] = way.value(u);
+    slope_[k] = way.velocity(u);
+    acceleration_[k] = way.acceleration(u);
   }
 }
 

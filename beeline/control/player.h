@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <string>
 
 #include <beeline/motion/timing/point_to_point.h>
 #include <beeline/motion/timing/trajectory.h>
@@ -26,6 +26,10 @@ struct TrackingError {
   long steps = 0;  ///< that were told
 };
 
+/// When and how a recording first leaves the arm's position limits: at a sample, or between two by
+/// the velocities that it has there. Empty when it never does. Throws Error when it does not fit.
+std::string first_violation(const Arm& arm, const Trajectory& recording);
+
 /// Plays a recording step by step, in a control loop: first from where the arm is to the
 /// recording's begin (point_to_point.h), then at a speed that may change while it runs, down to
 /// zero, which is a pause. The speed goes up and down steadily, and not faster than accelerations
@@ -36,8 +40,7 @@ struct TrackingError {
 class Player {
  public:
   /// Begins at rest at `start`. Throws Error when the recording does not fit the arm or leaves its
-  /// position limits, by its samples or between them by its velocities, `start` is outside them, or
-  /// an option makes no sense.
+  /// position limits (first_violation()), `start` is outside them, or an option makes no sense.
   Player(const Arm& arm, const Trajectory& recording, const ConfigurationRef& start,
          const PlayerOptions& options = {});
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/control/player.h>
 #include <beeline/control/replay.h>
 #include <beeline/error.h>
 #include <beeline/motion/timing/point_to_point.h>
@@ -12,32 +13,67 @@ constexpr std::size_t most_samples = 1'000'000;
 constexpr double lead_in_samples = 64;  // at least
 constexpr double already_there = 1e-9;
 
-/// The first sample outside the position limits, as a reason; empty when there is none.
-std::string position_violation(const Arm& arm, const Trajectory& recording) {
-  for (std::size_t k = 0; k < recording.size(); ++k) {
-    const auto outside = limit_violations(arm, recording.positions[k]);
-    if (!outside.empty()) return "at " + number(recording.times[k]) + " s " + outside.front();
+void check(const ReplayOptions& options) {
+  for (const double positive : {options.rate, options.speed}) {
+    if (positive > 0 && std::isfinite(positive)) continue;
+    throw Error("the rate and the speed of a replay must be above zero, not " + number(positive));
   }
-  return {};
+  double before = -1;
+  for (const auto& [time, speed] : options.speed_at) {
+    if (!(time >= 0 && time > before && std::isfinite(time))) {
+      throw Error("the times of a replay's speeds must increase from 0 s on; one is " +
+                  number(time) + " s" + (before < 0 ? "" : " after " + number(before) + " s"));
+    }
+    if (!(speed >= 0 && speed <= 1)) {
+      throw Error("a replay's speed at a time must be from 0 to 1, not " + number(speed) + " at " +
+                  number(time) + " s");
+    }
+    before = time;
+  }
+  if (!options.speed_at.empty() && options.speed_at.back().speed == 0) {
+    throw Error("a replay that pauses at " + number(before) +
+                " s and does not go on would never end; a later speed above zero would do");
+  }
 }
 
-/// How fast the recording is against the velocity limits, at its own speed.
-struct Fastest {
-  double share = 0;  ///< of the limit
-  int coordinate = 0;
-  double time = 0;
-};
+[[noreturn]] void refuse_length(double duration, double rate) {
+  throw Error("replaying " + number(duration) + " s at " + number(rate) +
+              " samples a second makes more than " + std::to_string(most_samples) + " samples");
+}
 
-Fastest fastest_moment(const Arm& arm, const Trajectory& recording) {
-  Fastest fastest;
-  for (std::size_t k = 1; k < recording.size(); ++k) {
-    const double dt = recording.times[k] - recording.times[k - 1];
-    const Configuration step = recording.positions[k] - recording.positions[k - 1];
+/// In steps, which do not keep every recorded sample.
+void check_steps(const Trajectory& recording, double rate) {
+  constexpr double fewest_steps = 4, up = 1 + 1e-5;  // that number() rounds away
+  const double duration = recording.times.back() - recording.times.front();
+  if (duration == 0 || rate * duration >= fewest_steps) return;
+  throw Error(number(rate) + " samples a second lose the way of a recording of " +
+              number(duration) + " s; " + number(up * fewest_steps / duration) +
+              " or more would do");
+}
+
+/// The largest share of a velocity limit that is used.
+struct Fastest {
+  double share = 0;
+  int coordinate = 0;
+  double time = 0;   ///< the recording's
+  double speed = 1;  ///< of playing, at that time
+
+  void take(const Arm& arm, const Configuration& velocity, double now, double speed_now) {
     for (int i = 0; i < arm.dof(); ++i) {
       const double limit = arm.limits()[static_cast<std::size_t>(i)].velocity;
-      const double share = std::abs(step[i]) / dt / limit;
-      if (share > fastest.share) fastest = {share, i, recording.times[k - 1]};
+      const double used = std::abs(velocity[i]) / limit;
+      if (used > share) *this = {used, i, now, speed_now};
     }
+  }
+};
+
+/// Of straight lines between the samples.
+Fastest fastest_moment(const Arm& arm, const Trajectory& recording, double speed) {
+  Fastest fastest;
+  const auto& [names, t, q, v, a] = recording;
+  for (std::size_t k = 1; k < recording.size(); ++k) {
+    const Configuration velocity = (q[k] - q[k - 1]) / (t[k] - t[k - 1]);
+    fastest.take(arm, speed * velocity, t[k - 1], speed);
   }
   return fastest;
 }
@@ -57,8 +93,7 @@ void append_resampled(Trajectory& played, const Trajectory& recording,
   const double first = recording.times.front();
   const double duration = (recording.times.back() - first) / options.speed;
   if (!(duration * options.rate + double(recording.size()) < double(most_samples))) {
-    throw Error("replaying " + number(duration) + " s at " + number(options.rate) +
-                " samples a second makes more than " + std::to_string(most_samples) + " samples");
+    refuse_length(duration, options.rate);
   }
   const auto append = [&](double t, const Configuration& q) {
     if (!played.times.empty() && !(begin + t > played.times.back())) return;
@@ -77,38 +112,9 @@ void append_resampled(Trajectory& played, const Trajectory& recording,
   }
 }
 
-}  // namespace
-
-Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& options) {
-  for (const double positive : {options.rate, options.speed}) {
-    if (positive > 0 && std::isfinite(positive)) continue;
-    throw Error("the rate and the speed of a replay must be above zero, not " + number(positive));
-  }
-  check_trajectory(recorded);
-  if (recorded.size() == 0) throw Error("the recording has no samples");
-  const Trajectory recording = matched_to(arm, recorded);
-  if (options.start) check_configuration(arm, *options.start);
-
-  Replay result;
-  const std::string violation = position_violation(arm, recording);
-  const Fastest fastest = fastest_moment(arm, recording);
-  result.fastest = fastest.share * options.speed;
-  result.status = MotionStatus::outside_limits;
-  if (!violation.empty()) {
-    result.reason = violation;
-    return result;
-  }
-  if (options.start && !limit_violations(arm, *options.start).empty()) {
-    result.reason = "the start: " + limit_violations(arm, *options.start).front();
-    return result;
-  }
-  if (result.fastest > 1 + 1e-9) {
-    result.reason = "at " + number(fastest.time) + " s joint " +
-                    arm.joint_of(fastest.coordinate).name + " moves at " + number(result.fastest) +
-                    " times its velocity limit; a speed below " + number(1 / fastest.share) +
-                    " would keep it";
-    return result;
-  }
+/// At one speed.
+void play(const Arm& arm, const Trajectory& recording, const ReplayOptions& options,
+          Replay& result) {
   Trajectory& played = result.trajectory;
   played.joint_names = arm.joint_names();
   const Configuration& first = recording.positions.front();
@@ -119,6 +125,86 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
     result.lead_in = played.times.back();
   }
   append_resampled(played, recording, options);
+}
+
+/// By the recording's own time, straight from sample to sample.
+Configuration velocity_after(const Trajectory& recording, double time) {
+  const auto& [names, t, q, v, a] = recording;
+  if (t.size() < 2) return Configuration::Zero(q.front().size());
+  const auto after = std::upper_bound(t.begin() + 1, t.end() - 1, time);
+  const auto k = static_cast<std::size_t>(after - t.begin());
+  return (q[k] - q[k - 1]) / (t[k] - t[k - 1]);
+}
+
+/// At speeds that change.
+Fastest play_in_steps(const Arm& arm, const Trajectory& recording, const ReplayOptions& options,
+                      Replay& result) {
+  check_steps(recording, options.rate);
+  const Configuration start = options.start.value_or(recording.positions.front());
+  const double dt = 1 / options.rate;
+  Player player(arm, recording, start,
+                {.time_step = dt, .speed = options.speed, .ramp = options.ramp});
+  result.trajectory = at_rest(arm, start);
+  auto& [names, times, q, v, a] = result.trajectory;
+  a.clear();
+  Fastest fastest, commanded;
+  auto change = options.speed_at.begin();
+  while (!player.done()) {
+    const double begin = times.back(), hair = 1e-6 * dt;
+    while (change != options.speed_at.end() && change->time <= begin + hair) {
+      player.set_speed((change++)->speed);
+    }
+    if (times.size() == most_samples) refuse_length(begin, options.rate);
+    const bool leading_in = player.leading_in();
+    const double time = player.recording_time(), speed_before = player.speed();
+    const Command& command = player.step();
+    times.push_back(static_cast<double>(times.size()) * dt);
+    q.push_back(command.q);
+    v.push_back(command.velocity);
+    if (leading_in) {
+      result.lead_in = times.back();
+      continue;
+    }
+    const double speed = std::max(speed_before, player.speed());
+    fastest.take(arm, speed * velocity_after(recording, time), time, speed);
+    commanded.take(arm, command.velocity, time, speed);
+  }
+  // Cubics between the samples of a motion at its limits swing a little above these.
+  constexpr double swing = 0.02;
+  return commanded.share > 1 + swing ? commanded : fastest;
+}
+
+}  // namespace
+
+Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& options) {
+  check(options);
+  check_trajectory(recorded);
+  if (recorded.size() == 0) throw Error("the recording has no samples");
+  Trajectory recording = matched_to(arm, recorded);
+  const bool steady = options.speed_at.empty();
+  if (steady) recording.velocities.clear();  // straight from sample to sample
+  if (options.start) check_configuration(arm, *options.start);
+
+  Replay result;
+  result.status = MotionStatus::outside_limits;
+  result.reason = first_violation(arm, recording);
+  if (result.reason.empty() && options.start) {
+    const auto violations = limit_violations(arm, *options.start);
+    if (!violations.empty()) result.reason = "the start: " + violations.front();
+  }
+  if (!result.reason.empty()) return result;
+  const Fastest fastest = steady ? fastest_moment(arm, recording, options.speed)
+                                 : play_in_steps(arm, recording, options, result);
+  result.fastest = fastest.share;
+  if (result.fastest > 1 + 1e-9) {
+    result.reason = "at " + number(fastest.time) + " s joint " +
+                    arm.joint_of(fastest.coordinate).name + " moves at " + number(result.fastest) +
+                    " times its velocity limit; a speed below " +
+                    number(fastest.speed / fastest.share) + " would keep it";
+    result.trajectory = {};
+    return result;
+  }
+  if (steady) play(arm, recording, options, result);
   result.status = MotionStatus::reached;
   return result;
 }

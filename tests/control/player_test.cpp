@@ -165,6 +165,14 @@ TEST(Player, RefusesARecordingThatLeavesTheLimitsBetweenItsSamples) {
   way.velocities = {fast, -fast};
   way.accelerations = {Configuration::Zero(7), Configuration::Zero(7)};
   EXPECT_REFUSED(Player(arm, way, middle), "joint1");
+  // Also after a moment at which it is too fast.
+  way.times = {0, 1, 2};
+  way.positions = {middle, middle, middle};
+  way.velocities = {Configuration::Zero(7), -fast, fast};
+  way.positions[1][6] += 1;
+  way.times[1] = 0.1;
+  way.accelerations.push_back(Configuration::Zero(7));
+  EXPECT_REFUSED(Player(arm, way, middle), "after 0.1 s joint joint1");
 }
 
 }  // namespace

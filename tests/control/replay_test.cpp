@@ -164,6 +164,83 @@ TEST(Replay, TakesARecordingOfOneSample) {
   EXPECT_EQ(moved.trajectory.times.back(), moved.lead_in);
 }
 
+TEST(Replay, ChangesItsSpeedAndPausesAtTheTimesAskedFor) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  const Trajectory recorded = recording(random, arm, 50, 0.1);  // of 4.9 s
+  const ReplayOptions options{.rate = 100, .speed_at = {{0, 0.5}, {2, 0}, {5, 1}}, .ramp = 0.1};
+  const Replay played = replay(arm, recorded, options);
+  ASSERT_EQ(played.status, MotionStatus::reached) << played.reason;
+  const Trajectory& way = played.trajectory;
+  ASSERT_NO_THROW(check_trajectory(way));
+  EXPECT_EQ(way.positions.front(), recorded.positions.front());
+  EXPECT_EQ(way.positions.back(), recorded.positions.back());
+  EXPECT_TRUE(way.velocities.front().isZero(0));
+  EXPECT_TRUE(way.velocities.back().isZero(0));
+  EXPECT_EQ(played.lead_in, 0);
+  for (const double t : {3.0, 4.0, 5.0}) {  // ramps last longer where accelerations are known
+    EXPECT_EQ(sample(way, t), way.positions[300]);
+  }
+  EXPECT_GT(way.times.back(), 5 + 3.9);
+  EXPECT_LT(way.times.back(), 5 + 3.9 + 1);
+  // Each of its places is one of the recording's way, in order.
+  double place = 0;
+  for (const Configuration& q : way.positions) {
+    while (place < 4.9 && (sample(recorded, place) - q).norm() > 2e-3) place += 1e-3;
+    ASSERT_LT((sample(recorded, place) - q).norm(), 2e-3);
+  }
+}
+
+TEST(Replay, ChangesItsSpeedDuringTheLeadInToo) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  const Trajectory recorded = recording(random, arm, 20, 0.1);
+  const Configuration start = random.configuration(arm);
+  const double at_once = replay(arm, recorded, {.start = start, .speed_at = {{0, 1}}}).lead_in;
+  const ReplayOptions options{.start = start, .speed_at = {{0, 1}, {0.1, 0}, {3, 1}}};
+  const Replay paused = replay(arm, recorded, options);
+  ASSERT_EQ(paused.status, MotionStatus::reached) << paused.reason;
+  EXPECT_GT(at_once, 0);
+  EXPECT_GT(paused.lead_in, at_once + 2);
+  EXPECT_EQ(paused.trajectory.positions.front(), start);
+  const Configuration& first = recorded.positions.front();
+  EXPECT_LT((sample(paused.trajectory, paused.lead_in) - first).norm(), 1e-9);
+}
+
+TEST(Replay, NamesTheSpeedThatWouldDoAmongThoseThatChange) {
+  const Arm arm = built_in("panda");
+  const Configuration middle = middle_configuration(arm);
+  Trajectory recorded{arm.joint_names(), {0, 4}, {middle, middle}, {}, {}};
+  recorded.positions[1][0] += 2;
+  recorded.times[1] = 2 / (2 * arm.limits()[0].velocity);  // at twice the limit
+  const Replay fast = replay(arm, recorded, {.rate = 1000, .speed_at = {{0, 1}}, .ramp = 0.01});
+  EXPECT_EQ(fast.status, MotionStatus::outside_limits);
+  EXPECT_EQ(fast.trajectory.size(), 0);
+  EXPECT_NE(fast.reason.find("joint1"), std::string::npos) << fast.reason;
+  EXPECT_NE(fast.reason.find("speed below 0.5 "), std::string::npos) << fast.reason;
+  const Replay slow = replay(arm, recorded, {.rate = 1000, .speed_at = {{0, 0.499}}});
+  EXPECT_EQ(slow.status, MotionStatus::reached) << slow.reason;
+  EXPECT_NEAR(slow.fastest, 0.998, 1e-3);
+}
+
+TEST(Replay, RefusesSpeedsThatMakeNoSense) {
+  testing::Random random;
+  const Arm arm = built_in("rrr");
+  const Trajectory recorded = recording(random, arm, 20);
+  const auto with = [&](std::vector<SpeedChange> changes) {
+    return replay(arm, recorded, {.speed_at = std::move(changes)});
+  };
+  EXPECT_REFUSED(with({{0, 1}, {2, 0}}), "pauses at 2 s");
+  EXPECT_REFUSED(with({{2, 1}, {1, 0.5}}), "1 s after 2 s");
+  EXPECT_REFUSED(with({{-1, 1}}), "-1 s");
+  EXPECT_REFUSED(with({{NAN, 1}}), "increase");
+  EXPECT_REFUSED(with({{0, 1.5}}), "from 0 to 1, not 1.5");
+  EXPECT_REFUSED(with({{0, 0}, {1e9, 1}}), "samples");
+  EXPECT_REFUSED(replay(arm, recorded, {.rate = 1, .speed_at = {{0, 1}}}), "or more would do");
+  EXPECT_REFUSED(replay(arm, recorded, {.speed = 2, .speed_at = {{0, 1}}}), "speed");
+  EXPECT_REFUSED(replay(arm, recorded, {.speed_at = {{0, 1}}, .ramp = 0}), "ramp");
+}
+
 TEST(Replay, RefusesWhatMakesNoSense) {
   testing::Random random;
   const Arm arm = built_in("rrr");
