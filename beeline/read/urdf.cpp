@@ -39,6 +39,20 @@ Joint moving_joint(const UrdfFile& file, const UrdfFile::Joint& urdf, const Pose
                       "are");
 }
 
+/// Refuses joints of the chain that mimic one which the file does not have.
+void check_leaders(const UrdfFile& file, const std::vector<std::size_t>& chain) {
+  std::vector<std::string> names;
+  for (const UrdfFile::Joint& joint : file.joints) names.push_back(joint.name);
+  const std::unordered_set<std::string> known(names.begin(), names.end());
+  for (const std::size_t place : chain) {
+    const UrdfFile::Joint& joint = file.joints[place];
+    if (!joint.mimic || known.contains(joint.mimic->leader)) continue;
+    const Error unknown = unknown_name("joint", printable(joint.mimic->leader), names);
+    throw FileError(file.path, joint.mimic_line,
+                    "joint " + joint.name + " mimics an " + unknown.what());
+  }
+}
+
 /// A joint whose leader is not on the chain has nobody to follow.
 void free_followers(std::vector<Joint>& joints) {
   std::unordered_set<std::string> names;
@@ -53,6 +67,7 @@ void free_followers(std::vector<Joint>& joints) {
 Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends) {
   const UrdfFile file = parse_urdf(text, path);
   const std::vector<std::size_t> chain = cut_chain(file, ends);
+  check_leaders(file, chain);
   std::vector<Joint> joints;
   Pose fixed = Pose::Identity();  // from the last moving joint's frame
   for (const std::size_t place : chain) {

@@ -141,6 +141,7 @@ UrdfFile::Joint read_joint(const Elements& elements, const XMLElement& element) 
   }
   if (const XMLElement* mimic = element.FirstChildElement("mimic")) {
     joint.mimic = read_mimic(elements, *mimic);
+    joint.mimic_line = mimic->GetLineNum();
   }
   return joint;
 }

@@ -22,7 +22,7 @@ struct UrdfFile {
     Vector3 axis = Vector3::UnitX();  ///< in the child's frame, of any length
     Limits limits;                    ///< without those of a continuous joint's position
     std::optional<beeline::Mimic> mimic;
-    int line = 0, axis_line = 0, limit_line = 0;
+    int line = 0, axis_line = 0, limit_line = 0, mimic_line = 0;
   };
 
   std::string path;

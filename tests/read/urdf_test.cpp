@@ -105,6 +105,15 @@ TEST(Urdf, FollowersFollowWithinTheChainAndAreFreeOutside) {
   EXPECT_EQ(parse(testing::whole_urdf, {.base = "", .tip = "right"}).dof(), 3);
 }
 
+TEST(Urdf, ALeaderThatIsNotInTheFileIsRefusedWithinTheChainOnly) {
+  const std::string text =
+      robot(link("a") + link("b") + link("c") + joint("j", "revolute", "a", "b") +
+            joint("lost", "revolute", "a", "c", "<mimic joint=\"jay\"/>"));
+  EXPECT_EQ(parse(text, {.base = "", .tip = "b"}).dof(), 1);
+  EXPECT_REFUSED(parse(text, {.base = "", .tip = "c"}),
+                 "a.urdf:6: joint lost mimics an unknown joint");
+}
+
 TEST(Urdf, OtherTypesAreRefusedWithinTheChainOnly) {
   for (const std::string type : {"floating", "planar", "screw"}) {
     const std::string text =
@@ -134,6 +143,8 @@ TEST(Urdf, MistakesInJointsAreNamedWithTheirLine) {
   EXPECT_REFUSED(parse(single("revolute", "<limit lower=\"${low}\"/>")), "run xacro first");
   EXPECT_REFUSED(parse(single("revolute", "<mimic/>")), "<mimic> needs the attribute joint");
   EXPECT_REFUSED(parse(single("revolute", "<mimic joint=\"j\"/>")), "mimics itself in a circle");
+  EXPECT_REFUSED(parse(single("revolute", "\n<mimic joint=\"jj\"/>")),
+                 "a.urdf:5: joint j mimics an unknown joint \"jj\"");
   EXPECT_REFUSED(parse(single("")), "which is no joint of a chain");
   EXPECT_REFUSED(parse(robot("<joint name=\"j\"/>")), "a.urdf:2: <joint> needs the attribute type");
   EXPECT_REFUSED(parse(robot("<joint type=\"fixed\"/>")), "<joint> needs the attribute name");
