@@ -53,6 +53,11 @@ Report work_through(const BatchArguments& arguments, const BatchWork& work) {
       progress.show(static_cast<double>(file.position()) / static_cast<double>(*file.size()));
     }
   }
+  // A .npy file says that its array has no rows; a table without any has lost them.
+  const bool nothing = report.rows == 0 && report.bad.count == 0;
+  if (nothing && row_format(arguments.in) == RowFormat::csv) {
+    throw FileError(reader.file().path(), 0, "has a header but no rows below it");
+  }
   writer.put_in_place();
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;

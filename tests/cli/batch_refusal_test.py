@@ -19,6 +19,7 @@ FILES = [
     ("other names", "q1,q2,q3\n1,2,3\n", ["q.csv:1", "q1, q2, q3", "joint1, joint2, joint3"]),
     ("name twice", "joint1,joint1,joint3\n1,2,3\n", ["q.csv:1", "joint1, joint1"]),
     ("empty", "", ["q.csv", "empty"]),
+    ("header alone", "joint1,joint2,joint3\n", ["q.csv", "no rows"]),
     ("comments", "# nothing\n\n", ["q.csv", "empty"]),
     ("binary", "\x00\x01\x02\n\x00,\x01,\x02\n", ["q.csv:1"]),
     ("no line", "1" * 2_000_000, ["q.csv", "longer than"]),
@@ -88,6 +89,7 @@ POSES = [
     ("quaternion", "x,y,z,qw,qx,qy,qz\n0,0,0,1,1,0,0\n", ["p.csv:2", "row 1", "length"]),
     ("reflection", "1,0,0,0,0,1,0,0,0,0,-1,0,0,0,0,1\n", ["p.csv:1", "right-handed"]),
     ("last row", "1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,2\n", ["p.csv:1", "0, 0, 0, 1"]),
+    ("header alone", "x,y,z,qw,qx,qy,qz\n", ["p.csv", "no rows"]),
     ("count", "1,2,3,4\n", ["p.csv:1", "4 items", "roll"]),
     ("planar", "x,y,theta\n1,2,3\n", ["p.csv:1", "x, y, theta", "qw"]),
 ]
