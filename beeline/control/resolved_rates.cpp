@@ -29,8 +29,7 @@ ResolvedRates::ResolvedRates(const Arm& arm, const Task& task)
     scale_[i] = !task.rows[static_cast<std::size_t>(i)] ? 0 : i < 3 ? 1 / unit_of_length(arm) : 1;
   }
   for (int k = 0; k < arm.dof(); ++k) {
-    const double limit = arm.limits()[static_cast<std::size_t>(k)].velocity;
-    weight[k] = std::isfinite(limit) ? limit : velocity_when_unknown;
+    weight[k] = held_velocity(arm.limits()[static_cast<std::size_t>(k)]);
   }
 }
 
@@ -103,9 +102,9 @@ bool ResolvedRates::solve_with_others(const std::vector<Room>& rooms) {
     double most = 1;
     for (Eigen::Index k = 0; k < way_.size(); ++k) {
       const Room& room = rooms[static_cast<std::size_t>(k)];
-      if (room.kind != ServoLimit::position || held[static_cast<std::size_t>(k)]) continue;
       const double v = weight[k] * way_[k];
-      const double allowed = v > 0 ? room.upper : -room.lower;
+      if (room.kind(v) != ServoLimit::position || held[static_cast<std::size_t>(k)]) continue;
+      const double allowed = room.allowed(v);
       if (std::abs(v) > most * allowed) most = std::abs(v) / std::max(allowed, 1e-300), worst = k;
     }
     if (worst < 0) break;

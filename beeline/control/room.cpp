@@ -23,9 +23,11 @@ void fill_rooms(const Arm& arm, const Bounds& bounds, const ConfigurationRef& q,
     const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
     const double up = fast_to_stop(bounds.upper[k] - q[k], limits.acceleration, time_step);
     const double down = fast_to_stop(q[k] - bounds.lower[k], limits.acceleration, time_step);
-    rooms[static_cast<std::size_t>(k)] = {
-        -std::min(limits.velocity, down), std::min(limits.velocity, up),
-        std::min(up, down) < limits.velocity ? ServoLimit::position : ServoLimit::velocity};
+    const auto kind = [&limits](double to_stop) {
+      return to_stop < limits.velocity ? ServoLimit::position : ServoLimit::velocity;
+    };
+    rooms[static_cast<std::size_t>(k)] = {-std::min(limits.velocity, down),
+                                          std::min(limits.velocity, up), kind(down), kind(up)};
   }
 }
 

@@ -14,7 +14,12 @@ std::string name(ServoLimit limit);
 /// What limits leave of a coordinate's velocity in one step; 0 is always in it.
 struct Room {
   double lower = 0, upper = 0;
-  ServoLimit kind = ServoLimit::velocity;  ///< position where a stop before an end asks for less
+  /// What bounds each side: the position where a stop before that end asks for less.
+  ServoLimit lower_kind = ServoLimit::velocity, upper_kind = ServoLimit::velocity;
+
+  /// The side that a velocity leads to.
+  double allowed(double velocity) const { return velocity > 0 ? upper : -lower; }
+  ServoLimit kind(double velocity) const { return velocity > 0 ? upper_kind : lower_kind; }
 };
 
 /// How fast a coordinate may go towards a place that is `way` off and still stop there, when it

@@ -59,10 +59,10 @@ double Servo::share_in_rooms(const Rates& rates, ServoStep& result) const {
   double share = 1;
   for (Eigen::Index k = 0; k < rates.velocity.size(); ++k) {
     const Room& room = rooms_[static_cast<std::size_t>(k)];
-    const double v = rates.velocity[k], allowed = v > 0 ? room.upper : -room.lower;
-    if (!(std::abs(v) * share > allowed)) continue;
-    share = allowed / std::abs(v);
-    result.limit = room.kind;
+    const double v = rates.velocity[k];
+    if (!(std::abs(v) * share > room.allowed(v))) continue;
+    share = room.allowed(v) / std::abs(v);
+    result.limit = room.kind(v);
     result.joint = static_cast<int>(k);
   }
   return share;

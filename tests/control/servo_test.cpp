@@ -87,6 +87,23 @@ TEST(Servo, DoesACommandWithinTheLimitsWhole) {
   }
 }
 
+TEST(Servo, NamesTheLimitOfTheSideThatItGoesTo) {
+  Joint slide = built_in("gantry").joints()[0];
+  slide.limits = {.lower = 0, .upper = 1, .velocity = 0.5};
+  const Arm arm("slide", {slide});
+  const Twist unit = jacobian(arm, Configuration::Zero(1)).col(0);
+  for (const double q : {1e-4, 1 - 1e-4}) {  // 0.1 m/s from a stop in one step
+    for (const double way : {-1.0, 1.0}) {
+      Servo servo(arm, {.task = Task::position()});
+      Eigen::VectorXd v(1);
+      const ServoStep step = servo.step(Configuration::Constant(1, q), 2 * way * unit, v);
+      const bool towards_end = (q < 0.5) == (way < 0);
+      EXPECT_EQ(step.limit, towards_end ? ServoLimit::position : ServoLimit::velocity);
+      EXPECT_NEAR(v[0], way * (towards_end ? 0.1 : 0.5), 1e-9);
+    }
+  }
+}
+
 TEST(Servo, GoesOnInTheDirectionAskedForNextToSingularities) {
   testing::Random random;
   for (const char* name : {"puma560", "ur5"}) {
