@@ -27,18 +27,6 @@ struct Arguments {
   bool json = false;
 };
 
-/// Arcs, screws, splines and rounded lines from the first pose, or from where the motion begins.
-Verification verify_route(const Arguments& arguments, const Arm& arm, const Trajectory& trajectory,
-                          std::vector<Pose> poses, const VerifyOptions& options) {
-  if (trajectory.size() == 0) throw Error("the trajectory has no samples");
-  const Pose begin = forward_kinematics(arm, trajectory.positions.front());
-  const Deviation off = task_deviation(*options.task, poses.front(), begin);
-  if (!within(off, {options.tolerance, options.orientation_tolerance})) {
-    poses.insert(poses.begin(), begin);
-  }
-  return verify(arm, trajectory, arguments.path.through(poses), options);
-}
-
 /// The motion beside its limits, along its path as far as it follows that.
 void draw_plot(const Arguments& arguments, const Arm& arm, const Trajectory& trajectory,
                const Verification& found, const VerifyOptions& options) {
@@ -73,10 +61,11 @@ Exit check(const Arguments& arguments) {
   const PoseList waypoints = read_waypoints(arguments.through, arm, arguments.task, arguments.unit);
   VerifyOptions options = arguments.options;
   options.task = arguments.task.read(arm);
-  const Verification found =
-      arguments.path.straight()
-          ? verify(arm, trajectory, waypoints.poses, options)
-          : verify_route(arguments, arm, trajectory, waypoints.poses, options);
+  if (trajectory.size() == 0) throw FileError(arguments.trajectory, 0, "has no samples");
+  const Pose begin = forward_kinematics(arm, trajectory.positions.front());
+  const Route route = arguments.path.from(begin, waypoints.poses, *options.task,
+                                          {options.tolerance, options.orientation_tolerance});
+  const Verification found = verify(arm, trajectory, route, options);
   const bool passed = found.fault == Fault::none;
   if (!arguments.plot.empty()) draw_plot(arguments, arm, trajectory, found, options);
   if (arguments.json) {

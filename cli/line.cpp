@@ -45,7 +45,7 @@ void check_method(const Arguments& arguments) {
 }
 
 LineReport follow_exactly(const Arguments& arguments, const Arm& arm,
-                          const std::optional<Configuration>& start, std::vector<Pose> poses,
+                          const std::optional<Configuration>& start, const std::vector<Pose>& poses,
                           const Task& task) {
   Progress progress;
   LineOptions options = arguments.options;
@@ -53,8 +53,10 @@ LineReport follow_exactly(const Arguments& arguments, const Arm& arm,
   if (!arguments.law.empty()) options.law = law_named(arguments.law);
   options.progress = [&progress](double share) { progress.show(share); };
   options.suggest = true;
-  if (start) poses.insert(poses.begin(), forward_kinematics(arm, *start));
-  const Route route = arguments.path.through(poses);
+  constexpr Deviation there{1e-9, 1e-9};
+  const Route route = start
+                          ? arguments.path.from(forward_kinematics(arm, *start), poses, task, there)
+                          : arguments.path.through(poses);
   LineMotion motion = move_along(arm, start, route, options);
   const Deviation tolerance{options.tolerance, options.orientation_tolerance};
   LineReport report;

@@ -29,3 +29,10 @@ Route PathArgument::through(std::span<const Pose> poses) const {
   if (round) return route_of(rounded_lines(poses, {*round, *round / rounding_turn}));
   return route_of(straight() ? lines_through(poses) : path_through(poses, path), path);
 }
+
+Route PathArgument::from(const Pose& tool, std::vector<Pose> poses, const Task& task,
+                         const Deviation& near) const {
+  const bool there = !straight() && within(task_deviation(task, poses.front(), tool), near);
+  if (!there) poses.insert(poses.begin(), tool);
+  return through(poses);
+}

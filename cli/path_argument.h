@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <beeline/kinematics/task.h>
 #include <beeline/motion/path/through.h>
 
 /// --path and --round: what the tool does between the poses.
@@ -18,4 +19,8 @@ struct PathArgument {
   bool straight() const;
   /// Throws Error for what does not go together, and poses that do not make such a path.
   beeline::Route through(std::span<const beeline::Pose> poses) const;
+  /// The same from the tool's pose on, which is one more unless the first is as near to it as this;
+  /// for straight lines it always is.
+  beeline::Route from(const beeline::Pose& tool, std::vector<beeline::Pose> poses,
+                      const beeline::Task& task, const beeline::Deviation& near) const;
 };

@@ -5,6 +5,7 @@
 
 #include <beeline/error.h>
 #include <beeline/motion/joint_faults.h>
+#include <beeline/motion/timing/cubic.h>
 
 namespace beeline {
 namespace {
@@ -26,22 +27,6 @@ bool slides(const Arm& arm, int i) { return kind(arm.joint_of(i)) == JointKind::
 
 std::string amount(const Arm& arm, int i, double value, const std::string& per = "") {
   return number(value) + (slides(arm, i) ? " m" : " rad") + per;
-}
-
-/// The largest excursions of the cubic with these ends and slopes over a step of length h.
-void cubic_range(double a, double b, double va, double vb, double h, double& low, double& high) {
-  const double c1 = va * h, c2 = 3 * (b - a) - (2 * va + vb) * h, c3 = 2 * (a - b) + (va + vb) * h;
-  const auto take = [&](double t) {
-    if (!(t > 0 && t < 1)) return;
-    const double q = a + t * (c1 + t * (c2 + t * c3));
-    low = std::min(low, q);
-    high = std::max(high, q);
-  };
-  const double root = c2 * c2 - 3 * c1 * c3;
-  if (root < 0) return;
-  const double q = -(c2 + std::copysign(std::sqrt(root), c2));
-  if (c3 != 0) take(q / (3 * c3));
-  if (q != 0) take(c1 / q);
 }
 
 class Search {
@@ -74,9 +59,12 @@ class Search {
  private:
   void look_at_positions(std::size_t k, int i) {
     const Limits& limits = arm_.limits()[static_cast<std::size_t>(i)];
-    double low = q_[k][i], high = low;
-    if (low < limits.lower - slack || high > limits.upper + slack) {
-      return tell(Fault::limits, k, i, "is at " + amount(arm_, i, low) + ", outside " + range(i));
+    const auto inside = [&](double q) {
+      return q >= limits.lower - slack && q <= limits.upper + slack;
+    };
+    const double here = q_[k][i];
+    if (!inside(here)) {
+      return tell(Fault::limits, k, i, "is at " + amount(arm_, i, here) + ", outside " + range(i));
     }
     if (k + 1 == t_.size()) return;
     const double h = t_[k + 1] - t_[k], step = q_[k + 1][i] - q_[k][i];
@@ -85,15 +73,13 @@ class Search {
                   "turns by " + number(step) + " rad to the next sample, " +
                       number(std::abs(step) / (2 * std::numbers::pi)) + " of a turn");
     }
-    if (!v_.empty()) {
-      cubic_range(q_[k][i], q_[k + 1][i], v_[k][i], v_[k + 1][i], h, low, high);
-      if (low < limits.lower - slack || high > limits.upper + slack) {
-        const double worst = low < limits.lower - slack ? low : high;
-        return tell(Fault::limits, k, i,
-                    "comes to " + amount(arm_, i, worst) +
-                        " before the next sample, by its velocities: outside " + range(i));
-      }
-    }
+    if (v_.empty() || !inside(q_[k + 1][i])) return;  // the next sample's own fault
+    const auto [least, largest] =
+        extremes(cubic_between(here, q_[k + 1][i], v_[k][i], v_[k + 1][i], h));
+    if (inside(least) && inside(largest)) return;
+    tell(Fault::limits, k, i,
+         "comes to " + amount(arm_, i, inside(least) ? largest : least) +
+             " before the next sample, by its velocities: outside " + range(i));
   }
 
   void look_at_differences(std::size_t k, int i) {
@@ -165,8 +151,7 @@ double slower_by_positions(const Arm& arm, const Trajectory& trajectory, bool ke
   double factor = 1;
   for (int i = 0; i < arm.dof(); ++i) {
     const Limits& limits = arm.limits()[static_cast<std::size_t>(i)];
-    const bool known = limits.velocity < Limits::none;
-    const double velocity = known ? limits.velocity : velocity_when_unknown;
+    const double velocity = held_velocity(limits);
     for (std::size_t k = 0; k < trajectory.size(); ++k) {
       const auto share = [&](int order, double limit) {
         return told_by_positions(trajectory, k, i, order) / limit;

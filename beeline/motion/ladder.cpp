@@ -7,6 +7,7 @@
 #include <beeline/motion/ladder.h>
 #include <beeline/motion/redundancy.h>
 #include <beeline/motion/straightness.h>
+#include <beeline/motion/timing/trajectory.h>
 
 namespace beeline {
 namespace {
@@ -61,8 +62,7 @@ struct Costs {
 
   explicit Costs(const Arm& arm) : pace(arm.dof()), bounds(bounds_of(arm)) {
     for (int k = 0; k < arm.dof(); ++k) {
-      const double velocity = arm.limits()[static_cast<std::size_t>(k)].velocity;
-      pace[k] = std::isfinite(velocity) ? 1 / velocity : 1;
+      pace[k] = 1 / held_velocity(arm.limits()[static_cast<std::size_t>(k)]);
     }
   }
   double near_limits(const Configuration& q) const {

@@ -65,9 +65,12 @@ Arm held_back(const Arm& arm, const std::optional<Configuration>& start, double 
   return {arm.name(), joints, arm.tool(), arm.base()};
 }
 
-void check_start(const Arm& arm, const Configuration& start) {
+/// The start without what rounding has it beyond limits. Throws Error where that is more.
+Configuration checked_start(const Arm& arm, const Configuration& start) {
   const auto outside = limit_violations(arm, start);
   if (!outside.empty()) throw Error("the motion cannot start: " + outside.front());
+  const Bounds bounds = bounds_of(arm);
+  return start.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
 }
 
 /// A planned path as a motion, or why there is none.
@@ -153,29 +156,28 @@ LineMotion move(const Arm& arm, const std::optional<Configuration>& start, const
 
 LineMotion move_along(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
                       const LineOptions& options) {
-  constexpr double elsewhere = 1e-9;  // metres and radians
+  constexpr double elsewhere = 1e-8;  // metres and radians
   check_options(options);
   const Task task = options.task.value_or(default_task(arm));
   check_route(arm, route, task);
+  std::optional<Configuration> from;
   if (start) {
-    check_start(arm, *start);
-    const Pose tool = forward_kinematics(arm, *start);
+    from = checked_start(arm, *start);
+    const Pose tool = forward_kinematics(arm, *from);
     const Deviation off = task_deviation(task, pose_at(route.path, 0), tool);
     if (!within(off, {elsewhere, elsewhere})) {
       throw Error("the motion cannot start: the tool is " + number(off.position) + " m and " +
                   angle(off.orientation) + " away from the path's begin");
     }
   }
-  return move(arm, start, route, options);
+  return move(arm, from, route, options);
 }
 
 LineMotion move_in_lines(const Arm& arm, const Configuration& start,
                          std::span<const Pose> waypoints, const LineOptions& options) {
   check_options(options);
   std::vector<Pose> poses = checked_waypoints(waypoints);
-  check_start(arm, start);
-  const Bounds bounds = bounds_of(arm);
-  const Configuration q = start.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+  const Configuration q = checked_start(arm, start);
   poses.insert(poses.begin(), forward_kinematics(arm, q));
   return move_along(arm, q, route_of(lines_through(poses), PathKind::line), options);
 }

@@ -82,7 +82,7 @@ Coarse coarse(const Arm& arm, const ToolPath& path, Configuration q) {
     const bool last = i + 1 == path.pieces.size() || !piece.through();
     for (std::size_t k = 1; k < piece.samples.size(); ++k) {
       const bool end = k + 1 == piece.samples.size();
-      if (k % 7 != 3 && !(end && last)) continue;
+      if (k % 2 == 0 && !(end && last)) continue;
       way.samples.push_back(piece.samples[k]);
       way.places.push_back(static_cast<double>(i) + piece.fractions[k]);
     }

@@ -198,7 +198,7 @@ std::vector<MadeAlong> made_along(const std::string& name) {
   routes.push_back({{{round, round}, {0.2, 0.2}}, {true, true}});
   std::vector<MadeAlong> all;
   for (const Route& route : routes) {
-    for (const double rate : {0.0, 200.0}) {
+    for (const double rate : {0.0, 1000.0}) {
       const LineMotion motion = move_along(lines.arm, lines.trajectory.positions.front(), route,
                                            {.law = Law::quintic, .rate = rate});
       EXPECT_EQ(motion.reason, "") << name << " " << all.size();
