@@ -53,7 +53,7 @@ struct Verifier {
     const auto end = static_cast<double>(piece + 1);
     const bool last = piece + 1 == route.path.pieces.size();
     const Pose goal = pose_at(route.path.pieces[piece], 1);
-    const bool line = std::holds_alternative<Line>(route.path.pieces[piece]);
+    const bool line = begin == end - 1 && std::holds_alternative<Line>(route.path.pieces[piece]);
     std::vector<double> places, sizes;  // of the deviation from the goal; -1: not there
     std::size_t next = 0;
     bool met = false;

@@ -184,10 +184,15 @@ struct MadeAlong {
 
 std::vector<MadeAlong> made_along(const std::string& name) {
   const Made lines = made(name, {.law = Law::quintic});
-  const Pose &a = lines.poses[0], &b = lines.poses[1], &c = lines.poses[2];
-  Pose d = b;
-  d.translation() += Vector3(0.02, -0.05, 0.03);
-  const std::vector<Pose> poses{a, b, c, d, a};
+  const Pose& a = lines.poses[0];
+  std::vector<Pose> poses{a};
+  for (const Vector3& corner :
+       {Vector3(0.06, 0.03, -0.01), Vector3(0.05, 0.1, -0.06), Vector3(-0.02, 0.06, -0.05)}) {
+    poses.push_back(a);
+    poses.back().translation() += corner;
+    poses.back().linear() = so3_exp(2 * corner) * a.linear();
+  }
+  poses.push_back(a);
   std::vector<Route> routes{route_of(rounded_lines(poses, {0.01, 0.05}))};
   for (const PathKind kind : {PathKind::line, PathKind::screw, PathKind::arc, PathKind::spline}) {
     routes.push_back(route_of(path_through(poses, kind), kind));
@@ -239,7 +244,8 @@ TEST(Verify, TellsFaultsOnEveryKindOfPath) {
       column->resize(half);
     }
     shorter.times.resize(half);
-    EXPECT_EQ(verify(arm, shorter, route).fault, Fault::not_through);
+    const Verification cut = verify(arm, shorter, route);
+    EXPECT_EQ(cut.fault, Fault::not_through) << cut.reason << route.path.pieces.size();
   }
 }
 
