@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
 #include <beeline/motion/timing/fastest.h>
 #include <beeline/motion/timing/jerk_limited.h>
 #include <beeline/motion/timing/scalar_law.h>
+#include <beeline/motion/timing/timed_path.h>
 
 #include <tests/motion/random_path.h>
 #include <tests/refusal.h>
@@ -57,13 +59,62 @@ TEST(JerkLimited, KeepsAllLimitsAtItsPointsAndBetween) {
       const State now = state_at(path, law, k, step);
       const double dt = law.t[k] - law.t[k - 1];
       ASSERT_GT(dt, 0);
-      ASSERT_LE(share(now.velocity, limits.velocity), 1 + 1e-4);
-      ASSERT_LE(share(now.acceleration, limits.acceleration), 1 + 1e-3);
+      ASSERT_LE(share(now.velocity, limits.velocity), 1 + 1e-5);
+      ASSERT_LE(share(now.acceleration, limits.acceleration), 1 + 1e-4);
       ASSERT_LE(share((now.velocity - before.velocity) / dt, limits.acceleration), 1 + 1e-3);
-      ASSERT_LE(share((now.acceleration - before.acceleration) / dt, limits.jerk), 1 + 1e-2);
+      ASSERT_LE(share((now.acceleration - before.acceleration) / dt, limits.jerk), 1 + 1e-3);
       before = now;
     }
     ASSERT_LT(before.acceleration.norm(), 1e-9);
+  }
+}
+
+TEST(JerkLimited, KeepsAllLimitsOnDenseSamples) {
+  testing::Random random;
+  for (int i = 0; i < 25; ++i) {
+    auto [path, limits] = random_case(random);
+    if (i % 3 == 1) limits.velocity[0] = Limits::none;
+    if (i % 3 == 2) limits.acceleration[0] = Limits::none;
+    const PathLaw law = jerk_limited(path, limits);
+    const auto [names, t, q, v, a] = at_rate({{path, law}}, 2e4 / law.duration());
+    for (std::size_t k = 1; k < t.size(); ++k) {
+      const double dt = t[k] - t[k - 1];
+      ASSERT_LE(share(v[k], limits.velocity), 1 + 5e-3);
+      ASSERT_LE(share(a[k], limits.acceleration), 1 + 2e-2);
+      // Where the jerk jumps between two points of the law, its quintic there swings a little.
+      if (dt < 1e-6) continue;  // the end
+      ASSERT_LE(share((a[k] - a[k - 1]) / dt, limits.jerk), 1 + 0.2);
+    }
+  }
+}
+
+TEST(JerkLimited, KeepsALimitOfTheSpeedAlongThePath) {
+  testing::Random random;
+  for (int i = 0; i < 10; ++i) {
+    auto [path, limits] = random_case(random);
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      limits.speed.push_back(0.5 + 0.4 * std::sin(10 * path.s[k]));
+    }
+    const PathLaw law = jerk_limited(path, limits);
+    std::size_t seen = 0;
+    for (std::size_t k = 0; k < law.s.size(); ++k) {
+      const auto at = std::lower_bound(path.s.begin(), path.s.end(), law.s[k]);
+      if (*at != law.s[k]) continue;
+      ++seen;
+      ASSERT_LE(law.speed[k], limits.speed[std::size_t(at - path.s.begin())] * (1 + 1e-6));
+    }
+    ASSERT_EQ(seen, path.size());
+  }
+}
+
+TEST(JerkLimited, IsNearWhatAFinerClockFinds) {
+  testing::Random random;
+  for (int i = 0; i < 10; ++i) {
+    const auto [path, limits] = random_case(random);
+    RefineOptions finer;
+    finer.steps = 4000;
+    const double duration = jerk_limited(path, limits).duration();
+    ASSERT_NEAR(jerk_limited(refined(path, finer), limits).duration(), duration, 2e-2 * duration);
   }
 }
 
@@ -74,7 +125,7 @@ TEST(JerkLimited, IsNoSlowerThanSimplerLawsAndNearTheFastest) {
   for (int i = 0; i < count; ++i) {
     const auto [path, limits] = random_case(random);
     const double duration = jerk_limited(path, limits).duration();
-    ASSERT_LE(duration, scalar_law(ScalarForm::s_curve, path, limits).duration() * (1 + 1e-3));
+    ASSERT_LE(duration, scalar_law(ScalarForm::s_curve, path, limits).duration() * (1 + 2e-3));
     ASSERT_LE(duration, scalar_law(ScalarForm::quintic, path, limits).duration());
     const double least = fastest(path, limits).duration();
     ASSERT_GE(duration, least * (1 - 1e-2));  // but for what a coarse grid costs the fastest
@@ -98,7 +149,7 @@ TEST(JerkLimited, AlongAStraightLineIsTheSevenPhasesOfTheClosedForm) {
     shares.acceleration = limits.acceleration.cwiseQuotient(way).minCoeff();
     shares.jerk = limits.jerk.cwiseQuotient(way).minCoeff();
     const double closed = s_curve(1, shares).duration;
-    ASSERT_NEAR(jerk_limited(line, limits).duration(), closed, 5e-3 * closed);
+    ASSERT_NEAR(jerk_limited(line, limits).duration(), closed, 3e-3 * closed);
   }
 }
 

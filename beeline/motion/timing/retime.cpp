@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include <beeline/error.h>
-#include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/motion/timing/fastest.h>
 #include <beeline/motion/timing/jerk_limited.h>
@@ -62,9 +61,13 @@ std::string outside(const Arm& arm, const JointPath& path,
   return {};
 }
 
-/// The tool's way for each unit of s.
-double tool_way(const Arm& arm, const Configuration& q, const Configuration& dq) {
-  return (jacobian(arm, q, Frame::base).topRows<3>() * dq).norm();
+/// Where the tool is, and how it moves.
+struct Tool {
+  Vector3 position, velocity;
+};
+Tool tool_at(const Arm& arm, const Configuration& q, const Configuration& dq, Jacobian& columns) {
+  const Pose pose = jacobian(arm, q, columns);
+  return {pose.translation(), columns.topRows<3>() * dq};
 }
 
 PathLaw law_along(const JointPath& path, const PathLimits& limits, Law law) {
@@ -143,15 +146,15 @@ void measure(const Arm& arm, Retimed& timed) {
   const auto& [names, t, q, v, a] = timed.trajectory;
   timed.limits = limit_check(timed.trajectory, arm);
   timed.tool_speed = 0;
+  Jacobian columns(6, arm.dof());
   Vector3 before = Vector3::Zero();
   for (std::size_t k = 0; k < t.size(); ++k) {
-    const Vector3 tool = forward_kinematics(arm, q[k]).translation();
-    const double between = k == 0 ? 0 : (tool - before).norm() / (t[k] - t[k - 1]);
-    const double here = tool_way(arm, q[k], v[k]);
+    const auto [position, velocity] = tool_at(arm, q[k], v[k], columns);
+    const double way = k == 0 ? 0 : (position - before).norm();
     // What lies between by rounding alone is no speed.
-    const bool apart = k > 0 && (tool - before).norm() > 1e-9;
-    timed.tool_speed = std::max({timed.tool_speed, here, apart ? between : 0});
-    before = tool;
+    const double between = way > 1e-9 ? way / (t[k] - t[k - 1]) : 0;
+    timed.tool_speed = std::max({timed.tool_speed, velocity.norm(), between});
+    before = position;
   }
 }
 
@@ -192,6 +195,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   const Trajectory trajectory = matched_to(arm, recorded);
   PathLimits limits = path_limits(arm, options.speed_limit);
   check_moves(trajectory);
+  Jacobian columns(6, arm.dof());
   std::vector<TimedPath> motions;
   double duration = 0;
   for (const std::vector<Configuration>& samples : stretches(trajectory)) {
@@ -201,8 +205,8 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
     if (!timed.found()) return timed;
     limits.speed.clear();
     for (std::size_t k = 0; k < motion.path.size() && options.tool_speed < Limits::none; ++k) {
-      limits.speed.push_back(options.tool_speed /
-                             tool_way(arm, motion.path.q[k], motion.path.dq[k]));
+      const Tool tool = tool_at(arm, motion.path.q[k], motion.path.dq[k], columns);
+      limits.speed.push_back(options.tool_speed / tool.velocity.norm());
     }
     motion.law = law_along(motion.path, limits, timed.law);
     timed.reason = motion.law.reason;

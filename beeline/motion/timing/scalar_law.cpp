@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/motion/timing/path_rates.h>
 #include <beeline/motion/timing/scalar_law.h>
 
 namespace beeline {
@@ -65,51 +66,69 @@ struct Shape {
 };
 
 /// The largest shares of limits that a law takes.
-struct Shares {
-  double velocity = 0, acceleration = 0, jerk = 0;
+class Shares {
+ public:
+  explicit Shares(const PathLimits& limits)
+      : by_velocity_(limits.velocity.cwiseInverse()),
+        by_acceleration_(limits.acceleration.cwiseInverse()),
+        by_jerk_(limits.jerk.cwiseInverse()) {}
 
-  void take(const PathPoint& point, const JointState& state, const PathLimits& limits) {
+  /// At a place with these derivatives of the path.
+  void take(const double* dq, const double* ddq, const double* dddq, const JointState& state) {
     const double v = state.velocity, a = state.acceleration;
-    for (Eigen::Index i = 0; i < point.dq.size(); ++i) {
-      const double q1 = point.dq[i], q2 = point.ddq[i], q3 = point.dddq[i];
-      const double bend = q1 * a + q2 * v * v;
-      const double change = q1 * state.jerk + v * (3 * q2 * a + q3 * v * v);
-      velocity = std::max(velocity, std::abs(q1 * v) / limits.velocity[i]);
-      acceleration = std::max(acceleration, std::abs(bend) / limits.acceleration[i]);
-      jerk = std::max(jerk, std::abs(change) / limits.jerk[i]);
+    for (Eigen::Index i = 0; i < by_jerk_.size(); ++i) {
+      const double bend = dq[i] * a + ddq[i] * v * v;
+      const double change = dq[i] * state.jerk + v * (3 * ddq[i] * a + dddq[i] * v * v);
+      velocity_ = std::max(velocity_, std::abs(dq[i] * v) * by_velocity_[i]);
+      acceleration_ = std::max(acceleration_, std::abs(bend) * by_acceleration_[i]);
+      jerk_ = std::max(jerk_, std::abs(change) * by_jerk_[i]);
     }
   }
 
   /// By what factor the law must be slower to keep them.
   double slower(ScalarForm form) const {
-    const double least = std::max(velocity, std::sqrt(acceleration));
-    return form == ScalarForm::trapezoidal ? least : std::max(least, std::cbrt(jerk));
+    const double least = std::max(velocity_, std::sqrt(acceleration_));
+    return form == ScalarForm::trapezoidal ? least : std::max(least, std::cbrt(jerk_));
+  }
+
+ private:
+  Configuration by_velocity_, by_acceleration_, by_jerk_;
+  double velocity_ = 0, acceleration_ = 0, jerk_ = 0;
+};
+
+/// The path's derivatives at places a like way apart, to try shapes on.
+struct Places {
+  std::size_t joints;
+  std::vector<double> rates;
+
+  explicit Places(const JointPath& path) : joints(static_cast<std::size_t>(path.q[0].size())) {
+    const PathRates along(path);
+    rates.resize(3 * joints * (place_count + 1));
+    const double begin = path.s.front(), length = path.s.back() - begin;
+    std::size_t step = 0;
+    for (int k = 0; k <= place_count; ++k) {
+      const double s = begin + length * k / place_count;
+      while (step + 2 < path.size() && path.s[step + 1] <= s) ++step;
+      const double share = (s - path.s[step]) / (path.s[step + 1] - path.s[step]);
+      double* dq = rates.data() + 3 * joints * static_cast<std::size_t>(k);
+      along.at(step, std::min(share, 1.0), dq, dq + joints, dq + 2 * joints);
+    }
+  }
+
+  /// The one that is nearest to this share of the way.
+  const double* nearest(double share) const {
+    const double place = std::clamp(share * place_count + 0.5, 0.0, place_count + 0.5);
+    return rates.data() + 3 * joints * static_cast<std::size_t>(place);
   }
 };
 
-/// The path at places a like way apart, to try shapes on.
-std::vector<PathPoint> places_of(const JointPath& path) {
-  std::vector<PathPoint> places;
-  const double begin = path.s.front(), length = path.s.back() - begin;
-  std::size_t step = 0;
-  for (int k = 0; k <= place_count; ++k) {
-    const double s = begin + length * k / place_count;
-    while (step + 2 < path.size() && path.s[step + 1] <= s) ++step;
-    const double share = (s - path.s[step]) / (path.s[step + 1] - path.s[step]);
-    places.push_back(path_point(path, step, std::min(share, 1.0)));
-  }
-  return places;
-}
-
 /// The seconds that the shape takes, told at some moments and the places next to them.
-double duration(const Shape& shape, const std::vector<PathPoint>& places,
-                const PathLimits& limits) {
-  Shares shares;
+double duration(const Shape& shape, const Places& places, const PathLimits& limits) {
+  Shares shares(limits);
   const auto take = [&](double u) {
     const JointState state = shape.at(u);
-    const double place = state.position / shape.length * place_count;
-    shares.take(places[static_cast<std::size_t>(std::clamp(place + 0.5, 0.0, place_count + 0.5))],
-                state, limits);
+    const double* dq = places.nearest(state.position / shape.length);
+    shares.take(dq, dq + places.joints, dq + 2 * places.joints, state);
   };
   constexpr int moments = 100;
   for (int k = 0; k < moments; ++k) take((k + 0.5) / moments);
@@ -154,7 +173,7 @@ double least(int sections, Function&& value) {
 Shape best_shape(ScalarForm form, const JointPath& path, const PathLimits& limits) {
   const double length = path.s.back() - path.s.front();
   if (form == ScalarForm::quintic) return {form, length};
-  const std::vector<PathPoint> places = places_of(path);
+  const Places places(path);
   const auto lasts = [&](double ramp, double round) {
     return duration(Shape(form, length, ramp, round), places, limits);
   };
@@ -204,7 +223,10 @@ std::vector<Moment> moments_of(const Shape& shape, const JointPath& path) {
 /// between them.
 double seconds_for(const Shape& shape, const std::vector<Moment>& moments, const JointPath& path,
                    const PathLimits& limits) {
-  Shares shares;
+  const PathRates rates(path);
+  std::vector<double> dq(3 * rates.joints());
+  double *const ddq = dq.data() + rates.joints(), *const dddq = ddq + rates.joints();
+  Shares shares(limits);
   double longest = 0;
   std::size_t step = 0;
   for (std::size_t i = 0; i + 1 < moments.size(); ++i) {
@@ -214,7 +236,8 @@ double seconds_for(const Shape& shape, const std::vector<Moment>& moments, const
     for (const double part : {1e-6, 0.5, 1 - 1e-6}) {
       const JointState state = shape.at(first + part * length);
       const double share = (path.s[0] + state.position - begin) / h;
-      shares.take(path_point(path, step, std::clamp(share, 0.0, 1.0)), state, limits);
+      rates.at(step, std::clamp(share, 0.0, 1.0), dq.data(), ddq, dddq);
+      shares.take(dq.data(), ddq, dddq, state);
     }
     if (limits.speed.empty() || !moments[i].of_grid) continue;
     longest = std::max(longest, shape.at(first).velocity / limits.speed[step]);
