@@ -217,9 +217,10 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   timed.stretches = motions.size();
   constexpr double rounding = 1e-12;
   double factor = 1 + 2 * rounding;
-  for (int i = 0; i < 4 && factor > 1 + rounding; ++i) {
+  for (int i = 0; i < 10 && factor > 1 + rounding; ++i) {
     for (TimedPath& motion : motions) {
-      if (i > 0) slow_down(motion.law, factor);
+      // A little more, as other samples than before may then be the worst.
+      if (i > 0) slow_down(motion.law, 1 + 1.1 * (factor - 1));
     }
     timed.trajectory = sampled(arm, motions, options.rate);
     measure(arm, timed);
