@@ -10,7 +10,15 @@ from pathlib import Path
 
 LIBRARIES = {  # the first part of the include: the folders that may use it, in .cpp files
     "cairo": {"draw"},
-    "hwy": {"simd", "kinematics", "batch", "inverse/closed", "inverse/descent", "inverse/general"},
+    "hwy": {
+        "simd",
+        "kinematics",
+        "batch",
+        "inverse/closed",
+        "inverse/descent",
+        "inverse/general",
+        "motion/timing",
+    },
     "nlohmann": {"read", "record"},
     "oneapi": {"batch"},
     "tbb": {"batch"},
