@@ -48,6 +48,11 @@ class UrdfTree:
         parents = {joint.parent for joint in self.joints.values()}
         return [link for link in self.links if link not in parents]
 
+    def unknown_leaders(self, tip):
+        """Joints that some of the chain's mimic and that the file does not have."""
+        mimics = [self.joints[name].mimic for name in self.moving_joints(tip)]
+        return [mimic[0] for mimic in mimics if mimic and mimic[0] not in self.joints]
+
     def moving_joints(self, tip):
         """The names of the joints that move between the root and the tip, from the root on."""
         names = []
