@@ -41,6 +41,7 @@ struct BranchOptions {
   Task task;
   Deviation tolerance = {1e-4, 1e-4};
   std::size_t most_samples = 200'000;  ///< of one branch
+  int finest_grid = 256;  ///< of plan_path(), for joints to spare: see LadderOptions::grid
   /// Whose end is explained, which takes milliseconds: all branches', or that of the one which goes
   /// farthest, or none's.
   enum class Reasons { all, best, none } reasons = Reasons::best;

@@ -61,6 +61,7 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
   BranchOptions exact = options;
   exact.reasons = BranchOptions::Reasons::none;
   exact.progress = {};
+  exact.finest_grid = 64;
   BranchOptions quick = exact;  // for the search; what it finds is planned again
   quick.tolerance = {10 * options.tolerance.position, 10 * options.tolerance.orientation};
   const auto works = [&](const Vector3& step, const BranchOptions& planning) {

@@ -12,6 +12,7 @@ namespace {
 
 // How far ahead to look, in lengths of the piece: just behind the wall, and clearly behind it.
 constexpr double looks[] = {1e-6, 1e-5, 1e-4, 1e-3};
+constexpr double farther = 1e-4;   // of them, that a motion stopped by limits would go on
 constexpr double regular = 1e3;    // a condition below: the arm is far from singular
 constexpr double next_door = 0.2;  // radians or metres: farther away is another branch
 
@@ -26,15 +27,17 @@ std::string joints_outside(const Arm& arm, const Configuration& q) {
   return text;
 }
 
-/// What the motion would go on to without limits, if that is outside of them.
+/// What the motion would go on to without limits, if that is outside of them; nothing where it
+/// would come to an end at once even so.
 std::string passed_limits(const Arm& arm, const Piece& piece, const Task& task,
                           const Configuration& q, double s) {
+  std::string joints;
   for (const double look : looks) {
     const Pose next = pose_at(piece, std::min(1.0, s + look));
     const Descent free = descend(arm, next, task, no_bounds(arm), q);
     if (!free.converged || (free.q - q).lpNorm<Eigen::Infinity>() > next_door) return {};
-    const std::string joints = joints_outside(arm, free.q);
-    if (!joints.empty()) return joints;
+    if (joints.empty()) joints = joints_outside(arm, free.q);
+    if (!joints.empty() && look >= farther) return joints;
   }
   return {};
 }

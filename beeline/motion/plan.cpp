@@ -7,7 +7,7 @@
 namespace beeline {
 namespace {
 
-constexpr int grids[] = {16, 64};  // solutions of each pose, roughly, by which the ladder is made
+constexpr int grids[] = {16, 64, 256};  // solutions of each pose, roughly, that make the ladder
 
 /// From any configuration for the first pose, or why there is none.
 Branch from_any_beginning(const Arm& arm, const ToolPath& path, const BranchOptions& options) {
@@ -21,20 +21,34 @@ Branch from_any_beginning(const Arm& arm, const ToolPath& path, const BranchOpti
   return branch;
 }
 
+/// Whether a finer grid than this may show a way that others did not. With one joint to spare its
+/// solutions lie close together; where the tool cannot come at all there are none.
+bool worth_more(const Arm& arm, const ToolPath& path, const BranchOptions& options, int grid,
+                const std::optional<Branch>& best) {
+  if (grid >= options.finest_grid) return false;
+  if (grid < grids[1] || !best) return grid < grids[1];
+  if (arm.dof() > options.task.size() + 1) return false;
+  Branch explained = *best;
+  explain(arm, path, options, explained);
+  return explained.status != MotionStatus::unreachable;
+}
+
 /// The best of what ladders lead to; nothing when they lead nowhere.
 std::optional<Branch> follow_ladders(const Arm& arm, const std::optional<Configuration>& start,
                                      const ToolPath& path, const BranchOptions& options) {
   std::optional<Branch> best;
   for (const int grid : grids) {
     const Ladder rungs = ladder(arm, path, {.task = options.task, .start = start, .grid = grid});
-    if (rungs.knots.empty()) continue;
-    const KnotSpline spline(rungs.knots, path);
-    BranchOptions guided = options;
-    guided.reasons = BranchOptions::Reasons::none;
-    guided.guide = [&spline](double place) { return spline.at(place); };
-    const Branch branch = follow_branch(arm, rungs.knots.front().q, path, guided);
-    if (!best || branch.done > best->done) best = branch;
-    if (branch.status == MotionStatus::reached) break;
+    if (!rungs.knots.empty()) {
+      const KnotSpline spline(rungs.knots, path);
+      BranchOptions guided = options;
+      guided.reasons = BranchOptions::Reasons::none;
+      guided.guide = [&spline](double place) { return spline.at(place); };
+      const Branch branch = follow_branch(arm, rungs.knots.front().q, path, guided);
+      if (!best || branch.done > best->done) best = branch;
+      if (branch.status == MotionStatus::reached) break;
+    }
+    if (!worth_more(arm, path, options, grid, best)) break;
   }
   return best;
 }
@@ -63,6 +77,7 @@ std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, BranchOptio
   options.reasons = BranchOptions::Reasons::all;
   if (arm.dof() <= options.task.size()) return follow_branches(arm, path, options);
   constexpr int coarse = 6;
+  options.finest_grid = grids[1];  // for each of many
   const InverseResult starts = inverse_kinematics(
       arm, pose_at(path, 0),
       {.task = options.task, .all = true, .grid = coarse, .restarts = 4 * coarse});

@@ -24,6 +24,20 @@ TEST(PlanPath, GoesAlongLimits) {
   }
 }
 
+// On the way the joint to spare has hardly any room.
+TEST(PlanPath, FindsAWayThatAFineGridShows) {
+  const Arm arm = built_in("iiwa14");
+  Random random(20240229);
+  Line line;
+  for (int i = 0; i <= 562; ++i) line = random_certified_line(random, arm);
+  const ToolPath path = lines_through(std::vector{line.from, line.to});
+  const BranchOptions options{.task = Task::spatial()};
+  EXPECT_EQ(plan_path(arm, {}, path, options).status, MotionStatus::reached);
+  BranchOptions coarse = options;
+  coarse.finest_grid = 64;
+  EXPECT_EQ(plan_path(arm, {}, path, coarse).status, MotionStatus::outside_limits);
+}
+
 TEST(PlanPath, AlwaysSaysWhyAndWhere) {
   const Arm arm = built_in("panda");
   Random random;
