@@ -143,15 +143,6 @@ void keep_limits(const Arm& arm, const ToolPath& path, Branch& branch) {
                   limit_in_the_way(arm, blocking, low);
 }
 
-void measure(const Arm& arm, const Task& task, Branch& branch) {
-  Margins margins;
-  for (const Followed& piece : branch.pieces) {
-    for (const Configuration& q : piece.samples) narrow(margins, arm, task, q);
-  }
-  branch.limit_margin = margins.limit;
-  branch.dexterity = margins.dexterity;
-}
-
 /// The branches that go all the way from the path's end to its begin, told the right way round: at
 /// a singular begin one solution stands for infinitely many, and the path may need another.
 std::vector<Branch> backward_branches(const Arm& arm, const ToolPath& path, const Bounds& bounds,
@@ -196,6 +187,15 @@ void narrow(Margins& margins, const Arm& arm, const Task& task, const Configurat
     if (task.rows[i]) j.row(row++) /= unit_of_length(arm);
   }
   margins.dexterity = std::min(margins.dexterity, 1 / dexterity(j).condition);
+}
+
+void measure(const Arm& arm, const Task& task, Branch& branch) {
+  Margins margins;
+  for (const Followed& piece : branch.pieces) {
+    for (const Configuration& q : piece.samples) narrow(margins, arm, task, q);
+  }
+  branch.limit_margin = margins.limit;
+  branch.dexterity = margins.dexterity;
 }
 
 void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options, Branch& branch) {

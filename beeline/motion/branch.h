@@ -34,6 +34,9 @@ struct Branch {
   std::vector<Followed> pieces = {};  ///< a single sample where what matters stands still
 };
 
+/// Fills in the margins of the branch's samples, to the arm's limits and singularities.
+void measure(const Arm& arm, const Task& task, Branch& branch);
+
 /// Whether `a` is to be preferred: it goes farther, or stays farther from limits and singularities.
 bool better(const Branch& a, const Branch& b);
 

@@ -131,7 +131,8 @@ LineMotion move(const Arm& arm, const std::optional<Configuration>& start, const
       BranchOptions again = planning;
       again.tolerance.position *= part;
       again.tolerance.orientation *= part;
-      const Branch other = plan_path(held_back(arm, start, inset), start, route.path, again);
+      Branch other = plan_path(held_back(arm, start, inset), start, route.path, again);
+      if (other.status == MotionStatus::reached) measure(arm, task, other);
       LineMotion better = timed(arm, route, other, task, options);
       if (better.status != MotionStatus::reached) continue;
       motion = std::move(better);
