@@ -206,6 +206,14 @@ TEST(RoundedLines, StopWhereTheToolTurnsBackAndNotWhereItGoesStraightOn) {
   EXPECT_TRUE(turns.corners.front().sharp);
 }
 
+TEST(RoundedLines, StopAtASharpCornerWhereARoundingEnds) {
+  const std::vector poses{at(0, 0), at(1, 0), at(1, 0.1), at(1, -1)};
+  const RoundedPath rounded = rounded_lines(poses, {0.1, pi});
+  EXPECT_NEAR(rounded.corners[0].radius, 0.1, 1e-12) << "all of the short line";
+  EXPECT_TRUE(rounded.corners[1].sharp);
+  EXPECT_EQ(route_of(rounded).stops, (std::vector<bool>{false, true, false}));
+}
+
 TEST(RoundedLines, RefuseWhatMakesNoSense) {
   const std::vector poses{at(0, 0), at(1, 0), at(1, 1)};
   EXPECT_REFUSED(rounded_lines(poses, {0, 1}), "above zero");

@@ -155,21 +155,12 @@ RoundedPath rounded_lines(std::span<const Pose> given, const Deviation& within) 
       rounded.path.pieces.emplace_back(rounding(poses[i + 1], {way[i], way[i + 1]}, radius[i + 1]));
       rounded.path.spans.push_back(2 * radius[i + 1]);
     }
+    rounded.stops.resize(rounded.path.pieces.size(), false);
+    if (i + 1 < lines && rounded.corners[i].sharp) rounded.stops.back() = true;
   }
   return rounded;
 }
 
-Route route_of(const RoundedPath& rounded) {
-  const auto& pieces = rounded.path.pieces;
-  Route route{rounded.path, std::vector<bool>(pieces.size(), false)};
-  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
-    const Twist before = motion_at(pieces[i], 1).velocity / rounded.path.spans[i];
-    const Twist after = motion_at(pieces[i + 1], 0).velocity / rounded.path.spans[i + 1];
-    const bool lines =
-        std::holds_alternative<Line>(pieces[i]) && std::holds_alternative<Line>(pieces[i + 1]);
-    route.stops[i] = lines && (before - after).norm() > 1e-9 * before.norm();
-  }
-  return route;
-}
+Route route_of(const RoundedPath& rounded) { return {rounded.path, rounded.stops}; }
 
 }  // namespace beeline

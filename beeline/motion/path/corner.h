@@ -20,6 +20,7 @@ struct Corner {
 /// Lines with rounded corners: pieces are what is left of the lines, and between them SplinePieces.
 struct RoundedPath {
   ToolPath path;                ///< velocity and acceleration continuous, but for sharp corners
+  std::vector<bool> stops;      ///< after each piece: at sharp corners alone
   std::vector<Corner> corners;  ///< one for each pose between the first and the last
 };
 
@@ -34,7 +35,7 @@ struct RoundedPath {
 /// and distances that are not positive.
 RoundedPath rounded_lines(std::span<const Pose> poses, const Deviation& within);
 
-/// The tool stops at sharp corners only: where one line follows another in another direction.
+/// The tool stops at sharp corners only.
 Route route_of(const RoundedPath& rounded);
 
 }  // namespace beeline
