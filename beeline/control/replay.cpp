@@ -127,13 +127,18 @@ void play(const Arm& arm, const Trajectory& recording, const ReplayOptions& opti
   append_resampled(played, recording, options);
 }
 
-/// By the recording's own time, straight from sample to sample.
-Configuration velocity_after(const Trajectory& recording, double time) {
+/// Takes straight lines between the samples, at that speed, from one of the recording's times to
+/// another: a step may pass many samples.
+void take_part(Fastest& fastest, const Arm& arm, const Trajectory& recording, double from,
+               double to, double speed) {
   const auto& [names, t, q, v, a] = recording;
-  if (t.size() < 2) return Configuration::Zero(q.front().size());
-  const auto after = std::upper_bound(t.begin() + 1, t.end() - 1, time);
-  const auto k = static_cast<std::size_t>(after - t.begin());
-  return (q[k] - q[k - 1]) / (t[k] - t[k - 1]);
+  if (t.size() < 2) return;
+  const auto after = std::upper_bound(t.begin() + 1, t.end() - 1, from);
+  for (auto k = static_cast<std::size_t>(after - t.begin()); k < t.size(); ++k) {
+    const double begin = std::max(from, t[k - 1]);
+    fastest.take(arm, speed * (q[k] - q[k - 1]) / (t[k] - t[k - 1]), begin, speed);
+    if (t[k] >= to) break;
+  }
 }
 
 /// At speeds that change.
@@ -166,7 +171,7 @@ Fastest play_in_steps(const Arm& arm, const Trajectory& recording, const ReplayO
       continue;
     }
     const double speed = std::max(speed_before, player.speed());
-    fastest.take(arm, speed * velocity_after(recording, time), time, speed);
+    take_part(fastest, arm, recording, time, player.recording_time(), speed);
     commanded.take(arm, command.velocity, time, speed);
   }
   // Cubics between the samples of a motion at its limits swing a little above these.

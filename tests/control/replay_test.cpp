@@ -164,6 +164,22 @@ TEST(Replay, TakesARecordingOfOneSample) {
   EXPECT_EQ(moved.trajectory.times.back(), moved.lead_in);
 }
 
+TEST(Replay, InStepsSeesEverySampleThatAStepPasses) {
+  const Arm arm = built_in("rrr");
+  std::vector<Joint> joints = arm.joints();
+  for (Joint& joint : joints) joint.limits.velocity = 1;
+  const Arm slow(arm.name(), joints, arm.tool(), arm.base());
+  Trajectory recorded{arm.joint_names(), {}, {}, {}, {}};
+  for (int k = 0; k <= 100; ++k) {  // 20 rad/s for a millisecond, within a step of ten
+    recorded.times.push_back(1e-3 * k);
+    recorded.positions.emplace_back(Configuration::Constant(3, k < 54 ? 0 : 0.02));
+  }
+  const Replay played = replay(slow, recorded, {.rate = 100, .speed_at = {{0, 1}}, .ramp = 1e-3});
+  EXPECT_EQ(played.status, MotionStatus::outside_limits);
+  EXPECT_NEAR(played.fastest, 20, 1e-9);
+  EXPECT_NE(played.reason.find("at 0.053 s"), std::string::npos) << played.reason;
+}
+
 TEST(Replay, ChangesItsSpeedAndPausesAtTheTimesAskedFor) {
   testing::Random random;
   const Arm arm = built_in("panda");
