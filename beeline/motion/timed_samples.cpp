@@ -39,6 +39,7 @@ std::string append_timed(Trajectory& trajectory, const Arm& arm,
   Trajectory way{arm.joint_names(), {}, {samples.begin(), samples.end()}, {}, {}};
   for (std::size_t k = 0; k < samples.size(); ++k) way.times.push_back(static_cast<double>(k));
   RetimeOptions retiming = options;
+  retiming.fewest_steps = 0;  // what is left of the way is proved
   const bool paced = std::isfinite(options.tool_speed);
   Trajectory motion;
   for (int left = most_attempts; left > 0; --left) {

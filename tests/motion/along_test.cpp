@@ -51,6 +51,18 @@ void expect_kept(const Arm& arm, const LineMotion& motion, const Route& route) {
   }
 }
 
+TEST(MoveAlong, TakesARateWithFewStepsOnAShortWayThatIsProved) {
+  const Arm arm = built_in("ur5");
+  const Configuration start{{0, -1, 1.2, -1.5, -1.5, 0}};
+  const Pose from = forward_kinematics(arm, start);
+  Pose to = from;
+  to.translation().z() += 1e-3;
+  const Route route = route_through({from, to}, PathKind::line);
+  const LineMotion motion = move_along(arm, start, route, {.rate = 20});
+  ASSERT_LT(motion.trajectory.size(), 5u) << "few steps";
+  expect_kept(arm, motion, route);
+}
+
 TEST(MoveAlong, KeepsEveryKindOfPathAndStopsWhereItShould) {
   const Arm arm = built_in("panda");
   const std::vector<Pose> poses = square(arm);

@@ -19,7 +19,6 @@ constexpr double repeated = 1e-12;     // radians, metres: positions as near as 
 constexpr double standing = 1e-9;      // of the largest velocity
 constexpr double longest_gap = 0.005;  // of a stretch's duration, between its samples
 constexpr double most_samples = 1e6;
-constexpr double fewest_steps = 4;     // of a rate: fewer would leave nothing of the way
 constexpr double slowest_tool = 1e-9;  // metres per second
 
 /// The positions between the stops, which end one stretch and begin the next.
@@ -111,15 +110,16 @@ double slower(const Retimed& timed, const RetimeOptions& options) {
   return factor;
 }
 
-void check_rate(double rate, double duration) {
+void check_rate(const RetimeOptions& options, double duration) {
+  const double rate = options.rate, fewest = options.fewest_steps;
   if (rate * duration > most_samples) {
     throw Error(number(rate) + " samples a second make more than " + number(most_samples) + " in " +
                 number(duration) + " s");
   }
-  if (rate > 0 && rate * duration < fewest_steps) {
+  if (rate > 0 && rate * duration < fewest) {
     constexpr double up = 1 + 1e-5;  // that number() rounds away
     throw Error(number(rate) + " samples a second lose the way of a motion of " + number(duration) +
-                " s; " + number(up * fewest_steps / duration) + " or more would do");
+                " s; " + number(up * fewest / duration) + " or more would do");
   }
 }
 
@@ -213,7 +213,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
     if (!timed.found()) return timed;
     duration += motion.law.duration();
   }
-  check_rate(options.rate, duration);
+  check_rate(options, duration);
   timed.stretches = motions.size();
   constexpr double rounding = 1e-12;
   double factor = 1 + 2 * rounding;

@@ -31,7 +31,8 @@ struct RetimeOptions {
   /// Share of the velocity limits, squared of acceleration, cubed of jerk: from 1e-6 to 1.
   double speed_limit = 1;
   double tool_speed = Limits::none;  ///< of the tool's origin, metres per second; 1e-9 at least
-  double rate = 0;  ///< samples a second; 0: every sample of the path, and more between
+  double rate = 0;          ///< samples a second; 0: every sample of the path, and more between
+  double fewest_steps = 4;  ///< that a rate must have in the motion: fewer leave nothing of the way
 };
 
 struct Retimed {
@@ -55,7 +56,7 @@ void check_moves(const Trajectory& trajectory);
 /// stays, but for repeated ones, unless a rate is given, which keeps the first and the last one.
 /// No motion, with the reason, when a position or the spline between two is outside the arm's
 /// limits. Throws Error when the trajectory does not fit the arm, has no two different positions,
-/// an option makes no sense, or the rate has fewer than four steps in the motion.
+/// an option makes no sense, or the rate has too few steps in the motion.
 Retimed retime(const Arm& arm, const Trajectory& trajectory, const RetimeOptions& options = {});
 
 }  // namespace beeline
