@@ -84,17 +84,21 @@ struct Verifier {
     return places;
   }
 
-  /// Whether sample k is near where it should be.
-  bool check_sample(std::size_t k, double place) {
-    const std::size_t i = piece_at(route.path, place);
-    const Deviation off =
-        deviation_from(route.path.pieces[i], place - static_cast<double>(i), world_T_tool[k], task);
+  /// Whether sample k, which is so far off, is near where it should be.
+  bool check_sample(std::size_t k, const Deviation& off, const std::string& where) {
     grow(result.straightness.sampled, off);
     if (near(off)) return true;
     grow(result.straightness.measured, off);
     grow(result.straightness.bound, off);
-    fail(Fault::deviation, k, "the tool is off " + name_of(i) + " by " + metres_and_radians(off));
+    fail(Fault::deviation, k, "the tool is off " + where + " by " + metres_and_radians(off));
     return false;
+  }
+
+  bool check_sample(std::size_t k, double place) {
+    const std::size_t i = piece_at(route.path, place);
+    const double s = place - static_cast<double>(i);
+    return check_sample(k, deviation_from(route.path.pieces[i], s, world_T_tool[k], task),
+                        name_of(i));
   }
 
   /// The step from sample k to the next, or the part of it that is on one piece.
@@ -166,6 +170,8 @@ struct Verifier {
     result.path = route.path;
     result.places = {0};
     std::size_t first = 0, begin = 0;
+    check_sample(0, task_deviation(task, pose_at(route.path, 0), world_T_tool[0]),
+                 "the path's begin");
     for (std::size_t i = 0; i < pieces && result.fault == Fault::none; ++i) {
       if (i + 1 < pieces && !route.stops[i]) continue;
       bool reached = false;

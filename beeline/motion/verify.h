@@ -26,7 +26,7 @@ struct Verification {
   std::vector<std::size_t> arrivals;  ///< the sample at each waypoint, as far as they are reached
 };
 
-/// Whether a trajectory, whoever made it, moves the tool along the route and keeps the arm's
+/// Whether a trajectory, whoever made it, moves the tool all along the route and keeps the arm's
 /// limits, joints in proportion between samples: proved from its numbers alone. Which sample is
 /// where on the route is found out; the tool may not go back on a way other than a line. The first
 /// fault in time is told. Velocities, accelerations and jerks are told by the positions' divided

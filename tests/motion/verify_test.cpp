@@ -225,6 +225,20 @@ TEST(Verify, PassesWhatMovesAlongEveryKindOfPath) {
   }
 }
 
+TEST(Verify, TellsThatAMotionBeginsBehindThePathsBegin) {
+  for (const auto& [arm, route, trajectory] : made_along("ur5")) {
+    Trajectory rest{trajectory.joint_names, {}, {}, {}, {}};
+    for (std::size_t k = trajectory.size() / 4; k < trajectory.size(); ++k) {
+      rest.times.push_back(trajectory.times[k]);
+      rest.positions.push_back(trajectory.positions[k]);
+    }
+    const Verification found = verify(arm, rest, route);
+    EXPECT_EQ(found.fault, Fault::deviation);
+    EXPECT_EQ(found.sample, 0u);
+    EXPECT_NE(found.reason.find("off the path's begin"), std::string::npos) << found.reason;
+  }
+}
+
 TEST(Verify, TellsFaultsOnEveryKindOfPath) {
   for (const auto& [arm, route, trajectory] : made_along("ur5")) {
     const std::size_t half = trajectory.size() / 2;
