@@ -90,7 +90,8 @@ PathTrace trace_path(const Arm& arm, std::span<const Configuration> samples,
   if (trace.places.empty()) {
     trace.places.push_back(place_of(arm, samples.front(), 0, 0, stretches.front(), task));
   }
-  for (std::size_t i = 0; i < arrivals(places).size(); ++i) {
+  const std::size_t reached = arrivals(places).size();
+  for (std::size_t i = 0; i < reached; ++i) {
     trace.ends.push_back(stretches[i].begin + stretches[i].length);
   }
   return trace;
