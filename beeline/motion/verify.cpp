@@ -54,6 +54,10 @@ struct Verifier {
     const bool last = piece + 1 == route.path.pieces.size();
     const Pose goal = pose_at(route.path.pieces[piece], 1);
     const bool line = begin == end - 1 && std::holds_alternative<Line>(route.path.pieces[piece]);
+    double closing = end - 0.5;  // a way may close: its end counts from here on
+    for (std::size_t i = piece + 1; i-- > 0 && stands_still(route.path.pieces[i], task);) {
+      closing -= 1;
+    }
     std::vector<double> places, sizes;  // of the deviation from the goal; -1: not there
     std::size_t next = 0;
     bool met = false;
@@ -62,7 +66,7 @@ struct Verifier {
       places.push_back(
           nearest_place(route.path, task, tool, places.empty() ? begin : places.back(), end));
       const Deviation off = task_deviation(task, goal, tool);
-      const bool there = near(off) && (line || places.back() > end - 0.5);  // a way may close
+      const bool there = near(off) && (line || places.back() > closing);
       sizes.push_back(there ? std::max(off.position / tolerance.position,
                                        off.orientation / tolerance.orientation)
                             : -1);

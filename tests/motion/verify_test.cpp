@@ -225,6 +225,27 @@ TEST(Verify, PassesWhatMovesAlongEveryKindOfPath) {
   }
 }
 
+TEST(Verify, PassesPiecesOnWhichNothingThatMattersMoves) {
+  const Arm arm = built_in("ur5");
+  const Task task = Task::position();
+  const Configuration start{{0, -1, 1.2, -1.5, -1.5, 0}};
+  std::vector<Pose> poses(4, forward_kinematics(arm, start));
+  const Vector3 first(0, 0.1, 0), last(0.05, 0.1, 0.05);
+  poses[1] = make_pose(poses[0].translation() + first, so3_exp({0, 0, 0.3}) * poses[0].linear());
+  poses[2] = make_pose(poses[1].translation(), so3_exp({0, 0, 0.8}) * poses[0].linear());
+  poses[3].translation() += last;
+  for (const PathKind kind : {PathKind::line, PathKind::screw}) {
+    for (const double rate : {0.0, 300.0}) {
+      const Route route = route_of(path_through(poses, kind), kind);
+      const LineMotion motion = move_along(arm, start, route, {.task = task, .rate = rate});
+      ASSERT_EQ(motion.reason, "");
+      const Verification found = verify(arm, motion.trajectory, route, {.task = task});
+      EXPECT_EQ(found.reason, "") << name(kind) << " " << rate;
+      EXPECT_EQ(found.arrivals.size(), 3u);
+    }
+  }
+}
+
 TEST(Verify, TellsThatAMotionBeginsBehindThePathsBegin) {
   for (const auto& [arm, route, trajectory] : made_along("ur5")) {
     Trajectory rest{trajectory.joint_names, {}, {}, {}, {}};
