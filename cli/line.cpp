@@ -161,11 +161,11 @@ Run declare_line(CLI::App& verb) {
                       "exact: most deviation between samples, metres")
           ->capture_default_str(),
       verb.add_option("--orientation-tolerance", options.orientation_tolerance,
-                      "exact: most turn away from the line, radians")
+                      "exact: most turn away from the path, radians")
           ->capture_default_str(),
       verb.add_option(
           "--law", arguments.law,
-          "exact: of time on each line: fastest, jerk, trapezoidal, quintic or s-curve;\n"
+          "exact: of time, from stop to stop: fastest, jerk, trapezoidal, quintic or s-curve;\n"
           "see time --help"),
       verb.add_option("--rate", options.rate,
                       "exact: samples a second (default: as few as the tolerance needs)"),

@@ -21,12 +21,11 @@ std::vector<const CLI::Option*> PathArgument::declare(CLI::App& verb, const std:
 bool PathArgument::straight() const { return path_kind_named(kind) == PathKind::line && !round; }
 
 Route PathArgument::through(std::span<const Pose> poses) const {
-  constexpr double rounding_turn = 0.2;  // metres that count as a radian
   const PathKind path = path_kind_named(kind);
   if (round && path != PathKind::line) {
     throw Error("--round goes with --path line, whose corners it rounds");
   }
-  if (round) return route_of(rounded_lines(poses, {*round, *round / rounding_turn}));
+  if (round) return route_of(rounded_lines(poses, {*round, *round / metres_of_a_radian}));
   return route_of(straight() ? lines_through(poses) : path_through(poses, path), path);
 }
 

@@ -174,9 +174,7 @@ Fastest play_in_steps(const Arm& arm, const Trajectory& recording, const ReplayO
     take_part(fastest, arm, recording, time, player.recording_time(), speed);
     commanded.take(arm, command.velocity, time, speed);
   }
-  // Cubics between the samples of a motion at its limits swing a little above these.
-  constexpr double swing = 0.02;
-  return commanded.share > 1 + swing ? commanded : fastest;
+  return commanded.share > fastest.share ? commanded : fastest;
 }
 
 }  // namespace
@@ -201,7 +199,9 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
   const Fastest fastest = steady ? fastest_moment(arm, recording, options.speed)
                                  : play_in_steps(arm, recording, options, result);
   result.fastest = fastest.share;
-  if (result.fastest > 1 + 1e-9) {
+  // Cubics between the samples of a motion at its limits swing a little above these.
+  const double swing = steady ? 1e-9 : 0.02;
+  if (result.fastest > 1 + swing) {
     result.reason = "at " + number(fastest.time) + " s joint " +
                     arm.joint_of(fastest.coordinate).name + " moves at " + number(result.fastest) +
                     " times its velocity limit; a speed below " +

@@ -28,8 +28,7 @@ struct Replay {
   std::string reason;     ///< one sentence; empty when reached
   Trajectory trajectory;  ///< empty unless reached
   double lead_in = 0;     ///< seconds of the motion from `start` to the recording's first sample
-  double fastest = 0;     ///< largest share of a velocity limit that is used by the recording's
-                          ///< positions; 0: none is known
+  double fastest = 0;     ///< largest share of a velocity limit that is used; 0: none is known
 };
 
 /// Plays a recording on the arm, joints matched by name: at one speed every recorded sample is
@@ -37,7 +36,9 @@ struct Replay {
 /// `speed_at` it is what a Player commands in steps of 1 / `rate` (player.h): the speed goes up
 /// from zero and changes steadily, and the last step ends at the recording's end. Answers
 /// `outside_limits`, with the joint and the recording's time, when it leaves the arm's position
-/// limits or, at this speed, its velocity limits. Throws Error when the recording does not fit the
+/// limits or, at this speed, its velocity limits, by the straight lines between its samples; the
+/// cubics that a Player commands may be above them by 2 %, as those through a motion at its limits
+/// are. Throws Error when the recording does not fit the
 /// arm, an option makes no sense, or the last of `speed_at` is a pause, which would never end.
 Replay replay(const Arm& arm, const Trajectory& recording, const ReplayOptions& options = {});
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <beeline/draw/path_trace.h>
 #include <beeline/error.h>

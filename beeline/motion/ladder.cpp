@@ -26,7 +26,7 @@ struct Rung {
   std::vector<int> before;   ///< its solution on the rung before; -1: none
 };
 
-/// About how far the tool moves on a piece, a radian counting as a fifth of a metre.
+/// About how far the tool moves on a piece, turns too.
 double size_of(const Piece& piece) {
   constexpr int chords = 8;
   double size = 0;
@@ -34,7 +34,7 @@ double size_of(const Piece& piece) {
   for (int i = 1; i <= chords; ++i) {
     const Pose now = pose_at(piece, static_cast<double>(i) / chords);
     const Twist way = pose_difference(now, before);
-    size += way.head<3>().norm() + way.tail<3>().norm() / 5;
+    size += way.head<3>().norm() + metres_of_a_radian * way.tail<3>().norm();
     before = now;
   }
   return size;
@@ -134,7 +134,8 @@ std::vector<int> chain_to(const std::vector<Rung>& all, std::size_t end) {
 bool leads_on(const Arm& arm, const ToolPath& path, const Task& task, const Bounds& bounds,
               const Knot& a, const Knot& b) {
   const Configuration middle = (a.q + b.q) / 2;
-  const Descent found = descend(arm, pose_at(path, (a.place + b.place) / 2), task, bounds, middle,
+  const double begin = std::max(a.place, static_cast<double>(piece_at(path, b.place)));
+  const Descent found = descend(arm, pose_at(path, (begin + b.place) / 2), task, bounds, middle,
                                 {.tolerance = 1e-9, .iterations = 20});
   const double way = (b.q - a.q).lpNorm<Eigen::Infinity>();
   return found.converged && (found.q - middle).lpNorm<Eigen::Infinity>() < 0.3 * way + 0.02;
@@ -142,18 +143,17 @@ bool leads_on(const Arm& arm, const ToolPath& path, const Task& task, const Boun
 
 /// Draws the chain taut: each knot towards its neighbours' middle and away from limits, as far as
 /// the tool's pose leaves it free.
-void smooth(const Arm& arm, const Task& task, const Costs& costs, const std::vector<Rung>& all,
-            bool first_is_fixed, std::vector<Knot>& knots) {
+void smooth(const Arm& arm, const ToolPath& path, const Task& task, const Costs& costs,
+            const std::vector<Rung>& all, bool first_is_fixed, std::vector<Knot>& knots) {
   constexpr double pull = 0.5, push = 0.02;
   for (int pass = 0; pass < smoothings; ++pass) {
     for (std::size_t r = first_is_fixed ? 1 : 0; r < knots.size(); ++r) {
       const Configuration& q = knots[r].q;
       const Configuration& before = knots[r == 0 ? 0 : r - 1].q;
       const Configuration& after = knots[std::min(r + 1, knots.size() - 1)].q;
-      const double share =
-          r == 0 || r + 1 == knots.size()
-              ? 0.5
-              : (knots[r].place - knots[r - 1].place) / (knots[r + 1].place - knots[r - 1].place);
+      const auto way = [&](std::size_t k) { return way_to(path, knots[k].place); };
+      const bool end = r == 0 || r + 1 == knots.size();
+      const double share = end ? 0.5 : (way(r) - way(r - 1)) / (way(r + 1) - way(r - 1));
       Configuration wanted = q + pull * (before + share * (after - before) - q);
       for (Eigen::Index k = 0; k < q.size(); ++k) {
         wanted[k] += push * push_from_limits(q[k], costs.bounds.lower[k], costs.bounds.upper[k]);
@@ -179,12 +179,19 @@ Ladder ladder(const Arm& arm, const ToolPath& path, const LadderOptions& options
                              .restarts = 4 * options.grid});
   const Configuration middle = middle_configuration(arm);
   Eigen::MatrixXd columns(arm.dof(), 16 * options.grid);
+  Configuration own = options.start.value_or(Configuration());  // the start, led on: off the grid
   for (std::size_t r = 0; r < all.size(); ++r) {
     if (r == 0 && options.start) {
       all[r].solutions = {*options.start};
     } else {
       const int count = solver.solve(all[r].pose, middle, columns);
       for (int i = 0; i < count; ++i) all[r].solutions.emplace_back(columns.col(i));
+    }
+    if (r > 0 && own.size() > 0) {
+      const Descent on = descend(arm, all[r].pose, options.task, costs.bounds, own,
+                                 {.tolerance = 1e-9, .iterations = 20});
+      own = on.converged ? on.q : Configuration();
+      if (on.converged) all[r].solutions.push_back(own);
     }
     if (all[r].solutions.empty()) {
       all.resize(r);
@@ -216,7 +223,7 @@ Ladder ladder(const Arm& arm, const ToolPath& path, const LadderOptions& options
     first = r;
   }
   if (result.knots.size() > 1) {
-    smooth(arm, options.task, costs, all, options.start.has_value(), result.knots);
+    smooth(arm, path, options.task, costs, all, options.start.has_value(), result.knots);
   }
   return result;
 }

@@ -18,7 +18,7 @@ struct LadderOptions {
   Task task;
   std::optional<Configuration> start = std::nullopt;  ///< the first knot; default: any
   int grid = 16;          ///< solutions of each pose: values of the joint to spare, all branches
-  double spacing = 0.06;  ///< metres and fifths of a radian between knots
+  double spacing = 0.06;  ///< between knots, metres; turns by metres_of_a_radian
 };
 
 struct Ladder {

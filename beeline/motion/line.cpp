@@ -83,12 +83,15 @@ LineMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
   TimedPlan timed =
       timed_plan(arm, route, plan, task,
                  {.law = options.law, .tool_speed = options.tool_speed, .rate = options.rate});
+  motion.status = timed.status;
   motion.reason = timed.reason;
-  if (motion.reason.empty()) {
+  if (motion.status == MotionStatus::reached) {
     const auto fault = first_joint_fault(arm, timed.trajectory);
-    if (fault && fault->kind == Fault::limits) motion.reason = fault->reason;
+    if (fault && fault->kind == Fault::limits) {
+      motion.status = MotionStatus::outside_limits;
+      motion.reason = fault->reason;
+    }
   }
-  if (!motion.reason.empty()) motion.status = MotionStatus::outside_limits;
   motion.trajectory = std::move(timed.trajectory);
   motion.places = std::move(timed.places);
   motion.limit_margin = plan.limit_margin;

@@ -1,4 +1,4 @@
-#include <array>
+#include <algorithm>
 
 #include <beeline/error.h>
 #include <beeline/motion/nearby_path.h>
@@ -57,7 +57,10 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
                                       const ToolPath& path, const BranchOptions& options,
                                       bool turns) {
   const bool first_stays = start.has_value();
-  if (first_stays && !std::holds_alternative<Line>(path.pieces.front())) return {};
+  const bool lines = std::all_of(path.pieces.begin(), path.pieces.end(), [](const Piece& piece) {
+    return std::holds_alternative<Line>(piece);
+  });
+  if (first_stays && !lines) return {};  // the next piece would no longer go on smoothly
   BranchOptions exact = options;
   exact.reasons = BranchOptions::Reasons::none;
   exact.progress = {};

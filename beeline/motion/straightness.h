@@ -62,9 +62,10 @@ struct Straightness {
   Deviation bound;     ///< proved: at no moment between samples, joints moving in proportion, more
 };
 
-/// `places[k]` is where on the path sample k is: pieces done, with a share of the next. Throws
-/// Error when sizes do not fit, for places that are not on the path in order, and what check_task()
-/// refuses.
+/// `places[k]` is where on the path sample k is: pieces done, with a share of the next. On lines
+/// the nearest point counts whatever the share; that they are gone to their ends verify() tells.
+/// Throws Error when sizes do not fit, for places that are not on the path in order, and what
+/// check_task() refuses.
 Straightness straightness(const Arm& arm, std::span<const Configuration> samples,
                           std::span<const double> places, const ToolPath& path, const Task& task);
 

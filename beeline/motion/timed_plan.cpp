@@ -37,36 +37,40 @@ void add(Stretch& stretch, const Followed& piece, double before) {
   stretch.places.back() = before + 1;  // also where what matters stands still
 }
 
-/// Returns why it has no times; empty when it has.
-std::string append(TimedPlan& timed, const Arm& arm, const ToolPath& path, const Stretch& stretch,
-                   const Task& task, const RetimeOptions& options) {
+/// Appends the stretch with its times, or says why it has none.
+void append(TimedPlan& timed, const Arm& arm, const ToolPath& path, const Stretch& stretch,
+            const Task& task, const RetimeOptions& options) {
   const std::size_t before = timed.trajectory.size();
   std::vector<double> places = stretch.places;
   const auto brought = [&](Trajectory& motion) {
     places = put_on_path(arm, path, task, places.front(), places.back(), motion);
   };
-  const std::string reason = append_timed(timed.trajectory, arm, stretch.samples, options, brought);
-  if (!reason.empty()) return reason;
+  timed.reason = append_timed(timed.trajectory, arm, stretch.samples, options, brought);
+  if (!timed.reason.empty()) {
+    timed.status = MotionStatus::outside_limits;
+    return;
+  }
   const std::size_t added = timed.trajectory.size() - before;
   if (added > 0 && added + 1 != places.size()) {
-    return "the joints stand still on a part of the way, which has no smooth time law";
+    timed.status = MotionStatus::not_converged;
+    timed.reason = "the joints stand still on a part of the way, which has no smooth time law";
+    return;
   }
   if (added > 0) timed.places.insert(timed.places.end(), places.begin() + 1, places.end());
   timed.places.back() = places.back();
-  return {};
 }
 
 }  // namespace
 
 TimedPlan timed_plan(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
                      const RetimeOptions& options) {
-  TimedPlan timed{{}, at_rest(arm, plan.start), {0}};
+  TimedPlan timed{.trajectory = at_rest(arm, plan.start), .places = {0}};
   Stretch stretch{{plan.start}, {0}};
   for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
     add(stretch, plan.pieces[i], static_cast<double>(i));
     if (i + 1 < plan.pieces.size() && !route.stops[i]) continue;
-    timed.reason = append(timed, arm, route.path, stretch, task, options);
-    if (!timed.reason.empty()) {
+    append(timed, arm, route.path, stretch, task, options);
+    if (timed.status != MotionStatus::reached) {
       timed.reason = "up to the end of piece " + std::to_string(i + 1) + ": " + timed.reason;
       return timed;
     }

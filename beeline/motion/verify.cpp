@@ -63,8 +63,9 @@ struct Verifier {
     bool met = false;
     for (; first + next < trajectory.size() && (last || !met || sizes.back() >= 0); ++next) {
       const Pose& tool = world_T_tool[first + next];
-      places.push_back(
-          nearest_place(route.path, task, tool, places.empty() ? begin : places.back(), end));
+      const double from = places.empty() ? begin : places.back();
+      places.push_back(line ? nearest_place(route.path, task, tool, from, end)
+                            : fitting_place(route.path, task, tool, from, end, tolerance));
       const Deviation off = task_deviation(task, goal, tool);
       const bool there = near(off) && (line || places.back() > closing);
       sizes.push_back(there ? std::max(off.position / tolerance.position,
@@ -169,7 +170,7 @@ struct Verifier {
   }
 
   /// Finds where the samples are, from stop to stop, and checks the ways between them.
-  void check_route() {
+  void follow_route() {
     const std::size_t pieces = route.path.pieces.size();
     result.path = route.path;
     result.places = {0};
@@ -217,7 +218,7 @@ Verification verify(const Arm& arm, const Trajectory& given, const Route& route,
   for (const Configuration& q : trajectory.positions) {
     verifier.world_T_tool.push_back(forward_kinematics(arm, q));
   }
-  verifier.check_route();
+  verifier.follow_route();
   constexpr std::size_t stencil = 3;  // samples by which a jerk is told before its cause
   const auto fault = first_joint_fault(arm, trajectory);
   if (fault) {

@@ -7,8 +7,7 @@
 namespace beeline {
 namespace {
 
-constexpr double stride = 1.0 / 32;      // of a piece
-constexpr double metres_a_radian = 0.2;  // as for splines, see path_through()
+constexpr double stride = 1.0 / 32;  // of a piece
 constexpr int most_newton_steps = 30;
 
 /// The rows that matter, turns in metres.
@@ -16,13 +15,13 @@ Twist weighted(const Task& task, Twist twist) {
   for (int i = 0; i < 6; ++i) {
     if (!task.rows[static_cast<std::size_t>(i)]) twist[i] = 0;
   }
-  twist.tail<3>() *= metres_a_radian;
+  twist.tail<3>() *= metres_of_a_radian;
   return twist;
 }
 
 double distance(const ToolPath& path, const Task& task, const Pose& pose, double place) {
   const Deviation off = task_deviation(task, pose_at(path, place), pose);
-  return std::hypot(off.position, metres_a_radian * off.orientation);
+  return std::hypot(off.position, metres_of_a_radian * off.orientation);
 }
 
 }  // namespace
@@ -58,6 +57,31 @@ double nearest_place(const ToolPath& path, const Task& task, const Pose& pose, d
     if (std::abs(place - before) <= 1e-15 * std::max(1.0, place)) break;
   }
   return distance(path, task, pose, place) <= least ? place : scanned;
+}
+
+double fitting_place(const ToolPath& path, const Task& task, const Pose& pose, double from,
+                     double to, const Deviation& tolerance) {
+  constexpr int looks = 16, thirds = 40;
+  const double nearest = nearest_place(path, task, pose, from, to);
+  const auto share = [&](double place) {
+    const Deviation off = task_deviation(task, pose_at(path, place), pose);
+    return std::max(off.position / tolerance.position, off.orientation / tolerance.orientation);
+  };
+  if (share(nearest) <= 1) return nearest;
+  double low = std::max(from, nearest - stride), high = std::min(to, nearest + stride);
+  double best = nearest;
+  const double step = (high - low) / looks;
+  for (int i = 0; i <= looks; ++i) {
+    if (share(low + i * step) < share(best)) best = low + i * step;
+  }
+  low = std::max(low, best - step), high = std::min(high, best + step);
+  for (int i = 0; i < thirds; ++i) {
+    const double third = (high - low) / 3;
+    const bool falls = share(low + third) > share(high - third);
+    (falls ? low : high) += falls ? third : -third;
+  }
+  best = (low + high) / 2;
+  return share(best) <= 1 ? best : nearest;
 }
 
 }  // namespace beeline

@@ -63,7 +63,7 @@ PieceMotion motion_at(const Piece& piece, double s);
 /// 80 points; about ten digits where the origin does not come to rest).
 double length_of(const Piece& piece);
 
-/// The piece gone from its end to its begin.
+/// The piece gone from its end to its begin; one that turns by exactly pi may turn the other way.
 Piece reversed(const Piece& piece);
 
 /// The piece turns about the world's z axis alone, and so moves planar arms.

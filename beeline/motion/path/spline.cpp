@@ -6,8 +6,6 @@
 namespace beeline {
 namespace {
 
-constexpr double metres_of_a_radian = 0.2;
-
 /// What leads from each knot to the next, position and turn, over which span of the parameter.
 struct Steps {
   std::vector<Twist> way;

@@ -22,6 +22,11 @@ PathKind path_kind_named(std::string_view name) {
   throw unknown_name("path", name, {kinds.begin(), kinds.end()});
 }
 
+Route route_of(ToolPath path, PathKind kind) {
+  const std::size_t pieces = path.pieces.size();
+  return {std::move(path), std::vector<bool>(pieces, kind != PathKind::spline)};
+}
+
 double span_of(const Line& line) {
   const Twist whole = pose_difference(line.to, line.from);
   return std::max(whole.head<3>().norm(), way_of_a_radian * whole.tail<3>().norm());
@@ -97,11 +102,6 @@ ToolPath lines_through(std::span<const Pose> given) {
     path.spans.push_back(span_of(line));
   }
   return path;
-}
-
-Route route_of(ToolPath path, PathKind kind) {
-  const std::size_t pieces = path.pieces.size();
-  return {std::move(path), std::vector<bool>(pieces, kind != PathKind::spline)};
 }
 
 ToolPath path_through(std::span<const Pose> given, PathKind kind, const SplineEnds& ends) {

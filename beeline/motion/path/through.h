@@ -21,6 +21,18 @@ struct ToolPath {
   std::vector<double> spans;  ///< about metres
 };
 
+/// Pieces, and where the tool comes to rest on them.
+struct Route {
+  ToolPath path;
+  std::vector<bool> stops;  ///< after each piece; the last is one whatever it says
+};
+
+/// Lines, screws and arcs stop where two of them meet; a spline goes through.
+Route route_of(ToolPath path, PathKind kind);
+
+/// Where a distance is to count for turns too: metres a radian.
+constexpr double metres_of_a_radian = 0.2;
+
 /// How a spline begins and ends: with a velocity (world axes, by the parameter: about metres and
 /// radians for each metre; zero: at rest), or else without acceleration.
 struct SplineEnds {
@@ -47,8 +59,8 @@ std::size_t piece_at(const ToolPath& path, double place);
 /// poses, of the first of which the position alone counts; a spline passes them all, its velocity
 /// and acceleration, angular ones too, continuous by the parameter.
 ///
-/// The spline's positions are cubic over the lengths of the chords, to which the turns are added as
-/// if a radian were 0.2 m (the root of the squares' sum). The shortest turns from each pose to the
+/// The spline's positions are cubic over the lengths of the chords, to which the turns are added by
+/// `metres_of_a_radian` (the root of the squares' sum). The shortest turns from each pose to the
 /// next, added up as vectors, have such a spline too: its velocities and accelerations are taken as
 /// angular ones at the poses. Between two poses the rotation vector from the orientation half-way
 /// between them is the polynomial of fifth degree that has them at both ends: like Park & Ravani,
@@ -73,14 +85,5 @@ std::vector<Pose> checked_waypoints(std::span<const Pose> waypoints);
 
 /// The same, and throws Error for fewer than two poses and where one repeats the one before it.
 std::vector<Pose> checked_path(std::span<const Pose> poses);
-
-/// Pieces, and where the tool comes to rest on them.
-struct Route {
-  ToolPath path;
-  std::vector<bool> stops;  ///< after each piece; the last is one whatever it says
-};
-
-/// Lines, screws and arcs stop where two of them meet; a spline goes through.
-Route route_of(ToolPath path, PathKind kind);
 
 }  // namespace beeline

@@ -35,7 +35,8 @@ class ClockProblem {
   std::size_t blocks() const { return moments_.size() / lanes; }
   /// The first step of a block.
   std::size_t first_step(std::size_t block) const { return first_steps_[block]; }
-  /// How many coefficients the blocks reach, those past the clock's end too: these are one.
+  /// How many coefficients the blocks reach, those past the clock's end too: these are one, and
+  /// with them what ends the clock has to be positive.
   std::size_t coefficients() const { return first_steps_.back() + lanes + 2; }
   /// How many multipliers the limits have. In eights for each block: of b's largest value, then of
   /// each joint the acceleration's upper and lower one and the jerk's.

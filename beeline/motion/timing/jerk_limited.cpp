@@ -69,6 +69,7 @@ double slower(QuinticMotion& motion, const ClockSpline& clock) {
     const auto look_at = [&](double t) {
       const ClockMoment& moment = motion.at(t);
       const ClockRate rate = first.after(t - begin);
+      if (!(rate.b > 0)) velocity = Limits::none;  // a clock that stops is none
       const double root = std::sqrt(rate.b);
       velocity = std::max(velocity, rate.b * moment.inverse_most);
       for (std::size_t i = 0; i < moment.jerk.size(); ++i) {
