@@ -63,8 +63,7 @@ Exit check(const Arguments& arguments) {
   options.task = arguments.task.read(arm);
   if (trajectory.size() == 0) throw FileError(arguments.trajectory, 0, "has no samples");
   const Pose begin = forward_kinematics(arm, trajectory.positions.front());
-  const Route route = arguments.path.from(begin, waypoints.poses, *options.task,
-                                          {options.tolerance, options.orientation_tolerance});
+  const Route route = arguments.path.from(begin, waypoints.poses, *options.task);
   const Verification found = verify(arm, trajectory, route, options);
   const bool passed = found.fault == Fault::none;
   if (!arguments.plot.empty()) draw_plot(arguments, arm, trajectory, found, options);

@@ -53,10 +53,8 @@ LineReport follow_exactly(const Arguments& arguments, const Arm& arm,
   if (!arguments.law.empty()) options.law = law_named(arguments.law);
   options.progress = [&progress](double share) { progress.show(share); };
   options.suggest = true;
-  constexpr Deviation there{1e-9, 1e-9};
-  const Route route = start
-                          ? arguments.path.from(forward_kinematics(arm, *start), poses, task, there)
-                          : arguments.path.through(poses);
+  const Route route = start ? arguments.path.from(forward_kinematics(arm, *start), poses, task)
+                            : arguments.path.through(poses);
   LineMotion motion = move_along(arm, start, route, options);
   const Deviation tolerance{options.tolerance, options.orientation_tolerance};
   LineReport report;

@@ -29,9 +29,18 @@ Route PathArgument::through(std::span<const Pose> poses) const {
   return route_of(straight() ? lines_through(poses) : path_through(poses, path), path);
 }
 
-Route PathArgument::from(const Pose& tool, std::vector<Pose> poses, const Task& task,
-                         const Deviation& near) const {
-  const bool there = !straight() && within(task_deviation(task, poses.front(), tool), near);
-  if (!there) poses.insert(poses.begin(), tool);
+Route PathArgument::from(const Pose& tool, std::vector<Pose> poses, const Task& task) const {
+  constexpr Deviation there{1e-5, 1e-5};  // what joint values of six digits leave
+  const Deviation off = task_deviation(task, poses.front(), tool);
+  if (!straight() && within(off, there)) {
+    poses.front() = tool;
+    return through(poses);
+  }
+  if (path_kind_named(kind) == PathKind::arc && poses.size() % 2 == 1) {
+    throw Error("the arm begins " + number(off.position) + " m and " + angle(off.orientation) +
+                " away from the first pose, so that it counts as one more: arcs then need an even "
+                "number of poses in the file");
+  }
+  poses.insert(poses.begin(), tool);
   return through(poses);
 }

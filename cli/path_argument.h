@@ -19,8 +19,8 @@ struct PathArgument {
   bool straight() const;
   /// Throws Error for what does not go together, and poses that do not make such a path.
   beeline::Route through(std::span<const beeline::Pose> poses) const;
-  /// The same from the tool's pose on, which is one more unless the first is as near to it as this;
-  /// for straight lines it always is.
+  /// The same from the tool's pose on: instead of the first where that is no more than 1e-5 m and
+  /// rad away, else before it, as for straight lines always.
   beeline::Route from(const beeline::Pose& tool, std::vector<beeline::Pose> poses,
-                      const beeline::Task& task, const beeline::Deviation& near) const;
+                      const beeline::Task& task) const;
 };

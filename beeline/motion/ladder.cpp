@@ -7,6 +7,7 @@
 #include <beeline/motion/ladder.h>
 #include <beeline/motion/redundancy.h>
 #include <beeline/motion/straightness.h>
+#include <beeline/motion/timing/spline.h>
 #include <beeline/motion/timing/trajectory.h>
 
 namespace beeline {
@@ -228,30 +229,34 @@ Ladder ladder(const Arm& arm, const ToolPath& path, const LadderOptions& options
   return result;
 }
 
-KnotSpline::KnotSpline(const std::vector<Knot>& knots, const ToolPath& path) : path_(path) {
+KnotSpline::KnotSpline(const std::vector<Knot>& knots, const ToolPath& path)
+    : path_(path), first_(knots.front().q) {
+  std::vector<double> ways;
+  std::vector<Configuration> q;
+  const auto end_part = [&] {
+    if (ways.size() > 1) parts_.push_back(joint_spline(q, ways));
+    ways = {ways.back()};
+    q = {q.back()};
+  };
   for (const Knot& knot : knots) {
     const double way = way_to(path, knot.place);
-    if (!ways_.empty() && !(way > ways_.back())) continue;
-    ways_.push_back(way);
-    q_.push_back(knot.q);
+    if (!ways.empty() && !(way > ways.back())) continue;
+    ways.push_back(way);
+    q.push_back(knot.q);
+    if (corner_at(path, knot.place)) end_part();
   }
-  for (std::size_t i = 0; i < q_.size(); ++i) {
-    const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, q_.size() - 1);
-    slopes_.emplace_back(Configuration::Zero(q_[i].size()));
-    if (after > before) slopes_[i] = (q_[after] - q_[before]) / (ways_[after] - ways_[before]);
-  }
+  end_part();
 }
 
 Configuration KnotSpline::at(double place) const {
+  if (parts_.empty()) return first_;
   const double way = way_to(path_, place);
-  if (way <= ways_.front()) return q_.front();
-  if (way >= ways_.back()) return q_.back();
-  const auto next = std::upper_bound(ways_.begin(), ways_.end(), way);
-  const auto b = static_cast<std::size_t>(next - ways_.begin()), a = b - 1;
-  const double h = ways_[b] - ways_[a], t = (way - ways_[a]) / h;
-  const double t2 = t * t, t3 = t2 * t;
-  return (2 * t3 - 3 * t2 + 1) * q_[a] + (t3 - 2 * t2 + t) * h * slopes_[a] +
-         (3 * t2 - 2 * t3) * q_[b] + (t3 - t2) * h * slopes_[b];
+  const auto begins_after = [](double w, const JointPath& part) { return w < part.s.front(); };
+  auto part = std::upper_bound(parts_.begin() + 1, parts_.end(), way, begins_after) - 1;
+  const auto next = std::upper_bound(part->s.begin() + 1, part->s.end() - 1, way);
+  const auto k = static_cast<std::size_t>(next - part->s.begin()) - 1;
+  const double share = (way - part->s[k]) / (part->s[k + 1] - part->s[k]);
+  return path_point(*part, k, std::clamp(share, 0.0, 1.0)).q;
 }
 
 }  // namespace beeline

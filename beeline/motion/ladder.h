@@ -5,6 +5,7 @@
 
 #include <beeline/kinematics/task.h>
 #include <beeline/motion/path/through.h>
+#include <beeline/motion/timing/joint_path.h>
 
 namespace beeline {
 
@@ -34,8 +35,8 @@ struct Ladder {
 /// arm can follow is not proved by this: see follow().
 Ladder ladder(const Arm& arm, const ToolPath& path, const LadderOptions& options);
 
-/// The knots' spline at a place, for follow() to keep near: cubic by the way (way_to()), so that it
-/// has no kink where a piece ends.
+/// The knots' spline at a place, for follow() to keep near: cubic by the way (way_to()), with
+/// continuous curvature (joint_spline()) but where the path has a corner.
 class KnotSpline {
  public:
   KnotSpline(const std::vector<Knot>& knots, const ToolPath& path);
@@ -43,8 +44,8 @@ class KnotSpline {
 
  private:
   ToolPath path_;
-  std::vector<double> ways_;
-  std::vector<Configuration> q_, slopes_;
+  Configuration first_;
+  std::vector<JointPath> parts_;  ///< from corner to corner
 };
 
 }  // namespace beeline

@@ -6,6 +6,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/motion/joint_faults.h>
 #include <beeline/motion/line.h>
+#include <beeline/motion/line_step.h>
 #include <beeline/motion/plan.h>
 #include <beeline/motion/timed_plan.h>
 
@@ -119,7 +120,8 @@ void prove(const Arm& arm, const Route& route, const Task& task, const LineOptio
 LineMotion move(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
                 const LineOptions& options) {
   const Task task = options.task.value_or(default_task(arm));
-  const double share = options.rate > 0 ? finer : margin;
+  // Samples that have to be close for the bound already make a close spline.
+  const double share = options.rate > 0 && !bound_is_linear(arm, task) ? finer : margin;
   const BranchOptions planning{
       .task = task,
       .tolerance = {share * options.tolerance, share * options.orientation_tolerance},

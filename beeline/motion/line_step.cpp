@@ -71,6 +71,11 @@ double with_row_free(double ends, double turned, double line_turned, double angl
 
 }  // namespace
 
+bool bound_is_linear(const Arm& arm, const Task& task) {
+  const bool flat = arm.planar() && turns_within_rows(task, Vector3::UnitZ());
+  return turning_rows(task) || (task.orientations() == 1 && !flat);
+}
+
 // Let s_a and s_b be the nearest fractions at the ends, s' the one in proportion between them.
 // First comes a bound on the deviation from the line's point at s', then one on how far s' is from
 // nearest.

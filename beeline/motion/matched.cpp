@@ -60,9 +60,10 @@ void check_matched(const Arm& arm, const Piece& piece, const Task& task) {
   const bool whole =
       turns % 3 == 0 || (task.rows[5] && task.frame == Frame::base && planar(arm, piece));
   if (task.frame == Frame::space || !whole || (positions % 3 != 0 && task.frame != Frame::base)) {
-    throw Error("the task " + name(task) +
-                " is followed along straight lines alone: other pieces need all position rows or "
-                "none, and all orientation rows or none; a planar arm its rows in the plane");
+    throw Error(
+        "the task " + name(task) +
+        " is followed along straight lines alone: other pieces need all orientation rows or "
+        "none, and position rows in the base's axes; a planar arm its rows in the plane");
   }
 }
 

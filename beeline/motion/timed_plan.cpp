@@ -1,33 +1,41 @@
+#include <algorithm>
+
 #include <beeline/inverse/descent/numerical.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/motion/path/nearest.h>
 #include <beeline/motion/timed_plan.h>
 #include <beeline/motion/timed_samples.h>
+#include <beeline/motion/timing/spline.h>
 
 namespace beeline {
 namespace {
-
-/// The samples at equal times are on the spline through the exact ones: each but the first and the
-/// last is brought onto the path. Returns their places, from that of the first on.
-std::vector<double> put_on_path(const Arm& arm, const ToolPath& path, const Task& task,
-                                double begin, double end, Trajectory& timed) {
-  const Bounds bounds = bounds_of(arm);
-  std::vector<double> places{begin};
-  for (std::size_t k = 1; k + 1 < timed.size(); ++k) {
-    Configuration& q = timed.positions[k];
-    places.push_back(nearest_place(path, task, forward_kinematics(arm, q), places.back(), end));
-    const Descent found = descend(arm, pose_at(path, places.back()), task, bounds, q);
-    if (found.converged) q = found.q;
-  }
-  places.push_back(end);
-  return places;
-}
 
 /// What the arm does from one stop to the next.
 struct Stretch {
   std::vector<Configuration> samples;
   std::vector<double> places;
 };
+
+/// The samples at equal times are on the spline through the stretch's exact ones, so far on the way
+/// along these: each but the first and the last is brought onto the path. Returns their places.
+std::vector<double> put_on_path(const Arm& arm, const ToolPath& path, const Task& task,
+                                const Stretch& exact, std::span<const double> ways,
+                                Trajectory& timed) {
+  const Bounds bounds = bounds_of(arm);
+  const std::vector<double> passed = chord_length(exact.samples);
+  std::vector<double> places{exact.places.front()};
+  for (std::size_t k = 1; k + 1 < timed.size(); ++k) {
+    const auto next = std::upper_bound(passed.begin() + 1, passed.end() - 1, ways[k]);
+    const auto i = static_cast<std::size_t>(next - passed.begin());
+    const double from = std::max(exact.places[i - 1], places.back()), to = exact.places[i];
+    Configuration& q = timed.positions[k];
+    places.push_back(nearest_place(path, task, forward_kinematics(arm, q), from, to));
+    const Descent found = descend(arm, pose_at(path, places.back()), task, bounds, q);
+    if (found.converged) q = found.q;
+  }
+  places.push_back(exact.places.back());
+  return places;
+}
 
 void add(Stretch& stretch, const Followed& piece, double before) {
   for (std::size_t k = 1; k < piece.samples.size(); ++k) {
@@ -42,8 +50,8 @@ void append(TimedPlan& timed, const Arm& arm, const ToolPath& path, const Stretc
             const Task& task, const RetimeOptions& options) {
   const std::size_t before = timed.trajectory.size();
   std::vector<double> places = stretch.places;
-  const auto brought = [&](Trajectory& motion) {
-    places = put_on_path(arm, path, task, places.front(), places.back(), motion);
+  const auto brought = [&](Trajectory& motion, std::span<const double> ways) {
+    places = put_on_path(arm, path, task, stretch, ways, motion);
   };
   timed.reason = append_timed(timed.trajectory, arm, stretch.samples, options, brought);
   if (!timed.reason.empty()) {

@@ -29,8 +29,8 @@ Trajectory only_samples(const Trajectory& timed, std::span<const Configuration> 
 
 std::string append_timed(Trajectory& trajectory, const Arm& arm,
                          std::span<const Configuration> samples, const RetimeOptions& options,
-                         const std::function<void(Trajectory&)>& brought) {
-  constexpr int most_attempts = 4;    // to find how much slower samples at a rate have to be
+                         const std::function<void(Trajectory&, std::span<const double>)>& brought) {
+  constexpr int most_attempts = 8;    // to find how much slower samples at a rate have to be
   constexpr double rounding = 1e-11;  // what retime() does not take for a motion is a tenth of it
   const bool moves = std::any_of(samples.begin(), samples.end(), [&](const Configuration& q) {
     return (q - samples.front()).lpNorm<Eigen::Infinity>() > rounding;
@@ -46,7 +46,7 @@ std::string append_timed(Trajectory& trajectory, const Arm& arm,
     const Retimed timed = retime(arm, way, retiming);
     if (!timed.found()) return timed.reason;
     motion = options.rate > 0 ? timed.trajectory : only_samples(timed.trajectory, samples);
-    if (options.rate > 0 && brought) brought(motion);
+    if (options.rate > 0 && brought) brought(motion, timed.ways);
     const double slower = std::max(paced ? largest_tool_speed(arm, motion) / options.tool_speed : 1,
                                    slower_by_positions(arm, motion, keeps_jerk(timed.law)));
     if (options.rate > 0 && slower > 1 && left > 1) {  // so that the samples keep the rate

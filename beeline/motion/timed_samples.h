@@ -11,11 +11,13 @@ namespace beeline {
 /// them: from rest to rest, as retime() does along the spline through them, and slower where their
 /// own positions (slower_by_positions()) or the tool's speed between them need it. Every sample
 /// stays as it is, and no other comes between; but with options.rate samples at equal times take
-/// their place, which `brought` may move, to where they belong. Where nothing moves nothing is
-/// appended. Returns why there is no such motion; empty when it was appended.
-std::string append_timed(Trajectory& trajectory, const Arm& arm,
-                         std::span<const Configuration> samples, const RetimeOptions& options,
-                         const std::function<void(Trajectory&)>& brought = {});
+/// their place, which `brought` may move to where they belong; it is told Retimed::ways. Where
+/// nothing moves nothing is appended. Returns why there is no such motion; empty when it was
+/// appended.
+std::string append_timed(
+    Trajectory& trajectory, const Arm& arm, std::span<const Configuration> samples,
+    const RetimeOptions& options,
+    const std::function<void(Trajectory&, std::span<const double>)>& brought = {});
 
 /// Makes a motion last longer by a factor; one below 1 changes nothing.
 void slow_down(Trajectory& motion, double factor);

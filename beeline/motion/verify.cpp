@@ -26,6 +26,14 @@ struct Verifier {
 
   bool near(const Deviation& deviation) const { return within(deviation, tolerance); }
 
+  /// All of the piece is near its end.
+  bool hardly_moves(const Piece& piece) const {
+    const auto there = [&](double s) {
+      return near(task_deviation(task, pose_at(piece, s), pose_at(piece, 1)));
+    };
+    return there(0) && there(0.25) && there(0.5) && there(0.75);
+  }
+
   /// "line 2", "piece 2".
   std::string name_of(std::size_t i) const {
     const bool line = std::holds_alternative<Line>(route.path.pieces[i]);
@@ -55,9 +63,7 @@ struct Verifier {
     const Pose goal = pose_at(route.path.pieces[piece], 1);
     const bool line = begin == end - 1 && std::holds_alternative<Line>(route.path.pieces[piece]);
     double closing = end - 0.5;  // a way may close: its end counts from here on
-    for (std::size_t i = piece + 1; i-- > 0 && stands_still(route.path.pieces[i], task);) {
-      closing -= 1;
-    }
+    for (std::size_t i = piece + 1; i-- > 0 && hardly_moves(route.path.pieces[i]);) closing -= 1;
     std::vector<double> places, sizes;  // of the deviation from the goal; -1: not there
     std::size_t next = 0;
     bool met = false;
@@ -101,9 +107,15 @@ struct Verifier {
 
   bool check_sample(std::size_t k, double place) {
     const std::size_t i = piece_at(route.path, place);
+    const Piece& piece = route.path.pieces[i];
     const double s = place - static_cast<double>(i);
-    return check_sample(k, deviation_from(route.path.pieces[i], s, world_T_tool[k], task),
-                        name_of(i));
+    const Deviation off = deviation_from(piece, s, world_T_tool[k], task);
+    if (!check_sample(k, off, name_of(i))) return false;
+    const Deviation back = task_deviation(task, pose_at(piece, s), world_T_tool[k]);
+    if (near(back)) return true;  // else it is on the line, but not so far as it has been
+    fail(Fault::deviation, k,
+         "the tool goes back on " + name_of(i) + " by " + metres_and_radians(back));
+    return false;
   }
 
   /// The step from sample k to the next, or the part of it that is on one piece.

@@ -28,7 +28,7 @@ struct Verification {
 
 /// Whether a trajectory, whoever made it, moves the tool all along the route and keeps the arm's
 /// limits, joints in proportion between samples: proved from its numbers alone. Which sample is
-/// where on the route is found out; the tool may not go back on a way other than a line. The first
+/// where on the route is found out; the tool may not go back on its way. The first
 /// fault in time is told. Velocities, accelerations and jerks are told by the positions' divided
 /// differences: a smooth motion through the samples that keeps a limit passes, whatever its rate.
 /// Between samples with velocities the cubic that these make must stay within the position limits

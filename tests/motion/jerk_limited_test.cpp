@@ -76,7 +76,8 @@ TEST(JerkLimited, KeepsAllLimitsOnDenseSamples) {
     if (i % 3 == 1) limits.velocity[0] = Limits::none;
     if (i % 3 == 2) limits.acceleration[0] = Limits::none;
     const PathLaw law = jerk_limited(path, limits);
-    const auto [names, t, q, v, a] = at_rate({{path, law}}, 2e4 / law.duration());
+    std::vector<double> ways;
+    const auto [names, t, q, v, a] = at_rate({{path, law}}, 2e4 / law.duration(), ways);
     for (std::size_t k = 1; k < t.size(); ++k) {
       const double dt = t[k] - t[k - 1];
       ASSERT_LE(share(v[k], limits.velocity), 1 + 5e-3);

@@ -147,6 +147,18 @@ TEST(NearestPlace, FindsTheSamplesOfAWay) {
   }
 }
 
+TEST(CornerAt, IsWhereLinesMeetAndNotWhereASplineGoesOn) {
+  Random random;
+  const std::vector<Pose> poses = testing::random_poses(random, 4, 1, 1);
+  const ToolPath lines = lines_through(poses), spline = path_through(poses, PathKind::spline);
+  const ToolPath rounded = rounded_lines(poses, {0.01, 0.1}).path;
+  for (const double place : {0.0, 0.5, 1.0, 2.0, 3.0}) {
+    EXPECT_EQ(corner_at(lines, place), place == 1 || place == 2);
+    EXPECT_FALSE(corner_at(spline, place));
+    EXPECT_FALSE(corner_at(rounded, place));
+  }
+}
+
 TEST(Reversed, IsTheSamePathFromItsEnd) {
   Random random;
   for (int i = 0; i < 50; ++i) {

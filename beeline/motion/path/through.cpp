@@ -49,6 +49,15 @@ double way_to(const ToolPath& path, double place) {
   return way;
 }
 
+bool corner_at(const ToolPath& path, double place) {
+  constexpr double rounding = 1e-6;
+  const auto i = static_cast<std::size_t>(place);
+  if (place != std::floor(place) || i == 0 || i >= path.pieces.size()) return false;
+  const Twist before = motion_at(path.pieces[i - 1], 1).velocity / path.spans[i - 1];
+  const Twist after = motion_at(path.pieces[i], 0).velocity / path.spans[i];
+  return !((after - before).norm() <= rounding * before.norm());
+}
+
 ToolPath reversed(const ToolPath& path) {
   ToolPath back{{}, {path.spans.rbegin(), path.spans.rend()}};
   for (auto piece = path.pieces.rbegin(); piece != path.pieces.rend(); ++piece) {

@@ -52,6 +52,9 @@ double way_to(const ToolPath& path, double place);
 /// The path gone from its end to its begin.
 ToolPath reversed(const ToolPath& path);
 
+/// Whether the tool's velocity, by the parameter, jumps at the place, as it does where lines meet.
+bool corner_at(const ToolPath& path, double place);
+
 /// The piece that a place is on, of two the one that ends there.
 std::size_t piece_at(const ToolPath& path, double place);
 

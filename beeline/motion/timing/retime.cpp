@@ -129,10 +129,11 @@ void slow_down(PathLaw& law, double factor) {
   for (double& a : law.acceleration) a /= factor * factor;
 }
 
-Trajectory sampled(const Arm& arm, const std::vector<TimedPath>& motions, double rate) {
+Trajectory sampled(const Arm& arm, const std::vector<TimedPath>& motions, double rate,
+                   std::vector<double>& ways) {
   Trajectory trajectory;
   if (rate > 0) {
-    trajectory = at_rate(motions, rate);
+    trajectory = at_rate(motions, rate, ways);
   } else {
     for (const TimedPath& motion : motions) {
       append_points(trajectory, motion, longest_gap * motion.law.duration());
@@ -222,7 +223,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
       // A little more, as other samples than before may then be the worst.
       if (i > 0) slow_down(motion.law, 1 + 1.1 * (factor - 1));
     }
-    timed.trajectory = sampled(arm, motions, options.rate);
+    timed.trajectory = sampled(arm, motions, options.rate, timed.ways);
     measure(arm, timed);
     factor = slower(timed, options);
   }

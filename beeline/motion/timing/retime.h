@@ -39,6 +39,9 @@ struct Retimed {
   Law law = Law::fastest;
   std::string reason;         ///< why there is no motion; empty when there is
   Trajectory trajectory;      ///< empty when there is none
+  /// With a rate, of each sample: how far it is on the way along the straight joint lines from
+  /// position to position (chord_length()).
+  std::vector<double> ways;
   LimitCheck limits;          ///< of the trajectory, against the arm's own limits
   double tool_speed = 0;      ///< the largest at the samples and between, metres per second
   std::size_t stretches = 0;  ///< between which the motion stands still

@@ -39,16 +39,17 @@ class Writer {
  public:
   Writer(Trajectory& trajectory, const JointPath& path) : trajectory_(trajectory), path_(path) {}
 
-  /// Times must not go back.
-  void write(double t, const Progress& now) {
+  /// Times must not go back. Returns whether it was written.
+  bool write(double t, const Progress& now) {
     while (step_ + 2 < path_.size() && path_.s[step_ + 1] <= now.s) ++step_;
-    if (!trajectory_.times.empty() && !(t > trajectory_.times.back())) return;
+    if (!trajectory_.times.empty() && !(t > trajectory_.times.back())) return false;
     PathPoint place = place_of(now.s);
     trajectory_.times.push_back(t);
     trajectory_.positions.push_back(std::move(place.q));
     trajectory_.velocities.push_back(now.speed * place.dq);
     trajectory_.accelerations.push_back(now.acceleration * place.dq +
                                         now.speed * now.speed * place.ddq);
+    return true;
   }
 
  private:
@@ -83,10 +84,11 @@ void append_points(Trajectory& trajectory, const TimedPath& motion, double gap) 
   }
 }
 
-Trajectory at_rate(const std::vector<TimedPath>& motions, double rate) {
+Trajectory at_rate(const std::vector<TimedPath>& motions, double rate, std::vector<double>& ways) {
   Trajectory trajectory;
+  ways.clear();
   const double hair = 1e-6 / rate;  // a time this near to the end is the end
-  double begin = 0, count = 0;
+  double begin = 0, count = 0, way = 0;
   for (const TimedPath& motion : motions) {
     const PathLaw& law = motion.law;
     Writer writer(trajectory, motion.path);
@@ -96,10 +98,11 @@ Trajectory at_rate(const std::vector<TimedPath>& motions, double rate) {
     for (; count / rate < end - (last ? hair : 0); ++count) {
       const double t = count / rate - begin;
       while (k + 2 < law.t.size() && law.t[k + 1] <= t) ++k;
-      const bool at_point = t <= law.t[k];
-      writer.write(count / rate, at_point ? point(law, k) : progress(law, k, t - law.t[k]));
+      const Progress now = t <= law.t[k] ? point(law, k) : progress(law, k, t - law.t[k]);
+      if (writer.write(count / rate, now)) ways.push_back(way + now.s - law.s.front());
     }
-    if (last) writer.write(end, point(law, law.t.size() - 1));
+    way += law.s.back() - law.s.front();
+    if (last && writer.write(end, point(law, law.t.size() - 1))) ways.push_back(way);
     begin = end;
   }
   return trajectory;

@@ -16,7 +16,8 @@ struct TimedPath {
 /// law, and more where `gap` seconds would pass between two.
 void append_points(Trajectory& trajectory, const TimedPath& motion, double gap);
 
-/// The motions one after the other at `rate` samples a second, and the end of the last one.
-Trajectory at_rate(const std::vector<TimedPath>& motions, double rate);
+/// The motions one after the other at `rate` samples a second, and the end of the last one; `ways`
+/// gets the path's parameter at each sample, counted on from motion to motion.
+Trajectory at_rate(const std::vector<TimedPath>& motions, double rate, std::vector<double>& ways);
 
 }  // namespace beeline
