@@ -30,10 +30,10 @@ Route PathArgument::through(std::span<const Pose> poses) const {
 }
 
 Route PathArgument::from(const Pose& tool, std::vector<Pose> poses, const Task& task) const {
-  constexpr Deviation there{1e-5, 1e-5};  // what joint values of six digits leave
+  constexpr Deviation rounding{1e-9, 1e-9}, there{1e-5, 1e-5};  // as joint values of six digits
   const Deviation off = task_deviation(task, poses.front(), tool);
   if (!straight() && within(off, there)) {
-    poses.front() = tool;
+    if (!within(off, rounding)) poses.front() = tool;
     return through(poses);
   }
   if (path_kind_named(kind) == PathKind::arc && poses.size() % 2 == 1) {

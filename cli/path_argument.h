@@ -19,8 +19,9 @@ struct PathArgument {
   bool straight() const;
   /// Throws Error for what does not go together, and poses that do not make such a path.
   beeline::Route through(std::span<const beeline::Pose> poses) const;
-  /// The same from the tool's pose on: instead of the first where that is no more than 1e-5 m and
-  /// rad away, else before it, as for straight lines always.
+  /// The same from the tool's pose on, which is put before the first; for straight lines always,
+  /// for others unless that is no more than 1e-5 m and rad away, as far as the task asks. Then it
+  /// takes the first one's place, but for what is rounding.
   beeline::Route from(const beeline::Pose& tool, std::vector<beeline::Pose> poses,
                       const beeline::Task& task) const;
 };

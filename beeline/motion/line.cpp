@@ -149,10 +149,12 @@ LineMotion move(const Arm& arm, const std::optional<Configuration>& start, const
   LineMotion none;
   none.status = motion.status;
   none.reason = motion.reason;
+  BranchOptions looking = planning;  // without the samples that only a rate needs
+  looking.tolerance = {margin * options.tolerance, margin * options.orientation_tolerance};
   for (const bool turns : {false, true}) {
     const bool quick = arm.dof() <= task.size() + 1;  // else each look takes long
     if (!options.suggest || !quick || plan.status == MotionStatus::reached) break;
-    auto near = nearby_path(arm, start, route.path, planning, turns);
+    auto near = nearby_path(arm, start, route.path, looking, turns);
     if (near) none.nearby.push_back(std::move(*near));
   }
   return none;
