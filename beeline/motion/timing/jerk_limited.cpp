@@ -3,6 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/motion/timing/clock_barrier.h>
+#include <beeline/motion/timing/fastest.h>
 #include <beeline/motion/timing/jerk_limited.h>
 #include <beeline/motion/timing/quintic_motion.h>
 #include <beeline/motion/timing/scalar_law.h>
@@ -17,6 +18,10 @@ constexpr double nearest = 0.3;          // of a step: how near knots may be
 constexpr double room = 0.7;             // of what limits of velocity leave to b, at the begin
 constexpr double side = 1e-6;            // of a step: how far beside grid points one looks
 constexpr double distinct = 0.05;        // of a step: knots nearer to a grid point are no places
+constexpr double slow = 1.3;             // of the fastest law's duration: what stops may better
+constexpr double shallowest = 0.5;       // of the speed on both sides, where to stop may do good
+constexpr double alike = 2;              // times: two such shares
+constexpr int most_halvings = 8;
 
 /// Where the path makes the jerk jump, as the clock can follow that at its knots; in between times
 /// a like way apart.
@@ -145,6 +150,78 @@ PathLaw law_of(QuinticMotion& motion, const ClockSpline& clock) {
   return law;
 }
 
+PathLaw without_a_stop(const JointPath& path, const PathLimits& limits) {
+  PathLaw quintic = scalar_law(ScalarForm::quintic, path, limits);
+  QuinticMotion motion(path, limits, quintic);
+  PathLaw law = law_of(motion, quick_clock(motion));
+  return law.duration() < quintic.duration() ? law : quintic;
+}
+
+/// The grid point at which a stop costs little, as the fastest law is slow there and quicker on
+/// both sides: of the valleys of its speed that are nearly as deep as the deepest, the one nearest
+/// to the middle, which leaves the fewest points to both parts. 0: there is none.
+std::size_t tightest(const std::vector<double>& speed) {
+  const std::size_t points = speed.size();
+  std::vector<double> depth(points, 1);  // speed as a share of what is reached on both sides
+  double most = 0, least = shallowest;
+  for (std::size_t k = 0; k < points; depth[k++] = most) most = std::max(most, speed[k]);
+  most = 0;
+  for (std::size_t k = points - 1; k > 0; --k) {
+    most = std::max(most, speed[k]);
+    depth[k] = speed[k] / std::min(depth[k], most);
+    if (k + 1 < points) least = std::min(least, depth[k]);
+  }
+  const auto aside = [&](std::size_t k) { return std::max(k, points - 1 - k); };
+  std::size_t best = 0;
+  for (std::size_t k = 1; k + 1 < points; ++k) {
+    const bool bottom = speed[k] <= speed[k - 1] && speed[k] <= speed[k + 1];
+    if (bottom && depth[k] <= alike * least && aside(k) < aside(best)) best = k;
+  }
+  return best;
+}
+
+/// From one grid point of the path to another.
+struct Part {
+  JointPath path;
+  PathLimits limits;
+};
+Part part_of(const JointPath& path, const PathLimits& limits, std::size_t from, std::size_t to) {
+  const auto cut = [&](auto& column) {
+    using Column = std::decay_t<decltype(column)>;
+    return Column(column.begin() + std::ptrdiff_t(from), column.begin() + std::ptrdiff_t(to) + 1);
+  };
+  Part part{{cut(path.s), cut(path.q), cut(path.dq), cut(path.ddq)}, limits};
+  if (!limits.speed.empty()) part.limits.speed = cut(limits.speed);
+  return part;
+}
+
+void append(PathLaw& law, const PathLaw& next) {
+  const double begin = law.duration();
+  for (std::size_t k = 1; k < next.s.size(); ++k) {
+    law.s.push_back(next.s[k]);
+    law.t.push_back(begin + next.t[k]);
+    law.speed.push_back(next.speed[k]);
+    law.acceleration.push_back(next.acceleration[k]);
+  }
+}
+
+/// The quickest that is found with stops on the way, if at all: as many as `halvings` of the path
+/// and of its parts lead to.
+PathLaw with_stops(const JointPath& path, const PathLimits& limits, int halvings) {
+  PathLaw law = without_a_stop(path, limits);
+  if (halvings == 0) return law;
+  const PathLaw quickest = fastest(path, limits);
+  if (law.duration() < slow * quickest.duration()) return law;
+  const std::size_t stop = tightest(quickest.speed);
+  if (stop == 0) return law;
+  const Part first = part_of(path, limits, 0, stop);
+  const Part second = part_of(path, limits, stop, path.size() - 1);
+  PathLaw parts = with_stops(first.path, first.limits, halvings - 1);
+  if (parts.duration() > law.duration()) return law;
+  append(parts, with_stops(second.path, second.limits, halvings - 1));
+  return parts.duration() < law.duration() ? parts : law;
+}
+
 }  // namespace
 
 PathLaw jerk_limited(const JointPath& path, const PathLimits& limits) {
@@ -153,10 +230,7 @@ PathLaw jerk_limited(const JointPath& path, const PathLimits& limits) {
   if (!limits.jerk.array().isFinite().any()) {
     throw Error("a law that keeps limits of jerk needs some: none of the joints has one");
   }
-  PathLaw quintic = scalar_law(ScalarForm::quintic, path, limits);
-  QuinticMotion motion(path, limits, quintic);
-  PathLaw law = law_of(motion, quick_clock(motion));
-  return law.duration() < quintic.duration() ? law : quintic;
+  return with_stops(path, limits, most_halvings);
 }
 
 }  // namespace beeline
