@@ -159,6 +159,28 @@ void measure(const Arm& arm, Retimed& timed) {
   }
 }
 
+/// Samples the motions, slowed down until the samples keep the limits. Samples at a rate fall on
+/// other places each time, and others may then be the worst: a little more than these tell, and
+/// more with each pass, though at most as much again as all passes before. So it ends before the
+/// motion is slowed down twice as much as would do at any rate.
+void settle(const Arm& arm, Retimed& timed, std::vector<TimedPath>& motions,
+            const RetimeOptions& options) {
+  constexpr double rounding = 1e-12;
+  double excess = 0;  // of all passes
+  double more = 1.1;
+  for (int pass = 0; pass < 100; ++pass, more *= 2) {
+    timed.trajectory = sampled(arm, motions, options.rate, timed.ways);
+    measure(arm, timed);
+    const double left = slower(timed, options) - 1;
+    if (!(left > rounding)) return;
+    const double step = std::max(1.1 * left, std::min(more * left, excess));
+    for (TimedPath& motion : motions) slow_down(motion.law, 1 + step);
+    excess += (1 + excess) * step;
+  }
+  throw Error("no samples were found that keep the limits at " + number(options.rate) +
+              " samples a second; another rate may do");
+}
+
 }  // namespace
 
 bool keeps_jerk(Law law) { return law != Law::fastest && law != Law::trapezoidal; }
@@ -216,20 +238,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   }
   check_rate(options, duration);
   timed.stretches = motions.size();
-  constexpr double rounding = 1e-12;
-  double factor = 1 + 2 * rounding;
-  for (int i = 0; i < 10 && factor > 1 + rounding; ++i) {
-    for (TimedPath& motion : motions) {
-      // A little more, as other samples than before may then be the worst.
-      if (i > 0) slow_down(motion.law, 1 + 1.1 * (factor - 1));
-    }
-    timed.trajectory = sampled(arm, motions, options.rate, timed.ways);
-    measure(arm, timed);
-    factor = slower(timed, options);
-  }
-  if (factor > 1 + 1e-9) {
-    throw Error("the motion that was found breaks a limit; please report it");
-  }
+  settle(arm, timed, motions, options);
   return timed;
 }
 
