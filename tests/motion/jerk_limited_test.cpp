@@ -32,6 +32,28 @@ double share(const Configuration& value, const Configuration& limit) {
   return value.cwiseQuotient(limit).lpNorm<Eigen::Infinity>();
 }
 
+/// Stairs of length one by turns of both joints; the corners are rounded from `size` before to
+/// `size` behind.
+JointPath staircase(int corners, double size) {
+  JointPath path;
+  Eigen::Vector2d corner(0, 0);
+  const auto add = [&](double s, const Eigen::Vector2d& q, const Eigen::Vector2d& way) {
+    path.s.push_back(s);
+    path.q.push_back(q);
+    path.dq.push_back(way);
+    path.ddq.push_back(Eigen::Vector2d::Zero());
+  };
+  for (int i = 0; i <= corners; ++i) {
+    const Eigen::Vector2d way = i % 2 == 0 ? Eigen::Vector2d(1, 0) : Eigen::Vector2d(0, 1);
+    const double rounding = 1.7 * size, begin = i == 0 ? 0 : path.s.back() + rounding;
+    const double skipped = i == 0 ? 0 : size, left = i == corners ? 0 : size;
+    add(begin, corner + skipped * way, way);
+    add(begin + 1 - skipped - left, corner + (1 - left) * way, way);
+    corner += way;
+  }
+  return path;
+}
+
 /// What the arm does at a point of the law.
 struct State {
   Configuration velocity, acceleration;
@@ -44,28 +66,31 @@ State state_at(const JointPath& path, const PathLaw& law, std::size_t i, std::si
   return {point.dq * v, point.dq * law.acceleration[i] + point.ddq * v * v};
 }
 
+void expect_limits_kept(const JointPath& path, const PathLimits& limits, const PathLaw& law) {
+  ASSERT_EQ(law.reason, "");
+  ASSERT_EQ(law.speed.front(), 0);
+  ASSERT_EQ(law.speed.back(), 0);
+  std::size_t step = 0;
+  State before = state_at(path, law, 0, step);
+  ASSERT_LT(before.acceleration.norm(), 1e-9);
+  for (std::size_t k = 1; k < law.t.size(); ++k) {
+    const State now = state_at(path, law, k, step);
+    const double dt = law.t[k] - law.t[k - 1];
+    ASSERT_GT(dt, 0);
+    ASSERT_LE(share(now.velocity, limits.velocity), 1 + 1e-5);
+    ASSERT_LE(share(now.acceleration, limits.acceleration), 1 + 1e-4);
+    ASSERT_LE(share((now.velocity - before.velocity) / dt, limits.acceleration), 1 + 1e-3);
+    ASSERT_LE(share((now.acceleration - before.acceleration) / dt, limits.jerk), 1 + 1e-3);
+    before = now;
+  }
+  ASSERT_LT(before.acceleration.norm(), 1e-9);
+}
+
 TEST(JerkLimited, KeepsAllLimitsAtItsPointsAndBetween) {
   testing::Random random;
   for (int i = 0; i < 25; ++i) {
     const auto [path, limits] = random_case(random);
-    const PathLaw law = jerk_limited(path, limits);
-    ASSERT_EQ(law.reason, "");
-    ASSERT_EQ(law.speed.front(), 0);
-    ASSERT_EQ(law.speed.back(), 0);
-    std::size_t step = 0;
-    State before = state_at(path, law, 0, step);
-    ASSERT_LT(before.acceleration.norm(), 1e-9);
-    for (std::size_t k = 1; k < law.t.size(); ++k) {
-      const State now = state_at(path, law, k, step);
-      const double dt = law.t[k] - law.t[k - 1];
-      ASSERT_GT(dt, 0);
-      ASSERT_LE(share(now.velocity, limits.velocity), 1 + 1e-5);
-      ASSERT_LE(share(now.acceleration, limits.acceleration), 1 + 1e-4);
-      ASSERT_LE(share((now.velocity - before.velocity) / dt, limits.acceleration), 1 + 1e-3);
-      ASSERT_LE(share((now.acceleration - before.acceleration) / dt, limits.jerk), 1 + 1e-3);
-      before = now;
-    }
-    ASSERT_LT(before.acceleration.norm(), 1e-9);
+    expect_limits_kept(path, limits, jerk_limited(path, limits));
   }
 }
 
@@ -151,6 +176,22 @@ TEST(JerkLimited, AlongAStraightLineIsTheSevenPhasesOfTheClosedForm) {
     shares.jerk = limits.jerk.cwiseQuotient(way).minCoeff();
     const double closed = s_curve(1, shares).duration;
     ASSERT_NEAR(jerk_limited(line, limits).duration(), closed, 3e-3 * closed);
+  }
+}
+
+// Little longer than with stops at the corners, however tightly these are rounded.
+TEST(JerkLimited, PassesTightCornersAsWellAsStopsThere) {
+  const PathLimits limits{
+      Eigen::Vector2d(2, 2), Eigen::Vector2d(8, 8), Eigen::Vector2d(60, 60), {}};
+  const double along_one = jerk_limited(refined(staircase(0, 0)), limits).duration();
+  for (const int corners : {1, 4, 9}) {
+    for (const double size : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+      const JointPath path = refined(staircase(corners, size));
+      const PathLaw law = jerk_limited(path, limits);
+      expect_limits_kept(path, limits, law);
+      const double stopping = (corners + 1) * along_one;
+      EXPECT_LT(law.duration(), 1.2 * stopping) << corners << " corners of " << size;
+    }
   }
 }
 

@@ -157,6 +157,37 @@ TEST(Retime, OfWhatItHasTimedTakesAsLong) {
   }
 }
 
+// Slowed down, other samples than before are the worst.
+TEST(Retime, AtARateSettlesWithinTheLimitsOnATightCorner) {
+  const Arm arm = built_in("panda");
+  const Eigen::Vector2d begin(0, 0), corner(0.4, 0), end(0.4, 0.4);
+  for (const double size : {1e-3, 1e-4}) {
+    Trajectory way{arm.joint_names(), {}, {}, {}, {}};
+    const auto add = [&](const Eigen::Vector2d& q) {
+      way.times.push_back(double(way.size()));
+      way.positions.push_back(middle_configuration(arm));
+      way.positions.back().head<2>() += q;
+    };
+    for (int k = 0; k < 20; ++k) add(begin + k / 20. * (corner - Eigen::Vector2d(size, 0) - begin));
+    for (double u = 0; u <= 1; u += 0.125) {  // a parabola
+      add(corner + size * Eigen::Vector2d(-(1 - u) * (1 - u), u * u));
+    }
+    for (int k = 19; k >= 0; --k) add(end + k / 20. * (corner + Eigen::Vector2d(0, size) - end));
+    for (const Law law : laws) {
+      const double duration = retime(arm, way, {.law = law}).trajectory.times.back();
+      for (const double rate : {10., 97., 1000.}) {
+        const Retimed timed = retime(arm, way, {.law = law, .rate = rate});
+        ASSERT_EQ(timed.reason, "");
+        EXPECT_LE(timed.limits.velocity.share, 1 + 1e-9);
+        EXPECT_LE(timed.limits.acceleration.share, 1 + 1e-9);
+        EXPECT_LE(keeps_jerk(law) ? timed.limits.jerk.share : 0, 1 + 1e-9);
+        << duration << "\n";
+        EXPECT_LT(timed.trajectory.times.back(), duration * (1 + 1e-2)) << name(law) << ' ' << rate;
+      }
+    }
+  }
+}
+
 TEST(Retime, SaysNoWhereThePathLeavesThePositionLimits) {
   const Arm arm = built_in("panda");
   Trajectory way = random_way(*std::make_unique<testing::Random>(), arm, 3);

@@ -18,8 +18,12 @@ constexpr double nearest = 0.3;          // of a step: how near knots may be
 constexpr double room = 0.7;             // of what limits of velocity leave to b, at the begin
 constexpr double side = 1e-6;            // of a step: how far beside grid points one looks
 constexpr double distinct = 0.05;        // of a step: knots nearer to a grid point are no places
+constexpr double rough = 1.02;           // times slower: for what the clock gets more knots
+constexpr double kept = 1.003;           // times slower: what steps with enough knots break limits
+constexpr int pieces = 4;                // of a step with too few
+constexpr int most_attempts = 5;         // with more and more knots
 constexpr double slow = 1.3;             // of the fastest law's duration: what stops may better
-constexpr double shallowest = 0.5;       // of the speed on both sides, where to stop may do good
+constexpr double shallowest = 0.25;      // of the speed on both sides, where a stop may do good
 constexpr double alike = 2;              // times: two such shares
 constexpr int most_halvings = 8;
 
@@ -48,8 +52,8 @@ std::vector<double> knots_for(const QuinticMotion& motion) {
 }
 
 /// The clock that makes the motion quick.
-ClockSpline quick_clock(QuinticMotion& motion) {
-  ClockSpline clock(knots_for(motion));
+ClockSpline quick_clock(QuinticMotion& motion, std::vector<double> knots) {
+  ClockSpline clock(std::move(knots));
   ClockProblem problem(clock, motion.limits().acceleration, motion.limits().jerk);
   double most = 1;
   for (std::size_t k = 0; k < problem.moments().size(); ++k) {
@@ -62,15 +66,16 @@ ClockSpline quick_clock(QuinticMotion& motion) {
   return clock;
 }
 
-/// By what factor the clock must be slower so that the limits are kept between the moments of its
-/// problem as well, and on both sides of the path's grid points.
-double slower(QuinticMotion& motion, const ClockSpline& clock) {
+/// By what factor the clock must be slower in each of its steps so that the limits are kept between
+/// the moments of its problem as well, and on both sides of the path's grid points.
+std::vector<double> slower(QuinticMotion& motion, const ClockSpline& clock) {
   const PathLimits& limits = motion.limits();
-  double velocity = 1, acceleration = 1, jerk = 1;
+  std::vector<double> factors(clock.steps());
   auto passed = motion.times().begin();
   for (std::size_t k = 0; k < clock.steps(); ++k) {
     const double begin = clock.knots()[k], length = clock.knots()[k + 1] - begin;
     const ClockRate first = clock.begin_of(k);
+    double velocity = 1, acceleration = 1, jerk = 1;
     const auto look_at = [&](double t) {
       const ClockMoment& moment = motion.at(t);
       const ClockRate rate = first.after(t - begin);
@@ -92,8 +97,25 @@ double slower(QuinticMotion& motion, const ClockSpline& clock) {
       look_at(*passed - side * length);
       look_at(*passed + side * length);
     }
+    factors[k] = std::max({std::sqrt(velocity), std::sqrt(acceleration), std::cbrt(jerk)});
   }
-  return std::max({std::sqrt(velocity), std::sqrt(acceleration), std::cbrt(jerk)});
+  return factors;
+}
+
+/// More knots for the clock, around its steps that break a limit.
+std::vector<double> closer(const ClockSpline& clock, const std::vector<double>& factors) {
+  std::vector<double> knots{0};
+  for (std::size_t k = 0; k < clock.steps(); ++k) {
+    const auto near = factors.begin() + std::ptrdiff_t(k);
+    const auto end = near + (k + 1 < clock.steps() ? 2 : 1);
+    const bool broken = *std::max_element(near - (k > 0 ? 1 : 0), end) > kept;
+    const double begin = clock.knots()[k], length = clock.knots()[k + 1] - begin;
+    for (int part = 1; broken && part < pieces; ++part) {
+      knots.push_back(begin + length * part / pieces);
+    }
+    knots.push_back(clock.knots()[k + 1]);
+  }
+  return knots;
 }
 
 struct Place {
@@ -104,9 +126,11 @@ struct Place {
 std::vector<Place> places_of(const QuinticMotion& motion, const ClockSpline& clock) {
   std::vector<Place> all;
   const std::vector<double>& times = motion.times();
-  const double hair = distinct * motion.duration() / double(clock.steps());
+  const std::vector<double>& knots = clock.knots();
   std::size_t k = 0;
-  for (const double t : clock.knots()) {
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    const double t = knots[i];
+    const double hair = distinct * (i == 0 ? knots[1] : t - knots[i - 1]);
     for (; k < times.size() && times[k] < t + hair; ++k) {
       all.push_back({times[k], motion.path().s[k]});
     }
@@ -124,8 +148,7 @@ double seconds(const ClockRate& first, double from, double to) {
   return half / 9 * (5 * pace(middle - aside) + 8 * pace(middle) + 5 * pace(middle + aside));
 }
 
-PathLaw law_of(QuinticMotion& motion, const ClockSpline& clock) {
-  const double factor = slower(motion, clock);
+PathLaw law_of(QuinticMotion& motion, const ClockSpline& clock, double factor) {
   PathLaw law;
   law.smooth = true;
   const std::vector<double>& knots = clock.knots();
@@ -150,32 +173,44 @@ PathLaw law_of(QuinticMotion& motion, const ClockSpline& clock) {
   return law;
 }
 
+/// The quickest that one clock for the whole path finds, where it breaks limits with more knots
+/// there, so that the whole need not be slowed down for it.
 PathLaw without_a_stop(const JointPath& path, const PathLimits& limits) {
-  PathLaw quintic = scalar_law(ScalarForm::quintic, path, limits);
-  QuinticMotion motion(path, limits, quintic);
-  PathLaw law = law_of(motion, quick_clock(motion));
-  return law.duration() < quintic.duration() ? law : quintic;
+  PathLaw best = scalar_law(ScalarForm::quintic, path, limits);
+  QuinticMotion motion(path, limits, best);
+  std::vector<double> knots = knots_for(motion);
+  for (int left = most_attempts; left > 0; --left) {
+    const ClockSpline clock = quick_clock(motion, std::move(knots));
+    const std::vector<double> factors = slower(motion, clock);
+    const double factor = *std::max_element(factors.begin(), factors.end());
+    PathLaw law = law_of(motion, clock, factor);
+    if (law.duration() < best.duration()) best = std::move(law);
+    if (factor < rough) break;
+    knots = closer(clock, factors);
+  }
+  return best;
 }
 
-/// The grid point at which a stop costs little, as the fastest law is slow there and quicker on
-/// both sides: of the valleys of its speed that are nearly as deep as the deepest, the one nearest
-/// to the middle, which leaves the fewest points to both parts. 0: there is none.
+/// The point at which a stop costs little, as a law is slow there and quicker on both sides: of the
+/// valleys of its speed that are nearly as deep as the deepest, the one nearest to the middle,
+/// which leaves the fewest points to both parts. 0: there is none.
 std::size_t tightest(const std::vector<double>& speed) {
   const std::size_t points = speed.size();
-  std::vector<double> depth(points, 1);  // speed as a share of what is reached on both sides
-  double most = 0, least = shallowest;
+  std::vector<double> depth(points);  // speed as a share of what is reached on both sides
+  double most = 0, least = 1;
   for (std::size_t k = 0; k < points; depth[k++] = most) most = std::max(most, speed[k]);
   most = 0;
-  for (std::size_t k = points - 1; k > 0; --k) {
+  for (std::size_t k = points - 2; k > 0; --k) {  // both ends are at rest
     most = std::max(most, speed[k]);
     depth[k] = speed[k] / std::min(depth[k], most);
-    if (k + 1 < points) least = std::min(least, depth[k]);
+    least = std::min(least, depth[k]);
   }
+  const double enough = std::min(shallowest, alike * least);
   const auto aside = [&](std::size_t k) { return std::max(k, points - 1 - k); };
   std::size_t best = 0;
   for (std::size_t k = 1; k + 1 < points; ++k) {
     const bool bottom = speed[k] <= speed[k - 1] && speed[k] <= speed[k + 1];
-    if (bottom && depth[k] <= alike * least && aside(k) < aside(best)) best = k;
+    if (bottom && depth[k] <= enough && aside(k) < aside(best)) best = k;
   }
   return best;
 }
@@ -205,21 +240,21 @@ void append(PathLaw& law, const PathLaw& next) {
   }
 }
 
-/// The quickest that is found with stops on the way, if at all: as many as `halvings` of the path
-/// and of its parts lead to.
+/// The quicker of the law without a stop and, where that is slow as the path has a tight spot, of
+/// those of both parts that meet at rest there: each again with stops, but for `halvings` times.
 PathLaw with_stops(const JointPath& path, const PathLimits& limits, int halvings) {
   PathLaw law = without_a_stop(path, limits);
-  if (halvings == 0) return law;
+  if (halvings == 0 || tightest(law.speed) == 0) return law;
   const PathLaw quickest = fastest(path, limits);
   if (law.duration() < slow * quickest.duration()) return law;
   const std::size_t stop = tightest(quickest.speed);
   if (stop == 0) return law;
   const Part first = part_of(path, limits, 0, stop);
   const Part second = part_of(path, limits, stop, path.size() - 1);
-  PathLaw parts = with_stops(first.path, first.limits, halvings - 1);
-  if (parts.duration() > law.duration()) return law;
-  append(parts, with_stops(second.path, second.limits, halvings - 1));
-  return parts.duration() < law.duration() ? parts : law;
+  PathLaw both = with_stops(first.path, first.limits, halvings - 1);
+  if (both.duration() > law.duration()) return law;
+  append(both, with_stops(second.path, second.limits, halvings - 1));
+  return both.duration() < law.duration() ? both : law;
 }
 
 }  // namespace
