@@ -181,7 +181,6 @@ TEST(Retime, AtARateSettlesWithinTheLimitsOnATightCorner) {
         EXPECT_LE(timed.limits.velocity.share, 1 + 1e-9);
         EXPECT_LE(timed.limits.acceleration.share, 1 + 1e-9);
         EXPECT_LE(keeps_jerk(law) ? timed.limits.jerk.share : 0, 1 + 1e-9);
-        << duration << "\n";
         EXPECT_LT(timed.trajectory.times.back(), duration * (1 + 1e-2)) << name(law) << ' ' << rate;
       }
     }
