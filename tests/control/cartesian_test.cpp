@@ -58,7 +58,7 @@ void expect_arrived(const Case& given, const ControlledMotion& motion) {
         task_error(default_task(given.arm), given.waypoints[w], end).lpNorm<Eigen::Infinity>(),
         1e-6);
   }
-  for (const Configuration& q : motion.trajectory.positions) {
+  for (const auto& q : motion.trajectory.positions) {
     ASSERT_TRUE(limit_violations(given.arm, q).empty());
   }
   ASSERT_LE(motion.error, 1e-6);
@@ -66,12 +66,11 @@ void expect_arrived(const Case& given, const ControlledMotion& motion) {
 
 double bend(const Case& given, const ControlledMotion& motion) {
   const auto& samples = motion.trajectory.positions;
-  std::vector<Pose> poses = given.waypoints;
-  poses.insert(poses.begin(), forward_kinematics(given.arm, samples.front()));
+  std::vector<Pose> poses{forward_kinematics(given.arm, samples.front())};
+  poses.insert(poses.end(), given.waypoints.begin(), given.waypoints.end());
   const ToolPath path = lines_through(poses);
-  const Task task = default_task(given.arm);
-  const auto places = places_along(given.arm, samples, path, motion.arrivals, task);
-  return straightness(given.arm, samples, places, path, task).sampled.position;
+  const auto places = places_along(given.arm, samples, path, motion.arrivals, Task::position());
+  return straightness(given.arm, samples, places, path, Task::position()).sampled.position;
 }
 
 std::vector<Case> cases() {
@@ -291,8 +290,7 @@ TEST(ControlInLines, RefusesWhatMakesNoSense) {
   nan.translation().y() = NAN;
   EXPECT_REFUSED(run({}), "waypoint");
   EXPECT_REFUSED(run({rrr_waypoints[0], nan}), "waypoint 2");
-  EXPECT_REFUSED(run(rrr_waypoints, {.gain = 0}), "gain");
-  EXPECT_REFUSED(run(rrr_waypoints, {.gain = NAN}), "gain");
+  for (const double bad : {0., NAN}) EXPECT_REFUSED(run(rrr_waypoints, {.gain = bad}), "gain");
   EXPECT_REFUSED(run(rrr_waypoints, {.intermediate = 0}), "intermediate");
   EXPECT_REFUSED(run(rrr_waypoints, {.simulation = {.tolerance = -1}}), "tolerance");
   EXPECT_REFUSED(control_in_lines(arm, Configuration::Zero(2), rrr_waypoints), "3 joint values");
