@@ -50,7 +50,9 @@ std::vector<Vector3> course_of(const ToolPath& path) {
 
 PathTrace trace_path(const Arm& arm, std::span<const Configuration> samples,
                      const FollowedPath& followed) {
-  const auto& [path, places, task, tolerance] = followed;
+  const ToolPath& path = followed.path;
+  const std::vector<double>& places = followed.places;
+  const Task& task = followed.task;
   if (places.empty() || places.size() > samples.size() || path.pieces.empty() ||
       path.spans.size() != path.pieces.size()) {
     throw Error("a trace along a path needs its pieces, samples, and their places");

@@ -53,9 +53,9 @@ struct Verifier {
   }
 
   /// The places of the samples from `first` on, up to the one at which the end of the stretch is
-  /// reached: of the first ones in a row that are near it the nearest; of the last ones where it is
-  /// the end of the motion, which may pass near it before, as far as the rows that matter tell. All
-  /// the others', and `reached` false, where there is none.
+  /// reached, or a sample is off its path: of the first ones in a row that are near it the nearest;
+  /// of the last ones where it is the end of the motion, which may pass near it before, as far as
+  /// the rows that matter tell. All the others', and `reached` false, where there is none.
   std::vector<double> places_from(std::size_t first, double begin, std::size_t piece,
                                   bool& reached) const {
     const auto end = static_cast<double>(piece + 1);
@@ -78,6 +78,10 @@ struct Verifier {
                                        off.orientation / tolerance.orientation)
                             : -1);
       met = met || there;
+      const std::size_t on = piece_at(route.path, places.back());
+      const double s = places.back() - static_cast<double>(on);
+      const Piece& piece_there = route.path.pieces[on];
+      if (!line && !near(deviation_from(piece_there, s, tool, task))) break;  // a fault
     }
     reached = met;
     if (!met) return places;

@@ -290,7 +290,7 @@ TEST(ControlInLines, RefusesWhatMakesNoSense) {
   nan.translation().y() = NAN;
   EXPECT_REFUSED(run({}), "waypoint");
   EXPECT_REFUSED(run({rrr_waypoints[0], nan}), "waypoint 2");
-  for (const double bad : {0., NAN}) EXPECT_REFUSED(run(rrr_waypoints, {.gain = bad}), "gain");
+  for (const float bad : {0.F, NAN}) EXPECT_REFUSED(run(rrr_waypoints, {.gain = bad}), "gain");
   EXPECT_REFUSED(run(rrr_waypoints, {.intermediate = 0}), "intermediate");
   EXPECT_REFUSED(run(rrr_waypoints, {.simulation = {.tolerance = -1}}), "tolerance");
   EXPECT_REFUSED(control_in_lines(arm, Configuration::Zero(2), rrr_waypoints), "3 joint values");

@@ -8,6 +8,7 @@ namespace beeline {
 namespace {
 
 constexpr double stride = 1.0 / 32;  // of a piece
+constexpr double farthest = 2;       // pieces that a tool may pass between two samples
 constexpr int most_newton_steps = 30;
 
 /// The rows that matter, turns in metres.
@@ -62,26 +63,35 @@ double nearest_place(const ToolPath& path, const Task& task, const Pose& pose, d
 double fitting_place(const ToolPath& path, const Task& task, const Pose& pose, double from,
                      double to, const Deviation& tolerance) {
   constexpr int looks = 16, thirds = 40;
-  const double nearest = nearest_place(path, task, pose, from, to);
   const auto share = [&](double place) {
     const Deviation off = task_deviation(task, pose_at(path, place), pose);
     return std::max(off.position / tolerance.position, off.orientation / tolerance.orientation);
   };
+  const auto fitted = [&](double nearest) {
+    double low = std::max(from, nearest - stride), high = std::min(to, nearest + stride);
+    double best = nearest;
+    const double step = (high - low) / looks;
+    for (int i = 0; i <= looks; ++i) {
+      if (share(low + i * step) < share(best)) best = low + i * step;
+    }
+    low = std::max(low, best - step), high = std::min(high, best + step);
+    for (int i = 0; i < thirds; ++i) {
+      const double third = (high - low) / 3;
+      const bool falls = share(low + third) > share(high - third);
+      (falls ? low : high) += falls ? third : -third;
+    }
+    return (low + high) / 2;
+  };
+  const double nearest = nearest_place(path, task, pose, from, to);
   if (share(nearest) <= 1) return nearest;
-  double low = std::max(from, nearest - stride), high = std::min(to, nearest + stride);
-  double best = nearest;
-  const double step = (high - low) / looks;
-  for (int i = 0; i <= looks; ++i) {
-    if (share(low + i * step) < share(best)) best = low + i * step;
+  const double place = fitted(nearest);
+  if (share(place) <= 1) return place;
+  for (double begin = nearest + stride; begin < std::min(to, from + farthest); begin += stride) {
+    const double next = nearest_place(path, task, pose, begin, to);
+    if (share(next) <= 1) return next;
+    begin = std::max(begin, next);
   }
-  low = std::max(low, best - step), high = std::min(high, best + step);
-  for (int i = 0; i < thirds; ++i) {
-    const double third = (high - low) / 3;
-    const bool falls = share(low + third) > share(high - third);
-    (falls ? low : high) += falls ? third : -third;
-  }
-  best = (low + high) / 2;
-  return share(best) <= 1 ? best : nearest;
+  return nearest;
 }
 
 }  // namespace beeline

@@ -12,8 +12,9 @@ namespace beeline {
 double nearest_place(const ToolPath& path, const Task& task, const Pose& pose, double from,
                      double to);
 
-/// The same, or next to it a place at which the deviation is within the tolerance, if there is one
-/// and the nearest place is none: position and orientation may be nearest at different places.
+/// The same, or, if that is none, the next place at which the deviation is within the tolerance, up
+/// to two pieces on: position and orientation may be nearest at different places, and the path may
+/// lead away from the pose before it comes to it, as round a corner.
 double fitting_place(const ToolPath& path, const Task& task, const Pose& pose, double from,
                      double to, const Deviation& tolerance);
 

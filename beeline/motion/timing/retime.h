@@ -37,8 +37,8 @@ struct RetimeOptions {
 
 struct Retimed {
   Law law = Law::fastest;
-  std::string reason;         ///< why there is no motion; empty when there is
-  Trajectory trajectory;      ///< empty when there is none
+  std::string reason;     ///< why there is no motion; empty when there is
+  Trajectory trajectory;  ///< empty when there is none
   /// With a rate, of each sample: how far it is on the way along the straight joint lines from
   /// position to position (chord_length()).
   std::vector<double> ways;
