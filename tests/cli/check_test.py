@@ -184,3 +184,16 @@ def test_branches_are_told_along_every_kind_of_path(beeline, lines):
         assert answer.code == 0, answer.err
         assert len(answer.json["branches"]) == 8
         assert {branch["done"] for branch in answer.json["branches"]} <= {2.0, 3.0}
+
+
+@pytest.mark.parametrize("off", [0, 2e-9, 5e-6, 1e-3])
+@pytest.mark.parametrize("path", [["--path", "spline"], ["--round", "0.01"]])
+def test_a_start_beside_the_first_pose_is_the_same_for_line_and_check(
+        beeline, lines, written, tmp_path, off, path):
+    rows = (tmp_path / lines("ur5")).read_text().splitlines()
+    x, rest = rows[1].split(",", 1)
+    through = written("beside.csv", "\n".join([rows[0], f"{float(x) + off!r},{rest}", *rows[2:]]))
+    made = beeline("line", "ur5", "--from", STARTS["ur5"], "--through", through, "--out", "move.csv", *path)
+    assert made.code == 0, made.err
+    answer = beeline("check", "move.csv", "ur5", "--through", through, *path)
+    assert answer.code == 0, answer.err

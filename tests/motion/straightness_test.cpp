@@ -147,6 +147,30 @@ TEST(NearestPlace, FindsTheSamplesOfAWay) {
   }
 }
 
+// Where the turn counts more than the way, the nearest place by both together may fit worse.
+TEST(FittingPlace, IsWithinTheToleranceWhereThereIsSuchAPlace) {
+  Random random;
+  const Deviation tolerance{1e-4, 1e-4};
+  int nearest_is_none = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Pose from = random.pose();
+    Pose to = from;
+    to.translation() += 0.2 * random.direction();
+    to.linear() = so3_exp(1.2 * random.direction()) * from.linear();
+    const ToolPath path = path_through(std::vector{from, to}, PathKind::screw);
+    const double s = random.uniform(0.1, 0.9);
+    Pose tool = pose_at(path, s);
+    tool.translation() += 0.95e-4 * random.direction();
+    tool.linear() = so3_exp(0.95e-4 * random.direction()) * tool.linear();
+    const auto fits = [&](double place) {
+      return within(task_deviation(Task::spatial(), pose_at(path, place), tool), tolerance);
+    };
+    ASSERT_TRUE(fits(fitting_place(path, Task::spatial(), tool, 0, 1, tolerance))) << i;
+    nearest_is_none += !fits(nearest_place(path, Task::spatial(), tool, 0, 1));
+  }
+  EXPECT_GT(nearest_is_none, 10);
+}
+
 TEST(CornerAt, IsWhereLinesMeetAndNotWhereASplineGoesOn) {
   Random random;
   const std::vector<Pose> poses = testing::random_poses(random, 4, 1, 1);
