@@ -9,13 +9,11 @@
 namespace beeline {
 namespace {
 
-/// The part of a vector in the position rows that matter, for a tool at `pose`.
+/// The part of a vector in the position rows that matter, for a tool at `pose`, in the world's
+/// axes.
 Vector3 in_rows(const Task& task, const Pose& pose, const Vector3& v) {
-  const bool turned = task.frame == Frame::tool;
-  Vector3 kept = turned ? Vector3(pose.linear().transpose() * v) : v;
-  for (int i = 0; i < 3; ++i) {
-    if (!task.rows[static_cast<std::size_t>(i)]) kept[i] = 0;
-  }
+  const Vector3 kept = in_position_rows(task, pose, v);
+  const bool turned = task.frame == Frame::tool && task.positions() < 3;
   return turned ? Vector3(pose.linear() * kept) : kept;
 }
 

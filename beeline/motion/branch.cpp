@@ -2,7 +2,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <beeline/error.h>
 #include <beeline/inverse/descent/representative.h>
 #include <beeline/inverse/solve.h>
 #include <beeline/kinematics/forward.h>
@@ -16,11 +15,6 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 constexpr double rounding = 1e-9;  // radians or metres that a joint may be beyond a limit
-
-bool all_lines(const ToolPath& path) {
-  return std::all_of(path.pieces.begin(), path.pieces.end(),
-                     [](const Piece& piece) { return std::holds_alternative<Line>(piece); });
-}
 
 /// "line 2 of 3 ", as failures begin.
 std::string piece_number(const ToolPath& path, std::size_t i) {
@@ -169,11 +163,6 @@ std::vector<Branch> backward_branches(const Arm& arm, const ToolPath& path, cons
   return branches;
 }
 
-void check(const Arm& arm, const ToolPath& path, const BranchOptions& options) {
-  if (path.pieces.empty()) throw Error("a path needs pieces");
-  for (const Piece& piece : path.pieces) check_task(arm, piece, options.task);
-}
-
 }  // namespace
 
 void narrow(Margins& margins, const Arm& arm, const Task& task, const Configuration& q) {
@@ -219,7 +208,7 @@ bool better(const Branch& a, const Branch& b) {
 
 Branch follow_branch(const Arm& arm, const Configuration& start, const ToolPath& path,
                      const BranchOptions& options) {
-  check(arm, path, options);
+  check_task(arm, path, options.task);
   Branch branch{.start = start};
   follow_all(arm, path, bounds_of(arm), options, branch);
   if (options.reasons != BranchOptions::Reasons::none) explain(arm, path, options, branch);
@@ -229,7 +218,7 @@ Branch follow_branch(const Arm& arm, const Configuration& start, const ToolPath&
 
 std::vector<Branch> follow_branches(const Arm& arm, const ToolPath& path,
                                     const BranchOptions& options) {
-  check(arm, path, options);
+  check_task(arm, path, options.task);
   const InverseResult starts = inverse_kinematics(
       arm, pose_at(path, 0), {.task = options.task, .all = true, .ignore_limits = true});
   const Bounds limits = bounds_of(arm);

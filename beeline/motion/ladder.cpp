@@ -147,14 +147,15 @@ bool leads_on(const Arm& arm, const ToolPath& path, const Task& task, const Boun
 void smooth(const Arm& arm, const ToolPath& path, const Task& task, const Costs& costs,
             const std::vector<Rung>& all, bool first_is_fixed, std::vector<Knot>& knots) {
   constexpr double pull = 0.5, push = 0.02;
+  std::vector<double> ways;
+  for (const Knot& knot : knots) ways.push_back(way_to(path, knot.place));
   for (int pass = 0; pass < smoothings; ++pass) {
     for (std::size_t r = first_is_fixed ? 1 : 0; r < knots.size(); ++r) {
       const Configuration& q = knots[r].q;
       const Configuration& before = knots[r == 0 ? 0 : r - 1].q;
       const Configuration& after = knots[std::min(r + 1, knots.size() - 1)].q;
-      const auto way = [&](std::size_t k) { return way_to(path, knots[k].place); };
       const bool end = r == 0 || r + 1 == knots.size();
-      const double share = end ? 0.5 : (way(r) - way(r - 1)) / (way(r + 1) - way(r - 1));
+      const double share = end ? 0.5 : (ways[r] - ways[r - 1]) / (ways[r + 1] - ways[r - 1]);
       Configuration wanted = q + pull * (before + share * (after - before) - q);
       for (Eigen::Index k = 0; k < q.size(); ++k) {
         wanted[k] += push * push_from_limits(q[k], costs.bounds.lower[k], costs.bounds.upper[k]);

@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include <beeline/error.h>
 #include <beeline/motion/nearby_path.h>
@@ -57,10 +56,7 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
                                       const ToolPath& path, const BranchOptions& options,
                                       bool turns) {
   const bool first_stays = start.has_value();
-  const bool lines = std::all_of(path.pieces.begin(), path.pieces.end(), [](const Piece& piece) {
-    return std::holds_alternative<Line>(piece);
-  });
-  if (first_stays && !lines) return {};  // the next piece would no longer go on smoothly
+  if (first_stays && !all_lines(path)) return {};  // the next piece would no longer go on smoothly
   BranchOptions exact = options;
   exact.reasons = BranchOptions::Reasons::none;
   exact.progress = {};

@@ -15,12 +15,22 @@ void check_task(const Arm& arm, const Piece& piece, const Task& task) {
   if (!std::holds_alternative<Line>(piece)) check_matched(arm, piece, task);
 }
 
+void check_task(const Arm& arm, const ToolPath& path, const Task& task) {
+  if (path.pieces.empty()) throw Error("a path needs pieces");
+  for (const Piece& piece : path.pieces) check_task(arm, piece, task);
+}
+
 void check_route(const Arm& arm, const Route& route, const Task& task) {
   const std::size_t pieces = route.path.pieces.size();
   if (pieces == 0 || route.stops.size() != pieces || route.path.spans.size() != pieces) {
     throw Error("a route needs pieces, and for each its span and whether the arm stops behind it");
   }
-  for (const Piece& piece : route.path.pieces) check_task(arm, piece, task);
+  check_task(arm, route.path, task);
+}
+
+bool all_lines(const ToolPath& path) {
+  return std::all_of(path.pieces.begin(), path.pieces.end(),
+                     [](const Piece& piece) { return std::holds_alternative<Line>(piece); });
 }
 
 bool stands_still(const Piece& piece, const Task& task) {
@@ -35,6 +45,11 @@ bool stands_still(const Piece& piece, const Task& task) {
 Deviation deviation_from(const Piece& piece, double s, const Pose& pose, const Task& task) {
   if (const auto* line = std::get_if<Line>(&piece)) return deviation_from(*line, pose, task);
   return task_deviation(task, pose_at(piece, s), pose);
+}
+
+Deviation deviation_from(const ToolPath& path, double place, const Pose& pose, const Task& task) {
+  const std::size_t i = piece_at(path, place);
+  return deviation_from(path.pieces[i], place - static_cast<double>(i), pose, task);
 }
 
 Deviation step_bound(const Arm& arm, const Piece& piece, const Task& task, const StepEnd& a,
@@ -107,15 +122,12 @@ Straightness straightness(const Arm& arm, std::span<const Configuration> samples
   if (samples.empty() || samples.size() != places.size()) {
     throw Error("straightness needs samples, and a place on the path for each");
   }
-  if (path.pieces.empty()) throw Error("a path needs pieces");
-  for (const Piece& piece : path.pieces) check_task(arm, piece, task);
+  check_task(arm, path, task);
   check_places(path, places);
   Straightness result;
   for (std::size_t k = 0; k < samples.size(); ++k) {
-    const std::size_t i = piece_at(path, places[k]);
     const Pose pose = forward_kinematics(arm, samples[k]);
-    const double s = places[k] - static_cast<double>(i);
-    grow(result.sampled, deviation_from(path.pieces[i], s, pose, task));
+    grow(result.sampled, deviation_from(path, places[k], pose, task));
     if (k == 0) continue;
     const auto steps =
         cut_at_pieces(path, task, samples[k - 1], places[k - 1], samples[k], places[k]);

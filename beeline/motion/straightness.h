@@ -12,9 +12,14 @@ namespace beeline {
 /// check_matched().
 void check_task(const Arm& arm, const Piece& piece, const Task& task);
 
+/// Throws Error for a path without pieces, and unless step_bound() holds for each.
+void check_task(const Arm& arm, const ToolPath& path, const Task& task);
+
 /// Throws Error unless the route has pieces, for each its span and whether the arm stops behind it,
 /// and what check_task() refuses.
 void check_route(const Arm& arm, const Route& route, const Task& task);
+
+bool all_lines(const ToolPath& path);
 
 /// What matters of the piece does not move, but for 1e-9 m and rad.
 bool stands_still(const Piece& piece, const Task& task);
@@ -22,6 +27,9 @@ bool stands_still(const Piece& piece, const Task& task);
 /// How far `pose` is from the piece, as far as the task asks: from the nearest point of a line
 /// (nearest_on_line.h), of other pieces from the pose at s.
 Deviation deviation_from(const Piece& piece, double s, const Pose& pose, const Task& task);
+
+/// The same for a place on the path.
+Deviation deviation_from(const ToolPath& path, double place, const Pose& pose, const Task& task);
 
 /// A bound on deviation_from() while every joint moves in proportion from one end of the step to
 /// the other, and s does too: line_step_bound(), matched_step_bound(). Throws Error when a

@@ -78,10 +78,7 @@ struct Verifier {
                                        off.orientation / tolerance.orientation)
                             : -1);
       met = met || there;
-      const std::size_t on = piece_at(route.path, places.back());
-      const double s = places.back() - static_cast<double>(on);
-      const Piece& piece_there = route.path.pieces[on];
-      if (!line && !near(deviation_from(piece_there, s, tool, task))) break;  // a fault
+      if (!line && !near(deviation_from(route.path, places.back(), tool, task))) break;  // a fault
     }
     reached = met;
     if (!met) return places;
@@ -111,11 +108,9 @@ struct Verifier {
 
   bool check_sample(std::size_t k, double place) {
     const std::size_t i = piece_at(route.path, place);
-    const Piece& piece = route.path.pieces[i];
-    const double s = place - static_cast<double>(i);
-    const Deviation off = deviation_from(piece, s, world_T_tool[k], task);
+    const Deviation off = deviation_from(route.path, place, world_T_tool[k], task);
     if (!check_sample(k, off, name_of(i))) return false;
-    const Deviation back = task_deviation(task, pose_at(piece, s), world_T_tool[k]);
+    const Deviation back = task_deviation(task, pose_at(route.path, place), world_T_tool[k]);
     if (near(back)) return true;  // else it is on the line, but not so far as it has been
     fail(Fault::deviation, k,
          "the tool goes back on " + name_of(i) + " by " + metres_and_radians(back));
@@ -156,10 +151,7 @@ struct Verifier {
       if (i > 0) result.places.push_back(places[i]);
       if (i + 1 == places.size()) return;
       const std::size_t k = first + i;
-      const std::size_t on = piece_at(route.path, places[i + 1]);
-      const Deviation next =
-          deviation_from(route.path.pieces[on], places[i + 1] - static_cast<double>(on),
-                         world_T_tool[k + 1], task);
+      const Deviation next = deviation_from(route.path, places[i + 1], world_T_tool[k + 1], task);
       if (!near(next)) continue;  // told as the sample's own fault
       for (const PieceStep& step :
            cut_at_pieces(route.path, task, trajectory.positions[k], places[i],
