@@ -5,7 +5,7 @@
 #include <limits>
 
 #include <beeline/error.h>
-#include <beeline/inverse/question.h>
+#include <beeline/inverse/internal/request.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/read/pose_list.h>
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <beeline/motion/branch.h>
+#include <beeline/planning/branch.h>
 
 #include "output.h"
 

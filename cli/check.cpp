@@ -1,10 +1,10 @@
 #include <fmt/core.h>
 
+#include <beeline/certificate/verify.h>
 #include <beeline/draw/canvas.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/motion/verify.h>
 #include <beeline/read/file.h>
 #include <beeline/read/pose_list.h>
 

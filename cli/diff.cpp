@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
 #include <beeline/error.h>
-#include <beeline/motion/difference.h>
+#include <beeline/trajectory/difference.h>
 
 #include "difference_report.h"
 #include "results.h"

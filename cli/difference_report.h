@@ -1,6 +1,6 @@
 #pragma once
 
-#include <beeline/motion/difference.h>
+#include <beeline/trajectory/difference.h>
 
 #include "output.h"
 

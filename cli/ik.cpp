@@ -2,7 +2,7 @@
 #include <fmt/core.h>
 
 #include <beeline/error.h>
-#include <beeline/inverse/solve.h>
+#include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/read/pose_list.h>
 
 #include "inverse_argument.h"

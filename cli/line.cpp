@@ -4,7 +4,7 @@
 #include <beeline/control/cartesian.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/motion/line.h>
+#include <beeline/planning/move_along.h>
 #include <beeline/read/pose_list.h>
 
 #include "line_report.h"

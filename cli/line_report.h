@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include <beeline/motion/line.h>
+#include <beeline/planning/move_along.h>
 
 #include "results.h"
 

@@ -3,7 +3,7 @@
 #include <beeline/control/joint.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/motion/timing/point_to_point.h>
+#include <beeline/timing/point_to_point.h>
 
 #include "results.h"
 #include "verb.h"

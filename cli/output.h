@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <beeline/certificate/path_deviation.h>
 #include <beeline/kinematics/task.h>
-#include <beeline/motion/straightness.h>
 
 #include "arguments.h"
 

@@ -1,7 +1,7 @@
 #include "path_argument.h"
 
 #include <beeline/error.h>
-#include <beeline/motion/path/corner.h>
+#include <beeline/path/blend.h>
 
 using namespace beeline;
 

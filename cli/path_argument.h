@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <beeline/kinematics/task.h>
-#include <beeline/motion/path/through.h>
+#include <beeline/path/tool_path.h>
 
 /// --path and --round: what the tool does between the poses.
 struct PathArgument {

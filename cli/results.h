@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <beeline/draw/path_trace.h>
-#include <beeline/motion/timing/limit_check.h>
+#include <beeline/trajectory/limit_usage.h>
 
 #include "output.h"
 

@@ -2,10 +2,10 @@
 #include <fmt/core.h>
 
 #include <beeline/error.h>
-#include <beeline/motion/timing/retime.h>
 #include <beeline/read/csv.h>
 #include <beeline/read/file.h>
 #include <beeline/read/name.h>
+#include <beeline/timing/retime.h>
 
 #include "results.h"
 #include "verb.h"

@@ -1,18 +1,27 @@
-# beeline_library(core error pose/*): the library beeline::core from beeline/error.cpp, beeline/pose
-# and their headers, which are installed with it and must each compile alone; not so the kernels in
-# -inl.h, which Highway compiles once for each kind of machine.
+# beeline_library(core FOLDERS . pose): the library beeline::core from beeline/pose, all folders below
+# it included; "." stands for the files beside the folders. Its public headers are installed with it
+# and must each compile alone. Not public: headers in a folder internal/, those of math/,
+# inverse/analytic/ and inverse/numerical/, and the kernels in -inl.h, which Highway compiles once for
+# each instruction set.
 function(beeline_library name)
-  list(TRANSFORM ARGN PREPEND beeline/ OUTPUT_VARIABLE stems)
-  list(TRANSFORM stems APPEND .cpp OUTPUT_VARIABLE source_globs)
-  list(TRANSFORM stems APPEND .h OUTPUT_VARIABLE header_globs)
-  file(GLOB sources CONFIGURE_DEPENDS ${source_globs})
-  file(GLOB headers CONFIGURE_DEPENDS ${header_globs})
-  list(FILTER headers EXCLUDE REGEX "-inl\\.h$")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" FOLDERS)
+  foreach(folder IN LISTS arg_FOLDERS)
+    set(mode GLOB_RECURSE)
+    if(folder STREQUAL ".")
+      set(mode GLOB)
+    endif()
+    file(${mode} found CONFIGURE_DEPENDS beeline/${folder}/*.cpp)
+    list(APPEND sources ${found})
+    file(${mode} found CONFIGURE_DEPENDS beeline/${folder}/*.h)
+    list(APPEND headers ${found})
+  endforeach()
+  list(FILTER headers EXCLUDE REGEX "-inl\\.h$|/internal/|/beeline/math/|/inverse/(analytic|numerical)/")
 
   add_library(beeline_${name} ${sources})
   add_library(beeline::${name} ALIAS beeline_${name})
   set_target_properties(beeline_${name} PROPERTIES EXPORT_NAME ${name})
   target_compile_features(beeline_${name} PUBLIC cxx_std_20)
+  target_include_directories(beeline_${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_sources(beeline_${name} PUBLIC
     FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
 endfunction()

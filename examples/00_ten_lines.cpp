@@ -1,10 +1,10 @@
 // Everything in ten lines: an arm, its tool, its Jacobian, its inverse, and a straight line.
 #include <iostream>
 
-#include <beeline/inverse/solve.h>
+#include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
-#include <beeline/motion/line.h>
+#include <beeline/planning/move_along.h>
 #include <beeline/read/arm.h>
 
 int main() {

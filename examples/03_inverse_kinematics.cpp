@@ -2,7 +2,7 @@
 #include <iostream>
 #include <numbers>
 
-#include <beeline/inverse/solve.h>
+#include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/model/catalog.h>
 #include <beeline/pose/se2.h>
 

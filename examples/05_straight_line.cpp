@@ -5,7 +5,7 @@
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>
 #include <beeline/model/catalog.h>
-#include <beeline/motion/line.h>
+#include <beeline/planning/move_along.h>
 #include <beeline/read/pose_list.h>
 #include <beeline/record/trajectory_file.h>
 

@@ -1,6 +1,6 @@
-"""The house's order, as layers.txt holds it: which includes in beeline/ break it.
+"""The order of the folders, as layers.txt holds it: which includes in beeline/ break it.
 
-A folder includes itself, the folders that layers.txt names for it, and what stands beside the
+A folder includes itself, its internal/, the folders that layers.txt names for it, and what stands beside the
 folders (error.h). Other people's libraries, but for Eigen, appear only in the folders below, and
 there in .cpp files and in what these include for each instruction set (-inl.h)."""
 
@@ -14,10 +14,9 @@ LIBRARIES = {  # the first part of the include: the folders that may use it, in 
         "simd",
         "kinematics",
         "batch",
-        "inverse/closed",
-        "inverse/descent",
-        "inverse/general",
-        "motion/timing",
+        "inverse/analytic",
+        "inverse/numerical",
+        "timing",
     },
     "nlohmann": {"read", "record"},
     "oneapi": {"batch"},
@@ -49,7 +48,7 @@ def violations(root):
     """One sentence for each include, and each folder, that breaks the order."""
     house = root / "beeline"
     layers = read_layers(root / "layers.txt")
-    folders = {path.parent.relative_to(house).as_posix() for path in sources(house)} - {"."}
+    folders = {folder_of(path.relative_to(house)) for path in sources(house)} - {"."}
     found = [f"beeline/{folder} is not in layers.txt" for folder in folders - layers.keys()]
     found += [f"layers.txt: there is no beeline/{folder}" for folder in layers.keys() - folders]
     for path in sources(house):
@@ -66,13 +65,19 @@ def sources(house):
     return sorted(path for path in house.rglob("*") if path.suffix in {".h", ".cpp"})
 
 
+def folder_of(path):
+    """The folder of layers.txt that a path, relative to beeline/, belongs to."""
+    folder = path.parent
+    return (folder.parent if folder.name == "internal" else folder).as_posix()
+
+
 def objection(root, layers, path, quote, name):
-    folder = path.parent.relative_to(root / "beeline").as_posix()
+    folder = folder_of(path.relative_to(root / "beeline"))
     first, *rest = re.split("[/.-]", name)
     if quote == '"':
         return "write <beeline/...>"
     if first == "beeline":
-        target = Path(name).parent.relative_to("beeline").as_posix()
+        target = folder_of(Path(name).relative_to("beeline"))
         if not (root / name).is_file():
             return "there is no such file"
         if target not in {".", folder} | layers.get(folder, set()):

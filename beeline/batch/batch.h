@@ -1,6 +1,6 @@
 #pragma once
 
-#include <beeline/inverse/solve.h>
+#include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/jacobian.h>
 
 namespace beeline {

@@ -5,9 +5,9 @@
 #include <beeline/control/cartesian.h>
 #include <beeline/control/joint.h>
 #include <beeline/error.h>
-#include <beeline/inverse/solve.h>
+#include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/motion/path/through.h>
+#include <beeline/path/tool_path.h>
 
 namespace beeline {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <beeline/control/player.h>
 #include <beeline/error.h>
-#include <beeline/motion/timing/cubic.h>
+#include <beeline/math/hermite.h>
 
 namespace beeline {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include <beeline/motion/timing/point_to_point.h>
-#include <beeline/motion/timing/trajectory.h>
+#include <beeline/timing/point_to_point.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
 

@@ -4,7 +4,7 @@
 #include <beeline/control/player.h>
 #include <beeline/control/replay.h>
 #include <beeline/error.h>
-#include <beeline/motion/timing/point_to_point.h>
+#include <beeline/timing/point_to_point.h>
 
 namespace beeline {
 namespace {

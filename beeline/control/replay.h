@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include <beeline/motion/status.h>
-#include <beeline/motion/timing/trajectory.h>
+#include <beeline/planning/status.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
 

@@ -3,7 +3,7 @@
 
 #include <beeline/control/resolved_rates.h>
 #include <beeline/error.h>
-#include <beeline/motion/timing/trajectory.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/inverse/descent/numerical.h>
+#include <beeline/inverse/numerical/numerical.h>
 
 namespace beeline {
 

@@ -4,7 +4,7 @@
 #include <beeline/control/servo.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/motion/redundancy.h>
+#include <beeline/planning/internal/null_space.h>
 
 namespace beeline {
 namespace {

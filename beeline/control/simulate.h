@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include <beeline/motion/status.h>
-#include <beeline/motion/timing/trajectory.h>
+#include <beeline/planning/status.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
 

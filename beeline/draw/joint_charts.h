@@ -1,7 +1,7 @@
 #pragma once
 
 #include <beeline/draw/chart.h>
-#include <beeline/motion/timing/trajectory.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
 

@@ -4,7 +4,7 @@
 #include <beeline/draw/path_trace.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/motion/path/nearest_on_line.h>
+#include <beeline/path/internal/nearest_on_line.h>
 
 namespace beeline {
 namespace {

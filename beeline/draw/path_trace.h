@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <beeline/motion/straightness.h>
+#include <beeline/certificate/path_deviation.h>
 
 namespace beeline {
 

@@ -5,7 +5,7 @@
 #include <beeline/draw/sheet.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
-#include <beeline/inverse/descent/numerical.h>
+#include <beeline/inverse/numerical/numerical.h>
 #include <beeline/kinematics/manipulability.h>
 
 namespace beeline {

@@ -5,7 +5,7 @@
 
 #include <beeline/draw/paper.h>
 #include <beeline/draw/path_trace.h>
-#include <beeline/motion/timing/trajectory.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
 

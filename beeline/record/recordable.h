@@ -1,6 +1,6 @@
 #pragma once
 
-#include <beeline/motion/timing/trajectory.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
 

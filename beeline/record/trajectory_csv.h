@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include <beeline/motion/timing/trajectory.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include <beeline/motion/timing/trajectory.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include <beeline/inverse/solve.h>
+#include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/orientation.h>
 

@@ -8,13 +8,13 @@
 #include <ctime>
 #include <map>
 
+#include <beeline/certificate/verify.h>
 #include <beeline/model/catalog.h>
-#include <beeline/motion/follow.h>
-#include <beeline/motion/ladder.h>
-#include <beeline/motion/line.h>
-#include <beeline/motion/verify.h>
+#include <beeline/planning/internal/layered_graph.h>
+#include <beeline/planning/internal/track_segment.h>
+#include <beeline/planning/move_along.h>
 
-#include <tests/motion/dense_search.h>
+#include <tests/planning/dense_search.h>
 
 using namespace beeline;
 using namespace beeline::testing;

@@ -1,10 +1,10 @@
 // What a certified line of half a metre costs: planned, proved and timed, and its parts. The aim is
 // 5 ms for the whole.
+#include <beeline/certificate/verify.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/motion/line.h>
-#include <beeline/motion/plan.h>
-#include <beeline/motion/verify.h>
+#include <beeline/planning/move_along.h>
+#include <beeline/planning/plan.h>
 
 #include <benchmark/benchmark.h>
 

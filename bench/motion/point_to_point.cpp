@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include <beeline/model/catalog.h>
-#include <beeline/motion/timing/point_to_point.h>
+#include <beeline/timing/point_to_point.h>
 
 #include "../inverse/poses.h"
 #include "../inverse/timing.h"

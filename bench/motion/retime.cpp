@@ -11,10 +11,10 @@
 #include <cstdio>
 #include <vector>
 
-#include <beeline/motion/timing/fastest.h>
-#include <beeline/motion/timing/spline.h>
+#include <beeline/path/joint_spline.h>
+#include <beeline/timing/fastest.h>
 
-#include <tests/motion/random_path.h>
+#include <tests/path/random_joint_path.h>
 
 using namespace beeline;
 

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include <beeline/certificate/path_deviation.h>
 #include <beeline/control/cartesian.h>
-#include <beeline/inverse/solve.h>
+#include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/motion/straightness.h>
 #include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>
 

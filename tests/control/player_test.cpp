@@ -3,7 +3,7 @@
 
 #include <beeline/control/player.h>
 #include <beeline/model/catalog.h>
-#include <beeline/motion/timing/retime.h>
+#include <beeline/timing/retime.h>
 
 #include <tests/random.h>
 #include <tests/refusal.h>

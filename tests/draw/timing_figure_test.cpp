@@ -9,7 +9,7 @@
 #include <beeline/draw/timing_figure.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/motion/line.h>
+#include <beeline/planning/move_along.h>
 
 #include <tests/draw/page.h>
 #include <tests/random_arm.h>

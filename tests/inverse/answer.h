@@ -4,8 +4,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <beeline/inverse/descent/representative.h>
-#include <beeline/inverse/solve.h>
+#include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/se3.h>
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include <beeline/inverse/closed/six_loop.h>
-#include <beeline/inverse/descent/numerical.h>
-#include <beeline/inverse/descent/representative.h>
+#include <beeline/inverse/analytic/six_loop.h>
+#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/representative.h>
 
 #include <tests/random.h>
 

@@ -10,7 +10,7 @@
 #include <exception>
 #include <vector>
 
-#include <beeline/motion/timing/point_to_point.h>
+#include <beeline/timing/point_to_point.h>
 
 namespace {
 

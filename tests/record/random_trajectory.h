@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/motion/timing/trajectory.h>
+#include <beeline/trajectory/trajectory.h>
 
 #include <tests/random.h>
 

@@ -1,0 +1,36 @@
+#include <beeline/error.h>
+#include <beeline/inverse/internal/joint_lock.h>
+
+namespace beeline {
+
+Arm with_locked(const Arm& arm, int k, double value) {
+  if (arm.dof() < 2) throw Error("arm " + arm.name() + " has one joint, which cannot be locked");
+  std::vector<Joint> joints;
+  Pose standing = Pose::Identity();  // from the last joint that moves
+  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
+    const Joint& joint = arm.joints()[i];
+    const Arm::Drive& drive = arm.drives()[i];
+    if (drive.coordinate == k) {
+      standing = standing * joint_transform(joint, drive.ratio * value + drive.shift);
+      continue;
+    }
+    joints.push_back(joint);
+    joints.back().offset = standing * joint.offset;
+    standing = Pose::Identity();
+  }
+  return {arm.name(), joints, standing * arm.tool(), arm.base()};
+}
+
+Configuration without(const Configuration& q, int k) {
+  Configuration shorter(q.size() - 1);
+  shorter << q.head(k), q.tail(q.size() - 1 - k);
+  return shorter;
+}
+
+Configuration with(const Configuration& q, int k, double value) {
+  Configuration longer(q.size() + 1);
+  longer << q.head(k), value, q.tail(q.size() - k);
+  return longer;
+}
+
+}  // namespace beeline

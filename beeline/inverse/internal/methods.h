@@ -1,0 +1,99 @@
+#pragma once
+
+#include <optional>
+
+#include <beeline/inverse/analytic/closed_form.h>
+#include <beeline/inverse/analytic/general_six.h>
+#include <beeline/inverse/internal/reason.h>
+#include <beeline/inverse/internal/redundant_joint.h>
+#include <beeline/inverse/internal/request.h>
+#include <beeline/inverse/numerical/multi_start.h>
+
+namespace beeline {
+
+/// Descents for one task within some bounds, and where they may start.
+struct Descents {
+  DescentProblem problem;
+  StartDeck deck;
+};
+Descents descents(const Arm& arm, const Task& task, const Bounds& bounds,
+                  const InverseOptions& options);
+
+/// What an arm is solved by, prepared as far as it was asked for.
+struct InverseMethods {
+  Arm arm;
+  InverseOptions options;
+  Task task;
+  Bounds bounds;         ///< the limits, or none where these do not count
+  Configuration middle;  ///< the seed where none is given
+  bool planar = false;   ///< has_planar_closed_form()
+  std::optional<ClosedForm> closed = std::nullopt;
+  bool closed_is_sure = true;  ///< whether it found random configurations of the arm again
+  bool general_six = false;    ///< six joints that turn, and no closed form of a family
+  std::optional<GeneralSix> general = std::nullopt;
+  std::optional<GeneralSix> second_opinion = std::nullopt;  ///< where descents find nothing
+  std::optional<Descents> within = std::nullopt, anywhere = std::nullopt;
+  int missing = -1;  ///< the coordinate of a longer arm that is locked in this one
+  std::vector<InverseMethods> shorter = {};  ///< for options.lock: the arm that is left ...
+  double shorter_value = 0;                  ///< ... with the coordinate at this value
+  MultiStartBuffers buffers = {};
+  Search search = {};
+};
+
+/// Throws Error for options that make no sense, or a closed form that the arm does not have.
+InverseMethods inverse_methods(const Arm& arm, const InverseOptions& options);
+
+/// The general solver of six joints, if it is one for the arm. Takes milliseconds.
+std::optional<GeneralSix> prepared_general(const InverseMethods& methods);
+
+/// In words.
+std::string description(const InverseMethods& methods);
+
+/// What is known of the solutions when limits do not count.
+struct Beyond {
+  bool complete = false;               ///< all there are have been looked at
+  bool doubtful = false;               ///< one may have been lost to rounding
+  bool continuum = false;              ///< some of them stand for infinitely many
+  std::optional<Obstacle> law;         ///< there are none, whatever the joints do
+  std::optional<Configuration> least;  ///< the one that is least outside limits
+};
+
+/// Of a seed's joint that is farther from zero no turns are counted: that would cost digits.
+inline constexpr double farthest_seed = 1e3;  // radians
+
+/// Throws Error where options.lock would hold a coordinate outside its limits.
+void check_lock(const InverseMethods& methods, const ConfigurationRef& seed);
+
+/// The whole answer. Reasons take longer than solutions: they are left out where nobody asks.
+InverseResult answer(InverseMethods& methods, const Pose& world_T_tool, const Configuration& seed,
+                     bool with_reason);
+
+/// The solutions in the shortest way, into the columns, where nothing about them needs a second
+/// look; returns how many, or -1 where something does. Does not allocate in the ordinary course.
+int answer_at_once(InverseMethods& methods, const Pose& goal, const ConfigurationRef& seed,
+                   Eigen::Ref<Eigen::MatrixXd> solutions);
+
+/// Puts what formulas give into result.solutions, as far as it is within limits.
+Beyond solve_closed(InverseMethods& methods, const Question& ask, InverseResult& result);
+Beyond solve_general(const GeneralSix& general, const Question& ask, InverseResult& result);
+
+/// Puts what descents find into result.solutions; `beyond` is what is known already.
+Beyond solve_numerical(InverseMethods& methods, const Question& ask, InverseResult& result,
+                       Beyond beyond = {});
+
+/// The same in the shortest way, for one solution: from the seed into the first column. Says
+/// whether there is one. Does not allocate but at the first call.
+bool descend_at_once(InverseMethods& methods, const Pose& goal, const ConfigurationRef& seed,
+                     Eigen::Ref<Eigen::MatrixXd> solutions);
+
+/// Eight descents within limits from branches that exceed these least; the first that arrives goes
+/// into q. Says whether one did. Does not allocate but at the first call.
+bool descend_from(InverseMethods& methods, const Pose& goal, const LeastOutside& outside,
+                  double tolerance, Eigen::Ref<Configuration> q);
+
+/// Fills in status, residual, nearest miss and reason of a result without solutions; or, where it
+/// comes upon one, that.
+void explain(InverseMethods& methods, const Question& ask, const Beyond& beyond,
+             InverseResult& result);
+
+}  // namespace beeline

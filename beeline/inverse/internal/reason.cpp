@@ -1,0 +1,174 @@
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <beeline/error.h>
+#include <beeline/inverse/internal/reason.h>
+#include <beeline/kinematics/forward.h>
+
+namespace beeline {
+namespace {
+
+/// Directions that differ by less count as the same. What they can then still differ by over a long
+/// arm is granted to the pose, so that "unreachable" stays proved.
+constexpr double parallel = 1e-12;
+
+bool rows(const Task& task, std::size_t first) {
+  return task.rows[first] && task.rows[first + 1] && task.rows[first + 2];
+}
+
+/// The screws of the joints that can move, in the world at q = 0.
+std::vector<Twist> screws(const Arm& arm) {
+  const std::vector<Pose> world_T_link = link_poses(arm, Configuration::Zero(arm.dof()));
+  std::vector<Twist> all;
+  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
+    if (arm.drives()[i].ratio == 0) continue;
+    all.push_back(adjoint(world_T_link[i + 1], arm.joints()[i].screw));
+  }
+  return all;
+}
+
+bool turns(const Twist& screw) { return !screw.tail<3>().isZero(0); }
+
+/// All axes are along `axis`: the tilt against it stays, and so does the height along it unless
+/// something moves that way.
+std::optional<Obstacle> against_parallel_axes(const Arm& arm, const Vector3& axis,
+                                              const std::vector<Twist>& motions, const Pose& goal,
+                                              const Task& task, double tolerance) {
+  const Pose rest = forward_kinematics(arm, Configuration::Zero(arm.dof()));
+  const Vector3 seen = rest.linear().transpose() * axis;  // the axis in the tool's frame: it stays
+  const Vector3 local = task.frame == Frame::tool ? seen : axis;
+  const bool about_z = local.head<2>().norm() < parallel;
+  const Vector3 asked = goal.linear().transpose() * axis;
+  const double tilt = std::atan2(seen.cross(asked).norm(), seen.dot(asked));
+  const double skew = 2 * parallel * static_cast<double>(motions.size());
+  if (tilt > tolerance + skew && (rows(task, 3) || (about_z && task.rows[3] && task.rows[4]))) {
+    return Obstacle{tilt, true,
+                    "the pose is tilted by " + angle(tilt) +
+                        " against all that the tool can take: every axis of arm " + arm.name() +
+                        " has the same direction, about which alone it turns"};
+  }
+  const bool moves_along = std::any_of(
+      motions.begin(), motions.end(),
+      [&axis](const Twist& motion) { return std::abs(motion.head<3>().dot(axis)) > parallel; });
+  const double off = std::abs(axis.dot(goal.translation() - rest.translation()));
+  const double way = (goal.translation() - rest.translation()).norm();
+  const double size = std::isfinite(arm.reach().radius) ? arm.reach().radius : way;
+  if (!moves_along && off > tolerance + skew * size &&
+      (rows(task, 0) || (about_z && task.rows[2]))) {
+    return Obstacle{off, false,
+                    "the pose is " + number(off) + " m off the plane that the tool of arm " +
+                        arm.name() +
+                        " never leaves: all axes are normal to it, and nothing slides out"};
+  }
+  return std::nullopt;
+}
+
+/// Nothing turns: the orientation stays, and the position is linear in q.
+std::optional<Obstacle> against_slides(const Arm& arm, const std::vector<Twist>& motions,
+                                       const Pose& goal, const Task& task, double tolerance) {
+  const Pose rest = forward_kinematics(arm, Configuration::Zero(arm.dof()));
+  const double turn = task_deviation(task, goal, rest).orientation;
+  if (turn > tolerance) {
+    return Obstacle{turn, true,
+                    "the orientation differs by " + angle(turn) +
+                        " from the tool's, which no joint of arm " + arm.name() + " turns"};
+  }
+  const Rotation axes =
+      task.frame == Frame::tool ? Rotation(rest.linear().transpose()) : Rotation::Identity();
+  Eigen::Matrix3Xd directions(3, motions.size());
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    directions.col(static_cast<Eigen::Index>(i)) = axes * motions[i].head<3>();
+  }
+  Vector3 way = axes * (goal.translation() - rest.translation());
+  for (int i = 0; i < 3; ++i) {
+    if (task.rows[static_cast<std::size_t>(i)]) continue;
+    way[i] = 0;
+    directions.row(i).setZero();
+  }
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+  decomposition.setThreshold(parallel);  // slides of one direction span a line
+  decomposition.compute(directions);
+  const double off = (directions * decomposition.solve(way) - way).norm();
+  if (off <= tolerance) return std::nullopt;
+  return Obstacle{off, false,
+                  "the position is " + number(off) + " m off all that the slides of arm " +
+                      arm.name() + " reach, however far they go"};
+}
+
+}  // namespace
+
+std::string point(const Vector3& exact) {
+  // What rounding leaves beside the other coordinates is noise to the reader.
+  const double noise = 1e-9 * exact.cwiseAbs().maxCoeff();
+  const Vector3 p = (exact.array().abs() < noise).select(0, exact);
+  return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";
+}
+
+std::optional<Obstacle> beyond_reach(const Arm& arm, const Pose& world_T_tool, const Task& task,
+                                     double tolerance) {
+  Vector3 way = world_T_tool.translation() - arm.reach().centre;
+  if (!rows(task, 0)) {
+    if (task.frame == Frame::tool) return std::nullopt;
+    for (int i = 0; i < 3; ++i) way[i] = task.rows[static_cast<std::size_t>(i)] ? way[i] : 0;
+  }
+  const double beyond = way.norm() - arm.reach().radius;
+  if (!(beyond > tolerance)) return std::nullopt;
+  return Obstacle{beyond, false,
+                  "the pose is " + number(beyond) + " m beyond the reach of arm " + arm.name() +
+                      ": " + number(way.norm()) + " m from " + point(arm.reach().centre) +
+                      ", which the tool never leaves by more " + "than " +
+                      number(arm.reach().radius) + " m"};
+}
+
+bool out_of_reach(const Arm& arm, const Pose& world_T_tool, const Task& task, double tolerance) {
+  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
+    if (arm.drives()[i].ratio != 0 && kind(arm.joints()[i]) != JointKind::revolute) return false;
+  }
+  return beyond_reach(arm, world_T_tool, task, tolerance).has_value();
+}
+
+std::optional<Obstacle> against_what_stays(const Arm& arm, const Pose& world_T_tool,
+                                           const Task& task, double tolerance) {
+  const std::vector<Twist> motions = screws(arm);
+  const auto first = std::find_if(motions.begin(), motions.end(), turns);
+  if (first == motions.end()) {
+    return against_slides(arm, motions, world_T_tool, task, tolerance);
+  }
+  const Vector3 axis = first->tail<3>();
+  for (const Twist& motion : motions) {
+    if (axis.cross(motion.tail<3>()).norm() > parallel) return std::nullopt;
+  }
+  return against_parallel_axes(arm, axis, motions, world_T_tool, task, tolerance);
+}
+
+std::string blocking_joint(const Arm& arm, const Configuration& q, const Bounds& bounds) {
+  int worst = 0;
+  const auto outside = [&](int k) {
+    return std::max(bounds.lower[k] - q[k], q[k] - bounds.upper[k]);
+  };
+  for (int k = 1; k < q.size(); ++k) {
+    if (outside(k) > outside(worst)) worst = k;
+  }
+  const auto value = [&](double x) {
+    const bool metres = kind(arm.joint_of(worst)) == JointKind::prismatic;
+    return metres ? number(x) + " m" : angle(x);
+  };
+  const bool above = q[worst] > bounds.upper[worst];
+  return "joint " + arm.joint_of(worst).name + " would be at " + value(q[worst]) + ", " +
+         value(outside(worst)) + (above ? " above its upper limit " : " below its lower limit ") +
+         value(above ? bounds.upper[worst] : bounds.lower[worst]);
+}
+
+double excess(const Bounds& bounds, const Configuration& q) {
+  return (bounds.lower - q).cwiseMax(q - bounds.upper).cwiseMax(0).sum();
+}
+
+std::string miss(const Deviation& error, double tolerance) {
+  if (!(error.orientation > tolerance)) return number(error.position) + " m";
+  if (!(error.position > tolerance)) return angle(error.orientation);
+  return number(error.position) + " m and " + angle(error.orientation);
+}
+
+}  // namespace beeline

@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <beeline/inverse/internal/redundant_joint.h>
+
+namespace beeline {
+namespace {
+
+constexpr double golden = 0.6180339887498949;
+
+void insert(const ClosedForm& form, const LockedBranch& branch, int lane, LeastOutside& outside) {
+  constexpr int room = 8;
+  const double excess = branch.found.excess[lane];
+  if (outside.count == room && !(excess < outside.excess[room - 1])) return;
+  int place = outside.count < room ? outside.count++ : room - 1;
+  for (; place > 0 && outside.excess[place - 1] > excess; --place) {
+    outside.excess[place] = outside.excess[place - 1];
+    std::copy_n(outside.q[place - 1], 7, outside.q[place]);
+  }
+  outside.excess[place] = excess;
+  form.configuration(branch.found, lane, branch.value,
+                     Eigen::Map<Eigen::Matrix<double, 7, 1>>(outside.q[place]));
+}
+
+/// Less is better: the distance from the seed, or minus the least share of a range that is left.
+double cost(const SixQuestion& six, const SixBranches& found, int lane, const LockedRange& range,
+            double value, Redundancy redundancy) {
+  if (redundancy == Redundancy::nearest) {
+    return found.distance[lane] + (value - range.seed) * (value - range.seed);
+  }
+  const auto share = [](double q, double lower, double upper) {
+    const double width = upper - lower;
+    return std::isfinite(width) && width > 0 ? std::min(q - lower, upper - q) / width : 1;
+  };
+  double least = range.limited ? share(value, range.lower, range.upper) : 1;
+  for (std::size_t k = 0; k < 6; ++k) {
+    least = std::min(least, share(found.q[k][lane], six.lower[k], six.upper[k]));
+  }
+  return -least;
+}
+
+}  // namespace
+
+LockedRange locked_range(const Arm& arm, const Bounds& bounds, const ConfigurationRef& seed,
+                         const ClosedForm& form) {
+  const int k = form.locked();
+  const bool slides = kind(arm.joint_of(k)) == JointKind::prismatic;
+  const double far = slides ? form.size() : std::numbers::pi;
+  LockedRange range{bounds.lower[k], bounds.upper[k], seed[k]};
+  const bool open = !std::isfinite(range.lower) && !std::isfinite(range.upper);
+  if (open) {
+    range.lower = range.seed - far;
+    range.upper = range.seed + far;
+  } else if (!std::isfinite(range.lower)) {
+    range.lower = range.upper - 2 * far;
+  } else if (!std::isfinite(range.upper)) {
+    range.upper = range.lower + 2 * far;
+  }
+  range.limited = std::isfinite(bounds.lower[k]) && std::isfinite(bounds.upper[k]);
+  range.seed = std::clamp(range.seed, range.lower, range.upper);
+  return range;
+}
+
+int nearest_lane(const SixQuestion& six, const SixBranches& found) {
+  int nearest = -1;
+  for (unsigned rest = found.within; rest != 0; rest &= rest - 1) {
+    const int lane = std::countr_zero(rest);
+    if (!(found.residual[lane] <= six.closed)) continue;
+    if (nearest < 0 || found.distance[lane] < found.distance[nearest]) nearest = lane;
+  }
+  return nearest;
+}
+
+bool nearly_found(const ClosedForm& form, const SixBranches& found) {
+  // Added joints may stand still only where other lanes are at the edge of theirs.
+  if (form.has_added_joints() && found.found != 0) return false;
+  if (found.weak != 0) return true;
+  const double near = 1e-6 * std::max(1.0, form.size());
+  for (int lane = 0; lane < 8; ++lane) {
+    if ((found.found >> lane & 1) == 0 && found.residual[lane] < near) return true;
+  }
+  return false;
+}
+
+LockedBranch first_within(const ClosedForm& form, const Pose& goal, const LockedRange& range,
+                          int tries, SixQuestion& six, LeastOutside& outside) {
+  LockedBranch branch;
+  int tried = 0;
+  const auto succeeds = [&](double value) {
+    ++tried;
+    branch.value = value;
+    form.branches(goal, value, six, branch.found);
+    branch.lane = nearest_lane(six, branch.found);
+    if (branch.lane >= 0) return true;
+    for (unsigned rest = branch.found.found; rest != 0; rest &= rest - 1) {
+      insert(form, branch, std::countr_zero(rest), outside);
+    }
+    return false;
+  };
+  if (succeeds(range.seed)) return branch;
+  // Each round halves the step and takes the values between those that were tried.
+  const double width = range.upper - range.lower;
+  double step = width / 4;
+  for (bool first = true; tried < tries && step > 0; first = false, step /= 2) {
+    for (int i = 1; i * step <= width && tried < tries; i += first ? 1 : 2) {
+      for (const double value : {range.seed + i * step, range.seed - i * step}) {
+        if (value < range.lower || value > range.upper) continue;
+        if (succeeds(value)) return branch;
+      }
+    }
+  }
+  return branch;
+}
+
+std::vector<double> grid_values(const LockedRange& range, int grid) {
+  std::vector<double> values;
+  for (int i = 0; i < grid; ++i) {
+    const double share = static_cast<double>(i) / (grid - 1);
+    values.push_back((1 - share) * range.lower + share * range.upper);
+  }
+  return values;
+}
+
+LockedBranch best_within(const ClosedForm& form, const Pose& goal, const LockedRange& range,
+                         int grid, Redundancy redundancy, SixQuestion& six) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  LockedBranch best, branch;
+  double least = none;
+  const auto cost_at = [&](double value) {
+    form.branches(goal, value, six, branch.found);
+    double lowest = none;
+    for (unsigned rest = branch.found.within; rest != 0; rest &= rest - 1) {
+      const int lane = std::countr_zero(rest);
+      if (!(branch.found.residual[lane] <= six.closed)) continue;
+      const double here = cost(six, branch.found, lane, range, value, redundancy);
+      lowest = std::min(lowest, here);
+      if (here < least) {
+        least = here;
+        best = branch;
+        best.value = value;
+        best.lane = lane;
+      }
+    }
+    return lowest;
+  };
+  const std::vector<double> values = grid_values(range, grid);
+  std::vector<std::pair<double, double>> ranked;  // cost, value
+  for (const double value : values) ranked.emplace_back(cost_at(value), value);
+  ranked.emplace_back(cost_at(range.seed), range.seed);
+  std::sort(ranked.begin(), ranked.end());
+  const double step = (range.upper - range.lower) / (grid - 1);
+  constexpr std::size_t places = 3;
+  for (std::size_t i = 0; i < std::min(places, ranked.size()); ++i) {
+    double a = std::max(range.lower, ranked[i].second - step);
+    double b = std::min(range.upper, ranked[i].second + step);
+    double x = b - golden * (b - a), y = a + golden * (b - a);
+    double at_x = cost_at(x), at_y = cost_at(y);
+    for (int round = 0; round < 40; ++round) {
+      if (at_x < at_y) {
+        b = y, y = x, at_y = at_x;
+        x = b - golden * (b - a);
+        at_x = cost_at(x);
+      } else {
+        a = x, x = y, at_x = at_y;
+        y = a + golden * (b - a);
+        at_y = cost_at(y);
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace beeline

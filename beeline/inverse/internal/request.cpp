@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <beeline/error.h>
+#include <beeline/inverse/internal/reason.h>
+#include <beeline/inverse/internal/request.h>
+#include <beeline/inverse/numerical/representative.h>
+#include <beeline/kinematics/forward.h>
+
+namespace beeline {
+namespace {
+
+/// Forward kinematics rounds off about this much of the arm's size.
+double rounding_of(const Arm& arm, const Pose& goal) {
+  const double reach = std::isfinite(arm.reach().radius) ? arm.reach().radius : 0;
+  const double size = std::max(reach, goal.translation().norm());
+  return 16 * std::numeric_limits<double>::epsilon() * size *
+         std::sqrt(static_cast<double>(arm.joints().size()));
+}
+
+void check_count(const char* what, int value, int least) {
+  if (value >= least) return;
+  throw Error(std::string(what) + " is " + std::to_string(value) + "; it must be " +
+              std::to_string(least) + " or more");
+}
+
+}  // namespace
+
+void check_options(const Arm& arm, const InverseOptions& options) {
+  if (options.task) check_task(*options.task);
+  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
+    throw Error("tolerance is " + number(options.tolerance) + "; it must be above zero");
+  }
+  check_count("iterations", options.iterations, 0);
+  check_count("restarts", options.restarts, 0);
+  check_count("grid", options.grid, 2);
+  constexpr int finest = 10'000;
+  if (options.grid > finest) {
+    throw Error("grid is " + std::to_string(options.grid) + "; it must be 10000 or less");
+  }
+  if (options.time_limit && !(*options.time_limit > 0)) {
+    throw Error("time limit is " + number(*options.time_limit) + " s; it must be above zero");
+  }
+  if (options.lock && (*options.lock < 0 || *options.lock >= arm.dof())) {
+    throw Error("lock is coordinate " + std::to_string(*options.lock) + "; arm " + arm.name() +
+                " has 0 to " + std::to_string(arm.dof() - 1));
+  }
+  if (options.lock && arm.dof() == 1) throw Error("lock leaves arm " + arm.name() + " no joint");
+  if (options.every_turn && !options.all) throw Error("every turn makes sense with all only");
+}
+
+Pose checked_pose(const Pose& pose) {
+  constexpr double farthest = 1e100;  // beyond, squares overflow
+  constexpr double rounding = 1e-6;   // of a rotation that was read from text
+  constexpr double exact = 1e-15;
+  if (!pose.matrix().allFinite() || pose.translation().cwiseAbs().maxCoeff() > farthest) {
+    throw Error("the pose has a number that is not finite, or a position beyond 1e100 m");
+  }
+  const Rotation r = pose.linear();
+  const double off = (r * r.transpose() - Rotation::Identity()).cwiseAbs().maxCoeff();
+  if (!(off <= rounding) || r.determinant() < 0) {
+    throw Error("the pose is no rigid motion: its rotation must be orthonormal and right-handed");
+  }
+  if (off <= exact) return pose;
+  Pose rigid = pose;
+  rigid.linear() = Eigen::Quaterniond(r).normalized().toRotationMatrix();
+  return rigid;
+}
+
+Question question(const Arm& arm, const InverseOptions& options, const Task& task,
+                  const Bounds& bounds, const Pose& world_T_tool, const Configuration& seed) {
+  using Clock = std::chrono::steady_clock;
+  Question ask{arm,  options, checked_pose(world_T_tool), task,
+               seed, bounds,  options.tolerance,          Clock::time_point::max()};
+  check_configuration(arm, ask.seed);
+  ask.tolerance = std::max(options.tolerance, rounding_of(arm, ask.goal));
+  constexpr double forever = 1e9;  // seconds
+  if (options.time_limit && *options.time_limit < forever) {
+    ask.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                      std::chrono::duration<double>(*options.time_limit));
+  }
+  return ask;
+}
+
+double error_at(const Question& ask, const Configuration& q) {
+  const Deviation error = task_deviation(ask.task, ask.goal, forward_kinematics(ask.arm, q));
+  return std::max(error.position, error.orientation);
+}
+
+void confirm(const Question& ask, const Configuration& q, InverseResult& result) {
+  // Next to a singular solution a value is known to the square root of rounding only.
+  constexpr double hair = 1e-6;
+  Configuration turned = nearest_representative(ask.arm, q, ask.seed, ask.bounds);
+  if (excess(ask.bounds, turned) > hair) return;
+  turned = turned.cwiseMax(ask.bounds.lower).cwiseMin(ask.bounds.upper);
+  double error = error_at(ask, turned);
+  if (error > std::max(1e-13, ask.tolerance / 100)) {
+    // It was set on a bound, is ill conditioned, or lost its digits in turns far from zero.
+    const Configuration& near = within(ask.bounds, q) ? q : turned;
+    const Descent mended =
+        descend(ask.arm, ask.goal, ask.task, ask.bounds, near, {.tolerance = ask.tolerance});
+    const double left = error_at(ask, mended.q);
+    if (left < error) error = left, turned = mended.q;
+  }
+  if (!(error <= ask.tolerance)) return;
+  for (const Configuration& known : result.solutions) {
+    if (same_posture(ask.arm, known, turned)) return;
+  }
+  result.solutions.push_back(turned);
+}
+
+void finish(const Question& ask, InverseResult& result) {
+  result.status = InverseStatus::solved;
+  if (ask.options.every_turn) {
+    result.solutions = every_representative(ask.arm, result.solutions, ask.bounds);
+    std::erase_if(result.solutions, [&ask](const Configuration& q) {  // set on a bound, or far off
+      return error_at(ask, q) > ask.tolerance;
+    });
+  }
+  std::sort(result.solutions.begin(), result.solutions.end(),
+            [&ask](const Configuration& a, const Configuration& b) {
+              const double to_a = (a - ask.seed).norm(), to_b = (b - ask.seed).norm();
+              if (to_a != to_b) return to_a < to_b;
+              return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+            });
+  if (!ask.options.all) result.solutions.resize(1);
+  result.residual = 0;
+  for (const Configuration& q : result.solutions) {
+    result.residual = std::max(result.residual, error_at(ask, q));
+  }
+}
+
+}  // namespace beeline

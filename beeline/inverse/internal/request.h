@@ -1,0 +1,44 @@
+#pragma once
+
+#include <chrono>
+
+#include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/inverse/numerical/numerical.h>
+
+namespace beeline {
+
+/// What is asked of inverse kinematics, checked and with its defaults filled in.
+struct Question {
+  const Arm& arm;
+  const InverseOptions& options;
+  Pose goal;
+  Task task;
+  Configuration seed;
+  Bounds bounds;  ///< the limits, or none where these do not count
+  double tolerance = 0;
+  std::chrono::steady_clock::time_point deadline;
+};
+
+/// Throws Error for options that make no sense for the arm, whatever the pose.
+void check_options(const Arm& arm, const InverseOptions& options);
+
+/// The pose with a rotation that is orthonormal to rounding. Throws Error when it is none to 1e-6,
+/// or not finite.
+Pose checked_pose(const Pose& pose);
+
+/// `options` are checked already, but for the seed. Throws Error when pose or seed make no sense.
+Question question(const Arm& arm, const InverseOptions& options, const Task& task,
+                  const Bounds& bounds, const Pose& world_T_tool, const Configuration& seed);
+
+/// The larger part of the task's error at q, by forward kinematics.
+double error_at(const Question& ask, const Configuration& q);
+
+/// Adds q to the solutions by the turns nearest to the seed, if so it is within limits, forward
+/// kinematics confirms it, and it is not there yet. `q` is a posture that some method claims to be
+/// a solution; its last digits are mended.
+void confirm(const Question& ask, const Configuration& q, InverseResult& result);
+
+/// Sorts the solutions and leaves out what was not asked for.
+void finish(const Question& ask, InverseResult& result);
+
+}  // namespace beeline

@@ -1,0 +1,76 @@
+#include <algorithm>
+
+#include <beeline/error.h>
+#include <beeline/inverse/internal/methods.h>
+#include <beeline/inverse/inverse_kinematics.h>
+
+namespace beeline {
+namespace {
+
+constexpr const char* method_names[] = {"automatic", "closed_form", "numerical"};
+constexpr const char* redundancy_names[] = {"any", "nearest", "centred"};
+constexpr const char* status_names[] = {"solved", "unreachable", "orientation", "outside_limits",
+                                        "not_found"};
+
+template <std::size_t n>
+int named(std::string_view name, const char* const (&names)[n], const char* what) {
+  const auto* found = std::find(std::begin(names), std::end(names), name);
+  if (found != std::end(names)) return static_cast<int>(found - names);
+  throw unknown_name(what, name, {std::begin(names), std::end(names)});
+}
+
+}  // namespace
+
+InverseMethod inverse_method_named(std::string_view name) {
+  return static_cast<InverseMethod>(named(name, method_names, "method"));
+}
+std::string name(InverseMethod method) { return method_names[static_cast<int>(method)]; }
+
+Redundancy redundancy_named(std::string_view name) {
+  return static_cast<Redundancy>(named(name, redundancy_names, "redundancy"));
+}
+std::string name(Redundancy redundancy) { return redundancy_names[static_cast<int>(redundancy)]; }
+
+std::string name(InverseStatus status) { return status_names[static_cast<int>(status)]; }
+
+InverseSolver::InverseSolver(const Arm& arm, const InverseOptions& options)
+    : methods_(std::make_unique<InverseMethods>(inverse_methods(arm, options))) {}
+InverseSolver::InverseSolver(const InverseSolver& other)
+    : methods_(std::make_unique<InverseMethods>(*other.methods_)) {}
+InverseSolver::~InverseSolver() = default;
+
+std::string InverseSolver::method() const { return description(*methods_); }
+
+InverseResult InverseSolver::solve(const Pose& world_T_tool) {
+  return solve(world_T_tool, methods_->options.seed ? *methods_->options.seed : methods_->middle);
+}
+
+InverseResult InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed) {
+  return answer(*methods_, world_T_tool, seed, true);
+}
+
+int InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed,
+                         Eigen::Ref<Eigen::MatrixXd> solutions) {
+  check_configuration(methods_->arm, seed);
+  if (solutions.rows() != methods_->arm.dof() || solutions.cols() < 1) {
+    throw Error("solutions need " + std::to_string(methods_->arm.dof()) +
+                " rows and at least one column");
+  }
+  const Pose goal = checked_pose(world_T_tool);
+  const int at_once = answer_at_once(*methods_, goal, seed, solutions);
+  if (at_once >= 0) return at_once;
+  const InverseResult result = answer(*methods_, goal, seed, false);
+  const auto room = static_cast<std::size_t>(solutions.cols());
+  const std::size_t count = std::min(room, result.solutions.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    solutions.col(static_cast<Eigen::Index>(i)) = result.solutions[i];
+  }
+  return static_cast<int>(count);
+}
+
+InverseResult inverse_kinematics(const Arm& arm, const Pose& world_T_tool,
+                                 const InverseOptions& options) {
+  return InverseSolver(arm, options).solve(world_T_tool);
+}
+
+}  // namespace beeline

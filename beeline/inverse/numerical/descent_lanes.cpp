@@ -1,0 +1,255 @@
+#include <beeline/inverse/numerical/descent_lanes.h>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "beeline/inverse/numerical/descent_lanes.cpp"
+#include <hwy/foreach_target.h>
+
+#include <beeline/inverse/numerical/lane_solve-inl.h>
+#include <beeline/kinematics/task-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace beeline::HWY_NAMESPACE {
+namespace {
+
+// Found by trial over random poses of the built-in arms; the optimum is flat.
+constexpr double first_factor = 0.05;    // damping over squared error
+constexpr double least_factor = 1e-3;    // the same, where all goes well
+constexpr double least_damping = 1e-13;  // keeps the normal equations regular, whatever the arm
+constexpr double largest_step = 1;       // radians, or units of length: beyond, J tells nothing
+constexpr int patience = 5;              // steps in which the squared error must halve
+constexpr double polished = 1e-26;       // squared error that is as good as none
+constexpr double fine = 1e-21;           // the same, where it falls to no less than a quarter
+constexpr double near_goal = 0.1;        // squared error: farther off, one solution a step will do
+constexpr double whole_turn = 0x1.921fb54442d18p+2;
+
+HWY_INLINE Lanes load(const EightNumbers& numbers) { return Lanes::load(numbers.lane); }
+HWY_INLINE void store(Lanes lanes, EightNumbers& numbers) { lanes.store(numbers.lane); }
+
+/// What there is to see from the trial.
+struct Look {
+  Vector tool;   ///< its place
+  Motion error;  ///< what leads to the goal, in the task's axes
+  PartialTask part;
+};
+
+HWY_INLINE bool whole(const Task& task) {
+  for (const bool row : task.rows) {
+    if (!row) return false;
+  }
+  return true;
+}
+
+/// `goal`: four columns of four, the tool's place and the last link's orientation.
+HWY_INLINE void look(const DescentProblem& problem, const double* goal, LaneDescents& lanes,
+                     Look& at) {
+  const Space frame = last_frame(problem.chain, lanes.trial[0].lane, lanes.axes[0].lane);
+  const double* tool = problem.chain.tool.data();
+  at.tool = frame.origin + from_axes(frame, {tool[12], tool[13], tool[14]});
+  at.error.linear = Vector{goal[12], goal[13], goal[14]} - at.tool;
+  // goal * frame^T, row by row
+  const Vector x{goal[0], goal[1], goal[2]}, y{goal[4], goal[5], goal[6]},
+      z{goal[8], goal[9], goal[10]};
+  const Vector row0 = from_axes(frame, {x.x, y.x, z.x});
+  const Vector row1 = from_axes(frame, {x.y, y.y, z.y});
+  const Vector row2 = from_axes(frame, {x.z, y.z, z.z});
+  at.error.angular = rotation_log(row0, row1, row2, lanes.active);
+  if (whole(problem.task)) return;
+  const Space world_T_tool{from_axes(frame, {tool[0], tool[1], tool[2]}),
+                           from_axes(frame, {tool[4], tool[5], tool[6]}),
+                           from_axes(frame, {tool[8], tool[9], tool[10]}), at.tool};
+  at.part = partial_task(problem.task, world_T_tool, at.error);
+  at.error = weighted(at.part.weight, at.part.error);
+}
+
+/// Takes the trial's error over in the lanes in which it is less, sees which lanes end, and says
+/// in which it is less.
+HWY_INLINE LaneMask judge(const DescentProblem& problem, const Look& at,
+                          const LaneDescentOptions& options, LaneDescents& lanes) {
+  const LaneMask active = mask_of(lanes.active);
+  const Vector &linear = at.error.linear, &angular = at.error.angular;
+  const Lanes position = dot(linear, linear), orientation = dot(angular, angular);
+  const Lanes cost = position + orientation, before = load(lanes.cost);
+  const LaneMask better = (cost < before) & active;
+  const Lanes error[6] = {linear.x, linear.y, linear.z, angular.x, angular.y, angular.z};
+  for (int r = 0; r < 6; ++r) {
+    store(choose(better, error[r], load(lanes.error[r])), lanes.error[r]);
+  }
+  const Lanes now = choose(better, cost, before);
+  const Lanes factor = load(lanes.factor);
+  const Lanes next =
+      choose(better, max(factor * Lanes(0.5), Lanes(least_factor)), factor * Lanes(4));
+  store(now, lanes.cost);
+  store(choose(before == Lanes(HUGE_VAL), Lanes(first_factor), next), lanes.factor);
+
+  const double tolerance = options.tolerance / problem.length;
+  const LaneMask close = better & (position <= Lanes(tolerance * tolerance)) &
+                         (orientation <= Lanes(options.tolerance * options.tolerance));
+  const LaneMask was_within = mask_of(lanes.within), within = close | (was_within & !better);
+  const LaneMask slow = was_within & (now <= Lanes(fine)) & !(now < before * Lanes(0.25));
+  const Lanes iterations = load(lanes.iterations) + Lanes(1), due = load(lanes.due);
+  const Lanes milestone = load(lanes.milestone);
+  const LaneMask spent = iterations >= Lanes(options.iterations);
+  const LaneMask judged = iterations >= due;
+  const LaneMask stuck = judged & !(now < milestone * Lanes(0.5));
+  const LaneMask settled = (now <= Lanes(polished)) | slow;
+  const LaneMask arrived = options.polish ? within & settled : within;
+  const LaneMask ended = arrived | stuck | spent;
+  store(choose(active, iterations, load(lanes.iterations)), lanes.iterations);
+  store(choose(judged, now, milestone), lanes.milestone);
+  store(choose(judged, due + Lanes(patience), due), lanes.due);
+  lanes.within = (bits(within) & lanes.active) | (lanes.within & ~lanes.active);
+  lanes.arrived |= bits(within & ended) & lanes.active;
+  lanes.coarse |= bits(within & ended & !arrived) & lanes.active;
+  lanes.active &= ~bits(ended);
+  return better;
+}
+
+HWY_INLINE void take_over(LaneMask better, LaneDescents& lanes) {
+  for (size_t k = 0; k < lanes.q.size(); ++k) {
+    store(choose(better, load(lanes.trial[k]), load(lanes.q[k])), lanes.q[k]);
+  }
+}
+
+HWY_INLINE Lanes along(const Lanes (&column)[6], const Lanes (&y)[6]) {
+  return fma(column[0], y[0], fma(column[1], y[1], column[2] * y[2])) +
+         fma(column[3], y[3], fma(column[4], y[4], column[5] * y[5]));
+}
+
+HWY_INLINE void load_column(const LaneDescents& lanes, size_t k, Lanes (&column)[6]) {
+#pragma GCC unroll 6
+  for (size_t r = 0; r < 6; ++r) column[r] = load(lanes.column[6 * k + r]);
+}
+
+/// Takes the trial's Jacobian over in the lanes in which it is better, holds the joints at a bound
+/// that the error pulls through it, and returns J J^T of the others.
+HWY_INLINE void linearise(const DescentProblem& problem, const Look& at, LaneMask better,
+                          const Lanes (&error)[6], LaneDescents& lanes, Symmetric6& normal) {
+  const bool partial = !whole(problem.task);
+  const bool all_better = (lanes.active & ~bits(better)) == 0;
+  const int* links = problem.links.data();
+  for (size_t k = 0; k < problem.coordinates.size(); ++k) {
+    const auto& coordinate = problem.coordinates[k];
+    Motion motion{{0, 0, 0}, {0, 0, 0}};
+    for (int i = coordinate.first_link; i < coordinate.end_link; ++i) {
+      const auto link = static_cast<size_t>(links[i]);
+      const Motion one = link_motion(problem.chain.links[link], lanes.axes[6 * link].lane, at.tool);
+      motion = {motion.linear + one.linear, motion.angular + one.angular};
+    }
+    if (partial) motion = in_task(at.part, motion);
+    const Vector &v = motion.linear, &w = motion.angular;
+    Lanes column[6] = {v.x, v.y, v.z, w.x, w.y, w.z};
+#pragma GCC unroll 6
+    for (size_t r = 0; r < 6; ++r) {
+      if (!all_better) column[r] = choose(better, column[r], load(lanes.column[6 * k + r]));
+      store(column[r], lanes.column[6 * k + r]);
+    }
+    const Lanes q = load(lanes.q[k]), pull = along(column, error);
+    const LaneMask held = ((q >= Lanes(coordinate.highest)) & (pull > Lanes(0))) |
+                          ((q <= Lanes(coordinate.lowest)) & (pull < Lanes(0)));
+    const Lanes free = choose(held, Lanes(0), Lanes(1));
+    store(free, lanes.free[k]);
+    for (Lanes& c : column) c *= free;
+    add_square(normal, column);
+  }
+}
+
+HWY_INLINE void normal_equations(const LaneDescents& lanes, Symmetric6& normal) {
+  for (Lanes& entry : normal.entry) entry = Lanes(0);
+  for (size_t k = 0; k < lanes.q.size(); ++k) {
+    const Lanes free = load(lanes.free[k]);
+    Lanes column[6];
+    load_column(lanes, k, column);
+    for (Lanes& c : column) c *= free;
+    add_square(normal, column);
+  }
+}
+
+/// The damped step of the free joints, where what they are to do is `left`. Joints that it would
+/// carry through a bound stop there. Near the goal they are no longer free then, and what they do
+/// is taken off `left`; says in which lanes.
+HWY_INLINE unsigned step(const DescentProblem& problem, Symmetric6& normal, Lanes (&left)[6],
+                         bool again, LaneDescents& lanes) {
+  const Lanes damping = fma(load(lanes.factor), load(lanes.cost), Lanes(least_damping));
+  const LaneMask near = load(lanes.cost) < Lanes(near_goal);
+  Lanes dual[6];
+  for (int r = 0; r < 6; ++r) dual[r] = left[r];
+  solve_damped(normal, damping, dual);
+  unsigned stopped = 0;
+  for (size_t k = 0; k < problem.coordinates.size(); ++k) {
+    const auto& coordinate = problem.coordinates[k];
+    Lanes column[6];
+    load_column(lanes, k, column);
+    const Lanes q = load(lanes.q[k]), free = load(lanes.free[k]), wanted = along(column, dual);
+    const Lanes possible =
+        min(max(wanted, Lanes(coordinate.lowest) - q), Lanes(coordinate.highest) - q);
+    const LaneMask moves = free > Lanes(0), stops = near & moves & !(possible == wanted);
+    store(choose(moves, possible, again ? load(lanes.step[k]) : Lanes(0)), lanes.step[k]);
+    const unsigned which = bits(stops) & lanes.active;
+    if (which == 0) continue;
+    stopped |= which;
+    store(choose(stops, Lanes(0), free), lanes.free[k]);
+    const Lanes used = choose(stops, possible, Lanes(0));
+    for (int r = 0; r < 6; ++r) left[r] = fnma(column[r], used, left[r]);
+  }
+  return stopped;
+}
+
+HWY_INLINE void set_trial(const DescentProblem& problem, LaneDescents& lanes) {
+  Lanes longest(largest_step);
+  for (const EightNumbers& one : lanes.step) longest = max(longest, abs(load(one)));
+  const Lanes scale = Lanes(largest_step) / longest;
+  for (size_t k = 0; k < problem.coordinates.size(); ++k) {
+    const auto& coordinate = problem.coordinates[k];
+    const Lanes lower(coordinate.lower), upper(coordinate.upper), turn(whole_turn);
+    Lanes q = fma(load(lanes.step[k]), scale, load(lanes.q[k]));
+    if (coordinate.wraps) {
+      q = choose(q > upper, q - turn, choose(q < lower, q + turn, q));
+    }
+    store(min(max(q, lower), upper), lanes.trial[k]);
+  }
+}
+
+void run(const DescentProblem& problem, const double* goal, const LaneDescentOptions& options,
+         int most_steps, LaneDescents& lanes) {
+  const unsigned started = lanes.active;
+  Look at{};
+  for (int steps = 0; steps < most_steps && lanes.active == started; ++steps) {
+    look(problem, goal, lanes, at);
+    const LaneMask better = judge(problem, at, options, lanes);
+    take_over(better, lanes);
+    if (lanes.active == 0 || (options.first_is_enough && (lanes.arrived & ~lanes.coarse) != 0))
+      return;
+    Lanes left[6];
+    for (int r = 0; r < 6; ++r) left[r] = load(lanes.error[r]);
+    Symmetric6 normal;
+    for (Lanes& entry : normal.entry) entry = Lanes(0);
+    linearise(problem, at, better, left, lanes, normal);
+    if (step(problem, normal, left, false, lanes) != 0) {
+      normal_equations(lanes, normal);
+      step(problem, normal, left, true, lanes);
+    }
+    set_trial(problem, lanes);
+  }
+}
+
+}  // namespace
+}  // namespace beeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace beeline {
+
+HWY_EXPORT(run);
+
+void run_lanes(const DescentProblem& problem, const Pose& world_T_tool,
+               const LaneDescentOptions& options, int most_steps, LaneDescents& lanes) {
+  Pose goal = world_T_tool;
+  goal.linear() = world_T_tool.linear() * problem.chain.tool.linear().transpose();
+  goal.translation() /= problem.length;
+  HWY_DYNAMIC_DISPATCH(run)(problem, goal.data(), options, most_steps, lanes);
+}
+
+}  // namespace beeline
+
+#endif

@@ -1,0 +1,265 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/inverse/numerical/descent_near.h>
+
+// One configuration leaves most of a 512-bit register empty, and stores of single numbers stall the
+// wide loads behind them: 256 bits are faster.
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "beeline/inverse/numerical/descent_near.cpp"
+#include <hwy/foreach_target.h>
+
+#include <beeline/kinematics/chain_one-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace beeline::HWY_NAMESPACE {
+namespace {
+
+constexpr double least_damping = 1e-13;
+constexpr double damping_factor = 0.01;  // over squared error
+constexpr double bend_from = 1e-6;       // squared error; below, a plain step does
+constexpr double largest_step = 1;       // radians, or units of length
+constexpr double polished = 1e-26;       // squared error that is as good as none
+constexpr double fine = 1e-21;           // the same, where it falls no further
+constexpr double whole_turn = 0x1.921fb54442d18p+2;
+
+/// What leads to the goal (four columns of four); false where it is a quarter turn or more away.
+HWY_INLINE bool look(const DescentProblem& problem, const double* goal, NearDescent& near,
+                     double* place) {
+  double frame[16], turn[3][3];
+  last_frame_of_one(problem.chain, near.q.data(), near.angle[0].lane, near.sine[0].lane,
+                    near.cosine[0].lane, near.axes.data(), frame);
+  const double* tool = problem.chain.tool.data() + 12;
+  for (int r = 0; r < 3; ++r) {
+    place[r] = frame[12 + r] + frame[r] * tool[0] + frame[4 + r] * tool[1] + frame[8 + r] * tool[2];
+    near.error[r] = goal[12 + r] - place[r];
+    for (int c = 0; c < 3; ++c) {
+      turn[r][c] = goal[r] * frame[c] + goal[4 + r] * frame[4 + c] + goal[8 + r] * frame[8 + c];
+    }
+  }
+  // The axis, of length sin(angle).
+  const double v[3] = {(turn[2][1] - turn[1][2]) / 2, (turn[0][2] - turn[2][0]) / 2,
+                       (turn[1][0] - turn[0][1]) / 2};
+  const double u = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  const double twice_cosine = turn[0][0] + turn[1][1] + turn[2][2] - 1;
+  if (!(twice_cosine > 0)) return false;
+  double scale = 1;
+  if (u < 0.01) {  // asin(s) / s in powers of s^2
+    scale += u * (1.0 / 6 +
+                  u * (3.0 / 40 +
+                       u * (5.0 / 112 +
+                            u * (35.0 / 1152 +
+                                 u * (63.0 / 2816 + u * (231.0 / 13312 + u * (143.0 / 10240)))))));
+  } else {
+    const double s = std::sqrt(u);
+    scale = std::atan2(s, twice_cosine / 2) / s;
+  }
+  for (int r = 0; r < 3; ++r) near.error[3 + r] = v[r] * scale;
+  return true;
+}
+
+/// The Jacobian's columns, and J J^T row by row (rows of eight, six of them used).
+HWY_INLINE void linearise(const DescentProblem& problem, const double* place, NearDescent& near) {
+  Lanes sum[6];
+  for (Lanes& row : sum) row = Lanes(0);
+  const int* links = problem.links.data();
+  for (size_t k = 0; k < problem.coordinates.size(); ++k) {
+    double* column = near.column[k].lane;
+    for (int r = 0; r < 6; ++r) column[r] = 0;
+    if (!near.free[k]) continue;
+    for (int i = problem.coordinates[k].first_link; i < problem.coordinates[k].end_link; ++i) {
+      const auto at = static_cast<size_t>(links[i]);
+      const Chain::Link& link = problem.chain.links[at];
+      const double *z = &near.axes[8 * at], *p = z + 4;
+      const double arm[3] = {place[0] - p[0], place[1] - p[1], place[2] - p[2]};
+      column[0] += link.turn * (z[1] * arm[2] - z[2] * arm[1]) + link.travel * z[0];
+      column[1] += link.turn * (z[2] * arm[0] - z[0] * arm[2]) + link.travel * z[1];
+      column[2] += link.turn * (z[0] * arm[1] - z[1] * arm[0]) + link.travel * z[2];
+      for (int r = 0; r < 3; ++r) column[3 + r] += link.turn * z[r];
+    }
+  }
+  for (size_t k = 0; k < problem.coordinates.size(); ++k) {
+    const double* column = near.column[k].lane;
+    const Lanes all = Lanes::load(column);
+#pragma GCC unroll 6
+    for (int r = 0; r < 6; ++r) sum[r] = fma(all, Lanes(column[r]), sum[r]);
+  }
+  for (int r = 0; r < 6; ++r) sum[r].store(near.normal + r * lane_count);
+}
+
+/// a = L D L^T in place, above the diagonal L^T; on it 1 / D. See solve_damped().
+HWY_INLINE void factorise(double damping, double (&a)[6 * lane_count]) {
+#pragma GCC unroll 6
+  for (int j = 0; j < 6; ++j) a[j * lane_count + j] += damping;
+#pragma GCC unroll 6
+  for (int j = 0; j < 6; ++j) {
+    double* row = a + j * lane_count;
+    const double pivot = 1 / std::max(row[j], damping);
+    row[j] = pivot;
+    double scaled[6];
+#pragma GCC unroll 6
+    for (int i = j + 1; i < 6; ++i) {
+      scaled[i] = row[i] * pivot;
+#pragma GCC unroll 6
+      for (int k = i; k < 6; ++k) a[i * lane_count + k] -= scaled[i] * row[k];
+    }
+#pragma GCC unroll 6
+    for (int i = j + 1; i < 6; ++i) row[i] = scaled[i];
+  }
+}
+
+HWY_INLINE void solve(const double (&a)[6 * lane_count], double (&y)[6]) {
+#pragma GCC unroll 6
+  for (int j = 0; j < 6; ++j) {
+#pragma GCC unroll 6
+    for (int i = j + 1; i < 6; ++i) y[i] -= a[j * lane_count + i] * y[j];
+  }
+#pragma GCC unroll 6
+  for (int j = 0; j < 6; ++j) y[j] *= a[j * lane_count + j];
+#pragma GCC unroll 6
+  for (int i = 5; i >= 0; --i) {  // by columns, so that each waits for one product only
+#pragma GCC unroll 6
+    for (int j = i - 1; j >= 0; --j) y[j] -= a[j * lane_count + i] * y[i];
+  }
+}
+
+HWY_INLINE double along(const double* c, const double (&y)[6]) {
+  return (c[0] * y[0] + c[1] * y[1] + c[2] * y[2]) + (c[3] * y[3] + c[4] * y[4] + c[5] * y[5]);
+}
+
+/// Half the second derivative of the tool's motion along `near.move`: what moves on a straight
+/// line through the coordinates does not do so in space. A joint turns the columns of all that
+/// come after it, and its own.
+HWY_INLINE void bend(const NearDescent& near, double (&half)[6]) {
+  double turn[3] = {0, 0, 0}, linear[3] = {0, 0, 0}, angular[3] = {0, 0, 0};
+  for (size_t k = 0; k < near.move.size(); ++k) {
+    const double *v = near.column[k].lane, *w = v + 3, move = near.move[k];
+    const double own[3] = {move * w[0], move * w[1], move * w[2]};
+    const double t[3] = {turn[0] + own[0] / 2, turn[1] + own[1] / 2, turn[2] + own[2] / 2};
+    linear[0] += move * (t[1] * v[2] - t[2] * v[1]);
+    linear[1] += move * (t[2] * v[0] - t[0] * v[2]);
+    linear[2] += move * (t[0] * v[1] - t[1] * v[0]);
+    angular[0] += turn[1] * own[2] - turn[2] * own[1];
+    angular[1] += turn[2] * own[0] - turn[0] * own[2];
+    angular[2] += turn[0] * own[1] - turn[1] * own[0];
+    for (int r = 0; r < 3; ++r) turn[r] += own[r];
+  }
+  for (int r = 0; r < 3; ++r) {
+    half[r] = linear[r];
+    half[3 + r] = angular[r] / 2;
+  }
+}
+
+/// The step of `near.normal` and its columns. Returns how long it is, in the joint that goes
+/// farthest. A joint that comes to its bound stays there.
+HWY_INLINE double step(const DescentProblem& problem, bool bent, NearDescent& near) {
+  double dual[6];
+  for (int r = 0; r < 6; ++r) dual[r] = near.error[r];
+  solve(near.normal, dual);
+  double longest = 0;
+  for (size_t k = 0; k < near.q.size(); ++k) {
+    near.move[k] = along(near.column[k].lane, dual);
+    longest = std::max(longest, std::abs(near.move[k]));
+  }
+  if (bent) {  // Transtrum & Sethna 2012: geodesic acceleration, which makes convergence cubic
+    bend(near, dual);
+    solve(near.normal, dual);
+    for (size_t k = 0; k < near.q.size(); ++k) near.move[k] -= along(near.column[k].lane, dual);
+  }
+  for (size_t k = 0; k < near.q.size(); ++k) {
+    const auto& coordinate = problem.coordinates[k];
+    double q = near.q[k] + near.move[k];
+    if (coordinate.wraps) {
+      if (q > coordinate.upper) q -= whole_turn;
+      if (q < coordinate.lower) q += whole_turn;
+    }
+    near.before[k] = near.q[k];
+    near.q[k] = std::min(std::max(q, coordinate.lower), coordinate.upper);
+    near.free[k] &= near.q[k] == q;
+  }
+  return longest;
+}
+
+bool descend(const DescentProblem& problem, const double* goal, const LaneDescentOptions& options,
+             NearDescent& near) {
+  const double tolerance = options.tolerance / problem.length;
+  const bool in_order = problem.links.size() == problem.coordinates.size();
+  const double enough = options.polish ? polished : tolerance * tolerance;
+  double before = HUGE_VAL, longest = HUGE_VAL, error_before[6];
+  bool within = false;
+  for (near.iterations = 0;; ++near.iterations) {
+    double place[3];
+    for (int r = 0; r < 6; ++r) error_before[r] = near.error[r];
+    if (!look(problem, goal, near, place)) return false;
+    const double* e = near.error;
+    const double position = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
+    const double orientation = e[3] * e[3] + e[4] * e[4] + e[5] * e[5];
+    const double cost = position + orientation;
+    if (!(cost < before / 2)) {
+      if (!within || before > fine) return false;
+      if (!(cost < before)) {  // the rounding level: the step before was as good
+        near.q.swap(near.before);
+        for (int r = 0; r < 6; ++r) near.error[r] = error_before[r];
+      }
+      return true;
+    }
+    within =
+        position <= tolerance * tolerance && orientation <= options.tolerance * options.tolerance;
+    if (within && (!options.polish || cost <= polished)) return true;
+    if (near.iterations >= options.iterations) return within && cost <= fine;
+    before = cost;
+    // The last Jacobian is off by about the last step: where that leaves little enough, it serves
+    // again.
+    const bool again = cost * longest * longest < enough / 4;
+    if (!again) {
+      linearise(problem, place, near);
+      factorise(damping_factor * cost + least_damping, near.normal);
+    }
+    longest = step(problem, !again && in_order && cost > bend_from, near);
+    if (!(longest <= largest_step)) return false;
+  }
+}
+
+}  // namespace
+}  // namespace beeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace beeline {
+
+HWY_EXPORT(descend);
+
+bool descend_near(const DescentProblem& problem, const Pose& world_T_tool, const double* start,
+                  const LaneDescentOptions& options, NearDescent& near) {
+  for (const bool row : problem.task.rows) {
+    if (!row) return false;
+  }
+  const std::size_t dof = problem.coordinates.size(), links = problem.links.size();
+  if (near.q.size() != dof || near.axes.size() != 8 * links) {
+    near.q.resize(dof);
+    near.before.resize(dof);
+    near.free.resize(dof);
+    near.move.resize(dof);
+    near.column.assign(dof, {});
+    near.axes.resize(8 * links);
+    near.angle.assign((links + 7) / 8, {});
+    near.sine.assign((links + 7) / 8, {});
+    near.cosine.assign((links + 7) / 8, {});
+  }
+  for (std::size_t k = 0; k < dof; ++k) {
+    const DescentProblem::Coordinate& coordinate = problem.coordinates[k];
+    near.free[k] = true;
+    near.q[k] = std::clamp(start[k] / coordinate.unit, coordinate.lower, coordinate.upper);
+  }
+  Pose goal = world_T_tool;
+  goal.linear() = world_T_tool.linear() * problem.chain.tool.linear().transpose();
+  goal.translation() /= problem.length;
+  return HWY_DYNAMIC_DISPATCH(descend)(problem, goal.data(), options, near);
+}
+
+}  // namespace beeline
+
+#endif

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <beeline/error.h>
+#include <beeline/inverse/numerical/representative.h>
+#include <beeline/pose/angle.h>
+
+namespace beeline {
+namespace {
+
+constexpr double rounding = 1e-9;
+constexpr double turn = 2 * std::numbers::pi;
+
+/// `angle` plus the whole number of turns that brings it nearest to `reference` within
+/// [lower, upper]; the one that is least outside where none is within.
+double nearest_turn_within(double angle, double reference, double lower, double upper) {
+  const double nearest = nearest_turn(angle, std::clamp(reference, lower, upper));
+  if (nearest < lower - rounding) {
+    const double raised = nearest + turn;
+    return raised - upper < lower - nearest ? raised : nearest;
+  }
+  if (nearest > upper + rounding) {
+    const double lowered = nearest - turn;
+    return lower - lowered < nearest - upper ? lowered : nearest;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+bool turns_around(const Arm& arm, int k) {
+  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
+    const Arm::Drive& drive = arm.drives()[i];
+    if (drive.coordinate != k || drive.ratio == 0) continue;
+    const bool whole = drive.ratio == std::round(drive.ratio);
+    if (!whole || kind(arm.joints()[i]) != JointKind::revolute) return false;
+  }
+  return kind(arm.joint_of(k)) == JointKind::revolute;
+}
+
+Configuration nearest_representative(const Arm& arm, const Configuration& q,
+                                     const Configuration& reference, const Bounds& bounds) {
+  Configuration moved = q;
+  for (int k = 0; k < arm.dof(); ++k) {
+    const double lower = bounds.lower[k], upper = bounds.upper[k];
+    if (turns_around(arm, k)) moved[k] = nearest_turn_within(q[k], reference[k], lower, upper);
+    const double on_bound = std::clamp(moved[k], lower, upper);
+    if (std::abs(on_bound - moved[k]) <= rounding) moved[k] = on_bound;
+  }
+  return moved;
+}
+
+std::vector<Configuration> every_representative(const Arm& arm,
+                                                const std::vector<Configuration>& postures,
+                                                const Bounds& bounds) {
+  constexpr std::size_t most = 100'000;
+  std::vector<Configuration> all = postures;
+  for (int k = 0; k < arm.dof(); ++k) {
+    const double lower = bounds.lower[k], upper = bounds.upper[k];
+    if (!turns_around(arm, k) || !std::isfinite(lower) || !std::isfinite(upper)) continue;
+    std::vector<Configuration> turned;
+    for (const Configuration& q : all) {
+      const double first = std::ceil((lower - rounding - q[k]) / turn);
+      for (double turns = first; q[k] + turns * turn <= upper + rounding; ++turns) {
+        if (turned.size() == most) {
+          throw Error("arm " + arm.name() +
+                      " has more than 100000 turns of this pose within limits");
+        }
+        turned.push_back(q);
+        turned.back()[k] = std::clamp(q[k] + turns * turn, lower, upper);
+      }
+    }
+    all = turned;
+  }
+  return all;
+}
+
+bool within(const Bounds& bounds, const Configuration& q) {
+  return (q.array() >= bounds.lower.array()).all() && (q.array() <= bounds.upper.array()).all();
+}
+
+bool same_posture(const Arm& arm, const Configuration& a, const Configuration& b,
+                  double tolerance) {
+  for (int k = 0; k < arm.dof(); ++k) {
+    const double apart = turns_around(arm, k) ? angle_difference(a[k], b[k]) : a[k] - b[k];
+    if (!(std::abs(apart) <= tolerance)) return false;
+  }
+  return true;
+}
+
+}  // namespace beeline

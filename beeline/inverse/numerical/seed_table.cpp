@@ -1,0 +1,115 @@
+#include <beeline/inverse/numerical/seed_table.h>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "beeline/inverse/numerical/seed_table.cpp"
+#include <hwy/foreach_target.h>
+
+#include <beeline/kinematics/chain-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace beeline::HWY_NAMESPACE {
+namespace {
+
+/// Where eight configurations, rows of q in units, bring the tool: 12 rows.
+void tools(const Chain& chain, const double* q, double* axes, double* tool) {
+  const Space frame = last_frame(chain, q, axes);
+  const double* t = chain.tool.data();
+  for (int column = 0; column < 4; ++column) {
+    const double* c = t + 4 * column;
+    const Vector v = from_axes(frame, {c[0], c[1], c[2]});
+    store_vector(column == 3 ? frame.origin + v : v, tool + 3 * column * lane_count);
+  }
+}
+
+/// Which block has the least  |weight * (origin - goal's)|^2 - turn * trace(goal^T tool).
+void nearest(const double* tool, int blocks, const double* goal, const double* weight, double turn,
+             double* block) {
+  Lanes least(HUGE_VAL), at(0);
+  for (int b = 0; b < blocks; ++b, tool += 12 * lane_count) {
+    Lanes score(0), agreement(0);
+    for (int r = 0; r < 9; ++r) {
+      agreement = fma(Lanes::load(tool + r * lane_count), Lanes(goal[r]), agreement);
+    }
+    for (int r = 0; r < 3; ++r) {
+      const Lanes away = Lanes::load(tool + (9 + r) * lane_count) - Lanes(goal[9 + r]);
+      score = fma(away * away, Lanes(weight[r]), score);
+    }
+    score = fnma(agreement, Lanes(turn), score);
+    const LaneMask less = score < least;
+    least = choose(less, score, least);
+    at = choose(less, Lanes(b), at);
+  }
+  at.store(block);
+}
+
+}  // namespace
+}  // namespace beeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace beeline {
+
+HWY_EXPORT(tools);
+HWY_EXPORT(nearest);
+
+void draw_configuration(const DescentProblem& problem, double far, Splitmix& random, double* q) {
+  for (std::size_t k = 0; k < problem.coordinates.size(); ++k) {
+    const DescentProblem::Coordinate& coordinate = problem.coordinates[k];
+    double away = coordinate.slides ? far : 0x1.921fb54442d18p+1;
+    for (int i = coordinate.first_link; i < coordinate.end_link && !coordinate.slides; ++i) {
+      const auto link = static_cast<std::size_t>(problem.links[static_cast<std::size_t>(i)]);
+      const double travel = std::abs(problem.chain.links[link].travel);
+      constexpr double most = 1e4;  // radians
+      if (travel > 0) away = std::max(away, std::min(2 * far / travel, most));
+    }
+    double lower = coordinate.lower, upper = coordinate.upper;
+    if (!std::isfinite(lower)) lower = std::min(-away, upper - 2 * away);
+    if (!std::isfinite(upper)) upper = std::max(away, lower + 2 * away);
+    const double share = random.next();
+    q[k] = ((1 - share) * lower + share * upper) * coordinate.unit;
+  }
+}
+
+StartDeck start_deck(const DescentProblem& problem, std::uint64_t random_seed, int blocks) {
+  StartDeck deck;
+  const std::size_t dof = problem.coordinates.size(), count = static_cast<std::size_t>(blocks);
+  deck.blocks = blocks;
+  deck.q.resize(dof * count);
+  deck.tool.resize(12 * count);
+  std::vector<EightNumbers> axes(6 * problem.links.size());
+  std::vector<double> q(dof);
+  Splitmix random(random_seed);
+  for (std::size_t b = 0; b < count; ++b) {
+    EightNumbers* rows = deck.q.data() + b * dof;
+    for (int lane = 0; lane < descent_lane_count; ++lane) {
+      draw_configuration(problem, 1, random, q.data());
+      for (std::size_t k = 0; k < dof; ++k) rows[k].lane[lane] = q[k] / problem.coordinates[k].unit;
+    }
+    HWY_DYNAMIC_DISPATCH(tools)(problem.chain, rows->lane, axes[0].lane, deck.tool[12 * b].lane);
+  }
+  return deck;
+}
+
+void nearest_starts(const DescentProblem& problem, const StartDeck& deck, const Pose& world_T_tool,
+                    int (&block)[descent_lane_count]) {
+  const auto& rows = problem.task.rows;
+  const bool base = problem.task.frame == Frame::base;
+  const bool whole_place = rows[0] && rows[1] && rows[2],
+             whole_turn = rows[3] && rows[4] && rows[5];
+  double goal[12], weight[3], at[descent_lane_count];
+  for (std::size_t column = 0; column < 4; ++column) {
+    for (std::size_t i = 0; i < 3; ++i) goal[3 * column + i] = world_T_tool.data()[4 * column + i];
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    goal[9 + i] /= problem.length;
+    weight[i] = whole_place || (base && rows[i]) ? 1 : 0;
+  }
+  HWY_DYNAMIC_DISPATCH(nearest)
+  (deck.tool[0].lane, deck.blocks, goal, weight, whole_turn ? 1 : 0, at);
+  for (int lane = 0; lane < descent_lane_count; ++lane) block[lane] = static_cast<int>(at[lane]);
+}
+
+}  // namespace beeline
+
+#endif

@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <beeline/error.h>
+#include <beeline/path/internal/tool_spline.h>
+#include <beeline/path/tool_path.h>
+
+namespace beeline {
+namespace {
+
+constexpr std::array<std::string_view, 4> kinds{"line", "screw", "arc", "spline"};
+
+}  // namespace
+
+std::string name(PathKind kind) { return std::string(kinds[static_cast<std::size_t>(kind)]); }
+
+PathKind path_kind_named(std::string_view name) {
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    if (name == kinds[i]) return static_cast<PathKind>(i);
+  }
+  throw unknown_name("path", name, {kinds.begin(), kinds.end()});
+}
+
+Route route_of(ToolPath path, PathKind kind) {
+  const std::size_t pieces = path.pieces.size();
+  return {std::move(path), std::vector<bool>(pieces, kind != PathKind::spline)};
+}
+
+double span_of(const Line& line) {
+  const Twist whole = pose_difference(line.to, line.from);
+  return std::max(whole.head<3>().norm(), way_of_a_radian * whole.tail<3>().norm());
+}
+
+std::size_t piece_at(const ToolPath& path, double place) {
+  const double last = static_cast<double>(path.pieces.size() - 1);
+  return static_cast<std::size_t>(std::clamp(std::ceil(place) - 1, 0.0, last));
+}
+
+Pose pose_at(const ToolPath& path, double place) {
+  const std::size_t i = piece_at(path, place);
+  return pose_at(path.pieces[i], place - static_cast<double>(i));
+}
+
+double way_to(const ToolPath& path, double place) {
+  const std::size_t on = piece_at(path, place);
+  double way = (place - static_cast<double>(on)) * path.spans[on];
+  for (std::size_t i = 0; i < on; ++i) way += path.spans[i];
+  return way;
+}
+
+bool corner_at(const ToolPath& path, double place) {
+  constexpr double rounding = 1e-6;
+  const auto i = static_cast<std::size_t>(place);
+  if (place != std::floor(place) || i == 0 || i >= path.pieces.size()) return false;
+  const Twist before = motion_at(path.pieces[i - 1], 1).velocity / path.spans[i - 1];
+  const Twist after = motion_at(path.pieces[i], 0).velocity / path.spans[i];
+  return !((after - before).norm() <= rounding * before.norm());
+}
+
+ToolPath reversed(const ToolPath& path) {
+  ToolPath back{{}, {path.spans.rbegin(), path.spans.rend()}};
+  for (auto piece = path.pieces.rbegin(); piece != path.pieces.rend(); ++piece) {
+    back.pieces.push_back(reversed(*piece));
+  }
+  return back;
+}
+
+std::vector<Pose> checked_poses(std::span<const Pose> given, const std::string& noun) {
+  constexpr double rounding = 1e-6;
+  constexpr double farthest = 1e100;  // beyond, squares overflow
+  std::vector<Pose> poses(given.begin(), given.end());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const std::string what = noun + " " + std::to_string(i + 1);
+    const Rotation r = poses[i].linear();
+    if (!poses[i].matrix().allFinite()) throw Error(what + " has a number that is not finite");
+    if (poses[i].translation().cwiseAbs().maxCoeff() > farthest) {
+      throw Error(what + " is farther away than 1e100 m");
+    }
+    if (!(r * r.transpose()).isIdentity(rounding) || r.determinant() < 0) {
+      throw Error(what + " is no rigid motion: its rotation must be orthonormal and right-handed");
+    }
+    poses[i].linear() = Eigen::Quaterniond(r).normalized().toRotationMatrix();
+  }
+  return poses;
+}
+
+std::vector<Pose> checked_waypoints(std::span<const Pose> waypoints) {
+  if (waypoints.empty()) throw Error("a line needs at least one waypoint");
+  return checked_poses(waypoints, "waypoint");
+}
+
+std::vector<Pose> checked_path(std::span<const Pose> given) {
+  constexpr double nothing = 1e-12;
+  if (given.size() < 2) throw Error("a path needs at least two poses");
+  const std::vector<Pose> poses = checked_poses(given);
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    if (pose_difference(poses[i], poses[i - 1]).norm() > nothing) continue;
+    throw Error("pose " + std::to_string(i + 1) + " is the same as the one before it");
+  }
+  return poses;
+}
+
+ToolPath lines_through(std::span<const Pose> given) {
+  if (given.size() < 2) throw Error("a line needs a pose to begin at and one to end at");
+  const std::vector<Pose> poses = checked_poses(given);
+  ToolPath path;
+  for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
+    const Line line{poses[i], poses[i + 1]};
+    path.pieces.emplace_back(line);
+    path.spans.push_back(span_of(line));
+  }
+  return path;
+}
+
+ToolPath path_through(std::span<const Pose> given, PathKind kind, const SplineEnds& ends) {
+  const std::vector<Pose> poses = checked_path(given);
+  if (kind == PathKind::spline) return spline_through(poses, ends);
+  const std::size_t step = kind == PathKind::arc ? 2 : 1;
+  if ((poses.size() - 1) % step != 0) {
+    throw Error(
+        "arcs need an odd number of poses: one to begin at, and for each arc one whose "
+        "position it passes and one to end at");
+  }
+  ToolPath path;
+  for (std::size_t i = 0; i + step < poses.size(); i += step) {
+    const Pose &from = poses[i], &to = poses[i + step];
+    if (kind == PathKind::line) path.pieces.emplace_back(Line{from, to});
+    if (kind == PathKind::screw) path.pieces.emplace_back(ScrewLine{from, to});
+    if (kind == PathKind::arc) {
+      path.pieces.emplace_back(arc_through(from, poses[i + 1].translation(), to));
+    }
+    path.spans.push_back(std::max(length_of(path.pieces.back()), span_of({from, to})));
+  }
+  return path;
+}
+
+}  // namespace beeline

@@ -1,0 +1,58 @@
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/kinematics/forward.h>
+#include <beeline/planning/internal/null_space.h>
+
+namespace beeline {
+namespace {
+
+constexpr double damping = 1e-4;  // far below the singular values of an arm that can move on
+constexpr double urge = 5;        // push at a limit, over the step; more lengthens motions
+
+Configuration away_from_limits(const Configuration& q, const Bounds& bounds) {
+  Configuration push(q.size());
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    push[k] = push_from_limits(q[k], bounds.lower[k], bounds.upper[k]);
+  }
+  return push;
+}
+
+}  // namespace
+
+double margin_to_limits(double q, double lower, double upper) {
+  const double half = (upper - lower) / 2;
+  if (!std::isfinite(half) || half <= 0) return Limits::none;
+  return std::max(0.0, std::min(q - lower, upper - q) / half);
+}
+
+double push_from_limits(double q, double lower, double upper) {
+  const double half = (upper - lower) / 2;
+  if (!std::isfinite(half) || half <= 0) return 0;
+  const double side = (q - lower) / half - 1;  // -1 to 1
+  const double depth = std::max(0.0, std::abs(side) - 0.5) * 2;
+  return -std::copysign(depth * depth, side);
+}
+
+Eigen::VectorXd damped_solve(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& error,
+                             double damping_factor) {
+  Eigen::MatrixXd gram = jacobian * jacobian.transpose();
+  gram.diagonal().array() += damping_factor * damping_factor;
+  return jacobian.transpose() * gram.ldlt().solve(error);
+}
+
+Configuration predicted(const Arm& arm, const Configuration& q, const Pose& target,
+                        const Task& task, const Bounds& bounds) {
+  const Eigen::MatrixXd j = task_jacobian(arm, q, task);
+  const Eigen::VectorXd error = task_error(task, target, forward_kinematics(arm, q));
+  Configuration step = damped_solve(j, error, damping);
+  if (arm.dof() > task.size()) {
+    const Configuration push = urge * step.lpNorm<Eigen::Infinity>() * away_from_limits(q, bounds);
+    step += push - damped_solve(j, j * push, damping);
+  }
+  if (!step.allFinite()) return q;
+  return (q + step).cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+}
+
+}  // namespace beeline

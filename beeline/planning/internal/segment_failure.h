@@ -1,0 +1,27 @@
+#pragma once
+
+#include <beeline/certificate/path_deviation.h>
+#include <beeline/planning/status.h>
+
+namespace beeline {
+
+struct PieceFailure {
+  MotionStatus status = MotionStatus::singular;
+  std::string reason;  ///< "stops after 63.1 % of its length, at x y z: ..."
+};
+
+/// "stops after 63.1 % of its length, at x y z: ", for the point at the fraction `s` of the piece.
+std::string place_in_words(const Piece& piece, double s);
+
+/// "joint joint2 would have to pass its upper limit of 2 rad".
+std::string limit_in_the_way(const Arm& arm, int coordinate, bool lower);
+
+/// Why the arm, at configuration q and at the fraction `s` of the piece, cannot move on: asks
+/// inverse kinematics for the poses just ahead, with limits and without.
+PieceFailure piece_failure(const Arm& arm, const Piece& piece, const Task& task,
+                           const Configuration& q, double s);
+
+/// The answer when a path used up its samples.
+PieceFailure too_many_samples(int most);
+
+}  // namespace beeline

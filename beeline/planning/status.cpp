@@ -1,0 +1,23 @@
+#include <beeline/planning/status.h>
+
+namespace beeline {
+
+std::string name(MotionStatus status) {
+  constexpr const char* names[] = {"reached",        "unreachable", "not_found",
+                                   "outside_limits", "singular",    "not_converged"};
+  return names[static_cast<int>(status)];
+}
+
+MotionStatus status_of(InverseStatus status) {
+  switch (status) {
+    case InverseStatus::outside_limits:
+      return MotionStatus::outside_limits;
+    case InverseStatus::unreachable:
+    case InverseStatus::orientation:
+      return MotionStatus::unreachable;
+    default:
+      return MotionStatus::not_found;
+  }
+}
+
+}  // namespace beeline

@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/timing/internal/step_polygon.h>
+
+namespace beeline {
+namespace {
+
+constexpr double negligible = 1e-10;  // of a limit: what a term must exceed to bound anything
+
+}  // namespace
+
+/// The edge that bounds x from above at y (side 1), or -x at -y mirrored (side -1).
+StepPolygon::Edge StepPolygon::edge(double y, double side) const {
+  Edge lowest;
+  double least = std::numeric_limits<double>::max();
+  const double signed_y = side * y;
+  for (std::size_t i = 0; i < edges_; ++i) {
+    const double x = p_[i] - m_[i] * signed_y;
+    const bool lower = x < least;
+    least = lower ? x : least;
+    lowest.p = lower ? p_[i] : lowest.p;
+    lowest.m = lower ? m_[i] : lowest.m;
+  }
+  lowest.m *= side;
+  return lowest;
+}
+
+/// The y of `ends` at which the upper bound of side * x is largest, or the first met at which it is
+/// `enough`. The bound is concave: from both ends the edges close in on its summit.
+double StepPolygon::summit(SquaredSpeeds ends, double side, double enough) const {
+  Edge right = edge(ends.most, side);
+  if (right.m <= 0 || right.at(ends.most) >= enough) return ends.most;
+  Edge left = edge(ends.least, side);
+  if (left.m >= 0 || left.at(ends.least) >= enough) return ends.least;
+  double y = ends.least;
+  for (std::size_t i = 0; i < edges_; ++i) {
+    y = std::clamp((right.p - left.p) / (right.m - left.m), ends.least, ends.most);
+    const double top = left.at(y);
+    const Edge between = edge(y, side);
+    const double x = between.at(y);
+    if (x >= top - 1e-14 * std::abs(top) || x >= enough) return y;
+    (between.m > 0 ? right : left) = between;
+  }
+  return y;
+}
+
+/// The largest y, up to this one, at which the polygon has an x: Newton's method on the difference
+/// of the concave upper and the convex lower bound, both made of edges.
+double StepPolygon::retreat(double y) const {
+  for (std::size_t i = 0; i < 2 * edges_; ++i) {
+    const Edge upper = edge(y, 1), lower = edge(y, -1);
+    if (upper.at(y) + lower.at(y) >= 0) return y;
+    const double next = (upper.p + lower.p) / (upper.m + lower.m);
+    if (!(next < y)) return y;
+    y = next;
+  }
+  return y;
+}
+
+SquaredSpeeds StepPolygon::begins(SquaredSpeeds ends, double most) {
+  edges_ = 0;
+  const double* along = &strips_.along[first_];
+  const double* across = &strips_.across[first_];
+  for (std::size_t i = 0; i < count_; ++i) {
+    const double x = along[i] * most, y = across[i] * ends.most;
+    if (std::abs(x) <= 1 && std::abs(y) <= 1 && std::abs(x + y) <= 1) continue;  // never felt
+    if (std::abs(x) > negligible) {
+      p_[edges_] = 1 / std::abs(along[i]);
+      m_[edges_++] = across[i] / along[i];
+    } else {
+      ends.most = std::min(ends.most, 1 / std::abs(across[i]));
+    }
+  }
+  constexpr SquaredSpeeds impossible{1, 0};
+  if (ends.none()) return impossible;
+  if (ends.least > 0) {
+    ends.most = retreat(ends.most);
+    if (ends.none()) return impossible;
+  }
+  double y = summit(ends, 1, most);
+  if (ends.least == 0) {
+    // Beyond the largest possible y the summit does not count; up to there the bound rises.
+    const double possible = retreat(y);
+    if (possible < y) y = std::max(possible, 0.0);
+    return {0, std::min(most, std::max(edge(y, 1).at(y), 0.0))};
+  }
+  const double top = edge(y, 1).at(y);
+  const double low = summit(ends, -1, 0);
+  return {std::max(0.0, -edge(low, -1).at(low)), std::min(most, top)};
+}
+
+double StepPolygon::furthest_end(double x, SquaredSpeeds ends) const {
+  double y = ends.most;
+  const double* along = &strips_.along[first_];
+  const double* across = &strips_.across[first_];
+  for (std::size_t i = 0; i < count_; ++i) {
+    const double here = along[i] * x, step = across[i] * y;
+    if (std::abs(here + step) <= 1 || std::abs(step) <= negligible) continue;
+    y = std::min(y, across[i] > 0 ? (1 - here) / across[i] : (1 + here) / -across[i]);
+  }
+  return std::max(y, ends.least);
+}
+
+}  // namespace beeline

@@ -1,0 +1,183 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/error.h>
+#include <beeline/timing/point_to_point.h>
+
+namespace beeline {
+namespace {
+
+constexpr double most_samples = 1e7;
+
+void check_limits(std::span<const Limits> limits) {
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    for (const double rate : {limits[k].velocity, limits[k].acceleration, limits[k].jerk}) {
+      if (rate > 0) continue;
+      throw Error("joint " + std::to_string(k + 1) +
+                  " has a velocity, acceleration or jerk limit of " + number(rate) +
+                  "; it must be above zero, or infinite where there is none");
+    }
+  }
+}
+
+void check_within(std::span<const Limits> limits, const ConfigurationRef& q, const char* which) {
+  if (q.size() != static_cast<Eigen::Index>(limits.size())) {
+    throw Error(which + (" of a motion of " + std::to_string(limits.size()) +
+                         " joints needs as many values, not " + std::to_string(q.size())));
+  }
+  constexpr double slack = 1e-9;  // as limit_violations() has
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    const Limits& limit = limits[static_cast<std::size_t>(k)];
+    if (q[k] >= limit.lower - slack && q[k] <= limit.upper + slack) continue;
+    throw Error(which + (": joint " + std::to_string(k + 1)) + " at " + number(q[k]) +
+                " is outside its limits " + number(limit.lower) + " to " + number(limit.upper));
+  }
+}
+
+/// The arm's own words for what is wrong.
+void check_within(const Arm& arm, const ConfigurationRef& q, const char* which) {
+  const auto outside = limit_violations(arm, q);
+  if (!outside.empty()) throw Error(which + (": " + outside.front()));
+}
+
+Limits with_velocity(Limits limits) {
+  limits.velocity = held_velocity(limits);
+  return limits;
+}
+
+void follow_own_laws(std::span<const Limits> limits, PointToPoint& motion) {
+  motion.duration = 0;
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    motion.laws[k] = s_curve(motion.to[i] - motion.from[i], with_velocity(limits[k]));
+    motion.duration = std::max(motion.duration, motion.laws[k].duration);
+  }
+  for (SCurve& law : motion.laws) law = stretched(law, motion.duration);
+}
+
+/// The law of a joint that goes `share` of the way of `law`, either way round.
+SCurve share_of(const SCurve& law, double share) {
+  SCurve part = law;
+  if (share == 0) return {.duration = law.duration};
+  part.distance *= share;
+  part.velocity *= share;
+  part.acceleration *= share;
+  part.jerk *= share;
+  return part;
+}
+
+/// The farthest joint's way is followed, with limits that hold the others to theirs.
+void follow_one_law(std::span<const Limits> limits, PointToPoint& motion) {
+  const Eigen::Index joints = motion.from.size();
+  double farthest = 0;
+  for (Eigen::Index k = 0; k < joints; ++k) {
+    farthest = std::max(farthest, std::abs(motion.to[k] - motion.from[k]));
+  }
+  Limits tightest;
+  for (Eigen::Index k = 0; k < joints; ++k) {
+    const double share = std::abs(motion.to[k] - motion.from[k]) / farthest;
+    if (!(share > 0)) continue;
+    const Limits limit = with_velocity(limits[static_cast<std::size_t>(k)]);
+    tightest.velocity = std::min(tightest.velocity, limit.velocity / share);
+    tightest.acceleration = std::min(tightest.acceleration, limit.acceleration / share);
+    tightest.jerk = std::min(tightest.jerk, limit.jerk / share);
+  }
+  const SCurve law = s_curve(farthest, tightest);
+  motion.duration = law.duration;
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    const double way = motion.to[i] - motion.from[i];
+    motion.laws[k] = share_of(law, way == 0 ? 0 : way / farthest);
+    motion.laws[k].distance = way;
+  }
+}
+
+void plan(std::span<const Limits> limits, const ConfigurationRef& from, const ConfigurationRef& to,
+          PointToPoint& motion, const PointToPointOptions& options) {
+  motion.from.resize(from.size());
+  motion.to.resize(to.size());
+  // Number by number, as they may be the motion's own, for its way back.
+  for (Eigen::Index k = 0; k < from.size(); ++k) {
+    const double begin = from[k], end = to[k];
+    motion.from[k] = begin;
+    motion.to[k] = end;
+  }
+  motion.laws.resize(limits.size());
+  if (options.synchronise == Synchronise::straight) return follow_one_law(limits, motion);
+  follow_own_laws(limits, motion);
+}
+
+}  // namespace
+
+PointToPoint point_to_point(const Arm& arm, const ConfigurationRef& from,
+                            const ConfigurationRef& to, const PointToPointOptions& options) {
+  PointToPoint motion;
+  point_to_point(arm, from, to, motion, options);
+  return motion;
+}
+
+void point_to_point(const Arm& arm, const ConfigurationRef& from, const ConfigurationRef& to,
+                    PointToPoint& motion, const PointToPointOptions& options) {
+  check_within(arm, from, "the motion cannot start");
+  check_within(arm, to, "the motion cannot end");
+  plan(arm.limits(), from, to, motion, options);
+}
+
+void point_to_point(std::span<const Limits> limits, const ConfigurationRef& from,
+                    const ConfigurationRef& to, PointToPoint& motion,
+                    const PointToPointOptions& options) {
+  check_limits(limits);
+  check_within(limits, from, "the start");
+  check_within(limits, to, "the end");
+  plan(limits, from, to, motion, options);
+}
+
+void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
+        Eigen::Ref<Configuration> velocity, Eigen::Ref<Configuration> acceleration) {
+  const Eigen::Index joints = motion.from.size();
+  if (q.size() != joints || velocity.size() != joints || acceleration.size() != joints) {
+    throw Error("the state of this motion needs room for " + std::to_string(joints) + " joints");
+  }
+  if (std::isnan(t)) throw Error("a motion has no state at a time that is no number");
+  if (t <= 0 || t >= motion.duration) {
+    q = t >= motion.duration ? motion.to : motion.from;
+    velocity.setZero();
+    acceleration.setZero();
+    return;
+  }
+  const bool first_half = t <= motion.duration / 2;
+  for (Eigen::Index k = 0; k < joints; ++k) {
+    const SCurve& law = motion.laws[static_cast<std::size_t>(k)];
+    const JointState state = before_the_middle(law, first_half ? t : motion.duration - t);
+    q[k] = first_half ? motion.from[k] + state.position : motion.to[k] - state.position;
+    velocity[k] = state.velocity;
+    acceleration[k] = first_half ? state.acceleration : -state.acceleration;
+  }
+}
+
+Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate) {
+  check_configuration(arm, motion.from);
+  if (!(rate > 0)) throw Error("the rate is " + number(rate) + " a second; it must be above zero");
+  const double steps = motion.duration * rate;
+  if (!(steps < most_samples)) {
+    throw Error(number(motion.duration) + " s at " + number(rate) +
+                " samples a second are too many samples; lower the rate");
+  }
+  Trajectory trajectory = at_rest(arm, motion.to);
+  if (motion.duration == 0) return trajectory;
+  // A last step that is next to nothing joins the one before it.
+  const auto last = static_cast<std::size_t>(std::max(1.0, std::ceil(steps - 1e-6)));
+  const Configuration still = Configuration::Zero(arm.dof());
+  trajectory.positions.assign(last + 1, motion.to);
+  trajectory.velocities.assign(last + 1, still);
+  trajectory.accelerations.assign(last + 1, still);
+  trajectory.times.assign(last + 1, motion.duration);
+  for (std::size_t k = 0; k < last; ++k) {
+    trajectory.times[k] = static_cast<double>(k) / rate;
+    at(motion, trajectory.times[k], trajectory.positions[k], trajectory.velocities[k],
+       trajectory.accelerations[k]);
+  }
+  return trajectory;
+}
+
+}  // namespace beeline

@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <beeline/error.h>
+#include <beeline/timing/s_curve.h>
+
+namespace beeline {
+namespace {
+
+[[noreturn]] void refuse(double distance, const Limits& limits) {
+  if (!std::isfinite(distance)) {
+    throw Error("the distance of a motion is " + number(distance) + "; it must be finite");
+  }
+  for (const double rate : {limits.velocity, limits.acceleration, limits.jerk}) {
+    if (rate > 0) continue;
+    throw Error("a velocity, acceleration or jerk limit is " + number(rate) +
+                "; it must be above zero");
+  }
+  if (std::min({limits.velocity, limits.acceleration, limits.jerk}) == Limits::none) {
+    throw Error("a motion needs a limit on velocity, acceleration or jerk; all three are infinite");
+  }
+  throw Error("a motion over " + number(distance) + " would never end; its limits are too tight");
+}
+
+}  // namespace
+
+SCurve s_curve(double distance, const Limits& limits) {
+  const double v = limits.velocity, a = limits.acceleration, j = limits.jerk;
+  const double d = std::abs(distance);
+  if (!(d < Limits::none && v > 0 && a > 0 && j > 0)) refuse(distance, limits);
+  if (d == 0) return {};
+
+  SCurve law{.distance = distance, .velocity = v, .acceleration = a, .jerk = j};
+  double& tj = law.jerk_time;
+  double& ta = law.acceleration_time;
+  const double to_limit = j == Limits::none ? 0 : a / j;  // till the acceleration is at its limit
+
+  // Up to the velocity limit: v = j tj (tj + ta), over v (2 tj + ta) both ways together.
+  if (v / a >= to_limit) {
+    tj = to_limit;
+    ta = v / a - to_limit;
+  } else {  // also where neither v nor a is limited
+    tj = std::sqrt(v / j);
+    law.acceleration = j * tj;
+  }
+  const double both_ramps = v * (2 * tj + ta);
+  if (d >= both_ramps) {
+    law.cruise_time = (d - both_ramps) / v;
+  } else if (d / a < 2 * to_limit * to_limit) {  // d = 2 j tj^3
+    tj = std::cbrt(d / j / 2);
+    ta = 0;
+    law.acceleration = j * tj;
+    law.velocity = law.acceleration * tj;
+  } else {  // d = a (tj + ta) (2 tj + ta), solved for ta without a difference of like numbers
+    tj = to_limit;
+    const double root = std::sqrt(tj * tj + 4 * (d / a));
+    const double tiny = std::numeric_limits<double>::min();  // where d / a has come down to zero
+    ta = 2 * (d / a - 2 * tj * tj) / std::max(root + 3 * tj, tiny);
+    law.acceleration = a;
+    law.velocity = a * (tj + ta);
+  }
+  law.duration = 4 * tj + 2 * ta + law.cruise_time;
+  if (!(law.duration < Limits::none && law.velocity < Limits::none)) refuse(distance, limits);
+  if (distance < 0) {
+    law.velocity = -law.velocity;
+    law.acceleration = -law.acceleration;
+    law.jerk = -law.jerk;
+  }
+  return law;
+}
+
+SCurve stretched(const SCurve& law, double duration) {
+  if (!(duration >= law.duration && duration < Limits::none)) {
+    throw Error("a motion of " + number(law.duration) + " s cannot be stretched to " +
+                number(duration) + " s");
+  }
+  SCurve slow = law;
+  slow.duration = duration;
+  if (law.duration == 0) return slow;
+  const double pace = law.duration / duration;  // velocities go with it
+  const double longer = duration / law.duration;
+  slow.jerk_time *= longer;
+  slow.acceleration_time *= longer;
+  slow.cruise_time *= longer;
+  slow.velocity *= pace;
+  slow.acceleration *= pace * pace;
+  slow.jerk *= pace * pace * pace;
+  return slow;
+}
+
+JointState at(const SCurve& law, double t) {
+  if (std::isnan(t)) throw Error("a motion has no state at a time that is no number");
+  if (t <= 0) return {};
+  if (t >= law.duration) return {law.distance, 0, 0, 0};
+  if (t <= law.duration / 2) return before_the_middle(law, t);
+  JointState state = before_the_middle(law, law.duration - t);
+  state.position = law.distance - state.position;
+  state.acceleration = -state.acceleration;
+  return state;
+}
+
+}  // namespace beeline

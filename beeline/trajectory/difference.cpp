@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/error.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/trajectory/difference.h>
+
+namespace beeline {
+namespace {
+
+Trajectory from_zero(const Arm& arm, const Trajectory& given, const char* which) {
+  Trajectory trajectory = matched_to(arm, given);
+  if (trajectory.size() == 0) throw Error(std::string(which) + " recording has no samples");
+  const double begin = trajectory.times.front();
+  for (double& t : trajectory.times) t -= begin;
+  return trajectory;
+}
+
+/// The samples' times of both, as far as both last.
+std::vector<double> common_times(const Trajectory& a, const Trajectory& b) {
+  const double end = std::min(a.times.back(), b.times.back());
+  std::vector<double> times;
+  std::merge(a.times.begin(), a.times.end(), b.times.begin(), b.times.end(),
+             std::back_inserter(times));
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  times.erase(std::upper_bound(times.begin(), times.end(), end), times.end());
+  return times;
+}
+
+}  // namespace
+
+TrajectoryDifference difference(const Arm& arm, const Trajectory& given_a,
+                                const Trajectory& given_b) {
+  const Trajectory a = from_zero(arm, given_a, "the first");
+  const Trajectory b = from_zero(arm, given_b, "the second");
+  TrajectoryDifference result;
+  result.joints.resize(static_cast<std::size_t>(arm.dof()));
+  result.longer = b.times.back() - a.times.back();
+  const std::vector<double> times = common_times(a, b);
+  result.overlap = times.back();
+  Configuration before;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const double t = times[k];
+    const Configuration q_a = sample(a, t), q_b = sample(b, t), apart = q_b - q_a;
+    for (int i = 0; i < arm.dof(); ++i) {
+      JointDifference& joint = result.joints[static_cast<std::size_t>(i)];
+      if (std::abs(apart[i]) > joint.largest) joint.largest = std::abs(apart[i]), joint.time = t;
+      if (k == 0) continue;  // the square of a straight line's mean
+      const double u = before[i], v = apart[i];
+      joint.rms += (t - times[k - 1]) * (u * u + u * v + v * v) / 3;
+    }
+    const Twist tool = pose_difference(forward_kinematics(arm, q_b), forward_kinematics(arm, q_a));
+    const double way = tool.head<3>().norm(), turn = tool.tail<3>().norm();
+    if (way > result.largest_position) result.largest_position = way, result.position_time = t;
+    if (turn > result.largest_orientation) {
+      result.largest_orientation = turn, result.orientation_time = t;
+    }
+    before = apart;
+  }
+  if (!std::isfinite(result.longer) || !std::isfinite(result.overlap)) {
+    throw Error("the recordings' times are too large to be compared");
+  }
+  for (JointDifference& joint : result.joints) {
+    if (!std::isfinite(joint.rms)) {
+      throw Error("the recordings' positions are too large to be compared");
+    }
+    joint.rms = result.overlap > 0 ? std::sqrt(joint.rms / result.overlap) : joint.largest;
+  }
+  return result;
+}
+
+}  // namespace beeline

@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/error.h>
+#include <beeline/trajectory/trajectory.h>
+
+namespace beeline {
+namespace {
+
+void check_column(const std::vector<Configuration>& column, const Trajectory& trajectory,
+                  const std::string& what) {
+  if (column.size() != trajectory.size()) {
+    throw Error("a trajectory of " + std::to_string(trajectory.size()) + " times has " +
+                std::to_string(column.size()) + " " + what);
+  }
+  for (std::size_t k = 0; k < column.size(); ++k) {
+    const auto joints = static_cast<Eigen::Index>(trajectory.joint_names.size());
+    if (column[k].size() == joints && column[k].allFinite()) continue;
+    throw Error("sample " + std::to_string(k + 1) + " of the trajectory needs " +
+                std::to_string(joints) + " finite " + what);
+  }
+}
+
+/// Where each of the arm's coordinates stands among the trajectory's columns.
+std::vector<Eigen::Index> column_order(const Arm& arm, const Trajectory& trajectory) {
+  std::vector<std::string> missing;
+  std::vector<std::string> unknown = trajectory.joint_names;
+  std::vector<Eigen::Index> order;
+  for (const std::string& joint : arm.joint_names()) {
+    const auto& names = trajectory.joint_names;
+    const auto found = std::find(names.begin(), names.end(), joint);
+    if (found == names.end()) missing.push_back(joint);
+    order.push_back(found - names.begin());
+    std::erase(unknown, joint);
+  }
+  if (missing.empty() && unknown.empty()) return order;
+  std::string text = "the trajectory does not fit arm " + arm.name() + ":";
+  if (!missing.empty()) text += " it lacks " + listed(missing) + ";";
+  if (!unknown.empty()) text += " the arm has no " + listed(unknown) + ";";
+  throw Error(text + " the arm's joints are " + listed(arm.joint_names()));
+}
+
+}  // namespace
+
+Trajectory at_rest(const Arm& arm, const ConfigurationRef& q) {
+  check_configuration(arm, q);
+  const Configuration still = Configuration::Zero(arm.dof());
+  return {arm.joint_names(), {0}, {q}, {still}, {still}};
+}
+
+void check_trajectory(const Trajectory& trajectory) {
+  for (auto joint = trajectory.joint_names.begin(); joint != trajectory.joint_names.end();
+       ++joint) {
+    if (std::find(trajectory.joint_names.begin(), joint, *joint) == joint) continue;
+    throw Error("two joints of the trajectory are called " + *joint);
+  }
+  check_column(trajectory.positions, trajectory, "positions");
+  if (!trajectory.velocities.empty()) check_column(trajectory.velocities, trajectory, "velocities");
+  if (!trajectory.accelerations.empty()) {
+    check_column(trajectory.accelerations, trajectory, "accelerations");
+  }
+  for (std::size_t k = 0; k < trajectory.size(); ++k) {
+    const bool later = k == 0 || trajectory.times[k] > trajectory.times[k - 1];
+    if (later && std::isfinite(trajectory.times[k])) continue;
+    throw Error("time does not increase at sample " + std::to_string(k + 1) +
+                " of the trajectory: " + number(trajectory.times[k]) + " s");
+  }
+}
+
+Configuration sample(const Trajectory& trajectory, double t) {
+  if (trajectory.size() == 0) throw Error("the trajectory has no samples");
+  if (std::isnan(t)) throw Error("a trajectory has no sample at a time that is no number");
+  const auto& times = trajectory.times;
+  if (t <= times.front()) return trajectory.positions.front();
+  if (t >= times.back()) return trajectory.positions.back();
+  const auto after =
+      static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), t) - times.begin());
+  const double share = (t - times[after - 1]) / (times[after] - times[after - 1]);
+  return trajectory.positions[after - 1] +
+         share * (trajectory.positions[after] - trajectory.positions[after - 1]);
+}
+
+Trajectory matched_to(const Arm& arm, const Trajectory& trajectory) {
+  check_trajectory(trajectory);
+  const std::vector<Eigen::Index> order = column_order(arm, trajectory);
+  const auto reordered = [&order](std::vector<Configuration> column) {
+    for (Configuration& q : column) q = Configuration(q(order));
+    return column;
+  };
+  return {arm.joint_names(), trajectory.times, reordered(trajectory.positions),
+          reordered(trajectory.velocities), reordered(trajectory.accelerations)};
+}
+
+}  // namespace beeline

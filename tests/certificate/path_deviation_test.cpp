@@ -1,0 +1,199 @@
+#include <gtest/gtest.h>
+
+#include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
+#include <beeline/path/internal/nearest_parameter.h>
+#include <beeline/planning/internal/track_segment.h>
+#include <beeline/pose/orientation.h>
+
+#include <tests/path/random_line.h>
+#include <tests/path/random_segment.h>
+#include <tests/refusal.h>
+
+namespace beeline {
+namespace {
+
+using testing::Random;
+
+Configuration at(double x, double y) { return Configuration{{x, y}}; }
+
+TEST(Straightness, MeasuresEveryLineFromItsOwnWaypoint) {
+  const Arm arm = built_in("gantry");
+  const std::vector<Configuration> samples{at(0, 0), at(1, 0.25), at(2, 0), at(2.5, 1), at(2, 2)};
+  std::vector<Pose> poses;
+  for (const Configuration& q : {at(0, 0), at(2, 0), at(2, 2)}) {
+    poses.push_back(forward_kinematics(arm, q));
+  }
+  const ToolPath path = lines_through(poses);
+  const Task task = Task::position();
+  const std::vector<std::size_t> reached{2, 4};
+  const std::vector<double> places = places_along(arm, samples, path, reached, task);
+  EXPECT_EQ(arrivals(places), reached);
+  EXPECT_NEAR(places[1], 0.5, 1e-12);
+  const Straightness told = straightness(arm, samples, places, path, task);
+  EXPECT_NEAR(told.sampled.position, 0.5, 1e-15);
+  EXPECT_NEAR(told.bound.position, 0.5, 1e-15) << "slides leave no arc";
+  EXPECT_EQ(told.sampled.orientation, 0);
+}
+
+TEST(Straightness, RefusesWhatDoesNotFit) {
+  const Arm arm = built_in("rrr");
+  const std::vector<Configuration> samples{Configuration::Zero(3), Configuration::Zero(3)};
+  const ToolPath path = lines_through(std::vector{make_pose({0, 0, 0}), make_pose({9, 0, 0})});
+  const auto placed = [&](std::vector<std::size_t> reached) {
+    return places_along(arm, samples, path, reached, Task::planar());
+  };
+  EXPECT_REFUSED(placed({0, 1}), "arrival");
+  EXPECT_REFUSED(placed({2}), "arrival 1");
+  EXPECT_REFUSED(places_along(arm, {}, path, {}, Task::planar()), "samples");
+  const auto told = [&](std::vector<double> places, const ToolPath& on) {
+    return straightness(arm, samples, places, on, Task::planar());
+  };
+  EXPECT_NO_THROW(told({0.2, 1}, path));
+  EXPECT_REFUSED(told({0}, path), "a place");
+  EXPECT_REFUSED(told({0.5, 0.4}, path), "sample 2");
+  EXPECT_REFUSED(told({-0.1, 1}, path), "sample 1");
+  EXPECT_REFUSED(told({0, 1.5}, path), "sample 2");
+  EXPECT_REFUSED(told({0, NAN}, path), "sample 2");
+  EXPECT_REFUSED(told({0, 0}, ToolPath{}), "pieces");
+}
+
+/// A path of the kind in front of the arm.
+ToolPath path_ahead(Random& random, const Arm& arm, const Pose& from, int kind) {
+  std::vector<Pose> poses{from};
+  for (int w = 0; w < 3; ++w) poses.push_back(testing::nearby_pose(random, arm, from));
+  if (kind == 4) return rounded_lines(poses, {0.03, 0.3}).path;
+  if (kind == 2) poses.pop_back();
+  return path_through(poses, static_cast<PathKind>(kind));
+}
+
+/// Follows a path with joints in proportion between a few samples that lie on it, none of them at
+/// the end of a piece but the last one.
+struct Coarse {
+  std::vector<Configuration> samples;
+  std::vector<double> places;
+};
+
+Coarse coarse(const Arm& arm, const ToolPath& path, Configuration q) {
+  Coarse way{{q}, {0}};
+  for (std::size_t i = 0; i < path.pieces.size(); ++i) {
+    const Followed piece = follow(arm, path.pieces[i], Task::spatial(), bounds_of(arm), q,
+                                  {.tolerance = {1e-4, 1e-4}, .most_samples = 2000});
+    const bool last = i + 1 == path.pieces.size() || !piece.through();
+    for (std::size_t k = 1; k < piece.samples.size(); ++k) {
+      const bool end = k + 1 == piece.samples.size();
+      if (k % 2 == 0 && !(end && last)) continue;
+      way.samples.push_back(piece.samples[k]);
+      way.places.push_back(static_cast<double>(i) + piece.fractions[k]);
+    }
+    if (!piece.through()) break;
+    q = piece.samples.back();
+  }
+  return way;
+}
+
+// Round the corners of lines too, where it is large: whatever is between the samples is counted.
+TEST(Straightness, BoundsWhatIsBetweenSamplesAlsoOverTheEndsOfPieces) {
+  Random random;
+  int cut = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Arm arm = built_in(i % 2 == 0 ? "ur5" : "puma560");
+    const Configuration q = testing::inner_configuration(random, arm);
+    const ToolPath path = path_ahead(random, arm, forward_kinematics(arm, q), i % 5);
+    const Coarse way = coarse(arm, path, q);
+    const Straightness told = straightness(arm, way.samples, way.places, path, Task::spatial());
+    ASSERT_LE(told.sampled.position, 1e-9);
+    for (std::size_t k = 1; k < way.samples.size(); ++k) {
+      const auto steps = cut_at_pieces(path, Task::spatial(), way.samples[k - 1], way.places[k - 1],
+                                       way.samples[k], way.places[k]);
+      cut += steps.size() > 1;
+      for (const PieceStep& step : steps) {
+        for (int j = 0; j <= 10; ++j) {
+          const Configuration between = step.q_a + j / 10.0 * (step.q_b - step.q_a);
+          const Deviation off =
+              deviation_from(path.pieces[step.piece], std::lerp(step.s_a, step.s_b, j / 10.0),
+                             forward_kinematics(arm, between), Task::spatial());
+          ASSERT_LE(off.position, told.bound.position + 1e-12);
+          ASSERT_LE(off.orientation, told.bound.orientation + 1e-12);
+        }
+      }
+      ASSERT_EQ(steps.front().q_a, way.samples[k - 1]);
+      ASSERT_EQ(steps.back().q_b, way.samples[k]);
+    }
+  }
+  EXPECT_GT(cut, 20);
+}
+
+TEST(NearestPlace, FindsTheSamplesOfAWay) {
+  Random random;
+  for (int i = 0; i < 40; ++i) {
+    const Arm arm = built_in("ur5");
+    const Configuration q = testing::inner_configuration(random, arm);
+    const ToolPath path = path_ahead(random, arm, forward_kinematics(arm, q), i % 5);
+    const Coarse way = coarse(arm, path, q);
+    double before = 0;
+    const bool stops = i % 5 <= 2;  // at corners, one piece at a time
+    for (std::size_t k = 1; k < way.samples.size(); ++k) {
+      const auto piece = static_cast<double>(piece_at(path, way.places[k]));
+      const double end = stops ? piece + 1 : static_cast<double>(path.pieces.size());
+      const Pose tool = forward_kinematics(arm, way.samples[k]);
+      if (stops) before = std::max(before, piece);
+      before = nearest_place(path, Task::spatial(), tool, before, end);
+      const Deviation off = task_deviation(Task::spatial(), pose_at(path, before), tool);
+      ASSERT_LT(off.position, 1e-9) << i % 5 << " place " << before << " of " << way.places[k];
+      ASSERT_LT(off.orientation, 1e-8) << i % 5;
+      ASSERT_NEAR(before, way.places[k], 1e-6);
+    }
+  }
+}
+
+// Where the turn counts more than the way, the nearest place by both together may fit worse.
+TEST(FittingPlace, IsWithinTheToleranceWhereThereIsSuchAPlace) {
+  Random random;
+  const Deviation tolerance{1e-4, 1e-4};
+  int nearest_is_none = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Pose from = random.pose();
+    Pose to = from;
+    to.translation() += 0.2 * random.direction();
+    to.linear() = so3_exp(1.2 * random.direction()) * from.linear();
+    const ToolPath path = path_through(std::vector{from, to}, PathKind::screw);
+    const double s = random.uniform(0.1, 0.9);
+    Pose tool = pose_at(path, s);
+    tool.translation() += 0.95e-4 * random.direction();
+    tool.linear() = so3_exp(0.95e-4 * random.direction()) * tool.linear();
+    const auto fits = [&](double place) {
+      return within(task_deviation(Task::spatial(), pose_at(path, place), tool), tolerance);
+    };
+    ASSERT_TRUE(fits(fitting_place(path, Task::spatial(), tool, 0, 1, tolerance))) << i;
+    nearest_is_none += !fits(nearest_place(path, Task::spatial(), tool, 0, 1));
+  }
+  EXPECT_GT(nearest_is_none, 10);
+}
+
+TEST(CornerAt, IsWhereLinesMeetAndNotWhereASplineGoesOn) {
+  Random random;
+  const std::vector<Pose> poses = testing::random_poses(random, 4, 1, 1);
+  const ToolPath lines = lines_through(poses), spline = path_through(poses, PathKind::spline);
+  const ToolPath rounded = rounded_lines(poses, {0.01, 0.1}).path;
+  for (const double place : {0.0, 0.5, 1.0, 2.0, 3.0}) {
+    EXPECT_EQ(corner_at(lines, place), place == 1 || place == 2);
+    EXPECT_FALSE(corner_at(spline, place));
+    EXPECT_FALSE(corner_at(rounded, place));
+  }
+}
+
+TEST(Reversed, IsTheSamePathFromItsEnd) {
+  Random random;
+  for (int i = 0; i < 50; ++i) {
+    const Piece piece = testing::random_piece(random);
+    const Piece back = reversed(piece);
+    for (const double s : {0.0, 0.1, 0.5, 0.77, 1.0}) {
+      const Twist off = pose_difference(pose_at(piece, s), pose_at(back, 1 - s));
+      ASSERT_LT(off.norm(), 1e-9) << testing::kind_of(piece) << " " << s;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace beeline

@@ -1,0 +1,251 @@
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include <beeline/inverse/analytic/closed_form.h>
+#include <beeline/model/catalog.h>
+
+#include <tests/inverse/answer.h>
+#include <tests/inverse/families.h>
+
+namespace beeline {
+namespace {
+
+using testing::arm_through;
+using testing::axes_with;
+using testing::holds;
+using testing::largest;
+using testing::Random;
+using Family = SixLoop::Family;
+
+constexpr double pi = std::numbers::pi;
+
+const Task rolling = task_named("111110:tool");
+
+/// The arm without its joints after the first `count`; its tool stays where it was.
+Arm shortened(const Arm& arm, int count) {
+  std::vector<Joint> joints(arm.joints().begin(), arm.joints().begin() + count);
+  return {arm.name(), joints, arm.tool(), arm.base()};
+}
+
+InverseResult all_solutions(const Arm& arm, const Pose& pose, const Task& task) {
+  return inverse_kinematics(
+      arm, pose,
+      {.task = task, .method = InverseMethod::closed_form, .all = true, .ignore_limits = true});
+}
+
+struct Counts {
+  int poses = 0;
+  int equal = 0;  ///< where a search met as many solutions
+};
+
+/// The poses of random configurations come back, and a search finds no solution that is not there.
+void expect_complete(const Arm& arm, const Task& task, int poses, Random& random, Counts& counts,
+                     bool search = true) {
+  for (int i = 0; i < poses; ++i) {
+    const Configuration from = random.configuration(arm);
+    Pose pose = forward_kinematics(arm, from);
+    if (task == Task::position()) pose.linear() = random.rotation();
+    if (task == rolling) pose.rotate(Eigen::AngleAxisd(random.uniform(-3, 3), Vector3::UnitZ()));
+    const InverseResult result = all_solutions(arm, pose, task);
+    ASSERT_EQ(result.status, InverseStatus::solved) << result.method << ": " << result.reason;
+    EXPECT_TRUE(holds(arm, result.solutions, from)) << result.method << ' ' << from.transpose();
+    EXPECT_LE(result.solutions.size(), 8U);
+    for (const Configuration& q : result.solutions) {
+      EXPECT_LE(largest(task_deviation(task, pose, forward_kinematics(arm, q))), 1e-10);
+    }
+    if (!search) continue;
+    const auto found = search_all(arm, pose, task, result.solutions.size(), 400, random);
+    ++counts.poses;
+    counts.equal += found.size() == result.solutions.size();
+    for (const Configuration& q : found) {
+      EXPECT_TRUE(holds(arm, result.solutions, q, 1e-4)) << result.method << ' ' << q.transpose();
+    }
+  }
+}
+
+TEST(ClosedForm, IsToldInWordsForTheBuiltInArms) {
+  const std::vector<std::pair<const char*, const char*>> families{
+      {"puma560", "closed form: three axes meet (joints 4, 5, 6)"},
+      {"stanford", "closed form: three axes meet (joints 4, 5, 6)"},
+      {"ur5", "closed form: three parallel axes (joints 2, 3, 4)"},
+      {"ur5e", "closed form: three parallel axes (joints 2, 3, 4)"},
+      {"panda", "closed form: three axes meet (joints 1, 2, 3)"},
+      {"iiwa14", "closed form: three axes meet (joints 1, 2, 3)"},
+      {"scara", "closed form: three parallel axes (joints 1, 2, 3)"}};
+  for (const auto& [name, family] : families) {
+    EXPECT_EQ(InverseSolver(built_in(name)).method(), family) << name;
+  }
+}
+
+TEST(ClosedForm, OfFiveJointsIsComplete) {
+  Random random;
+  Counts counts;
+  const Arm puma = shortened(built_in("puma560"), 5);
+  for (const Task& task : {Task::spatial(), rolling}) {
+    expect_complete(puma, task, 200, random, counts, false);
+    expect_complete(puma, task, 10, random, counts);
+  }
+  for (const Family family : {Family::meeting, Family::parallel}) {
+    for (std::size_t first = 0; first < 3; ++first) {
+      for (int i = 0; i < 20; ++i) {
+        const Arm arm = arm_through(axes_with(family, first, "RRRRR", random), random);
+        for (const Task& task : {Task::spatial(), rolling}) {
+          expect_complete(arm, task, 10, random, counts, false);
+          if (i < 3) expect_complete(arm, task, 1, random, counts);
+        }
+      }
+    }
+  }
+  EXPECT_GE(counts.equal, 0.95 * counts.poses) << "of " << counts.poses;
+}
+
+TEST(ClosedForm, OfFourJointsIsComplete) {
+  Random random;
+  Counts counts;
+  expect_complete(built_in("scara"), Task::spatial(), 300, random, counts, false);
+  expect_complete(built_in("scara"), Task::spatial(), 10, random, counts);
+  for (const Family family : {Family::meeting, Family::parallel}) {
+    for (const auto& [first, letters] :
+         {std::pair<std::size_t, const char*>{0, "RRRR"}, {1, "RRRR"}, {0, "RRRP"}}) {
+      for (int i = 0; i < 20; ++i) {
+        const Arm arm = arm_through(axes_with(family, first, letters, random), random);
+        expect_complete(arm, Task::spatial(), 10, random, counts, false);
+        if (i < 3) expect_complete(arm, Task::spatial(), 1, random, counts);
+      }
+    }
+  }
+  EXPECT_GE(counts.equal, 0.95 * counts.poses) << "of " << counts.poses;
+}
+
+TEST(ClosedForm, OfThreeJointsForThePositionIsComplete) {
+  Random random;
+  Counts counts;
+  expect_complete(shortened(built_in("puma560"), 3), Task::position(), 200, random, counts, false);
+  for (const char* letters : {"RRR", "RRP"}) {
+    for (int i = 0; i < 40; ++i) {
+      std::vector<testing::Axis> axes;
+      for (const char* letter = letters; *letter != 0; ++letter) {
+        axes.push_back(testing::random_axis(random, *letter == 'P'));
+      }
+      const Arm arm = arm_through(axes, random);
+      expect_complete(arm, Task::position(), 10, random, counts, false);
+      if (i < 10) expect_complete(arm, Task::position(), 1, random, counts);
+    }
+  }
+  EXPECT_GE(counts.equal, 0.95 * counts.poses) << "of " << counts.poses;
+}
+
+/// Three slides at right angles or askew, and a wrist: no closed form as yet, but an answer.
+TEST(ClosedForm, GantriesAreSolvedWithAndWithoutOne) {
+  Random random;
+  for (const char* letters : {"PPPRRR", "RRPRRR", "PPRRRR", "RPRRRR"}) {
+    for (int i = 0; i < 20; ++i) {
+      auto axes = axes_with(Family::meeting, 3, letters, random);
+      const bool square = i % 2 == 0 && axes[0].slides && axes[1].slides && axes[2].slides;
+      for (int k = 0; k < 3 && square; ++k) axes[k].direction = Vector3::Unit(2 - k);
+      const Arm arm = arm_through(axes, random);
+      const Configuration from = random.configuration(arm);
+      const Pose pose = forward_kinematics(arm, from);
+      testing::expect_solved(arm, pose, Task::spatial(), inverse_kinematics(arm, pose));
+      const InverseResult all = inverse_kinematics(arm, pose, {.all = true, .restarts = 300});
+      EXPECT_TRUE(holds(arm, all.solutions, from)) << letters << ' ' << all.method;
+    }
+  }
+}
+
+/// Random configurations, of which coordinate k has one value.
+void expect_singular(const Arm& arm, int k, double value, bool singular, Random& random) {
+  for (int i = 0; i < 200; ++i) {
+    Configuration q = random.configuration(arm);
+    q[k] = value;
+    const Pose pose = forward_kinematics(arm, q);
+    const InverseResult result = inverse_kinematics(arm, pose, {.seed = q, .all = true});
+    testing::expect_solved(arm, pose, Task::spatial(), result);
+    EXPECT_EQ(result.singular, singular) << arm.name() << ' ' << q.transpose();
+    // At a fold rounding moves the joints by its square root.
+    EXPECT_TRUE(holds(arm, result.solutions, q, singular ? 1e-6 : 1e-4)) << q.transpose();
+    const Configuration elsewhere = random.configuration(arm);
+    testing::expect_solved(arm, pose, Task::spatial(),
+                           inverse_kinematics(arm, pose, {.seed = elsewhere}));
+  }
+}
+
+TEST(ClosedForm, SaysWhereSolutionsAreAContinuum) {
+  Random random;
+  expect_singular(built_in("puma560"), 4, 0, true, random);  // joints 4 and 6 in line
+  expect_singular(built_in("stanford"), 4, 0, true, random);
+  for (const double value : {0.0, pi, -pi}) {  // joints 2, 3, 4 and 6 parallel
+    expect_singular(built_in("ur5"), 4, value, true, random);
+  }
+}
+
+TEST(ClosedForm, AFoldIsNoContinuum) {
+  Random random;
+  expect_singular(built_in("puma560"), 2, -std::atan2(0.4318, 0.0203), false, random);  // stretched
+  expect_singular(built_in("ur5"), 2, 0, false, random);
+  expect_singular(built_in("ur5"), 2, pi, false, random);  // folded back
+}
+
+/// Beside a singular pose, however near, all is as everywhere.
+TEST(ClosedForm, NextToSingularPosesStaysExact) {
+  Random random;
+  for (const double near : {1e-2, 1e-4, 1e-6, 1e-10, 1e-12, 1e-14}) {
+    for (const auto& [name, k] :
+         {std::pair{"puma560", 4}, {"stanford", 4}, {"ur5", 4}, {"ur5", 2}}) {
+      const Arm arm = built_in(name);
+      for (int i = 0; i < 50; ++i) {
+        Configuration q = random.configuration(arm);
+        q[k] = near;
+        const Pose pose = forward_kinematics(arm, q);
+        testing::expect_solved(arm, pose, Task::spatial(),
+                               inverse_kinematics(arm, pose, {.all = true}));
+      }
+    }
+  }
+}
+
+TEST(ClosedForm, EveryTurnIsThereOnce) {
+  Random random;
+  const Arm arm = built_in("ur5");  // limits +-2 pi: each angle has two values
+  for (int i = 0; i < 20; ++i) {
+    const Pose pose = forward_kinematics(arm, random.configuration(arm));
+    const auto postures = inverse_kinematics(arm, pose, {.all = true}).solutions;
+    const InverseResult every = inverse_kinematics(arm, pose, {.all = true, .every_turn = true});
+    testing::expect_solved(arm, pose, Task::spatial(), every);
+    EXPECT_EQ(every.solutions.size(), 64 * postures.size());
+    for (std::size_t a = 0; a < every.solutions.size(); ++a) {
+      EXPECT_TRUE(holds(arm, postures, every.solutions[a]));
+      for (std::size_t b = 0; b < a; ++b) {
+        EXPECT_GT((every.solutions[a] - every.solutions[b]).norm(), 1e-3);
+      }
+    }
+  }
+}
+
+TEST(ClosedForm, SlidesHaveNoTurns) {
+  Random random;
+  std::vector<Joint> joints = built_in("stanford").joints();
+  for (Joint& joint : joints) joint.limits.lower = -7, joint.limits.upper = 7;
+  const Arm arm("wide", joints, built_in("stanford").tool());
+  for (int i = 0; i < 20; ++i) {
+    const Pose pose = forward_kinematics(arm, random.configuration(arm));
+    const auto postures = inverse_kinematics(arm, pose, {.all = true}).solutions;
+    const InverseResult every = inverse_kinematics(arm, pose, {.all = true, .every_turn = true});
+    testing::expect_solved(arm, pose, Task::spatial(), every);
+    std::size_t expected = 0;
+    for (const Configuration& q : postures) {
+      std::size_t turns = 1;
+      for (const int k : {0, 1, 3, 4, 5}) {
+        std::size_t values = 0;
+        for (int turn = -3; turn <= 3; ++turn) values += std::abs(q[k] + 2 * pi * turn) <= 7;
+        turns *= values;
+      }
+      expected += turns;
+    }
+    EXPECT_EQ(every.solutions.size(), expected);
+    for (const Configuration& q : every.solutions) EXPECT_TRUE(holds(arm, postures, q));
+  }
+}
+
+}  // namespace
+}  // namespace beeline

@@ -1,0 +1,291 @@
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include <beeline/error.h>
+#include <beeline/inverse/analytic/general_six.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/jacobian.h>
+#include <beeline/model/catalog.h>
+#include <beeline/model/dh.h>
+#include <beeline/pose/angle.h>
+
+#include <tests/random.h>
+
+namespace beeline {
+namespace {
+
+using testing::Random;
+
+constexpr double pi = 3.14159265358979323846;
+using Columns = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+using Rows = std::array<std::array<double, 3>, 6>;  // a, alpha, d, standard
+
+Arm arm_of(const Rows& rows, const Pose& tool = Pose::Identity(),
+           const Pose& base = Pose::Identity()) {
+  std::vector<Joint> joints;
+  for (const auto& [a, alpha, d] : rows) {
+    joints.push_back(dh_joint({.a = a, .alpha = alpha, .d = d}, DhConvention::standard));
+    joints.back().name = "j" + std::to_string(joints.size());
+  }
+  return {"six", joints, tool, base};
+}
+
+Rows random_rows(Random& random) {
+  Rows rows;
+  for (auto& row : rows) {
+    row = {random.uniform(-0.5, 0.5), random.uniform(-3, 3), random.uniform(-0.5, 0.5)};
+  }
+  return rows;
+}
+
+const Rows ur5{{{0, pi / 2, 0.089159},
+                {-0.425, 0, 0},
+                {-0.39225, 0, 0},
+                {0, pi / 2, 0.10915},
+                {0, -pi / 2, 0.09465},
+                {0, 0, 0.0823}}};
+
+/// A wrist of the kind of Kinova's Jaco: 55 degrees between its axes, which do not meet.
+Rows slanted_wrist() {
+  const double slant = 11 * pi / 36, half = 0.0741 * std::sin(slant / 2) / std::sin(slant);
+  return {{{0, pi / 2, 0.2755},
+           {0.41, pi, 0},
+           {0, pi / 2, -0.0098},
+           {0, slant, -0.2073 - half},
+           {0, slant, -2 * half},
+           {0, pi, -0.16 - half}}};
+}
+
+Rows disturbed(Random& random, Rows rows, double by) {
+  for (auto& row : rows) {
+    for (double& each : row) each += random.uniform(-by, by);
+  }
+  return rows;
+}
+
+Configuration anywhere(Random& random) {
+  Configuration q(6);
+  for (double& each : q) each = random.uniform(-pi, pi);
+  return q;
+}
+
+double distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  double most = 0;
+  for (int i = 0; i < 6; ++i) most = std::max(most, std::abs(angle_difference(a[i], b[i])));
+  return most;
+}
+
+bool holds(const Columns& q, int count, const Configuration& one, double tolerance = 1e-5) {
+  for (int k = 0; k < count; ++k) {
+    if (distance(q.col(k), one) < tolerance) return true;
+  }
+  return false;
+}
+
+/// Every answer reaches the pose, is in [-pi, pi], and differs from the others.
+void expect_solutions(const Arm& arm, const Pose& pose, const Columns& q, int count) {
+  for (int k = 0; k < count; ++k) {
+    const Pose reached = forward_kinematics(arm, q.col(k));
+    EXPECT_LT((reached.matrix() - pose.matrix()).cwiseAbs().maxCoeff(), 1e-11);
+    EXPECT_LE(q.col(k).cwiseAbs().maxCoeff(), pi);
+    EXPECT_FALSE(holds(q, k, q.col(k), 1e-6));
+  }
+}
+
+/// Poses of random configurations: how many of these are not found again.
+int misses(Random& random, const Arm& arm, const GeneralSix& solver, int poses) {
+  int missed = 0;
+  Columns q(6, 16);
+  for (int i = 0; i < poses; ++i) {
+    const Configuration from = anywhere(random);
+    const Pose pose = forward_kinematics(arm, from);
+    const int count = solver.solve(pose, q).count;
+    expect_solutions(arm, pose, q, count);
+    if (!holds(q, count, from)) ++missed;
+  }
+  return missed;
+}
+
+void expect_found(Random& random, const Arm& arm, int poses) {
+  const GeneralSix solver(chain_of(arm));
+  EXPECT_TRUE(solver.reliable());
+  EXPECT_EQ(misses(random, arm, solver, poses), 0);
+}
+
+TEST(GeneralSix, FindsTheConfigurationOfAnyArm) {
+  Random random;
+  for (int i = 0; i < 30; ++i) {
+    expect_found(random, arm_of(random_rows(random), random.pose(), random.pose(2)), 300);
+  }
+}
+
+TEST(GeneralSix, FindsItWhereTwoAxesMeetOrAreParallel) {
+  Random random;
+  for (int joint = 0; joint < 5; ++joint) {
+    Rows rows = random_rows(random);
+    rows[static_cast<std::size_t>(joint)][0] = 0;
+    expect_found(random, arm_of(rows), 300);
+    rows = random_rows(random);
+    rows[static_cast<std::size_t>(joint)][1] = 0;
+    expect_found(random, arm_of(rows), 300);
+  }
+}
+
+TEST(GeneralSix, FindsItWhereAllTwistsAreRight) {
+  Random random;
+  for (int i = 0; i < 10; ++i) {
+    Rows rows = random_rows(random);
+    for (auto& row : rows) row[1] = std::copysign(pi / 2, row[1]);
+    expect_found(random, arm_of(rows), 300);
+  }
+}
+
+TEST(GeneralSix, FindsItForACalibratedUr5) {
+  Random random;
+  for (const double by : {1e-2, 1e-4, 1e-6, 1e-8}) {
+    for (int i = 0; i < 3; ++i) expect_found(random, arm_of(disturbed(random, ur5, by)), 300);
+  }
+}
+
+TEST(GeneralSix, FindsItForASlantedWrist) {
+  Random random;
+  expect_found(random, arm_of(slanted_wrist()), 3000);
+}
+
+/// Of the kind of FANUC's CRX: a wrist with an offset, all else as simple as can be.
+TEST(GeneralSix, FindsItForAWristWithAnOffset) {
+  Random random;
+  expect_found(random,
+               arm_of({{{0, -pi / 2, 0},
+                        {0.54, pi, 0},
+                        {0, -pi / 2, 0},
+                        {0, pi / 2, -0.54},
+                        {0, -pi / 2, 0.15},
+                        {0, pi, -0.16}}}),
+               3000);
+}
+
+// The arm of Manocha & Canny, "Efficient inverse kinematics for general 6R manipulators", 1994.
+TEST(GeneralSix, FindsSixteenSolutions) {
+  constexpr double one = pi / 180;
+  const Arm arm = arm_of({{{0.3, pi / 2, 0},
+                           {1, one, 0},
+                           {0, pi / 2, 0.2},
+                           {1.5, one, 0},
+                           {0, pi / 2, 0},
+                           {1.1353, one, 0}}});
+  const GeneralSix solver(chain_of(arm));
+  EXPECT_TRUE(solver.reliable());
+  const Configuration from{{-2.074, 2.120, 0.517, 2.688, 0.178, 3.085}};
+  const Pose pose = forward_kinematics(arm, from);
+  Columns q(6, 16);
+  ASSERT_EQ(solver.solve(pose, q).count, 16);
+  expect_solutions(arm, pose, q, 16);
+  EXPECT_TRUE(holds(q, 16, from));
+}
+
+/// Newton's method on the library's own kinematics, from many starts.
+std::vector<Configuration> search(Random& random, const Arm& arm, const Pose& pose, int starts) {
+  std::vector<Configuration> found;
+  for (int start = 0; start < starts; ++start) {
+    Configuration q = anywhere(random);
+    for (int step = 0; step < 30; ++step) {
+      const Twist error = pose_difference(pose, forward_kinematics(arm, q));
+      if (error.norm() < 1e-11) {
+        bool known = false;
+        for (const Configuration& other : found) known = known || distance(q, other) < 1e-5;
+        if (!known) found.push_back(q);
+        break;
+      }
+      const Eigen::VectorXd by = jacobian(arm, q, Frame::base).partialPivLu().solve(error);
+      if (!by.allFinite()) break;
+      q += by * std::min(1.0, 0.5 / by.cwiseAbs().maxCoeff());
+    }
+  }
+  return found;
+}
+
+TEST(GeneralSix, MissesNothingThatASearchFinds) {
+  Random random;
+  Columns q(6, 16);
+  int found_by_search = 0, found = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Arm arm = arm_of(i % 4 == 0 ? disturbed(random, ur5, 1e-4) : random_rows(random));
+    const GeneralSix solver(chain_of(arm));
+    const Pose pose = forward_kinematics(arm, anywhere(random));
+    const int count = solver.solve(pose, q).count;
+    found += count;
+    for (const Configuration& other : search(random, arm, pose, 400)) {
+      ++found_by_search;
+      EXPECT_TRUE(holds(q, count, other)) << other.transpose();
+    }
+  }
+  EXPECT_GT(found_by_search, 0.9 * found);  // else it proves little
+}
+
+TEST(GeneralSix, SolutionsComeInPairs) {
+  Random random;
+  Columns q(6, 16);
+  for (int i = 0; i < 10; ++i) {
+    const Arm arm = arm_of(random_rows(random));
+    const GeneralSix solver(chain_of(arm));
+    for (int k = 0; k < 200; ++k) {
+      EXPECT_EQ(solver.solve(forward_kinematics(arm, anywhere(random)), q).count % 2, 0);
+    }
+  }
+}
+
+// From a singular configuration the Jacobian's null direction leads where two solutions merge.
+TEST(GeneralSix, FindsSolutionsThatMerge) {
+  Random random;
+  Columns q(6, 16);
+  int cases = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Arm arm = arm_of(random_rows(random));
+    // Joint 3's value, by bisection, at which the determinant changes its sign.
+    Configuration from = anywhere(random), to = from;
+    to[2] = random.uniform(-pi, pi);
+    const auto determinant = [&](const Configuration& at) {
+      return jacobian(arm, at, Frame::base).determinant();
+    };
+    const bool sign = determinant(from) > 0;
+    if (sign == (determinant(to) > 0)) continue;
+    for (int halving = 0; halving < 60; ++halving) {
+      const Configuration middle = (from + to) / 2;
+      (sign == (determinant(middle) > 0) ? from : to) = middle;
+    }
+    ++cases;
+    const Pose pose = forward_kinematics(arm, from);
+    const GeneralSix solver(chain_of(arm));
+    const int count = solver.solve(pose, q).count;
+    expect_solutions(arm, pose, q, count);
+    EXPECT_TRUE(holds(q, count, from, 1e-4)) << from.transpose();
+  }
+  EXPECT_GT(cases, 30);
+}
+
+TEST(GeneralSix, NothingIsFoundOutOfReach) {
+  Random random;
+  Columns q(6, 16);
+  for (int i = 0; i < 20; ++i) {
+    const Arm arm = arm_of(random_rows(random));
+    const GeneralSix solver(chain_of(arm));
+    Pose pose = random.pose();
+    pose.translation() = arm.reach().centre + 1.01 * arm.reach().radius * random.direction();
+    EXPECT_EQ(solver.solve(pose, q).count, 0);
+  }
+}
+
+TEST(GeneralSix, RefusesOtherArms) {
+  EXPECT_THROW(GeneralSix(chain_of(built_in("panda"))), Error);
+  EXPECT_THROW(GeneralSix(chain_of(built_in("stanford"))), Error);
+  Columns few(6, 15);
+  const Arm arm = arm_of(ur5);
+  EXPECT_THROW(GeneralSix(chain_of(arm)).solve(Pose::Identity(), few), Error);
+}
+
+}  // namespace
+}  // namespace beeline

@@ -1,0 +1,184 @@
+#include <gtest/gtest.h>
+
+#include <beeline/error.h>
+#include <beeline/inverse/numerical/multi_start.h>
+#include <beeline/inverse/numerical/representative.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
+#include <beeline/pose/orientation.h>
+
+#include <tests/random_arm.h>
+
+namespace beeline {
+namespace {
+
+/// An arm with what a caller keeps for it.
+struct Solver {
+  DescentProblem problem;
+  StartDeck deck;
+  MultiStartBuffers buffers;
+  Search result;
+
+  Solver(const Arm& arm, const Task& task, const Bounds& bounds)
+      : problem(descent_problem(arm, task, bounds)), deck(start_deck(problem, 7, 32)) {}
+
+  const Search& operator()(const Pose& pose, const Configuration& start,
+                           const MultiStartOptions& options = {}) {
+    multi_start(problem, deck, pose, start, options, buffers, result);
+    return result;
+  }
+};
+
+void expect_solved(const Solver& solver, const Pose& pose, double tolerance) {
+  const Arm& arm = solver.problem.arm;
+  ASSERT_FALSE(solver.result.solutions.empty()) << arm.name();
+  for (const Configuration& q : solver.result.solutions) {
+    EXPECT_TRUE(within(solver.problem.bounds, q)) << arm.name() << ' ' << q.transpose();
+    const Deviation left = task_deviation(solver.problem.task, pose, forward_kinematics(arm, q));
+    EXPECT_LE(left.position, tolerance);
+    EXPECT_LE(left.orientation, tolerance);
+  }
+}
+
+TEST(MultiStart, SolvesWhatIsWithinLimitsToRoundingLevel) {
+  testing::Random random;
+  for (const std::string& name : built_in_names()) {
+    const Arm arm = built_in(name);
+    Solver solve(arm, default_task(arm), bounds_of(arm));
+    const Configuration start = middle_configuration(arm);
+    int fine = 0;
+    for (int i = 0; i < 500; ++i) {
+      const Pose pose = forward_kinematics(arm, random.configuration(arm));
+      const Search& result = solve(pose, start, {.tolerance = 1e-6});
+      expect_solved(solve, pose, 1e-6 + 1e-12);
+      fine += result.nearest.error.position < 1e-10 && result.nearest.error.orientation < 1e-10;
+      ASSERT_EQ(result.solutions.size(), 1u) << name;
+      EXPECT_TRUE(result.nearest.converged);
+      EXPECT_EQ(result.nearest.q, result.solutions[0]);
+    }
+    EXPECT_GE(fine, 499) << name;  // next to a singularity a lesser valley may be within tolerance
+  }
+}
+
+TEST(MultiStart, SolvesArmsOfAllKindsOfJoints) {
+  testing::Random random;
+  for (int i = 0; i < 100; ++i) {
+    const Arm arm = testing::random_arm(random, random.integer(1, 9), 3);
+    Solver solve(arm, Task::spatial(), bounds_of(arm));
+    const Pose pose = forward_kinematics(arm, random.configuration(arm));
+    solve(pose, random.configuration(arm));
+    expect_solved(solve, pose, 1e-9);
+  }
+}
+
+TEST(MultiStart, StaysWithTheStartsBranchFromNearby) {
+  testing::Random random;
+  const Arm arm = built_in("puma560");
+  Solver solve(arm, Task::spatial(), bounds_of(arm));
+  int same = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Configuration q = random.configuration(arm);
+    Configuration start = q;
+    for (double& angle : start) angle += random.uniform(-0.02, 0.02);
+    solve(forward_kinematics(arm, q), start);
+    ASSERT_EQ(solve.result.solutions.size(), 1u);
+    same += (solve.result.solutions[0] - q).cwiseAbs().maxCoeff() < 0.1;
+  }
+  EXPECT_GE(same, 485);  // next to a singularity it may go over to the other branch
+}
+
+TEST(MultiStart, AllFindsTheEightBranches) {
+  testing::Random random;
+  const Arm arm = built_in("puma560");
+  Solver solve(arm, Task::spatial(), no_bounds(arm));
+  for (int i = 0; i < 20; ++i) {
+    const Pose pose = forward_kinematics(arm, random.configuration(arm));
+    const Search& result = solve(pose, middle_configuration(arm), {.restarts = 2000, .all = true});
+    expect_solved(solve, pose, 1e-9);
+    EXPECT_EQ(result.restarts, 2000);
+    EXPECT_GE(result.solutions.size(), 4u);
+    EXPECT_LE(result.solutions.size(), 8u);
+    for (std::size_t a = 0; a < result.solutions.size(); ++a) {
+      for (std::size_t b = 0; b < a; ++b) {
+        EXPECT_FALSE(same_posture(arm, result.solutions[a], result.solutions[b]));
+      }
+    }
+  }
+}
+
+TEST(MultiStart, ComesAtTheTurnNearestToTheStart) {
+  testing::Random random;
+  const Arm arm = built_in("ur5");
+  for (const Bounds& bounds : {bounds_of(arm), no_bounds(arm)}) {
+    Solver solve(arm, Task::spatial(), bounds);
+    for (int i = 0; i < 200; ++i) {
+      const Configuration start = random.configuration(arm);
+      const Pose pose = forward_kinematics(arm, random.configuration(arm));
+      solve(pose, start);
+      expect_solved(solve, pose, 1e-9);
+      const Configuration& q = solve.result.solutions[0];
+      EXPECT_LT((q - nearest_representative(arm, q, start, bounds)).norm(), 1e-12);
+    }
+  }
+}
+
+TEST(MultiStart, TheSameSeedGivesTheSameAnswerWhateverWasBefore) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  Solver used(arm, Task::spatial(), bounds_of(arm));
+  for (int i = 0; i < 100; ++i) {
+    const Configuration start = random.configuration(arm);
+    const Pose pose = forward_kinematics(arm, random.configuration(arm));
+    const bool all = i % 10 == 0;
+    const MultiStartOptions options{.restarts = 100, .all = all, .random_seed = 5};
+    Solver fresh(arm, Task::spatial(), bounds_of(arm));
+    used(pose, start, options);
+    fresh(pose, start, options);
+    EXPECT_EQ(used.result.solutions, fresh.result.solutions);
+    EXPECT_EQ(used.result.iterations, fresh.result.iterations);
+    EXPECT_EQ(used.result.restarts, fresh.result.restarts);
+  }
+}
+
+TEST(MultiStart, OutOfReachEndsWithTheNearest) {
+  const Arm arm = built_in("ur5");
+  Solver solve(arm, Task::spatial(), bounds_of(arm));
+  const Search& result = solve(make_pose({3, 0, 0}), Configuration::Zero(6), {.restarts = 30});
+  EXPECT_TRUE(result.solutions.empty());
+  EXPECT_FALSE(result.nearest.converged);
+  EXPECT_EQ(result.restarts, 30);
+  EXPECT_TRUE(within(solve.problem.bounds, result.nearest.q));
+  EXPECT_GT(result.nearest.error.position, 1);
+  const Deviation seen = task_deviation(Task::spatial(), make_pose({3, 0, 0}),
+                                        forward_kinematics(arm, result.nearest.q));
+  EXPECT_NEAR(seen.position, result.nearest.error.position, 1e-12);
+  EXPECT_NEAR(seen.orientation, result.nearest.error.orientation, 1e-12);
+}
+
+TEST(MultiStart, DeadlineEndsTheSearch) {
+  const Arm arm = built_in("ur5");
+  Solver solve(arm, Task::spatial(), bounds_of(arm));
+  MultiStartOptions options{.restarts = 1'000'000'000};
+  options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(2);
+  const Search& result = solve(make_pose({3, 0, 0}), Configuration::Zero(6), options);
+  EXPECT_TRUE(result.solutions.empty());
+  EXPECT_LT(result.restarts, 1'000'000'000);
+  EXPECT_EQ(result.nearest.q.size(), 6);
+}
+
+TEST(MultiStart, RefusesWhatDoesNotFit) {
+  const Arm arm = built_in("panda");
+  Solver solve(arm, Task::spatial(), bounds_of(arm));
+  const Configuration q = Configuration::Zero(7);
+  EXPECT_THROW(solve(Pose::Identity(), Configuration::Zero(6)), Error);
+  EXPECT_THROW(solve(Pose::Identity(), q * NAN), Error);
+  EXPECT_THROW(solve(make_pose(Vector3(NAN, 0, 0)), q), Error);
+  EXPECT_THROW(solve(Pose::Identity(), q, {.tolerance = -1}), Error);
+  EXPECT_THROW(solve(Pose::Identity(), q, {.iterations = -1}), Error);
+  EXPECT_THROW(solve(Pose::Identity(), q, {.restarts = -1}), Error);
+  solve.deck = {.blocks = 1, .q = {}, .tool = {}};
+  EXPECT_THROW(solve(Pose::Identity(), q), Error);
+}
+
+}  // namespace
+}  // namespace beeline

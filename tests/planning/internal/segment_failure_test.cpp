@@ -1,0 +1,77 @@
+#include <Eigen/SVD>
+#include <gtest/gtest.h>
+
+#include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/model/catalog.h>
+#include <beeline/planning/internal/segment_failure.h>
+#include <beeline/planning/internal/track_segment.h>
+
+#include <tests/path/random_line.h>
+
+namespace beeline {
+namespace {
+
+// What a reason claims is looked up by other means at the place where the line stops.
+TEST(PieceFailure, TellsTheTruth) {
+  testing::Random random;
+  int seen[6] = {};
+  for (const std::string name : {"rrr", "panda", "ur5", "puma560", "stanford"}) {
+    const Arm arm = built_in(name);
+    const Task task = default_task(arm);
+    for (int i = 0; i < 40; ++i) {
+      const Configuration start = testing::inner_configuration(random, arm);
+      const Pose from = forward_kinematics(arm, start);
+      const Line line{from, testing::nearby_pose(random, arm, from)};
+      const Followed way = follow(arm, line, task, bounds_of(arm), start,
+                                  {.tolerance = {1e-4, 1e-3}, .most_samples = 100'000});
+      if (way.through()) continue;
+      const Configuration& q = way.samples.back();
+      const PieceFailure failure = piece_failure(arm, line, task, q, way.fractions.back());
+      ++seen[static_cast<int>(failure.status)];
+
+      const double s = way.fractions.back();
+      const Pose ahead = interpolate(line.from, line.to, s + 1e-3);
+      const InverseResult inverse = inverse_kinematics(arm, ahead, {.seed = q, .task = task});
+      const Eigen::VectorXd sigma =
+          Eigen::JacobiSVD<Eigen::MatrixXd>(task_jacobian(arm, q, task)).singularValues();
+      const bool singular = sigma[sigma.size() - 1] < 1e-3 * sigma[0];
+      const std::string context = name + ": " + failure.reason;
+      switch (failure.status) {
+        case MotionStatus::unreachable:
+        case MotionStatus::not_found:
+          ASSERT_TRUE(singular) << context;
+          ASSERT_TRUE(inverse.solutions.empty()) << context;
+          break;
+        case MotionStatus::singular:
+          ASSERT_TRUE(singular) << context;
+          ASSERT_FALSE(inverse.solutions.empty()) << context;
+          break;
+        case MotionStatus::outside_limits: {
+          bool named = false;
+          for (int k = 0; k < arm.dof(); ++k) {
+            const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
+            const double room = std::min(q[k] - limits.lower, limits.upper - q[k]);
+            named |= room < 1e-3 &&
+                     failure.reason.find("joint " + arm.joint_of(k).name) != std::string::npos;
+          }
+          ASSERT_TRUE(named || singular) << context;
+          break;
+        }
+        default:
+          FAIL() << context;
+      }
+    }
+  }
+  EXPECT_GT(seen[static_cast<int>(MotionStatus::unreachable)], 0);
+  EXPECT_GT(seen[static_cast<int>(MotionStatus::outside_limits)], 0);
+  EXPECT_GT(seen[static_cast<int>(MotionStatus::singular)], 0);
+}
+
+TEST(PieceFailure, OfTooManySamplesSaysHowMany) {
+  const PieceFailure failure = too_many_samples(1234);
+  EXPECT_EQ(failure.status, MotionStatus::not_converged);
+  EXPECT_NE(failure.reason.find("1234"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace beeline

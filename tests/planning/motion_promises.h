@@ -1,0 +1,118 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
+#include <beeline/model/composite.h>
+#include <beeline/planning/move_along.h>
+#include <beeline/pose/orientation.h>
+#include <beeline/pose/se2.h>
+
+#include <tests/path/random_line.h>
+#include <tests/refusal.h>
+
+/// What a motion along lines must keep, checked from outside.
+namespace beeline::testing {
+
+using std::numbers::pi;
+constexpr double deg = pi / 180;
+
+inline Pose planar(double x, double y, double theta) { return to_space({x, y, theta}); }
+
+inline Arm chain(int joints, double limit = Limits::none) {
+  std::vector<Joint> links;
+  for (int i = 1; i <= joints; ++i) {
+    Joint joint = composite_joint('R', "j" + std::to_string(i)).front();
+    joint.limits = {.lower = -limit, .upper = limit};
+    links.push_back(planar_link(joint, 1));
+  }
+  return {"chain" + std::to_string(joints), links};
+}
+
+inline void expect_within_limits(const Arm& arm, const Trajectory& trajectory) {
+  for (std::size_t k = 0; k < trajectory.size(); ++k) {
+    ASSERT_TRUE(limit_violations(arm, trajectory.positions[k], 0).empty()) << "sample " << k;
+    if (k == 0) continue;
+    const double dt = trajectory.times[k] - trajectory.times[k - 1];
+    const Configuration step = trajectory.positions[k] - trajectory.positions[k - 1];
+    for (int i = 0; i < arm.dof(); ++i) {
+      const double limit = arm.limits()[static_cast<std::size_t>(i)].velocity;
+      const double most = std::isfinite(limit) ? limit : velocity_when_unknown;
+      ASSERT_LE(std::abs(step[i]) / dt, most * (1 + 1e-9)) << "sample " << k;
+      if (kind(arm.joint_of(i)) != JointKind::prismatic) {
+        ASSERT_LE(std::abs(step[i]), 0.5) << "a jump at sample " << k;
+      }
+    }
+  }
+}
+
+/// How far the tool is from the segment and from the orientation there, for lines that move.
+inline Deviation off_segment(const Line& line, const Pose& pose) {
+  const Vector3 way = line.to.translation() - line.from.translation();
+  const Vector3 done = pose.translation() - line.from.translation();
+  const double s = std::clamp(done.dot(way) / way.squaredNorm(), 0.0, 1.0);
+  const Vector3 whole = so3_log(line.to.linear() * line.from.linear().transpose());
+  const Rotation there = so3_exp(s * whole) * line.from.linear();
+  return {(done - s * way).norm(), so3_log(pose.linear() * there.transpose()).norm()};
+}
+
+/// Everything that a motion must keep, checked from outside and between the samples.
+inline void expect_straight(const Arm& arm, const Configuration& start,
+                            const std::vector<Pose>& waypoints, const LineMotion& motion,
+                            const LineOptions& options = {}, int dense = 20) {
+  ASSERT_EQ(motion.status, MotionStatus::reached) << arm.name() << ": " << motion.reason;
+  EXPECT_EQ(motion.reason, "");
+  const Trajectory& trajectory = motion.trajectory;
+  ASSERT_NO_THROW(check_trajectory(trajectory));
+  ASSERT_LT((trajectory.positions.front() - start).norm(), 1e-8);
+  expect_within_limits(arm, trajectory);
+  ASSERT_EQ(motion.arrivals.size(), waypoints.size());
+  EXPECT_LE(motion.straightness.measured.position, motion.straightness.bound.position + 1e-12);
+  EXPECT_LE(motion.straightness.measured.orientation,
+            motion.straightness.bound.orientation + 1e-12);
+  EXPECT_LE(motion.straightness.bound.position, options.tolerance);
+  EXPECT_LE(motion.straightness.bound.orientation, options.orientation_tolerance);
+
+  Line line{forward_kinematics(arm, start), {}};
+  std::size_t k = 0;
+  for (std::size_t w = 0; w < waypoints.size(); ++w) {
+    line.to = waypoints[w];
+    ASSERT_GE(motion.arrivals[w], k);
+    const bool moves = (line.to.translation() - line.from.translation()).norm() > 0.01;
+    for (; k < motion.arrivals[w]; ++k) {
+      const Configuration& q = trajectory.positions[k];
+      const Configuration step = trajectory.positions[k + 1] - q;
+      for (int i = 0; i < dense && moves; ++i) {
+        const Pose pose = forward_kinematics(arm, q + double(i) / dense * step);
+        const Deviation off = off_segment(line, pose);
+        const Deviation& most = i == 0 ? Deviation{1e-9, 1e-8} : motion.straightness.bound;
+        ASSERT_LE(off.position, most.position + 1e-12) << "sample " << k << " + " << i;
+        ASSERT_LE(off.orientation, most.orientation + 1e-12) << "sample " << k << " + " << i;
+      }
+    }
+    const Pose end = forward_kinematics(arm, trajectory.positions[motion.arrivals[w]]);
+    ASSERT_LE((end.translation() - line.to.translation()).norm(), 1e-9);
+    ASSERT_LE(so3_log(end.linear() * line.to.linear().transpose()).norm(), 1e-9);
+    ASSERT_TRUE(trajectory.velocities[motion.arrivals[w]].isZero(0)) << "at rest at a waypoint";
+    line.from = line.to;
+  }
+  EXPECT_EQ(motion.arrivals.back() + 1, trajectory.size());
+}
+
+inline double told_fraction(const LineMotion& motion) {
+  const std::size_t at = motion.reason.find("stops after ");
+  return at == std::string::npos ? -1 : std::stod(motion.reason.substr(at + 12)) / 100;
+}
+
+inline void expect_nothing_made(const LineMotion& motion, MotionStatus status) {
+  EXPECT_EQ(motion.status, status) << motion.reason;
+  EXPECT_NE(motion.reason, "");
+  EXPECT_EQ(motion.trajectory.size(), 0);
+  EXPECT_TRUE(motion.arrivals.empty());
+}
+
+}  // namespace beeline::testing

@@ -1,0 +1,178 @@
+#include <beeline/path/internal/nearest_on_line.h>
+
+#include <tests/planning/motion_promises.h>
+
+namespace beeline {
+namespace {
+
+using namespace testing;
+
+/// The line with joint motions of least size alone, by eq. 1.5 in tiny steps.
+bool reached_by_least_motion(const Arm& arm, Configuration q, const Pose& to) {
+  const Pose from = forward_kinematics(arm, q);
+  const int steps = 3000;
+  for (int i = 1; i <= steps; ++i) {
+    const Pose target = interpolate(from, to, double(i) / steps);
+    const Eigen::MatrixXd j = task_jacobian(arm, q, Task::planar());
+    const Eigen::VectorXd e = task_error(Task::planar(), target, forward_kinematics(arm, q));
+    q += j.transpose() * (j * j.transpose()).ldlt().solve(e);
+    if (!limit_violations(arm, q).empty()) return false;
+  }
+  return true;
+}
+
+TEST(MoveInLines, KeepsRedundantJointsFromTheirLimits) {
+  testing::Random random;
+  const Arm arm = chain(6, 1.2);
+  int least = 0, ours = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Configuration start = 0.9 * random.configuration(arm);
+    Configuration goal;
+    do {
+      goal = 0.9 * random.configuration(arm);
+    } while (std::abs(goal.sum() - start.sum()) > 3);
+    const Pose to = forward_kinematics(arm, goal);
+    const LineMotion motion = move_in_lines(arm, start, std::vector{to});
+    if (motion.status == MotionStatus::reached) {
+      ++ours;
+      expect_within_limits(arm, motion.trajectory);
+    }
+    least += reached_by_least_motion(arm, start, to) ? 1 : 0;
+  }
+  EXPECT_GT(ours, 1.5 * least) << least << " lines with least motions, " << ours << " with ours";
+}
+
+TEST(MoveInLines, LeavesFreeWhatTheTaskDoesNotAsk) {
+  const Arm arm = built_in("ur5");
+  const Configuration start{{0.5, -1, 1.5, -0.5, 1, 0}};
+  const Pose from = forward_kinematics(arm, start);
+  const Pose to = make_pose(from.translation() + Vector3(0.15, 0.1, -0.1),
+                            so3_exp({0.2, -0.1, 1}) * from.linear());
+  for (const std::string task :
+       {"position", "111110:tool", "110000", "001000", "000111", "110111:tool", "111001"}) {
+    const LineOptions options{.task = task_named(task)};
+    const LineMotion motion = move_in_lines(arm, start, std::vector{to}, options);
+    ASSERT_EQ(motion.status, MotionStatus::reached) << task << ": " << motion.reason;
+    expect_within_limits(arm, motion.trajectory);
+    EXPECT_LE(motion.straightness.bound.position, options.tolerance) << task;
+    EXPECT_LE(motion.straightness.bound.orientation, options.orientation_tolerance) << task;
+    const Pose end = forward_kinematics(arm, motion.trajectory.positions.back());
+    EXPECT_LE(task_error(*options.task, to, end).norm(), 1e-9) << task;
+    const Line line{from, to};
+    for (std::size_t k = 1; k < motion.trajectory.size(); k += 7) {
+      const Configuration middle =
+          0.5 * (motion.trajectory.positions[k - 1] + motion.trajectory.positions[k]);
+      const Deviation off = deviation_from(line, forward_kinematics(arm, middle), *options.task);
+      ASSERT_LE(off.position, motion.straightness.bound.position + 1e-9) << task;
+      ASSERT_LE(off.orientation, motion.straightness.bound.orientation + 1e-9) << task;
+    }
+  }
+}
+
+TEST(MoveInLines, TurnsInPlaceAlsoWithAFreeRoll) {
+  const Arm arm = built_in("ur5");
+  const Configuration start{{0.5, -1, 1.5, -0.5, 1, 0}};
+  const Pose from = forward_kinematics(arm, start);
+  const Pose to = make_pose(from.translation(), from.linear() * so3_exp({0.2, 0.1, 0.3}));
+  const LineOptions options{.task = task_named("111110:tool")};
+  const LineMotion motion = move_in_lines(arm, start, std::vector{to}, options);
+  ASSERT_EQ(motion.status, MotionStatus::reached) << motion.reason;
+  EXPECT_LE(motion.straightness.bound.orientation, options.orientation_tolerance);
+}
+
+TEST(MoveInLines, KeepsATighterToleranceWithMoreSamples) {
+  const Arm arm = built_in("rrr");
+  const Configuration start{{0, 90 * deg, 0}};
+  const std::vector<Pose> waypoints{planar(4.5, 5.2, 0)};
+  std::size_t before = 0;
+  for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+    const LineOptions options{.tolerance = tolerance, .orientation_tolerance = 1e-3};
+    const LineMotion motion = move_in_lines(arm, start, waypoints, options);
+    expect_straight(arm, start, waypoints, motion, options, 5);
+    EXPECT_GT(motion.trajectory.size(), before);
+    before = motion.trajectory.size();
+  }
+}
+
+TEST(MoveInLines, KeepsTheToolsSpeedAlsoBetweenSamples) {
+  for (const std::string name : {"rrr", "panda"}) {
+    const Arm arm = built_in(name);
+    const Configuration start = name == "rrr"
+                                    ? Configuration{{0, 1.5, 0}}
+                                    : Configuration{{0, -0.785, 0, -2.356, 0, 1.571, 0.785}};
+    Pose to = forward_kinematics(arm, start);
+    to.translation() += Vector3(-0.2, 0.1, 0);
+    for (const std::string task : {"", "110000"}) {
+      LineOptions options{.tool_speed = 0.05};
+      if (!task.empty()) options.task = task_named(task);
+      const LineMotion motion = move_in_lines(arm, start, std::vector{to}, options);
+      ASSERT_EQ(motion.status, MotionStatus::reached) << motion.reason;
+      const Trajectory& way = motion.trajectory;
+      double fastest = 0;
+      for (std::size_t k = 1; k < way.size(); ++k) {
+        const Configuration v =
+            (way.positions[k] - way.positions[k - 1]) / (way.times[k] - way.times[k - 1]);
+        for (const double t : {0.0, 0.5, 1.0}) {
+          const Configuration q = (1 - t) * way.positions[k - 1] + t * way.positions[k];
+          fastest = std::max(fastest, (jacobian(arm, q) * v).head<3>().norm());
+        }
+      }
+      EXPECT_LE(fastest, 0.05 * (1 + 1e-9)) << name << " " << task;
+      EXPECT_GT(fastest, 0.04) << name << " " << task;
+    }
+  }
+}
+
+TEST(MoveInLines, StopsAtTheSamplesAllowed) {
+  const Arm arm = built_in("rrr");
+  const Configuration start{{0, 90 * deg, 0}};
+  const std::vector<Pose> waypoints{planar(4.5, 5.2, 0), planar(2, 6, 0.5)};
+  const int all = static_cast<int>(move_in_lines(arm, start, waypoints).trajectory.size());
+  EXPECT_EQ(move_in_lines(arm, start, waypoints, {.most_samples = all}).trajectory.size(), all);
+  for (const int most : {2, 10, all / 2, all - 1}) {
+    const LineMotion motion = move_in_lines(arm, start, waypoints, {.most_samples = most});
+    expect_nothing_made(motion, MotionStatus::not_converged);
+    EXPECT_NE(motion.reason.find("more than " + std::to_string(most)), std::string::npos)
+        << motion.reason;
+  }
+}
+
+TEST(MoveInLines, TellsItsProgress) {
+  const Arm arm = built_in("rrr");
+  std::vector<double> told;
+  const std::vector<Pose> waypoints{planar(4.5, 5.2, 0), planar(2, 6, 0.5)};
+  move_in_lines(arm, Configuration{{0, 90 * deg, 0}}, waypoints,
+                {.progress = [&told](double share) { told.push_back(share); }});
+  ASSERT_FALSE(told.empty());
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GE(told.front(), 0);
+  EXPECT_LE(told.back(), 1);
+}
+
+TEST(MoveInLines, RefusesWhatMakesNoSense) {
+  const Arm arm = built_in("panda");
+  const Configuration start{{0, -0.785, 0, -2.356, 0, 1.571, 0.785}};
+  const Pose from = forward_kinematics(arm, start);
+  const auto moved = [&](std::vector<Pose> waypoints, LineOptions options = {}) {
+    return move_in_lines(arm, start, waypoints, options);
+  };
+  Pose nan = from, skew = from;
+  nan.translation().x() = NAN;
+  skew.linear().col(0) *= 1.1;
+  EXPECT_REFUSED(moved({}), "waypoint");
+  EXPECT_REFUSED(moved({from, nan}), "waypoint 2");
+  EXPECT_REFUSED(moved({skew}), "rigid");
+  EXPECT_REFUSED(moved({from}, {.tolerance = 0}), "tolerance");
+  EXPECT_REFUSED(moved({from}, {.orientation_tolerance = NAN}), "orientation tolerance");
+  EXPECT_REFUSED(moved({from}, {.tool_speed = -1}), "speed");
+  EXPECT_REFUSED(moved({from}, {.most_samples = 1}), "needs two");
+  Task nothing = Task::spatial();
+  nothing.rows.fill(false);
+  EXPECT_REFUSED(moved({from}, {.task = nothing}), "row");
+  EXPECT_REFUSED(move_in_lines(arm, Configuration::Zero(7), std::vector{from}), "joint4");
+  EXPECT_REFUSED(move_in_lines(arm, Configuration::Zero(6), std::vector{from}), "7 joint values");
+  EXPECT_REFUSED(move_in_lines(arm, Configuration::Constant(7, NAN), std::vector{from}), "finite");
+}
+
+}  // namespace
+}  // namespace beeline

@@ -1,0 +1,135 @@
+#include <beeline/certificate/verify.h>
+#include <beeline/planning/plan.h>
+
+#include <tests/planning/dense_search.h>
+#include <tests/planning/motion_promises.h>
+#include <tests/random_arm.h>
+
+namespace beeline {
+namespace {
+
+using namespace testing;
+
+// These lines are feasible only with a joint that goes along its limit, or next to it.
+TEST(PlanPath, GoesAlongLimits) {
+  const Arm arm = built_in("panda");
+  Random random(20);
+  for (int i = 0; i < 500; ++i) {
+    const Line line = random_certified_line(random, arm);
+    if (i != 29 && i != 224 && i != 426 && i != 439 && i != 495) continue;
+    const std::vector<Pose> poses{line.from, line.to};
+    const LineMotion motion = move_in_lines(arm, poses, {.law = Law::quintic});
+    ASSERT_EQ(motion.status, MotionStatus::reached) << i << ": " << motion.reason;
+    EXPECT_EQ(verify(arm, motion.trajectory, poses).reason, "");
+  }
+}
+
+// On the way the joint to spare has hardly any room.
+TEST(PlanPath, FindsAWayThatAFineGridShows) {
+  const Arm arm = built_in("iiwa14");
+  Random random(20240229);
+  Line line;
+  for (int i = 0; i <= 562; ++i) line = random_certified_line(random, arm);
+  const ToolPath path = lines_through(std::vector{line.from, line.to});
+  const BranchOptions options{.task = Task::spatial()};
+  EXPECT_EQ(plan_path(arm, {}, path, options).status, MotionStatus::reached);
+  BranchOptions coarse = options;
+  coarse.finest_grid = 64;
+  EXPECT_EQ(plan_path(arm, {}, path, coarse).status, MotionStatus::outside_limits);
+}
+
+TEST(PlanPath, AlwaysSaysWhyAndWhere) {
+  const Arm arm = built_in("panda");
+  Random random;
+  for (int i = 0; i < 40; ++i) {
+    const Line line = random_certified_line(random, arm);
+    const Branch plan = plan_path(arm, {}, lines_through(std::vector{line.from, line.to}),
+                                  {.task = Task::spatial()});
+    if (plan.status == MotionStatus::reached) {
+      EXPECT_EQ(plan.reason, "");
+      EXPECT_EQ(plan.done, 1);
+      continue;
+    }
+    EXPECT_EQ(plan.reason.rfind("line 1 of 1 stops after ", 0), 0) << plan.reason;
+    EXPECT_LT(plan.done, 1);
+  }
+}
+
+TEST(PlanPath, TellsABeginningThatCannotBe) {
+  for (const char* name : {"puma560", "ur5", "panda", "rrr", "scara", "gantry"}) {
+    const Arm arm = built_in(name);
+    Pose far = forward_kinematics(arm, Configuration::Zero(arm.dof()));
+    Pose near = far;
+    far.translation().x() += 50;
+    const LineMotion motion = move_in_lines(arm, std::vector<Pose>{far, near});
+    if (motion.status == MotionStatus::reached) continue;  // a slide without end
+    expect_nothing_made(motion, MotionStatus::unreachable);
+    EXPECT_NE(motion.reason.find("beginning"), std::string::npos) << motion.reason;
+  }
+}
+
+// The elbow stretched out as far as it goes, short of that and beyond it.
+TEST(PlanPath, ComesToTheElbowsLimitAndNotBeyond) {
+  const Arm arm = built_in("panda");
+  constexpr double stretched = -0.46671;  // of joint 4: both parts of the arm in one line
+  for (const double off : {0.0, 1e-6, 1e-3, 0.1}) {
+    Configuration q(7);
+    q << 0.1, 0.6, 0.1, stretched - off, 0.1, 1.4, 0.785;
+    const Pose far = forward_kinematics(arm, q);
+    const Vector3 out = (far.translation() - Vector3(0, 0, 0.333)).normalized();
+    Pose near = far, beyond = far;
+    near.translation() -= 0.3 * out;
+    beyond.translation() += 0.3 * out;
+    for (const auto& poses : {std::vector<Pose>{near, far}, {far, near}}) {
+      const LineMotion motion = move_in_lines(arm, poses, {.law = Law::quintic});
+      ASSERT_EQ(motion.status, MotionStatus::reached) << off << ' ' << motion.reason;
+      EXPECT_EQ(verify(arm, motion.trajectory, poses).reason, "");
+      EXPECT_LT(motion.trajectory.times.back(), 20);
+    }
+    const LineMotion refused = move_in_lines(arm, std::vector<Pose>{near, beyond});
+    expect_nothing_made(refused, MotionStatus::unreachable);
+  }
+}
+
+// Rows that do not matter: the finished motion is proved on the very line that was planned.
+TEST(PlanPath, LeavesRowsFree) {
+  Random random;
+  int reached = 0;
+  for (const char* task : {"111000", "111110:tool", "000111", "001000", "111000:tool"}) {
+    for (const char* name : {"ur5", "panda"}) {
+      const Arm arm = built_in(name);
+      const Pose from = forward_kinematics(arm, inner_configuration(random, arm));
+      Pose to = from;
+      to.translation() += 0.05 * random.direction();
+      to.linear() = so3_exp(0.05 * random.direction()) * from.linear();
+      const LineOptions options{.task = task_named(task), .law = Law::quintic};
+      const std::vector<Pose> poses{from, to};
+      const LineMotion motion = move_in_lines(arm, poses, options);
+      ASSERT_NE(motion.status, MotionStatus::not_converged) << name << task << motion.reason;
+      if (motion.status != MotionStatus::reached) continue;
+      ++reached;
+      EXPECT_LT(motion.trajectory.size(), 5'000) << name << task;
+      EXPECT_EQ(verify(arm, motion.trajectory, poses, {.task = options.task}).reason, "");
+    }
+  }
+  EXPECT_GE(reached, 5);
+}
+
+// Any arm of 1 to 10 joints of any kind, some of them driven together: an answer, with a reason.
+TEST(PlanPath, AnswersForAnyArm) {
+  Random random;
+  for (int i = 0; i < 60; ++i) {
+    const Arm arm = random_arm(random, 1 + i % 10, i % 3 == 0 ? 3 : 0);
+    const Configuration a = random.configuration(arm), b = random.configuration(arm);
+    const Pose from = forward_kinematics(arm, a);
+    const Pose to =
+        i % 2 == 0 ? forward_kinematics(arm, a + 0.02 * (b - a)) : nearby_pose(random, arm, from);
+    const LineMotion motion = i % 4 < 2 ? move_in_lines(arm, a, std::vector<Pose>{to})
+                                        : move_in_lines(arm, std::vector<Pose>{from, to});
+    EXPECT_EQ(motion.reason.empty(), motion.status == MotionStatus::reached);
+    EXPECT_EQ(motion.trajectory.size() > 0, motion.status == MotionStatus::reached);
+  }
+}
+
+}  // namespace
+}  // namespace beeline

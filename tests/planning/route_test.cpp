@@ -1,0 +1,182 @@
+#include <gtest/gtest.h>
+
+#include <beeline/certificate/joint_faults.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
+#include <beeline/path/blend.h>
+#include <beeline/planning/move_along.h>
+
+#include <tests/random.h>
+#include <tests/refusal.h>
+
+namespace beeline {
+namespace {
+
+const Configuration ready{{0, -0.785, 0, -2.356, 0, 1.571, 0.785}};
+
+/// Five poses in front of the panda, the first the tool's own.
+std::vector<Pose> square(const Arm& arm) {
+  std::vector<Pose> poses{forward_kinematics(arm, ready)};
+  for (const Vector3& step : {Vector3(0, 0.15, 0), Vector3(0.1, 0, -0.05), Vector3(0, -0.2, 0.1),
+                              Vector3(-0.1, 0.05, 0)}) {
+    Pose next = poses.back();
+    next.translation() += step;
+    next.linear() = next.linear() * so3_exp({0.1, 0, 0.2});
+    poses.push_back(next);
+  }
+  return poses;
+}
+
+Route route_through(const std::vector<Pose>& poses, PathKind kind) {
+  return route_of(path_through(poses, kind), kind);
+}
+
+void expect_kept(const Arm& arm, const LineMotion& motion, const Route& route) {
+  ASSERT_EQ(motion.status, MotionStatus::reached) << motion.reason;
+  ASSERT_NO_THROW(check_trajectory(motion.trajectory));
+  EXPECT_LE(motion.straightness.bound.position, 1e-4);
+  EXPECT_LE(motion.straightness.bound.orientation, 1e-4);
+  EXPECT_LE(motion.straightness.measured.position, motion.straightness.bound.position);
+  EXPECT_LE(motion.straightness.sampled.position, 1e-9);
+  EXPECT_FALSE(first_joint_fault(arm, motion.trajectory).has_value())
+      << first_joint_fault(arm, motion.trajectory)->reason;
+  ASSERT_EQ(motion.arrivals.size(), route.path.pieces.size());
+  for (std::size_t i = 0; i < motion.arrivals.size(); ++i) {
+    const Pose end = pose_at(route.path.pieces[i], 1);
+    const Configuration& q = motion.trajectory.positions[motion.arrivals[i]];
+    const Twist off = pose_difference(end, forward_kinematics(arm, q));
+    EXPECT_LT(off.norm(), 1e-9) << "piece " << i;
+    const bool stop = i + 1 == motion.arrivals.size() || route.stops[i];
+    EXPECT_EQ(motion.trajectory.velocities[motion.arrivals[i]].isZero(1e-12), stop);
+  }
+}
+
+TEST(MoveAlong, TakesARateWithFewStepsOnAShortWayThatIsProved) {
+  const Arm arm = built_in("ur5");
+  const Configuration start{{0, -1, 1.2, -1.5, -1.5, 0}};
+  const Pose from = forward_kinematics(arm, start);
+  Pose to = from;
+  to.translation().z() += 1e-3;
+  const Route route = route_through({from, to}, PathKind::line);
+  const LineMotion motion = move_along(arm, start, route, {.rate = 20});
+  ASSERT_LT(motion.trajectory.size(), 5u) << "few steps";
+  expect_kept(arm, motion, route);
+}
+
+TEST(MoveAlong, KeepsEveryKindOfPathAndStopsWhereItShould) {
+  const Arm arm = built_in("panda");
+  const std::vector<Pose> poses = square(arm);
+  for (const PathKind kind : {PathKind::line, PathKind::screw, PathKind::arc, PathKind::spline}) {
+    const Route route = route_through(poses, kind);
+    expect_kept(arm, move_along(arm, ready, route), route);
+    expect_kept(arm, move_along(arm, std::nullopt, route), route);
+  }
+}
+
+TEST(MoveAlong, PassesRoundedCornersWithoutAStop) {
+  const Arm arm = built_in("panda");
+  const std::vector<Pose> poses = square(arm);
+  const Route rounded = route_of(rounded_lines(poses, {0.01, 0.05}));
+  const LineMotion motion = move_along(arm, ready, rounded);
+  expect_kept(arm, motion, rounded);
+  EXPECT_EQ(std::count(rounded.stops.begin(), rounded.stops.end(), true), 0);
+  const Route sharp = route_through(poses, PathKind::line);
+  const LineMotion stops = move_along(arm, ready, sharp);
+  EXPECT_LT(motion.trajectory.times.back(), stops.trajectory.times.back());
+  for (std::size_t w = 1; w + 1 < poses.size(); ++w) {  // each pose is passed within the distance
+    double nearest = 1;
+    const auto& samples = motion.trajectory.positions;
+    for (std::size_t k = 1; k < samples.size(); ++k) {
+      for (const double t : {0.0, 0.25, 0.5, 0.75}) {
+        const Configuration q = samples[k - 1] + t * (samples[k] - samples[k - 1]);
+        const Vector3 p = forward_kinematics(arm, q).translation();
+        nearest = std::min(nearest, (p - poses[w].translation()).norm());
+      }
+    }
+    EXPECT_LT(nearest, 0.0101);
+    EXPECT_GT(nearest, 1e-4);
+  }
+}
+
+// At a rate all samples are on the path too, and it takes hardly longer.
+TEST(MoveAlong, KeepsTheRateOnEveryKindOfPath) {
+  const Arm arm = built_in("panda");
+  const std::vector<Pose> poses = square(arm);
+  std::vector<Route> routes{route_of(rounded_lines(poses, {0.01, 0.05}))};
+  for (const PathKind kind : {PathKind::line, PathKind::screw, PathKind::arc, PathKind::spline}) {
+    routes.push_back(route_through(poses, kind));
+  }
+  for (const Route& route : routes) {
+    const LineMotion sparse = move_along(arm, ready, route);
+    for (const double rate : {125.0, 1000.0}) {
+      const LineMotion motion = move_along(arm, ready, route, {.rate = rate});
+      ASSERT_EQ(motion.status, MotionStatus::reached) << motion.reason;
+      EXPECT_LE(motion.straightness.sampled.position, 1e-9);
+      EXPECT_LE(motion.straightness.bound.position, 1e-4);
+      EXPECT_FALSE(first_joint_fault(arm, motion.trajectory).has_value());
+      EXPECT_LT(motion.trajectory.times.back(), 1.4 * sparse.trajectory.times.back());
+      int uneven = 0;  // but before stops
+      for (std::size_t k = 1; k < motion.trajectory.size(); ++k) {
+        const double step = motion.trajectory.times[k] - motion.trajectory.times[k - 1];
+        uneven += std::abs(step * rate - 1) > 1e-6;
+      }
+      EXPECT_LE(uneven, static_cast<int>(route.path.pieces.size()));
+    }
+  }
+}
+
+TEST(MoveAlong, TurnsBackWithAStop) {
+  const Arm arm = built_in("panda");
+  std::vector<Pose> poses = square(arm);
+  poses = {poses[0], poses[1], poses[0]};
+  const Route back = route_of(rounded_lines(poses, {0.01, 0.05}));
+  expect_kept(arm, move_along(arm, ready, back), back);
+  EXPECT_EQ(std::count(back.stops.begin(), back.stops.end(), true), 1);
+}
+
+TEST(MoveAlong, TellsWhereItCannotGoOn) {
+  const Arm arm = built_in("panda");
+  std::vector<Pose> poses = square(arm);
+  poses[3].translation().x() += 0.6;
+  for (const PathKind kind : {PathKind::screw, PathKind::spline}) {
+    const LineMotion motion = move_along(arm, ready, route_through(poses, kind));
+    EXPECT_EQ(motion.status, MotionStatus::unreachable);
+    EXPECT_NE(motion.reason.find("stops after"), std::string::npos) << motion.reason;
+    EXPECT_EQ(motion.trajectory.size(), 0);
+  }
+}
+
+TEST(MoveAlong, RefusesAStartElsewhere) {
+  const Arm arm = built_in("panda");
+  const Route route = route_through(square(arm), PathKind::screw);
+  Configuration other = ready;
+  other[0] += 0.1;
+  EXPECT_REFUSED(move_along(arm, other, route), "away from the path's begin");
+  other[3] = 1;
+  EXPECT_REFUSED(move_along(arm, other, route), "joint4");
+  EXPECT_REFUSED(move_along(arm, ready, Route{}), "pieces");
+  EXPECT_REFUSED(move_along(arm, ready, route, {.task = task_named("111110:tool")}), "orientation");
+}
+
+TEST(MoveAlong, RefusesOptionsThatMakeNoSense) {
+  const Arm arm = built_in("panda");
+  const Route route = route_through(square(arm), PathKind::screw);
+  EXPECT_REFUSED(move_along(arm, ready, route, {.tolerance = -1}), "tolerance");
+  EXPECT_REFUSED(move_along(arm, ready, route, {.orientation_tolerance = NAN}), "tolerance");
+  EXPECT_REFUSED(move_along(arm, ready, route, {.most_samples = -5}), "samples");
+}
+
+// Rows that do not matter alone move: the arm does not, and needs no time.
+TEST(MoveAlong, StaysWhereNothingThatMattersMoves) {
+  const Arm arm = built_in("rrr");
+  const Configuration start{{0.3, 1, 0.2}};
+  const Pose from = forward_kinematics(arm, start);
+  Pose turned = from;
+  turned.linear() = from.linear() * so3_exp({0, 0, 0.4});
+  const Route route = route_through({from, turned}, PathKind::screw);
+  const LineMotion motion = move_along(arm, start, route, {.task = task_named("110000")});
+  EXPECT_EQ(motion.status, MotionStatus::reached) << motion.reason;
+}
+
+}  // namespace
+}  // namespace beeline

@@ -1,0 +1,227 @@
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include <beeline/timing/fastest.h>
+#include <beeline/timing/internal/timed_path.h>
+#include <beeline/timing/jerk_limited.h>
+#include <beeline/timing/scalar_profile.h>
+
+#include <tests/path/random_joint_path.h>
+#include <tests/refusal.h>
+
+namespace beeline {
+namespace {
+
+/// A path of 2 to 7 waypoints, with limits of jerk that take 2 ms to 100 ms to full acceleration.
+struct Case {
+  JointPath path;
+  PathLimits limits;
+};
+Case random_case(testing::Random& random) {
+  const int joints = random.integer(1, 7);
+  Case made{testing::random_path(random, joints, random.integer(2, 7)),
+            testing::random_limits(random, joints)};
+  for (int i = 0; i < joints; ++i) {
+    made.limits.jerk[i] = made.limits.acceleration[i] * random.uniform(10, 500);
+  }
+  return made;
+}
+
+double share(const Configuration& value, const Configuration& limit) {
+  return value.cwiseQuotient(limit).lpNorm<Eigen::Infinity>();
+}
+
+/// Stairs of length one by turns of both joints; the corners are rounded from `size` before to
+/// `size` behind.
+JointPath staircase(int corners, double size) {
+  JointPath path;
+  Eigen::Vector2d corner(0, 0);
+  const auto add = [&](double s, const Eigen::Vector2d& q, const Eigen::Vector2d& way) {
+    path.s.push_back(s);
+    path.q.push_back(q);
+    path.dq.push_back(way);
+    path.ddq.push_back(Eigen::Vector2d::Zero());
+  };
+  for (int i = 0; i <= corners; ++i) {
+    const Eigen::Vector2d way = i % 2 == 0 ? Eigen::Vector2d(1, 0) : Eigen::Vector2d(0, 1);
+    const double rounding = 1.7 * size, begin = i == 0 ? 0 : path.s.back() + rounding;
+    const double skipped = i == 0 ? 0 : size, left = i == corners ? 0 : size;
+    add(begin, corner + skipped * way, way);
+    add(begin + 1 - skipped - left, corner + (1 - left) * way, way);
+    corner += way;
+  }
+  return path;
+}
+
+/// What the arm does at a point of the law.
+struct State {
+  Configuration velocity, acceleration;
+};
+State state_at(const JointPath& path, const PathLaw& law, std::size_t i, std::size_t& step) {
+  while (step + 2 < path.size() && path.s[step + 1] <= law.s[i]) ++step;
+  const double along = (law.s[i] - path.s[step]) / (path.s[step + 1] - path.s[step]);
+  const PathPoint point = path_point(path, step, along);
+  const double v = law.speed[i];
+  return {point.dq * v, point.dq * law.acceleration[i] + point.ddq * v * v};
+}
+
+void expect_limits_kept(const JointPath& path, const PathLimits& limits, const PathLaw& law) {
+  ASSERT_EQ(law.reason, "");
+  ASSERT_EQ(law.speed.front(), 0);
+  ASSERT_EQ(law.speed.back(), 0);
+  std::size_t step = 0;
+  State before = state_at(path, law, 0, step);
+  ASSERT_LT(before.acceleration.norm(), 1e-9);
+  for (std::size_t k = 1; k < law.t.size(); ++k) {
+    const State now = state_at(path, law, k, step);
+    const double dt = law.t[k] - law.t[k - 1];
+    ASSERT_GT(dt, 0);
+    ASSERT_LE(share(now.velocity, limits.velocity), 1 + 1e-5);
+    ASSERT_LE(share(now.acceleration, limits.acceleration), 1 + 1e-4);
+    ASSERT_LE(share((now.velocity - before.velocity) / dt, limits.acceleration), 1 + 1e-3);
+    ASSERT_LE(share((now.acceleration - before.acceleration) / dt, limits.jerk), 1 + 1e-3);
+    before = now;
+  }
+  ASSERT_LT(before.acceleration.norm(), 1e-9);
+}
+
+TEST(JerkLimited, KeepsAllLimitsAtItsPointsAndBetween) {
+  testing::Random random;
+  for (int i = 0; i < 25; ++i) {
+    const auto [path, limits] = random_case(random);
+    expect_limits_kept(path, limits, jerk_limited(path, limits));
+  }
+}
+
+TEST(JerkLimited, KeepsAllLimitsOnDenseSamples) {
+  testing::Random random;
+  for (int i = 0; i < 25; ++i) {
+    auto [path, limits] = random_case(random);
+    if (i % 3 == 1) limits.velocity[0] = Limits::none;
+    if (i % 3 == 2) limits.acceleration[0] = Limits::none;
+    const PathLaw law = jerk_limited(path, limits);
+    std::vector<double> ways;
+    const auto [names, t, q, v, a] = at_rate({{path, law}}, 2e4 / law.duration(), ways);
+    for (std::size_t k = 1; k < t.size(); ++k) {
+      const double dt = t[k] - t[k - 1];
+      ASSERT_LE(share(v[k], limits.velocity), 1 + 5e-3);
+      ASSERT_LE(share(a[k], limits.acceleration), 1 + 2e-2);
+      // Where the jerk jumps between two points of the law, its quintic there swings a little.
+      if (dt < 1e-6) continue;  // the end
+      ASSERT_LE(share((a[k] - a[k - 1]) / dt, limits.jerk), 1 + 0.2);
+    }
+  }
+}
+
+TEST(JerkLimited, KeepsALimitOfTheSpeedAlongThePath) {
+  testing::Random random;
+  for (int i = 0; i < 10; ++i) {
+    auto [path, limits] = random_case(random);
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      limits.speed.push_back(0.5 + 0.4 * std::sin(10 * path.s[k]));
+    }
+    const PathLaw law = jerk_limited(path, limits);
+    std::size_t seen = 0;
+    for (std::size_t k = 0; k < law.s.size(); ++k) {
+      const auto at = std::lower_bound(path.s.begin(), path.s.end(), law.s[k]);
+      if (*at != law.s[k]) continue;
+      ++seen;
+      ASSERT_LE(law.speed[k], limits.speed[std::size_t(at - path.s.begin())] * (1 + 1e-6));
+    }
+    ASSERT_EQ(seen, path.size());
+  }
+}
+
+TEST(JerkLimited, IsNearWhatAFinerClockFinds) {
+  testing::Random random;
+  for (int i = 0; i < 10; ++i) {
+    const auto [path, limits] = random_case(random);
+    RefineOptions finer;
+    finer.steps = 4000;
+    const double duration = jerk_limited(path, limits).duration();
+    ASSERT_NEAR(jerk_limited(refined(path, finer), limits).duration(), duration, 2e-2 * duration);
+  }
+}
+
+TEST(JerkLimited, IsNoSlowerThanSimplerLawsAndNearTheFastest) {
+  testing::Random random;
+  double worst = 0, sum = 0;
+  constexpr int count = 25;
+  for (int i = 0; i < count; ++i) {
+    const auto [path, limits] = random_case(random);
+    const double duration = jerk_limited(path, limits).duration();
+    ASSERT_LE(duration, scalar_law(ScalarForm::s_curve, path, limits).duration() * (1 + 2e-3));
+    ASSERT_LE(duration, scalar_law(ScalarForm::quintic, path, limits).duration());
+    const double least = fastest(path, limits).duration();
+    ASSERT_GE(duration, least * (1 - 1e-2));  // but for what a coarse grid costs the fastest
+    worst = std::max(worst, duration / least);
+    sum += duration / least;
+  }
+  std::cout << "slower than without limits of jerk: at most " << worst << " times, " << sum / count
+            << " in the mean\n";
+  EXPECT_LT(sum / count, 1.1);
+}
+
+TEST(JerkLimited, AlongAStraightLineIsTheSevenPhasesOfTheClosedForm) {
+  testing::Random random;
+  for (int i = 0; i < 20; ++i) {
+    auto [path, limits] = random_case(random);
+    const auto ends = testing::random_waypoints(random, int(limits.velocity.size()), 2);
+    const JointPath line = refined(joint_spline(ends, chord_length(ends)));
+    const Configuration way = (ends[1] - ends[0]).cwiseAbs();
+    Limits shares;
+    shares.velocity = limits.velocity.cwiseQuotient(way).minCoeff();
+    shares.acceleration = limits.acceleration.cwiseQuotient(way).minCoeff();
+    shares.jerk = limits.jerk.cwiseQuotient(way).minCoeff();
+    const double closed = s_curve(1, shares).duration;
+    ASSERT_NEAR(jerk_limited(line, limits).duration(), closed, 3e-3 * closed);
+  }
+}
+
+// Little longer than with stops at the corners, however tightly these are rounded.
+TEST(JerkLimited, PassesTightCornersAsWellAsStopsThere) {
+  const PathLimits limits{
+      Eigen::Vector2d(2, 2), Eigen::Vector2d(8, 8), Eigen::Vector2d(60, 60), {}};
+  const double along_one = jerk_limited(refined(staircase(0, 0)), limits).duration();
+  for (const int corners : {1, 4, 9}) {
+    for (const double size : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+      const JointPath path = refined(staircase(corners, size));
+      const PathLaw law = jerk_limited(path, limits);
+      expect_limits_kept(path, limits, law);
+      const double stopping = (corners + 1) * along_one;
+      EXPECT_LT(law.duration(), 1.2 * stopping) << corners << " corners of " << size;
+    }
+  }
+}
+
+TEST(JerkLimited, IsAsMuchQuickerAsTheLimitsAreScaled) {
+  testing::Random random;
+  for (int i = 0; i < 10; ++i) {
+    auto [path, limits] = random_case(random);
+    const double duration = jerk_limited(path, limits).duration();
+    const double c = random.uniform(0.2, 5);
+    limits.velocity *= c;
+    limits.acceleration *= c * c;
+    limits.jerk *= c * c * c;
+    ASSERT_NEAR(jerk_limited(path, limits).duration(), duration / c, 5e-3 * duration / c);
+  }
+}
+
+TEST(JerkLimited, OfThePathReversedTakesAsLong) {
+  testing::Random random;
+  for (int i = 0; i < 10; ++i) {
+    const auto [path, limits] = random_case(random);
+    const double there = jerk_limited(path, limits).duration();
+    ASSERT_NEAR(jerk_limited(testing::reversed(path), limits).duration(), there, 2e-2 * there);
+  }
+}
+
+TEST(JerkLimited, NeedsALimitOfJerk) {
+  testing::Random random;
+  const JointPath path = testing::random_path(random, 2, 4);
+  EXPECT_REFUSED(jerk_limited(path, testing::random_limits(random, 2)), "none of the joints");
+}
+
+}  // namespace
+}  // namespace beeline

@@ -1,0 +1,251 @@
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
+#include <beeline/timing/retime.h>
+
+#include <tests/random.h>
+#include <tests/refusal.h>
+
+namespace beeline {
+namespace {
+
+constexpr Law laws[] = {Law::fastest, Law::jerk, Law::trapezoidal, Law::quintic, Law::s_curve};
+
+/// Waypoints well within the arm's limits, a second apart.
+Trajectory random_way(testing::Random& random, const Arm& arm, int count) {
+  Trajectory way{arm.joint_names(), {}, {}, {}, {}};
+  const Configuration middle = middle_configuration(arm);
+  for (int k = 0; k < count; ++k) {
+    way.times.push_back(k);
+    way.positions.push_back(middle + 0.2 * (random.configuration(arm) - middle));
+  }
+  return way;
+}
+
+TEST(Retime, KeepsEverySampleAndItsLimitsByEveryLaw) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  for (int i = 0; i < 5; ++i) {
+    const Trajectory way = random_way(random, arm, random.integer(2, 8));
+    for (const Law law : laws) {
+      const Retimed timed = retime(arm, way, {.law = law});
+      ASSERT_EQ(timed.reason, "") << name(law);
+      ASSERT_NO_THROW(check_trajectory(timed.trajectory));
+      ASSERT_LE(timed.limits.velocity.share, 1 + 1e-9);
+      ASSERT_LE(timed.limits.acceleration.share, 1 + 1e-9);
+      if (law != Law::fastest && law != Law::trapezoidal) {
+        ASSERT_LE(timed.limits.jerk.share, 1 + 1e-9);
+      }
+      ASSERT_EQ(timed.stretches, 1u);
+      std::size_t kept = 0;
+      for (const Configuration& q : timed.trajectory.positions) {
+        if (kept < way.size() && q == way.positions[kept]) ++kept;
+      }
+      ASSERT_EQ(kept, way.size()) << name(law);
+      for (const auto* v :
+           {&timed.trajectory.velocities.front(), &timed.trajectory.velocities.back()}) {
+        ASSERT_EQ(v->norm(), 0);
+      }
+    }
+  }
+}
+
+TEST(Retime, TellsVelocitiesAndAccelerationsThatFitThePositions) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  for (const Law law : laws) {
+    const Retimed timed = retime(arm, random_way(random, arm, 5), {.law = law, .rate = 2000});
+    const auto& [names, t, q, v, a] = timed.trajectory;
+    for (std::size_t k = 0; k + 2 < t.size(); ++k) {
+      const double h = t[k + 1] - t[k];
+      ASSERT_NEAR(h, 1.0 / 2000, 1e-9);
+      ASSERT_LT(((q[k + 1] - q[k]) / h - 0.5 * (v[k] + v[k + 1])).norm(), 5e-3) << name(law);
+      const bool jumps = law == Law::fastest || law == Law::trapezoidal;
+      if (jumps) continue;
+      ASSERT_LT(((v[k + 1] - v[k]) / h - 0.5 * (a[k] + a[k + 1])).norm(), 2) << name(law);
+    }
+  }
+}
+
+TEST(Retime, AtARateKeepsBothEndsAndTheDuration) {
+  testing::Random random;
+  const Arm arm = built_in("ur5");
+  for (int i = 0; i < 20; ++i) {
+    const Trajectory way = random_way(random, arm, 4);
+    const Retimed whole = retime(arm, way), sampled = retime(arm, way, {.rate = 50});
+    ASSERT_TRUE(sampled.found());
+    EXPECT_EQ(sampled.trajectory.positions.front(), way.positions.front());
+    EXPECT_EQ(sampled.trajectory.positions.back(), way.positions.back());
+    EXPECT_NEAR(sampled.trajectory.times.back(), whole.trajectory.times.back(), 1e-6);
+    for (std::size_t k = 0; k + 1 < sampled.trajectory.size(); ++k) {
+      ASSERT_NEAR(sampled.trajectory.times[k], double(k) / 50, 1e-12);
+    }
+  }
+}
+
+TEST(Retime, TakesTheShareOfTheSpeedThatIsAskedFor) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  const Trajectory way = random_way(random, arm, 5);
+  for (const Law law : laws) {
+    const double full = retime(arm, way, {.law = law}).trajectory.times.back();
+    const double half = retime(arm, way, {.law = law, .speed_limit = 0.5}).trajectory.times.back();
+    EXPECT_NEAR(half, 2 * full, 1e-2 * full) << name(law);
+  }
+}
+
+TEST(Retime, KeepsTheToolsSpeed) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  for (const Law law : laws) {
+    const Trajectory way = random_way(random, arm, 5);
+    const Retimed timed = retime(arm, way, {.law = law, .tool_speed = 0.2});
+    ASSERT_TRUE(timed.found());
+    EXPECT_LE(timed.tool_speed, 0.2 * (1 + 1e-9));
+    EXPECT_GT(timed.tool_speed, 0.17) << name(law);
+    double length = 0;
+    const auto& t = timed.trajectory.times;
+    const auto& q = timed.trajectory.positions;
+    for (std::size_t k = 1; k < t.size(); ++k) {
+      const double way_of_step = (forward_kinematics(arm, q[k]).translation() -
+                                  forward_kinematics(arm, q[k - 1]).translation())
+                                     .norm();
+      ASSERT_LE(way_of_step, 0.2 * (t[k] - t[k - 1]) * (1 + 1e-3) + 1e-12);
+      length += way_of_step;
+    }
+    ASSERT_GE(t.back(), length / 0.2);
+  }
+}
+
+TEST(Retime, StandsStillWhereTheRecordingDid) {
+  const Arm arm = built_in("gantry");
+  const auto at = [](double x, double y) { return Configuration(Eigen::Vector2d(x, y)); };
+  // Round a corner: without a stop the spline would swing out of it.
+  Trajectory corner{arm.joint_names(), {}, {}, {}, {}};
+  for (const auto& q : {at(0, 0), at(0.5, 0), at(1, 0), at(1, 0), at(1, 0.5), at(1, 1)}) {
+    corner.times.push_back(double(corner.size()));
+    corner.positions.push_back(q);
+  }
+  const auto expect_square = [&](const Retimed& timed) {
+    ASSERT_EQ(timed.reason, "");
+    ASSERT_EQ(timed.stretches, 2u);
+    const auto& [names, t, q, v, a] = timed.trajectory;
+    int still = 0;
+    for (std::size_t k = 0; k < t.size(); ++k) {
+      ASSERT_LT(std::min(std::abs(q[k][1]), std::abs(q[k][0] - 1)), 1e-12);
+      if (v[k].norm() == 0) ++still;
+    }
+    ASSERT_EQ(still, 3);
+  };
+  expect_square(retime(arm, corner));
+  corner.times.erase(corner.times.begin() + 3);
+  corner.positions.erase(corner.positions.begin() + 3);
+  for (const double speed : {0., 1., 0., 1., 0.}) corner.velocities.push_back(at(speed, speed));
+  expect_square(retime(arm, corner));
+}
+
+TEST(Retime, OfWhatItHasTimedTakesAsLong) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  for (const Law law : {Law::fastest, Law::jerk}) {
+    const Trajectory once = retime(arm, random_way(random, arm, 4), {.law = law}).trajectory;
+    const Trajectory twice = retime(arm, once, {.law = law}).trajectory;
+    EXPECT_NEAR(twice.times.back(), once.times.back(), 0.05 * once.times.back()) << name(law);
+  }
+}
+
+// Slowed down, other samples than before are the worst.
+TEST(Retime, AtARateSettlesWithinTheLimitsOnATightCorner) {
+  const Arm arm = built_in("panda");
+  const Eigen::Vector2d begin(0, 0), corner(0.4, 0), end(0.4, 0.4);
+  for (const double size : {1e-3, 1e-4}) {
+    Trajectory way{arm.joint_names(), {}, {}, {}, {}};
+    const auto add = [&](const Eigen::Vector2d& q) {
+      way.times.push_back(double(way.size()));
+      way.positions.push_back(middle_configuration(arm));
+      way.positions.back().head<2>() += q;
+    };
+    for (int k = 0; k < 20; ++k) add(begin + k / 20. * (corner - Eigen::Vector2d(size, 0) - begin));
+    for (double u = 0; u <= 1; u += 0.125) {  // a parabola
+      add(corner + size * Eigen::Vector2d(-(1 - u) * (1 - u), u * u));
+    }
+    for (int k = 19; k >= 0; --k) add(end + k / 20. * (corner + Eigen::Vector2d(0, size) - end));
+    for (const Law law : laws) {
+      const double duration = retime(arm, way, {.law = law}).trajectory.times.back();
+      for (const double rate : {10., 97., 1000.}) {
+        const Retimed timed = retime(arm, way, {.law = law, .rate = rate});
+        ASSERT_EQ(timed.reason, "");
+        EXPECT_LE(timed.limits.velocity.share, 1 + 1e-9);
+        EXPECT_LE(timed.limits.acceleration.share, 1 + 1e-9);
+        EXPECT_LE(keeps_jerk(law) ? timed.limits.jerk.share : 0, 1 + 1e-9);
+        EXPECT_LT(timed.trajectory.times.back(), duration * (1 + 1e-2)) << name(law) << ' ' << rate;
+      }
+    }
+  }
+}
+
+TEST(Retime, SaysNoWhereThePathLeavesThePositionLimits) {
+  const Arm arm = built_in("panda");
+  Trajectory way = random_way(*std::make_unique<testing::Random>(), arm, 3);
+  way.positions[1][3] = 0.5;
+  const Retimed timed = retime(arm, way);
+  EXPECT_FALSE(timed.found());
+  EXPECT_NE(timed.reason.find("joint4"), std::string::npos) << timed.reason;
+  EXPECT_EQ(timed.trajectory.size(), 0u);
+}
+
+TEST(Retime, GoesAsSlowlyAsItMayBeAskedTo) {
+  testing::Random random;
+  for (const char* name : {"panda", "ur5", "scara", "rrr"}) {
+    const Arm arm = built_in(name);
+    Trajectory way{arm.joint_names(), {0, 1, 2}, {}, {}, {}};
+    const Configuration middle = middle_configuration(arm);
+    for (int k = 0; k < 3; ++k) {
+      way.positions.push_back(middle + 0.2 * (random.configuration(arm) - middle));
+    }
+    for (const Law law : laws) {
+      if (law == Law::jerk && default_law(arm) != Law::jerk) continue;
+      const Retimed slow = retime(arm, way, {.law = law, .speed_limit = 1e-6});
+      ASSERT_TRUE(slow.found()) << slow.reason;
+      EXPECT_LE(slow.limits.velocity.share, 1e-6 * (1 + 1e-6));
+      const Retimed creeping = retime(arm, way, {.law = law, .tool_speed = 1e-9});
+      ASSERT_TRUE(creeping.found()) << creeping.reason;
+      EXPECT_LE(creeping.tool_speed, 1e-9 * (1 + 1e-6));
+    }
+  }
+}
+
+TEST(Retime, NamesTheRateThatKeepsSomethingOfTheWay) {
+  testing::Random random;
+  const Arm arm = built_in("ur5");
+  const Trajectory way{
+      arm.joint_names(), {0, 1}, {random.configuration(arm), random.configuration(arm)}, {}, {}};
+  const double duration = retime(arm, way).trajectory.times.back();
+  EXPECT_REFUSED(retime(arm, way, {.rate = 1e-9}), "or more would do");
+  EXPECT_REFUSED(retime(arm, way, {.rate = 3.9 / duration}), number(4 * (1 + 1e-5) / duration));
+  EXPECT_GE(retime(arm, way, {.rate = 4.1 / duration}).trajectory.size(), 5u);
+}
+
+TEST(Retime, RefusesWhatMakesNoSense) {
+  const Arm arm = built_in("ur5");
+  const Configuration zero = Configuration::Zero(6);
+  const Trajectory still{arm.joint_names(), {0, 1}, {zero, zero}, {}, {}};
+  EXPECT_REFUSED(retime(arm, still), "two different positions");
+  EXPECT_REFUSED(retime(arm, {arm.joint_names(), {}, {}, {}, {}}), "no samples");
+  EXPECT_REFUSED(retime(arm, still, {.law = Law::jerk}), "limits of jerk");
+  for (const double share : {1.5, 0.0, 1e-7, 1e-300, std::nan("")}) {
+    EXPECT_REFUSED(retime(arm, still, {.speed_limit = share}), "from 1e-06 to 1");
+  }
+  for (const double speed : {0.0, -1.0, 1e-10, 1e-300, std::nan("")}) {
+    EXPECT_REFUSED(retime(arm, still, {.tool_speed = speed}), "1e-09 m/s at least");
+  }
+  EXPECT_REFUSED(retime(arm, still, {.rate = -1}), "above zero");
+  EXPECT_REFUSED(law_named("scurve"), "s-curve");
+  for (const Law law : laws) EXPECT_EQ(law_named(name(law)), law);
+}
+
+}  // namespace
+}  // namespace beeline
