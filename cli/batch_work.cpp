@@ -28,10 +28,10 @@ template <class Good>
 void keep_rows(RowBlock& block, Eigen::MatrixXd& values, Good&& good) {
   Eigen::Index kept = 0;
   for (Eigen::Index i = 0; i < block.count(); ++i) {
-    const RowPlace place = block.places[static_cast<std::size_t>(i)];
+    const RowPlace place = block.places[i];
     if (!good(i, place)) continue;
     if (kept != i) values.col(kept) = values.col(i);
-    block.places[static_cast<std::size_t>(kept++)] = place;
+    block.places[kept++] = place;
   }
   block.places.resize(static_cast<std::size_t>(kept));
 }
@@ -47,8 +47,8 @@ class Configurations {
     lower_.resize(arm.dof());
     upper_.resize(arm.dof());
     for (int k = 0; k < arm.dof(); ++k) {
-      lower_[k] = limits[static_cast<std::size_t>(k)].lower;
-      upper_[k] = limits[static_cast<std::size_t>(k)].upper;
+      lower_[k] = limits[k].lower;
+      upper_[k] = limits[k].upper;
     }
   }
 
@@ -56,11 +56,11 @@ class Configurations {
     for (Eigen::Index i = 0; i < block.count(); ++i) {
       auto q = block.numbers.col(i);
       for (Eigen::Index k = 0; k < q.size() && arguments_.unit.degrees; ++k) {
-        if (turns_[static_cast<std::size_t>(k)]) q[k] = to_radians(q[k], AngleUnit::degrees);
+        if (turns_[k]) q[k] = to_radians(q[k], AngleUnit::degrees);
       }
       if ((q.array() >= lower_).all() && (q.array() <= upper_).all()) continue;
       if (counts.outside_limits++ > 0) continue;
-      counts.first_outside = block.places[static_cast<std::size_t>(i)].row;
+      counts.first_outside = block.places[i].row;
     }
   }
 
@@ -163,7 +163,7 @@ BatchWork jacobian_work(const BatchArguments& arguments, const Arm& arm) {
     for (const std::string& joint : arm.joint_names()) work.columns.push_back(row + "_" + joint);
   }
   for (Eigen::Index row = 0; row < 6; ++row) {
-    if (!task.rows[static_cast<std::size_t>(row)]) continue;
+    if (!task.rows[row]) continue;
     for (int k = 0; k < arm.dof(); ++k) source.push_back(6 * k + row);
   }
   const BatchOptions options{.frame = task.frame, .threads = arguments.threads};

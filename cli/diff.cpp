@@ -29,11 +29,9 @@ Exit diff(const Arguments& arguments) {
   int worst = 0;
   for (int k = 1; k < arm.dof(); ++k) {
     const auto& joints = apart.joints;
-    if (joints[static_cast<std::size_t>(k)].largest >
-        joints[static_cast<std::size_t>(worst)].largest)
-      worst = k;
+    if (joints[k].largest > joints[worst].largest) worst = k;
   }
-  const JointDifference& most = apart.joints[static_cast<std::size_t>(worst)];
+  const JointDifference& most = apart.joints[worst];
   const bool same = most.largest <= arguments.tolerance;
   if (arguments.json) {
     OrderedJson document{{"status", same ? "within" : "apart"}};

@@ -8,7 +8,7 @@ using namespace beeline;
 void print_difference(const Arm& arm, const TrajectoryDifference& apart, const UnitArgument& unit) {
   fmt::print("joint         largest       at s          rms\n");
   for (int k = 0; k < arm.dof(); ++k) {
-    const JointDifference& joint = apart.joints[static_cast<std::size_t>(k)];
+    const JointDifference& joint = apart.joints[k];
     fmt::print("  {:<10}  {:<12}  {:<12}  {}\n", arm.joint_of(k).name,
                shown(unit.shown(arm, k, joint.largest)), shown(joint.time),
                shown(unit.shown(arm, k, joint.rms)));
@@ -24,7 +24,7 @@ OrderedJson json_difference(const Arm& arm, const TrajectoryDifference& apart,
                             const UnitArgument& unit) {
   OrderedJson joints = OrderedJson::array();
   for (int k = 0; k < arm.dof(); ++k) {
-    const JointDifference& joint = apart.joints[static_cast<std::size_t>(k)];
+    const JointDifference& joint = apart.joints[k];
     joints.push_back({{"joint", arm.joint_of(k).name},
                       {"largest", json_number(unit.shown(arm, k, joint.largest))},
                       {"time", joint.time},

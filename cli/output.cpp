@@ -37,7 +37,7 @@ void print_matrix(const Eigen::MatrixXd& matrix, const std::vector<std::string>&
   std::size_t width = 0;
   for (const double value : matrix.reshaped()) width = std::max(width, shown(value).size());
   for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
-    fmt::print("  {:<{}}", row_labels[static_cast<std::size_t>(row)], label_width);
+    fmt::print("  {:<{}}", row_labels[row], label_width);
     for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
       fmt::print("  {:>{}}", shown(matrix(row, column)), width);
     }

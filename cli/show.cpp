@@ -28,7 +28,7 @@ std::string limit_text(double limit, bool angle, const UnitArgument& unit) {
 
 /// A leading joint's limits, narrowed so that its followers keep theirs.
 const Limits& limits_in_arm(const Arm& arm, std::size_t joint) {
-  return arm.limits()[static_cast<std::size_t>(arm.drives()[joint].coordinate)];
+  return arm.limits(arm.drives()[joint].coordinate);
 }
 
 void print_joints(const Arm& arm, const UnitArgument& unit) {

@@ -54,7 +54,7 @@ class Random {
   Configuration configuration(const Arm& arm) {
     Configuration q(arm.dof());
     for (int k = 0; k < arm.dof(); ++k) {
-      const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
+      const Limits& limits = arm.limits(k);
       const double far = kind(arm.joint_of(k)) == JointKind::prismatic ? 1 : 3.14159265358979;
       const double lower =
           std::isfinite(limits.lower) ? limits.lower : std::min(-far, limits.upper - far);

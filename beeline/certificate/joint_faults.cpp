@@ -58,7 +58,7 @@ class Search {
 
  private:
   void look_at_positions(std::size_t k, int i) {
-    const Limits& limits = arm_.limits()[static_cast<std::size_t>(i)];
+    const Limits& limits = arm_.limits(i);
     const auto inside = [&](double q) {
       return q >= limits.lower - slack && q <= limits.upper + slack;
     };
@@ -83,7 +83,7 @@ class Search {
   }
 
   void look_at_differences(std::size_t k, int i) {
-    const Limits& limits = arm_.limits()[static_cast<std::size_t>(i)];
+    const Limits& limits = arm_.limits(i);
     difference(Fault::velocity, k, i, 1, limits.velocity, "/s");
     difference(Fault::acceleration, k, i, 2, limits.acceleration, "/s^2");
     difference(Fault::jerk, k, i, 3, limits.jerk, "/s^3");
@@ -99,7 +99,7 @@ class Search {
   }
 
   std::string range(int i) const {
-    const Limits& limits = arm_.limits()[static_cast<std::size_t>(i)];
+    const Limits& limits = arm_.limits(i);
     return "its limits of " + number(limits.lower) + " to " + amount(arm_, i, limits.upper);
   }
 
@@ -150,7 +150,7 @@ double slower_by_positions(const Arm& arm, const Trajectory& trajectory, bool ke
   check_fits(arm, trajectory);
   double factor = 1;
   for (int i = 0; i < arm.dof(); ++i) {
-    const Limits& limits = arm.limits()[static_cast<std::size_t>(i)];
+    const Limits& limits = arm.limits(i);
     const double velocity = held_velocity(limits);
     for (std::size_t k = 0; k < trajectory.size(); ++k) {
       const auto share = [&](int order, double limit) {

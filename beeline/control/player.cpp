@@ -112,7 +112,7 @@ double Player::largest_change() const {
   constexpr double least = 0.05;  // of the ramp: a recording at its limits must be able to pause
   double rate = 1 / options_.ramp;
   for (Eigen::Index k = 0; k < slope_.size(); ++k) {
-    const double limit = arm_.limits()[static_cast<std::size_t>(k)].acceleration;
+    const double limit = arm_.limits(k).acceleration;
     const double left = limit - std::abs(acceleration_[k]) * speed_ * speed_;
     if (std::abs(slope_[k]) * rate > left) rate = left / std::abs(slope_[k]);
   }

@@ -60,7 +60,7 @@ struct Fastest {
 
   void take(const Arm& arm, const Configuration& velocity, double now, double speed_now) {
     for (int i = 0; i < arm.dof(); ++i) {
-      const double limit = arm.limits()[static_cast<std::size_t>(i)].velocity;
+      const double limit = arm.limits(i).velocity;
       const double used = std::abs(velocity[i]) / limit;
       if (used > share) *this = {used, i, now, speed_now};
     }

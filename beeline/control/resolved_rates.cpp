@@ -26,10 +26,10 @@ ResolvedRates::ResolvedRates(const Arm& arm, const Task& task)
       rates_{Eigen::VectorXd::Zero(arm.dof()), Eigen::VectorXd::Zero(arm.dof())} {
   directions_.motion.resize(arm.dof(), 6);
   for (int i = 0; i < 6; ++i) {
-    scale_[i] = !task.rows[static_cast<std::size_t>(i)] ? 0 : i < 3 ? 1 / unit_of_length(arm) : 1;
+    scale_[i] = !task.rows[i] ? 0 : i < 3 ? 1 / unit_of_length(arm) : 1;
   }
   for (int k = 0; k < arm.dof(); ++k) {
-    weight[k] = held_velocity(arm.limits()[static_cast<std::size_t>(k)]);
+    weight[k] = held_velocity(arm.limits(k));
   }
 }
 
@@ -73,7 +73,7 @@ bool ResolvedRates::solve_least_squares() {
   Rows left = command_;
   SixByRoots::Gram gram = SixByRoots::Gram::Zero();
   for (Eigen::Index k = 0; k < way_.size(); ++k) {
-    if (held[static_cast<std::size_t>(k)]) {
+    if (held[k]) {
       left -= rows_.col(k) * way_[k];
     } else {
       way_[k] = 0;
@@ -85,7 +85,7 @@ bool ResolvedRates::solve_least_squares() {
   for (int pass = 0; pass < 2; ++pass) {  // the second takes most of the damping back
     const Rows y = factors_.solve(left);
     for (Eigen::Index k = 0; k < way_.size(); ++k) {
-      if (held[static_cast<std::size_t>(k)]) continue;
+      if (held[k]) continue;
       const double more = rows_.col(k).dot(y);
       way_[k] += more;
       left -= more * rows_.col(k);
@@ -101,19 +101,19 @@ bool ResolvedRates::solve_with_others(const std::vector<Room>& rooms) {
     Eigen::Index worst = -1;
     double most = 1;
     for (Eigen::Index k = 0; k < way_.size(); ++k) {
-      const Room& room = rooms[static_cast<std::size_t>(k)];
+      const Room& room = rooms[k];
       const double v = weight[k] * way_[k];
-      if (room.kind(v) != ServoLimit::position || held[static_cast<std::size_t>(k)]) continue;
+      if (room.kind(v) != ServoLimit::position || held[k]) continue;
       const double allowed = room.allowed(v);
       if (std::abs(v) > most * allowed) most = std::abs(v) / std::max(allowed, 1e-300), worst = k;
     }
     if (worst < 0) break;
-    const Room& room = rooms[static_cast<std::size_t>(worst)];
+    const Room& room = rooms[worst];
     kept_ = way_;
-    held[static_cast<std::size_t>(worst)] = 1;
+    held[worst] = 1;
     way_[worst] = (way_[worst] > 0 ? room.upper : room.lower) / weight[worst];
     if (!solve_least_squares()) {  // not without this one: back to it
-      held[static_cast<std::size_t>(worst)] = 0;
+      held[worst] = 0;
       solve_least_squares();
       way_ = kept_;
       break;
@@ -127,7 +127,7 @@ bool ResolvedRates::solve_with_others(const std::vector<Room>& rooms) {
 void ResolvedRates::fill_bend(const ConfigurationRef& q) {
   const Rows y = factors_.solve(turn_along(q, rates_.velocity));
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    rates_.bend[k] = held[static_cast<std::size_t>(k)] ? 0 : -weight[k] * rows_.col(k).dot(y);
+    rates_.bend[k] = held[k] ? 0 : -weight[k] * rows_.col(k).dot(y);
   }
 }
 
@@ -151,12 +151,12 @@ const Rates& ResolvedRates::solve(const ConfigurationRef& q, const std::vector<R
 void ResolvedRates::keep_tool(Eigen::VectorXd& motion) {
   Rows moved = Rows::Zero();
   for (Eigen::Index k = 0; k < motion.size(); ++k) {
-    motion[k] = held[static_cast<std::size_t>(k)] ? 0 : motion[k] / weight[k];
+    motion[k] = held[k] ? 0 : motion[k] / weight[k];
     moved += motion[k] * rows_.col(k);
   }
   const Rows y = factors_.solve(moved);
   for (Eigen::Index k = 0; k < motion.size(); ++k) {
-    if (held[static_cast<std::size_t>(k)]) continue;
+    if (held[k]) continue;
     motion[k] = weight[k] * (motion[k] - rows_.col(k).dot(y));
   }
 }

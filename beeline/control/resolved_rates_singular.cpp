@@ -97,7 +97,7 @@ double ResolvedRates::solve_singular(const ConfigurationRef& q, const Eigen::Vec
   double fastest = 1 / null_.lpNorm<Eigen::Infinity>();
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     const double v = std::abs(rates_.velocity[k]);
-    const double acceleration = arm_.limits()[static_cast<std::size_t>(k)].acceleration / 4;
+    const double acceleration = arm_.limits(k).acceleration / 4;
     if (v > 0) fastest = std::min(fastest, fast_to_stop(left * v, acceleration, time_step) / v);
   }
   const double gained = opens ? std::abs(curve) * time_step / 2 : 0;

@@ -20,14 +20,14 @@ double fast_to_stop(double way, double acceleration, double time_step) {
 void fill_rooms(const Arm& arm, const Bounds& bounds, const ConfigurationRef& q, double time_step,
                 std::vector<Room>& rooms) {
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
+    const Limits& limits = arm.limits(k);
     const double up = fast_to_stop(bounds.upper[k] - q[k], limits.acceleration, time_step);
     const double down = fast_to_stop(q[k] - bounds.lower[k], limits.acceleration, time_step);
     const auto kind = [&limits](double to_stop) {
       return to_stop < limits.velocity ? ServoLimit::position : ServoLimit::velocity;
     };
-    rooms[static_cast<std::size_t>(k)] = {-std::min(limits.velocity, down),
-                                          std::min(limits.velocity, up), kind(down), kind(up)};
+    rooms[k] = {-std::min(limits.velocity, down), std::min(limits.velocity, up), kind(down),
+                kind(up)};
   }
 }
 

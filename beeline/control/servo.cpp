@@ -51,14 +51,14 @@ void Servo::set_velocity(const ConfigurationRef& velocity) {
 
 /// How much a velocity may change in one step.
 double Servo::most_change(Eigen::Index k) const {
-  return arm_.limits()[static_cast<std::size_t>(k)].acceleration * options_.time_step;
+  return arm_.limits(k).acceleration * options_.time_step;
 }
 
 /// The share of the rates that velocities and positions allow.
 double Servo::share_in_rooms(const Rates& rates, ServoStep& result) const {
   double share = 1;
   for (Eigen::Index k = 0; k < rates.velocity.size(); ++k) {
-    const Room& room = rooms_[static_cast<std::size_t>(k)];
+    const Room& room = rooms_[k];
     const double v = rates.velocity[k];
     if (!(std::abs(v) * share > room.allowed(v))) continue;
     share = room.allowed(v) / std::abs(v);
@@ -113,7 +113,7 @@ void Servo::fill_spare_motion(const ConfigurationRef& q, const Rates& rates, dou
   spare_ = drift_ + part * spare_;
   part = 1;
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    const Room& room = rooms_[static_cast<std::size_t>(k)];
+    const Room& room = rooms_[k];
     const double v = share * rates.velocity[k];
     const double left = std::max(0.0, spare_[k] > 0 ? room.upper - v : v - room.lower);
     if (std::abs(spare_[k]) * part > left) part = left / std::abs(spare_[k]);
@@ -158,7 +158,7 @@ void Servo::keep_accelerations(const Rates& rates, double share, double most, Se
     if (part < 1) next_ = before_ + part * (next_ - before_);
   }
   for (Eigen::Index k = 0; k < next_.size(); ++k) {
-    const Room& room = rooms_[static_cast<std::size_t>(k)];
+    const Room& room = rooms_[k];
     const double change = most_change(k);
     next_[k] = std::clamp(std::clamp(next_[k], room.lower, room.upper), before_[k] - change,
                           before_[k] + change);
@@ -194,7 +194,7 @@ ServoStep Servo::step_towards(const ConfigurationRef& q, const Pose& world_T_too
   check_configuration(arm_, q);
   Twist command = pose_error(world_T_tool, forward_kinematics(arm_, q), task_.frame);
   for (int i = 0; i < 6; ++i) {
-    if (!task_.rows[static_cast<std::size_t>(i)]) command[i] = 0;
+    if (!task_.rows[i]) command[i] = 0;
   }
   command *= options_.gain;
   const double linear = command.head<3>().norm(), angular = command.tail<3>().norm();

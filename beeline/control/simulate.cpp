@@ -43,7 +43,7 @@ class Progress {
 double allowed_share(const Arm& arm, const Configuration& step, double time_step) {
   double share = 1;
   for (int k = 0; k < arm.dof(); ++k) {
-    const double most = arm.limits()[static_cast<std::size_t>(k)].velocity * time_step;
+    const double most = arm.limits(k).velocity * time_step;
     if (std::abs(step[k]) > most) share = std::min(share, most / std::abs(step[k]));
   }
   return share;

@@ -87,7 +87,7 @@ Chart chart_of(const Arm& arm, const Course& course, const char* what, const cha
   chart.left_name = some ? share_name : units;
   if (some && !all) chart.right_name = units + " (thick)";
   for (int k = 0; k < arm.dof(); ++k) {
-    const Share& share = shares[static_cast<std::size_t>(k)];
+    const Share& share = shares[k];
     Curve curve = joint_curve(arm, k);
     curve.name.clear();  // it is in the sheet's key
     curve.right = some && !limited(share);

@@ -10,7 +10,7 @@ namespace {
 Twist masked_error(const Task& task, const Pose& desired, const Pose& current) {
   Twist error = pose_error(desired, current, task.frame);
   for (int i = 0; i < 6; ++i) {
-    if (!task.rows[static_cast<std::size_t>(i)]) error[i] = 0;
+    if (!task.rows[i]) error[i] = 0;
   }
   return error;
 }
@@ -79,7 +79,7 @@ Eigen::VectorXd task_rows(const Task& task, const Twist& twist) {
   Eigen::VectorXd kept(task.size());
   int row = 0;
   for (int i = 0; i < 6; ++i) {
-    if (task.rows[static_cast<std::size_t>(i)]) kept[row++] = twist[i];
+    if (task.rows[i]) kept[row++] = twist[i];
   }
   return kept;
 }
@@ -89,7 +89,7 @@ Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const T
   Eigen::MatrixXd kept(task.size(), arm.dof());
   int row = 0;
   for (int i = 0; i < 6; ++i) {
-    if (task.rows[static_cast<std::size_t>(i)]) kept.row(row++) = all.row(i);
+    if (task.rows[i]) kept.row(row++) = all.row(i);
   }
   return kept;
 }

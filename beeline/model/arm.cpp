@@ -157,7 +157,7 @@ Arm::Reach reach_ball(const Arm& arm) {
     const Joint& joint = arm.joints()[i];
     const Arm::Drive& drive = arm.drives()[i];
     base_T_link = base_T_link * joint.offset;
-    reach.radius += travel(joint, arm.limits()[static_cast<std::size_t>(drive.coordinate)], drive);
+    reach.radius += travel(joint, arm.limits(drive.coordinate), drive);
     if (kind(joint) == JointKind::prismatic) continue;
     const Twist screw = adjoint(base_T_link, joint.screw);
     const Vector3 axis = screw.tail<3>();
@@ -197,7 +197,7 @@ Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Po
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     if (!joints_[i].mimic) continue;
     const std::string what = "mimic joint " + joints_[i].name;
-    Limits& leader = limits_[static_cast<std::size_t>(drives_[i].coordinate)];
+    Limits& leader = limits_[drives_[i].coordinate];
     narrow(leader, joints_[i].limits, drives_[i], what);
     check_limits(leader, what + " with its leader");
   }
@@ -234,7 +234,7 @@ std::vector<std::string> limit_violations(const Arm& arm, const ConfigurationRef
   check_configuration(arm, q);
   std::vector<std::string> violations;
   for (int k = 0; k < arm.dof(); ++k) {
-    const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
+    const Limits& limits = arm.limits(k);
     if (q[k] >= limits.lower - slack && q[k] <= limits.upper + slack) continue;
     const bool metres = kind(arm.joint_of(k)) == JointKind::prismatic;
     const auto text = [metres](double value) {
@@ -250,7 +250,7 @@ std::vector<std::string> limit_violations(const Arm& arm, const ConfigurationRef
 Configuration middle_configuration(const Arm& arm) {
   Configuration q(arm.dof());
   for (int k = 0; k < arm.dof(); ++k) {
-    const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
+    const Limits& limits = arm.limits(k);
     const bool bounded = std::isfinite(limits.lower) && std::isfinite(limits.upper);
     q[k] = bounded ? std::midpoint(limits.lower, limits.upper)
                    : std::clamp(0.0, limits.lower, limits.upper);

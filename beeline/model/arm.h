@@ -32,7 +32,8 @@ class Arm {
   int dof() const { return static_cast<int>(leaders_.size()); }
 
   /// Coordinate k's joint. Its limits in `limits()` also keep its followers within theirs.
-  const Joint& joint_of(int k) const { return joints_[static_cast<std::size_t>(leaders_[k])]; }
+  const Joint& joint_of(Eigen::Index k) const { return joints_[leaders_[k]]; }
+  const Limits& limits(Eigen::Index k) const { return limits_[k]; }
   const std::vector<Limits>& limits() const { return limits_; }
   std::vector<std::string> joint_names() const;  ///< one for each coordinate
 

@@ -167,7 +167,7 @@ std::vector<Branch> backward_branches(const Arm& arm, const ToolPath& path, cons
 
 void narrow(Margins& margins, const Arm& arm, const Task& task, const Configuration& q) {
   for (int k = 0; k < arm.dof(); ++k) {
-    const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
+    const Limits& limits = arm.limits(k);
     margins.limit = std::min(margins.limit, margin_to_limits(q[k], limits.lower, limits.upper));
   }
   Eigen::MatrixXd j = task_jacobian(arm, q, task);

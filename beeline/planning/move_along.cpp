@@ -52,7 +52,7 @@ std::string not_proved(const Straightness& straightness, const LineOptions& opti
 Arm held_back(const Arm& arm, const std::optional<Configuration>& start, double inset) {
   std::vector<Joint> joints = arm.joints();
   for (int k = 0; k < arm.dof(); ++k) {
-    const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
+    const Limits& limits = arm.limits(k);
     const double less = std::min(inset, 0.05 * (limits.upper - limits.lower));
     Limits& held = std::find_if(joints.begin(), joints.end(), [&](const Joint& joint) {
                      return joint.name == arm.joint_of(k).name;

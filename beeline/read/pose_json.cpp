@@ -18,8 +18,8 @@ Pose matrix_from_json(const JsonDocument& document, const Json& json) {
   if (rows.size() != 4) document.refuse(json, "must be four rows of four numbers");
   Pose pose = Pose::Identity();
   for (int i = 0; i < 4; ++i) {
-    const std::vector<double> row = document.numbers(rows[static_cast<std::size_t>(i)], 4);
-    for (int j = 0; j < 4; ++j) pose.matrix()(i, j) = row[static_cast<std::size_t>(j)];
+    const std::vector<double> row = document.numbers(rows[i], 4);
+    for (int j = 0; j < 4; ++j) pose.matrix()(i, j) = row[j];
   }
   const Rotation r = pose.linear();
   if (pose.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {

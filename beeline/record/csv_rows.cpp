@@ -210,17 +210,15 @@ void CsvWriter::write(const Eigen::Ref<const Eigen::MatrixXd>& block) {
   const auto start = [&](Eigen::Index i) { return block.cols() * i / parts; };
   for (Eigen::Index i = 0; i < parts; ++i) {  // here, as a thread could not say that memory ran out
     const auto numbers = static_cast<std::size_t>((start(i + 1) - start(i)) * block.rows());
-    texts_[static_cast<std::size_t>(i)].resize(numbers * most_text);
+    texts_[i].resize(numbers * most_text);
   }
-  const auto part = [&](Eigen::Index i) {
-    format(block, start(i), start(i + 1), texts_[static_cast<std::size_t>(i)]);
-  };
+  const auto part = [&](Eigen::Index i) { format(block, start(i), start(i + 1), texts_[i]); };
   {
     std::vector<std::jthread> others;
     for (Eigen::Index i = 1; i < parts; ++i) others.emplace_back(part, i);
     part(0);
   }
-  for (Eigen::Index i = 0; i < parts; ++i) file_.append(texts_[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < parts; ++i) file_.append(texts_[i]);
 }
 
 }  // namespace beeline

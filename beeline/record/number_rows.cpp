@@ -80,7 +80,7 @@ void RowReader::read_npy(NpyReader& reader, RowBlock& block, BadRows& bad) {
       if (!row.allFinite()) {
         const auto finite = [](double value) { return std::isfinite(value); };
         const auto k = std::find_if_not(row.begin(), row.end(), finite) - row.begin();
-        const std::string column = printable(forms_[npy_form_][static_cast<std::size_t>(k)]);
+        const std::string column = printable(forms_[npy_form_][k]);
         bad.meet(bad_row(reader.file().path(), place,
                          "column " + column + " is " + number(row[k]) + "; it must be finite"));
         continue;

@@ -27,7 +27,7 @@ void check_within(std::span<const Limits> limits, const ConfigurationRef& q, con
   }
   constexpr double slack = 1e-9;  // as limit_violations() has
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    const Limits& limit = limits[static_cast<std::size_t>(k)];
+    const Limits& limit = limits[k];
     if (q[k] >= limit.lower - slack && q[k] <= limit.upper + slack) continue;
     throw Error(which + (": joint " + std::to_string(k + 1)) + " at " + number(q[k]) +
                 " is outside its limits " + number(limit.lower) + " to " + number(limit.upper));
@@ -77,7 +77,7 @@ void follow_one_law(std::span<const Limits> limits, PointToPoint& motion) {
   for (Eigen::Index k = 0; k < joints; ++k) {
     const double share = std::abs(motion.to[k] - motion.from[k]) / farthest;
     if (!(share > 0)) continue;
-    const Limits limit = with_velocity(limits[static_cast<std::size_t>(k)]);
+    const Limits limit = with_velocity(limits[k]);
     tightest.velocity = std::min(tightest.velocity, limit.velocity / share);
     tightest.acceleration = std::min(tightest.acceleration, limit.acceleration / share);
     tightest.jerk = std::min(tightest.jerk, limit.jerk / share);
@@ -147,7 +147,7 @@ void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
   }
   const bool first_half = t <= motion.duration / 2;
   for (Eigen::Index k = 0; k < joints; ++k) {
-    const SCurve& law = motion.laws[static_cast<std::size_t>(k)];
+    const SCurve& law = motion.laws[k];
     const JointState state = before_the_middle(law, first_half ? t : motion.duration - t);
     q[k] = first_half ? motion.from[k] + state.position : motion.to[k] - state.position;
     velocity[k] = state.velocity;

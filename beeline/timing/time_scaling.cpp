@@ -13,7 +13,7 @@ PathLimits path_limits(const Arm& arm, double share) {
   PathLimits limits;
   limits.velocity = limits.acceleration = limits.jerk = Configuration(arm.dof());
   for (int i = 0; i < arm.dof(); ++i) {
-    const Limits& joint = arm.limits()[static_cast<std::size_t>(i)];
+    const Limits& joint = arm.limits(i);
     limits.velocity[i] = share * held_velocity(joint);
     limits.acceleration[i] = share * share * joint.acceleration;
     limits.jerk[i] = share * share * share * joint.jerk;

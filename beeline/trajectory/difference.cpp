@@ -43,7 +43,7 @@ TrajectoryDifference difference(const Arm& arm, const Trajectory& given_a,
     const double t = times[k];
     const Configuration q_a = sample(a, t), q_b = sample(b, t), apart = q_b - q_a;
     for (int i = 0; i < arm.dof(); ++i) {
-      JointDifference& joint = result.joints[static_cast<std::size_t>(i)];
+      JointDifference& joint = result.joints[i];
       if (std::abs(apart[i]) > joint.largest) joint.largest = std::abs(apart[i]), joint.time = t;
       if (k == 0) continue;  // the square of a straight line's mean
       const double u = before[i], v = apart[i];

@@ -12,7 +12,7 @@ using Columns = std::vector<Configuration>;
 constexpr double epsilon = 4 * std::numeric_limits<double>::epsilon();
 
 double limit_of(const Arm& arm, int i, double Limits::*kind) {
-  const Limits& limits = arm.limits()[static_cast<std::size_t>(i)];
+  const Limits& limits = arm.limits(i);
   return kind == &Limits::velocity ? held_velocity(limits) : limits.*kind;
 }
 

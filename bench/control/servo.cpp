@@ -85,14 +85,12 @@ void print_slowest(const char* name, long count) {
       const auto took = static_cast<float>(microseconds_since(start) - cost);
       loop.q += dt * loop.v;
       if (pass == 0) first = std::max(first, took);
-      float& best = times[static_cast<std::size_t>(i)];
+      float& best = times[i];
       best = std::min(best, took);
     }
   }
   std::sort(times.begin(), times.end());
-  const auto at = [&](double part) {
-    return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
-  };
+  const auto at = [&](double part) { return times[part * static_cast<double>(times.size() - 1)]; };
   std::printf(
       "%s, %ld steps, microseconds: median %.2f, 99.9 %% %.2f, 99.9999 %% %.2f, worst %.2f; "
       "worst of a single pass %.0f\n",

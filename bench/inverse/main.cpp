@@ -28,19 +28,18 @@ std::string beeline_record(const Run& run, const BenchArm& arm, const Screws& sc
   BeelineCase solver(arm, question.kind);
   const Configuration centre = middle(screws);
   const auto seed = [&](int i) -> const Configuration& {
-    return question.near_seed() ? poses.near[static_cast<std::size_t>(i)] : centre;
+    return question.near_seed() ? poses.near[i] : centre;
   };
   Check check(screws, question.limits);
   for (int i = 0; i < run.count; ++i) {
-    const Pose& goal = poses.world_T_tool[static_cast<std::size_t>(i)];
+    const Pose& goal = poses.world_T_tool[i];
     check.begin_pose();
     const int found = solver.solve(goal, seed(i));
     for (int k = 0; k < found; ++k) check.add(goal, solver.solution(k));
     check.end_pose();
   }
-  const Timing timing = timed(run.count, run.passes, [&](int i) {
-    solver.solve(poses.world_T_tool[static_cast<std::size_t>(i)], seed(i));
-  });
+  const Timing timing =
+      timed(run.count, run.passes, [&](int i) { solver.solve(poses.world_T_tool[i], seed(i)); });
   return record(arm.name, question.name, "Beeline", timing, check);
 }
 
@@ -57,7 +56,7 @@ std::string kdl_record(const Run& run, const BenchArm& arm, const Screws& screws
   Check check(screws, false);
   for (int i = 0; i < run.count; ++i) {
     check.begin_pose();
-    if (solve(i)) check.add(poses.world_T_tool[static_cast<std::size_t>(i)], q);
+    if (solve(i)) check.add(poses.world_T_tool[i], q);
     check.end_pose();
   }
   return record(arm.name, question.name, "KDL LMA, one try", timed(run.count, run.passes, solve),

@@ -78,7 +78,7 @@ double difference(const Screws& screws, const ConfigurationRef& a, const Configu
   double largest = 0;
   for (int i = 0; i < screws.free; ++i) {
     const double apart = a[i] - b[i];
-    const bool slides = screws.slides[static_cast<std::size_t>(i)];
+    const bool slides = screws.slides[i];
     largest =
         std::max(largest, std::abs(slides ? apart : std::remainder(apart, 2 * std::numbers::pi)));
   }

@@ -93,7 +93,7 @@ std::vector<Configuration> searched_solutions(const Screws& screws, const Pose& 
   for (int start = 0; start < effort.starts && in_vain < effort.patience; ++start, ++in_vain) {
     Twist q;
     for (int i = 0; i < 6; ++i) {
-      const double far = screws.slides[static_cast<std::size_t>(i)] ? size : pi;
+      const double far = screws.slides[i] ? size : pi;
       q[i] = uniform(engine, -far, far);
     }
     if (!descend(six, goal, q)) continue;

@@ -44,7 +44,7 @@ Timing timed(int count, int passes, Solve solve) {
     for (int i = 0; i < count; ++i) {
       const auto begin = std::chrono::steady_clock::now();
       solve(i);
-      double& best = calls[static_cast<std::size_t>(i)];
+      double& best = calls[i];
       best = std::min(best, std::max(0.0, microseconds_since(begin) - cost));
     }
     if (whole > patience) break;

@@ -69,7 +69,7 @@ void measure(const Arm& arm, const Line& line, const LineMotion& motion, int num
       worst.orientation = std::max(worst.orientation, off.orientation);
     }
     for (int j = 0; j < arm.dof(); ++j) {
-      const double limit = arm.limits()[static_cast<std::size_t>(j)].velocity;
+      const double limit = arm.limits(j).velocity;
       const double most = std::isfinite(limit) ? limit : velocity_when_unknown;
       if (std::abs(step[j]) > most * (times[k + 1] - times[k]) * (1 + 1e-6)) {
         ++tally.fast;
@@ -161,7 +161,7 @@ void judge_refusal(const Arm& arm, const Line& line, const LineMotion& motion, i
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  return values[share * static_cast<double>(values.size() - 1)];
 }
 
 double mean(const std::vector<double>& values) {

@@ -41,7 +41,7 @@ struct Motions {
   Configuration configuration(Engine& engine) const {
     Configuration q(arm.dof());
     for (Eigen::Index k = 0; k < q.size(); ++k) {
-      const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
+      const Limits& limits = arm.limits(k);
       q[k] = uniform(engine, limits.lower, limits.upper);
     }
     return q;
@@ -81,9 +81,9 @@ void add_beeline_states() {
 ruckig::InputParameter<joints> ruckig_input(const Arm& arm) {
   ruckig::InputParameter<joints> input;
   for (std::size_t k = 0; k < joints; ++k) {
-    input.max_velocity[k] = arm.limits()[k].velocity;
-    input.max_acceleration[k] = arm.limits()[k].acceleration;
-    input.max_jerk[k] = arm.limits()[k].jerk;
+    input.max_velocity[k] = arm.limits(k).velocity;
+    input.max_acceleration[k] = arm.limits(k).acceleration;
+    input.max_jerk[k] = arm.limits(k).jerk;
   }
   return input;
 }

@@ -109,8 +109,7 @@ TEST(Batch, LinkPosesAreTheSingleCalls) {
       for (Eigen::Index i = 0; i < q.cols(); ++i) {
         const std::vector<Pose> expected = link_poses(arm, q.col(i));
         for (Eigen::Index link = 0; link < links; ++link) {
-          expect_pose(poses.col(i).segment(link * one, one),
-                      expected[static_cast<std::size_t>(link)], layout,
+          expect_pose(poses.col(i).segment(link * one, one), expected[link], layout,
                       1e-13 * size_of(arm, q.col(i)));
         }
       }

@@ -24,7 +24,7 @@ Made made(const std::string& name, const LineOptions& options = {}) {
                                       : std::vector<double>{0.2, -1.2, 1.5, -0.5, 1.2, 0};
   const std::vector<double> seven{0, 0.3, 0, -1.6, 0, 1.2, 0.785};
   const std::vector<double>& from = arm.dof() == 7 ? seven : six;
-  for (int k = 0; k < arm.dof(); ++k) q[k] = from[static_cast<std::size_t>(k)];
+  for (int k = 0; k < arm.dof(); ++k) q[k] = from[k];
   Pose a = forward_kinematics(arm, q), b = a, c = a;
   b.translation() += Vector3(0.05, 0.1, -0.08);
   b.linear() = so3_exp(Vector3(0.1, -0.2, 0.3)) * a.linear();

@@ -257,8 +257,7 @@ TEST(ControlInLines, KeepsVelocityLimits) {
   for (std::size_t k = 1; k < motion.trajectory.size(); ++k) {
     const Configuration step = motion.trajectory.positions[k] - motion.trajectory.positions[k - 1];
     for (int i = 0; i < 7; ++i) {
-      ASSERT_LE(std::abs(step[i]),
-                0.002 * given.arm.limits()[static_cast<std::size_t>(i)].velocity * (1 + 1e-9));
+      ASSERT_LE(std::abs(step[i]), 0.002 * given.arm.limits(i).velocity * (1 + 1e-9));
     }
   }
 }

@@ -152,7 +152,7 @@ TEST(ControlJoints, KeepsVelocityLimitsAndSaysThatItSlowedDown) {
   for (std::size_t k = 1; k < motion.trajectory.size(); ++k) {
     const Configuration step = motion.trajectory.positions[k] - motion.trajectory.positions[k - 1];
     for (int i = 0; i < 7; ++i) {
-      const double most = arm.limits()[static_cast<std::size_t>(i)].velocity;
+      const double most = arm.limits(i).velocity;
       ASSERT_LE(std::abs(step[i]) / options.time_step, most * (1 + 1e-9));
     }
   }

@@ -43,7 +43,7 @@ Played play(Player& player, const Arm& arm, Speed&& speed_at, int most_steps = 1
     const Configuration v = (played.q[k] - played.q[k - 1]) / dt;
     const Configuration before = (played.q[k - 1] - played.q[k - 2]) / dt;
     for (int i = 0; i < arm.dof(); ++i) {
-      const Limits& limits = arm.limits()[static_cast<std::size_t>(i)];
+      const Limits& limits = arm.limits(i);
       played.largest_velocity = std::max(played.largest_velocity, std::abs(v[i]) / limits.velocity);
       played.largest_acceleration = std::max(played.largest_acceleration,
                                              std::abs(v[i] - before[i]) / dt / limits.acceleration);

@@ -101,7 +101,7 @@ TEST(Replay, FirstMovesToTheBeginWithinLimits) {
       for (int j = 0; j < 7; ++j) {
         const double speed = std::abs(way.positions[k][j] - way.positions[k - 1][j]) /
                              (way.times[k] - way.times[k - 1]);
-        ASSERT_LE(speed, arm.limits()[static_cast<std::size_t>(j)].velocity * (1 + 1e-6));
+        ASSERT_LE(speed, arm.limits(j).velocity * (1 + 1e-6));
       }
     }
   }
@@ -228,7 +228,7 @@ TEST(Replay, NamesTheSpeedThatWouldDoAmongThoseThatChange) {
   const Configuration middle = middle_configuration(arm);
   Trajectory recorded{arm.joint_names(), {0, 4}, {middle, middle}, {}, {}};
   recorded.positions[1][0] += 2;
-  recorded.times[1] = 2 / (2 * arm.limits()[0].velocity);  // at twice the limit
+  recorded.times[1] = 2 / (2 * arm.limits(0).velocity);  // at twice the limit
   const Replay fast = replay(arm, recorded, {.rate = 1000, .speed_at = {{0, 1}}, .ramp = 0.01});
   EXPECT_EQ(fast.status, MotionStatus::outside_limits);
   EXPECT_EQ(fast.trajectory.size(), 0);

@@ -35,7 +35,7 @@ Twist random_command(testing::Random& random) {
 double largest_excess(const Eigen::VectorXd& values, const Arm& arm, double Limits::*kind) {
   double excess = 0;
   for (int k = 0; k < arm.dof(); ++k) {
-    excess = std::max(excess, std::abs(values[k]) - arm.limits()[k].*kind);
+    excess = std::max(excess, std::abs(values[k]) - arm.limits(k).*kind);
   }
   return excess;
 }
@@ -205,7 +205,7 @@ TEST(Servo, LetsTheOthersMoveWhereAJointIsAtItsLimit) {
   for (int i = 0; i < 500; ++i) {
     Configuration q = 0.6 * random.configuration(arm) + 0.4 * middle_configuration(arm);
     const int k = random.integer(0, 6);
-    q[k] = random.integer(0, 1) == 0 ? arm.limits()[k].lower : arm.limits()[k].upper;
+    q[k] = random.integer(0, 1) == 0 ? arm.limits(k).lower : arm.limits(k).upper;
     Servo servo(arm);
     Eigen::VectorXd v(7);
     Twist command = 1e-3 * random_command(random);

@@ -80,7 +80,7 @@ TEST(JointCharts, GivesEveryJointACurveByItsOwnLimitOrInItsUnit) {
       const auto i = static_cast<std::size_t>(k);
       const Curve& position = charts[0].curves[i];
       const Curve& velocity = charts[1].curves[i];
-      const Limits& limits = arm.limits()[i];
+      const Limits& limits = arm.limits(i);
       const bool ranged = std::isfinite(limits.upper - limits.lower);
       for (std::size_t s = 0; s < motion.size(); ++s) {
         const double q = motion.positions[s][k];

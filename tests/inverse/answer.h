@@ -44,7 +44,7 @@ inline void expect_no(const InverseResult& result, InverseStatus status) {
 inline Pose moved_where_free(Pose pose, const Task& task, Random& random) {
   Twist free = Twist::Zero();
   for (int k = 0; k < 6; ++k) {
-    if (!task.rows[static_cast<std::size_t>(k)]) free[k] = random.uniform(-1, 1);
+    if (!task.rows[k]) free[k] = random.uniform(-1, 1);
   }
   if (task.frame == Frame::tool) return pose * se3_exp(free);
   pose.translation() += free.head<3>();

@@ -37,7 +37,7 @@ TEST(InverseSolver, IntoColumnsGivesWhatInverseKinematicsGives) {
         const int count = solver.solve(pose, seed, columns);
         ASSERT_EQ(static_cast<std::size_t>(count), expected.size()) << name;
         for (int k = 0; k < count; ++k) {
-          EXPECT_LT((columns.col(k) - expected[static_cast<std::size_t>(k)]).norm(), 1e-7) << name;
+          EXPECT_LT((columns.col(k) - expected[k]).norm(), 1e-7) << name;
         }
       }
     }

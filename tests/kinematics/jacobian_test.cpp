@@ -188,9 +188,9 @@ TEST(Jacobian, OfAPlanarChainOfUpToAThousandJointsIsTheSumOfWhatFollows) {
     Configuration q(joints);
     std::vector<double> length(static_cast<std::size_t>(joints));
     for (int j = 0; j < joints; ++j) {
-      length[static_cast<std::size_t>(j)] = random.uniform(0, 1);
-      chain.push_back(planar_link(composite_joint('R', "j" + std::to_string(j)).front(),
-                                  length[static_cast<std::size_t>(j)]));
+      length[j] = random.uniform(0, 1);
+      chain.push_back(
+          planar_link(composite_joint('R', "j" + std::to_string(j)).front(), length[j]));
       q[j] = random.uniform(-3, 3);
     }
     const Arm arm("long", chain);
@@ -198,8 +198,8 @@ TEST(Jacobian, OfAPlanarChainOfUpToAThousandJointsIsTheSumOfWhatFollows) {
     long double x = 0, y = 0, heading = 0;
     for (int j = 0; j < joints; ++j) heading += q[j];
     for (int j = joints - 1; j >= 0; --j) {
-      x += length[static_cast<std::size_t>(j)] * std::cos(heading);
-      y += length[static_cast<std::size_t>(j)] * std::sin(heading);
+      x += length[j] * std::cos(heading);
+      y += length[j] * std::sin(heading);
       heading -= q[j];
       ASSERT_NEAR(ours(0, j), static_cast<double>(-y), 3e-14 * (1 + joints));
       ASSERT_NEAR(ours(1, j), static_cast<double>(x), 3e-14 * (1 + joints));

@@ -113,7 +113,7 @@ TEST(Arm, RefusesLimitsThatNoValueOrMotionCanKeep) {
     EXPECT_REFUSED(with({.acceleration = bad}), "joint 2 (elbow)");
     EXPECT_REFUSED(with({.jerk = bad}), "joint 2 (elbow)");
   }
-  EXPECT_EQ(with({.lower = 1, .upper = 1}).limits()[1].lower, 1) << "a held joint is allowed";
+  EXPECT_EQ(with({.lower = 1, .upper = 1}).limits(1).lower, 1) << "a held joint is allowed";
 }
 
 TEST(CheckConfiguration, RefusesWrongCountsAndNumbersThatAreNotFinite) {

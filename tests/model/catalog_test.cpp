@@ -159,15 +159,15 @@ TEST(BuiltIn, HasTheChaptersJointLettersAndKnownLimits) {
   const double puma_limits[][2] = {{-160, 160}, {-45, 225},  {-225, 45},
                                    {-110, 170}, {-100, 100}, {-266, 266}};
   for (std::size_t k = 0; k < 6; ++k) {
-    EXPECT_NEAR(puma.limits()[k].lower, puma_limits[k][0] * deg, 1e-15);
-    EXPECT_NEAR(puma.limits()[k].upper, puma_limits[k][1] * deg, 1e-15);
+    EXPECT_NEAR(puma.limits(k).lower, puma_limits[k][0] * deg, 1e-15);
+    EXPECT_NEAR(puma.limits(k).upper, puma_limits[k][1] * deg, 1e-15);
   }
   const Arm panda = built_in("panda");
-  EXPECT_EQ(panda.limits()[3].upper, -0.0698);
-  EXPECT_EQ(panda.limits()[6].velocity, 2.61);
-  EXPECT_EQ(panda.limits()[1].acceleration, 7.5);
-  EXPECT_EQ(panda.limits()[5].jerk, 10000);
-  EXPECT_EQ(built_in("rrr").limits()[0].upper, Limits::none);
+  EXPECT_EQ(panda.limits(3).upper, -0.0698);
+  EXPECT_EQ(panda.limits(6).velocity, 2.61);
+  EXPECT_EQ(panda.limits(1).acceleration, 7.5);
+  EXPECT_EQ(panda.limits(5).jerk, 10000);
+  EXPECT_EQ(built_in("rrr").limits(0).upper, Limits::none);
 }
 
 TEST(BuiltIn, EveryArmIsListedOnceUnderItsNameWithASummary) {

@@ -71,7 +71,7 @@ TEST(Mimic, LeadersAreNarrowedSoThatFollowersKeepTheirLimits) {
     Limits its{kept - random.uniform(0.01, 2), kept + random.uniform(0.01, 2), 1.5, 1.5, 1.5};
     if (i % 3 == 0) its.lower = -Limits::none;
     const Arm arm("arm", {turning("a", mine), follower("b", {"a", ratio, shift}, its)});
-    const Limits& both = arm.limits()[0];
+    const Limits& both = arm.limits(0);
     for (const double q : {both.lower, both.upper}) {
       ASSERT_GE(q, mine.lower);
       ASSERT_LE(q, mine.upper);

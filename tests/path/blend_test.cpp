@@ -71,7 +71,7 @@ TEST(RoundedLines, KeepTheirDistanceFromLinesAndCorners) {
         ASSERT_LE(off.orientation, within.orientation * (1 + 1e-12));
       }
       const Line in{poses[w], poses[w + 1]}, out{poses[w + 1], poses[w + 2]};
-      const Piece& piece = rounded.path.pieces[static_cast<std::size_t>(pieces[w])];
+      const Piece& piece = rounded.path.pieces[pieces[w]];
       Deviation seen;
       for (int k = 0; k <= 50; ++k) {
         const Pose pose = pose_at(piece, k / 50.0);
@@ -125,7 +125,7 @@ TEST(RoundedLines, CurveNoMoreThanToldAndThatMuch) {
     const int k = pieces_of(rounded).front();
     if (k < 0) continue;
     for (int j = 0; j <= 20; ++j) {
-      const PieceMotion at = motion_at(rounded.path.pieces[static_cast<std::size_t>(k)], j / 20.0);
+      const PieceMotion at = motion_at(rounded.path.pieces[k], j / 20.0);
       const Vector3 v = at.velocity.head<3>(), a = at.acceleration.head<3>();
       const double curvature = v.cross(a).norm() / std::pow(v.norm(), 3);
       ASSERT_LE(curvature, rounded.corners[0].curvature * (1 + 1e-9));

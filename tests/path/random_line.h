@@ -10,7 +10,7 @@ namespace beeline::testing {
 inline Configuration inner_configuration(Random& random, const Arm& arm) {
   Configuration q(arm.dof());
   for (int k = 0; k < arm.dof(); ++k) {
-    const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
+    const Limits& limits = arm.limits(k);
     const double lower = std::max(limits.lower, -3.1), upper = std::min(limits.upper, 3.1);
     q[k] = (lower + upper) / 2 + random.uniform(-0.35, 0.35) * (upper - lower);
   }

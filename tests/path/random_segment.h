@@ -37,7 +37,7 @@ inline Piece random_piece(Random& random) {
     return Line{poses[0], poses[1]};
   }
   const auto pieces = path_through(poses, static_cast<PathKind>(kind)).pieces;
-  return pieces[static_cast<std::size_t>(random.integer(0, static_cast<int>(pieces.size()) - 1))];
+  return pieces[random.integer(0, static_cast<int>(pieces.size()) - 1)];
 }
 
 inline const char* kind_of(const Piece& piece) {

@@ -100,7 +100,7 @@ inline DenseAnswer dense_branch(const Arm& arm, const Pose& from, const Pose& to
                                 double step) {
   std::vector<TurnKeeper> keepers;
   for (int k = 0; k < arm.dof(); ++k) {
-    keepers.emplace_back(arm.limits()[static_cast<std::size_t>(k)], q[k]);
+    keepers.emplace_back(arm.limits(k), q[k]);
   }
   double s = 0, length = step;
   Configuration before = q;
@@ -125,13 +125,13 @@ inline DenseAnswer dense_branch(const Arm& arm, const Pose& from, const Pose& to
     }
     before = q, before_length = next_s - s;
     q = *next, s = next_s;
-    for (int k = 0; k < arm.dof(); ++k) keepers[static_cast<std::size_t>(k)].pass(s, q[k]);
+    for (int k = 0; k < arm.dof(); ++k) keepers[k].pass(s, q[k]);
     length = std::min(step, 1.5 * length);
   }
   DenseAnswer answer{s};
   answer.margin = 100;
   for (int k = 0; k < arm.dof(); ++k) {
-    const TurnKeeper::End end = keepers[static_cast<std::size_t>(k)].end();
+    const TurnKeeper::End end = keepers[k].end();
     answer.margin = std::min(answer.margin, end.margin);
     if (end.place <= answer.done && end.place <= 1) {
       answer.done = std::min(std::max(end.place, 0.0), 1 - 1e-12);
@@ -164,7 +164,7 @@ inline DenseAnswer dense_layers(const Arm& arm, const Pose& from, const Pose& to
   const Configuration middle = Configuration::Zero(arm.dof());
   std::vector<std::vector<Configuration>> all(static_cast<std::size_t>(layers) + 1);
   const auto solve = [&](int r) {
-    auto& layer = all[static_cast<std::size_t>(r)];
+    auto& layer = all[r];
     const int count =
         solver.solve(interpolate(from, to, static_cast<double>(r) / layers), middle, columns);
     for (int j = 0; j < count; ++j) layer.emplace_back(columns.col(j));
@@ -193,8 +193,8 @@ inline DenseAnswer dense_layers(const Arm& arm, const Pose& from, const Pose& to
   }
   int which = 0;
   for (std::size_t r = all.size(); r-- > 0;) {
-    answer.way.push_back(all[r][static_cast<std::size_t>(which)]);
-    which = before[r][static_cast<std::size_t>(which)];
+    answer.way.push_back(all[r][which]);
+    which = before[r][which];
   }
   std::reverse(answer.way.begin(), answer.way.end());
   return answer;

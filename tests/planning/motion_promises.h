@@ -40,7 +40,7 @@ inline void expect_within_limits(const Arm& arm, const Trajectory& trajectory) {
     const double dt = trajectory.times[k] - trajectory.times[k - 1];
     const Configuration step = trajectory.positions[k] - trajectory.positions[k - 1];
     for (int i = 0; i < arm.dof(); ++i) {
-      const double limit = arm.limits()[static_cast<std::size_t>(i)].velocity;
+      const double limit = arm.limits(i).velocity;
       const double most = std::isfinite(limit) ? limit : velocity_when_unknown;
       ASSERT_LE(std::abs(step[i]) / dt, most * (1 + 1e-9)) << "sample " << k;
       if (kind(arm.joint_of(i)) != JointKind::prismatic) {

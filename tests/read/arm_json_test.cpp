@@ -78,7 +78,7 @@ TEST(ArmJson, JointsDefaultToTurningAboutZ) {
   const Arm arm = parse(R"({"name": "a", "joints": [{"name": "j", "type": "revolute"}]})");
   EXPECT_EQ(arm.joints()[0].screw, rotation_screw(Vector3::UnitZ()));
   EXPECT_EQ(arm.joints()[0].offset.matrix(), Pose::Identity().matrix());
-  EXPECT_EQ(arm.limits()[0].upper, Limits::none);
+  EXPECT_EQ(arm.limits(0).upper, Limits::none);
 }
 
 TEST(ArmJson, EveryKeyIsHeard) {
@@ -131,7 +131,7 @@ TEST(ArmJson, JointStringsAndDhTablesDescribeArmsToo) {
     EXPECT_EQ(ur5.joints()[i].screw, expected.joints()[i].screw);
     EXPECT_EQ(ur5.joints()[i].name, expected.joints()[i].name);
   }
-  EXPECT_EQ(ur5.limits()[5].upper, 1);
+  EXPECT_EQ(ur5.limits(5).upper, 1);
   const Arm slide = parse(R"({"name": "a", "dh": {"convention": "modified", "rows": [
     {"name": "q", "type": "prismatic", "a": 1, "theta": 0.5}]}})");
   EXPECT_EQ(kind(slide.joints()[0]), JointKind::prismatic);

@@ -47,30 +47,30 @@ TEST(Urdf, TheToolGoesWhereTheFileSays) {
 
 TEST(Urdf, LimitsAreRead) {
   const Arm arm = parse(testing::whole_urdf, {.base = "", .tip = "left"});
-  EXPECT_EQ(arm.limits()[0].lower, -Limits::none);
-  EXPECT_EQ(arm.limits()[0].upper, Limits::none);
-  EXPECT_EQ(arm.limits()[0].velocity, 3);
-  EXPECT_EQ(arm.limits()[1].lower, -1.5);
-  EXPECT_EQ(arm.limits()[1].upper, 2);
-  EXPECT_EQ(arm.limits()[1].velocity, Limits::none) << "0 means not known";
-  EXPECT_EQ(arm.limits()[2].upper, 0.04);
-  EXPECT_EQ(arm.limits()[2].velocity, 0.2);
+  EXPECT_EQ(arm.limits(0).lower, -Limits::none);
+  EXPECT_EQ(arm.limits(0).upper, Limits::none);
+  EXPECT_EQ(arm.limits(0).velocity, 3);
+  EXPECT_EQ(arm.limits(1).lower, -1.5);
+  EXPECT_EQ(arm.limits(1).upper, 2);
+  EXPECT_EQ(arm.limits(1).velocity, Limits::none) << "0 means not known";
+  EXPECT_EQ(arm.limits(2).upper, 0.04);
+  EXPECT_EQ(arm.limits(2).velocity, 0.2);
 }
 
 TEST(Urdf, MissingPartsHaveTheFormatsDefaults) {
   const Arm bare = parse(single("revolute"));
   EXPECT_EQ(bare.joints()[0].screw, rotation_screw(Vector3::UnitX()));
   EXPECT_EQ(bare.joints()[0].offset.matrix(), Pose::Identity().matrix());
-  EXPECT_EQ(bare.limits()[0].upper, Limits::none);
+  EXPECT_EQ(bare.limits(0).upper, Limits::none);
   EXPECT_EQ(bare.joints()[0].link, "b");
   const Arm slide = parse(single("prismatic", "<axis/><limit velocity=\"-1\" upper=\"2\"/>"));
   EXPECT_EQ(slide.joints()[0].screw, translation_screw(Vector3::UnitX()));
-  EXPECT_EQ(slide.limits()[0].lower, 0);
-  EXPECT_EQ(slide.limits()[0].upper, 2);
-  EXPECT_EQ(slide.limits()[0].velocity, Limits::none);
+  EXPECT_EQ(slide.limits(0).lower, 0);
+  EXPECT_EQ(slide.limits(0).upper, 2);
+  EXPECT_EQ(slide.limits(0).velocity, Limits::none);
   const Arm still = parse(single("revolute", "<limit effort=\"1\" velocity=\"1\"/>"));
-  EXPECT_EQ(still.limits()[0].lower, 0);
-  EXPECT_EQ(still.limits()[0].upper, 0);
+  EXPECT_EQ(still.limits(0).lower, 0);
+  EXPECT_EQ(still.limits(0).upper, 0);
 }
 
 TEST(Urdf, ARobotWithoutANameIsCalledLikeItsFile) {

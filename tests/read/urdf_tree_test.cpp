@@ -50,13 +50,13 @@ TEST(UrdfTree, RandomTreesGiveTheWayFromTheRoot) {
                                std::to_string(k)));
     }
     for (std::size_t k = elements.size() - 1; k > 0; --k) {  // any order of elements will do
-      std::swap(elements[k], elements[static_cast<std::size_t>(random.integer(0, int(k)))]);
+      std::swap(elements[k], elements[random.integer(0, int(k))]);
     }
     std::string text;
     for (const std::string& element : elements) text += element;
     for (int tip = 1; tip < links; ++tip) {
       Names expected;
-      for (int k = tip; k != 0; k = parent[static_cast<std::size_t>(k)]) {
+      for (int k = tip; k != 0; k = parent[k]) {
         expected.insert(expected.begin(), "to" + std::to_string(k));
       }
       EXPECT_EQ(chain(robot(text), {.base = "", .tip = std::to_string(tip)}), expected);

@@ -167,8 +167,7 @@ TEST(Npy, AChangedFileIsReadOrRefused) {
   for (int i = 0; i < 5000; ++i) {
     std::string changed = whole;
     for (int k = random.integer(1, 4); k > 0; --k) {
-      changed[static_cast<std::size_t>(random.integer(0, 90))] =
-          static_cast<char>(random.integer(0, 255));
+      changed[random.integer(0, 90)] = static_cast<char>(random.integer(0, 255));
     }
     folder.write("a.npy", changed);
     testing::refusal([&] { read_all(folder.file("a.npy")); });

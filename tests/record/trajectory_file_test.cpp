@@ -65,7 +65,7 @@ TEST(TrajectoryFile, BrokenTextsAreReadOrRefused) {
       int refused = 0;
       for (int k = 0; k < 200; ++k) {
         std::string text = whole;
-        text[static_cast<std::size_t>(place())] = static_cast<char>(random.integer(0, 255));
+        text[place()] = static_cast<char>(random.integer(0, 255));
         text.erase(static_cast<std::size_t>(place()),
                    static_cast<std::size_t>(random.integer(0, 9)));
         const std::string said = read(text);

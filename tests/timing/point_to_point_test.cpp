@@ -55,7 +55,7 @@ void expect_limits_kept(const Arm& arm, const PointToPoint& motion) {
     at(motion, motion.duration * k / samples, q, v, a);
     const double h = motion.duration / samples;
     for (int i = 0; i < arm.dof(); ++i) {
-      const Limits& limits = arm.limits()[static_cast<std::size_t>(i)];
+      const Limits& limits = arm.limits(i);
       ASSERT_LE(std::abs(v[i]), most_velocity(limits) * slack) << i;
       ASSERT_LE(std::abs(a[i]), limits.acceleration * slack) << i;
       if (k == 0) continue;
@@ -92,7 +92,7 @@ TEST(PointToPoint, LastsAsLongAsTheSlowestJointAndStraightNoLess) {
   for_random_motions(100, [](const Arm& arm, const auto& from, const auto& to) {
     double slowest = 0;
     for (int k = 0; k < arm.dof(); ++k) {
-      const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
+      const Limits& limits = arm.limits(k);
       slowest = std::max(slowest, own_duration(limits, to[k] - from[k]));
     }
     const PointToPoint motion = point_to_point(arm, from, to);
@@ -143,7 +143,7 @@ TEST(PointToPoint, StraightIsAStraightLineAtTheLimitOfSomeJoint) {
     for (std::size_t k = 0; k < motion.laws.size(); ++k) {
       const SCurve& law = motion.laws[k];
       if (law.distance == 0) continue;
-      const Limits& limits = arm.limits()[k];
+      const Limits& limits = arm.limits(k);
       v_used = std::max(v_used, std::abs(law.velocity) / most_velocity(limits));
       if (std::isfinite(limits.acceleration)) {
         a_used = std::max(a_used, std::abs(law.acceleration) / limits.acceleration);

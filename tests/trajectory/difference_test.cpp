@@ -52,7 +52,7 @@ TEST(Difference, IsWhatDenseSamplingShows) {
       squares += q.cwiseAbs2() / (looks + 1);
     }
     for (int k = 0; k < 6; ++k) {
-      const JointDifference& joint = apart.joints[static_cast<std::size_t>(k)];
+      const JointDifference& joint = apart.joints[k];
       ASSERT_GE(joint.largest, largest[k] - 1e-9);
       ASSERT_LE(joint.largest, largest[k] + 0.1);
       ASSERT_NEAR(joint.rms, std::sqrt(squares[k]), 0.01 + 0.01 * joint.rms);

@@ -91,7 +91,7 @@ TEST(MatchedTo, BringsTheColumnsIntoTheArmsOrder) {
   const std::vector<Eigen::Index> order{3, 0, 6, 1, 5, 2, 4};
   Trajectory shuffled = trajectory;
   for (std::size_t k = 0; k < order.size(); ++k) {
-    shuffled.joint_names[k] = trajectory.joint_names[static_cast<std::size_t>(order[k])];
+    shuffled.joint_names[k] = trajectory.joint_names[order[k]];
   }
   for (auto* column : {&shuffled.positions, &shuffled.velocities, &shuffled.accelerations}) {
     for (Configuration& q : *column) q = Configuration(q(order));

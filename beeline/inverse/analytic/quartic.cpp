@@ -60,7 +60,7 @@ int quartic_roots(const std::array<double, 5>& c, std::array<double, 4>& roots) 
   int count = quadratic_roots(s, g, slack, roots.data());
   count += quadratic_roots(-s, h, slack, roots.data() + count);
   for (int i = 0; i < count; ++i) {
-    double& x = roots[static_cast<std::size_t>(i)];
+    double& x = roots[i];
     x -= shift;
     const auto at = [&c](double t) {
       return (((c[4] * t + c[3]) * t + c[2]) * t + c[1]) * t + c[0];

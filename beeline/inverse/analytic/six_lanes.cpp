@@ -128,11 +128,10 @@ HWY_INLINE void to_coordinates(const SixLoop& loop, const SixQuestion& question,
                                SixBranches& branches) {
   Lanes distance(0), excess(0);
   for (int i = 0; i < 6; ++i) {
-    const int k = loop.order[static_cast<std::size_t>(i)];
-    const bool slides = i < 3 && loop.slides[static_cast<std::size_t>(i)];
+    const int k = loop.order[i];
+    const bool slides = i < 3 && loop.slides[i];
     const Lanes value = slides ? turn[i].c : arc_tangent(turn[i].s, turn[i].c);
-    Lanes q = (value - Lanes(loop.rest[static_cast<std::size_t>(i)])) *
-              Lanes(loop.sign[static_cast<std::size_t>(i)]);
+    Lanes q = (value - Lanes(loop.rest[i])) * Lanes(loop.sign[i]);
     const Lanes seed(question.seed[k]), lower(question.lower[k]), upper(question.upper[k]);
     constexpr double rounding = 1e-11;  // what a limit may be missed by without harm
     if (question.wraps[k]) {

@@ -107,7 +107,7 @@ SixLoop cut(const Chain& chain, SixLoop::Family family, int d, double size) {
   for (int i = 0; i < 6; ++i) {
     const int joint = (d + i) % 6;
     const std::size_t k = static_cast<std::size_t>(i);
-    const Chain::Link& link = chain.links[static_cast<std::size_t>(joint)];
+    const Chain::Link& link = chain.links[joint];
     const bool slides = link.turn == 0;
     loop.order[k] = joint;
     Pose before = constant_motion(link);

@@ -85,7 +85,7 @@ HWY_INLINE LaneMask solve_quartic(const double (*first)[2], bool slides, const d
   const auto compare = [&](int count) {
     for (int i = 0; i < count; ++i) {
       for (int j = 0; j < i; ++j) {
-        const double a = roots[static_cast<std::size_t>(i)], b = roots[static_cast<std::size_t>(j)];
+        const double a = roots[i], b = roots[j];
         constexpr double near = 1e-4;
         if (std::abs(a - b) <= near * (1 + a * a)) close |= 3u << (2 * i) | 3u << (2 * j);
       }
@@ -103,7 +103,7 @@ HWY_INLINE LaneMask solve_quartic(const double (*first)[2], bool slides, const d
     const int count = quartic_roots(quartic, roots);
     compare(count);
     for (int i = 0; i < count; ++i) {
-      const double t = roots[static_cast<std::size_t>(i)];
+      const double t = roots[i];
       c[2 * i] = c[2 * i + 1] = t;
       s[2 * i] = s[2 * i + 1] = t * t;
       found |= 3u << (2 * i);
@@ -137,7 +137,7 @@ HWY_INLINE LaneMask solve_quartic(const double (*first)[2], bool slides, const d
     const int count = quartic[4] == 0 ? 0 : quartic_roots(quartic, roots);
     compare(count);
     for (int i = 0; i < count; ++i) {
-      const double t = roots[static_cast<std::size_t>(i)], size = 1 / (1 + t * t);
+      const double t = roots[i], size = 1 / (1 + t * t);
       const double cosine = (1 - t * t) * size, sine = 2 * t * size;
       c[2 * i] = c[2 * i + 1] = x * cosine - y * sine;
       s[2 * i] = s[2 * i + 1] = y * cosine + x * sine;

@@ -83,7 +83,7 @@ std::optional<Obstacle> against_slides(const Arm& arm, const std::vector<Twist>&
   }
   Vector3 way = axes * (goal.translation() - rest.translation());
   for (int i = 0; i < 3; ++i) {
-    if (task.rows[static_cast<std::size_t>(i)]) continue;
+    if (task.rows[i]) continue;
     way[i] = 0;
     directions.row(i).setZero();
   }
@@ -111,7 +111,7 @@ std::optional<Obstacle> beyond_reach(const Arm& arm, const Pose& world_T_tool, c
   Vector3 way = world_T_tool.translation() - arm.reach().centre;
   if (!rows(task, 0)) {
     if (task.frame == Frame::tool) return std::nullopt;
-    for (int i = 0; i < 3; ++i) way[i] = task.rows[static_cast<std::size_t>(i)] ? way[i] : 0;
+    for (int i = 0; i < 3; ++i) way[i] = task.rows[i] ? way[i] : 0;
   }
   const double beyond = way.norm() - arm.reach().radius;
   if (!(beyond > tolerance)) return std::nullopt;

@@ -14,7 +14,7 @@ Chain in_units(Chain chain, double length, const std::vector<DescentProblem::Coo
   chain.base.translation() /= length;
   chain.tool.translation() /= length;
   for (Chain::Link& link : chain.links) {
-    const double unit = units[static_cast<std::size_t>(link.coordinate)].unit;
+    const double unit = units[link.coordinate].unit;
     link.step /= length;
     link.turn *= unit;
     link.travel *= unit / length;

@@ -72,7 +72,7 @@ void linearise(const Goal& goal, const Configuration& q, Linearised& at) {
         log_derivative(tool_axes ? -turn : turn) * at.columns.bottomRows<3>();
   }
   for (int i = 0; i < 6; ++i) {
-    if (rows[static_cast<std::size_t>(i)]) continue;
+    if (rows[i]) continue;
     error[i] = 0;
     at.columns.row(i).setZero();
   }
@@ -110,7 +110,7 @@ void bounded_step(const Goal& goal, const Configuration& q, double damping, Work
     const Twist dual = normal.ldlt().solve(left);
     bool stopped = false;
     for (int k = 0; k < q.size(); ++k) {
-      char& held = work.held[static_cast<std::size_t>(k)];
+      char& held = work.held[k];
       if (held) continue;
       const double wanted = work.free.col(k).dot(dual);
       work.step[k] = std::clamp(wanted, (goal.bounds.lower[k] - q[k]) / goal.units[k],
@@ -159,8 +159,8 @@ void check_task(const Arm& arm, const Task& task, const Bounds& bounds) {
 Bounds bounds_of(const Arm& arm) {
   Bounds bounds = no_bounds(arm);
   for (int k = 0; k < arm.dof(); ++k) {
-    bounds.lower[k] = arm.limits()[static_cast<std::size_t>(k)].lower;
-    bounds.upper[k] = arm.limits()[static_cast<std::size_t>(k)].upper;
+    bounds.lower[k] = arm.limits(k).lower;
+    bounds.upper[k] = arm.limits(k).upper;
   }
   return bounds;
 }

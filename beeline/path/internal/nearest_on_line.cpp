@@ -57,7 +57,7 @@ Vector3 in_position_rows(const Task& task, const Pose& pose, const Vector3& v) {
   if (task.positions() == 3) return v;
   Vector3 kept = task.frame == Frame::tool ? Vector3(pose.linear().transpose() * v) : v;
   for (int i = 0; i < 3; ++i) {
-    if (!task.rows[static_cast<std::size_t>(i)]) kept[i] = 0;
+    if (!task.rows[i]) kept[i] = 0;
   }
   return kept;
 }

@@ -63,7 +63,7 @@ struct Costs {
 
   explicit Costs(const Arm& arm) : pace(arm.dof()), bounds(bounds_of(arm)) {
     for (int k = 0; k < arm.dof(); ++k) {
-      pace[k] = 1 / held_velocity(arm.limits()[static_cast<std::size_t>(k)]);
+      pace[k] = 1 / held_velocity(arm.limits(k));
     }
   }
   double near_limits(const Configuration& q) const {
@@ -126,7 +126,7 @@ std::vector<int> chain_to(const std::vector<Rung>& all, std::size_t end) {
   const auto& costs = all[end - 1].cost;
   chain[end - 1] = static_cast<int>(std::min_element(costs.begin(), costs.end()) - costs.begin());
   for (std::size_t r = end - 1; r > 0; --r) {
-    chain[r - 1] = all[r].before[static_cast<std::size_t>(chain[r])];
+    chain[r - 1] = all[r].before[chain[r]];
   }
   return chain;
 }
@@ -212,7 +212,7 @@ Ladder ladder(const Arm& arm, const ToolPath& path, const LadderOptions& options
     std::vector<Knot> knots;
     std::size_t r = 0;
     for (; r < end; ++r) {
-      const Knot next{all[r].place, all[r].solutions[static_cast<std::size_t>(chain[r])]};
+      const Knot next{all[r].place, all[r].solutions[chain[r]]};
       if (r > 0 && !leads_on(arm, path, options.task, costs.bounds, knots.back(), next)) {
         closed.push_back({r, chain[r - 1], chain[r]});
         break;

@@ -20,7 +20,7 @@ constexpr double next_door = 0.2;  // radians or metres: farther away is another
 std::string joints_outside(const Arm& arm, const Configuration& q) {
   std::string text;
   for (int k = 0; k < arm.dof(); ++k) {
-    const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
+    const Limits& limits = arm.limits(k);
     if (q[k] >= limits.lower && q[k] <= limits.upper) continue;
     text += (text.empty() ? "" : ", and ") + limit_in_the_way(arm, k, q[k] < limits.lower);
   }
@@ -52,7 +52,7 @@ std::string place_in_words(const Piece& piece, double s) {
 }
 
 std::string limit_in_the_way(const Arm& arm, int coordinate, bool lower) {
-  const Limits& limits = arm.limits()[static_cast<std::size_t>(coordinate)];
+  const Limits& limits = arm.limits(coordinate);
   const double limit = lower ? limits.lower : limits.upper;
   const bool metres = kind(arm.joint_of(coordinate)) == JointKind::prismatic;
   return "joint " + arm.joint_of(coordinate).name + " would have to pass its " +

@@ -126,10 +126,10 @@ TEST(GeneralSix, FindsItWhereTwoAxesMeetOrAreParallel) {
   Random random;
   for (int joint = 0; joint < 5; ++joint) {
     Rows rows = random_rows(random);
-    rows[static_cast<std::size_t>(joint)][0] = 0;
+    rows[joint][0] = 0;
     expect_found(random, arm_of(rows), 300);
     rows = random_rows(random);
-    rows[static_cast<std::size_t>(joint)][1] = 0;
+    rows[joint][1] = 0;
     expect_found(random, arm_of(rows), 300);
   }
 }

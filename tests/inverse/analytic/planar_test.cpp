@@ -96,7 +96,7 @@ TEST(PlanarSolutions, OfEveryMixContainTheConfigurationThatMadeThePose) {
       expect_reached(arm, pose, Task::planar(), found, 1e-11 * std::max(1.0, size));
       for (const Configuration& each : found) {
         for (int k = 0; k < arm.dof(); ++k) {
-          if (mix[static_cast<std::size_t>(k)] != 'R') continue;
+          if (mix[k] != 'R') continue;
           EXPECT_LE(std::abs(each[k] - seed[k]), pi + 1e-9);
         }
       }

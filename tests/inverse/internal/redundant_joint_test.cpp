@@ -89,7 +89,7 @@ TEST(LockedJoint, OutsideItsLimitsIsRefused) {
     const Arm arm = built_in("panda");
     Configuration seed = middle_configuration(arm);
     const Pose pose = forward_kinematics(arm, seed);
-    seed[k] = arm.limits()[static_cast<std::size_t>(k)].upper + 0.1;
+    seed[k] = arm.limits(k).upper + 0.1;
     const InverseOptions options{.seed = seed, .lock = k};
     EXPECT_REFUSED(inverse_kinematics(arm, pose, options), arm.joint_of(k).name);
     InverseSolver solver(arm, {.lock = k});
@@ -122,7 +122,7 @@ std::vector<Configuration> sweep(const Arm& arm, const Pose& pose, const Configu
   std::vector<Configuration> found;
   InverseSolver solver(arm, {.all = true, .lock = 6});
   Eigen::MatrixXd solutions(7, 8);
-  const Limits& limits = arm.limits()[6];
+  const Limits& limits = arm.limits(6);
   Configuration start = seed;
   for (int i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / (count - 1);
@@ -203,8 +203,8 @@ TEST(LockedJoint, GridValuesReachFromLimitToLimit) {
   const auto form = ClosedForm::of(arm, Task::spatial());
   const Configuration far = Configuration::Constant(7, 9);
   const LockedRange range = locked_range(arm, bounds_of(arm), far, *form);
-  EXPECT_EQ(range.lower, arm.limits()[6].lower);
-  EXPECT_EQ(range.upper, arm.limits()[6].upper);
+  EXPECT_EQ(range.lower, arm.limits(6).lower);
+  EXPECT_EQ(range.upper, arm.limits(6).upper);
   EXPECT_EQ(range.seed, range.upper);
   const std::vector<double> values = grid_values(range, 5);
   ASSERT_EQ(values.size(), 5U);

@@ -61,7 +61,7 @@ TEST(DescentLanes, ErrorIsTheTasksAtEveryAngleUpToAHalfTurn) {
       int row = 0;
       for (int r = 0; r < 6; ++r) {
         const double seen = lanes.error[r].lane[0] * (r < 3 ? problem.length : 1);
-        if (!task.rows[static_cast<std::size_t>(r)]) {
+        if (!task.rows[r]) {
           EXPECT_EQ(seen, 0);
         } else if (angle < 3.14159) {  // at a half turn both signs are right
           EXPECT_NEAR(seen, error[row], 1e-14 + 1e-9 * angle * angle) << angle;

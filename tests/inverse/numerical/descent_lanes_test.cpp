@@ -131,7 +131,7 @@ TEST(DescentLanes, FindsTheEdgeOfABox) {
   // The point of a box that is nearest to one outside is known: coordinate by coordinate.
   std::vector<Joint> joints(3);
   for (int k = 0; k < 3; ++k) {
-    Joint& joint = joints[static_cast<std::size_t>(k)];
+    Joint& joint = joints[k];
     joint.name = std::string(1, "xyz"[k]);
     joint.screw = translation_screw(Vector3::Unit(k));
     joint.limits.lower = -1;

@@ -97,10 +97,10 @@ TEST(Descend, FindsTheEdgeOfABox) {
   std::vector<Joint> joints(3);
   testing::Random random;
   for (int k = 0; k < 3; ++k) {
-    joints[static_cast<std::size_t>(k)].name = std::string(1, "xyz"[k]);
-    joints[static_cast<std::size_t>(k)].screw = translation_screw(Vector3::Unit(k));
-    joints[static_cast<std::size_t>(k)].limits.lower = -1;
-    joints[static_cast<std::size_t>(k)].limits.upper = 1;
+    joints[k].name = std::string(1, "xyz"[k]);
+    joints[k].screw = translation_screw(Vector3::Unit(k));
+    joints[k].limits.lower = -1;
+    joints[k].limits.upper = 1;
   }
   const Arm arm("box", joints);
   for (int i = 0; i < 200; ++i) {

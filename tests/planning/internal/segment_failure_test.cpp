@@ -49,7 +49,7 @@ TEST(PieceFailure, TellsTheTruth) {
         case MotionStatus::outside_limits: {
           bool named = false;
           for (int k = 0; k < arm.dof(); ++k) {
-            const Limits& limits = arm.limits()[static_cast<std::size_t>(k)];
+            const Limits& limits = arm.limits(k);
             const double room = std::min(q[k] - limits.lower, limits.upper - q[k]);
             named |= room < 1e-3 &&
                      failure.reason.find("joint " + arm.joint_of(k).name) != std::string::npos;
