@@ -10,7 +10,6 @@
 namespace beeline {
 namespace {
 
-constexpr double slack = 1e-9;      // of a position, radians or metres
 constexpr double forgiven = 1e-6;   // of a velocity, acceleration or jerk, as a share of its limit
 constexpr std::size_t stencil = 3;  // steps of the longest difference
 constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
@@ -26,7 +25,7 @@ void check_fits(const Arm& arm, const Trajectory& trajectory) {
 bool slides(const Arm& arm, int i) { return kind(arm.joint_of(i)) == JointKind::prismatic; }
 
 std::string amount(const Arm& arm, int i, double value, const std::string& per = "") {
-  return number(value) + (slides(arm, i) ? " m" : " rad") + per;
+  return number(value) + " " + unit(arm.joint_of(i)) + per;
 }
 
 class Search {
@@ -59,9 +58,7 @@ class Search {
  private:
   void look_at_positions(std::size_t k, int i) {
     const Limits& limits = arm_.limits(i);
-    const auto inside = [&](double q) {
-      return q >= limits.lower - slack && q <= limits.upper + slack;
-    };
+    const auto inside = [&](double q) { return within_position_limits(limits, q); };
     const double here = q_[k][i];
     if (!inside(here)) {
       return tell(Fault::limits, k, i, "is at " + amount(arm_, i, here) + ", outside " + range(i));

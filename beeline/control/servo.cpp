@@ -192,10 +192,7 @@ ServoStep Servo::step(const ConfigurationRef& q, const Twist& command,
 ServoStep Servo::step_towards(const ConfigurationRef& q, const Pose& world_T_tool,
                               Eigen::Ref<Eigen::VectorXd> velocity) {  // NOLINT: a reference
   check_configuration(arm_, q);
-  Twist command = pose_error(world_T_tool, forward_kinematics(arm_, q), task_.frame);
-  for (int i = 0; i < 6; ++i) {
-    if (!task_.rows[i]) command[i] = 0;
-  }
+  Twist command = masked(task_, pose_error(world_T_tool, forward_kinematics(arm_, q), task_.frame));
   command *= options_.gain;
   const double linear = command.head<3>().norm(), angular = command.tail<3>().norm();
   command *= std::min({1.0, linear > 0 ? options_.linear_speed / linear : 1,

@@ -25,11 +25,7 @@ Chart condition_chart(const Arm& arm, const Trajectory& trajectory, const Task& 
   const std::size_t last = trajectory.size() - 1;
   const std::size_t stride = std::max<std::size_t>(1, last / most);
   for (std::size_t k = 0;; k = std::min(k + stride, last)) {
-    Eigen::MatrixXd j = task_jacobian(arm, trajectory.positions[k], task);
-    Eigen::Index row = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (task.rows[i]) j.row(row++) /= unit;
-    }
+    const Eigen::MatrixXd j = task_jacobian(arm, trajectory.positions[k], task, unit);
     curve.x.push_back(trajectory.times[k]);
     curve.y.push_back(1 / dexterity(j).condition);
     if (k == last) break;

@@ -4,18 +4,6 @@
 #include <beeline/kinematics/task.h>
 
 namespace beeline {
-namespace {
-
-/// The error with the rows that do not matter set to zero.
-Twist masked_error(const Task& task, const Pose& desired, const Pose& current) {
-  Twist error = pose_error(desired, current, task.frame);
-  for (int i = 0; i < 6; ++i) {
-    if (!task.rows[i]) error[i] = 0;
-  }
-  return error;
-}
-
-}  // namespace
 
 void check_task(const Task& task) {
   if (task.size() > 0 && task.frame != Frame::space) return;
@@ -84,8 +72,30 @@ Eigen::VectorXd task_rows(const Task& task, const Twist& twist) {
   return kept;
 }
 
-Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const Task& task) {
-  const Jacobian all = jacobian(arm, q, task.frame);
+Twist masked(const Task& task, Twist twist) {
+  for (int i = 0; i < 6; ++i) {
+    if (!task.rows[i]) twist[i] = 0;
+  }
+  return twist;
+}
+
+Vector3 masked_position(const Task& task, Vector3 position) {
+  for (int i = 0; i < 3; ++i) {
+    if (!task.rows[i]) position[i] = 0;
+  }
+  return position;
+}
+
+void mask_rows(const Task& task, Eigen::Ref<Jacobian> columns) {
+  for (int i = 0; i < 6; ++i) {
+    if (!task.rows[i]) columns.row(i).setZero();
+  }
+}
+
+Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const Task& task,
+                              double length_unit) {
+  Jacobian all = jacobian(arm, q, task.frame);
+  all.topRows<3>() /= length_unit;
   Eigen::MatrixXd kept(task.size(), arm.dof());
   int row = 0;
   for (int i = 0; i < 6; ++i) {
@@ -104,11 +114,11 @@ Twist pose_error(const Pose& desired, const Pose& current, Frame frame) {
 }
 
 Eigen::VectorXd task_error(const Task& task, const Pose& desired, const Pose& current) {
-  return task_rows(task, masked_error(task, desired, current));
+  return task_rows(task, pose_error(desired, current, task.frame));
 }
 
 Deviation task_deviation(const Task& task, const Pose& desired, const Pose& current) {
-  const Twist error = masked_error(task, desired, current);
+  const Twist error = masked(task, pose_error(desired, current, task.frame));
   return {error.head<3>().norm(), error.tail<3>().norm()};
 }
 

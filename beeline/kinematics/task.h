@@ -42,8 +42,10 @@ Task default_task(const Arm& arm);
 /// The names of the task's Jacobian rows: `x, y, theta` for planar, else of `vx vy vz wx wy wz`.
 std::vector<std::string> row_names(const Task& task);
 
-/// The task's rows of the Jacobian in the task's frame.
-Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const Task& task);
+/// The task's rows of the Jacobian in the task's frame, its linear rows divided by `length_unit`
+/// metres: so scaled, metres and radians compare in a condition number.
+Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const Task& task,
+                              double length_unit = 1);
 
 /// What leads from `current` to `desired`, linear first, in the axes of `frame`: base, or tool for
 /// those of `current`.
@@ -53,8 +55,13 @@ Twist pose_error(const Pose& desired, const Pose& current, Frame frame);
 /// the orientation's part the shortest rotation vector, of length at most pi.
 Eigen::VectorXd task_error(const Task& task, const Pose& desired, const Pose& current);
 
-/// A twist's rows that matter.
+/// The rows of a twist that the task has, in its order.
 Eigen::VectorXd task_rows(const Task& task, const Twist& twist);
+
+/// All six rows, those that the task does not have set to zero; of a position its three.
+Twist masked(const Task& task, Twist twist);
+Vector3 masked_position(const Task& task, Vector3 position);
+void mask_rows(const Task& task, Eigen::Ref<Jacobian> columns);
 
 /// The lengths of the linear and the angular part of what matters, metres and radians.
 struct Deviation {

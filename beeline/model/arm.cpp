@@ -10,21 +10,7 @@ namespace beeline {
 namespace {
 
 constexpr double farthest = 1e100;  // metres; beyond, squares overflow
-constexpr double rounding = 1e-9;   // slack for unit lengths and rotations read from text
-
-void check_rigid(const Pose& pose, const std::string& what) {
-  const Rotation r = pose.linear();
-  if (!pose.matrix().allFinite()) throw Error(what + " has a number that is not finite");
-  if (pose.translation().cwiseAbs().maxCoeff() > farthest) {
-    throw Error(what + " has a length above 1e100 m; no arm is that large");
-  }
-  if (!(r * r.transpose()).isIdentity(rounding) || r.determinant() < 0) {
-    throw Error(what + " is no rigid motion: its rotation is not orthonormal and right-handed");
-  }
-  if (pose.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
-    throw Error(what + " is no rigid motion: its last row is not 0 0 0 1");
-  }
-}
+constexpr double rounding = 1e-9;   // of a screw's unit length and of parallel axes
 
 void check_limits(const Limits& limits, const std::string& what) {
   if (std::isnan(limits.lower) || std::isnan(limits.upper))
@@ -45,11 +31,11 @@ void check_limits(const Limits& limits, const std::string& what) {
   }
 }
 
-void check_joint(const Joint& joint, std::size_t index) {
+void check_joint(Joint& joint, std::size_t index) {
   const std::string what =
       "joint " + std::to_string(index + 1) + (joint.name.empty() ? "" : " (" + joint.name + ")");
   if (joint.name.empty()) throw Error(what + " has no name");
-  check_rigid(joint.offset, what + ": the offset");
+  joint.offset = checked_pose(joint.offset, what + ": the offset");
   if (!joint.screw.allFinite()) throw Error(what + " has a screw that is not finite");
   if (joint.screw.cwiseAbs().maxCoeff() > farthest) {
     throw Error(what + " has a screw with a number above 1e100; no arm is that large");
@@ -177,10 +163,10 @@ Arm::Reach reach_ball(const Arm& arm) {
 }  // namespace
 
 Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Pose& base)
-    : name_(std::move(name)), joints_(std::move(joints)), base_(base), tool_(tool) {
+    : name_(std::move(name)), joints_(std::move(joints)) {
   if (joints_.empty()) throw Error("arm " + name_ + " has no joints; it needs at least one");
-  check_rigid(base_, "the base");
-  check_rigid(tool_, "the tool");
+  base_ = checked_pose(base, "the base");
+  tool_ = checked_pose(tool, "the tool");
   std::unordered_map<std::string, std::size_t> index;
   std::vector<int> coordinate_of(joints_.size(), -1);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
@@ -230,19 +216,23 @@ void check_configuration(const Arm& arm, const ConfigurationRef& q) {
   }
 }
 
-std::vector<std::string> limit_violations(const Arm& arm, const ConfigurationRef& q, double slack) {
+std::vector<int> outside_limits(const Arm& arm, const ConfigurationRef& q, double slack) {
   check_configuration(arm, q);
-  std::vector<std::string> violations;
+  std::vector<int> outside;
   for (int k = 0; k < arm.dof(); ++k) {
+    if (!within_position_limits(arm.limits(k), q[k], slack)) outside.push_back(k);
+  }
+  return outside;
+}
+
+std::vector<std::string> limit_violations(const Arm& arm, const ConfigurationRef& q, double slack) {
+  std::vector<std::string> violations;
+  for (const int k : outside_limits(arm, q, slack)) {
+    const Joint& joint = arm.joint_of(k);
     const Limits& limits = arm.limits(k);
-    if (q[k] >= limits.lower - slack && q[k] <= limits.upper + slack) continue;
-    const bool metres = kind(arm.joint_of(k)) == JointKind::prismatic;
-    const auto text = [metres](double value) {
-      return metres ? number(value) + " m" : angle(value);
-    };
-    violations.push_back("joint " + arm.joint_of(k).name + " at " + text(q[k]) +
-                         " is outside its limits " + text(limits.lower) + " to " +
-                         text(limits.upper));
+    violations.push_back("joint " + joint.name + " at " + with_unit(joint, q[k]) +
+                         " is outside its limits " + with_unit(joint, limits.lower) + " to " +
+                         with_unit(joint, limits.upper));
   }
   return violations;
 }

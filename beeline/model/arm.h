@@ -18,8 +18,8 @@ class Arm {
  public:
   /// `base` is the pose of link 0 in the world, `tool` the tool's pose in link n.
   /// Throws Error for: no joints, two joints of one name, a number that is not finite, a screw that
-  /// is not of unit length, an offset that is no rigid motion, limits the wrong way round, a mimic
-  /// joint whose leader is missing, follows in a circle or cannot keep it within its limits.
+  /// is not of unit length, an offset that is not a rigid motion, limits the wrong way round, a
+  /// mimic joint whose leader is missing, follows in a circle or cannot keep it within its limits.
   Arm(std::string name, std::vector<Joint> joints, const Pose& tool = Pose::Identity(),
       const Pose& base = Pose::Identity());
 
@@ -79,10 +79,14 @@ Arm with_tool(const Arm& arm, const Pose& tool);
 /// Throws Error unless q has the arm's number of coordinates, all finite.
 void check_configuration(const Arm& arm, const ConfigurationRef& q);
 
-/// One sentence for each coordinate of q that is outside its limits; empty when all are within.
-/// `slack` is the excess that still counts as within. Throws Error when q does not fit the arm.
+/// The coordinates of q that are outside their position limits by more than `slack` (rad or m).
+/// Throws Error when q does not fit the arm.
+std::vector<int> outside_limits(const Arm& arm, const ConfigurationRef& q,
+                                double slack = position_slack);
+
+/// One sentence for each of outside_limits(); empty when all are within.
 std::vector<std::string> limit_violations(const Arm& arm, const ConfigurationRef& q,
-                                          double slack = 1e-9);
+                                          double slack = position_slack);
 
 /// The middle of each coordinate's limits; where a side is unlimited, the value nearest to zero.
 Configuration middle_configuration(const Arm& arm);

@@ -34,6 +34,12 @@ const char* name(JointKind kind) {
   return names[static_cast<int>(kind)];
 }
 
+const char* unit(const Joint& joint) { return kind(joint) == JointKind::prismatic ? "m" : "rad"; }
+
+std::string with_unit(const Joint& joint, double value) {
+  return kind(joint) == JointKind::prismatic ? number(value) + " m" : angle(value);
+}
+
 double pitch(const Joint& joint) {
   const Vector3 v = joint.screw.head<3>();
   const double travel = v.dot(joint.screw.tail<3>());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -21,6 +22,30 @@ struct Limits {
   double acceleration = none;
   double jerk = none;
 };
+
+/// The excess over a position limit that counts as rounding, rad or m.
+inline constexpr double position_slack = 1e-9;
+
+/// Whether lower - slack <= q <= upper + slack.
+constexpr bool within_position_limits(const Limits& limits, double q,
+                                      double slack = position_slack) {
+  return q >= limits.lower - slack && q <= limits.upper + slack;
+}
+
+/// Where q is in the range from `lower` to `upper`: -1 at the lower end, 0 in the middle, 1 at the
+/// upper end. 0 where the range is infinite or empty.
+inline double position_in_range(double q, double lower, double upper) {
+  const double half = (upper - lower) / 2;
+  return half > 0 && half < Limits::none ? (q - lower) / half - 1 : 0;
+}
+
+/// The distance from q to the nearer end of its range, over half the range: 1 in the middle, 0 on a
+/// limit, negative outside. Infinite where the range is infinite or empty.
+inline double limit_margin(double q, double lower, double upper) {
+  const double half = (upper - lower) / 2;
+  if (!(half > 0 && half < Limits::none)) return Limits::none;
+  return std::min(q - lower, upper - q) / half;
+}
 
 /// A joint that follows another one of the same arm: value = multiplier * leader + offset.
 struct Mimic {
@@ -46,6 +71,11 @@ struct Joint {
 JointKind kind(const Joint& joint);
 char letter(JointKind kind);       ///< 'R', 'P' or 'H'
 const char* name(JointKind kind);  ///< "revolute", "prismatic" or "helical"
+
+/// The unit of the joint's coordinate, "rad" or "m"; and a value with it for a message:
+/// `1.5708 rad (90 deg)` or `0.25 m`.
+const char* unit(const Joint& joint);
+std::string with_unit(const Joint& joint, double value);
 
 /// Travel of a helical joint along its axis, metres per radian; 0 for a revolute one.
 double pitch(const Joint& joint);

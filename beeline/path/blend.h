@@ -31,8 +31,8 @@ struct RoundedPath {
 ///     x(s) = -f(1 - s) in + f(s) out,   f(s) = 2 s^3 - s^4
 /// from the corner, the turn taken as a rotation vector: reversal makes the same path. Roundings do
 /// not overlap: each has half of a line at least, or what its neighbour leaves.
-/// Throws Error for fewer than two poses, one that is no rigid motion or repeats the one before it,
-/// and distances that are not positive.
+/// Throws Error for fewer than two poses, one that is not a rigid motion or repeats the one before
+/// it, and distances that are not positive.
 RoundedPath rounded_lines(std::span<const Pose> poses, const Deviation& within);
 
 /// The tool stops at sharp corners only.

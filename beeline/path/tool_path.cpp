@@ -67,20 +67,9 @@ ToolPath reversed(const ToolPath& path) {
 }
 
 std::vector<Pose> checked_poses(std::span<const Pose> given, const std::string& noun) {
-  constexpr double rounding = 1e-6;
-  constexpr double farthest = 1e100;  // beyond, squares overflow
-  std::vector<Pose> poses(given.begin(), given.end());
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const std::string what = noun + " " + std::to_string(i + 1);
-    const Rotation r = poses[i].linear();
-    if (!poses[i].matrix().allFinite()) throw Error(what + " has a number that is not finite");
-    if (poses[i].translation().cwiseAbs().maxCoeff() > farthest) {
-      throw Error(what + " is farther away than 1e100 m");
-    }
-    if (!(r * r.transpose()).isIdentity(rounding) || r.determinant() < 0) {
-      throw Error(what + " is no rigid motion: its rotation must be orthonormal and right-handed");
-    }
-    poses[i].linear() = Eigen::Quaterniond(r).normalized().toRotationMatrix();
+  std::vector<Pose> poses;
+  for (const Pose& pose : given) {
+    poses.push_back(checked_pose(pose, noun + " " + std::to_string(poses.size() + 1)));
   }
   return poses;
 }

@@ -70,17 +70,15 @@ std::size_t piece_at(const ToolPath& path, double place);
 /// "Smooth invariant interpolation of rotations" (1997), whose cubic ones need the poses before.
 /// Rigid motions of all poses move the path with them; poses in reverse make the path in reverse.
 ///
-/// Throws Error for too few poses, their number even for arcs, one that is no rigid motion, or that
-/// repeats the one before it; and what arc_through() refuses.
+/// Throws Error for too few poses, their number even for arcs, one that is not a rigid motion, or
+/// that repeats the one before it; and what arc_through() refuses.
 ToolPath path_through(std::span<const Pose> poses, PathKind kind, const SplineEnds& ends = {});
 
 /// Straight lines through the poses in order; one may repeat the one before it. Throws Error for
 /// fewer than two poses, and what checked_poses() refuses.
 ToolPath lines_through(std::span<const Pose> poses);
 
-/// The poses with their rotations freed of the rounding of text, up to 1e-6. Throws Error, calling
-/// them by `noun` and number, where one is no rigid motion, not finite or farther away than 1e100
-/// m.
+/// checked_pose() of each; an error names the pose by `noun` and its number, from 1.
 std::vector<Pose> checked_poses(std::span<const Pose> poses, const std::string& noun = "pose");
 
 /// The same for what is to be reached in lines: throws Error where there are none.

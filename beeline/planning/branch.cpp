@@ -168,13 +168,10 @@ std::vector<Branch> backward_branches(const Arm& arm, const ToolPath& path, cons
 void narrow(Margins& margins, const Arm& arm, const Task& task, const Configuration& q) {
   for (int k = 0; k < arm.dof(); ++k) {
     const Limits& limits = arm.limits(k);
-    margins.limit = std::min(margins.limit, margin_to_limits(q[k], limits.lower, limits.upper));
+    margins.limit =
+        std::min(margins.limit, std::max(0.0, limit_margin(q[k], limits.lower, limits.upper)));
   }
-  Eigen::MatrixXd j = task_jacobian(arm, q, task);
-  Eigen::Index row = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (task.rows[i]) j.row(row++) /= unit_of_length(arm);
-  }
+  const Eigen::MatrixXd j = task_jacobian(arm, q, task, unit_of_length(arm));
   margins.dexterity = std::min(margins.dexterity, 1 / dexterity(j).condition);
 }
 

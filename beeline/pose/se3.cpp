@@ -19,7 +19,40 @@ double inverse_term(double t) {
   return 1.0 / 12 + t2 / 720 * (1 + t2 / 42 * (1 + t2 / 40 * (1 + t2 * 5.0 / 198)));
 }
 
+/// The largest element of |R R^T - I|.
+double orthonormality_error(const Rotation& r) {
+  return (r * r.transpose() - Rotation::Identity()).cwiseAbs().maxCoeff();
+}
+
 }  // namespace
+
+std::string rigid_motion_fault(const Pose& pose) {
+  constexpr double farthest = 1e100, rounding_of_text = 1e-6;
+  if (!pose.matrix().allFinite()) return "has a number that is not finite";
+  if (pose.translation().cwiseAbs().maxCoeff() > farthest) return "has a length above 1e100 m";
+  const Rotation r = pose.linear();
+  if (!(orthonormality_error(r) <= rounding_of_text) || r.determinant() < 0) {
+    return "is not a rigid motion: its rotation must be orthonormal and right-handed";
+  }
+  if (pose.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
+    return "is not a rigid motion: its last row must be 0 0 0 1";
+  }
+  return {};
+}
+
+Pose checked_pose(const Pose& pose, const char* what) {
+  constexpr double exact = 1e-14;
+  const std::string fault = rigid_motion_fault(pose);
+  if (!fault.empty()) throw Error(what + (" " + fault));
+  if (orthonormality_error(pose.linear()) <= exact) return pose;
+  Pose rigid = pose;
+  rigid.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();
+  return rigid;
+}
+
+Pose checked_pose(const Pose& pose, const std::string& what) {
+  return checked_pose(pose, what.c_str());
+}
 
 Pose se3_exp(const Twist& twist) {
   const Vector3 w = twist.tail<3>();

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <string>
 
+#include <beeline/error.h>
 #include <beeline/pose/so3.h>
 
 namespace beeline {
@@ -12,6 +14,16 @@ using Pose = Eigen::Isometry3d;
 /// A motion or velocity, linear part first: [vx vy vz wx wy wz], metres and radians.
 using Twist = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// Why `pose` is not a rigid motion, as the rest of a sentence; empty where it is one. It needs
+/// finite numbers, coordinates of at most 1e100 m (beyond, squares overflow), the last row 0 0 0 1,
+/// and a right-handed rotation that is orthonormal to 1e-6, as numbers of seven digits are.
+std::string rigid_motion_fault(const Pose& pose);
+
+/// Returns `pose` with its rotation orthonormal to rounding: replaced by the nearest quaternion's
+/// where it is off by more than 1e-14. Throws Error, calling it `what`, for a rigid_motion_fault().
+Pose checked_pose(const Pose& pose, const char* what = "the pose");
+Pose checked_pose(const Pose& pose, const std::string& what);
 
 /// The rigid motion reached by following `twist` for unit time. Lynch & Park, Modern Robotics,
 /// eq. 3.88 (there with the angular part first).

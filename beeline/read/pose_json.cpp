@@ -21,16 +21,9 @@ Pose matrix_from_json(const JsonDocument& document, const Json& json) {
     const std::vector<double> row = document.numbers(rows[i], 4);
     for (int j = 0; j < 4; ++j) pose.matrix()(i, j) = row[j];
   }
-  const Rotation r = pose.linear();
-  if (pose.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
-    document.refuse(json, "must end in the row 0, 0, 0, 1");
-  }
-  if (!(r * r.transpose()).isIdentity(1e-6) || r.determinant() < 0) {
-    document.refuse(json, "is no rigid motion: its rotation is not orthonormal and right-handed");
-  }
-  const bool typed = !(r * r.transpose()).isIdentity(1e-12);  // rounded by hand: make it exact
-  if (typed) pose.linear() = Eigen::Quaterniond(r).normalized().toRotationMatrix();
-  return pose;
+  const std::string fault = rigid_motion_fault(pose);
+  if (!fault.empty()) document.refuse(json, fault);
+  return checked_pose(pose);
 }
 
 Rotation quaternion_from_json(const JsonDocument& document, const Json& json) {

@@ -25,10 +25,9 @@ void check_within(std::span<const Limits> limits, const ConfigurationRef& q, con
     throw Error(which + (" of a motion of " + std::to_string(limits.size()) +
                          " joints needs as many values, not " + std::to_string(q.size())));
   }
-  constexpr double slack = 1e-9;  // as limit_violations() has
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     const Limits& limit = limits[k];
-    if (q[k] >= limit.lower - slack && q[k] <= limit.upper + slack) continue;
+    if (within_position_limits(limit, q[k])) continue;
     throw Error(which + (": joint " + std::to_string(k + 1)) + " at " + number(q[k]) +
                 " is outside its limits " + number(limit.lower) + " to " + number(limit.upper));
   }

@@ -87,10 +87,10 @@ TEST(Arm, RefusesOffsetsThatAreNoRigidMotion) {
     sheared.linear().col(i % 3) += 1e-6 * sheared.linear().col((i + 1) % 3);
     for (const Pose& bad : {stretched, mirrored, sheared}) {
       EXPECT_REFUSED(arm_with_elbow([&](Joint& j) { j.offset = bad; }),
-                     "joint 2 (elbow): the offset is no rigid motion");
-      EXPECT_REFUSED(Arm("arm", {turning("a")}, bad), "the tool is no rigid motion");
+                     "joint 2 (elbow): the offset is not a rigid motion");
+      EXPECT_REFUSED(Arm("arm", {turning("a")}, bad), "the tool is not a rigid motion");
       EXPECT_REFUSED(Arm("arm", {turning("a")}, Pose::Identity(), bad),
-                     "the base is no rigid motion");
+                     "the base is not a rigid motion");
     }
   }
   Pose projective = Pose::Identity();

@@ -63,11 +63,11 @@ TEST(PoseJson, MistakesAreNamed) {
   EXPECT_REFUSED(parse("{\"matrix\": [[1,0,0,0],[0,1,0,0],[0,0,1],[0,0,0,1]]}"),
                  "matrix[2] must be a list of 4 numbers");
   EXPECT_REFUSED(parse("{\"matrix\": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,0]]}"),
-                 "must end in the row 0, 0, 0, 1");
+                 "its last row must be 0 0 0 1");
   EXPECT_REFUSED(parse("{\"matrix\": [[1,0,0,0],[0,1,0,0],[0,0,-1,0],[0,0,0,1]]}"),
-                 "matrix is no rigid motion");
+                 "matrix is not a rigid motion");
   EXPECT_REFUSED(parse("{\"matrix\": [[2,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}"),
-                 "matrix is no rigid motion");
+                 "matrix is not a rigid motion");
   EXPECT_REFUSED(parse("{\"quaternion\": [1,0,0,0]}"), "quaternion must be an object, not a list");
   EXPECT_REFUSED(parse("{\"quaternion\": {\"qw\": 1}}"), "quaternion needs the key \"qx\"");
   EXPECT_REFUSED(parse("{\"quaternion\": {\"qw\": 1, \"qx\": 1, \"qy\": 0, \"qz\": 0}}"),

@@ -82,10 +82,9 @@ void check_lock(const InverseMethods& methods, const ConfigurationRef& seed) {
   const int k = *methods.options.lock;
   const double lower = methods.bounds.lower[k], upper = methods.bounds.upper[k];
   if (seed[k] >= lower && seed[k] <= upper) return;
-  const bool slides = kind(methods.arm.joint_of(k)) == JointKind::prismatic;
-  const auto shown = [slides](double x) { return slides ? number(x) + " m" : angle(x); };
-  throw Error("joint " + methods.arm.joint_of(k).name + " is locked at " + shown(seed[k]) +
-              "; its limits are " + shown(lower) + " to " + shown(upper));
+  const Joint& joint = methods.arm.joint_of(k);
+  throw Error("joint " + joint.name + " is locked at " + with_unit(joint, seed[k]) +
+              "; its limits are " + with_unit(joint, lower) + " to " + with_unit(joint, upper));
 }
 
 std::optional<GeneralSix> prepared_general(const InverseMethods& methods) {

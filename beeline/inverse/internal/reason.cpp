@@ -81,11 +81,9 @@ std::optional<Obstacle> against_slides(const Arm& arm, const std::vector<Twist>&
   for (std::size_t i = 0; i < motions.size(); ++i) {
     directions.col(static_cast<Eigen::Index>(i)) = axes * motions[i].head<3>();
   }
-  Vector3 way = axes * (goal.translation() - rest.translation());
+  const Vector3 way = masked_position(task, axes * (goal.translation() - rest.translation()));
   for (int i = 0; i < 3; ++i) {
-    if (task.rows[i]) continue;
-    way[i] = 0;
-    directions.row(i).setZero();
+    if (!task.rows[i]) directions.row(i).setZero();
   }
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
   decomposition.setThreshold(parallel);  // slides of one direction span a line
@@ -111,7 +109,7 @@ std::optional<Obstacle> beyond_reach(const Arm& arm, const Pose& world_T_tool, c
   Vector3 way = world_T_tool.translation() - arm.reach().centre;
   if (!rows(task, 0)) {
     if (task.frame == Frame::tool) return std::nullopt;
-    for (int i = 0; i < 3; ++i) way[i] = task.rows[i] ? way[i] : 0;
+    way = masked_position(task, way);
   }
   const double beyond = way.norm() - arm.reach().radius;
   if (!(beyond > tolerance)) return std::nullopt;
@@ -151,10 +149,7 @@ std::string blocking_joint(const Arm& arm, const Configuration& q, const Bounds&
   for (int k = 1; k < q.size(); ++k) {
     if (outside(k) > outside(worst)) worst = k;
   }
-  const auto value = [&](double x) {
-    const bool metres = kind(arm.joint_of(worst)) == JointKind::prismatic;
-    return metres ? number(x) + " m" : angle(x);
-  };
+  const auto value = [&](double x) { return with_unit(arm.joint_of(worst), x); };
   const bool above = q[worst] > bounds.upper[worst];
   return "joint " + arm.joint_of(worst).name + " would be at " + value(q[worst]) + ", " +
          value(outside(worst)) + (above ? " above its upper limit " : " below its lower limit ") +

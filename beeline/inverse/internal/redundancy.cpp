@@ -29,7 +29,7 @@ Cost nearness_to_limits(const Question& ask, const Configuration& q) {
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     const double half = (ask.bounds.upper[k] - ask.bounds.lower[k]) / 2;
     if (!std::isfinite(half) || !(half > 0)) continue;
-    const double share = (q[k] - ask.bounds.lower[k]) / half - 1;
+    const double share = position_in_range(q[k], ask.bounds.lower[k], ask.bounds.upper[k]);
     cost.value += std::pow(share, power);
     cost.slope[k] = power * std::pow(share, power - 1) / half;
     cost.curvature[k] += power * (power - 1) * std::pow(share, power - 2) / (half * half);
@@ -73,9 +73,7 @@ double loss(const Question& ask, const Configuration& q) {
   if (ask.options.redundancy == Redundancy::nearest) return (q - ask.seed).norm();
   double least = 1;
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    const double lower = ask.bounds.lower[k], upper = ask.bounds.upper[k];
-    if (!std::isfinite(upper - lower) || !(upper > lower)) continue;
-    least = std::min(least, std::min(q[k] - lower, upper - q[k]) / (upper - lower));
+    least = std::min(least, limit_margin(q[k], ask.bounds.lower[k], ask.bounds.upper[k]));
   }
   return -least;
 }

@@ -31,13 +31,9 @@ double cost(const SixQuestion& six, const SixBranches& found, int lane, const Lo
   if (redundancy == Redundancy::nearest) {
     return found.distance[lane] + (value - range.seed) * (value - range.seed);
   }
-  const auto share = [](double q, double lower, double upper) {
-    const double width = upper - lower;
-    return std::isfinite(width) && width > 0 ? std::min(q - lower, upper - q) / width : 1;
-  };
-  double least = range.limited ? share(value, range.lower, range.upper) : 1;
+  double least = range.limited ? limit_margin(value, range.lower, range.upper) : 1;
   for (std::size_t k = 0; k < 6; ++k) {
-    least = std::min(least, share(found.q[k][lane], six.lower[k], six.upper[k]));
+    least = std::min(least, limit_margin(found.q[k][lane], six.lower[k], six.upper[k]));
   }
   return -least;
 }

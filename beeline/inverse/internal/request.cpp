@@ -50,24 +50,6 @@ void check_options(const Arm& arm, const InverseOptions& options) {
   if (options.every_turn && !options.all) throw Error("every turn makes sense with all only");
 }
 
-Pose checked_pose(const Pose& pose) {
-  constexpr double farthest = 1e100;  // beyond, squares overflow
-  constexpr double rounding = 1e-6;   // of a rotation that was read from text
-  constexpr double exact = 1e-15;
-  if (!pose.matrix().allFinite() || pose.translation().cwiseAbs().maxCoeff() > farthest) {
-    throw Error("the pose has a number that is not finite, or a position beyond 1e100 m");
-  }
-  const Rotation r = pose.linear();
-  const double off = (r * r.transpose() - Rotation::Identity()).cwiseAbs().maxCoeff();
-  if (!(off <= rounding) || r.determinant() < 0) {
-    throw Error("the pose is no rigid motion: its rotation must be orthonormal and right-handed");
-  }
-  if (off <= exact) return pose;
-  Pose rigid = pose;
-  rigid.linear() = Eigen::Quaterniond(r).normalized().toRotationMatrix();
-  return rigid;
-}
-
 Question question(const Arm& arm, const InverseOptions& options, const Task& task,
                   const Bounds& bounds, const Pose& world_T_tool, const Configuration& seed) {
   using Clock = std::chrono::steady_clock;

@@ -22,10 +22,6 @@ struct Question {
 /// Throws Error for options that make no sense for the arm, whatever the pose.
 void check_options(const Arm& arm, const InverseOptions& options);
 
-/// The pose with a rotation that is orthonormal to rounding. Throws Error when it is none to 1e-6,
-/// or not finite.
-Pose checked_pose(const Pose& pose);
-
 /// `options` are checked already, but for the seed. Throws Error when pose or seed make no sense.
 Question question(const Arm& arm, const InverseOptions& options, const Task& task,
                   const Bounds& bounds, const Pose& world_T_tool, const Configuration& seed);

@@ -71,11 +71,8 @@ void linearise(const Goal& goal, const Configuration& q, Linearised& at) {
     at.columns.bottomRows<3>() =
         log_derivative(tool_axes ? -turn : turn) * at.columns.bottomRows<3>();
   }
-  for (int i = 0; i < 6; ++i) {
-    if (rows[i]) continue;
-    error[i] = 0;
-    at.columns.row(i).setZero();
-  }
+  error = masked(goal.task, error);
+  mask_rows(goal.task, at.columns);
   at.deviation = {error.head<3>().norm(), error.tail<3>().norm()};
   error.head<3>() /= goal.length;
   at.columns.topRows<3>() /= goal.length;

@@ -55,11 +55,8 @@ LineExtent extent_of(const Line& line, const Task& task) {
 
 Vector3 in_position_rows(const Task& task, const Pose& pose, const Vector3& v) {
   if (task.positions() == 3) return v;
-  Vector3 kept = task.frame == Frame::tool ? Vector3(pose.linear().transpose() * v) : v;
-  for (int i = 0; i < 3; ++i) {
-    if (!task.rows[i]) kept[i] = 0;
-  }
-  return kept;
+  return masked_position(task,
+                         task.frame == Frame::tool ? Vector3(pose.linear().transpose() * v) : v);
 }
 
 bool turns_within_rows(const Task& task, const Vector3& turn) {

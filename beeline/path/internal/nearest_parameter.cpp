@@ -13,9 +13,7 @@ constexpr int most_newton_steps = 30;
 
 /// The rows that matter, turns in metres.
 Twist weighted(const Task& task, Twist twist) {
-  for (int i = 0; i < 6; ++i) {
-    if (!task.rows[i]) twist[i] = 0;
-  }
+  twist = masked(task, twist);
   twist.tail<3>() *= metres_of_a_radian;
   return twist;
 }

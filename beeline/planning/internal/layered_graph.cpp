@@ -69,7 +69,8 @@ struct Costs {
   double near_limits(const Configuration& q) const {
     double sum = 0;
     for (Eigen::Index k = 0; k < q.size(); ++k) {
-      sum += limit_weight / (margin_to_limits(q[k], bounds.lower[k], bounds.upper[k]) + 0.02);
+      sum += limit_weight /
+             (std::max(0.0, limit_margin(q[k], bounds.lower[k], bounds.upper[k])) + 0.02);
     }
     return sum;
   }

@@ -21,16 +21,8 @@ Configuration away_from_limits(const Configuration& q, const Bounds& bounds) {
 
 }  // namespace
 
-double margin_to_limits(double q, double lower, double upper) {
-  const double half = (upper - lower) / 2;
-  if (!std::isfinite(half) || half <= 0) return Limits::none;
-  return std::max(0.0, std::min(q - lower, upper - q) / half);
-}
-
 double push_from_limits(double q, double lower, double upper) {
-  const double half = (upper - lower) / 2;
-  if (!std::isfinite(half) || half <= 0) return 0;
-  const double side = (q - lower) / half - 1;  // -1 to 1
+  const double side = position_in_range(q, lower, upper);
   const double depth = std::max(0.0, std::abs(side) - 0.5) * 2;
   return -std::copysign(depth * depth, side);
 }

@@ -11,10 +11,6 @@ namespace beeline {
 Configuration predicted(const Arm& arm, const Configuration& q, const Pose& target,
                         const Task& task, const Bounds& bounds);
 
-/// The way from q to the nearer of its limits, as a share of half their range: not below 0, and
-/// infinite where the range has no end.
-double margin_to_limits(double q, double lower, double upper);
-
 /// Which way, from -1 to 1, and how urgently a coordinate at q should go back to the middle of its
 /// limits: 0 in the inner half of the range and where it has no end, growing with the square to 1
 /// at the limit.

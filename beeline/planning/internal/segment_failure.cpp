@@ -19,10 +19,8 @@ constexpr double next_door = 0.2;  // radians or metres: farther away is another
 /// The joints that q takes out of their limits, as a phrase; empty when there are none.
 std::string joints_outside(const Arm& arm, const Configuration& q) {
   std::string text;
-  for (int k = 0; k < arm.dof(); ++k) {
-    const Limits& limits = arm.limits(k);
-    if (q[k] >= limits.lower && q[k] <= limits.upper) continue;
-    text += (text.empty() ? "" : ", and ") + limit_in_the_way(arm, k, q[k] < limits.lower);
+  for (const int k : outside_limits(arm, q, 0)) {
+    text += (text.empty() ? "" : ", and ") + limit_in_the_way(arm, k, q[k] < arm.limits(k).lower);
   }
   return text;
 }
@@ -54,10 +52,9 @@ std::string place_in_words(const Piece& piece, double s) {
 std::string limit_in_the_way(const Arm& arm, int coordinate, bool lower) {
   const Limits& limits = arm.limits(coordinate);
   const double limit = lower ? limits.lower : limits.upper;
-  const bool metres = kind(arm.joint_of(coordinate)) == JointKind::prismatic;
-  return "joint " + arm.joint_of(coordinate).name + " would have to pass its " +
-         (lower ? "lower" : "upper") + " limit of " +
-         (metres ? number(limit) + " m" : angle(limit));
+  const Joint& joint = arm.joint_of(coordinate);
+  return "joint " + joint.name + " would have to pass its " + (lower ? "lower" : "upper") +
+         " limit of " + with_unit(joint, limit);
 }
 
 PieceFailure piece_failure(const Arm& arm, const Piece& piece, const Task& task,

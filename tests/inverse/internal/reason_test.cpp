@@ -168,8 +168,8 @@ TEST(InverseKinematics, RefusesWhatMakesNoSense) {
   stretched.linear() *= 1.01;
   mirrored.linear().col(2) *= -1;
   EXPECT_REFUSED(inverse_kinematics(arm, nan), "not finite");
-  EXPECT_REFUSED(inverse_kinematics(arm, stretched), "no rigid motion");
-  EXPECT_REFUSED(inverse_kinematics(arm, mirrored), "no rigid motion");
+  EXPECT_REFUSED(inverse_kinematics(arm, stretched), "not a rigid motion");
+  EXPECT_REFUSED(inverse_kinematics(arm, mirrored), "not a rigid motion");
   EXPECT_REFUSED(inverse_kinematics(arm, make_pose({1e200, 0, 0})), "1e100 m");
   const Configuration two = Configuration::Zero(2);
   const Configuration no_number = Configuration::Constant(3, std::nan(""));
