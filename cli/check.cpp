@@ -42,7 +42,7 @@ OrderedJson document(const Arguments& arguments, const Verification& found, std:
                        {"fault", passed ? OrderedJson(nullptr) : OrderedJson(name(found.fault))},
                        {"sample", passed ? OrderedJson(nullptr) : OrderedJson(found.sample + 1)},
                        {"time", passed ? OrderedJson(nullptr) : OrderedJson(found.time)}};
-  add_straightness(document, found.straightness, arguments.unit);
+  add_deviation(document, found.deviation, arguments.unit);
   document["samples"] = samples;
   document["reason"] = found.reason;
   for (const std::size_t arrival : found.arrivals) document["arrivals"].push_back(arrival + 1);
@@ -72,7 +72,7 @@ Exit check(const Arguments& arguments) {
   } else {
     fmt::print("{}: {} samples through {} waypoint{}\n", passed ? "passed" : "failed",
                trajectory.size(), waypoints.poses.size(), waypoints.poses.size() == 1 ? "" : "s");
-    if (passed) print_straightness(found.straightness, arguments.unit);
+    if (passed) print_deviation(found.deviation, arguments.unit);
     if (!passed) fmt::print("fault         {}\n", name(found.fault));
     if (!arguments.plot.empty()) fmt::print("plot          {}\n", arguments.plot);
   }

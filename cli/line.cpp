@@ -23,7 +23,7 @@ struct Arguments {
   TaskArgument task;
   PathArgument path;
   std::string from, through, law, method = "exact";
-  LineOptions options;
+  PathMotionOptions options;
   CartesianOptions control;
   ResultFiles files;
   bool branches = false, json = false;
@@ -48,20 +48,20 @@ LineReport follow_exactly(const Arguments& arguments, const Arm& arm,
                           const std::optional<Configuration>& start, const std::vector<Pose>& poses,
                           const Task& task) {
   Progress progress;
-  LineOptions options = arguments.options;
+  PathMotionOptions options = arguments.options;
   options.task = task;
   if (!arguments.law.empty()) options.law = law_named(arguments.law);
   options.progress = [&progress](double share) { progress.show(share); };
   options.suggest = true;
   const Route route = start ? arguments.path.from(forward_kinematics(arm, *start), poses, task)
                             : arguments.path.through(poses);
-  LineMotion motion = move_along(arm, start, route, options);
+  PathMotion motion = move_along(arm, start, route, options);
   const Deviation tolerance{options.tolerance, options.orientation_tolerance};
   LineReport report;
   report.status = motion.status;
   report.reason = std::move(motion.reason);
   report.trajectory = std::move(motion.trajectory);
-  report.straightness = motion.straightness;
+  report.deviation = motion.deviation;
   report.limits = motion.limits;
   report.limit_margin = motion.limit_margin;
   report.dexterity = motion.dexterity;
@@ -92,7 +92,7 @@ LineReport follow_by_control(const Arm& arm, const Configuration& start,
     const ToolPath path = lines_through(poses);
     const auto places = places_along(arm, samples, path, motion.arrivals, task);
     report.path = {path, places, task};
-    report.straightness = straightness(arm, samples, places, path, task);
+    report.deviation = path_deviation(arm, samples, places, path, task);
   }
   return report;
 }
@@ -136,7 +136,7 @@ Exit line(const Arguments& arguments) {
 
 Run declare_line(CLI::App& verb) {
   static Arguments arguments;
-  LineOptions& options = arguments.options;
+  PathMotionOptions& options = arguments.options;
   CartesianOptions& control = arguments.control;
   arguments.arm.declare(verb);
   verb.add_option(

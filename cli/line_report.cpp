@@ -25,7 +25,7 @@ void print_report(const Arm& arm, const LineReport& report, const UnitArgument& 
     fmt::print("control       {} steps, overshoot {} % of a line\n", report.steps,
                shown(100 * report.overshoot));
   }
-  print_straightness(report.straightness, unit);
+  print_deviation(report.deviation, unit);
   if (report.method == "exact") {
     print_limits(report.limits);
     fmt::print("margins       {} % of a joint's range to its limits, inverse condition {}\n",
@@ -40,7 +40,7 @@ OrderedJson json_report(const Arm& arm, const LineReport& report, const UnitArgu
   const bool reached = report.status == MotionStatus::reached;
   OrderedJson document{
       {"status", name(report.status)}, {"method", report.method}, {"waypoints", report.waypoints}};
-  add_straightness(document, reached ? std::optional(report.straightness) : std::nullopt, unit);
+  add_deviation(document, reached ? std::optional(report.deviation) : std::nullopt, unit);
   document["samples"] = report.trajectory.size();
   document["duration"] = reached ? json_number(report.trajectory.times.back()) : nullptr;
   document["reason"] = report.reason;

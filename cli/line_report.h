@@ -13,7 +13,7 @@ struct LineReport {
   beeline::MotionStatus status = beeline::MotionStatus::not_converged;
   std::string reason;
   beeline::Trajectory trajectory;
-  beeline::Straightness straightness;
+  beeline::PathDeviation deviation;
   beeline::LimitCheck limits = {};  ///< of method exact, as the margins are
   double limit_margin = 0, dexterity = 0;
   std::vector<beeline::NearbyPath> nearby = {};

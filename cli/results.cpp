@@ -50,7 +50,7 @@ PoseList read_waypoints(const std::string& path, const Arm& arm, const TaskArgum
   return list;
 }
 
-void print_straightness(const Straightness& straight, const UnitArgument& unit) {
+void print_deviation(const PathDeviation& straight, const UnitArgument& unit) {
   fmt::print("deviation     position     orientation\n");
   const auto row = [&unit](const char* label, const Deviation& deviation, const char* remark) {
     fmt::print("  {:<10}  {:.2e} m   {:.2e} {}{}\n", label, deviation.position,
@@ -61,12 +61,12 @@ void print_straightness(const Straightness& straight, const UnitArgument& unit) 
   row("proved", straight.bound, "   (at every moment, joints linear between samples)");
 }
 
-void add_straightness(OrderedJson& document, const std::optional<Straightness>& straight,
-                      const UnitArgument& unit) {
-  const std::pair<const char*, Deviation Straightness::*> kinds[] = {
-      {"bound", &Straightness::bound},
-      {"measured", &Straightness::measured},
-      {"sampled", &Straightness::sampled}};
+void add_deviation(OrderedJson& document, const std::optional<PathDeviation>& straight,
+                   const UnitArgument& unit) {
+  const std::pair<const char*, Deviation PathDeviation::*> kinds[] = {
+      {"bound", &PathDeviation::bound},
+      {"measured", &PathDeviation::measured},
+      {"sampled", &PathDeviation::sampled}};
   for (const auto& [kind, member] : kinds) {
     const std::string key = std::string("deviation_") + kind;
     document[key] = straight ? json_number((*straight.*member).position) : nullptr;

@@ -20,11 +20,11 @@ beeline::PoseList read_waypoints(const std::string& path, const beeline::Arm& ar
                                  const TaskArgument& task, const UnitArgument& unit);
 
 /// Prints what was measured and what is proved of a motion along a path.
-void print_straightness(const beeline::Straightness& straight, const UnitArgument& unit);
+void print_deviation(const beeline::PathDeviation& straight, const UnitArgument& unit);
 
 /// The same as data: keys deviation_... and orientation_..., null where there is nothing to tell.
-void add_straightness(OrderedJson& document, const std::optional<beeline::Straightness>& straight,
-                      const UnitArgument& unit);
+void add_deviation(OrderedJson& document, const std::optional<beeline::PathDeviation>& straight,
+                   const UnitArgument& unit);
 
 /// How much of the limits a motion uses, and which joint where.
 void print_limits(const beeline::LimitCheck& limits);

@@ -18,6 +18,6 @@ int main() {
   std::cout << "tool\n" << tool.matrix() << "\nJacobian\n" << j << '\n';
   std::cout << "inverse kinematics: " << name(answer.status) << answer.reason << '\n';
   std::cout << "up and down: " << name(motion.status) << ", never more than "
-            << motion.straightness.bound.position << " m off the line\n"
+            << motion.deviation.bound.position << " m off the line\n"
             << motion.reason;
 }

@@ -16,15 +16,15 @@ int main(int argc, char** argv) {
 
   const beeline::Arm rrr = beeline::built_in("rrr");
   const Eigen::Vector3d start(0, std::numbers::pi / 2, 0);
-  const beeline::LineMotion motion = move_in_lines(rrr, start, poses);
+  const beeline::PathMotion motion = move_in_lines(rrr, start, poses);
   if (motion.status != beeline::MotionStatus::reached) {
     std::cout << name(motion.status) << ": " << motion.reason << '\n';
     return 1;
   }
   std::cout << motion.trajectory.size() << " samples; off the line by "
-            << motion.straightness.measured.position
-            << " m as measured, and at no moment by more than "
-            << motion.straightness.bound.position << " m\n";
+            << motion.deviation.measured.position
+            << " m as measured, and at no moment by more than " << motion.deviation.bound.position
+            << " m\n";
   write_trajectory("05_straight_line.csv", motion.trajectory);
   save(motion_figure(rrr, motion.trajectory.positions, poses), "05_straight_line.svg");
 }

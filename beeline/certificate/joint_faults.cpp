@@ -88,7 +88,7 @@ class Search {
 
   void difference(Fault fault, std::size_t k, int i, int order, double limit, const char* per) {
     if (found_ || !(limit < Limits::none)) return;
-    const double value = told_by_positions(trajectory_, k, i, order);
+    const double value = mean_derivative(trajectory_, k, i, order);
     if (value <= limit * (1 + forgiven)) return;
     tell(fault, k, i,
          "needs " + amount(arm_, i, value, per) + " over the next samples; its limit is " +
@@ -119,7 +119,7 @@ std::string name(Fault fault) {
   return names[static_cast<int>(fault)];
 }
 
-double told_by_positions(const Trajectory& trajectory, std::size_t k, int coordinate, int order) {
+double mean_derivative(const Trajectory& trajectory, std::size_t k, int coordinate, int order) {
   if (order < 1 || order > 3) {
     throw Error("derivatives are told to the third, not the " + std::to_string(order) + "th");
   }
@@ -143,7 +143,7 @@ double told_by_positions(const Trajectory& trajectory, std::size_t k, int coordi
   return std::max(0.0, std::abs(table[0]) - lost) * factorial;
 }
 
-double slower_by_positions(const Arm& arm, const Trajectory& trajectory, bool keep_jerk) {
+double slowdown_for_limits(const Arm& arm, const Trajectory& trajectory, bool keep_jerk) {
   check_fits(arm, trajectory);
   double factor = 1;
   for (int i = 0; i < arm.dof(); ++i) {
@@ -151,7 +151,7 @@ double slower_by_positions(const Arm& arm, const Trajectory& trajectory, bool ke
     const double velocity = held_velocity(limits);
     for (std::size_t k = 0; k < trajectory.size(); ++k) {
       const auto share = [&](int order, double limit) {
-        return told_by_positions(trajectory, k, i, order) / limit;
+        return mean_derivative(trajectory, k, i, order) / limit;
       };
       factor = std::max({factor, share(1, velocity), std::sqrt(share(2, limits.acceleration)),
                          keep_jerk ? std::cbrt(share(3, limits.jerk)) : 0});

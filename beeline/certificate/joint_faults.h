@@ -30,11 +30,11 @@ struct JointFault {
 /// divided difference times order!, which is a mean of that derivative (weighed by a B-spline) of
 /// any smooth motion through them; less what it may have lost by rounding. Not negative; 0 where
 /// there are too few samples. The order is 1, 2 or 3.
-double told_by_positions(const Trajectory& trajectory, std::size_t k, int coordinate, int order);
+double mean_derivative(const Trajectory& trajectory, std::size_t k, int coordinate, int order);
 
 /// By what factor a motion has to last longer to keep the arm's limits of velocity (1 where it is
 /// not known), acceleration and, if asked, jerk by its positions; 1 where it does.
-double slower_by_positions(const Arm& arm, const Trajectory& trajectory, bool keep_jerk);
+double slowdown_for_limits(const Arm& arm, const Trajectory& trajectory, bool keep_jerk);
 
 /// The first time at which a trajectory, its joints in the arm's order, leaves the arm's limits or
 /// turns a joint by half a turn or more in one step. See verify().

@@ -117,14 +117,15 @@ void check_places(const ToolPath& path, std::span<const double> places) {
   }
 }
 
-Straightness straightness(const Arm& arm, std::span<const Configuration> samples,
-                          std::span<const double> places, const ToolPath& path, const Task& task) {
+PathDeviation path_deviation(const Arm& arm, std::span<const Configuration> samples,
+                             std::span<const double> places, const ToolPath& path,
+                             const Task& task) {
   if (samples.empty() || samples.size() != places.size()) {
-    throw Error("straightness needs samples, and a place on the path for each");
+    throw Error("path_deviation needs samples, and a place on the path for each");
   }
   check_task(arm, path, task);
   check_places(path, places);
-  Straightness result;
+  PathDeviation result;
   for (std::size_t k = 0; k < samples.size(); ++k) {
     const Pose pose = forward_kinematics(arm, samples[k]);
     grow(result.sampled, deviation_from(path, places[k], pose, task));

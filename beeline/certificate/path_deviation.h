@@ -64,7 +64,7 @@ MeasuredStep measured(const Arm& arm, const ToolPath& path, const Task& task,
 void check_places(const ToolPath& path, std::span<const double> places);
 
 /// How near a joint motion stays to its path, measured and proved.
-struct Straightness {
+struct PathDeviation {
   Deviation sampled;   ///< the largest deviation at the samples
   Deviation measured;  ///< at the samples and at places between them
   Deviation bound;     ///< proved: at no moment between samples, joints moving in proportion, more
@@ -74,8 +74,9 @@ struct Straightness {
 /// the nearest point counts whatever the share; that they are gone to their ends verify() tells.
 /// Throws Error when sizes do not fit, for places that are not on the path in order, and what
 /// check_task() refuses.
-Straightness straightness(const Arm& arm, std::span<const Configuration> samples,
-                          std::span<const double> places, const ToolPath& path, const Task& task);
+PathDeviation path_deviation(const Arm& arm, std::span<const Configuration> samples,
+                             std::span<const double> places, const ToolPath& path,
+                             const Task& task);
 
 /// The places of samples of which `arrivals[i]` is the one that reaches the end of piece i: between
 /// these the nearest ones (nearest_place()); behind the last all are at its end. Throws Error when

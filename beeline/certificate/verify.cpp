@@ -98,10 +98,10 @@ struct Verifier {
 
   /// Whether sample k, which is so far off, is near where it should be.
   bool check_sample(std::size_t k, const Deviation& off, const std::string& where) {
-    grow(result.straightness.sampled, off);
+    grow(result.deviation.sampled, off);
     if (near(off)) return true;
-    grow(result.straightness.measured, off);
-    grow(result.straightness.bound, off);
+    grow(result.deviation.measured, off);
+    grow(result.deviation.bound, off);
     fail(Fault::deviation, k, "the tool is off " + where + " by " + metres_and_radians(off));
     return false;
   }
@@ -129,8 +129,8 @@ struct Verifier {
       grow(seen, deviation_from(path.pieces[step.piece], std::lerp(step.s_a, step.s_b, share), pose,
                                 task));
     }
-    grow(result.straightness.measured, seen);
-    grow(result.straightness.bound, met.bound);
+    grow(result.deviation.measured, seen);
+    grow(result.deviation.bound, met.bound);
     if (near(met.bound)) return;
     const double turn =
         (trajectory.positions[k + 1] - trajectory.positions[k]).lpNorm<Eigen::Infinity>();

@@ -20,7 +20,7 @@ struct Verification {
   std::string reason;          ///< one sentence: what, where, by how much; empty when all is well
   std::size_t sample = 0;      ///< of the first fault: at it, or between it and the next
   double time = 0;             ///< of that sample, seconds
-  Straightness straightness;   ///< on all the way; of the first fault alone when there is one
+  PathDeviation deviation;     ///< on all the way; of the first fault alone when there is one
   ToolPath path;               ///< that was to be followed
   std::vector<double> places;  ///< on it, of the samples, as far as it is followed
   std::vector<std::size_t> arrivals;  ///< the sample at each waypoint, as far as they are reached

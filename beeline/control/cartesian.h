@@ -24,7 +24,7 @@ struct CartesianOptions {
 };
 
 /// Moves the tool towards each waypoint in turn by feedback. How straight that is depends on the
-/// gain and is told by straightness(); move_in_lines() is the motion that is straight by proof.
+/// gain and is told by path_deviation(); move_in_lines() is the motion that is straight by proof.
 /// The Jacobian is damped near singularities, no step turns a joint by more than a radian, angles
 /// are compared by ⊖, limits are kept; where the arm cannot go on the motion stops with a reason.
 /// Throws Error when the start, a waypoint or an option makes no sense.

@@ -39,7 +39,7 @@ struct PathTrace {
   bool turns_only = false;  ///< a piece is told by its turn, and as long as way_of_a_radian says
 };
 
-/// Throws Error when sizes do not fit, as straightness() does.
+/// Throws Error when sizes do not fit, as path_deviation() does.
 PathTrace trace_path(const Arm& arm, std::span<const Configuration> samples,
                      const FollowedPath& followed);
 

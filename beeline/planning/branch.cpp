@@ -31,19 +31,20 @@ void follow_all(const Arm& arm, const ToolPath& path, const Bounds& bounds,
     const auto before = static_cast<double>(i), pieces = static_cast<double>(path.pieces.size());
     if (stands_still(path.pieces[i], options.task)) {
       branch.pieces.push_back({{q}, {1}, {}});
-      branch.done = before + 1;
+      branch.path_parameter = before + 1;
       continue;
     }
-    FollowOptions follow_options{.tolerance = options.tolerance, .most_samples = left};
+    TrackOptions track_options{.tolerance = options.tolerance, .most_samples = left};
     if (options.guide) {
-      follow_options.guide = [&](double s) { return options.guide(before + s); };
+      track_options.guide = [&](double s) { return options.guide(before + s); };
     }
     if (options.progress) {
-      follow_options.progress = [&](double s) { options.progress((before + s) / pieces); };
+      track_options.progress = [&](double s) { options.progress((before + s) / pieces); };
     }
-    branch.pieces.push_back(follow(arm, path.pieces[i], options.task, bounds, q, follow_options));
-    const Followed& way = branch.pieces.back();
-    branch.done = before + way.fractions.back();
+    branch.pieces.push_back(
+        track_segment(arm, path.pieces[i], options.task, bounds, q, track_options));
+    const TrackedSegment& way = branch.pieces.back();
+    branch.path_parameter = before + way.fractions.back();
     q = way.samples.back();
     if (!way.through()) {
       branch.status = MotionStatus::not_converged;  // until it is asked why
@@ -60,7 +61,7 @@ struct Extent {
 
 Extent extent_of(const Branch& branch, int k) {
   Extent extent{branch.start[k], branch.start[k]};
-  for (const Followed& piece : branch.pieces) {
+  for (const TrackedSegment& piece : branch.pieces) {
     for (const Configuration& q : piece.samples) {
       extent.lower = std::min(extent.lower, q[k]);
       extent.upper = std::max(extent.upper, q[k]);
@@ -72,7 +73,7 @@ Extent extent_of(const Branch& branch, int k) {
 /// Where coordinate k first is outside [lower, upper]: pieces done, with a fraction of the next.
 double leaves_at(const Branch& branch, int k, double lower, double upper) {
   for (std::size_t w = 0; w < branch.pieces.size(); ++w) {
-    const Followed& piece = branch.pieces[w];
+    const TrackedSegment& piece = branch.pieces[w];
     for (std::size_t i = 0; i < piece.samples.size(); ++i) {
       const double now = piece.samples[i][k];
       if (now >= lower && now <= upper) continue;
@@ -82,7 +83,7 @@ double leaves_at(const Branch& branch, int k, double lower, double upper) {
       return static_cast<double>(w) + std::lerp(piece.fractions[i - 1], piece.fractions[i], share);
     }
   }
-  return branch.done;
+  return branch.path_parameter;
 }
 
 /// The whole turns that take coordinate k farthest along, of these the ones that keep it farthest
@@ -105,7 +106,7 @@ double best_turns(const Branch& branch, int k, double lower, double upper) {
 
 void shift(Branch& branch, int k, double turns) {
   branch.start[k] += turns;
-  for (Followed& piece : branch.pieces) {
+  for (TrackedSegment& piece : branch.pieces) {
     for (Configuration& q : piece.samples) q[k] += turns;
   }
 }
@@ -114,22 +115,22 @@ void shift(Branch& branch, int k, double turns) {
 void keep_limits(const Arm& arm, const ToolPath& path, Branch& branch) {
   const Bounds bounds = bounds_of(arm);
   int blocking = -1;
-  double first = branch.done;
+  double first = branch.path_parameter;
   for (int k = 0; k < arm.dof(); ++k) {
     const double done =
         leaves_at(branch, k, bounds.lower[k] - rounding, bounds.upper[k] + rounding);
-    if (done < first || (done == first && done < branch.done)) first = done, blocking = k;
+    if (done < first || (done == first && done < branch.path_parameter)) first = done, blocking = k;
   }
   if (blocking < 0) return;
   const auto w = std::min(static_cast<std::size_t>(first), path.pieces.size() - 1);
   const double s = first - static_cast<double>(w);
   branch.pieces.resize(w + 1);
-  Followed& piece = branch.pieces[w];
+  TrackedSegment& piece = branch.pieces[w];
   while (piece.fractions.size() > 1 && piece.fractions.back() > s) {
     piece.fractions.pop_back();
     piece.samples.pop_back();
   }
-  branch.done = first;
+  branch.path_parameter = first;
   branch.status = MotionStatus::outside_limits;
   const double ahead = piece.samples.back()[blocking];
   const bool low = ahead - bounds.lower[blocking] < bounds.upper[blocking] - ahead;
@@ -151,7 +152,7 @@ std::vector<Branch> backward_branches(const Arm& arm, const ToolPath& path, cons
     follow_all(arm, back, bounds, options, branch);
     if (branch.status != MotionStatus::reached) continue;
     std::reverse(branch.pieces.begin(), branch.pieces.end());
-    for (Followed& piece : branch.pieces) {
+    for (TrackedSegment& piece : branch.pieces) {
       std::reverse(piece.samples.begin(), piece.samples.end());
       if (piece.samples.size() == 1) continue;
       std::reverse(piece.fractions.begin(), piece.fractions.end());
@@ -177,7 +178,7 @@ void narrow(Margins& margins, const Arm& arm, const Task& task, const Configurat
 
 void measure(const Arm& arm, const Task& task, Branch& branch) {
   Margins margins;
-  for (const Followed& piece : branch.pieces) {
+  for (const TrackedSegment& piece : branch.pieces) {
     for (const Configuration& q : piece.samples) narrow(margins, arm, task, q);
   }
   branch.limit_margin = margins.limit;
@@ -187,9 +188,9 @@ void measure(const Arm& arm, const Task& task, Branch& branch) {
 void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options, Branch& branch) {
   if (branch.status != MotionStatus::not_converged) return;
   std::size_t samples = 1;
-  for (const Followed& piece : branch.pieces) samples += piece.samples.size() - 1;
+  for (const TrackedSegment& piece : branch.pieces) samples += piece.samples.size() - 1;
   const std::size_t w = branch.pieces.size() - 1;
-  const Followed& last = branch.pieces.back();
+  const TrackedSegment& last = branch.pieces.back();
   const PieceFailure failure = samples >= options.most_samples
                                    ? too_many_samples(static_cast<int>(options.most_samples))
                                    : piece_failure(arm, path.pieces[w], options.task,
@@ -199,12 +200,12 @@ void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options,
 }
 
 bool better(const Branch& a, const Branch& b) {
-  if (a.done != b.done) return a.done > b.done;
+  if (a.path_parameter != b.path_parameter) return a.path_parameter > b.path_parameter;
   return std::min(a.limit_margin, a.dexterity) > std::min(b.limit_margin, b.dexterity);
 }
 
-Branch follow_branch(const Arm& arm, const Configuration& start, const ToolPath& path,
-                     const BranchOptions& options) {
+Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& path,
+                    const BranchOptions& options) {
   check_task(arm, path, options.task);
   Branch branch{.start = start};
   follow_all(arm, path, bounds_of(arm), options, branch);
@@ -213,8 +214,8 @@ Branch follow_branch(const Arm& arm, const Configuration& start, const ToolPath&
   return branch;
 }
 
-std::vector<Branch> follow_branches(const Arm& arm, const ToolPath& path,
-                                    const BranchOptions& options) {
+std::vector<Branch> track_branches(const Arm& arm, const ToolPath& path,
+                                   const BranchOptions& options) {
   check_task(arm, path, options.task);
   const InverseResult starts = inverse_kinematics(
       arm, pose_at(path, 0), {.task = options.task, .all = true, .ignore_limits = true});
@@ -251,9 +252,9 @@ std::vector<Branch> follow_branches(const Arm& arm, const ToolPath& path,
     for (Branch& branch : backward_branches(arm, path, bounds, options)) add(std::move(branch));
   }
   double farthest = 0;
-  for (const Branch& branch : branches) farthest = std::max(farthest, branch.done);
+  for (const Branch& branch : branches) farthest = std::max(farthest, branch.path_parameter);
   for (Branch& branch : branches) {  // what only breaks ties is not measured where there is none
-    if (options.reasons == BranchOptions::Reasons::all || branch.done == farthest)
+    if (options.reasons == BranchOptions::Reasons::all || branch.path_parameter == farthest)
       measure(arm, options.task, branch);
   }
   std::stable_sort(branches.begin(), branches.end(), better);

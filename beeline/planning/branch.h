@@ -28,10 +28,10 @@ struct Branch {
   Configuration start = {};
   MotionStatus status = MotionStatus::reached;
   std::string reason = {};  ///< where and why it ends; empty when it goes all the way, or not asked
-  double done = 0;          ///< pieces gone, the last one in part
-  double limit_margin = 1;  ///< see Margins
+  double path_parameter = 0;  ///< segments completed, the last one in part
+  double limit_margin = 1;    ///< see Margins
   double dexterity = 1;
-  std::vector<Followed> pieces = {};  ///< a single sample where what matters stands still
+  std::vector<TrackedSegment> pieces = {};  ///< a single sample where what matters stands still
 };
 
 /// Fills in the margins of the branch's samples, to the arm's limits and singularities.
@@ -44,12 +44,12 @@ struct BranchOptions {
   Task task;
   Deviation tolerance = {1e-4, 1e-4};
   std::size_t most_samples = 200'000;  ///< of one branch
-  int finest_grid = 256;  ///< of plan_path(), for joints to spare: see LadderOptions::grid
+  int finest_grid = 256;  ///< of plan_path(), for joints to spare: see LayeredGraphOptions::grid
   /// Whose end is explained, which takes milliseconds: all branches', or that of the one which goes
   /// farthest, or none's.
   enum class Reasons { all, best, none } reasons = Reasons::best;
   /// Where there is a choice, the configuration at a place (whole pieces and a fraction) is taken
-  /// next to this one; see FollowOptions::guide.
+  /// next to this one; see TrackOptions::guide.
   std::function<Configuration(double)> guide = {};
   std::function<void(double)> progress = {};  ///< told the share done, in [0, 1], now and then
 };
@@ -60,12 +60,12 @@ struct BranchOptions {
 /// For arms without joints to spare, where inverse kinematics finds all solutions. Empty when it
 /// finds none for the path's begin. Throws Error for a path without pieces, and what check_task()
 /// refuses.
-std::vector<Branch> follow_branches(const Arm& arm, const ToolPath& path,
-                                    const BranchOptions& options);
+std::vector<Branch> track_branches(const Arm& arm, const ToolPath& path,
+                                   const BranchOptions& options);
 
 /// The same for the one branch that begins at `start`, within the limits as they are.
-Branch follow_branch(const Arm& arm, const Configuration& start, const ToolPath& path,
-                     const BranchOptions& options);
+Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& path,
+                    const BranchOptions& options);
 
 /// Says why the branch ends before the path does: its status and reason. Does nothing where that
 /// has been said, or where it goes all the way.

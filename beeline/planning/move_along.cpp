@@ -18,7 +18,7 @@ constexpr double margin = 0.9;            // of the tolerance that the plan may 
 constexpr double finer = 1.0 / 64;        // of that, where a motion must keep nearer to its samples
 
 /// Throws Error for tolerances, speeds, rates or numbers of samples that make no sense.
-void check_options(const LineOptions& options) {
+void check_options(const PathMotionOptions& options) {
   const std::pair<const char*, double> positives[] = {
       {"tolerance", options.tolerance},
       {"orientation tolerance", options.orientation_tolerance},
@@ -39,8 +39,8 @@ void check_options(const LineOptions& options) {
 }
 
 /// Why a finished motion is not within the tolerances by proof; empty where it is.
-std::string not_proved(const Straightness& straightness, const LineOptions& options) {
-  const Deviation& bound = straightness.bound;
+std::string not_proved(const PathDeviation& deviation, const PathMotionOptions& options) {
+  const Deviation& bound = deviation.bound;
   if (bound.position <= options.tolerance && bound.orientation <= options.orientation_tolerance) {
     return {};
   }
@@ -75,9 +75,9 @@ Configuration checked_start(const Arm& arm, const Configuration& start) {
 }
 
 /// A planned path as a motion, or why there is none.
-LineMotion timed(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
-                 const LineOptions& options) {
-  LineMotion motion;
+PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
+                 const PathMotionOptions& options) {
+  PathMotion motion;
   motion.status = plan.status;
   motion.reason = plan.reason;
   if (plan.status != MotionStatus::reached) return motion;
@@ -101,14 +101,14 @@ LineMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
 }
 
 /// Measures the finished motion; one that is not proved is none.
-void prove(const Arm& arm, const Route& route, const Task& task, const LineOptions& options,
-           LineMotion& motion) {
+void prove(const Arm& arm, const Route& route, const Task& task, const PathMotionOptions& options,
+           PathMotion& motion) {
   motion.path = route.path;
   motion.arrivals = arrivals(motion.places);
-  motion.straightness =
-      straightness(arm, motion.trajectory.positions, motion.places, route.path, task);
+  motion.deviation =
+      path_deviation(arm, motion.trajectory.positions, motion.places, route.path, task);
   motion.limits = limit_check(motion.trajectory, arm);
-  motion.reason = not_proved(motion.straightness, options);
+  motion.reason = not_proved(motion.deviation, options);
   if (motion.reason.empty()) return;
   motion.status = MotionStatus::not_converged;
   if (options.rate > 0) {
@@ -117,8 +117,8 @@ void prove(const Arm& arm, const Route& route, const Task& task, const LineOptio
   }
 }
 
-LineMotion move(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
-                const LineOptions& options) {
+PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
+                const PathMotionOptions& options) {
   const Task task = options.task.value_or(default_task(arm));
   // Samples that have to be close for the bound already make a close spline.
   const double share = options.rate > 0 && !bound_is_linear(arm, task) ? finer : margin;
@@ -128,7 +128,7 @@ LineMotion move(const Arm& arm, const std::optional<Configuration>& start, const
       .most_samples = static_cast<std::size_t>(options.most_samples),
       .progress = options.progress};
   const Branch plan = plan_path(arm, start, route.path, planning);
-  LineMotion motion = timed(arm, route, plan, task, options);
+  PathMotion motion = timed(arm, route, plan, task, options);
   // A smooth motion of a joint that goes along its limit for a while may pass it between samples.
   if (plan.status == MotionStatus::reached && motion.status == MotionStatus::outside_limits) {
     const std::pair<double, double> attempts[] = {{1e-3, 1}, {1e-2, 1}, {1e-3, finer}};
@@ -138,7 +138,7 @@ LineMotion move(const Arm& arm, const std::optional<Configuration>& start, const
       again.tolerance.orientation *= part;
       Branch other = plan_path(held_back(arm, start, inset), start, route.path, again);
       if (other.status == MotionStatus::reached) measure(arm, task, other);
-      LineMotion better = timed(arm, route, other, task, options);
+      PathMotion better = timed(arm, route, other, task, options);
       if (better.status != MotionStatus::reached) continue;
       motion = std::move(better);
       break;
@@ -146,7 +146,7 @@ LineMotion move(const Arm& arm, const std::optional<Configuration>& start, const
   }
   if (motion.status == MotionStatus::reached) prove(arm, route, task, options, motion);
   if (motion.status == MotionStatus::reached) return motion;
-  LineMotion none;
+  PathMotion none;
   none.status = motion.status;
   none.reason = motion.reason;
   BranchOptions looking = planning;  // without the samples that only a rate needs
@@ -162,8 +162,8 @@ LineMotion move(const Arm& arm, const std::optional<Configuration>& start, const
 
 }  // namespace
 
-LineMotion move_along(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
-                      const LineOptions& options) {
+PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
+                      const PathMotionOptions& options) {
   constexpr double elsewhere = 1e-8;  // metres and radians
   check_options(options);
   const Task task = options.task.value_or(default_task(arm));
@@ -181,8 +181,8 @@ LineMotion move_along(const Arm& arm, const std::optional<Configuration>& start,
   return move(arm, from, route, options);
 }
 
-LineMotion move_in_lines(const Arm& arm, const Configuration& start,
-                         std::span<const Pose> waypoints, const LineOptions& options) {
+PathMotion move_in_lines(const Arm& arm, const Configuration& start,
+                         std::span<const Pose> waypoints, const PathMotionOptions& options) {
   check_options(options);
   std::vector<Pose> poses = checked_waypoints(waypoints);
   const Configuration q = checked_start(arm, start);
@@ -190,9 +190,10 @@ LineMotion move_in_lines(const Arm& arm, const Configuration& start,
   return move_along(arm, q, route_of(lines_through(poses), PathKind::line), options);
 }
 
-LineMotion move_in_lines(const Arm& arm, std::span<const Pose> poses, const LineOptions& options) {
+PathMotion move_in_lines(const Arm& arm, std::span<const Pose> poses,
+                         const PathMotionOptions& options) {
   check_options(options);
-  LineMotion motion =
+  PathMotion motion =
       move_along(arm, std::nullopt, route_of(lines_through(poses), PathKind::line), options);
   if (!motion.arrivals.empty()) motion.arrivals.insert(motion.arrivals.begin(), 0);
   return motion;

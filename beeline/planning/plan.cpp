@@ -13,7 +13,7 @@ constexpr int grids[] = {16, 64, 256};  // solutions of each pose, roughly, that
 Branch from_any_beginning(const Arm& arm, const ToolPath& path, const BranchOptions& options) {
   const InverseResult answer = inverse_kinematics(arm, pose_at(path, 0), {.task = options.task});
   if (answer.status == InverseStatus::solved) {
-    return follow_branch(arm, answer.solutions.front(), path, options);
+    return track_branch(arm, answer.solutions.front(), path, options);
   }
   Branch branch;
   branch.status = status_of(answer.status);
@@ -38,14 +38,15 @@ std::optional<Branch> follow_ladders(const Arm& arm, const std::optional<Configu
                                      const ToolPath& path, const BranchOptions& options) {
   std::optional<Branch> best;
   for (const int grid : grids) {
-    const Ladder rungs = ladder(arm, path, {.task = options.task, .start = start, .grid = grid});
-    if (!rungs.knots.empty()) {
-      const KnotSpline spline(rungs.knots, path);
+    const KnotSequence sequence =
+        search_layered_graph(arm, path, {.task = options.task, .start = start, .grid = grid});
+    if (!sequence.knots.empty()) {
+      const KnotSpline spline(sequence.knots, path);
       BranchOptions guided = options;
       guided.reasons = BranchOptions::Reasons::none;
       guided.guide = [&spline](double place) { return spline.at(place); };
-      const Branch branch = follow_branch(arm, rungs.knots.front().q, path, guided);
-      if (!best || branch.done > best->done) best = branch;
+      const Branch branch = track_branch(arm, sequence.knots.front().q, path, guided);
+      if (!best || branch.path_parameter > best->path_parameter) best = branch;
       if (branch.status == MotionStatus::reached) break;
     }
     if (!worth_more(arm, path, options, grid, best)) break;
@@ -58,24 +59,24 @@ std::optional<Branch> follow_ladders(const Arm& arm, const std::optional<Configu
 Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, const ToolPath& path,
                  const BranchOptions& options) {
   const bool spare = arm.dof() > options.task.size();
-  if (!spare && start) return follow_branch(arm, *start, path, options);
+  if (!spare && start) return track_branch(arm, *start, path, options);
   if (!spare) {
-    const std::vector<Branch> branches = follow_branches(arm, path, options);
+    const std::vector<Branch> branches = track_branches(arm, path, options);
     return branches.empty() ? from_any_beginning(arm, path, options) : branches.front();
   }
   std::optional<Branch> planned = follow_ladders(arm, start, path, options);
   if (planned && planned->status == MotionStatus::reached) return *planned;
   if (!planned && !start) return from_any_beginning(arm, path, options);
   // As the joints come, deciding at each step: where solutions are too rare for a ladder.
-  const Branch greedy = follow_branch(arm, start ? *start : planned->start, path, options);
-  if (!planned || planned->done <= greedy.done) return greedy;
+  const Branch greedy = track_branch(arm, start ? *start : planned->start, path, options);
+  if (!planned || planned->path_parameter <= greedy.path_parameter) return greedy;
   if (options.reasons != BranchOptions::Reasons::none) explain(arm, path, options, *planned);
   return *planned;
 }
 
 std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, BranchOptions options) {
   options.reasons = BranchOptions::Reasons::all;
-  if (arm.dof() <= options.task.size()) return follow_branches(arm, path, options);
+  if (arm.dof() <= options.task.size()) return track_branches(arm, path, options);
   constexpr int coarse = 6;
   options.finest_grid = grids[1];  // for each of many
   const InverseResult starts = inverse_kinematics(

@@ -42,7 +42,7 @@ Deviation off_segment(const Line& line, const Pose& pose) {
 }
 
 /// The fraction of the line that a refusal tells; -1 where it tells none.
-double told_fraction(const LineMotion& motion) {
+double told_fraction(const PathMotion& motion) {
   const std::size_t at = motion.reason.find("stops after ");
   return at == std::string::npos ? -1 : std::stod(motion.reason.substr(at + 12)) / 100;
 }
@@ -54,7 +54,7 @@ double seconds_of(const auto& work) {
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
-void measure(const Arm& arm, const Line& line, const LineMotion& motion, int number, Tally& tally) {
+void measure(const Arm& arm, const Line& line, const PathMotion& motion, int number, Tally& tally) {
   const auto& positions = motion.trajectory.positions;
   const auto& times = motion.trajectory.times;
   const auto steps = static_cast<int>(positions.size()) - 1;
@@ -77,7 +77,7 @@ void measure(const Arm& arm, const Line& line, const LineMotion& motion, int num
       }
     }
   }
-  const Deviation& bound = motion.straightness.bound;
+  const Deviation& bound = motion.deviation.bound;
   if (worst.position > bound.position + 1e-12 || worst.orientation > bound.orientation + 1e-12) {
     ++tally.broken;
     std::printf("  %d: BOUND BROKEN %g > %g or %g > %g\n", number, worst.position, bound.position,
@@ -102,7 +102,7 @@ bool reachable(const Arm& arm, const Line& line, double s, bool limits) {
   return result.status == InverseStatus::solved;
 }
 
-void judge_refusal(const Arm& arm, const Line& line, const LineMotion& motion, int number,
+void judge_refusal(const Arm& arm, const Line& line, const PathMotion& motion, int number,
                    Tally& tally) {
   const bool spare = arm.dof() == 7;
   const DenseAnswer dense =
@@ -120,11 +120,11 @@ void judge_refusal(const Arm& arm, const Line& line, const LineMotion& motion, i
           {static_cast<double>(r) / static_cast<double>(dense.way.size() - 1), dense.way[r]});
     }
     const KnotSpline spline(knots, lines_through(std::vector{line.from, line.to}));
-    const Followed way =
-        follow(arm, line, Task::spatial(), bounds_of(arm), dense.way.front(),
-               {.tolerance = {1e-4, 1e-4}, .most_samples = 100'000, .guide = [&](double s) {
-                  return spline.at(s);
-                }});
+    const TrackedSegment way =
+        track_segment(arm, line, Task::spatial(), bounds_of(arm), dense.way.front(),
+                      {.tolerance = {1e-4, 1e-4}, .most_samples = 100'000, .guide = [&](double s) {
+                         return spline.at(s);
+                       }});
     if (way.through()) {
       ++tally.missed;
       return print("MISSED");
@@ -180,7 +180,7 @@ int main(int argc, char** argv) {
   for (int i = 0; i < lines; ++i) {
     const Line line = random_certified_line(random, arm);
     const std::vector<Pose> poses{line.from, line.to};
-    LineMotion motion;
+    PathMotion motion;
     const double seconds = seconds_of([&] { motion = move_in_lines(arm, poses); });
     ++tally.statuses[name(motion.status)];
     if (motion.status == MotionStatus::reached) {

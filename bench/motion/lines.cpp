@@ -45,7 +45,7 @@ void plan(benchmark::State& state, bool panda) {
 
 void whole(benchmark::State& state, bool panda, Law law) {
   const Case line = half_a_metre(panda);
-  LineMotion motion;
+  PathMotion motion;
   for (auto _ : state) motion = move_in_lines(line.arm, line.poses, {.law = law});
   if (motion.status != MotionStatus::reached) state.SkipWithError(motion.reason.c_str());
   if (motion.trajectory.size() == 0) return;
@@ -55,7 +55,7 @@ void whole(benchmark::State& state, bool panda, Law law) {
 
 void check(benchmark::State& state, bool panda) {
   const Case line = half_a_metre(panda);
-  const LineMotion motion = move_in_lines(line.arm, line.poses, {.law = Law::quintic});
+  const PathMotion motion = move_in_lines(line.arm, line.poses, {.law = Law::quintic});
   for (auto _ : state) {
     benchmark::DoNotOptimize(verify(line.arm, motion.trajectory, line.poses));
   }

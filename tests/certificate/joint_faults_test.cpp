@@ -41,9 +41,9 @@ TEST(ToldByPositions, IsExactForPolynomials) {
     const Trajectory motion = along(
         cubic, [&](double t) { return b + c * t * t; }, 2);
     for (std::size_t k = 0; k + 4 < motion.size(); ++k) {
-      EXPECT_NEAR(told_by_positions(motion, k, 0, 3), std::abs(6 * c), 1e-7);
-      EXPECT_NEAR(told_by_positions(motion, k, 1, 2), std::abs(2 * c), 1e-8);
-      EXPECT_NEAR(told_by_positions(motion, k, 1, 3), 0, 1e-7);
+      EXPECT_NEAR(mean_derivative(motion, k, 0, 3), std::abs(6 * c), 1e-7);
+      EXPECT_NEAR(mean_derivative(motion, k, 1, 2), std::abs(2 * c), 1e-8);
+      EXPECT_NEAR(mean_derivative(motion, k, 1, 3), 0, 1e-7);
     }
   }
 }
@@ -55,8 +55,8 @@ TEST(ToldByPositions, IsNeverMoreThanASmoothMotionNeeds) {
                                     [](double t) { return std::sin(2 * t); }, 6, count);
     for (std::size_t k = 0; k < motion.size(); ++k) {
       for (int order = 1; order <= 3; ++order) {
-        ASSERT_LE(told_by_positions(motion, k, 0, order), 1 + 1e-9) << count;
-        ASSERT_LE(told_by_positions(motion, k, 1, order), std::pow(2, order) * (1 + 1e-9));
+        ASSERT_LE(mean_derivative(motion, k, 0, order), 1 + 1e-9) << count;
+        ASSERT_LE(mean_derivative(motion, k, 1, order), std::pow(2, order) * (1 + 1e-9));
       }
     }
   }
@@ -64,9 +64,9 @@ TEST(ToldByPositions, IsNeverMoreThanASmoothMotionNeeds) {
 
 TEST(ToldByPositions, IsNothingWhereThereAreTooFewSamples) {
   const Trajectory motion = along([](double t) { return t * t * t; }, nothing, 1, 3);
-  EXPECT_GT(told_by_positions(motion, 0, 0, 3), 5);
-  EXPECT_EQ(told_by_positions(motion, 1, 0, 3), 0);
-  EXPECT_EQ(told_by_positions(motion, 3, 0, 1), 0);
+  EXPECT_GT(mean_derivative(motion, 0, 0, 3), 5);
+  EXPECT_EQ(mean_derivative(motion, 1, 0, 3), 0);
+  EXPECT_EQ(mean_derivative(motion, 3, 0, 1), 0);
 }
 
 TEST(SlowerByPositions, IsTheFactorThatMakesAMotionKeepItsLimits) {
@@ -75,10 +75,10 @@ TEST(SlowerByPositions, IsTheFactorThatMakesAMotionKeepItsLimits) {
     Trajectory motion =
         along([&](double t) { return 0.8 * std::sin(speed * t); }, nothing, 6 / speed, 400);
     for (const bool jerk : {true, false}) {
-      const double factor = slower_by_positions(arm, motion, jerk);
+      const double factor = slowdown_for_limits(arm, motion, jerk);
       Trajectory slow = motion;
       for (double& t : slow.times) t *= factor;
-      EXPECT_NEAR(slower_by_positions(arm, slow, jerk), 1, 1e-9);
+      EXPECT_NEAR(slowdown_for_limits(arm, slow, jerk), 1, 1e-9);
       const double most = std::max(
           {0.8 * speed, std::sqrt(0.4) * speed, jerk ? std::cbrt(0.8 / 6) * speed : 0.0, 1.0});
       EXPECT_NEAR(factor, most, 1e-3);

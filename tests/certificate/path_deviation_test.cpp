@@ -17,7 +17,7 @@ using testing::Random;
 
 Configuration at(double x, double y) { return Configuration{{x, y}}; }
 
-TEST(Straightness, MeasuresEveryLineFromItsOwnWaypoint) {
+TEST(PathDeviation, MeasuresEveryLineFromItsOwnWaypoint) {
   const Arm arm = built_in("gantry");
   const std::vector<Configuration> samples{at(0, 0), at(1, 0.25), at(2, 0), at(2.5, 1), at(2, 2)};
   std::vector<Pose> poses;
@@ -30,13 +30,13 @@ TEST(Straightness, MeasuresEveryLineFromItsOwnWaypoint) {
   const std::vector<double> places = places_along(arm, samples, path, reached, task);
   EXPECT_EQ(arrivals(places), reached);
   EXPECT_NEAR(places[1], 0.5, 1e-12);
-  const Straightness told = straightness(arm, samples, places, path, task);
+  const PathDeviation told = path_deviation(arm, samples, places, path, task);
   EXPECT_NEAR(told.sampled.position, 0.5, 1e-15);
   EXPECT_NEAR(told.bound.position, 0.5, 1e-15) << "slides leave no arc";
   EXPECT_EQ(told.sampled.orientation, 0);
 }
 
-TEST(Straightness, RefusesWhatDoesNotFit) {
+TEST(PathDeviation, RefusesWhatDoesNotFit) {
   const Arm arm = built_in("rrr");
   const std::vector<Configuration> samples{Configuration::Zero(3), Configuration::Zero(3)};
   const ToolPath path = lines_through(std::vector{make_pose({0, 0, 0}), make_pose({9, 0, 0})});
@@ -47,7 +47,7 @@ TEST(Straightness, RefusesWhatDoesNotFit) {
   EXPECT_REFUSED(placed({2}), "arrival 1");
   EXPECT_REFUSED(places_along(arm, {}, path, {}, Task::planar()), "samples");
   const auto told = [&](std::vector<double> places, const ToolPath& on) {
-    return straightness(arm, samples, places, on, Task::planar());
+    return path_deviation(arm, samples, places, on, Task::planar());
   };
   EXPECT_NO_THROW(told({0.2, 1}, path));
   EXPECT_REFUSED(told({0}, path), "a place");
@@ -77,8 +77,9 @@ struct Coarse {
 Coarse coarse(const Arm& arm, const ToolPath& path, Configuration q) {
   Coarse way{{q}, {0}};
   for (std::size_t i = 0; i < path.pieces.size(); ++i) {
-    const Followed piece = follow(arm, path.pieces[i], Task::spatial(), bounds_of(arm), q,
-                                  {.tolerance = {1e-4, 1e-4}, .most_samples = 2000});
+    const TrackedSegment piece =
+        track_segment(arm, path.pieces[i], Task::spatial(), bounds_of(arm), q,
+                      {.tolerance = {1e-4, 1e-4}, .most_samples = 2000});
     const bool last = i + 1 == path.pieces.size() || !piece.through();
     for (std::size_t k = 1; k < piece.samples.size(); ++k) {
       const bool end = k + 1 == piece.samples.size();
@@ -93,7 +94,7 @@ Coarse coarse(const Arm& arm, const ToolPath& path, Configuration q) {
 }
 
 // Round the corners of lines too, where it is large: whatever is between the samples is counted.
-TEST(Straightness, BoundsWhatIsBetweenSamplesAlsoOverTheEndsOfPieces) {
+TEST(PathDeviation, BoundsWhatIsBetweenSamplesAlsoOverTheEndsOfPieces) {
   Random random;
   int cut = 0;
   for (int i = 0; i < 60; ++i) {
@@ -101,7 +102,7 @@ TEST(Straightness, BoundsWhatIsBetweenSamplesAlsoOverTheEndsOfPieces) {
     const Configuration q = testing::inner_configuration(random, arm);
     const ToolPath path = path_ahead(random, arm, forward_kinematics(arm, q), i % 5);
     const Coarse way = coarse(arm, path, q);
-    const Straightness told = straightness(arm, way.samples, way.places, path, Task::spatial());
+    const PathDeviation told = path_deviation(arm, way.samples, way.places, path, Task::spatial());
     ASSERT_LE(told.sampled.position, 1e-9);
     for (std::size_t k = 1; k < way.samples.size(); ++k) {
       const auto steps = cut_at_pieces(path, Task::spatial(), way.samples[k - 1], way.places[k - 1],

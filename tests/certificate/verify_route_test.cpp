@@ -49,7 +49,7 @@ std::vector<MadeAlong> made_along(const std::string& name) {
   std::vector<MadeAlong> all;
   for (const Route& route : routes) {
     for (const double rate : {0.0, 1000.0}) {
-      const LineMotion motion = move_along(arm, start, route, {.law = Law::quintic, .rate = rate});
+      const PathMotion motion = move_along(arm, start, route, {.law = Law::quintic, .rate = rate});
       EXPECT_EQ(motion.reason, "") << name << " " << all.size();
       all.push_back({arm, route, motion.trajectory});
     }
@@ -81,7 +81,7 @@ TEST(Verify, PassesPiecesOnWhichNothingThatMattersMoves) {
   for (const PathKind kind : {PathKind::line, PathKind::screw}) {
     for (const double rate : {0.0, 300.0}) {
       const Route route = route_of(path_through(poses, kind), kind);
-      const LineMotion motion = move_along(arm, start, route, {.task = task, .rate = rate});
+      const PathMotion motion = move_along(arm, start, route, {.task = task, .rate = rate});
       ASSERT_EQ(motion.reason, "");
       const Verification found = verify(arm, motion.trajectory, route, {.task = task});
       EXPECT_EQ(found.reason, "") << name(kind) << " " << rate;
@@ -147,7 +147,7 @@ TEST(Verify, TellsAMotionThatGoesBack) {
   Pose to = forward_kinematics(arm, start);
   to.translation() += Vector3(0.1, 0.05, 0);
   const std::vector<Pose> waypoints{to};
-  const LineMotion motion = move_in_lines(arm, start, waypoints, {.law = Law::quintic});
+  const PathMotion motion = move_in_lines(arm, start, waypoints, {.law = Law::quintic});
   ASSERT_EQ(verify(arm, motion.trajectory, waypoints).reason, "");
   const std::size_t size = motion.trajectory.size(), turn = 3 * size / 4, back = size / 2;
   Trajectory there{motion.trajectory.joint_names, {}, {}, {}, {}};

@@ -16,7 +16,7 @@ struct Made {
 };
 
 /// Two lines of an arm, as `line` makes them.
-Made made(const std::string& name, const LineOptions& options = {}) {
+Made made(const std::string& name, const PathMotionOptions& options = {}) {
   const Arm arm = built_in(name);
   Configuration q = Configuration::Zero(arm.dof());
   const std::vector<double> six = name == "puma560"
@@ -30,7 +30,7 @@ Made made(const std::string& name, const LineOptions& options = {}) {
   b.linear() = so3_exp(Vector3(0.1, -0.2, 0.3)) * a.linear();
   c.translation() += Vector3(-0.06, 0.02, 0.05);
   std::vector<Pose> poses{a, b, c};
-  LineMotion motion = move_in_lines(arm, poses, options);
+  PathMotion motion = move_in_lines(arm, poses, options);
   EXPECT_EQ(motion.reason, "");
   return {arm, poses, motion.trajectory};
 }

@@ -70,7 +70,7 @@ double bend(const Case& given, const ControlledMotion& motion) {
   poses.insert(poses.end(), given.waypoints.begin(), given.waypoints.end());
   const ToolPath path = lines_through(poses);
   const auto places = places_along(given.arm, samples, path, motion.arrivals, Task::position());
-  return straightness(given.arm, samples, places, path, Task::position()).sampled.position;
+  return path_deviation(given.arm, samples, places, path, Task::position()).sampled.position;
 }
 
 std::vector<Case> cases() {

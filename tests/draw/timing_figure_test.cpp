@@ -51,7 +51,7 @@ Arm limited(const Arm& arm, Random& random) {
 
 struct LinesOf {
   Arm arm;
-  LineMotion motion;
+  PathMotion motion;
   FollowedPath path;
 };
 
@@ -62,7 +62,7 @@ LinesOf panda_lines(double rate = 0) {
   const std::vector<Pose> waypoints{Eigen::Translation3d(0, 0.2, -0.1) * tool,
                                     tool * Eigen::AngleAxisd(0.3, Vector3::UnitZ()),
                                     tool * Eigen::AngleAxisd(0.1, Vector3::UnitX())};
-  LineMotion motion = move_in_lines(arm, q, waypoints, {.rate = rate});
+  PathMotion motion = move_in_lines(arm, q, waypoints, {.rate = rate});
   FollowedPath path{motion.path, motion.places, Task::spatial(), Deviation{1e-4, 1e-4}};
   return {arm, motion, path};
 }
@@ -192,7 +192,7 @@ TEST(TimingFigure, RefusesWhatDoesNotFit) {
                  "places");
 }
 
-TEST(PathTrace, AgreesWithTheStraightnessReported) {
+TEST(PathTrace, AgreesWithTheDeviationReported) {
   for (const double rate : {0.0, 200.0}) {
     const auto [arm, motion, path] = panda_lines(rate);
     ASSERT_EQ(motion.status, MotionStatus::reached);
@@ -214,9 +214,9 @@ TEST(PathTrace, AgreesWithTheStraightnessReported) {
       bound.position = std::max(bound.position, step.bound.position);
       bound.orientation = std::max(bound.orientation, step.bound.orientation);
     }
-    EXPECT_NEAR(bound.position, motion.straightness.bound.position, 1e-12);
-    EXPECT_NEAR(bound.orientation, motion.straightness.bound.orientation, 1e-12);
-    EXPECT_GE(measured.position, motion.straightness.sampled.position - 1e-12);
+    EXPECT_NEAR(bound.position, motion.deviation.bound.position, 1e-12);
+    EXPECT_NEAR(bound.orientation, motion.deviation.bound.orientation, 1e-12);
+    EXPECT_GE(measured.position, motion.deviation.sampled.position - 1e-12);
     EXPECT_TRUE(trace.turns_only);  // the last line only turns
   }
 }
@@ -267,7 +267,7 @@ TEST(PathTrace, HasNothingToExaggerateOnLinesOfRounding) {
   const std::vector<Pose> waypoints{Pose(Eigen::Translation3d(1, 0.5, 0)),
                                     Pose(Eigen::Translation3d(1, 0.5, 0))};
   const Task task = Task::position();
-  const LineMotion motion = move_in_lines(arm, Configuration::Zero(2), waypoints, {.task = task});
+  const PathMotion motion = move_in_lines(arm, Configuration::Zero(2), waypoints, {.task = task});
   ASSERT_EQ(motion.status, MotionStatus::reached) << motion.reason;
   const FollowedPath path{motion.path, motion.places, task};
   const PathTrace trace = trace_path(arm, motion.trajectory.positions, path);

@@ -172,7 +172,7 @@ Deviation sampled(const Piece& piece, double s_a, double s_b, int points) {
   return seen;
 }
 
-TEST(OffChord, HoldsForAllPiecesAndIsNotWasteful) {
+TEST(SegmentChordBound, HoldsForAllPiecesAndIsNotWasteful) {
   Random random;
   std::map<std::string, std::vector<double>> ways, turns;
   for (int i = 0; i < 20000; ++i) {
@@ -180,7 +180,8 @@ TEST(OffChord, HoldsForAllPiecesAndIsNotWasteful) {
     const double step = std::pow(10, random.uniform(-3, 0));
     const double s_a = random.uniform(0, 1 - step), s_b = s_a + step;
     const bool back = random.integer(0, 1) == 1;
-    const OffChord bound = back ? off_chord(piece, s_b, s_a) : off_chord(piece, s_a, s_b);
+    const SegmentChordBound bound =
+        back ? segment_chord_bound(piece, s_b, s_a) : segment_chord_bound(piece, s_a, s_b);
     const Deviation seen = back ? sampled(piece, s_b, s_a, 20) : sampled(piece, s_a, s_b, 20);
     const double size = 1e-13 * size_of(piece);
     ASSERT_LE(seen.position, bound.position + 10 * size) << kind_of(piece) << " step " << step;
@@ -203,7 +204,7 @@ TEST(OffChord, HoldsForAllPiecesAndIsNotWasteful) {
   }
 }
 
-TEST(OffChord, OfAnArcIsItsRise) {
+TEST(SegmentChordBound, OfAnArcIsItsRise) {
   Random random;
   for (int i = 0; i < 2000; ++i) {
     const auto poses = random_poses(random, 3, 1, 3);
@@ -211,7 +212,7 @@ TEST(OffChord, OfAnArcIsItsRise) {
     const double radius = (arc.from.translation() - arc.centre).norm();
     const double s_a = random.uniform(0, 1), s_b = random.uniform(0, 1);
     const double angle = arc.turn.norm() * std::abs(s_b - s_a);
-    const OffChord bound = off_chord(arc, s_a, s_b);
+    const SegmentChordBound bound = segment_chord_bound(arc, s_a, s_b);
     const double rise = 2 * radius * std::pow(std::sin(angle / 4), 2);
     ASSERT_NEAR(bound.position, rise, 1e-9 * rise);
     ASSERT_LE(sampled(arc, s_a, s_b, 100).position, rise + 1e-13 * (1 + radius));
@@ -219,13 +220,13 @@ TEST(OffChord, OfAnArcIsItsRise) {
   }
 }
 
-TEST(OffChord, AsAVectorIsTheBendButForTheRest) {
+TEST(SegmentChordBound, AsAVectorIsTheBendButForTheRest) {
   Random random;
   for (int i = 0; i < 10000; ++i) {
     const Piece piece = random_piece(random);
     const double step = std::pow(10, random.uniform(-3, 0));
     const double s_a = random.uniform(0, 1 - step), s_b = s_a + step;
-    const OffChord bound = off_chord(piece, s_a, s_b);
+    const SegmentChordBound bound = segment_chord_bound(piece, s_a, s_b);
     const Pose from = pose_at(piece, s_a), to = pose_at(piece, s_b);
     for (int k = 1; k < 20; ++k) {
       const double t = k / 20.0;

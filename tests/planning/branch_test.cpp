@@ -16,7 +16,7 @@ Configuration joints(std::initializer_list<double> values) {
 }
 
 std::vector<Branch> branches(const Arm& arm, const std::vector<Pose>& poses, bool reasons = false) {
-  return follow_branches(
+  return track_branches(
       arm, lines_through(poses),
       {.task = default_task(arm),
        .reasons = reasons ? BranchOptions::Reasons::all : BranchOptions::Reasons::best});
@@ -39,9 +39,9 @@ TEST(FollowBranches, GivesOneForEachSolutionOfTheFirstPoseTheBestFirst) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Branch& branch = all[i];
     EXPECT_EQ(branch.reason.empty(), branch.status == MotionStatus::reached);
-    EXPECT_LE(branch.done, all.front().done);
+    EXPECT_LE(branch.path_parameter, all.front().path_parameter);
     if (branch.status != MotionStatus::reached) continue;
-    EXPECT_EQ(branch.done, 2);
+    EXPECT_EQ(branch.path_parameter, 2);
     ASSERT_EQ(branch.pieces.size(), 2);
     EXPECT_EQ(branch.pieces[0].samples.back(), branch.pieces[1].samples.front());
     const Configuration& end = branch.pieces[1].samples.back();
@@ -104,10 +104,10 @@ TEST(FollowBranches, PassesTheWristsSingularity) {
       line.from.linear() = so3_exp(turn) * middle.linear();
       line.to.translation() += way;
       line.to.linear() = so3_exp(-turn) * middle.linear();
-      const LineMotion motion = move_in_lines(arm, std::vector<Pose>{line.from, line.to});
+      const PathMotion motion = move_in_lines(arm, std::vector<Pose>{line.from, line.to});
       ASSERT_EQ(motion.status, MotionStatus::reached) << name << ' ' << off << motion.reason;
       expect_straight(arm, motion.trajectory.positions.front(), {line.to}, [&] {
-        LineMotion one = motion;
+        PathMotion one = motion;
         one.arrivals = {one.arrivals.back()};
         return one;
       }());
@@ -126,7 +126,7 @@ TEST(FollowBranches, LeavesASingularBeginning) {
     int solved = 0, possible = 0;
     for (int i = 0; i < 20; ++i) {
       Pose to = nearby_pose(random, arm, from);
-      const LineMotion motion = move_in_lines(arm, std::vector<Pose>{from, to});
+      const PathMotion motion = move_in_lines(arm, std::vector<Pose>{from, to});
       solved += motion.status == MotionStatus::reached;
       possible += dense_branches(arm, to, from).feasible();
     }
@@ -146,7 +146,7 @@ TEST(FollowBranches, PassesTheShoulderButNotThroughIt) {
     from.translation() = Vector3(offset + off, -0.15, 0.4) + hand * from.linear().col(2);
     Pose to = from;
     to.translation().y() += 0.3;
-    const LineMotion motion = move_in_lines(arm, std::vector<Pose>{from, to});
+    const PathMotion motion = move_in_lines(arm, std::vector<Pose>{from, to});
     const auto expected = off >= 0 ? MotionStatus::reached : MotionStatus::unreachable;
     EXPECT_EQ(motion.status, expected) << off << ' ' << motion.reason;
     if (off >= 0) expect_within_limits(arm, motion.trajectory);

@@ -15,7 +15,7 @@ INSTANTIATE_TEST_SUITE_P(Arms, CertifiedLines,
                          [](const auto& arm) { return std::string(arm.param); });
 
 /// What is proved holds at 2,000 places, and is at most three times what is measured there.
-void expect_proof_is_tight(const Arm& arm, const Line& line, const LineMotion& motion) {
+void expect_proof_is_tight(const Arm& arm, const Line& line, const PathMotion& motion) {
   const auto& q = motion.trajectory.positions;
   const int parts = 2'000 / static_cast<int>(q.size()) + 4;
   Deviation worst;
@@ -27,7 +27,7 @@ void expect_proof_is_tight(const Arm& arm, const Line& line, const LineMotion& m
       worst.orientation = std::max(worst.orientation, off.orientation);
     }
   }
-  const Deviation& bound = motion.straightness.bound;
+  const Deviation& bound = motion.deviation.bound;
   ASSERT_LE(worst.position, bound.position + 1e-12);
   ASSERT_LE(worst.orientation, bound.orientation + 1e-12);
   EXPECT_LE(bound.position, 3 * worst.position + 1e-6);
@@ -35,7 +35,7 @@ void expect_proof_is_tight(const Arm& arm, const Line& line, const LineMotion& m
 }
 
 /// A search that knows nothing of the planner comes no farther, and sees the same obstacle.
-void expect_rightly_refused(const Arm& arm, const Line& line, const LineMotion& motion) {
+void expect_rightly_refused(const Arm& arm, const Line& line, const PathMotion& motion) {
   const double told = told_fraction(motion);
   if (arm.dof() == 7) {
     const DenseAnswer dense = dense_layers(arm, line.from, line.to, 80, 48, 0.3);
@@ -69,7 +69,7 @@ TEST_P(CertifiedLines, EveryFeasibleLineIsSolvedAndEveryOtherRefusedWithItsReaso
     SCOPED_TRACE(i);
     const Line line = random_certified_line(random, arm);
     const std::vector<Pose> poses{line.from, line.to};
-    const LineMotion motion = move_in_lines(arm, poses, {.law = Law::fastest});
+    const PathMotion motion = move_in_lines(arm, poses, {.law = Law::fastest});
     if (motion.status != MotionStatus::reached) {
       expect_rightly_refused(arm, line, motion);
       continue;

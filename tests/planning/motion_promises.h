@@ -62,8 +62,8 @@ inline Deviation off_segment(const Line& line, const Pose& pose) {
 
 /// Everything that a motion must keep, checked from outside and between the samples.
 inline void expect_straight(const Arm& arm, const Configuration& start,
-                            const std::vector<Pose>& waypoints, const LineMotion& motion,
-                            const LineOptions& options = {}, int dense = 20) {
+                            const std::vector<Pose>& waypoints, const PathMotion& motion,
+                            const PathMotionOptions& options = {}, int dense = 20) {
   ASSERT_EQ(motion.status, MotionStatus::reached) << arm.name() << ": " << motion.reason;
   EXPECT_EQ(motion.reason, "");
   const Trajectory& trajectory = motion.trajectory;
@@ -71,11 +71,10 @@ inline void expect_straight(const Arm& arm, const Configuration& start,
   ASSERT_LT((trajectory.positions.front() - start).norm(), 1e-8);
   expect_within_limits(arm, trajectory);
   ASSERT_EQ(motion.arrivals.size(), waypoints.size());
-  EXPECT_LE(motion.straightness.measured.position, motion.straightness.bound.position + 1e-12);
-  EXPECT_LE(motion.straightness.measured.orientation,
-            motion.straightness.bound.orientation + 1e-12);
-  EXPECT_LE(motion.straightness.bound.position, options.tolerance);
-  EXPECT_LE(motion.straightness.bound.orientation, options.orientation_tolerance);
+  EXPECT_LE(motion.deviation.measured.position, motion.deviation.bound.position + 1e-12);
+  EXPECT_LE(motion.deviation.measured.orientation, motion.deviation.bound.orientation + 1e-12);
+  EXPECT_LE(motion.deviation.bound.position, options.tolerance);
+  EXPECT_LE(motion.deviation.bound.orientation, options.orientation_tolerance);
 
   Line line{forward_kinematics(arm, start), {}};
   std::size_t k = 0;
@@ -89,7 +88,7 @@ inline void expect_straight(const Arm& arm, const Configuration& start,
       for (int i = 0; i < dense && moves; ++i) {
         const Pose pose = forward_kinematics(arm, q + double(i) / dense * step);
         const Deviation off = off_segment(line, pose);
-        const Deviation& most = i == 0 ? Deviation{1e-9, 1e-8} : motion.straightness.bound;
+        const Deviation& most = i == 0 ? Deviation{1e-9, 1e-8} : motion.deviation.bound;
         ASSERT_LE(off.position, most.position + 1e-12) << "sample " << k << " + " << i;
         ASSERT_LE(off.orientation, most.orientation + 1e-12) << "sample " << k << " + " << i;
       }
@@ -103,12 +102,12 @@ inline void expect_straight(const Arm& arm, const Configuration& start,
   EXPECT_EQ(motion.arrivals.back() + 1, trajectory.size());
 }
 
-inline double told_fraction(const LineMotion& motion) {
+inline double told_fraction(const PathMotion& motion) {
   const std::size_t at = motion.reason.find("stops after ");
   return at == std::string::npos ? -1 : std::stod(motion.reason.substr(at + 12)) / 100;
 }
 
-inline void expect_nothing_made(const LineMotion& motion, MotionStatus status) {
+inline void expect_nothing_made(const PathMotion& motion, MotionStatus status) {
   EXPECT_EQ(motion.status, status) << motion.reason;
   EXPECT_NE(motion.reason, "");
   EXPECT_EQ(motion.trajectory.size(), 0);

@@ -32,7 +32,7 @@ TEST(MoveInLines, KeepsRedundantJointsFromTheirLimits) {
       goal = 0.9 * random.configuration(arm);
     } while (std::abs(goal.sum() - start.sum()) > 3);
     const Pose to = forward_kinematics(arm, goal);
-    const LineMotion motion = move_in_lines(arm, start, std::vector{to});
+    const PathMotion motion = move_in_lines(arm, start, std::vector{to});
     if (motion.status == MotionStatus::reached) {
       ++ours;
       expect_within_limits(arm, motion.trajectory);
@@ -50,12 +50,12 @@ TEST(MoveInLines, LeavesFreeWhatTheTaskDoesNotAsk) {
                             so3_exp({0.2, -0.1, 1}) * from.linear());
   for (const std::string task :
        {"position", "111110:tool", "110000", "001000", "000111", "110111:tool", "111001"}) {
-    const LineOptions options{.task = task_named(task)};
-    const LineMotion motion = move_in_lines(arm, start, std::vector{to}, options);
+    const PathMotionOptions options{.task = task_named(task)};
+    const PathMotion motion = move_in_lines(arm, start, std::vector{to}, options);
     ASSERT_EQ(motion.status, MotionStatus::reached) << task << ": " << motion.reason;
     expect_within_limits(arm, motion.trajectory);
-    EXPECT_LE(motion.straightness.bound.position, options.tolerance) << task;
-    EXPECT_LE(motion.straightness.bound.orientation, options.orientation_tolerance) << task;
+    EXPECT_LE(motion.deviation.bound.position, options.tolerance) << task;
+    EXPECT_LE(motion.deviation.bound.orientation, options.orientation_tolerance) << task;
     const Pose end = forward_kinematics(arm, motion.trajectory.positions.back());
     EXPECT_LE(task_error(*options.task, to, end).norm(), 1e-9) << task;
     const Line line{from, to};
@@ -63,8 +63,8 @@ TEST(MoveInLines, LeavesFreeWhatTheTaskDoesNotAsk) {
       const Configuration middle =
           0.5 * (motion.trajectory.positions[k - 1] + motion.trajectory.positions[k]);
       const Deviation off = deviation_from(line, forward_kinematics(arm, middle), *options.task);
-      ASSERT_LE(off.position, motion.straightness.bound.position + 1e-9) << task;
-      ASSERT_LE(off.orientation, motion.straightness.bound.orientation + 1e-9) << task;
+      ASSERT_LE(off.position, motion.deviation.bound.position + 1e-9) << task;
+      ASSERT_LE(off.orientation, motion.deviation.bound.orientation + 1e-9) << task;
     }
   }
 }
@@ -74,10 +74,10 @@ TEST(MoveInLines, TurnsInPlaceAlsoWithAFreeRoll) {
   const Configuration start{{0.5, -1, 1.5, -0.5, 1, 0}};
   const Pose from = forward_kinematics(arm, start);
   const Pose to = make_pose(from.translation(), from.linear() * so3_exp({0.2, 0.1, 0.3}));
-  const LineOptions options{.task = task_named("111110:tool")};
-  const LineMotion motion = move_in_lines(arm, start, std::vector{to}, options);
+  const PathMotionOptions options{.task = task_named("111110:tool")};
+  const PathMotion motion = move_in_lines(arm, start, std::vector{to}, options);
   ASSERT_EQ(motion.status, MotionStatus::reached) << motion.reason;
-  EXPECT_LE(motion.straightness.bound.orientation, options.orientation_tolerance);
+  EXPECT_LE(motion.deviation.bound.orientation, options.orientation_tolerance);
 }
 
 TEST(MoveInLines, KeepsATighterToleranceWithMoreSamples) {
@@ -86,8 +86,8 @@ TEST(MoveInLines, KeepsATighterToleranceWithMoreSamples) {
   const std::vector<Pose> waypoints{planar(4.5, 5.2, 0)};
   std::size_t before = 0;
   for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
-    const LineOptions options{.tolerance = tolerance, .orientation_tolerance = 1e-3};
-    const LineMotion motion = move_in_lines(arm, start, waypoints, options);
+    const PathMotionOptions options{.tolerance = tolerance, .orientation_tolerance = 1e-3};
+    const PathMotion motion = move_in_lines(arm, start, waypoints, options);
     expect_straight(arm, start, waypoints, motion, options, 5);
     EXPECT_GT(motion.trajectory.size(), before);
     before = motion.trajectory.size();
@@ -103,9 +103,9 @@ TEST(MoveInLines, KeepsTheToolsSpeedAlsoBetweenSamples) {
     Pose to = forward_kinematics(arm, start);
     to.translation() += Vector3(-0.2, 0.1, 0);
     for (const std::string task : {"", "110000"}) {
-      LineOptions options{.tool_speed = 0.05};
+      PathMotionOptions options{.tool_speed = 0.05};
       if (!task.empty()) options.task = task_named(task);
-      const LineMotion motion = move_in_lines(arm, start, std::vector{to}, options);
+      const PathMotion motion = move_in_lines(arm, start, std::vector{to}, options);
       ASSERT_EQ(motion.status, MotionStatus::reached) << motion.reason;
       const Trajectory& way = motion.trajectory;
       double fastest = 0;
@@ -130,7 +130,7 @@ TEST(MoveInLines, StopsAtTheSamplesAllowed) {
   const int all = static_cast<int>(move_in_lines(arm, start, waypoints).trajectory.size());
   EXPECT_EQ(move_in_lines(arm, start, waypoints, {.most_samples = all}).trajectory.size(), all);
   for (const int most : {2, 10, all / 2, all - 1}) {
-    const LineMotion motion = move_in_lines(arm, start, waypoints, {.most_samples = most});
+    const PathMotion motion = move_in_lines(arm, start, waypoints, {.most_samples = most});
     expect_nothing_made(motion, MotionStatus::not_converged);
     EXPECT_NE(motion.reason.find("more than " + std::to_string(most)), std::string::npos)
         << motion.reason;
@@ -153,7 +153,7 @@ TEST(MoveInLines, RefusesWhatMakesNoSense) {
   const Arm arm = built_in("panda");
   const Configuration start{{0, -0.785, 0, -2.356, 0, 1.571, 0.785}};
   const Pose from = forward_kinematics(arm, start);
-  const auto moved = [&](std::vector<Pose> waypoints, LineOptions options = {}) {
+  const auto moved = [&](std::vector<Pose> waypoints, PathMotionOptions options = {}) {
     return move_in_lines(arm, start, waypoints, options);
   };
   Pose nan = from, skew = from;

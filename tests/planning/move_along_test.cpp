@@ -29,7 +29,7 @@ TEST(MoveInLines, KeepsEveryPromiseOnRandomLinesOfBuiltInArms) {
       const Configuration start = testing::inner_configuration(random, arm);
       const Pose to = testing::nearby_pose(random, arm, forward_kinematics(arm, start));
       const std::vector<Pose> waypoints{to};
-      const LineMotion motion = move_in_lines(arm, start, waypoints);
+      const PathMotion motion = move_in_lines(arm, start, waypoints);
       if (motion.status == MotionStatus::reached) {
         ++reached;
         expect_straight(arm, start, waypoints, motion);
@@ -49,8 +49,8 @@ TEST(MoveInLines, GivesTheSameAnswerTwice) {
   const Pose from = forward_kinematics(arm, start);
   const std::vector<Pose> waypoints{make_pose(from.translation() + Vector3(0.1, 0.2, -0.1),
                                               so3_exp({0.3, -0.2, 0.5}) * from.linear())};
-  const LineMotion a = move_in_lines(arm, start, waypoints);
-  const LineMotion b = move_in_lines(arm, start, waypoints);
+  const PathMotion a = move_in_lines(arm, start, waypoints);
+  const PathMotion b = move_in_lines(arm, start, waypoints);
   expect_straight(arm, start, waypoints, a);
   EXPECT_EQ(a.trajectory.positions, b.trajectory.positions);
   EXPECT_EQ(a.trajectory.times, b.trajectory.times);
@@ -74,7 +74,7 @@ TEST(MoveInLines, TellsWhereALineLeavesTheWorkspace) {
     const double s = (-b + std::sqrt(b * b - a * c)) / a;
     const double nearest = std::sqrt(std::max(0.0, wrist.squaredNorm() - b * b / a));
     if (nearest < 0.1 && b < 0) continue;  // past the folded arm: a test of its own
-    const LineMotion motion = move_in_lines(arm, start, std::vector{to});
+    const PathMotion motion = move_in_lines(arm, start, std::vector{to});
     expect_nothing_made(motion, MotionStatus::unreachable);
     ASSERT_NEAR(told_fraction(motion), s, 1e-4) << motion.reason;
     ASSERT_NE(motion.reason.find("line 1 of 1"), std::string::npos);
@@ -96,7 +96,7 @@ TEST(MoveInLines, NamesTheJointWhoseLimitIsInTheWay) {
     const double distance = 7 * std::cos(elbow / 2);
     const Vector3 way = wrist.normalized() * (outwards ? 3 : -3);
     const double s = (distance - wrist.norm()) / (outwards ? 3 : -3);
-    const LineMotion motion =
+    const PathMotion motion =
         move_in_lines(arm, start, std::vector{make_pose(from.translation() + way, from.linear())});
     expect_nothing_made(motion, MotionStatus::outside_limits);
     ASSERT_NEAR(told_fraction(motion), s, 1e-5) << motion.reason;
@@ -112,7 +112,7 @@ TEST(MoveInLines, NamesASlidesLimitInMetres) {
   joints[1].limits = {.lower = 0, .upper = 2};
   const Arm arm("rp", joints);
   const Pose to = planar(9, 0, 0);
-  const LineMotion motion = move_in_lines(arm, Configuration{{0, 1}}, std::vector{to});
+  const PathMotion motion = move_in_lines(arm, Configuration{{0, 1}}, std::vector{to});
   expect_nothing_made(motion, MotionStatus::outside_limits);
   EXPECT_NE(motion.reason.find("joint2 would have to pass its upper limit of 2 m"),
             std::string::npos)
@@ -125,7 +125,7 @@ TEST(MoveInLines, StopsAtASingularityWhereItWouldHaveToJump) {
   const Arm arm = built_in("rrr");
   const std::vector<Pose> waypoints{planar(2, 0, 0), planar(2, -3, 0)};
   const Configuration start{{-70 * deg, 140 * deg, -70 * deg}};
-  const LineMotion motion = move_in_lines(arm, start, waypoints);
+  const PathMotion motion = move_in_lines(arm, start, waypoints);
   expect_nothing_made(motion, MotionStatus::singular);
   EXPECT_NE(motion.reason.find("line 2 of 2 stops after"), std::string::npos) << motion.reason;
   EXPECT_NE(motion.reason.find("jump"), std::string::npos) << motion.reason;
@@ -160,7 +160,7 @@ TEST(MoveInLines, TurnsInPlaceByUpToHalfATurn) {
   const Pose from = forward_kinematics(arm, start);
   for (const double angle : {1e-7, 0.1, 1.0, 2.0, pi}) {
     const Pose to = make_pose(from.translation(), so3_exp({0, 0, angle}) * from.linear());
-    const LineMotion motion = move_in_lines(arm, start, std::vector{to});
+    const PathMotion motion = move_in_lines(arm, start, std::vector{to});
     expect_straight(arm, start, {to}, motion);
     const Vector3 whole = pose_difference(to, from).tail<3>();
     for (const Configuration& q : motion.trajectory.positions) {
@@ -180,7 +180,7 @@ TEST(MoveInLines, TakesLinesThatHardlyMoveOrTurn) {
     for (const double turn : {0.0, 1e-12, 1e-8, 1e-4, 1e-2, 0.3}) {
       const Pose to = make_pose(from.translation() + way * Vector3(0.6, 0, 0.8),
                                 so3_exp({0, turn, 0}) * from.linear());
-      const LineMotion motion = move_in_lines(arm, start, std::vector{to});
+      const PathMotion motion = move_in_lines(arm, start, std::vector{to});
       expect_straight(arm, start, {to}, motion);
       ASSERT_LT(motion.trajectory.size(), 2000) << way << " m, " << turn << " rad";
     }
@@ -192,10 +192,10 @@ TEST(MoveInLines, AddsNothingForWaypointsWhereTheToolIsAlready) {
   const Configuration start{{0.5, -1, 1.5, -0.5, 1, 0}};
   const Pose from = forward_kinematics(arm, start);
   const Pose away = make_pose(from.translation() + Vector3(0, 0, 0.1), from.linear());
-  const LineMotion still = move_in_lines(arm, start, std::vector{from});
+  const PathMotion still = move_in_lines(arm, start, std::vector{from});
   EXPECT_EQ(still.status, MotionStatus::reached);
   EXPECT_EQ(still.trajectory.size(), 1);
-  const LineMotion motion = move_in_lines(arm, start, std::vector{from, away, away, from, from});
+  const PathMotion motion = move_in_lines(arm, start, std::vector{from, away, away, from, from});
   expect_straight(arm, start, {from, away, away, from, from}, motion);
   EXPECT_EQ(motion.arrivals[0], 0);
   EXPECT_EQ(motion.arrivals[1], motion.arrivals[2]);

@@ -18,7 +18,7 @@ TEST(PlanPath, GoesAlongLimits) {
     const Line line = random_certified_line(random, arm);
     if (i != 29 && i != 224 && i != 426 && i != 439 && i != 495) continue;
     const std::vector<Pose> poses{line.from, line.to};
-    const LineMotion motion = move_in_lines(arm, poses, {.law = Law::quintic});
+    const PathMotion motion = move_in_lines(arm, poses, {.law = Law::quintic});
     ASSERT_EQ(motion.status, MotionStatus::reached) << i << ": " << motion.reason;
     EXPECT_EQ(verify(arm, motion.trajectory, poses).reason, "");
   }
@@ -47,11 +47,11 @@ TEST(PlanPath, AlwaysSaysWhyAndWhere) {
                                   {.task = Task::spatial()});
     if (plan.status == MotionStatus::reached) {
       EXPECT_EQ(plan.reason, "");
-      EXPECT_EQ(plan.done, 1);
+      EXPECT_EQ(plan.path_parameter, 1);
       continue;
     }
     EXPECT_EQ(plan.reason.rfind("line 1 of 1 stops after ", 0), 0) << plan.reason;
-    EXPECT_LT(plan.done, 1);
+    EXPECT_LT(plan.path_parameter, 1);
   }
 }
 
@@ -61,7 +61,7 @@ TEST(PlanPath, TellsABeginningThatCannotBe) {
     Pose far = forward_kinematics(arm, Configuration::Zero(arm.dof()));
     Pose near = far;
     far.translation().x() += 50;
-    const LineMotion motion = move_in_lines(arm, std::vector<Pose>{far, near});
+    const PathMotion motion = move_in_lines(arm, std::vector<Pose>{far, near});
     if (motion.status == MotionStatus::reached) continue;  // a slide without end
     expect_nothing_made(motion, MotionStatus::unreachable);
     EXPECT_NE(motion.reason.find("beginning"), std::string::npos) << motion.reason;
@@ -81,12 +81,12 @@ TEST(PlanPath, ComesToTheElbowsLimitAndNotBeyond) {
     near.translation() -= 0.3 * out;
     beyond.translation() += 0.3 * out;
     for (const auto& poses : {std::vector<Pose>{near, far}, {far, near}}) {
-      const LineMotion motion = move_in_lines(arm, poses, {.law = Law::quintic});
+      const PathMotion motion = move_in_lines(arm, poses, {.law = Law::quintic});
       ASSERT_EQ(motion.status, MotionStatus::reached) << off << ' ' << motion.reason;
       EXPECT_EQ(verify(arm, motion.trajectory, poses).reason, "");
       EXPECT_LT(motion.trajectory.times.back(), 20);
     }
-    const LineMotion refused = move_in_lines(arm, std::vector<Pose>{near, beyond});
+    const PathMotion refused = move_in_lines(arm, std::vector<Pose>{near, beyond});
     expect_nothing_made(refused, MotionStatus::unreachable);
   }
 }
@@ -102,9 +102,9 @@ TEST(PlanPath, LeavesRowsFree) {
       Pose to = from;
       to.translation() += 0.05 * random.direction();
       to.linear() = so3_exp(0.05 * random.direction()) * from.linear();
-      const LineOptions options{.task = task_named(task), .law = Law::quintic};
+      const PathMotionOptions options{.task = task_named(task), .law = Law::quintic};
       const std::vector<Pose> poses{from, to};
-      const LineMotion motion = move_in_lines(arm, poses, options);
+      const PathMotion motion = move_in_lines(arm, poses, options);
       ASSERT_NE(motion.status, MotionStatus::not_converged) << name << task << motion.reason;
       if (motion.status != MotionStatus::reached) continue;
       ++reached;
@@ -124,7 +124,7 @@ TEST(PlanPath, AnswersForAnyArm) {
     const Pose from = forward_kinematics(arm, a);
     const Pose to =
         i % 2 == 0 ? forward_kinematics(arm, a + 0.02 * (b - a)) : nearby_pose(random, arm, from);
-    const LineMotion motion = i % 4 < 2 ? move_in_lines(arm, a, std::vector<Pose>{to})
+    const PathMotion motion = i % 4 < 2 ? move_in_lines(arm, a, std::vector<Pose>{to})
                                         : move_in_lines(arm, std::vector<Pose>{from, to});
     EXPECT_EQ(motion.reason.empty(), motion.status == MotionStatus::reached);
     EXPECT_EQ(motion.trajectory.size() > 0, motion.status == MotionStatus::reached);

@@ -31,13 +31,13 @@ Route route_through(const std::vector<Pose>& poses, PathKind kind) {
   return route_of(path_through(poses, kind), kind);
 }
 
-void expect_kept(const Arm& arm, const LineMotion& motion, const Route& route) {
+void expect_kept(const Arm& arm, const PathMotion& motion, const Route& route) {
   ASSERT_EQ(motion.status, MotionStatus::reached) << motion.reason;
   ASSERT_NO_THROW(check_trajectory(motion.trajectory));
-  EXPECT_LE(motion.straightness.bound.position, 1e-4);
-  EXPECT_LE(motion.straightness.bound.orientation, 1e-4);
-  EXPECT_LE(motion.straightness.measured.position, motion.straightness.bound.position);
-  EXPECT_LE(motion.straightness.sampled.position, 1e-9);
+  EXPECT_LE(motion.deviation.bound.position, 1e-4);
+  EXPECT_LE(motion.deviation.bound.orientation, 1e-4);
+  EXPECT_LE(motion.deviation.measured.position, motion.deviation.bound.position);
+  EXPECT_LE(motion.deviation.sampled.position, 1e-9);
   EXPECT_FALSE(first_joint_fault(arm, motion.trajectory).has_value())
       << first_joint_fault(arm, motion.trajectory)->reason;
   ASSERT_EQ(motion.arrivals.size(), route.path.pieces.size());
@@ -58,7 +58,7 @@ TEST(MoveAlong, TakesARateWithFewStepsOnAShortWayThatIsProved) {
   Pose to = from;
   to.translation().z() += 1e-3;
   const Route route = route_through({from, to}, PathKind::line);
-  const LineMotion motion = move_along(arm, start, route, {.rate = 20});
+  const PathMotion motion = move_along(arm, start, route, {.rate = 20});
   ASSERT_LT(motion.trajectory.size(), 5u) << "few steps";
   expect_kept(arm, motion, route);
 }
@@ -77,11 +77,11 @@ TEST(MoveAlong, PassesRoundedCornersWithoutAStop) {
   const Arm arm = built_in("panda");
   const std::vector<Pose> poses = square(arm);
   const Route rounded = route_of(rounded_lines(poses, {0.01, 0.05}));
-  const LineMotion motion = move_along(arm, ready, rounded);
+  const PathMotion motion = move_along(arm, ready, rounded);
   expect_kept(arm, motion, rounded);
   EXPECT_EQ(std::count(rounded.stops.begin(), rounded.stops.end(), true), 0);
   const Route sharp = route_through(poses, PathKind::line);
-  const LineMotion stops = move_along(arm, ready, sharp);
+  const PathMotion stops = move_along(arm, ready, sharp);
   EXPECT_LT(motion.trajectory.times.back(), stops.trajectory.times.back());
   for (std::size_t w = 1; w + 1 < poses.size(); ++w) {  // each pose is passed within the distance
     double nearest = 1;
@@ -107,12 +107,12 @@ TEST(MoveAlong, KeepsTheRateOnEveryKindOfPath) {
     routes.push_back(route_through(poses, kind));
   }
   for (const Route& route : routes) {
-    const LineMotion sparse = move_along(arm, ready, route);
+    const PathMotion sparse = move_along(arm, ready, route);
     for (const double rate : {125.0, 1000.0}) {
-      const LineMotion motion = move_along(arm, ready, route, {.rate = rate});
+      const PathMotion motion = move_along(arm, ready, route, {.rate = rate});
       ASSERT_EQ(motion.status, MotionStatus::reached) << motion.reason;
-      EXPECT_LE(motion.straightness.sampled.position, 1e-9);
-      EXPECT_LE(motion.straightness.bound.position, 1e-4);
+      EXPECT_LE(motion.deviation.sampled.position, 1e-9);
+      EXPECT_LE(motion.deviation.bound.position, 1e-4);
       EXPECT_FALSE(first_joint_fault(arm, motion.trajectory).has_value());
       EXPECT_LT(motion.trajectory.times.back(), 1.4 * sparse.trajectory.times.back());
       int uneven = 0;  // but before stops
@@ -139,7 +139,7 @@ TEST(MoveAlong, TellsWhereItCannotGoOn) {
   std::vector<Pose> poses = square(arm);
   poses[3].translation().x() += 0.6;
   for (const PathKind kind : {PathKind::screw, PathKind::spline}) {
-    const LineMotion motion = move_along(arm, ready, route_through(poses, kind));
+    const PathMotion motion = move_along(arm, ready, route_through(poses, kind));
     EXPECT_EQ(motion.status, MotionStatus::unreachable);
     EXPECT_NE(motion.reason.find("stops after"), std::string::npos) << motion.reason;
     EXPECT_EQ(motion.trajectory.size(), 0);
@@ -174,7 +174,7 @@ TEST(MoveAlong, StaysWhereNothingThatMattersMoves) {
   Pose turned = from;
   turned.linear() = from.linear() * so3_exp({0, 0, 0.4});
   const Route route = route_through({from, turned}, PathKind::screw);
-  const LineMotion motion = move_along(arm, start, route, {.task = task_named("110000")});
+  const PathMotion motion = move_along(arm, start, route, {.task = task_named("110000")});
   EXPECT_EQ(motion.status, MotionStatus::reached) << motion.reason;
 }
 

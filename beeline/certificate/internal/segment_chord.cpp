@@ -12,8 +12,8 @@ namespace {
 /// t(1 - t)(1 - 2t)/6 is that at most: what d'' = 1 - 2t makes of d.
 constexpr double odd_share = 1 / (36 * std::numbers::sqrt3);
 
-OffChord off(const Line& line, double s_a, double s_b) {
-  OffChord bound;
+SegmentChordBound off(const Line& line, double s_a, double s_b) {
+  SegmentChordBound bound;
   bound.turned = std::abs(s_b - s_a) * pose_difference(line.to, line.from).tail<3>().norm();
   return bound;
 }
@@ -23,11 +23,11 @@ OffChord off(const Line& line, double s_a, double s_b) {
 ///     g'/2 = (cos h - k) sin x + k x (k - cos x) <= (k x - sin x)(k - cos x),  0 <= x <= h <= pi,
 /// where cos h <= k and k x <= sin x: negative by the left side where k <= cos x, else by the
 /// right. So it is largest half-way.
-OffChord off_circle(const PieceMotion& middle, const Vector3& turn, double step) {
+SegmentChordBound off_circle(const PieceMotion& middle, const Vector3& turn, double step) {
   const double size = middle.acceleration.head<3>().norm() * step * step;  // r f^2
   const double angle = turn.norm() * std::abs(step);
   const double sinc = angle > 1e-8 ? std::sin(angle / 4) / (angle / 4) : 1;
-  OffChord bound;
+  SegmentChordBound bound;
   bound.turned = middle.velocity.tail<3>().norm() * std::abs(step);
   bound.position = size / 8 * sinc * sinc;
   bound.bend = middle.acceleration.head<3>() * step * step / 8;
@@ -36,12 +36,12 @@ OffChord off_circle(const PieceMotion& middle, const Vector3& turn, double step)
   return bound;
 }
 
-OffChord off(const ScrewLine& screw, double s_a, double s_b) {
+SegmentChordBound off(const ScrewLine& screw, double s_a, double s_b) {
   const PieceMotion middle = motion_at(screw, (s_a + s_b) / 2);
   return off_circle(middle, middle.velocity.tail<3>(), s_b - s_a);
 }
 
-OffChord off(const Arc& arc, double s_a, double s_b) {
+SegmentChordBound off(const Arc& arc, double s_a, double s_b) {
   return off_circle(motion_at(arc, (s_a + s_b) / 2), arc.turn, s_b - s_a);
 }
 
@@ -58,7 +58,7 @@ std::array<Twist, 6> derivatives(const SplinePiece& piece, double s) {
   return d;
 }
 
-OffChord off(const SplinePiece& piece, double s_a, double s_b) {
+SegmentChordBound off(const SplinePiece& piece, double s_a, double s_b) {
   const std::array<Twist, 6> d = derivatives(piece, (s_a + s_b) / 2);
   const double step = std::abs(s_b - s_a), half = step / 2, square = step * step;
   std::array<double, 6> x{}, r{};
@@ -70,7 +70,7 @@ OffChord off(const SplinePiece& piece, double s_a, double s_b) {
   const auto curved = [half](const std::array<double, 6>& size) {
     return half * half / 2 * (size[4] + half / 3 * size[5]);
   };
-  OffChord bound;
+  SegmentChordBound bound;
   bound.bend = square / 8 * d[2].head<3>();
   bound.rest = square * (half * x[3] * odd_share + curved(x) / 8);
   bound.position = bound.bend.norm() + bound.rest;
@@ -91,7 +91,7 @@ OffChord off(const SplinePiece& piece, double s_a, double s_b) {
 
 }  // namespace
 
-OffChord off_chord(const Piece& piece, double s_a, double s_b) {
+SegmentChordBound segment_chord_bound(const Piece& piece, double s_a, double s_b) {
   return std::visit([=](const auto& kind) { return off(kind, s_a, s_b); }, piece);
 }
 

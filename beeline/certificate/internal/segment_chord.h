@@ -6,7 +6,7 @@ namespace beeline {
 
 /// Proved bounds on how far a piece leaves, from s_a to s_b, the chord interpolate(pose_at(s_a),
 /// pose_at(s_b), t) at the same share t of the way; metres and radians.
-struct OffChord {
+struct SegmentChordBound {
   double position = 0;
   double orientation = 0;
   /// The distance as a vector is -4 t (1 - t) bend, but for something of length `rest` at most.
@@ -24,6 +24,6 @@ struct OffChord {
 ///     |w'| <= |r''| + |r x r'||r'| / 6,   |w''| <= |r'''| + (3/2)|r'||r''| + |r'|^3 / 3,
 /// and pi where they may turn by pi or more: w = J r', J being the mean of exp(u [r]x) for u from
 /// 0 to 1.
-OffChord off_chord(const Piece& piece, double s_a, double s_b);
+SegmentChordBound segment_chord_bound(const Piece& piece, double s_a, double s_b);
 
 }  // namespace beeline

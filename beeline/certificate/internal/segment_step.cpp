@@ -23,7 +23,7 @@ bool planar(const Arm& arm, const Piece& piece) {
 /// at most. Between two shortest turns in SO(3), a sphere of radius 2, the distance exceeds that of
 /// their ends by 1 / cos(angle/4) at most (Jacobi's equation): that is one bound. The other needs
 /// f < pi, as it is where half of either turn and `ends` do not come to it.
-double turn_between(const ChordBound& tool, const OffChord& way, double ends) {
+double turn_between(const ChordBound& tool, const SegmentChordBound& way, double ends) {
   using std::numbers::pi;
   const double angle = tool.turned + 2 * ends, most = std::max(tool.turned, way.turned);
   double bound = pi;
@@ -41,7 +41,7 @@ double turn_between(const ChordBound& tool, const OffChord& way, double ends) {
 Deviation matched_step_bound(const Arm& arm, const Piece& piece, const Task& task, const StepEnd& a,
                              const StepEnd& b) {
   const ChordBound tool = chord_bound(arm, a.q, b.q);
-  const OffChord way = off_chord(piece, a.s, b.s);
+  const SegmentChordBound way = segment_chord_bound(piece, a.s, b.s);
   Deviation bound;
   if (task.positions() > 0) {
     bound.position = std::max(a.off.position, b.off.position) +

@@ -15,8 +15,8 @@ struct StepEnd {
 
 /// A bound on how far the tool is from pose_at(piece, s), as far as the task asks, while every
 /// joint moves in proportion from one end of the step to the other and s does too. By the triangle
-/// inequality from chord_bound(), off_chord() and the ends; where both bend alike, less: the
-/// distance as a vector has d'' = p_1'' - p_2'', and the angle f between the orientations
+/// inequality from chord_bound(), segment_chord_bound() and the ends; where both bend alike, less:
+/// the distance as a vector has d'' = p_1'' - p_2'', and the angle f between the orientations
 ///     f'' >= -|w_1' - w_2'| - W^2 tan(f/4),   W the most that either turns
 /// (see chord_bound(); in the world's axes w' is the acceleration of SO(3), and the shortest turn
 /// from one orientation to the other has one direction all along). It falls with the square of the

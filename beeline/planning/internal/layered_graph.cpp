@@ -170,7 +170,8 @@ void smooth(const Arm& arm, const ToolPath& path, const Task& task, const Costs&
 
 }  // namespace
 
-Ladder ladder(const Arm& arm, const ToolPath& path, const LadderOptions& options) {
+KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
+                                  const LayeredGraphOptions& options) {
   std::vector<Rung> all = rungs(path, options.task, options.spacing);
   const std::size_t wanted = all.size();
   const Costs costs(arm);
@@ -204,7 +205,7 @@ Ladder ladder(const Arm& arm, const ToolPath& path, const LadderOptions& options
   if (all.empty()) return {};
 
   std::vector<Edge> closed;
-  Ladder result;
+  KnotSequence result;
   std::size_t first = 0;
   for (int repair = 0; repair <= most_repairs; ++repair) {
     const std::size_t end = relax(all, costs, closed, first);

@@ -15,14 +15,14 @@ struct Knot {
   Configuration q;
 };
 
-struct LadderOptions {
+struct LayeredGraphOptions {
   Task task;
   std::optional<Configuration> start = std::nullopt;  ///< the first knot; default: any
   int grid = 16;          ///< solutions of each pose: values of the joint to spare, all branches
   double spacing = 0.06;  ///< between knots, metres; turns by metres_of_a_radian
 };
 
-struct Ladder {
+struct KnotSequence {
   std::vector<Knot> knots;  ///< all the way, or as far as it goes
   bool through = false;
 };
@@ -32,11 +32,12 @@ struct Ladder {
 /// least and stay away from their limits (dynamic programming over a ladder graph, as in Descartes
 /// and in Ferrentino & Chiacchio 2020). Neighbours in the chain can be joined without leaving the
 /// path by more than the joints move; it is then drawn taut in the joints' self-motion. That the
-/// arm can follow is not proved by this: see follow().
-Ladder ladder(const Arm& arm, const ToolPath& path, const LadderOptions& options);
+/// arm can follow is not proved by this: see track_segment().
+KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
+                                  const LayeredGraphOptions& options);
 
-/// The knots' spline at a place, for follow() to keep near: cubic by the way (way_to()), with
-/// continuous curvature (joint_spline()) but where the path has a corner.
+/// The knots' spline at a place, for track_segment() to keep near: cubic by the way (way_to()),
+/// with continuous curvature (joint_spline()) but where the path has a corner.
 class KnotSpline {
  public:
   KnotSpline(const std::vector<Knot>& knots, const ToolPath& path);

@@ -37,7 +37,7 @@ std::vector<double> put_on_path(const Arm& arm, const ToolPath& path, const Task
   return places;
 }
 
-void add(Stretch& stretch, const Followed& piece, double before) {
+void add(Stretch& stretch, const TrackedSegment& piece, double before) {
   for (std::size_t k = 1; k < piece.samples.size(); ++k) {
     stretch.samples.push_back(piece.samples[k]);
     stretch.places.push_back(before + piece.fractions[k]);

@@ -48,7 +48,7 @@ std::string append_timed(Trajectory& trajectory, const Arm& arm,
     motion = options.rate > 0 ? timed.trajectory : only_samples(timed.trajectory, samples);
     if (options.rate > 0 && brought) brought(motion, timed.ways);
     const double slower = std::max(paced ? largest_tool_speed(arm, motion) / options.tool_speed : 1,
-                                   slower_by_positions(arm, motion, keeps_jerk(timed.law)));
+                                   slowdown_for_limits(arm, motion, keeps_jerk(timed.law)));
     if (options.rate > 0 && slower > 1 && left > 1) {  // so that the samples keep the rate
       retiming.speed_limit /= slower * (1 + 1e-3);
       if (paced) retiming.tool_speed /= slower * (1 + 1e-3);

@@ -9,7 +9,7 @@ namespace beeline {
 
 /// Gives samples on a way their times and appends them to a trajectory, which ends at the first of
 /// them: from rest to rest, as retime() does along the spline through them, and slower where their
-/// own positions (slower_by_positions()) or the tool's speed between them need it. Every sample
+/// own positions (slowdown_for_limits()) or the tool's speed between them need it. Every sample
 /// stays as it is, and no other comes between; but with options.rate samples at equal times take
 /// their place, which `brought` may move to where they belong; it is told Retimed::ways. Where
 /// nothing moves nothing is appended. Returns why there is no such motion; empty when it was

@@ -26,12 +26,12 @@ struct Step {
 };
 
 /// Everything that one step needs.
-struct Follower {
+struct SegmentTracker {
   const Arm& arm;
   const Piece& piece;
   const Task& task;
   const Bounds& bounds;
-  const FollowOptions& options;
+  const TrackOptions& options;
   double exact = 0;  ///< at a sample
   Deviation ends;    ///< by which samples may be off
   double use = 0;    ///< of the tolerance, by the last step tried; 0: it had no configuration
@@ -91,20 +91,21 @@ double exact_at_samples(const Arm& arm) {
 
 }  // namespace
 
-Followed follow(const Arm& arm, const Piece& piece, const Task& task, const Bounds& bounds,
-                const Configuration& start, const FollowOptions& options) {
+TrackedSegment track_segment(const Arm& arm, const Piece& piece, const Task& task,
+                             const Bounds& bounds, const Configuration& start,
+                             const TrackOptions& options) {
   check_task(arm, piece, task);
   const double exact = exact_at_samples(arm);
   // The nearest point of a line, which may be told by its position alone, can be that much off.
   const double turned = std::holds_alternative<Line>(piece) ? 1 + 1 / way_of_a_radian : 1;
-  Follower follower{arm, piece, task, bounds, options, exact, {exact, exact * turned}};
-  Followed followed{{start}, {0}, {}};
+  SegmentTracker follower{arm, piece, task, bounds, options, exact, {exact, exact * turned}};
+  TrackedSegment followed{{start}, {0}, {}};
   const Deviation off = deviation_from(piece, 0, forward_kinematics(arm, start), task);
   if (std::max(off.position, off.orientation) > farthest_start * follower.exact / rounding) {
     throw Error("the start is " + number(off.position) + " m and " + angle(off.orientation) +
                 " away from where the way begins");
   }
-  followed.straightness.sampled = off;
+  followed.deviation.sampled = off;
   double length = first_step;
   while (!followed.through() && length >= shortest_step &&
          followed.samples.size() < options.most_samples) {
@@ -120,15 +121,15 @@ Followed follow(const Arm& arm, const Piece& piece, const Task& task, const Boun
     length = std::min((s - done) * stretch, longest_step);
     if (!next) continue;
     const Pose middle = forward_kinematics(arm, (q + next->q) / 2);
-    grow(followed.straightness.measured, deviation_from(piece, (done + s) / 2, middle, task));
+    grow(followed.deviation.measured, deviation_from(piece, (done + s) / 2, middle, task));
     const Pose reached = forward_kinematics(arm, next->q);
-    grow(followed.straightness.sampled, deviation_from(piece, s, reached, task));
-    grow(followed.straightness.bound, next->bound);
+    grow(followed.deviation.sampled, deviation_from(piece, s, reached, task));
+    grow(followed.deviation.bound, next->bound);
     followed.samples.push_back(std::move(next->q));
     followed.fractions.push_back(s);
     if (options.progress && followed.samples.size() % 64 == 0) options.progress(s);
   }
-  grow(followed.straightness.measured, followed.straightness.sampled);
+  grow(followed.deviation.measured, followed.deviation.sampled);
   return followed;
 }
 

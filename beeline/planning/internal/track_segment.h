@@ -8,7 +8,7 @@
 namespace beeline {
 
 /// How one piece of a path is to be followed.
-struct FollowOptions {
+struct TrackOptions {
   Deviation tolerance = {};  ///< most that the tool may leave it by between samples
   std::size_t most_samples = 0;
   /// Where there is a choice, the configuration at a fraction of the piece is taken next to this
@@ -17,10 +17,10 @@ struct FollowOptions {
   std::function<void(double)> progress = {};  ///< told the fraction done, now and then
 };
 
-struct Followed {
+struct TrackedSegment {
   std::vector<Configuration> samples;  ///< the start first
   std::vector<double> fractions;  ///< of the piece: sample k has the tool at that point; 0 first
-  Straightness straightness;      ///< sampled half-way between samples too
+  PathDeviation deviation;        ///< sampled half-way between samples too
   bool through() const { return fractions.back() == 1; }
 };
 
@@ -31,7 +31,8 @@ struct Followed {
 /// size. A singular start is left to the first side that works, in the order of the joints. Ends
 /// early where the arm cannot go on, or with most_samples. Throws Error for a start that is
 /// elsewhere, and what check_task() refuses.
-Followed follow(const Arm& arm, const Piece& piece, const Task& task, const Bounds& bounds,
-                const Configuration& start, const FollowOptions& options);
+TrackedSegment track_segment(const Arm& arm, const Piece& piece, const Task& task,
+                             const Bounds& bounds, const Configuration& start,
+                             const TrackOptions& options);
 
 }  // namespace beeline

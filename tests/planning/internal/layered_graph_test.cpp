@@ -22,19 +22,20 @@ Case spare_case(Random& random, const std::string& name, const std::string& task
   return {arm, q, {from, to, from}, task_named(task)};
 }
 
-TEST(Ladder, LeadsThroughPosesOnTheLinesWithinLimits) {
+TEST(KnotSequence, LeadsThroughPosesOnTheLinesWithinLimits) {
   Random random;
   int through = 0;
   for (int i = 0; i < 12; ++i) {
     const Case a = i % 3 == 2 ? spare_case(random, "ur5", "111110:tool")
                               : spare_case(random, i % 3 == 0 ? "panda" : "iiwa14");
-    const Ladder rungs = ladder(a.arm, lines_through(a.poses), {.task = a.task});
-    ASSERT_FALSE(rungs.knots.empty());
-    EXPECT_EQ(rungs.knots.front().place, 0);
-    EXPECT_EQ(rungs.through, rungs.knots.back().place == 2);
-    through += rungs.through;
+    const KnotSequence sequence =
+        search_layered_graph(a.arm, lines_through(a.poses), {.task = a.task});
+    ASSERT_FALSE(sequence.knots.empty());
+    EXPECT_EQ(sequence.knots.front().place, 0);
+    EXPECT_EQ(sequence.through, sequence.knots.back().place == 2);
+    through += sequence.through;
     double before = -1;
-    for (const Knot& knot : rungs.knots) {
+    for (const Knot& knot : sequence.knots) {
       ASSERT_GT(knot.place, before);
       before = knot.place;
       const auto line = std::min<std::size_t>(1, static_cast<std::size_t>(knot.place));
@@ -45,33 +46,36 @@ TEST(Ladder, LeadsThroughPosesOnTheLinesWithinLimits) {
       ASSERT_LT(off.orientation, 1e-8) << a.arm.name();
       ASSERT_TRUE(limit_violations(a.arm, knot.q).empty());
     }
-    for (std::size_t k = 1; k < rungs.knots.size(); ++k) {
-      ASSERT_LT((rungs.knots[k].q - rungs.knots[k - 1].q).lpNorm<Eigen::Infinity>(), 1.5);
+    for (std::size_t k = 1; k < sequence.knots.size(); ++k) {
+      ASSERT_LT((sequence.knots[k].q - sequence.knots[k - 1].q).lpNorm<Eigen::Infinity>(), 1.5);
     }
   }
   EXPECT_GE(through, 6);
 }
 
-TEST(Ladder, BeginsWhereItIsTold) {
+TEST(KnotSequence, BeginsWhereItIsTold) {
   Random random;
   for (int i = 0; i < 6; ++i) {
     const Case a = spare_case(random, "panda");
-    const Ladder rungs = ladder(a.arm, lines_through(a.poses), {.task = a.task, .start = a.q});
-    ASSERT_FALSE(rungs.knots.empty());
-    EXPECT_EQ(rungs.knots.front().q, a.q);
+    const KnotSequence sequence =
+        search_layered_graph(a.arm, lines_through(a.poses), {.task = a.task, .start = a.q});
+    ASSERT_FALSE(sequence.knots.empty());
+    EXPECT_EQ(sequence.knots.front().q, a.q);
   }
 }
 
-TEST(Ladder, EndsWhereSolutionsDo) {
+TEST(KnotSequence, EndsWhereSolutionsDo) {
   const Arm arm = built_in("panda");
   const Pose from = forward_kinematics(arm, inner_configuration(*std::make_unique<Random>(), arm));
   Pose to = from;
   to.translation().z() += 3;
-  const Ladder rungs = ladder(arm, lines_through(std::vector{from, to}), {.task = Task::spatial()});
-  EXPECT_FALSE(rungs.through);
-  EXPECT_LT(rungs.knots.back().place, 0.7);
+  const KnotSequence sequence =
+      search_layered_graph(arm, lines_through(std::vector{from, to}), {.task = Task::spatial()});
+  EXPECT_FALSE(sequence.through);
+  EXPECT_LT(sequence.knots.back().place, 0.7);
   EXPECT_TRUE(
-      ladder(arm, lines_through(std::vector{to, from}), {.task = Task::spatial()}).knots.empty());
+      search_layered_graph(arm, lines_through(std::vector{to, from}), {.task = Task::spatial()})
+          .knots.empty());
 }
 
 TEST(KnotSpline, GoesThroughItsKnotsSmoothly) {

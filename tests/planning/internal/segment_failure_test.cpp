@@ -22,8 +22,9 @@ TEST(PieceFailure, TellsTheTruth) {
       const Configuration start = testing::inner_configuration(random, arm);
       const Pose from = forward_kinematics(arm, start);
       const Line line{from, testing::nearby_pose(random, arm, from)};
-      const Followed way = follow(arm, line, task, bounds_of(arm), start,
-                                  {.tolerance = {1e-4, 1e-3}, .most_samples = 100'000});
+      const TrackedSegment way =
+          track_segment(arm, line, task, bounds_of(arm), start,
+                        {.tolerance = {1e-4, 1e-3}, .most_samples = 100'000});
       if (way.through()) continue;
       const Configuration& q = way.samples.back();
       const PieceFailure failure = piece_failure(arm, line, task, q, way.fractions.back());

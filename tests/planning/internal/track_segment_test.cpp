@@ -145,7 +145,7 @@ struct Tally {
 };
 
 /// Between all samples, joints in proportion, the tool stays within the bound.
-void expect_proved(const Arm& arm, const Piece& piece, const Task& task, const Followed& way,
+void expect_proved(const Arm& arm, const Piece& piece, const Task& task, const TrackedSegment& way,
                    Random& random, Tally& tally) {
   for (std::size_t k = 1; k < way.samples.size(); ++k) {
     const Configuration step = way.samples[k] - way.samples[k - 1];
@@ -154,11 +154,11 @@ void expect_proved(const Arm& arm, const Piece& piece, const Task& task, const F
       const double s = std::lerp(way.fractions[k - 1], way.fractions[k], t);
       const Pose pose = forward_kinematics(arm, way.samples[k - 1] + t * step);
       const Deviation off = deviation_from(piece, s, pose, task);
-      ASSERT_LE(off.position, way.straightness.bound.position + 1e-12) << kind_of(piece);
-      ASSERT_LE(off.orientation, way.straightness.bound.orientation + 1e-12) << kind_of(piece);
-      tally.worst = std::max(tally.worst, off.position / way.straightness.bound.position);
+      ASSERT_LE(off.position, way.deviation.bound.position + 1e-12) << kind_of(piece);
+      ASSERT_LE(off.orientation, way.deviation.bound.orientation + 1e-12) << kind_of(piece);
+      tally.worst = std::max(tally.worst, off.position / way.deviation.bound.position);
       tally.worst_turn =
-          std::max(tally.worst_turn, off.orientation / way.straightness.bound.orientation);
+          std::max(tally.worst_turn, off.orientation / way.deviation.bound.orientation);
       ++tally.points;
     }
   }
@@ -175,10 +175,10 @@ TEST(FollowPiece, StaysWithinTheProvedBoundAllTheWay) {
       for (int i = 0; i < 400 && tally.points < 10'000; ++i) {
         Configuration q = testing::inner_configuration(random, arm);
         for (const Piece& piece : path_ahead(random, arm, forward_kinematics(arm, q), kind)) {
-          const Followed way = follow(arm, piece, task, bounds_of(arm), q,
-                                      {.tolerance = tolerance, .most_samples = 5000});
-          ASSERT_LE(way.straightness.bound.position, tolerance.position);
-          ASSERT_LE(way.straightness.bound.orientation, tolerance.orientation);
+          const TrackedSegment way = track_segment(arm, piece, task, bounds_of(arm), q,
+                                                   {.tolerance = tolerance, .most_samples = 5000});
+          ASSERT_LE(way.deviation.bound.position, tolerance.position);
+          ASSERT_LE(way.deviation.bound.orientation, tolerance.orientation);
           expect_proved(arm, piece, task, way, random, tally);
           if (HasFatalFailure()) return;
           ++(way.through() ? tally.through : tally.ended);
@@ -209,12 +209,12 @@ TEST(FollowPiece, OfALineIsTheLine) {
     const Configuration q = testing::inner_configuration(random, arm);
     const Pose from = forward_kinematics(arm, q);
     const Line line{from, testing::nearby_pose(random, arm, from)};
-    const FollowOptions options{.tolerance = {1e-4, 1e-4}, .most_samples = 5000};
+    const TrackOptions options{.tolerance = {1e-4, 1e-4}, .most_samples = 5000};
     const auto go = [&](const Piece& piece) {
-      return follow(arm, piece, Task::spatial(), bounds_of(arm), q, options);
+      return track_segment(arm, piece, Task::spatial(), bounds_of(arm), q, options);
     };
-    const Followed way = go(line);
-    const Followed other =
+    const TrackedSegment way = go(line);
+    const TrackedSegment other =
         go(path_through(std::vector{line.from, line.to}, PathKind::spline).pieces.front());
     ASSERT_EQ(way.through(), other.through());
     if (!way.through()) continue;
