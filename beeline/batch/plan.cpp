@@ -49,12 +49,6 @@ typename BatchPlan<Real>::Columns columns_of(const Pose& pose) {
   return columns;
 }
 
-Pose at_rest(const Chain::Link& link) {
-  Pose pose = turned(Vector3::UnitX(), std::atan2(link.sin_alpha, link.cos_alpha));
-  pose.translation() = link.step;
-  return pose * turned(Vector3::UnitZ(), link.rest_angle);
-}
-
 /// Of the tool, turn_z(a) turn_x(b) turn_z(c), the first turn goes into the last link, and the
 /// constant start of the first link into the base.
 Chain gathered(Chain chain) {
@@ -62,26 +56,24 @@ Chain gathered(Chain chain) {
   const double a = std::hypot(tool(0, 2), tool(1, 2)) < nothing
                        ? std::atan2(tool(1, 0), tool(0, 0))
                        : std::atan2(tool(0, 2), -tool(1, 2));
-  chain.links.back().rest_angle += a;
+  chain.links.back().theta_offset += a;
   chain.tool = turned(Vector3::UnitZ(), -a) * chain.tool;
   Chain::Link& first = chain.links.front();
-  Chain::Link start = first;
-  start.rest_angle = 0;
-  chain.base = chain.base * at_rest(start);
-  first.step.setZero();
+  chain.base = chain.base * constant_transform(first);
+  first.translation.setZero();
   first.cos_alpha = 1;
   first.sin_alpha = 0;
   // Bends by 90 degrees become bends by -90: half a turn about z before and behind them.
   for (std::size_t i = 1; i < chain.links.size(); ++i) {
     Chain::Link &before = chain.links[i - 1], &link = chain.links[i];
-    if (link.sin_alpha < 1 - nothing || before.turn == 0 || link.turn == 0) continue;
-    before.rest_angle += pi;
-    link.step.head<2>() *= -1;
+    if (link.sin_alpha < 1 - nothing || before.theta_per_q == 0 || link.theta_per_q == 0) continue;
+    before.theta_offset += pi;
+    link.translation.head<2>() *= -1;
     link.sin_alpha *= -1;
-    link.rest_angle += pi;
+    link.theta_offset += pi;
   }
-  chain.base = chain.base * turned(Vector3::UnitZ(), first.rest_angle);
-  first.rest_angle = 0;
+  chain.base = chain.base * turned(Vector3::UnitZ(), first.theta_offset);
+  first.theta_offset = 0;
   return chain;
 }
 
@@ -92,7 +84,7 @@ BatchPlan<Real>::BatchPlan(const Arm& arm)
     : dof(arm.dof()), in_order(arm.chain_angles().in_order), planar(arm.planar()) {
   const Chain chain = gathered(arm.chain());
   double size = chain.tool.translation().norm();
-  for (const Chain::Link& link : chain.links) size = std::max(size, link.step.norm());
+  for (const Chain::Link& link : chain.links) size = std::max(size, link.translation.norm());
   base = columns_of<Real>(chain.base);
 
   const std::vector<Pose> world_T_link = link_poses(arm, Configuration::Zero(arm.dof()));
@@ -100,23 +92,23 @@ BatchPlan<Real>::BatchPlan(const Arm& arm)
   Pose world_T_frame = chain.base;
   for (const Chain::Link& from : chain.links) {
     Link link;
-    link.move = move_of<Real>(from.step, from.cos_alpha, from.sin_alpha, size);
+    link.move = move_of<Real>(from.translation, from.cos_alpha, from.sin_alpha, size);
     link.coordinate = from.coordinate;
-    link.turn = static_cast<Real>(from.turn);
-    link.travel = static_cast<Real>(from.travel);
-    link.turns = from.turn != 0;
-    link.slides = from.travel != 0;
-    link.plain = from.turn == 1;
-    const Angle rest = cleaned(std::cos(from.rest_angle), std::sin(from.rest_angle));
-    const double half_turns = std::round(from.rest_angle / pi);
+    link.turn = static_cast<Real>(from.theta_per_q);
+    link.travel = static_cast<Real>(from.d_per_q);
+    link.turns = from.theta_per_q != 0;
+    link.slides = from.d_per_q != 0;
+    link.plain = from.theta_per_q == 1;
+    const Angle rest = cleaned(std::cos(from.theta_offset), std::sin(from.theta_offset));
+    const double half_turns = std::round(from.theta_offset / pi);
     link.whole += static_cast<Real>(half_turns);
     link.bent = rest.sine != 0;
-    if (link.bent) link.rest = static_cast<Real>(from.rest_angle - half_turns * pi);
+    if (link.bent) link.rest = static_cast<Real>(from.theta_offset - half_turns * pi);
     link.rest_by_pi = link.rest / static_cast<Real>(pi);
     link.cos_angle = static_cast<Real>(rest.cosine);
     link.sin_angle = static_cast<Real>(rest.sine);
     links.push_back(link);
-    world_T_frame = world_T_frame * at_rest(from);
+    world_T_frame = world_T_frame * link_transform(from, 0);
     frame_T_link.push_back(
         columns_of<Real>(world_T_frame.inverse(Eigen::Isometry) * world_T_link[links.size()]));
   }

@@ -40,15 +40,15 @@ HWY_INLINE Space last_frame(const Chain& chain, const double* q, double* axes) {
               {base[8], base[9], base[10]},
               {base[12], base[13], base[14]}};
   for (const Chain::Link& link : chain.links) {
-    const double* step = link.step.data();
+    const double* step = link.translation.data();
     const Lanes coordinate = Lanes::load(q + lane_count * link.coordinate);
     Turn turn;
-    sine_cosine(fma(coordinate, Lanes(link.turn), Lanes(link.rest_angle)), turn.s, turn.c);
+    sine_cosine(fma(coordinate, Lanes(link.theta_per_q), Lanes(link.theta_offset)), turn.s, turn.c);
     frame.origin = fma(Lanes(step[0]), frame.x, frame.origin);
     frame.origin = fma(Lanes(step[1]), frame.y, frame.origin);
     frame.origin = fma(Lanes(step[2]), frame.z, frame.origin);
     frame = turned_x(frame, Lanes(link.cos_alpha), Lanes(link.sin_alpha));
-    frame = moved_z(turned_z(frame, turn), coordinate * Lanes(link.travel));
+    frame = moved_z(turned_z(frame, turn), coordinate * Lanes(link.d_per_q));
     store_vector(frame.z, axes);
     store_vector(frame.origin, axes + 3 * lane_count);
     axes += 6 * lane_count;
@@ -64,9 +64,9 @@ struct Motion {
 /// What a unit of its coordinate's speed does through this link, whose six rows are `axes`.
 HWY_INLINE Motion link_motion(const Chain::Link& link, const double* axes, const Vector& point) {
   const Vector direction = load_vector(axes);
-  const Vector turning = Lanes(link.turn) * direction;
+  const Vector turning = Lanes(link.theta_per_q) * direction;
   const Vector arm = point - load_vector(axes + 3 * lane_count);
-  return {fma(Lanes(link.travel), direction, cross(turning, arm)), turning};
+  return {fma(Lanes(link.d_per_q), direction, cross(turning, arm)), turning};
 }
 
 }  // namespace beeline::HWY_NAMESPACE

@@ -91,7 +91,7 @@ struct Columns {
 HWY_INLINE Columns behind(const Columns& before, const Chain::Link& link, double s, double c,
                           double slide) {
   const auto& [x, y, z, p] = before;
-  const double* step = link.step.data();
+  const double* step = link.translation.data();
   Columns next;
   next.x = z.times(s * link.sin_alpha).plus(c, x).plus(s * link.cos_alpha, y);
   next.y = z.times(c * link.sin_alpha).plus(-s, x).plus(c * link.cos_alpha, y);
@@ -109,7 +109,7 @@ HWY_INLINE void last_frame_of_one(const Chain& chain, const double* q, double* a
   const size_t links = chain.links.size();
   for (size_t i = 0; i < links; ++i) {
     const Chain::Link& link = chain.links[i];
-    angle[i] = link.rest_angle + link.turn * q[link.coordinate];
+    angle[i] = link.theta_offset + link.theta_per_q * q[link.coordinate];
   }
   for (size_t i = 0; i < links; i += lane_count) {
     Lanes s, c;
@@ -120,7 +120,7 @@ HWY_INLINE void last_frame_of_one(const Chain& chain, const double* q, double* a
   Columns at = Columns::load(chain.base.data());
   for (size_t i = 0; i < links; ++i, axes += 8) {
     const Chain::Link& link = chain.links[i];
-    at = behind(at, link, sine[i], cosine[i], link.travel * q[link.coordinate]);
+    at = behind(at, link, sine[i], cosine[i], link.d_per_q * q[link.coordinate]);
     at.z.store(axes);
     at.p.store(axes + 4);
   }

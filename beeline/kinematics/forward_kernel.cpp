@@ -29,9 +29,9 @@ HWY_INLINE void sines(const Arm& arm, const double* q, std::size_t first, double
     value = Lanes::load(gathered);
   }
   Lanes s, c;
-  sine_cosine(value * Lanes::load(&angles.turn[first]), s, c);
-  const Lanes rest_c = Lanes::load(&angles.cos_rest[first]),
-              rest_s = Lanes::load(&angles.sin_rest[first]);
+  sine_cosine(value * Lanes::load(&angles.theta_per_q[first]), s, c);
+  const Lanes rest_c = Lanes::load(&angles.cos_offset[first]),
+              rest_s = Lanes::load(&angles.sin_offset[first]);
   fma(s, rest_c, c * rest_s).store(sine);
   fnma(s, rest_s, c * rest_c).store(cosine);
 }
@@ -52,7 +52,7 @@ HWY_INLINE Columns go_through(const Arm& arm, const double* q, std::size_t first
     const std::size_t j = half + i;
     const Chain::Link& a = links[first + i];
     const Chain::Link& b = j < count ? links[first + j] : nothing;
-    const double slide_a = a.travel * q[a.coordinate], slide_b = b.travel * q[b.coordinate];
+    const double slide_a = a.d_per_q * q[a.coordinate], slide_b = b.d_per_q * q[b.coordinate];
     halves.follow(a, sine[i], cosine[i], slide_a, b, sine[j % block], cosine[j % block], slide_b);
     if (keep) {
       halves.z.store(z[i]);
@@ -84,9 +84,9 @@ void forward(const Arm& arm, const double* q, double* world_T_tool) {
 HWY_INLINE void write_columns(const Chain::Link* links, std::size_t count, const double* axes,
                               const Four& tool, double* columns) {
   for (std::size_t i = 0; i < count; ++i, axes += 8, columns += 6) {
-    const Four z = Four::load(axes), turning = z.times(links[i].turn);
+    const Four z = Four::load(axes), turning = z.times(links[i].theta_per_q);
     const Four arm = tool.plus(-1, Four::load(axes + 4));
-    cross(turning, arm).plus(links[i].travel, z).store(columns);
+    cross(turning, arm).plus(links[i].d_per_q, z).store(columns);
     if (i + 1 < count) {
       turning.store(columns + 3);  // the fourth number is where the next column comes
     } else {

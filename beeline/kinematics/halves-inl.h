@@ -67,7 +67,7 @@ struct Halves {
   /// One link more in each.
   HWY_INLINE void follow(const Chain::Link& a, double sine_a, double cosine_a, double slide_a,
                          const Chain::Link& b, double sine_b, double cosine_b, double slide_b) {
-    const double *step = a.step.data(), *other = b.step.data();
+    const double *step = a.translation.data(), *other = b.translation.data();
     const Lanes s = each(sine_a, sine_b), c = each(cosine_a, cosine_b);
     const Lanes sa = each(a.sin_alpha, b.sin_alpha), ca = each(a.cos_alpha, b.cos_alpha);
     const Lanes sx = each(step[0], other[0]), sy = each(step[1], other[1]),

@@ -7,23 +7,20 @@
 namespace beeline {
 namespace {
 
-/// For arms with mimic joints, which share columns: a joint at a time.
+/// For arms with mimic joints, which share columns. Returns the tool's pose.
 Pose joint_by_joint(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> columns) {
   columns.setZero();
-  Pose world_T_link = arm.base();
+  Pose world_T_link = arm.base(), world_T_tool;
+  forward_kernel(arm, q.data(), world_T_tool.data());
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
     const Arm::Drive& drive = arm.drives()[i];
     const Joint& joint = arm.joints()[i];
     world_T_link =
         world_T_link * joint_transform(joint, drive.ratio * q[drive.coordinate] + drive.shift);
-    // A screw looks the same from its own link before and after the motion.
-    Twist screw = adjoint(world_T_link, joint.screw);
-    if (arm.planar()) screw.tail<3>() = screw.tail<3>().array().round();
-    columns.col(drive.coordinate) += drive.ratio * screw;
-  }
-  const Pose world_T_tool = world_T_link * arm.tool();
-  for (int k = 0; k < columns.cols(); ++k) {
-    columns.col(k).head<3>() += columns.col(k).tail<3>().cross(world_T_tool.translation());
+    // The screw is the same in the link's frame before and after the motion.
+    Twist velocity = joint_velocity(joint, world_T_link, world_T_tool.translation());
+    if (arm.planar()) velocity.tail<3>() = velocity.tail<3>().array().round();
+    columns.col(drive.coordinate) += drive.ratio * velocity;
   }
   return world_T_tool;
 }

@@ -6,50 +6,61 @@
 
 namespace beeline {
 
-/// An arm in the form that its kernels run through: every joint turns about, slides along or does
-/// both along the z axis of its own frame, so that one formula serves all kinds,
-///     T(q) = base * L_1 ... L_n * tool,
-///     L_i = move(step) * turn_x(alpha) * turn_z(rest_angle + turn * q_k) * move_z(travel * q_k),
-/// k = coordinate.
-/// This is Denavit-Hartenberg's form (modified; Craig 1986) but for `step`, which need not follow
-/// the common normal: nothing grows without bounds where axes are nearly parallel.
+/// An arm in the form that the kernels use. Every joint rotates about the z axis of its own frame,
+/// translates along it, or does both, so one formula holds for all joint types:
+///     T(q) = base * L_1(q) ... L_n(q) * tool,
+///     L_i(q) = Trans(translation) Rot_x(alpha) Rot_z(theta) Trans_z(d),
+///     theta = theta_offset + theta_per_q * q_k,  d = d_per_q * q_k,  k = coordinate.
+/// These are the modified Denavit-Hartenberg parameters (Craig, "Introduction to Robotics", 1986),
+/// except that `translation` is a vector instead of the length a along the common normal: it stays
+/// bounded where neighbouring axes are nearly parallel.
 struct Chain {
   struct Link {
-    double cos_alpha = 1, sin_alpha = 0;  ///< from the z axis before to this joint's, about x
-    Vector3 step = Vector3::Zero();       ///< metres, from the origin before, in its axes
-    double rest_angle = 0;                ///< radians
-    double turn = 0;                      ///< radians for each unit of the coordinate; 0: slides
-    double travel = 0;                    ///< metres for each unit of the coordinate; 0: revolute
-    int coordinate = 0;                   ///< which q drives it: mimic joints share one
+    double cos_alpha = 1, sin_alpha = 0;    ///< angle about x between the two z axes
+    Vector3 translation = Vector3::Zero();  ///< of the origin, in the frame before, metres
+    double theta_offset = 0;                ///< theta at q = 0, rad
+    double theta_per_q = 0;  ///< d theta / d q, rad per unit of q; 0 for a prismatic joint
+    double d_per_q = 0;      ///< d d / d q, metres per unit of q; 0 for a revolute joint
+    int coordinate = 0;      ///< the index of its coordinate; mimic joints share their leader's
   };
-  Pose base = Pose::Identity();  ///< of the frame whose z axis is joint 1's, in the world
+  Pose base = Pose::Identity();  ///< world_T_0: a frame whose z axis is parallel to joint 1's
   std::vector<Link> links;
-  Pose tool = Pose::Identity();  ///< in the last joint's frame
+  Pose tool = Pose::Identity();  ///< n_T_tool: the tool in the frame of the last joint
 };
 
-/// The links' angles side by side, filled up to a multiple of eight by links that stand still:
-/// kernels take all sines and cosines of a configuration together. The rest angles are added to
-/// these, as many turns away their sum with q would lose digits.
+/// Trans(translation) Rot_x(alpha), the part of L_i that does not depend on q.
+Pose constant_transform(const Chain::Link& link);
+
+/// Rot_z(theta) Trans_z(d), the part of L_i that does, at the coordinate's value q.
+Pose joint_motion(const Chain::Link& link, double q);
+
+/// L_i(q), the product of the two.
+Pose link_transform(const Chain::Link& link, double q);
+
+/// The angles of all links as arrays, padded to a multiple of eight with links that do not move, so
+/// that the kernels compute all sines and cosines of a configuration together. theta_offset enters
+/// by the addition theorems, not by a sum: where q is many turns, theta_offset + q loses digits.
 struct ChainAngles {
-  std::vector<double> turn, cos_rest, sin_rest;
+  std::vector<double> theta_per_q, cos_offset, sin_offset;
   bool in_order = true;  ///< link i is driven by coordinate i
 };
 ChainAngles angles_of(const Chain& chain);
 
 class Arm;
 
-/// The arm's kinematics in that form, equal but for rounding.
+/// Returns the chain of the arm. Both give the same poses, to rounding.
 Chain chain_of(const Arm& arm);
 
-/// Where a joint's axis is in the world when every coordinate is zero.
+/// A joint's axis in the world at q = 0: a line through `point`.
 struct JointAxis {
-  Vector3 direction;
-  Vector3 point;
+  Vector3 direction;  ///< unit length
+  Vector3 point;      ///< metres
 };
 std::vector<JointAxis> axes_of(const Chain& chain);
 
-/// The same motion with each link frame's origin at the point given, and its z axis along the
-/// direction given, which is the joint's own or its opposite.
+/// Returns a chain with the same motion whose link frames have their origins at the given points
+/// and their z axes along the given directions. Each point lies on its joint's axis, and each
+/// direction is that of the axis or its opposite.
 Chain chain_through(const Chain& chain, const std::vector<JointAxis>& axes);
 
 }  // namespace beeline

@@ -83,6 +83,12 @@ Pose screw_motion(const Twist& unit_screw, double q) {
   return motion;
 }
 
+Twist joint_velocity(const Joint& joint, const Pose& world_T_link, const Vector3& point) {
+  Twist velocity = adjoint(world_T_link, joint.screw);
+  velocity.head<3>() += velocity.tail<3>().cross(point);
+  return velocity;
+}
+
 Pose joint_transform(const Joint& joint, double q) {
   return joint.offset * screw_motion(joint.screw, q);
 }

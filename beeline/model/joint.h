@@ -91,6 +91,10 @@ Joint with_link_frame(Joint joint, const Pose& link_T_frame);
 /// exp(screw * q) for a unit screw: Rodrigues' formula about the axis, plus the travel along it.
 Pose screw_motion(const Twist& unit_screw, double q);
 
+/// The velocity [v w] of the point `point` of the link for unit velocity of its joint, all in the
+/// world, where the link's frame is `world_T_link`: a column of the Jacobian.
+Twist joint_velocity(const Joint& joint, const Pose& world_T_link, const Vector3& point);
+
 /// T_i^{i-1}(q) = offset * exp(screw * q).
 Pose joint_transform(const Joint& joint, double q);
 

@@ -12,13 +12,7 @@ namespace {
 Pose through_chain(const Chain& chain, const Configuration& q) {
   Pose pose = chain.base;
   for (const Chain::Link& link : chain.links) {
-    const double value = q[link.coordinate];
-    Pose turn_x = Pose::Identity();
-    turn_x.linear() << 1, 0, 0, 0, link.cos_alpha, -link.sin_alpha, 0, link.sin_alpha,
-        link.cos_alpha;
-    pose = pose * Eigen::Translation3d(link.step) * turn_x *
-           Eigen::AngleAxisd(link.rest_angle + link.turn * value, Vector3::UnitZ()) *
-           Eigen::Translation3d(0, 0, link.travel * value);
+    pose = pose * link_transform(link, q[link.coordinate]);
   }
   return pose * chain.tool;
 }

@@ -27,10 +27,10 @@ std::vector<Contribution> contributions(const Arm& arm, const ConfigurationRef& 
   for (std::size_t i = parts.size(); i-- > 0;) {
     const Arm::Drive& drive = arm.drives()[i];
     const double step = drive.ratio * (q_b[drive.coordinate] - q_a[drive.coordinate]);
-    const Twist screw = adjoint(world_T_link[i + 1], arm.joints()[i].screw);
+    const Twist velocity = joint_velocity(arm.joints()[i], world_T_link[i + 1], tool);
     Contribution& part = parts[i];
-    part.turn = step * screw.tail<3>();
-    part.move = step * screw.head<3>() + part.turn.cross(tool);
+    part.turn = step * velocity.tail<3>();
+    part.move = step * velocity.head<3>();
     part.angle = part.turn.norm();
     part.reach = part.move.norm() + part.angle * behind / 2;
     part.behind = behind += part.reach;

@@ -8,25 +8,11 @@ namespace {
 
 Pose turn_about_z(double angle) { return Pose(Eigen::AngleAxisd(angle, Vector3::UnitZ())); }
 
-Pose constant_motion(const Chain::Link& link) {
-  Pose pose = Pose::Identity();
-  pose.linear() << 1, 0, 0, 0, link.cos_alpha, -link.sin_alpha, 0, link.sin_alpha, link.cos_alpha;
-  pose.translation() = link.step;
-  return pose;
-}
-
-/// The link's motion about or along its z axis.
-Pose own_motion(const Chain::Link& link, double value) {
-  Pose pose = turn_about_z(link.rest_angle + link.turn * value);
-  pose.translation().z() = link.travel * value;
-  return pose;
-}
-
 /// Every joint has a coordinate of its own, and turns or slides but does not do both.
 bool plain(const Arm& arm, const Chain& chain) {
   if (static_cast<int>(chain.links.size()) != arm.dof()) return false;
   for (const Chain::Link& link : chain.links) {
-    if ((link.turn != 0) == (link.travel != 0)) return false;
+    if ((link.theta_per_q != 0) == (link.d_per_q != 0)) return false;
   }
   return true;
 }
@@ -47,14 +33,14 @@ Chain with_joints_at_tool(const Chain& chain, const std::string& axes) {
     const double first = std::atan2(r(0, 2), -r(1, 2));
     const Pose left = turn_about_z(first) * Eigen::AngleAxisd(alpha, Vector3::UnitX());
     Chain::Link& previous = longer.links.back();
-    previous.rest_angle += first;
+    previous.theta_offset += first;
     Chain::Link link;
     link.cos_alpha = std::cos(alpha);
     link.sin_alpha = std::sin(alpha);
-    link.step = turn_about_z(-first) * before.translation();
+    link.translation = turn_about_z(-first) * before.translation();
     const Rotation rest = left.linear().transpose() * r;
-    link.rest_angle = std::atan2(rest(1, 0), rest(0, 0));
-    link.turn = 1;
+    link.theta_offset = std::atan2(rest(1, 0), rest(0, 0));
+    link.theta_per_q = 1;
     link.coordinate = static_cast<int>(longer.links.size());
     longer.links.push_back(link);
     last_T_tool = tool_T_joint.inverse(Eigen::Isometry);
@@ -102,15 +88,15 @@ std::optional<ClosedForm> ClosedForm::of(const Arm& arm, const Task& task) {
       form.loop_ = *loop;
       form.locked_ = 6;
       form.coordinates_ = {0, 1, 2, 3, 4, 5};
-      form.locked_before_ = constant_motion(form.locked_link_);
+      form.locked_before_ = constant_transform(form.locked_link_);
       form.locked_after_ = chain.tool;
       return form;
     }
     six = chain;  // without the first
     form.locked_link_ = chain.links.front();
     six.links.erase(six.links.begin());
-    six.base = constant_motion(six.links.front());
-    six.links.front().step.setZero();
+    six.base = constant_transform(six.links.front());
+    six.links.front().translation.setZero();
     six.links.front().cos_alpha = 1;
     six.links.front().sin_alpha = 0;
     if (const auto loop = six_loop(six)) {
@@ -156,11 +142,11 @@ void ClosedForm::branches(const Pose& world_T_tool, double locked_value, SixQues
                           SixBranches& found) const {
   Pose goal = world_T_tool;
   if (locked_ == 6) {
-    goal = goal * (locked_before_ * own_motion(locked_link_, locked_value) * locked_after_)
+    goal = goal * (locked_before_ * joint_motion(locked_link_, locked_value) * locked_after_)
                       .inverse(Eigen::Isometry);
   } else if (locked_ == 0) {
     goal =
-        (locked_before_ * own_motion(locked_link_, locked_value)).inverse(Eigen::Isometry) * goal;
+        (locked_before_ * joint_motion(locked_link_, locked_value)).inverse(Eigen::Isometry) * goal;
   }
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 4; ++j) question.world_T_tool[4 * i + j] = goal(i, j);

@@ -10,18 +10,12 @@ struct Line {
   Vector3 direction;
 };
 
-Pose turned(const Pose& pose, const Chain::Link& link) {
-  return pose * Eigen::Translation3d(link.step) *
-         Eigen::AngleAxisd(std::atan2(link.sin_alpha, link.cos_alpha), Vector3::UnitX()) *
-         Eigen::AngleAxisd(link.rest_angle, Vector3::UnitZ());
-}
-
 /// The axes at q = 0 in the frame of joint 1, lengths in units.
 std::array<Line, 6> axes_at_rest(const Chain& chain, double unit) {
   std::array<Line, 6> axes;
   Pose pose = Pose::Identity();
   for (std::size_t i = 0; i < 6; ++i) {
-    pose = turned(pose, chain.links[i]);
+    pose = pose * link_transform(chain.links[i], 0);
     axes[i] = {pose.translation() / unit, pose.linear().col(2)};
   }
   return axes;
@@ -59,14 +53,14 @@ const Eigen::Matrix3d to_halves{{1, 0, 0}, {-1, 2, -1}, {0, 0, 1}};             
 SixLinks six_links(const Chain& chain) {
   SixLinks six;
   six.unit = 0;
-  for (const Chain::Link& link : chain.links) six.unit += link.step.norm();
+  for (const Chain::Link& link : chain.links) six.unit += link.translation.norm();
   if (!(six.unit > 0)) six.unit = 1;
   for (std::size_t i = 0; i < 6; ++i) {
     const Chain::Link& link = chain.links[i];
     six.cos_alpha[i] = link.cos_alpha;
     six.sin_alpha[i] = link.sin_alpha;
-    for (int k = 0; k < 3; ++k) six.step[i][k] = link.step[k] / six.unit;
-    six.rest[i] = link.rest_angle;
+    for (int k = 0; k < 3; ++k) six.step[i][k] = link.translation[k] / six.unit;
+    six.rest[i] = link.theta_offset;
   }
   return six;
 }

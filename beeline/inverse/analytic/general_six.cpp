@@ -10,17 +10,9 @@
 namespace beeline {
 namespace {
 
-Pose link_motion(const Chain::Link& link, double q) {
-  Pose motion = Pose::Identity();
-  motion.translation() = link.step;
-  motion.linear() << 1, 0, 0, 0, link.cos_alpha, -link.sin_alpha, 0, link.sin_alpha, link.cos_alpha;
-  motion.linear() *= Eigen::AngleAxisd(link.rest_angle + q, Vector3::UnitZ()).toRotationMatrix();
-  return motion;
-}
-
 Pose links_motion(const Chain& chain, const Eigen::Matrix<double, 6, 1>& q) {
   Pose motion = Pose::Identity();
-  for (int i = 0; i < 6; ++i) motion = motion * link_motion(chain.links[i], q[i]);
+  for (int i = 0; i < 6; ++i) motion = motion * link_transform(chain.links[i], q[i]);
   return motion;
 }
 
@@ -74,7 +66,7 @@ void check(const Chain& chain) {
   }
   for (int i = 0; i < 6; ++i) {
     const Chain::Link& link = chain.links[i];
-    if (link.turn == 1 && link.travel == 0 && link.coordinate == i) continue;
+    if (link.theta_per_q == 1 && link.d_per_q == 0 && link.coordinate == i) continue;
     throw Error("general six-axis inverse kinematics: joint " + std::to_string(i + 1) +
                 " is not revolute with a coordinate of its own, as all six must be");
   }

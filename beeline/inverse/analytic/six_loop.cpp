@@ -40,13 +40,6 @@ double size_of(const std::vector<JointAxis>& axes, const Pose& tool) {
   return size > 0 ? size : 1;
 }
 
-Pose constant_motion(const Chain::Link& link) {
-  Pose pose = Pose::Identity();
-  pose.linear() << 1, 0, 0, 0, link.cos_alpha, -link.sin_alpha, 0, link.sin_alpha, link.cos_alpha;
-  pose.translation() = link.step;
-  return pose;
-}
-
 /// Whether lambda_1 v_1 + lambda_2 v_2 = 0 has a solution for two vectors of the plane, of which
 /// the second is a length; it prefers the second equation, where both vectors vanish.
 bool dependent(const Eigen::Vector2d& v1, const Eigen::Vector2d& v2, double size, double* weight,
@@ -108,23 +101,23 @@ SixLoop cut(const Chain& chain, SixLoop::Family family, int d, double size) {
     const int joint = (d + i) % 6;
     const std::size_t k = static_cast<std::size_t>(i);
     const Chain::Link& link = chain.links[joint];
-    const bool slides = link.turn == 0;
+    const bool slides = link.theta_per_q == 0;
     loop.order[k] = joint;
-    Pose before = constant_motion(link);
-    if (slides) before = before * Eigen::AngleAxisd(link.rest_angle, Vector3::UnitZ());
+    Pose before = constant_transform(link);
+    if (slides) before = before * Eigen::AngleAxisd(link.theta_offset, Vector3::UnitZ());
     // The goal takes the place of what is before joint 1: there its angle goes into the base.
     if (slides && joint == 0) {
-      loop.base = rigid(chain.base * Eigen::AngleAxisd(link.rest_angle, Vector3::UnitZ()));
+      loop.base = rigid(chain.base * Eigen::AngleAxisd(link.theta_offset, Vector3::UnitZ()));
     }
     loop.before[k] = rigid(before);
-    loop.sign[k] = slides ? link.travel : link.turn;
-    loop.rest[k] = slides ? 0 : link.rest_angle;
+    loop.sign[k] = slides ? link.d_per_q : link.theta_per_q;
+    loop.rest[k] = slides ? 0 : link.theta_offset;
     if (i < 3) loop.slides[k] = slides;
     if (joint == 0) loop.goal_place = i;
     if (i < 4) continue;
     loop.sin_alpha[i - 4] = link.sin_alpha;
     loop.cos_alpha[i - 4] = link.cos_alpha;
-    loop.height += link.step.z();
+    loop.height += link.translation.z();
   }
   decouple(loop);
   return loop;
@@ -162,7 +155,7 @@ std::optional<SixLoop> six_loop(const Chain& chain) {
     if (solvable(loop) && (!best || effort(loop) < effort(*best))) best = loop;
   };
   for (std::size_t a = 0; a < 4; ++a) {
-    const auto turns = [&chain](std::size_t i) { return chain.links[i].turn != 0; };
+    const auto turns = [&chain](std::size_t i) { return chain.links[i].theta_per_q != 0; };
     if (!turns(a) || !turns(a + 1) || !turns(a + 2)) continue;
     std::vector<JointAxis> placed = axes;
     const int d = static_cast<int>(a + 3) % 6;

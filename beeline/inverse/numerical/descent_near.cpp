@@ -74,10 +74,10 @@ HWY_INLINE void linearise(const DescentProblem& problem, const double* place, Ne
       const Chain::Link& link = problem.chain.links[at];
       const double *z = &near.axes[8 * at], *p = z + 4;
       const double arm[3] = {place[0] - p[0], place[1] - p[1], place[2] - p[2]};
-      column[0] += link.turn * (z[1] * arm[2] - z[2] * arm[1]) + link.travel * z[0];
-      column[1] += link.turn * (z[2] * arm[0] - z[0] * arm[2]) + link.travel * z[1];
-      column[2] += link.turn * (z[0] * arm[1] - z[1] * arm[0]) + link.travel * z[2];
-      for (int r = 0; r < 3; ++r) column[3 + r] += link.turn * z[r];
+      column[0] += link.theta_per_q * (z[1] * arm[2] - z[2] * arm[1]) + link.d_per_q * z[0];
+      column[1] += link.theta_per_q * (z[2] * arm[0] - z[0] * arm[2]) + link.d_per_q * z[1];
+      column[2] += link.theta_per_q * (z[0] * arm[1] - z[1] * arm[0]) + link.d_per_q * z[2];
+      for (int r = 0; r < 3; ++r) column[3 + r] += link.theta_per_q * z[r];
     }
   }
   for (size_t k = 0; k < problem.coordinates.size(); ++k) {

@@ -15,9 +15,9 @@ Chain in_units(Chain chain, double length, const std::vector<DescentProblem::Coo
   chain.tool.translation() /= length;
   for (Chain::Link& link : chain.links) {
     const double unit = units[link.coordinate].unit;
-    link.step /= length;
-    link.turn *= unit;
-    link.travel *= unit / length;
+    link.translation /= length;
+    link.theta_per_q *= unit;
+    link.d_per_q *= unit / length;
   }
   return chain;
 }

@@ -59,7 +59,7 @@ void draw_configuration(const DescentProblem& problem, double far, Splitmix& ran
     double away = coordinate.slides ? far : 0x1.921fb54442d18p+1;
     for (int i = coordinate.first_link; i < coordinate.end_link && !coordinate.slides; ++i) {
       const auto link = static_cast<std::size_t>(problem.links[i]);
-      const double travel = std::abs(problem.chain.links[link].travel);
+      const double travel = std::abs(problem.chain.links[link].d_per_q);
       constexpr double most = 1e4;  // radians
       if (travel > 0) away = std::max(away, std::min(2 * far / travel, most));
     }
