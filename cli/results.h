@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/draw/path_trace.h>
+#include <beeline/draw/timing_figure.h>
 #include <beeline/trajectory/limit_usage.h>
 
 #include "output.h"

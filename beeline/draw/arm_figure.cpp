@@ -1,16 +1,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include <beeline/draw/annotation.h>
 #include <beeline/draw/arm_figure.h>
-#include <beeline/draw/arm_scene.h>
-#include <beeline/draw/text.h>
-#include <beeline/draw/trail.h>
+#include <beeline/draw/internal/annotation.h>
+#include <beeline/draw/internal/arm_scene.h>
+#include <beeline/draw/internal/text.h>
+#include <beeline/draw/internal/trail.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/se2.h>
 
 namespace beeline {
+using namespace internal;
 namespace {
 
 Figure views_of(Scene scene, const Arm& arm, const std::string& caption,
@@ -92,7 +93,7 @@ Figure motion_figure(const Arm& arm, const std::vector<Configuration>& motion,
   }
   add_arm(scene, arm, motion.back(),
           {.frames = options.frames, .tool = waypoints.empty() && !options.jacobian});
-  add_trail(scene, tool, options.dots);
+  add_trail(scene, tool, options.max_dots);
   add_numbered(scene, waypoints);
   if (options.jacobian) {
     add_jacobian_arrows(scene, arm, motion.back(), jacobian_arrow_scale(arm, motion.back()));

@@ -7,32 +7,35 @@
 
 namespace beeline {
 
+/// Options of arm_figure() and motion_figure().
 struct ArmFigureOptions {
-  std::string title = {};    ///< default: the arm's name
-  std::string caption = {};  ///< default: the tool's position
-  bool frames = false;       ///< every link's frame
-  bool jacobian = false;     ///< the Jacobian's columns as arrows at the tool
-  double azimuth = -0.87;    ///< of the spatial view, radians
-  double elevation = 0.44;   ///< of the spatial view, radians
-  bool small_views = true;   ///< spatial arms also from above and from the side
-  int ghosts = 3;            ///< how many configurations of a motion are shown faded
-  std::size_t dots = 80;     ///< most dots on a motion's trail
+  std::string title = {};     ///< default: the arm's name
+  std::string caption = {};   ///< default: the tool's position
+  bool frames = false;        ///< draw the frame of every link
+  bool jacobian = false;      ///< draw the Jacobian's columns as arrows at the tool
+  double azimuth = -0.87;     ///< of the spatial view, radians
+  double elevation = 0.44;    ///< of the spatial view, radians
+  bool small_views = true;    ///< add small views from above and from the front (spatial arms)
+  int ghosts = 3;             ///< number of earlier configurations of a motion, drawn faded
+  std::size_t max_dots = 80;  ///< max dots on the trail of a motion
 };
 
-/// The arm at configuration q: seen from above when planar, else a large oblique view with two
-/// small ones beside it.
+/// Draws the arm at configuration q: from above when it is planar, otherwise in an oblique view
+/// with two small views beside it. Throws Error when q does not fit the arm.
 Figure arm_figure(const Arm& arm, const ConfigurationRef& q, const ArmFigureOptions& options = {});
 
-/// A motion, as samples at equal times: the tool's trail, the arm at its end, faded arms at its
-/// start and on the way, and the waypoints, numbered. Throws Error when there is no sample.
+/// Draws a motion, sampled at equal times: the trail of the tool, the arm at the last sample, faded
+/// arms at the start and between, and the numbered waypoints. Throws Error for a motion without
+/// samples and for samples that do not fit the arm.
 Figure motion_figure(const Arm& arm, const std::vector<Configuration>& motion,
                      const std::vector<Pose>& waypoints = {}, const ArmFigureOptions& options = {});
 
-/// The samples whose tools divide its way into `count` equal lengths, the start first, the end left
-/// out.
+/// Returns the samples that divide the tool's trail into `count` parts of equal length: the start
+/// first, without the end.
 std::vector<std::size_t> evenly_along(const std::vector<Vector3>& tool, int count);
 
-/// "(2.44, 6.28, 0°)" for a planar arm, else the tool's position "(0.31, 0.00, 0.59) m".
+/// Formats the tool's pose: "(2.44, 6.28, 0°)" for a planar arm, otherwise the position,
+/// "(0.31, 0.00, 0.59) m".
 std::string tool_text(const Arm& arm, const ConfigurationRef& q);
 
 }  // namespace beeline

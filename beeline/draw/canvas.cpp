@@ -5,11 +5,12 @@
 #include <memory>
 
 #include <beeline/draw/canvas.h>
-#include <beeline/draw/text.h>
+#include <beeline/draw/internal/text.h>
 #include <beeline/error.h>
 #include <beeline/read/file.h>
 
 namespace beeline {
+using namespace internal;
 namespace {
 
 constexpr double pixels_per_point = 2.5;
@@ -67,7 +68,7 @@ void put(cairo_t* to, const Stroke& stroke) {
   if (stroke.line.alpha > 0 && stroke.width > 0) {
     set_colour(to, stroke.line);
     cairo_set_line_width(to, stroke.width);
-    // Round ends would close the gaps between dashes.
+    // Round caps would close the gaps between dashes.
     cairo_set_line_cap(to, stroke.dashes.empty() ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
     cairo_set_dash(to, stroke.dashes.data(), static_cast<int>(stroke.dashes.size()), 0);
     cairo_stroke(to);
@@ -118,7 +119,8 @@ void paint(cairo_surface_t* surface, const Drawing& drawing, double scale) {
   check(cairo_status(to));
 }
 
-/// Cairo numbers its surfaces through the life of the process; a file must not depend on that.
+/// Removes the surface ids, which Cairo counts over the life of the process: equal figures must
+/// give equal files.
 std::string without_surface_numbers(std::string svg) {
   const std::string mark = " id=\"surface";
   for (std::size_t at = svg.find(mark); at != std::string::npos; at = svg.find(mark, at)) {
@@ -135,7 +137,7 @@ Format format_of(std::string_view path) {
   if (ending == "svg") return Format::svg;
   if (ending == "png") return Format::png;
   if (ending == "pdf") return Format::pdf;
-  throw Error("cannot tell the picture's format from \"" + std::string(path) +
+  throw Error("unknown picture format in \"" + std::string(path) +
               "\"; it must end in .svg, .png or .pdf");
 }
 
@@ -154,7 +156,7 @@ std::string render(const Drawing& drawing, Format format) {
                             ? cairo_svg_surface_create_for_stream(append, &bytes, w, h)
                             : cairo_pdf_surface_create_for_stream(append, &bytes, w, h));
   if (format == Format::pdf) {
-    // A file that says when it was made would never be the same twice.
+    // A fixed creation date, so that equal figures give equal files.
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
                                    "1970-01-01T00:00:00Z");
   }

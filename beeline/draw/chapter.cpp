@@ -3,17 +3,18 @@
 
 #include <beeline/control/cartesian.h>
 #include <beeline/control/joint.h>
-#include <beeline/draw/annotation.h>
 #include <beeline/draw/arm_figure.h>
-#include <beeline/draw/arm_scene.h>
 #include <beeline/draw/chapter.h>
-#include <beeline/draw/text.h>
-#include <beeline/draw/trail.h>
+#include <beeline/draw/internal/annotation.h>
+#include <beeline/draw/internal/arm_scene.h>
+#include <beeline/draw/internal/text.h>
+#include <beeline/draw/internal/trail.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 
 namespace beeline {
+using namespace internal;
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -28,7 +29,7 @@ std::string angles_text(const ConfigurationRef& q) {
   return text;
 }
 
-/// Figure 1.3: the arm at rest, and with its second and third joint turned.
+/// Figure 1.3: the arm at q = 0, and with joints 2 and 3 actuated.
 Figure figure_1_3(const Arm& arm) {
   const Configuration turned = degrees(0, 50, -80);
   Panel rest, actuated;
@@ -57,7 +58,7 @@ Figure figure_1_6(const Arm& arm) {
   return figure;
 }
 
-/// Figure 1.7: joint-space control bends the tool's way; its dots tell the slowing down.
+/// Figure 1.7: joint-space control makes a curved trail; the spacing of its dots shows the speed.
 Figure figure_1_7(const Arm& arm) {
   const std::vector<Configuration> motion = figure_1_7_motion();
   const Configuration& start = motion.front();
@@ -74,7 +75,7 @@ Figure figure_1_7(const Arm& arm) {
   return figure;
 }
 
-/// Figure 1.8: the Jacobian's columns, at one scale for both configurations.
+/// Figure 1.8: the columns of the Jacobian, at one scale for both configurations.
 Figure figure_1_8(const Arm& arm) {
   Figure figure;
   const Configuration left = degrees(0, 90, 0);
@@ -88,7 +89,7 @@ Figure figure_1_8(const Arm& arm) {
   return figure;
 }
 
-/// Figure 1.9: Cartesian control goes straight.
+/// Figure 1.9: Cartesian control makes a straight trail.
 Figure figure_1_9(const Arm& arm) {
   const std::vector<Configuration> motion = figure_1_9_motion();
   std::vector<Pose> waypoints;
@@ -133,10 +134,10 @@ Figure chapter_figure(std::string_view number) {
 }
 
 std::vector<Configuration> figure_1_7_motion() {
-  SimulationOptions until_seen;
-  until_seen.tolerance = 2e-3;  // radians; less cannot be seen
+  SimulationOptions until_visible;
+  until_visible.tolerance = 2e-3;  // radians; a smaller error is not visible
   return control_joints(built_in("rrr"), degrees(0, 0, 0), degrees(99.2, -68.8, -30.4), {.kp = 0.1},
-                        until_seen)
+                        until_visible)
       .trajectory.positions;
 }
 
@@ -150,7 +151,7 @@ std::vector<Configuration> figure_1_9_motion() {
   std::vector<Pose> waypoints;
   for (const Pose2& waypoint : figure_1_9_waypoints()) waypoints.push_back(to_space(waypoint));
   CartesianOptions options;
-  options.gain = 0.01;  // small: between its steps the tool leaves the line in proportion to it
+  options.gain = 0.01;  // small: the deviation between steps is proportional to the gain
   options.simulation.tolerance = 2e-3;
   return control_in_lines(built_in("rrr"), figure_1_9_start(), waypoints, options)
       .trajectory.positions;

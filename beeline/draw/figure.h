@@ -4,32 +4,43 @@
 #include <vector>
 
 #include <beeline/draw/paper.h>
-#include <beeline/draw/projection.h>
 #include <beeline/draw/scene.h>
 
 namespace beeline {
 
-/// One view of a scene, with what stands below it.
+/// A direction of view; parallel projection. The rows are the world directions that point to the
+/// right on paper, up on paper, and towards the viewer.
+using View = Rotation;
+
+View top_view();    ///< x to the right, y up
+View front_view();  ///< x to the right, z up
+View side_view();   ///< y to the right, z up
+
+/// Returns the view from a direction at `azimuth` from x towards y and `elevation` above the
+/// ground, radians; z is up. Throws Error when an angle is not finite.
+View oblique_view(double azimuth, double elevation);
+
+/// One view of a scene with a caption.
 struct Panel {
   Scene scene = {};
   View view = top_view();
   std::string caption = {};
-  double zoom = 1;     ///< scale relative to the figure's other panels
-  double pen = 1;      ///< factor on the sizes that the scene gives in points
+  double zoom = 1;     ///< scale relative to the other panels of the figure
+  double pen = 1;      ///< factor on the sizes that the scene gives in points (line widths, text)
   bool labels = true;  ///< draw the scene's labels
 };
 
-/// Panels side by side, each column from above to below. One scale holds for all (times a panel's
-/// zoom), the same along both axes, chosen as large as the page allows. Where a panel looks along
-/// an axis of the world it gets rulers and a light grid, else a ground grid and a scale bar.
+/// Panels in columns, each column from top to bottom. All panels have one scale (times their zoom),
+/// equal along both axes and as large as the page allows. A panel that looks along an axis of the
+/// world has rulers and a light grid, any other a ground grid and a scale bar.
 struct Figure {
   std::string title = {};
   std::vector<std::vector<Panel>> columns;
-  double width = 500, height = 480;  ///< largest page, in points; margins and text excepted
+  double width = 500, height = 480;  ///< max size of the page without margins and title, points
 };
 
-/// The figure on paper: everything lies within the page. Throws Error when the figure has no panel
-/// or a point that cannot be drawn.
+/// Lays the figure out on a page that contains all of it. Throws Error for a figure without panels,
+/// a page size outside 100 to 10000 points and coordinates that cannot be drawn.
 Drawing compose(const Figure& figure);
 
 }  // namespace beeline

@@ -1,7 +1,8 @@
+#include <beeline/draw/internal/text.h>
 #include <beeline/draw/paper.h>
-#include <beeline/draw/text.h>
 
 namespace beeline {
+using namespace internal;
 
 void Path::move(const Point& p) {
   verbs.push_back(Verb::move);
@@ -32,9 +33,9 @@ Path closed_path(const std::vector<Point>& points) {
   return path;
 }
 
-Path ellipse(const Point& centre, const Point& half_axis, const Point& other_half_axis) {
-  const Point &u = half_axis, &v = other_half_axis;
-  constexpr double k = 0.5522847498;  // a quarter circle as a Bezier curve, to 3e-4
+Path ellipse(const Point& centre, const Point& semi_axis, const Point& other_semi_axis) {
+  const Point &u = semi_axis, &v = other_semi_axis;
+  constexpr double k = 0.5522847498;  // a Bezier curve within 3e-4 of a quarter of the unit circle
   Path path;
   path.move(centre + u);
   path.curve(centre + u + k * v, centre + v + k * u, centre + v);
@@ -47,6 +48,11 @@ Path ellipse(const Point& centre, const Point& half_axis, const Point& other_hal
 
 Path circle(const Point& centre, double radius) {
   return ellipse(centre, {radius, 0}, {0, radius});
+}
+
+Stroke line_stroke(const Point& from, const Point& to, const Colour& colour, double width,
+                   const std::vector<double>& dashes) {
+  return {open_path({from, to}), no_colour, colour, width, dashes};
 }
 
 void Box::include(const Point& p, const Point& around) {

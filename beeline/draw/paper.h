@@ -8,7 +8,7 @@
 
 namespace beeline {
 
-/// A place on paper, in points (1/72 inch): x to the right, y down from the upper left corner.
+/// A position on paper, points (1/72 inch): x to the right, y down from the upper left corner.
 using Point = Eigen::Vector2d;
 
 /// Straight lines and cubic Bezier curves. `move` and `line` take one point, `curve` three.
@@ -26,13 +26,13 @@ struct Path {
 Path open_path(const std::vector<Point>& points);
 Path closed_path(const std::vector<Point>& points);
 
-/// The ellipse around `centre` with these two half axes.
-Path ellipse(const Point& centre, const Point& half_axis, const Point& other_half_axis);
+/// Returns the ellipse about `centre` with these two semi-axes.
+Path ellipse(const Point& centre, const Point& semi_axis, const Point& other_semi_axis);
 Path circle(const Point& centre, double radius);
 
 constexpr Colour no_colour{0, 0, 0, 0};
 
-/// A path, first filled, then stroked with round ends and corners; a line without length is a dot.
+/// A path that is filled, then stroked with round caps and joins; a line of zero length is a dot.
 struct Stroke {
   Path path;
   Colour fill = no_colour;
@@ -41,7 +41,7 @@ struct Stroke {
   std::vector<double> dashes = {};
 };
 
-/// One line of text centred at a point, horizontal or read from below to above.
+/// One line of text centred at a point; `upright` text is rotated and reads from bottom to top.
 struct Text {
   std::string text;
   Point centre = Point::Zero();
@@ -49,8 +49,12 @@ struct Text {
   Colour colour = ink;
   bool bold = false;
   bool upright = false;
-  bool halo = false;  ///< a white rim, to stand out from what is below
+  bool halo = false;  ///< a white outline, for contrast with marks below
 };
+
+/// Returns the stroke of a straight line.
+Stroke line_stroke(const Point& from, const Point& to, const Colour& colour, double width,
+                   const std::vector<double>& dashes = {});
 
 using Mark = std::variant<Stroke, Text>;
 
@@ -62,10 +66,10 @@ struct Box {
   Point size() const { return high - low; }
 };
 
-/// What one mark covers, at most.
+/// Returns a rectangle that contains the mark.
 Box box_of(const Mark& mark);
 
-/// A page, in order of drawing.
+/// A page: marks in order of drawing.
 struct Drawing {
   double width = 0;
   double height = 0;

@@ -7,12 +7,12 @@
 namespace beeline {
 namespace {
 
-constexpr double farthest = 1e12;  // metres; beyond it a scale would overflow
+constexpr double max_coordinate = 1e12;  // metres; larger ones would overflow the scale
 
 void check_point(const Vector3& point, const char* what) {
   for (const double value : point) {
-    if (std::abs(value) <= farthest) continue;  // false for NaN
-    throw Error(std::string("cannot draw a ") + what + " at (" + number(point.x()) + ", " +
+    if (std::abs(value) <= max_coordinate) continue;  // false for NaN
+    throw Error(std::string("the figure has a ") + what + " at (" + number(point.x()) + ", " +
                 number(point.y()) + ", " + number(point.z()) +
                 "); coordinates must be finite and within 1e12 m");
   }
@@ -52,9 +52,9 @@ Colour distinct_colour(int k) {
 }
 
 Colour faded(const Colour& colour) {
-  constexpr double mist = 0.68;
-  return {colour.red + mist * (1 - colour.red), colour.green + mist * (1 - colour.green),
-          colour.blue + mist * (1 - colour.blue), colour.alpha};
+  constexpr double whiteness = 0.68;
+  return {colour.red + whiteness * (1 - colour.red), colour.green + whiteness * (1 - colour.green),
+          colour.blue + whiteness * (1 - colour.blue), colour.alpha};
 }
 
 void check_scene(const Scene& scene) {

@@ -1,20 +1,21 @@
 #include <algorithm>
 
-#include <beeline/draw/deviation_charts.h>
-#include <beeline/draw/joint_charts.h>
-#include <beeline/draw/sheet.h>
+#include <beeline/draw/internal/deviation_charts.h>
+#include <beeline/draw/internal/joint_charts.h>
+#include <beeline/draw/internal/sheet.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
 #include <beeline/inverse/numerical/numerical.h>
 #include <beeline/kinematics/manipulability.h>
 
 namespace beeline {
+using namespace internal;
 namespace {
 
 constexpr double plot_height = 76;
 
 Chart condition_chart(const Arm& arm, const Trajectory& trajectory, const Task& task) {
-  constexpr std::size_t most = 1500;  // places; a chart shows no more
+  constexpr std::size_t max_points = 1500;  // a chart does not resolve more
   const double unit = unit_of_length(arm);
   Chart chart{.heading = "inverse condition of the Jacobian",
               .x_name = "time [s]",
@@ -23,7 +24,7 @@ Chart condition_chart(const Arm& arm, const Trajectory& trajectory, const Task& 
               .from_zero = true};
   Curve& curve = chart.curves.front();
   const std::size_t last = trajectory.size() - 1;
-  const std::size_t stride = std::max<std::size_t>(1, last / most);
+  const std::size_t stride = std::max<std::size_t>(1, last / max_points);
   for (std::size_t k = 0;; k = std::min(k + stride, last)) {
     const Eigen::MatrixXd j = task_jacobian(arm, trajectory.positions[k], task, unit);
     curve.x.push_back(trajectory.times[k]);
@@ -33,13 +34,13 @@ Chart condition_chart(const Arm& arm, const Trajectory& trajectory, const Task& 
   return chart;
 }
 
-/// The trail and the charts of the deviation, as high together as `height`.
+/// Returns the trail above the charts of the deviation, of total height `height` points.
 ChartColumn path_column(const Arm& arm, const Trajectory& trajectory, const FollowedPath& followed,
                         double height) {
   ChartColumn column{.plot_width = 340};
   const PathTrace trace = trace_path(arm, trajectory.positions, followed);
   column.charts = deviation_charts(trace, followed);
-  double taken = 60;  // by the trail's caption and margins, and the numbers of the way
+  double taken = 60;  // points: caption and margins of the trail, tick labels of the x axis
   for (std::size_t i = 0; i < column.charts.size(); ++i) taken += plot_height + 24;
   Figure trail = exaggerated_figure(arm, trace, followed, exaggeration(trace));
   trail.width = column.plot_width;
@@ -63,7 +64,7 @@ Drawing timing_figure(const Arm& arm, const Trajectory& given, const TimingFigur
                   std::to_string(trajectory.size()) +
                   (trajectory.size() == 1 ? " sample" : " samples");
   }
-  for (int k = 0; k < arm.dof(); ++k) sheet.key.push_back(joint_curve(arm, k));
+  for (int k = 0; k < arm.dof(); ++k) sheet.legend.push_back(joint_curve(arm, k));
   ChartColumn over_time{.charts = joint_charts(arm, trajectory)};
   over_time.charts.push_back(tool_speed_chart(arm, trajectory));
   over_time.charts.push_back(condition_chart(arm, trajectory, task));
@@ -73,8 +74,7 @@ Drawing timing_figure(const Arm& arm, const Trajectory& given, const TimingFigur
       for (Chart& chart : over_time.charts) {
         const bool first = &chart == over_time.charts.data();
         if (reached[w] >= trajectory.size()) continue;  // trace_path() refuses it
-        chart.stations.push_back(
-            {trajectory.times[reached[w]], first ? std::to_string(w + 1) : ""});
+        chart.markers.push_back({trajectory.times[reached[w]], first ? std::to_string(w + 1) : ""});
       }
     }
   }

@@ -2,25 +2,34 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include <beeline/certificate/path_deviation.h>
 #include <beeline/draw/paper.h>
-#include <beeline/draw/path_trace.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
 
-struct TimingFigureOptions {
-  std::string title = {};                   ///< default: the arm, and how long it moves
-  std::optional<FollowedPath> path = {};    ///< adds the deviation from it
-  std::optional<Task> task = std::nullopt;  ///< default: that of the path, or default_task()
+/// The path that a motion follows.
+struct FollowedPath {
+  ToolPath path;
+  std::vector<double> places;  ///< path parameter of each sample, as far as they follow the path
+  Task task;
+  std::optional<Deviation> tolerance = std::nullopt;  ///< drawn as a reference line
 };
 
-/// A motion over time: all joints' positions, velocities and accelerations with their limits (see
-/// joint_charts.h), the tool's speed, and the inverse condition of the task's Jacobian, 0 at a
-/// singularity, lengths in units of the arm's reach. For a motion along a path also the trail with
-/// its deviation exaggerated, and the deviation along the way with its bound and tolerance.
-/// Throws Error when the trajectory does not fit the arm or has no samples, or `path` does not fit
-/// it.
+struct TimingFigureOptions {
+  std::string title = {};                   ///< default: the arm's name and the duration
+  std::optional<FollowedPath> path = {};    ///< draws the deviation from it too
+  std::optional<Task> task = std::nullopt;  ///< default: the path's task, or default_task()
+};
+
+/// Draws a motion over time: positions, velocities and accelerations of all joints with their
+/// limits, the speed of the tool, and the inverse condition number of the task's Jacobian (0 at a
+/// singularity; lengths in units of the arm's reach). For a motion along a path, also draws the
+/// trail with its deviation exaggerated, and the deviation over the arc length with its proved
+/// bound and tolerance. Throws Error when the trajectory does not fit the arm, has no samples, or
+/// does not fit `path`.
 Drawing timing_figure(const Arm& arm, const Trajectory& trajectory,
                       const TimingFigureOptions& options = {});
 

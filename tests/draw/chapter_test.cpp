@@ -4,8 +4,8 @@
 
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/chapter.h>
-#include <beeline/draw/skeleton.h>
-#include <beeline/draw/trail.h>
+#include <beeline/draw/internal/skeleton.h>
+#include <beeline/draw/internal/trail.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/pose/angle.h>
@@ -13,6 +13,7 @@
 #include <tests/refusal.h>
 
 namespace beeline {
+using namespace internal;
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;

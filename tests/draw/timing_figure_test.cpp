@@ -4,8 +4,9 @@
 #include <set>
 
 #include <beeline/draw/canvas.h>
-#include <beeline/draw/deviation_charts.h>
-#include <beeline/draw/joint_charts.h>
+#include <beeline/draw/internal/deviation_charts.h>
+#include <beeline/draw/internal/joint_charts.h>
+#include <beeline/draw/internal/projection.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
@@ -16,6 +17,7 @@
 #include <tests/refusal.h>
 
 namespace beeline {
+using namespace internal;
 namespace {
 
 using testing::expect_within_page;
@@ -199,16 +201,16 @@ TEST(PathTrace, AgreesWithTheDeviationReported) {
     const PathTrace trace = trace_path(arm, motion.trajectory.positions, path);
     ASSERT_EQ(trace.steps.size(), motion.trajectory.size() - 1);
     Deviation measured, bound;
-    for (const PathTrace::Place& place : trace.places) {
-      measured.position = std::max(measured.position, place.off.position);
-      measured.orientation = std::max(measured.orientation, place.off.orientation);
-      EXPECT_NEAR(place.across.norm(), place.off.position, 1e-12);
-      EXPECT_GE(place.way, 0);
-      EXPECT_LE(place.way, trace.ends.back() + 1e-12);
-      if (place.step == 0) continue;
-      const Deviation& proved = trace.steps[place.step - 1].bound;
-      EXPECT_LE(place.off.position, proved.position + 1e-15);
-      EXPECT_LE(place.off.orientation, proved.orientation + 1e-12);
+    for (const PathTrace::Point& point : trace.points) {
+      measured.position = std::max(measured.position, point.deviation.position);
+      measured.orientation = std::max(measured.orientation, point.deviation.orientation);
+      EXPECT_NEAR(point.deviation_vector.norm(), point.deviation.position, 1e-12);
+      EXPECT_GE(point.arc_length, 0);
+      EXPECT_LE(point.arc_length, trace.segment_ends.back() + 1e-12);
+      if (point.step == 0) continue;
+      const Deviation& proved = trace.steps[point.step - 1].bound;
+      EXPECT_LE(point.deviation.position, proved.position + 1e-15);
+      EXPECT_LE(point.deviation.orientation, proved.orientation + 1e-12);
     }
     for (const PathTrace::Step& step : trace.steps) {
       bound.position = std::max(bound.position, step.bound.position);
@@ -217,7 +219,7 @@ TEST(PathTrace, AgreesWithTheDeviationReported) {
     EXPECT_NEAR(bound.position, motion.deviation.bound.position, 1e-12);
     EXPECT_NEAR(bound.orientation, motion.deviation.bound.orientation, 1e-12);
     EXPECT_GE(measured.position, motion.deviation.sampled.position - 1e-12);
-    EXPECT_TRUE(trace.turns_only);  // the last line only turns
+    EXPECT_TRUE(trace.has_pure_rotation);  // the last line only turns
   }
 }
 
@@ -228,8 +230,8 @@ TEST(PathTrace, ExaggeratesToWhatShows) {
     const double factor = exaggeration(trace);
     EXPECT_EQ(factor, round_step(factor));
     double most = 0;
-    for (const PathTrace::Place& place : trace.places) {
-      most = std::max(most, place.across.norm());
+    for (const PathTrace::Point& point : trace.points) {
+      most = std::max(most, point.deviation_vector.norm());
     }
     EXPECT_GT(factor * most, 0.005);
     EXPECT_LT(factor * most, 0.05);
@@ -244,18 +246,19 @@ TEST(PathTrace, OfManySamplesIsASmallPictureThatKeepsTheExtremes) {
   const PathTrace trace = trace_path(arm, motion.trajectory.positions, path);
   ASSERT_GT(trace.steps.size(), 10'000u);
   double most = 0;
-  for (const PathTrace::Place& place : trace.places) most = std::max(most, place.across.norm());
+  for (const PathTrace::Point& point : trace.points)
+    most = std::max(most, point.deviation_vector.norm());
   const Figure figure = exaggerated_figure(arm, trace, path, 1e9);
   const auto& trail = std::get<Polyline>(figure.columns[0][0].scene.items[1].shape);
   EXPECT_LT(trail.points.size(), 3000u);
   double farthest = 0;
   for (const Vector3& p : trail.points) {
     double off = 1e300;
-    for (std::size_t i = 1; i < trace.course.size(); ++i) {
-      const Vector3 way = trace.course[i] - trace.course[i - 1];
+    for (std::size_t i = 1; i < trace.polyline.size(); ++i) {
+      const Vector3 way = trace.polyline[i] - trace.polyline[i - 1];
       const double length = std::max(way.squaredNorm(), 1e-12);
-      const double t = std::clamp(way.dot(p - trace.course[i - 1]) / length, 0.0, 1.0);
-      off = std::min(off, (p - trace.course[i - 1] - t * way).norm());
+      const double t = std::clamp(way.dot(p - trace.polyline[i - 1]) / length, 0.0, 1.0);
+      off = std::min(off, (p - trace.polyline[i - 1] - t * way).norm());
     }
     farthest = std::max(farthest, off);
   }

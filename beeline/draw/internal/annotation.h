@@ -1,0 +1,24 @@
+#pragma once
+
+#include <beeline/draw/scene.h>
+#include <beeline/model/arm.h>
+
+namespace beeline::internal {
+
+/// Draws the linear velocity of each Jacobian column at the tool, times `scale` (metres of arrow
+/// for each metre per unit of the coordinate), in distinct_colour(k); Figure 1.8 of Dellaert,
+/// *Serial Link Manipulators*. With `levers`, adds a dashed line from each revolute joint to the
+/// tool.
+void add_jacobian_arrows(Scene& scene, const Arm& arm, const ConfigurationRef& q, double scale,
+                         bool levers = false);
+
+/// Returns the scale at which the longest arrow is 2/5 of the greatest distance of the arm from its
+/// base; 1 when no column has a linear velocity.
+double jacobian_arrow_scale(const Arm& arm, const ConfigurationRef& q);
+
+/// Draws the angle of each revolute joint of a planar arm as an arc of `radius` metres, from the
+/// extension of the previous link (dashed) to the joint's own link, labelled θ₁, θ₂, ... Angles
+/// below one degree are omitted.
+void add_joint_angles(Scene& scene, const Arm& arm, const ConfigurationRef& q, double radius);
+
+}  // namespace beeline::internal

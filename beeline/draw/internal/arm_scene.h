@@ -1,0 +1,17 @@
+#pragma once
+
+#include <beeline/draw/scene.h>
+#include <beeline/model/arm.h>
+
+namespace beeline::internal {
+
+struct ArmStyle {
+  bool frames = false;  ///< draw the frame of every link, labelled {0} to {n} for up to 40 links
+  bool faded = false;   ///< behind everything else, as an earlier configuration
+  bool tool = true;     ///< draw the tool frame
+};
+
+/// Adds the arm at configuration q to the scene. Throws Error when q does not fit the arm.
+void add_arm(Scene& scene, const Arm& arm, const ConfigurationRef& q, const ArmStyle& style = {});
+
+}  // namespace beeline::internal

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/draw/internal/deviation_charts.h>
+#include <beeline/draw/internal/projection.h>
+#include <beeline/draw/internal/text.h>
+#include <beeline/draw/internal/trail.h>
+#include <beeline/error.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr double rounding = 1e-12;  // metres or radians; smaller deviations count as zero
+
+/// A unit in which a value is between 1 and 1000.
+struct Unit {
+  double size = 1;
+  std::string name;
+};
+
+Unit unit_for(double size, const std::string& base) {
+  const char* prefixes[] = {"", "m", "µ", "n", "p"};
+  Unit unit{1, base};
+  for (const char* prefix : prefixes) {
+    unit.name = prefix + base;
+    if (size >= unit.size) break;
+    if (*prefix != 'p') unit.size /= 1000;
+  }
+  return unit;
+}
+
+/// Returns whether the steps are too narrow to be resolved on paper.
+bool dense(const PathTrace& trace) { return trace.steps.size() > 150; }
+
+/// Returns the points to draw: all, or, of a dense trace, the one with the largest deviation of
+/// each step or group of steps.
+std::vector<std::size_t> shown_points(const PathTrace& trace, const auto& off) {
+  constexpr std::size_t max_groups = 1500;
+  const std::size_t together = 1 + trace.steps.size() / max_groups;
+  const auto group = [&](std::size_t i) {
+    return (trace.points[i].step + together - 1) / together;
+  };
+  std::vector<std::size_t> shown;
+  for (std::size_t i = 0; i < trace.points.size(); ++i) {
+    const bool begins = trace.points[i].step == 0;  // of a segment
+    const std::size_t before = begins ? 0 : group(i - 1);
+    if (dense(trace) && !begins && (before == 0 || before == group(i))) {
+      if (off(i) > off(shown.back())) shown.back() = i;
+    } else {
+      shown.push_back(i);
+    }
+  }
+  return shown;
+}
+
+Chart chart_of(const PathTrace& trace, const FollowedPath& followed, double Deviation::*part,
+               const char* what, const char* base) {
+  double largest = rounding;
+  for (const PathTrace::Step& step : trace.steps) largest = std::max(largest, step.bound.*part);
+  for (const PathTrace::Point& point : trace.points)
+    largest = std::max(largest, point.deviation.*part);
+  const Unit unit = unit_for(largest, base);
+  Curve measured{.name = "measured", .colour = amber, .width = 0.9};
+  for (const std::size_t i :
+       shown_points(trace, [&](std::size_t k) { return trace.points[k].deviation.*part; })) {
+    measured.x.push_back(trace.points[i].arc_length);
+    measured.y.push_back(trace.points[i].deviation.*part / unit.size);
+  }
+  Curve bound{.name = "proved", .colour = ink, .width = 0.7};
+  for (const PathTrace::Step& step : trace.steps) {
+    bound.x.insert(bound.x.end(), {step.from, step.to});
+    bound.y.insert(bound.y.end(), {step.bound.*part / unit.size, step.bound.*part / unit.size});
+  }
+  Chart chart{.heading = dense(trace) ? "largest deviation" : "deviation",
+              .x_name = trace.has_pure_rotation ? "arc length of the path [m; rotation: 0.01 m/rad]"
+                                                : "arc length of the path [m]",
+              .left_name = std::string(what) + " [" + unit.name + "]",
+              .curves = {std::move(measured), std::move(bound)},
+              .min_span = rounding / unit.size,
+              .from_zero = true};
+  if (followed.tolerance)
+    chart.reference_lines = {{"tolerance", (*followed.tolerance).*part / unit.size}};
+  return chart;
+}
+
+std::vector<Vector3> enlarged(const PathTrace& trace, double factor) {
+  std::vector<Vector3> points;
+  for (const std::size_t i : shown_points(
+           trace, [&](std::size_t k) { return trace.points[k].deviation_vector.norm(); })) {
+    points.emplace_back(trace.points[i].tool + (factor - 1) * trace.points[i].deviation_vector);
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<Chart> deviation_charts(const PathTrace& trace, const FollowedPath& followed) {
+  std::vector<Chart> charts;
+  if (followed.task.positions() > 0) {
+    charts.push_back(chart_of(trace, followed, &Deviation::position, "position", "m"));
+  }
+  if (followed.task.orientations() > 0) {
+    charts.push_back(chart_of(trace, followed, &Deviation::orientation, "orientation", "rad"));
+  }
+  for (std::size_t w = 0; w < trace.segment_ends.size(); ++w) {
+    for (Chart& chart : charts) {
+      const bool first = &chart == charts.data();
+      chart.markers.push_back({trace.segment_ends[w], first ? std::to_string(w + 1) : ""});
+    }
+  }
+  return charts;
+}
+
+double exaggeration(const PathTrace& trace) {
+  constexpr double visible = 0.06;  // of the extent of the path
+  double largest = 0;
+  for (const PathTrace::Point& point : trace.points)
+    largest = std::max(largest, point.deviation_vector.norm());
+  Vector3 low = trace.polyline.front(), high = low;
+  for (const Vector3& point : trace.polyline) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  const double extent = (high - low).norm();
+  if (largest <= rounding * std::max(1.0, extent)) return 1;
+  const double factor = visible * extent / largest;
+  return factor > 2.5 ? round_step(factor / 2.5) : 1;
+}
+
+Figure exaggerated_figure(const Arm& arm, const PathTrace& trace, const FollowedPath& followed,
+                          double factor) {
+  Scene scene;
+  scene.add(Layer::trail, Polyline{trace.polyline, construction_grey, 0.7});
+  scene.add(Layer::trail, Polyline{enlarged(trace, factor), amber, 0.9});
+  scene.add(Layer::mark, Dots{{trace.polyline.front()}, ink, 5});
+  std::vector<std::string> names;
+  std::vector<Pose> waypoints;
+  for (const Piece& piece : followed.path.pieces) {
+    waypoints.push_back(pose_at(piece, 1));
+    names.push_back(std::to_string(waypoints.size()));
+  }
+  add_poses(scene, waypoints, names);
+  Panel panel{.scene = std::move(scene)};
+  panel.view = arm.planar() ? top_view() : oblique_view(-0.87, 0.44);
+  panel.caption = factor > 1
+                      ? "trail of the tool, its deviation from the path × " + fixed(factor, 0) +
+                            (dense(trace) ? " (largest of each step)" : "")
+                      : "trail of the tool, to scale";
+  Figure figure;
+  figure.columns = {{std::move(panel)}};
+  return figure;
+}
+
+}  // namespace beeline::internal

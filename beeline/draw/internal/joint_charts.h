@@ -1,0 +1,22 @@
+#pragma once
+
+#include <beeline/draw/internal/chart.h>
+#include <beeline/trajectory/trajectory.h>
+
+namespace beeline::internal {
+
+/// Returns the line style of joint k (from 0): distinct_colour(k), and other dashes for each
+/// further eight joints.
+Curve joint_curve(const Arm& arm, int k);
+
+/// Charts positions, velocities and accelerations of all joints over time. A joint with a known
+/// limit is drawn in percent of it (positions: of the range, from -100 at the lower limit to 100 at
+/// the upper), so that joints can be compared; joints without one use a scale on the right, thick,
+/// when both kinds occur. Missing velocities and accelerations are divided differences, drawn as a
+/// step plot; a chart without data is omitted. The trajectory is in the arm's joint order.
+std::vector<Chart> joint_charts(const Arm& arm, const Trajectory& trajectory);
+
+/// Charts the speed of the tool's origin over time, m/s.
+Chart tool_speed_chart(const Arm& arm, const Trajectory& trajectory);
+
+}  // namespace beeline::internal

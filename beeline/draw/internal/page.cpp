@@ -1,0 +1,18 @@
+#include <beeline/draw/internal/page.h>
+#include <beeline/draw/internal/text.h>
+
+namespace beeline::internal {
+
+double draw_title(const std::string& title, double width, Drawing& drawing) {
+  constexpr double size = 12, leading = 16;
+  double top = page_margin;
+  for (const std::string& line : wrapped(title, size, width, true)) {
+    Text text{line, {drawing.width / 2, top + 0.6 * size}, size};
+    text.bold = true;
+    drawing.marks.emplace_back(text);
+    top += leading;
+  }
+  return top;
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,34 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/draw/internal/projection.h>
+#include <beeline/error.h>
+
+namespace beeline::internal {
+
+std::string axis_name(const View& view, int row) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (view(row, axis) > 1 - 1e-12) return std::string(1, "xyz"[axis]);
+  }
+  return "";
+}
+
+Point Projection::operator()(const Vector3& p) const { return origin + scale * direction(p); }
+
+Point Projection::direction(const Vector3& d) const {
+  return {view.row(0).dot(d), -view.row(1).dot(d)};
+}
+
+double round_step(double least) {
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= least * (1 - 1e-9)) return factor * power;
+  }
+  return 10 * power;
+}
+
+int decimals_of(double step) {
+  return std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 15);
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include <beeline/draw/internal/projection.h>
+
+namespace beeline::internal {
+
+/// The rectangle of a panel in which its scene is drawn, and the projection that fits it there.
+struct Plot {
+  Projection projection;
+  Box box;
+};
+
+/// Returns the step between ticks, metres, for both axes: wide enough for the tick labels at this
+/// scale (points per metre) and coordinates up to `largest` metres.
+double tick_step(double scale, double largest);
+
+/// Returns the width of the tick labels and the name of the vertical axis from `low` to `high`
+/// metres, points.
+double ruler_width(double step, double low, double high);
+constexpr double ruler_height = 28;  ///< height of those of the horizontal axis, points
+
+/// Returns whether the view looks along an axis of the world, so that the plot can have rulers.
+bool has_rulers(const View& view);
+
+/// Draws a frame with ticks, tick labels, axis names ("x [m]") and a light grid.
+void draw_rulers(const Plot& plot, double step, std::vector<Mark>& marks);
+
+/// Returns grid lines on the ground plane at multiples of a round step, around the scene's content.
+std::vector<Polyline> floor_grid(const Scene& scene);
+
+/// Draws the world's axes and a scale bar at the lower edge of the plot.
+void draw_scale_bar(const Plot& plot, std::vector<Mark>& marks);
+constexpr double scale_bar_height = 44;
+
+}  // namespace beeline::internal

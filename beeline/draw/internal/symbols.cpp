@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <beeline/draw/internal/labels.h>
+#include <beeline/draw/internal/solid.h>
+#include <beeline/draw/internal/symbols.h>
+#include <beeline/draw/internal/text.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr double half_height = 0.95;  // of a joint's cylinder, relative to its radius
+constexpr double box_length = 1.45;   // half length of a prismatic joint's box, in radii
+constexpr double box_width = 0.9;
+constexpr double plate_radius = 15, plate_height = 5;
+constexpr double foot_width = 15, foot_height = 19;  // of a planar arm's base
+
+struct Painter {
+  const Projection& projection;
+  std::vector<Mark>& marks;
+  double pen = projection.pen;
+
+  void operator()(const Polyline& line) const {
+    if (line.points.empty()) return;
+    std::vector<Point> points;
+    for (const Vector3& p : line.points) points.push_back(projection(p));
+    std::vector<double> dashes = line.dashes;
+    for (double& dash : dashes) dash *= pen;
+    if (line.outline > 0) {
+      marks.emplace_back(Stroke{open_path(points), no_colour, line.rim,
+                                (line.width + 2 * line.outline) * pen, dashes});
+    }
+    if (line.arrow) return arrow(points, line.colour, line.width, pen, dashes, marks);
+    marks.emplace_back(Stroke{open_path(points), no_colour, line.colour, line.width * pen, dashes});
+  }
+
+  void operator()(const Dots& dots) const {
+    Path path;
+    for (const Vector3& p : dots.points) {
+      path.move(projection(p));
+      path.line(projection(p));
+    }
+    marks.emplace_back(Stroke{path, no_colour, dots.colour, dots.diameter * pen, {}});
+  }
+
+  void operator()(const JointSymbol& joint) const {
+    const double radius = joint.size * pen;
+    const Point centre =
+        projection(joint.centre) + joint.shift * pen * projection.direction(joint.axis);
+    const SolidStyle style{joint.fill, joint.line, 0.17 * radius};
+    if (joint.kind == JointKind::prismatic) {
+      box(centre, joint.axis, radius * box_length, radius * box_width, projection, style, marks);
+      return;
+    }
+    cylinder(centre, projected_axis(joint.axis, projection), radius, half_height * radius, style,
+             joint.kind == JointKind::helical, marks);
+  }
+
+  void operator()(const FrameTriad& frame) const {
+    std::array<int, 3> order{0, 1, 2};
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+      return projection.depth(frame.pose.linear().col(a)) <
+             projection.depth(frame.pose.linear().col(b));
+    });
+    const Point origin = projection(frame.pose.translation());
+    for (const int axis : order) {
+      const Point direction = projection.direction(frame.pose.linear().col(axis));
+      if (direction.norm() < 0.1) continue;
+      arrow({origin, origin + frame.length * pen * direction}, distinct_colour(axis), 1.6, pen, {},
+            marks);
+    }
+  }
+
+  void operator()(const BaseSymbol& base) const {
+    const Point at = projection(base.at);
+    const double size = base.size * pen;
+    if (!base.planar) {
+      const ProjectedAxis axis = projected_axis(base.up, projection);
+      const Point middle = at + pen * (base.shift - base.size * plate_height / 2) * axis.sign *
+                                    axis.flat * axis.along;
+      cylinder(middle, {axis.along, axis.flat, axis.towards, 1}, size * plate_radius,
+               size * plate_height / 2, {shaded(steel, 0.8), base.line, 1.1 * size}, false, marks);
+      return;
+    }
+    const double w = size * foot_width, ground = 0.74 * size * foot_height;
+    marks.emplace_back(
+        outlined(closed_path({at + Point(-0.3 * w, 0), at + Point(0.3 * w, 0),
+                              at + Point(0.7 * w, ground), at + Point(-0.7 * w, ground)}),
+                 steel, base.line, 1.1 * size));
+    Path hatch = open_path({at + Point(-w, ground), at + Point(w, ground)});
+    for (int k = -3; k <= 3; ++k) {
+      const Point top = at + Point(w * (k + 0.3) / 3.4, ground);
+      hatch.move(top);
+      hatch.line(top + size * foot_height * Point(-0.26, 0.26));
+    }
+    marks.emplace_back(outlined(hatch, no_colour, base.line, 1.1 * size));
+  }
+
+  void operator()(const Label& /*label*/) const {}
+};
+
+struct Footprints {
+  double pen;
+  std::vector<Footprint>& footprints;
+
+  void add(const Vector3& at, double reach) const { footprints.push_back({at, {reach, reach}}); }
+  void operator()(const Polyline& line) const {
+    const double head = line.arrow ? head_size(line.width) : 0;
+    for (const Vector3& p : line.points) add(p, pen * (line.width / 2 + line.outline + head));
+  }
+  void operator()(const Dots& dots) const {
+    for (const Vector3& p : dots.points) add(p, pen * dots.diameter / 2);
+  }
+  void operator()(const JointSymbol& joint) const {
+    add(joint.centre, pen * (std::abs(joint.shift) + 2 * joint.size + 1));
+  }
+  void operator()(const FrameTriad& frame) const {
+    add(frame.pose.translation(), pen * (frame.length + 3));
+  }
+  void operator()(const BaseSymbol& base) const {
+    const double reach = std::max(plate_radius, 1.3 * foot_width) + 3;
+    add(base.at, pen * (base.size * reach + std::abs(base.shift)));
+  }
+  void operator()(const Label& label) const {
+    const Point size = text_size(label.text, label.size);
+    footprints.push_back({label.at, size + Point::Constant(farthest_label)});
+  }
+};
+
+}  // namespace
+
+void draw(const Primitive& shape, const Projection& projection, std::vector<Mark>& marks) {
+  std::visit(Painter{projection, marks}, shape);
+}
+
+void add_footprints(const Primitive& shape, double pen, std::vector<Footprint>& footprints) {
+  std::visit(Footprints{pen, footprints}, shape);
+}
+
+double depth(const Primitive& shape, const Projection& projection) {
+  if (const auto* line = std::get_if<Polyline>(&shape)) {
+    double sum = 0;
+    for (const Vector3& p : line->points) sum += projection.depth(p);
+    return line->points.empty() ? 0 : sum / static_cast<double>(line->points.size());
+  }
+  if (const auto* joint = std::get_if<JointSymbol>(&shape)) return projection.depth(joint->centre);
+  return 0;
+}
+
+}  // namespace beeline::internal

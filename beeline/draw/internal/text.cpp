@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <cairo.h>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include <beeline/draw/internal/text.h>
+
+namespace beeline::internal {
+namespace {
+
+/// A Cairo context that only measures text.
+class TextMeasure {
+ public:
+  TextMeasure()
+      : surface_(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1)),
+        context_(cairo_create(surface_)) {
+    cairo_font_options_t* options = cairo_font_options_create();
+    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+    cairo_set_font_options(context_, options);
+    cairo_font_options_destroy(options);
+  }
+  ~TextMeasure() {
+    cairo_destroy(context_);
+    cairo_surface_destroy(surface_);
+  }
+  TextMeasure(const TextMeasure&) = delete;
+  TextMeasure& operator=(const TextMeasure&) = delete;
+
+  double width(const std::string& text, double size, bool bold) {
+    cairo_select_font_face(context_, typeface, CAIRO_FONT_SLANT_NORMAL,
+                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(context_, size);
+    cairo_text_extents_t extents;
+    cairo_text_extents(context_, drawable(text).c_str(), &extents);
+    return std::max(extents.x_advance, extents.width);
+  }
+
+ private:
+  cairo_surface_t* surface_;
+  cairo_t* context_;
+};
+
+/// Returns the bytes of the UTF-8 character at the start of `text`; 0 when there is none.
+std::size_t character_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const std::size_t length = byte(0) < 0x80   ? 1
+                             : byte(0) < 0xC2 ? 0
+                             : byte(0) < 0xE0 ? 2
+                             : byte(0) < 0xF0 ? 3
+                             : byte(0) < 0xF5 ? 4
+                                              : 0;
+  if (length == 0 || length > text.size()) return 0;
+  if (length == 1) return byte(0) >= 0x20 && byte(0) != 0x7F ? 1 : 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  }
+  if (byte(0) == 0xC2 && byte(1) < 0xA0) return 0;                      // control characters
+  if (byte(0) == 0xE0 && byte(1) < 0xA0) return 0;                      // overlong
+  if (byte(0) == 0xED && byte(1) >= 0xA0) return 0;                     // surrogates
+  if (byte(0) == 0xF0 && byte(1) < 0x90) return 0;                      // overlong
+  if (byte(0) == 0xF4 && byte(1) >= 0x90) return 0;                     // beyond Unicode
+  if (byte(0) == 0xEF && byte(1) == 0xBF && byte(2) >= 0xBE) return 0;  // no characters
+  return length;
+}
+
+/// Returns the part of `word` that fits, with an ellipsis when it is cut.
+std::string cut(const std::string& word, double size, double width, bool bold) {
+  constexpr std::size_t max_bytes = 400;  // no line on paper is longer
+  std::string kept = word;
+  bool whole = true;
+  if (kept.size() > max_bytes) {
+    kept.resize(max_bytes);
+    whole = false;
+  }
+  while (!kept.empty() && text_size(whole ? kept : kept + "…", size, bold).x() > width) {
+    whole = false;
+    while (!kept.empty() && (static_cast<unsigned char>(kept.back()) & 0xC0) == 0x80) {
+      kept.pop_back();
+    }
+    if (!kept.empty()) kept.pop_back();
+  }
+  return whole ? kept : kept + "…";
+}
+
+}  // namespace
+
+Point text_size(const std::string& text, double size, bool bold) {
+  thread_local TextMeasure measure;
+  return {measure.width(text, size, bold), 1.2 * size};
+}
+
+std::string drawable(std::string_view text) {
+  std::string clean;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = character_length(text.substr(i));
+    clean += length == 0 ? "?" : text.substr(i, length);
+    i += std::max<std::size_t>(length, 1);
+  }
+  return clean;
+}
+
+std::vector<std::string> wrapped(const std::string& text, double size, double width, bool bold) {
+  constexpr std::size_t max_lines = 12;
+  std::vector<std::string> lines(1);
+  for (std::size_t i = 0; i < text.size();) {
+    if (lines.size() > max_lines) {
+      lines.pop_back();
+      lines.back() += "…";
+      break;
+    }
+    if (text[i] == '\n') lines.emplace_back();
+    if (text[i] == '\n' || text[i] == ' ') {
+      ++i;
+      continue;
+    }
+    const std::size_t end = std::min(text.find_first_of(" \n", i), text.size());
+    const std::string word = cut(text.substr(i, end - i), size, width, bold);
+    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    if (lines.back().empty() || text_size(longer, size, bold).x() <= width) {
+      lines.back() = longer;
+    } else {
+      lines.push_back(word);
+    }
+    i = end;
+  }
+  if (lines.size() == 1 && lines.front().empty()) lines.clear();
+  return lines;
+}
+
+std::string fixed(double value, int decimals) {
+  char buffer[400];
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals).ptr;
+  std::string text(buffer, end);
+  if (text.front() != '-') return text;
+  const bool zero = text.find_first_of("123456789") == std::string::npos;
+  return (zero ? "" : "−") + text.substr(1);
+}
+
+std::string degrees_text(double radians) {
+  const double degrees = radians * 180 / std::numbers::pi;
+  const bool whole = std::abs(degrees - std::round(degrees)) < 0.05;
+  return fixed(degrees, whole ? 0 : 1) + "°";
+}
+
+std::string subscript(int number) {
+  std::string text;
+  for (const char digit : std::to_string(number)) {
+    text += "\xE2\x82";
+    text += static_cast<char>(0x80 + (digit - '0'));
+  }
+  return text;
+}
+
+}  // namespace beeline::internal

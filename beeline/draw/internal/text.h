@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <beeline/draw/paper.h>
+
+namespace beeline::internal {
+
+/// The typeface of all pictures: a sans serif with Greek letters and subscript digits.
+constexpr const char* typeface = "DejaVu Sans";
+
+/// Returns the width and line height of a line of text, points.
+Point text_size(const std::string& text, double size, bool bold = false);
+
+/// Replaces every byte that is not part of a printable UTF-8 character by a question mark.
+std::string drawable(std::string_view text);
+
+/// Breaks the text at spaces and line feeds into lines of at most `width` points. A wider word is
+/// cut and ends in an ellipsis, as does the twelfth line when there are more.
+std::vector<std::string> wrapped(const std::string& text, double size, double width,
+                                 bool bold = false);
+
+/// Formats a number with a fixed number of decimals and a typographic minus sign; never "−0".
+std::string fixed(double value, int decimals);
+
+/// Formats an angle in degrees with at most one decimal: 68.8°.
+std::string degrees_text(double radians);
+
+/// Formats a number in subscript digits: ₁₂.
+std::string subscript(int number);
+
+}  // namespace beeline::internal

@@ -1,0 +1,207 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+
+#include <beeline/draw/arm_figure.h>
+#include <beeline/draw/chapter.h>
+#include <beeline/draw/internal/annotation.h>
+#include <beeline/draw/internal/arm_scene.h>
+#include <beeline/draw/internal/trail.h>
+#include <beeline/model/catalog.h>
+
+#include <tests/draw/page.h>
+#include <tests/random_arm.h>
+#include <tests/refusal.h>
+
+namespace beeline {
+using namespace internal;
+namespace {
+
+using testing::expect_within_page;
+using testing::Random;
+
+Figure figure_of(Scene scene, const View& view = top_view()) {
+  Figure figure;
+  figure.columns = {{Panel{.scene = std::move(scene), .view = view}}};
+  return figure;
+}
+
+Scene dots_at(std::vector<Vector3> points) {
+  Scene scene;
+  scene.add(Layer::mark, Dots{std::move(points)});
+  return scene;
+}
+
+/// Where the figure's only Dots of a colour that nothing else has are on paper.
+std::vector<Point> places(const Figure& figure, const Colour& colour) {
+  std::vector<Point> found;
+  for (const Mark& mark : compose(figure).marks) {
+    const auto* stroke = std::get_if<Stroke>(&mark);
+    if (stroke == nullptr || stroke->line.red != colour.red) continue;
+    for (std::size_t i = 0; i < stroke->path.points.size(); i += 2) {
+      found.push_back(stroke->path.points[i]);
+    }
+  }
+  return found;
+}
+
+TEST(Compose, ClipsNothingOfBuiltInArms) {
+  Random random;
+  for (const std::string& name : built_in_names()) {
+    const Arm arm = built_in(name);
+    for (int trial = 0; trial < 8; ++trial) {
+      const Configuration q = random.configuration(arm);
+      expect_within_page(
+          compose(arm_figure(arm, q, {.frames = trial % 2 == 0, .jacobian = trial % 3 == 0})),
+          name);
+    }
+  }
+}
+
+TEST(Compose, ClipsNothingOfRandomArmsMotionsAndViews) {
+  Random random;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Arm arm = testing::random_arm(random, random.integer(1, 9), 5);
+    std::vector<Configuration> motion;
+    for (int k = 0; k < 5; ++k) motion.push_back(random.configuration(arm));
+    ArmFigureOptions options;
+    options.frames = random.integer(0, 1) == 1;
+    options.jacobian = random.integer(0, 1) == 1;
+    options.azimuth = random.uniform(-3, 3);
+    options.elevation = random.uniform(-1.5, 1.5);
+    expect_within_page(compose(motion_figure(arm, motion, {random.pose(3)}, options)), "motion");
+  }
+}
+
+TEST(Compose, ClipsNothingAtAnyScale) {
+  Random random;
+  for (double size = 1e-6; size < 1e7; size *= 10) {
+    std::vector<Vector3> points;
+    for (int k = 0; k < 20; ++k) points.push_back(random.vector(size));
+    for (const View& view : {top_view(), front_view(), side_view(), oblique_view(0.3, 0.4)}) {
+      Scene scene = dots_at(points);
+      scene.add(Layer::note, Label{points[0], "a label"});
+      scene.floor = 0;
+      const Drawing drawing = compose(figure_of(scene, view));
+      expect_within_page(drawing, "size " + std::to_string(size));
+      EXPECT_LT(drawing.width, 700) << size;
+      EXPECT_LT(drawing.height, 700) << size;
+    }
+  }
+}
+
+TEST(Compose, DrawsWhatIsAllInOnePlace) {
+  for (const Vector3& place : {Vector3(0, 0, 0), Vector3(1e4, -1e4, 3), Vector3(1e-3, 0, 1e11)}) {
+    for (const View& view : {top_view(), oblique_view(0.3, 0.4)}) {
+      const Figure figure = figure_of(dots_at({place, place}), view);
+      expect_within_page(compose(figure), "one place");
+    }
+  }
+  expect_within_page(compose(figure_of(Scene{})), "nothing");
+}
+
+TEST(Compose, KeepsTheAspect) {
+  Random random;
+  for (int trial = 0; trial < 200; ++trial) {
+    Scene scene = dots_at({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    std::get<Dots>(scene.items[0].shape).colour = {0.123, 0, 0};
+    std::vector<Vector3> others;
+    for (int k = 0; k < 5; ++k) {
+      others.emplace_back(random.uniform(-9, 9), random.uniform(-1, 1), random.uniform(-1, 1));
+    }
+    scene.add(Layer::mark, Dots{others});
+    const std::vector<Point> at = places(figure_of(scene), {0.123, 0, 0});
+    ASSERT_EQ(at.size(), 3u);
+    const Point x = at[1] - at[0], y = at[2] - at[0];
+    EXPECT_NEAR(x.y(), 0, 1e-9);
+    EXPECT_NEAR(y.x(), 0, 1e-9);
+    EXPECT_GT(x.x(), 0);
+    EXPECT_NEAR(-y.y() / x.x(), 1, 1e-9);  // up is up, and as long
+  }
+}
+
+TEST(Compose, DrawsPanelsAtOneScale) {
+  Figure figure;
+  for (const double size : {1.0, 3.0}) {
+    Scene scene = dots_at({{0, 0, 0}, {size, 0, 0}});
+    std::get<Dots>(scene.items[0].shape).colour = {0.123, 0, 0};
+    figure.columns.push_back({Panel{.scene = scene}});
+  }
+  const std::vector<Point> at = places(figure, {0.123, 0, 0});
+  ASSERT_EQ(at.size(), 4u);
+  EXPECT_NEAR((at[3] - at[2]).norm() / (at[1] - at[0]).norm(), 3, 1e-9);
+  EXPECT_NEAR(at[0].y(), at[2].y(), 1e-9);  // side by side: the same height for the same y
+}
+
+TEST(Compose, KeepsNamesApart) {
+  // The names of the chapter's figures cover neither each other nor a number of the rulers.
+  for (const std::string& number : chapter_figures()) {
+    std::vector<Box> boxes;
+    for (const Mark& mark : compose(chapter_figure(number)).marks) {
+      if (std::holds_alternative<Text>(mark)) boxes.push_back(box_of(mark));
+    }
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        const Point common =
+            boxes[i].high.cwiseMin(boxes[k].high) - boxes[i].low.cwiseMax(boxes[k].low);
+        EXPECT_FALSE(common.x() > 0.5 && common.y() > 3) << number;
+      }
+    }
+  }
+}
+
+TEST(Compose, StandsLongAndBrokenText) {
+  const std::string words = [] {
+    std::string text;
+    for (int k = 0; k < 20'000; ++k) text += "word ";
+    return text;
+  }();
+  for (const std::string& text :
+       {std::string(100'000, 'w'), words, std::string("\xff\xfe\x80 \xed\xa0\x80 \x01"),
+        std::string("\xC3"), std::string("two\nlines"), std::string("\n\n"), std::string()}) {
+    Figure figure = figure_of(dots_at({{0, 0, 0}, {1, 1, 0}}));
+    figure.title = text;
+    figure.columns[0][0].caption = text;
+    expect_within_page(compose(figure), text.substr(0, 20));
+  }
+}
+
+TEST(Compose, RefusesWhatCannotBeDrawn) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  EXPECT_REFUSED(compose(figure_of(dots_at({{0, nan, 0}}))), "dot at (0, nan, 0)");
+  EXPECT_REFUSED(compose(figure_of(dots_at({{0, 0, -inf}}))), "must be finite");
+  EXPECT_REFUSED(compose(figure_of(dots_at({{1e13, 0, 0}}))), "within 1e12 m");
+  Scene scene;
+  scene.add(Layer::note, Label{{nan, 0, 0}, "a"});
+  EXPECT_REFUSED(compose(figure_of(scene)), "label");
+  EXPECT_REFUSED(compose(Figure{}), "at least one panel");
+  Figure empty_column;
+  empty_column.columns.emplace_back();
+  EXPECT_REFUSED(compose(empty_column), "column has no panel");
+  Figure zoomed = figure_of(dots_at({{0, 0, 0}}));
+  zoomed.columns[0][0].zoom = 0;
+  EXPECT_REFUSED(compose(zoomed), "zoom 0");
+  Figure paper = figure_of(dots_at({{0, 0, 0}}));
+  paper.width = nan;
+  EXPECT_REFUSED(compose(paper), "page of nan");
+  EXPECT_REFUSED(oblique_view(nan, 0), "azimuth nan");
+  EXPECT_REFUSED(oblique_view(0, inf), "elevation inf");
+  EXPECT_REFUSED(motion_figure(built_in("rrr"), {}), "without samples");
+  EXPECT_REFUSED(arm_figure(built_in("rrr"), Configuration::Zero(4)), "3 joint values");
+}
+
+TEST(Compose, DrawsAHundredThousandPointsInAFewHundredKilobytes) {
+  std::vector<Vector3> points;
+  for (int k = 0; k < 100'000; ++k) points.emplace_back(std::cos(k * 1e-4), std::sin(k * 1e-4), 0);
+  Scene scene;
+  add_trail(scene, points);
+  std::size_t count = 0;
+  for (const Mark& mark : compose(figure_of(scene)).marks) {
+    if (const auto* stroke = std::get_if<Stroke>(&mark)) count += stroke->path.points.size();
+  }
+  EXPECT_LT(count, 10'000u);
+}
+
+}  // namespace
+}  // namespace beeline
