@@ -28,7 +28,7 @@ Eigen::Index rows_at_a_time(const BatchWork& work) {
   constexpr std::size_t numbers = std::size_t{1} << 19;
   std::size_t width = work.columns.size();
   for (const auto& form : work.forms) width = std::max(width, form.size());
-  return std::clamp<Eigen::Index>(static_cast<Eigen::Index>(numbers / width), 16, work.most_rows);
+  return std::clamp<Eigen::Index>(static_cast<Eigen::Index>(numbers / width), 16, work.max_rows);
 }
 
 Report work_through(const BatchArguments& arguments, const BatchWork& work) {

@@ -186,7 +186,7 @@ BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
   // Refuses what makes no sense before the rows are read, a lock outside limits too.
   Eigen::MatrixXd any(arm.dof(), 1);
   InverseSolver(arm, options).solve(forward_kinematics(arm, seed), seed, any);
-  BatchWork work{.forms = {}, .columns = arm.joint_names(), .most_rows = 4096, .step = {}};
+  BatchWork work{.forms = {}, .columns = arm.joint_names(), .max_rows = 4096, .step = {}};
   for (const auto& form : pose_forms()) {
     if (form.size() > 3 || arm.planar()) work.forms.push_back(form);
   }

@@ -37,7 +37,7 @@ struct BatchCounts {
 struct BatchWork {
   beeline::RowForms forms;
   std::vector<std::string> columns;
-  Eigen::Index most_rows = 65536;  ///< in one step
+  Eigen::Index max_rows = 65536;  ///< in one step
   std::function<void(std::size_t form, beeline::RowBlock& block, Eigen::MatrixXd& results,
                      BatchCounts& counts, beeline::BadRows& bad)>
       step;

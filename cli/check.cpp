@@ -31,7 +31,7 @@ struct Arguments {
 void draw_plot(const Arguments& arguments, const Arm& arm, const Trajectory& trajectory,
                const Verification& found, const VerifyOptions& options) {
   const Deviation tolerance{options.tolerance, options.orientation_tolerance};
-  const FollowedPath path{found.path, found.places, *options.task, tolerance};
+  const FollowedPath path{found.path, found.path_parameters, *options.task, tolerance};
   const Drawing drawing = timing_figure(arm, trajectory, {.path = path});
   write_file(arguments.plot, render(drawing, format_of(arguments.plot)));
 }

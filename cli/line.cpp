@@ -50,7 +50,7 @@ LineReport follow_exactly(const Arguments& arguments, const Arm& arm,
   Progress progress;
   PathMotionOptions options = arguments.options;
   options.task = task;
-  if (!arguments.law.empty()) options.law = law_named(arguments.law);
+  if (!arguments.law.empty()) options.profile = profile_named(arguments.law);
   options.progress = [&progress](double share) { progress.show(share); };
   options.suggest = true;
   const Route route = start ? arguments.path.from(forward_kinematics(arm, *start), poses, task)
@@ -67,7 +67,7 @@ LineReport follow_exactly(const Arguments& arguments, const Arm& arm,
   report.dexterity = motion.dexterity;
   report.nearby = std::move(motion.nearby);
   if (report.status == MotionStatus::reached) {
-    report.path = {std::move(motion.path), std::move(motion.places), task, tolerance};
+    report.path = {std::move(motion.path), std::move(motion.path_parameters), task, tolerance};
   }
   if (arguments.branches) {
     report.branches = branch_map(arm, route.path, {.task = task, .tolerance = tolerance});
@@ -90,9 +90,9 @@ LineReport follow_by_control(const Arm& arm, const Configuration& start,
     poses.insert(poses.begin(), forward_kinematics(arm, start));
     const auto& samples = report.trajectory.positions;
     const ToolPath path = lines_through(poses);
-    const auto places = places_along(arm, samples, path, motion.arrivals, task);
-    report.path = {path, places, task};
-    report.deviation = path_deviation(arm, samples, places, path, task);
+    const auto path_parameters = path_parameters_along(arm, samples, path, motion.arrivals, task);
+    report.path = {path, path_parameters, task};
+    report.deviation = path_deviation(arm, samples, path_parameters, path, task);
   }
   return report;
 }
@@ -172,7 +172,7 @@ Run declare_line(CLI::App& verb) {
           "exact: also list what becomes of every solution for the first pose: how far it\n"
           "goes, how near to limits and singularities, and why it ends"),
       verb.add_option("--tool-speed", options.tool_speed, "exact: most speed of the tool, m/s"),
-      verb.add_option("--most-samples", options.most_samples,
+      verb.add_option("--most-samples", options.max_samples,
                       "exact: samples after which to give up")
           ->capture_default_str()};
   for (const CLI::Option* option : arguments.path.declare(verb, "exact: ")) {
@@ -185,7 +185,7 @@ Run declare_line(CLI::App& verb) {
           ->capture_default_str(),
       verb.add_option("--time-step", control.simulation.time_step, "feedback: seconds a step")
           ->capture_default_str(),
-      verb.add_option("--most-steps", control.simulation.most_steps,
+      verb.add_option("--most-steps", control.simulation.max_steps,
                       "feedback: steps after which to give up")
           ->capture_default_str()};
   arguments.files.declare(verb);

@@ -14,7 +14,7 @@ struct LineReport {
   std::string reason;
   beeline::Trajectory trajectory;
   beeline::PathDeviation deviation;
-  beeline::LimitCheck limits = {};  ///< of method exact, as the margins are
+  beeline::LimitUsage limits = {};  ///< of method exact, as the margins are
   double limit_margin = 0, dexterity = 0;
   std::vector<beeline::NearbyPath> nearby = {};
   std::optional<std::vector<beeline::Branch>> branches = {};  ///< when they were asked for

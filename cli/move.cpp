@@ -129,7 +129,7 @@ Run declare_move(CLI::App& verb) {
           ->capture_default_str(),
       verb.add_option("--time-step", options.time_step, "feedback: seconds a step")
           ->capture_default_str(),
-      verb.add_option("--most-steps", options.most_steps, "feedback: steps after which to give up")
+      verb.add_option("--most-steps", options.max_steps, "feedback: steps after which to give up")
           ->capture_default_str()};
   arguments.quickest_options = {
       verb.add_option(

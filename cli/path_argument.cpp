@@ -25,7 +25,7 @@ Route PathArgument::through(std::span<const Pose> poses) const {
   if (round && path != PathKind::line) {
     throw Error("--round goes with --path line, whose corners it rounds");
   }
-  if (round) return route_of(rounded_lines(poses, {*round, *round / metres_of_a_radian}));
+  if (round) return route_of(blended_lines(poses, {*round, *round / metres_per_radian}));
   return route_of(straight() ? lines_through(poses) : path_through(poses, path), path);
 }
 

@@ -79,26 +79,26 @@ void add_deviation(OrderedJson& document, const std::optional<PathDeviation>& st
 
 namespace {
 
-OrderedJson json_use(const LimitUse& use) {
+OrderedJson json_use(const LimitFraction& use) {
   if (use.joint.empty()) return nullptr;
-  return {{"share", json_number(use.share)}, {"joint", use.joint}, {"time", use.time}};
+  return {{"share", json_number(use.fraction)}, {"joint", use.joint}, {"time", use.time}};
 }
 
-void print_use(const char* what, const LimitUse& use) {
+void print_use(const char* what, const LimitFraction& use) {
   if (use.joint.empty()) return;
-  fmt::print("{:<14}{} % of the limit at most, joint {} at {} s\n", what, shown(100 * use.share),
+  fmt::print("{:<14}{} % of the limit at most, joint {} at {} s\n", what, shown(100 * use.fraction),
              use.joint, shown(use.time));
 }
 
 }  // namespace
 
-void print_limits(const LimitCheck& limits) {
+void print_limits(const LimitUsage& limits) {
   print_use("velocity", limits.velocity);
   print_use("acceleration", limits.acceleration);
   print_use("jerk", limits.jerk);
 }
 
-OrderedJson json_limits(const LimitCheck& limits) {
+OrderedJson json_limits(const LimitUsage& limits) {
   return {{"velocity", json_use(limits.velocity)},
           {"acceleration", json_use(limits.acceleration)},
           {"jerk", json_use(limits.jerk)}};

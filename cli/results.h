@@ -27,8 +27,8 @@ void add_deviation(OrderedJson& document, const std::optional<beeline::PathDevia
                    const UnitArgument& unit);
 
 /// How much of the limits a motion uses, and which joint where.
-void print_limits(const beeline::LimitCheck& limits);
-OrderedJson json_limits(const beeline::LimitCheck& limits);
+void print_limits(const beeline::LimitUsage& limits);
+OrderedJson json_limits(const beeline::LimitUsage& limits);
 
 /// Throws Error when `output` is the same file as one of `inputs`, of which `-` is standard input.
 void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs);

@@ -62,7 +62,7 @@ Way read_way(const std::string& path, const Arm& arm) {
 Exit time_path(const Arguments& arguments) {
   arguments.files.check({arguments.arm.text, arguments.path});
   RetimeOptions options = arguments.options;
-  if (!arguments.law.empty()) options.law = law_named(arguments.law);
+  if (!arguments.law.empty()) options.profile = profile_named(arguments.law);
   if (arguments.rate) {
     options.rate = *arguments.rate;
     if (!(options.rate > 0)) throw Error("--rate must be above zero, not " + number(options.rate));
@@ -79,7 +79,7 @@ Exit time_path(const Arguments& arguments) {
   if (arguments.json) {
     OrderedJson document{
         {"status", found ? "reached" : "outside_limits"},
-        {"law", name(timed.law)},
+        {"law", name(timed.profile)},
         {"samples", timed.trajectory.size()},
         {"duration", found ? OrderedJson(duration) : OrderedJson(nullptr)},
         {"duration_before", way.has_times ? OrderedJson(duration_before) : OrderedJson(nullptr)},
@@ -91,7 +91,7 @@ Exit time_path(const Arguments& arguments) {
     print_json(document);
   } else if (found) {
     fmt::print("timed         {} samples of {} by law {}\n", timed.trajectory.size(), arm.name(),
-               name(timed.law));
+               name(timed.profile));
     fmt::print("duration      {} s", shown(duration));
     if (way.has_times) fmt::print(", before {} s", shown(duration_before));
     fmt::print("{}\n", timed.stretches > 1

@@ -13,7 +13,7 @@ namespace {
 /// Configurations that one thread takes at a time; and those that go through buffers together.
 constexpr Eigen::Index block = 1024, chunk = batch_width;
 /// Results of more bytes leave the nearest cache; and all caches.
-constexpr double most_near = 24e3, most_cached = 16e6;
+constexpr double max_near = 24e3, max_cached = 16e6;
 
 /// One kind of result: the caller's matrix, and where the job has its pointer to it.
 template <class Real>
@@ -92,9 +92,9 @@ void run(const Arm& arm, const ConstColumnsRef<Real>& q, const Sheets<Real>& she
   all.plan = &plan;
   all.layout = options.layout;
   all.frame = options.frame;
-  all.write = bytes > most_cached ? BatchWrite::past_caches
-              : bytes > most_near ? BatchWrite::by_lines
-                                  : BatchWrite::at_once;
+  all.write = bytes > max_cached ? BatchWrite::past_caches
+              : bytes > max_near ? BatchWrite::by_lines
+                                 : BatchWrite::at_once;
   in_parallel(q.cols(), block, options.threads, [&](Eigen::Index first, Eigen::Index last) {
     BatchJob<Real> job = all;
     const Buffer<Real> work = allocated<Real>(batch_work(plan));

@@ -26,18 +26,18 @@ struct Verifier {
 
   bool near(const Deviation& deviation) const { return within(deviation, tolerance); }
 
-  /// All of the piece is near its end.
-  bool hardly_moves(const Piece& piece) const {
+  /// All of the segment is near its end.
+  bool hardly_moves(const Segment& segment) const {
     const auto there = [&](double s) {
-      return near(task_deviation(task, pose_at(piece, s), pose_at(piece, 1)));
+      return near(task_deviation(task, pose_at(segment, s), pose_at(segment, 1)));
     };
     return there(0) && there(0.25) && there(0.5) && there(0.75);
   }
 
-  /// "line 2", "piece 2".
+  /// "line 2", "segment 2".
   std::string name_of(std::size_t i) const {
-    const bool line = std::holds_alternative<Line>(route.path.pieces[i]);
-    return (line ? "line " : "piece ") + std::to_string(i + 1);
+    const bool line = std::holds_alternative<Line>(route.path.segments[i]);
+    return (line ? "line " : "segment ") + std::to_string(i + 1);
   }
 
   void fail(Fault fault, std::size_t k, const std::string& reason) {
@@ -52,36 +52,41 @@ struct Verifier {
         "at " + number(result.time) + " s, sample " + std::to_string(k + 1) + ": " + reason;
   }
 
-  /// The places of the samples from `first` on, up to the one at which the end of the stretch is
-  /// reached, or a sample is off its path: of the first ones in a row that are near it the nearest;
-  /// of the last ones where it is the end of the motion, which may pass near it before, as far as
-  /// the rows that matter tell. All the others', and `reached` false, where there is none.
-  std::vector<double> places_from(std::size_t first, double begin, std::size_t piece,
-                                  bool& reached) const {
-    const auto end = static_cast<double>(piece + 1);
-    const bool last = piece + 1 == route.path.pieces.size();
-    const Pose goal = pose_at(route.path.pieces[piece], 1);
-    const bool line = begin == end - 1 && std::holds_alternative<Line>(route.path.pieces[piece]);
+  /// The path parameters of the samples from `first` on, up to the one at which the end of the
+  /// stretch is reached, or a sample is off its path: of the first ones in a row that are near it
+  /// the nearest; of the last ones where it is the end of the motion, which may pass near it
+  /// before, as far as the rows that matter tell. All the others', and `reached` false, where there
+  /// is none.
+  std::vector<double> path_parameters_from(std::size_t first, double begin, std::size_t segment,
+                                           bool& reached) const {
+    const auto end = static_cast<double>(segment + 1);
+    const bool last = segment + 1 == route.path.segments.size();
+    const Pose goal = pose_at(route.path.segments[segment], 1);
+    const bool line =
+        begin == end - 1 && std::holds_alternative<Line>(route.path.segments[segment]);
     double closing = end - 0.5;  // a way may close: its end counts from here on
-    for (std::size_t i = piece + 1; i-- > 0 && hardly_moves(route.path.pieces[i]);) closing -= 1;
-    std::vector<double> places, sizes;  // of the deviation from the goal; -1: not there
+    for (std::size_t i = segment + 1; i-- > 0 && hardly_moves(route.path.segments[i]);)
+      closing -= 1;
+    std::vector<double> path_parameters, sizes;  // of the deviation from the goal; -1: not there
     std::size_t next = 0;
     bool met = false;
     for (; first + next < trajectory.size() && (last || !met || sizes.back() >= 0); ++next) {
       const Pose& tool = world_T_tool[first + next];
-      const double from = places.empty() ? begin : places.back();
-      places.push_back(line ? nearest_place(route.path, task, tool, from, end)
-                            : fitting_place(route.path, task, tool, from, end, tolerance));
+      const double from = path_parameters.empty() ? begin : path_parameters.back();
+      path_parameters.push_back(
+          line ? nearest_parameter(route.path, task, tool, from, end)
+               : fitting_parameter(route.path, task, tool, from, end, tolerance));
       const Deviation off = task_deviation(task, goal, tool);
-      const bool there = near(off) && (line || places.back() > closing);
+      const bool there = near(off) && (line || path_parameters.back() > closing);
       sizes.push_back(there ? std::max(off.position / tolerance.position,
                                        off.orientation / tolerance.orientation)
                             : -1);
       met = met || there;
-      if (!line && !near(deviation_from(route.path, places.back(), tool, task))) break;  // a fault
+      if (!line && !near(deviation_from(route.path, path_parameters.back(), tool, task)))
+        break;  // a fault
     }
     reached = met;
-    if (!met) return places;
+    if (!met) return path_parameters;
     std::size_t k = 0;
     if (last && sizes.back() >= 0) {
       for (k = sizes.size() - 1; k > 0 && sizes[k - 1] >= 0;) --k;
@@ -91,9 +96,9 @@ struct Verifier {
     for (; k < sizes.size() && sizes[k] >= 0; ++k) {
       if (sizes[k] < sizes[best]) best = k;
     }
-    places.resize(best + 1);
-    places.back() = end;
-    return places;
+    path_parameters.resize(best + 1);
+    path_parameters.back() = end;
+    return path_parameters;
   }
 
   /// Whether sample k, which is so far off, is near where it should be.
@@ -107,7 +112,7 @@ struct Verifier {
   }
 
   bool check_sample(std::size_t k, double place) {
-    const std::size_t i = piece_at(route.path, place);
+    const std::size_t i = segment_at(route.path, place);
     const Deviation off = deviation_from(route.path, place, world_T_tool[k], task);
     if (!check_sample(k, off, name_of(i))) return false;
     const Deviation back = task_deviation(task, pose_at(route.path, place), world_T_tool[k]);
@@ -117,8 +122,8 @@ struct Verifier {
     return false;
   }
 
-  /// The step from sample k to the next, or the part of it that is on one piece.
-  void check_step(std::size_t k, const ToolPath& path, const PieceStep& step) {
+  /// The step from sample k to the next, or the part of it that is on one segment.
+  void check_step(std::size_t k, const ToolPath& path, const SegmentStep& step) {
     const MeasuredStep met = measured(arm, path, task, step);
     Deviation seen = met.begin;
     grow(seen, met.middle);
@@ -126,8 +131,8 @@ struct Verifier {
     for (int i = 1; i < looks && !near(met.bound); ++i) {
       const double share = static_cast<double>(i) / looks;
       const Pose pose = forward_kinematics(arm, step.q_a + share * (step.q_b - step.q_a));
-      grow(seen, deviation_from(path.pieces[step.piece], std::lerp(step.s_a, step.s_b, share), pose,
-                                task));
+      grow(seen, deviation_from(path.segments[step.segment], std::lerp(step.s_a, step.s_b, share),
+                                pose, task));
     }
     grow(result.deviation.measured, seen);
     grow(result.deviation.bound, met.bound);
@@ -136,7 +141,8 @@ struct Verifier {
         (trajectory.positions[k + 1] - trajectory.positions[k]).lpNorm<Eigen::Infinity>();
     const std::string jump =
         turn > 0.5 ? "; a joint moves by " + number(turn) + ", as where the branch changes" : "";
-    const std::string way = std::holds_alternative<Line>(path.pieces[step.piece]) ? "line" : "path";
+    const std::string way =
+        std::holds_alternative<Line>(path.segments[step.segment]) ? "line" : "path";
     fail(Fault::deviation, k,
          near(seen) ? "up to the next sample the tool is only proved to stay within " +
                           metres_and_radians(met.bound) + " of the " + way + jump
@@ -144,18 +150,19 @@ struct Verifier {
                           metres_and_radians(seen) + jump);
   }
 
-  /// Samples from `first` on, as many as have places, along the route.
-  void check_stretch(std::size_t first, const std::vector<double>& places) {
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      if (!check_sample(first + i, places[i])) return;
-      if (i > 0) result.places.push_back(places[i]);
-      if (i + 1 == places.size()) return;
+  /// Samples from `first` on, as many as have path parameters, along the route.
+  void check_stretch(std::size_t first, const std::vector<double>& path_parameters) {
+    for (std::size_t i = 0; i < path_parameters.size(); ++i) {
+      if (!check_sample(first + i, path_parameters[i])) return;
+      if (i > 0) result.path_parameters.push_back(path_parameters[i]);
+      if (i + 1 == path_parameters.size()) return;
       const std::size_t k = first + i;
-      const Deviation next = deviation_from(route.path, places[i + 1], world_T_tool[k + 1], task);
+      const Deviation next =
+          deviation_from(route.path, path_parameters[i + 1], world_T_tool[k + 1], task);
       if (!near(next)) continue;  // told as the sample's own fault
-      for (const PieceStep& step :
-           cut_at_pieces(route.path, task, trajectory.positions[k], places[i],
-                         trajectory.positions[k + 1], places[i + 1])) {
+      for (const SegmentStep& step :
+           cut_at_segments(route.path, task, trajectory.positions[k], path_parameters[i],
+                           trajectory.positions[k + 1], path_parameters[i + 1])) {
         check_step(k, route.path, step);
       }
       if (result.fault != Fault::none) return;
@@ -164,7 +171,7 @@ struct Verifier {
 
   /// After the route's end the tool stays there.
   void check_rest(std::size_t first) {
-    const Pose goal = pose_at(route.path.pieces.back(), 1);
+    const Pose goal = pose_at(route.path.segments.back(), 1);
     const ToolPath stay = lines_through(std::vector{goal, goal});
     for (std::size_t k = first + 1; k < trajectory.size() && result.fault == Fault::none; ++k) {
       const Deviation off = task_deviation(task, goal, world_T_tool[k]);
@@ -179,33 +186,34 @@ struct Verifier {
 
   /// Finds where the samples are, from stop to stop, and checks the ways between them.
   void follow_route() {
-    const std::size_t pieces = route.path.pieces.size();
+    const std::size_t segments = route.path.segments.size();
     result.path = route.path;
-    result.places = {0};
+    result.path_parameters = {0};
     std::size_t first = 0, begin = 0;
     check_sample(0, task_deviation(task, pose_at(route.path, 0), world_T_tool[0]),
                  "the path's begin");
-    for (std::size_t i = 0; i < pieces && result.fault == Fault::none; ++i) {
-      if (i + 1 < pieces && !route.stops[i]) continue;
+    for (std::size_t i = 0; i < segments && result.fault == Fault::none; ++i) {
+      if (i + 1 < segments && !route.stops[i]) continue;
       bool reached = false;
-      const std::vector<double> places = places_from(first, static_cast<double>(begin), i, reached);
-      check_stretch(first, places);
+      const std::vector<double> path_parameters =
+          path_parameters_from(first, static_cast<double>(begin), i, reached);
+      check_stretch(first, path_parameters);
       if (!reached) {
         const Deviation left =
-            task_deviation(task, pose_at(route.path.pieces[i], 1), world_T_tool.back());
-        const bool line = std::holds_alternative<Line>(route.path.pieces[i]);
+            task_deviation(task, pose_at(route.path.segments[i], 1), world_T_tool.back());
+        const bool line = std::holds_alternative<Line>(route.path.segments[i]);
         fail(Fault::not_through, trajectory.size() - 1,
-             (line ? "waypoint " : "the end of piece ") + std::to_string(i + 1) +
+             (line ? "waypoint " : "the end of segment ") + std::to_string(i + 1) +
                  " is not reached; at the end the tool is " + metres_and_radians(left) +
                  " from it");
         break;
       }
-      if (result.fault == Fault::none) result.places.back() = places.back();
-      first += places.size() - 1;
+      if (result.fault == Fault::none) result.path_parameters.back() = path_parameters.back();
+      first += path_parameters.size() - 1;
       begin = i + 1;
     }
     if (result.fault == Fault::none) check_rest(first);
-    result.arrivals = beeline::arrivals(result.places);
+    result.arrivals = beeline::arrivals(result.path_parameters);
   }
 };
 

@@ -17,13 +17,13 @@ struct VerifyOptions {
 
 struct Verification {
   Fault fault = Fault::none;
-  std::string reason;          ///< one sentence: what, where, by how much; empty when all is well
-  std::size_t sample = 0;      ///< of the first fault: at it, or between it and the next
-  double time = 0;             ///< of that sample, seconds
-  PathDeviation deviation;     ///< on all the way; of the first fault alone when there is one
-  ToolPath path;               ///< that was to be followed
-  std::vector<double> places;  ///< on it, of the samples, as far as it is followed
-  std::vector<std::size_t> arrivals;  ///< the sample at each waypoint, as far as they are reached
+  std::string reason;       ///< one sentence: what, where, by how much; empty when all is well
+  std::size_t sample = 0;   ///< of the first fault: at it, or between it and the next
+  double time = 0;          ///< of that sample, seconds
+  PathDeviation deviation;  ///< on all the way; of the first fault alone when there is one
+  ToolPath path;            ///< that was to be followed
+  std::vector<double> path_parameters;  ///< on it, of the samples, as far as it is followed
+  std::vector<std::size_t> arrivals;    ///< the sample at each waypoint, as far as they are reached
 };
 
 /// Whether a trajectory, whoever made it, moves the tool all along the route and keeps the arm's
@@ -33,8 +33,8 @@ struct Verification {
 /// differences: a smooth motion through the samples that keeps a limit passes, whatever its rate.
 /// Between samples with velocities the cubic that these make must stay within the position limits
 /// too. Limits that are not known are none here. Throws Error when the trajectory does not fit the
-/// arm or is none (see check_trajectory()), for a route without pieces, what check_task() refuses,
-/// and options that make no sense.
+/// arm or is none (see check_trajectory()), for a route without segments, what check_task()
+/// refuses, and options that make no sense.
 Verification verify(const Arm& arm, const Trajectory& trajectory, const Route& route,
                     const VerifyOptions& options = {});
 

@@ -90,7 +90,7 @@ bool by_jacobian(const Arm& arm, const Pose& goal, const Task& task,
   if (answer.status != InverseStatus::solved) {
     motion.status = status_of(answer.status);
     motion.reason = answer.reason;
-  } else if (law_at(q).damped && motion.steps < options.simulation.most_steps) {
+  } else if (law_at(q).damped && motion.steps < options.simulation.max_steps) {
     motion.status = MotionStatus::singular;
     motion.reason += "; it is at a singularity, where the Jacobian shows no way to the goal";
   }

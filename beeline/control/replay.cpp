@@ -9,7 +9,7 @@
 namespace beeline {
 namespace {
 
-constexpr std::size_t most_samples = 1'000'000;
+constexpr std::size_t max_samples = 1'000'000;
 constexpr double lead_in_samples = 64;  // at least
 constexpr double already_there = 1e-9;
 
@@ -38,7 +38,7 @@ void check(const ReplayOptions& options) {
 
 [[noreturn]] void refuse_length(double duration, double rate) {
   throw Error("replaying " + number(duration) + " s at " + number(rate) +
-              " samples a second makes more than " + std::to_string(most_samples) + " samples");
+              " samples a second makes more than " + std::to_string(max_samples) + " samples");
 }
 
 /// In steps, which do not keep every recorded sample.
@@ -92,7 +92,7 @@ void append_resampled(Trajectory& played, const Trajectory& recording,
   const double begin = played.times.empty() ? 0 : played.times.back();
   const double first = recording.times.front();
   const double duration = (recording.times.back() - first) / options.speed;
-  if (!(duration * options.rate + double(recording.size()) < double(most_samples))) {
+  if (!(duration * options.rate + double(recording.size()) < double(max_samples))) {
     refuse_length(duration, options.rate);
   }
   const auto append = [&](double t, const Configuration& q) {
@@ -159,7 +159,7 @@ Fastest play_in_steps(const Arm& arm, const Trajectory& recording, const ReplayO
     while (change != options.speed_at.end() && change->time <= begin + hair) {
       player.set_speed((change++)->speed);
     }
-    if (times.size() == most_samples) refuse_length(begin, options.rate);
+    if (times.size() == max_samples) refuse_length(begin, options.rate);
     const bool leading_in = player.leading_in();
     const double time = player.recording_time(), speed_before = player.speed();
     const Command& command = player.step();

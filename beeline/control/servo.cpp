@@ -50,7 +50,7 @@ void Servo::set_velocity(const ConfigurationRef& velocity) {
 }
 
 /// How much a velocity may change in one step.
-double Servo::most_change(Eigen::Index k) const {
+double Servo::max_change(Eigen::Index k) const {
   return arm_.limits(k).acceleration * options_.time_step;
 }
 
@@ -77,7 +77,7 @@ double Servo::share_for_bend(const Rates& rates, double share, ServoStep& result
     const double bend = rates.bend[k] / solver_.weight[k];
     speed += v * v;
     growth += v * bend;
-    const double most = bending * most_change(k) / options_.time_step;
+    const double most = bending * max_change(k) / options_.time_step;
     if (!(share * share * std::abs(rates.bend[k]) > most)) continue;
     share = std::sqrt(most / std::abs(rates.bend[k]));
     result.limit = v * bend > 0 ? ServoLimit::singular : ServoLimit::acceleration;
@@ -106,8 +106,8 @@ void Servo::fill_spare_motion(const ConfigurationRef& q, const Rates& rates, dou
   spare_ -= drift_;
   double part = 1;
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    if (std::abs(spare_[k]) * part > spared * most_change(k)) {
-      part = spared * most_change(k) / std::abs(spare_[k]);
+    if (std::abs(spare_[k]) * part > spared * max_change(k)) {
+      part = spared * max_change(k) / std::abs(spare_[k]);
     }
   }
   spare_ = drift_ + part * spare_;
@@ -129,7 +129,7 @@ void Servo::keep_accelerations(const Rates& rates, double share, double most, Se
   double least = -Limits::none, largest = Limits::none, near = 0, size = 0;
   int joint = -1;
   for (Eigen::Index k = 0; k < next_.size(); ++k) {
-    const double change = most_change(k);
+    const double change = max_change(k);
     if (!std::isfinite(change)) continue;
     const double v = rates.velocity[k] / change, from = (before_[k] - spare_[k]) / change;
     near += v * from;
@@ -150,8 +150,8 @@ void Servo::keep_accelerations(const Rates& rates, double share, double most, Se
     double part = 1;
     for (Eigen::Index k = 0; k < next_.size(); ++k) {
       const double change = std::abs(next_[k] - before_[k]);
-      if (!(change * part > most_change(k))) continue;
-      part = most_change(k) / change;
+      if (!(change * part > max_change(k))) continue;
+      part = max_change(k) / change;
       result.limit = ServoLimit::acceleration;
       result.joint = static_cast<int>(k);
     }
@@ -159,7 +159,7 @@ void Servo::keep_accelerations(const Rates& rates, double share, double most, Se
   }
   for (Eigen::Index k = 0; k < next_.size(); ++k) {
     const Room& room = rooms_[k];
-    const double change = most_change(k);
+    const double change = max_change(k);
     next_[k] = std::clamp(std::clamp(next_[k], room.lower, room.upper), before_[k] - change,
                           before_[k] + change);
   }

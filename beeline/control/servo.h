@@ -52,7 +52,7 @@ class Servo {
  private:
   double share_in_rooms(const Rates& rates, ServoStep& result) const;
   double share_for_bend(const Rates& rates, double share, ServoStep& result) const;
-  double most_change(Eigen::Index k) const;
+  double max_change(Eigen::Index k) const;
   void fill_spare_motion(const ConfigurationRef& q, const Rates& rates, double share);
   void keep_accelerations(const Rates& rates, double share, double most, ServoStep& result);
 

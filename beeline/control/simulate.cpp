@@ -69,7 +69,7 @@ void check_options(const SimulationOptions& options) {
   if (!(options.time_step > 0) || !std::isfinite(options.time_step)) {
     throw Error("the time step must be above zero, not " + number(options.time_step) + " s");
   }
-  if (options.most_steps < 1) throw Error("a motion needs at least one step");
+  if (options.max_steps < 1) throw Error("a motion needs at least one step");
 }
 
 ControlledMotion begin_motion(const Arm& arm, const Configuration& start) {
@@ -102,7 +102,7 @@ bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& op
     if (motion.error <= options.tolerance && still) return true;
     since_turn = step.dot(before) < 0 ? 0 : since_turn + 1;
     const bool swings = since_turn < recent;
-    if (motion.steps >= options.most_steps) {
+    if (motion.steps >= options.max_steps) {
       return stop(motion, MotionStatus::not_converged,
                   "after " + std::to_string(motion.steps) + " steps an error of " +
                       number(motion.error) + " is left: " +

@@ -20,9 +20,9 @@ struct ControlledMotion {
 };
 
 struct SimulationOptions {
-  double tolerance = 1e-6;   ///< the error at which a goal counts as reached, metres and radians
-  int most_steps = 100'000;  ///< over the whole motion
-  double time_step = 0.02;   ///< seconds that a step takes
+  double tolerance = 1e-6;  ///< the error at which a goal counts as reached, metres and radians
+  int max_steps = 100'000;  ///< over the whole motion
+  double time_step = 0.02;  ///< seconds that a step takes
 };
 
 /// A law in joint space: what is left, and the step that it asks for, at a configuration.

@@ -69,7 +69,7 @@ Drawing timing_figure(const Arm& arm, const Trajectory& given, const TimingFigur
   over_time.charts.push_back(tool_speed_chart(arm, trajectory));
   over_time.charts.push_back(condition_chart(arm, trajectory, task));
   if (options.path) {
-    const std::vector<std::size_t> reached = arrivals(options.path->places);
+    const std::vector<std::size_t> reached = arrivals(options.path->path_parameters);
     for (std::size_t w = 0; w < reached.size(); ++w) {
       for (Chart& chart : over_time.charts) {
         const bool first = &chart == over_time.charts.data();

@@ -8,7 +8,7 @@ namespace beeline {
 namespace {
 
 constexpr double nothing = 1e-12;     // metres or radians that count as none
-constexpr double least_share = 1e-9;  // of a line, that is worth a piece
+constexpr double least_share = 1e-9;  // of a line, that is worth a segment
 
 /// Both lines at a corner, for each metre of their span.
 struct Sides {
@@ -64,27 +64,27 @@ double curvature_between(const Vector3& a, const Vector3& b) {
 /// distance f(s) |sin|; its turn from the corner is that share of in's, so that the turns differ by
 /// f(s) |out - c in| at most. The other half is the mirror image. If one of them does not move:
 /// from the share f(1 - s) before the corner it is f(s) out away, position and turn.
-Corner of_radius_one(const Sides& sides) {
+Blend of_radius_one(const Sides& sides) {
   const Vector3 a = sides.in.head<3>(), b = sides.out.head<3>();
   const Vector3 turn_a = sides.in.tail<3>(), turn_b = sides.out.tail<3>();
-  Corner corner;
-  corner.off_corner = {half_way * (b - a).norm(), half_way * (turn_b - turn_a).norm()};
-  corner.curvature = curvature_between(a, b);
+  Blend blend;
+  blend.corner_deviation = {half_way * (b - a).norm(), half_way * (turn_b - turn_a).norm()};
+  blend.curvature = curvature_between(a, b);
   if (!moves(sides.in) || !moves(sides.out)) {
-    corner.off_lines = {half_way * std::max(a.norm(), b.norm()),
-                        half_way * std::max(turn_a.norm(), turn_b.norm())};
-    return corner;
+    blend.line_deviation = {half_way * std::max(a.norm(), b.norm()),
+                            half_way * std::max(turn_a.norm(), turn_b.norm())};
+    return blend;
   }
   const double c = a.dot(b);
   const double turned = std::max((turn_b - c * turn_a).norm(), (turn_a - c * turn_b).norm());
-  corner.off_lines = {half_way * a.cross(b).norm(), half_way * turned};
-  return corner;
+  blend.line_deviation = {half_way * a.cross(b).norm(), half_way * turned};
+  return blend;
 }
 
 /// The largest radius that keeps within the distances; 0 where there is no corner.
-double wanted_radius(const Corner& one, const Deviation& within) {
-  const double far = std::max(one.off_corner.position, one.off_lines.position);
-  const double turned = std::max(one.off_corner.orientation, one.off_lines.orientation);
+double wanted_radius(const Blend& one, const Deviation& within) {
+  const double far = std::max(one.corner_deviation.position, one.line_deviation.position);
+  const double turned = std::max(one.corner_deviation.orientation, one.line_deviation.orientation);
   double radius = Limits::none;
   if (far > nothing) radius = within.position / far;
   if (turned > nothing) radius = std::min(radius, within.orientation / turned);
@@ -92,32 +92,32 @@ double wanted_radius(const Corner& one, const Deviation& within) {
   return radius;
 }
 
-Corner scaled(const Corner& one, double radius) {
-  Corner corner = one;
-  corner.radius = radius;
-  for (double* size : {&corner.off_lines.position, &corner.off_lines.orientation,
-                       &corner.off_corner.position, &corner.off_corner.orientation}) {
+Blend scaled(const Blend& one, double radius) {
+  Blend blend = one;
+  blend.radius = radius;
+  for (double* size : {&blend.line_deviation.position, &blend.line_deviation.orientation,
+                       &blend.corner_deviation.position, &blend.corner_deviation.orientation}) {
     *size *= radius;
   }
-  corner.curvature = radius > 0 ? one.curvature / radius : 0;
-  return corner;
+  blend.curvature = radius > 0 ? one.curvature / radius : 0;
+  return blend;
 }
 
-SplinePiece rounding(const Pose& corner, const Sides& sides, double radius) {
+SplineSegment rounding(const Pose& corner, const Sides& sides, double radius) {
   const Twist in = radius * sides.in, out = radius * sides.out;
-  SplinePiece piece{corner};
-  piece.terms.col(0) = -in;
-  piece.terms.col(1) = 2 * in;
-  piece.terms.col(3) = 2 * (out - in);
-  piece.terms.col(4) = in - out;
-  return piece;
+  SplineSegment segment{corner};
+  segment.terms.col(0) = -in;
+  segment.terms.col(1) = 2 * in;
+  segment.terms.col(3) = 2 * (out - in);
+  segment.terms.col(4) = in - out;
+  return segment;
 }
 
 }  // namespace
 
-RoundedPath rounded_lines(std::span<const Pose> given, const Deviation& within) {
+BlendedPath blended_lines(std::span<const Pose> given, const Deviation& within) {
   if (!(within.position > 0) || !(within.orientation > 0)) {
-    throw Error("corners are rounded within a distance and an angle above zero, not " +
+    throw Error("corners are blended within a distance and an angle above zero, not " +
                 number(within.position) + " m and " + number(within.orientation) + " rad");
   }
   const std::vector<Pose> poses = checked_path(given);
@@ -128,39 +128,40 @@ RoundedPath rounded_lines(std::span<const Pose> given, const Deviation& within) 
     span[i] = span_of({poses[i], poses[i + 1]});
     way[i] = pose_difference(poses[i + 1], poses[i]) / span[i];
   }
-  std::vector<Corner> ones;
+  std::vector<Blend> ones;
   for (std::size_t i = 1; i < lines; ++i) {
     const Sides sides{way[i - 1], way[i]};
     ones.push_back(of_radius_one(sides));
     ones.back().sharp = turns_back(sides);
     if (!ones.back().sharp) wanted[i] = wanted_radius(ones.back(), within);
   }
-  RoundedPath rounded;
+  BlendedPath blended;
   std::vector<double> radius(lines + 1, 0);  // of corner i, between the lines i - 1 and i
   for (std::size_t i = 1; i < lines; ++i) {
     const double before = std::max(span[i - 1] / 2, span[i - 1] - wanted[i - 1]);
     const double after = std::max(span[i] / 2, span[i] - wanted[i + 1]);
     radius[i] = std::min({wanted[i], before, after});
-    rounded.corners.push_back(scaled(ones[i - 1], radius[i]));
-    rounded.corners.back().shortened = radius[i] < wanted[i];
+    blended.blends.push_back(scaled(ones[i - 1], radius[i]));
+    blended.blends.back().shortened = radius[i] < wanted[i];
   }
   for (std::size_t i = 0; i < lines; ++i) {
     const double from = radius[i] / span[i], to = 1 - radius[i + 1] / span[i];
     if (to - from > least_share) {
-      rounded.path.pieces.emplace_back(
+      blended.path.segments.emplace_back(
           Line{interpolate(poses[i], poses[i + 1], from), interpolate(poses[i], poses[i + 1], to)});
-      rounded.path.spans.push_back((to - from) * span[i]);
+      blended.path.spans.push_back((to - from) * span[i]);
     }
     if (radius[i + 1] > 0) {
-      rounded.path.pieces.emplace_back(rounding(poses[i + 1], {way[i], way[i + 1]}, radius[i + 1]));
-      rounded.path.spans.push_back(2 * radius[i + 1]);
+      blended.path.segments.emplace_back(
+          rounding(poses[i + 1], {way[i], way[i + 1]}, radius[i + 1]));
+      blended.path.spans.push_back(2 * radius[i + 1]);
     }
-    rounded.stops.resize(rounded.path.pieces.size(), false);
-    if (i + 1 < lines && rounded.corners[i].sharp) rounded.stops.back() = true;
+    blended.stops.resize(blended.path.segments.size(), false);
+    if (i + 1 < lines && blended.blends[i].sharp) blended.stops.back() = true;
   }
-  return rounded;
+  return blended;
 }
 
-Route route_of(const RoundedPath& rounded) { return {rounded.path, rounded.stops}; }
+Route route_of(const BlendedPath& blended) { return {blended.path, blended.stops}; }
 
 }  // namespace beeline

@@ -27,7 +27,7 @@ int parts(const JointPath& path, std::size_t k, const RefineOptions& options) {
   const double bend = std::max(path.ddq[k].norm(), path.ddq[k + 1].norm()) * length;
   const double slope = std::max({path.dq[k].norm(), path.dq[k + 1].norm(), 1e-300});
   const double wanted = std::max(length / longest, bend / slope / options.largest_turn);
-  return static_cast<int>(std::clamp(std::ceil(wanted - 1e-9), 1.0, double(options.most_parts)));
+  return static_cast<int>(std::clamp(std::ceil(wanted - 1e-9), 1.0, double(options.max_parts)));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ PathPoint path_point(const JointPath& path, std::size_t step, double share);
 struct RefineOptions {
   std::size_t steps = 400;    ///< no step is longer than the path over this number
   double largest_turn = 0.1;  ///< of q' in a step, as a share of its length
-  int most_parts = 512;       ///< of one step
+  int max_parts = 512;        ///< of one step
 };
 
 /// The same path with more grid points: those of `path` stay, and steps that are long or bend are

@@ -17,18 +17,18 @@ Twist joined(const Vector3& linear, const Vector3& angular) {
 }
 
 /// A motion whose orientation takes the shortest turn at a constant rate.
-PieceMotion turning_motion(const Pose& from, const Pose& to, double s, const Vector3& velocity,
-                           const Vector3& acceleration) {
+SegmentMotion turning_motion(const Pose& from, const Pose& to, double s, const Vector3& velocity,
+                             const Vector3& acceleration) {
   return {interpolate(from, to, s), joined(velocity, pose_difference(to, from).tail<3>()),
           joined(acceleration, Vector3::Zero())};
 }
 
-PieceMotion motion(const Line& line, double s) {
+SegmentMotion motion(const Line& line, double s) {
   return turning_motion(line.from, line.to, s, line.to.translation() - line.from.translation(),
                         Vector3::Zero());
 }
 
-PieceMotion motion(const ScrewLine& screw, double s) {
+SegmentMotion motion(const ScrewLine& screw, double s) {
   const Twist body = se3_log(screw.from.inverse() * screw.to);
   const Pose pose = screw.from * se3_exp(s * body);
   const Vector3 velocity = pose.linear() * body.head<3>();
@@ -36,54 +36,54 @@ PieceMotion motion(const ScrewLine& screw, double s) {
   return {pose, joined(velocity, turn), joined(turn.cross(velocity), Vector3::Zero())};
 }
 
-PieceMotion motion(const Arc& arc, double s) {
+SegmentMotion motion(const Arc& arc, double s) {
   // (exp(s turn) - 1) times the radius: no digits are lost where the centre is far away
   const Vector3 radius = arc.from.translation() - arc.centre;
   const double angle = arc.turn.norm(), half = std::sin(s * angle / 2);
   const Vector3 axis = arc.turn / angle, across = axis.cross(radius);
   const Vector3 moved = std::sin(s * angle) * across + 2 * half * half * axis.cross(across);
   const Vector3 velocity = arc.turn.cross(radius + moved);
-  PieceMotion at = turning_motion(arc.from, arc.to, s, velocity, arc.turn.cross(velocity));
+  SegmentMotion at = turning_motion(arc.from, arc.to, s, velocity, arc.turn.cross(velocity));
   at.pose.translation() = arc.from.translation() + moved;
   return at;
 }
 
-PieceMotion motion(const SplinePiece& piece, double s) {
+SegmentMotion motion(const SplineSegment& segment, double s) {
   Twist value = Twist::Zero(), rate = Twist::Zero(), half_second = Twist::Zero();
   for (int k = 5; k >= 0; --k) {  // Horner
     half_second = half_second * s + rate;
     rate = rate * s + value;
-    value = value * s + piece.terms.col(k);
+    value = value * s + segment.terms.col(k);
   }
   const Vector3 r = value.tail<3>();
   const Turning turning = angular_motion(r, {rate.tail<3>(), 2 * half_second.tail<3>()});
-  PieceMotion at{piece.centre, joined(rate.head<3>(), turning.velocity),
-                 joined(2 * half_second.head<3>(), turning.acceleration)};
+  SegmentMotion at{segment.centre, joined(rate.head<3>(), turning.velocity),
+                   joined(2 * half_second.head<3>(), turning.acceleration)};
   at.pose.translation() += value.head<3>();
-  at.pose.linear() = so3_exp(r) * piece.centre.linear();
+  at.pose.linear() = so3_exp(r) * segment.centre.linear();
   return at;
 }
 
-Piece back(const Line& line) { return Line{line.to, line.from}; }
-Piece back(const ScrewLine& screw) { return ScrewLine{screw.to, screw.from}; }
-Piece back(const Arc& arc) { return Arc{arc.to, arc.from, arc.centre, -arc.turn}; }
+Segment back(const Line& line) { return Line{line.to, line.from}; }
+Segment back(const ScrewLine& screw) { return ScrewLine{screw.to, screw.from}; }
+Segment back(const Arc& arc) { return Arc{arc.to, arc.from, arc.centre, -arc.turn}; }
 
 /// The polynomial at 1 - s.
-Piece back(const SplinePiece& piece) {
-  SplinePiece other{piece.centre};
+Segment back(const SplineSegment& segment) {
+  SplineSegment other{segment.centre};
   for (int k = 5; k >= 0; --k) {  // Horner, by the polynomial 1 - s
     Matrix6 next = other.terms;
     next.rightCols<5>() -= other.terms.leftCols<5>();
     other.terms = next;
-    other.terms.col(0) += piece.terms.col(k);
+    other.terms.col(0) += segment.terms.col(k);
   }
   return other;
 }
 
 }  // namespace
 
-Piece reversed(const Piece& piece) {
-  return std::visit([](const auto& kind) { return back(kind); }, piece);
+Segment reversed(const Segment& segment) {
+  return std::visit([](const auto& kind) { return back(kind); }, segment);
 }
 
 Arc arc_through(const Pose& from, const Vector3& passed, const Pose& to) {
@@ -104,18 +104,20 @@ Arc arc_through(const Pose& from, const Vector3& passed, const Pose& to) {
   return {from, to, from.translation() - radius, angle * axis};
 }
 
-Pose pose_at(const Piece& piece, double s) {
-  if (const auto* line = std::get_if<Line>(&piece)) return interpolate(line->from, line->to, s);
-  return motion_at(piece, s).pose;
+Pose pose_at(const Segment& segment, double s) {
+  if (const auto* line = std::get_if<Line>(&segment)) return interpolate(line->from, line->to, s);
+  return motion_at(segment, s).pose;
 }
 
-PieceMotion motion_at(const Piece& piece, double s) {
-  return std::visit([s](const auto& kind) { return motion(kind, s); }, piece);
+SegmentMotion motion_at(const Segment& segment, double s) {
+  return std::visit([s](const auto& kind) { return motion(kind, s); }, segment);
 }
 
-double length_of(const Piece& piece) {
-  const auto speed = [&piece](double s) { return motion_at(piece, s).velocity.head<3>().norm(); };
-  if (!std::holds_alternative<SplinePiece>(piece)) return speed(0);
+double length_of(const Segment& segment) {
+  const auto speed = [&segment](double s) {
+    return motion_at(segment, s).velocity.head<3>().norm();
+  };
+  if (!std::holds_alternative<SplineSegment>(segment)) return speed(0);
   constexpr int parts = 16;
   constexpr std::array<double, 3> place{0, 0.5384693101056831, 0.9061798459386640};
   constexpr std::array<double, 3> weight{0.5688888888888889, 0.4786286704993665,
@@ -131,12 +133,12 @@ double length_of(const Piece& piece) {
   return sum / (2 * parts);
 }
 
-bool turns_about_z(const Piece& piece) {
+bool turns_about_z(const Segment& segment) {
   constexpr double tilt = 1e-9;
-  if (const auto* spline = std::get_if<SplinePiece>(&piece)) {
+  if (const auto* spline = std::get_if<SplineSegment>(&segment)) {
     return spline->terms.middleRows<2>(3).cwiseAbs().maxCoeff() <= tilt;
   }
-  return motion_at(piece, 0).velocity.segment<2>(3).cwiseAbs().maxCoeff() <= tilt;
+  return motion_at(segment, 0).velocity.segment<2>(3).cwiseAbs().maxCoeff() <= tilt;
 }
 
 }  // namespace beeline

@@ -23,27 +23,27 @@ PathKind path_kind_named(std::string_view name) {
 }
 
 Route route_of(ToolPath path, PathKind kind) {
-  const std::size_t pieces = path.pieces.size();
-  return {std::move(path), std::vector<bool>(pieces, kind != PathKind::spline)};
+  const std::size_t segments = path.segments.size();
+  return {std::move(path), std::vector<bool>(segments, kind != PathKind::spline)};
 }
 
 double span_of(const Line& line) {
   const Twist whole = pose_difference(line.to, line.from);
-  return std::max(whole.head<3>().norm(), way_of_a_radian * whole.tail<3>().norm());
+  return std::max(whole.head<3>().norm(), least_metres_per_radian * whole.tail<3>().norm());
 }
 
-std::size_t piece_at(const ToolPath& path, double place) {
-  const double last = static_cast<double>(path.pieces.size() - 1);
+std::size_t segment_at(const ToolPath& path, double place) {
+  const double last = static_cast<double>(path.segments.size() - 1);
   return static_cast<std::size_t>(std::clamp(std::ceil(place) - 1, 0.0, last));
 }
 
 Pose pose_at(const ToolPath& path, double place) {
-  const std::size_t i = piece_at(path, place);
-  return pose_at(path.pieces[i], place - static_cast<double>(i));
+  const std::size_t i = segment_at(path, place);
+  return pose_at(path.segments[i], place - static_cast<double>(i));
 }
 
-double way_to(const ToolPath& path, double place) {
-  const std::size_t on = piece_at(path, place);
+double span_to(const ToolPath& path, double place) {
+  const std::size_t on = segment_at(path, place);
   double way = (place - static_cast<double>(on)) * path.spans[on];
   for (std::size_t i = 0; i < on; ++i) way += path.spans[i];
   return way;
@@ -52,16 +52,16 @@ double way_to(const ToolPath& path, double place) {
 bool corner_at(const ToolPath& path, double place) {
   constexpr double rounding = 1e-6;
   const auto i = static_cast<std::size_t>(place);
-  if (place != std::floor(place) || i == 0 || i >= path.pieces.size()) return false;
-  const Twist before = motion_at(path.pieces[i - 1], 1).velocity / path.spans[i - 1];
-  const Twist after = motion_at(path.pieces[i], 0).velocity / path.spans[i];
+  if (place != std::floor(place) || i == 0 || i >= path.segments.size()) return false;
+  const Twist before = motion_at(path.segments[i - 1], 1).velocity / path.spans[i - 1];
+  const Twist after = motion_at(path.segments[i], 0).velocity / path.spans[i];
   return !((after - before).norm() <= rounding * before.norm());
 }
 
 ToolPath reversed(const ToolPath& path) {
   ToolPath back{{}, {path.spans.rbegin(), path.spans.rend()}};
-  for (auto piece = path.pieces.rbegin(); piece != path.pieces.rend(); ++piece) {
-    back.pieces.push_back(reversed(*piece));
+  for (auto segment = path.segments.rbegin(); segment != path.segments.rend(); ++segment) {
+    back.segments.push_back(reversed(*segment));
   }
   return back;
 }
@@ -96,7 +96,7 @@ ToolPath lines_through(std::span<const Pose> given) {
   ToolPath path;
   for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
     const Line line{poses[i], poses[i + 1]};
-    path.pieces.emplace_back(line);
+    path.segments.emplace_back(line);
     path.spans.push_back(span_of(line));
   }
   return path;
@@ -114,12 +114,12 @@ ToolPath path_through(std::span<const Pose> given, PathKind kind, const SplineEn
   ToolPath path;
   for (std::size_t i = 0; i + step < poses.size(); i += step) {
     const Pose &from = poses[i], &to = poses[i + step];
-    if (kind == PathKind::line) path.pieces.emplace_back(Line{from, to});
-    if (kind == PathKind::screw) path.pieces.emplace_back(ScrewLine{from, to});
+    if (kind == PathKind::line) path.segments.emplace_back(Line{from, to});
+    if (kind == PathKind::screw) path.segments.emplace_back(ScrewLine{from, to});
     if (kind == PathKind::arc) {
-      path.pieces.emplace_back(arc_through(from, poses[i + 1].translation(), to));
+      path.segments.emplace_back(arc_through(from, poses[i + 1].translation(), to));
     }
-    path.spans.push_back(std::max(length_of(path.pieces.back()), span_of({from, to})));
+    path.spans.push_back(std::max(length_of(path.segments.back()), span_of({from, to})));
   }
   return path;
 }

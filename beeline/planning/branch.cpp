@@ -17,40 +17,41 @@ constexpr double turn = 2 * std::numbers::pi;
 constexpr double rounding = 1e-9;  // radians or metres that a joint may be beyond a limit
 
 /// "line 2 of 3 ", as failures begin.
-std::string piece_number(const ToolPath& path, std::size_t i) {
-  return (all_lines(path) ? "line " : "piece ") + std::to_string(i + 1) + " of " +
-         std::to_string(path.pieces.size()) + " ";
+std::string segment_number(const ToolPath& path, std::size_t i) {
+  return (all_lines(path) ? "line " : "segment ") + std::to_string(i + 1) + " of " +
+         std::to_string(path.segments.size()) + " ";
 }
 
 /// Follows the path from branch.start as far as it goes.
 void follow_all(const Arm& arm, const ToolPath& path, const Bounds& bounds,
                 const BranchOptions& options, Branch& branch) {
   Configuration q = branch.start;
-  std::size_t left = options.most_samples;
-  for (std::size_t i = 0; i < path.pieces.size(); ++i) {
-    const auto before = static_cast<double>(i), pieces = static_cast<double>(path.pieces.size());
-    if (stands_still(path.pieces[i], options.task)) {
-      branch.pieces.push_back({{q}, {1}, {}});
+  std::size_t left = options.max_samples;
+  for (std::size_t i = 0; i < path.segments.size(); ++i) {
+    const auto before = static_cast<double>(i),
+               segments = static_cast<double>(path.segments.size());
+    if (stands_still(path.segments[i], options.task)) {
+      branch.segments.push_back({{q}, {1}, {}});
       branch.path_parameter = before + 1;
       continue;
     }
-    TrackOptions track_options{.tolerance = options.tolerance, .most_samples = left};
+    TrackOptions track_options{.tolerance = options.tolerance, .max_samples = left};
     if (options.guide) {
       track_options.guide = [&](double s) { return options.guide(before + s); };
     }
     if (options.progress) {
-      track_options.progress = [&](double s) { options.progress((before + s) / pieces); };
+      track_options.progress = [&](double s) { options.progress((before + s) / segments); };
     }
-    branch.pieces.push_back(
-        track_segment(arm, path.pieces[i], options.task, bounds, q, track_options));
-    const TrackedSegment& way = branch.pieces.back();
+    branch.segments.push_back(
+        track_segment(arm, path.segments[i], options.task, bounds, q, track_options));
+    const TrackedSegment& way = branch.segments.back();
     branch.path_parameter = before + way.fractions.back();
     q = way.samples.back();
     if (!way.through()) {
       branch.status = MotionStatus::not_converged;  // until it is asked why
       return;
     }
-    left -= std::min(left, way.samples.size() - 1);  // the corner is both pieces'
+    left -= std::min(left, way.samples.size() - 1);  // the corner is both segments'
   }
 }
 
@@ -61,8 +62,8 @@ struct Extent {
 
 Extent extent_of(const Branch& branch, int k) {
   Extent extent{branch.start[k], branch.start[k]};
-  for (const TrackedSegment& piece : branch.pieces) {
-    for (const Configuration& q : piece.samples) {
+  for (const TrackedSegment& segment : branch.segments) {
+    for (const Configuration& q : segment.samples) {
       extent.lower = std::min(extent.lower, q[k]);
       extent.upper = std::max(extent.upper, q[k]);
     }
@@ -70,17 +71,18 @@ Extent extent_of(const Branch& branch, int k) {
   return extent;
 }
 
-/// Where coordinate k first is outside [lower, upper]: pieces done, with a fraction of the next.
+/// Where coordinate k first is outside [lower, upper]: segments done, with a fraction of the next.
 double leaves_at(const Branch& branch, int k, double lower, double upper) {
-  for (std::size_t w = 0; w < branch.pieces.size(); ++w) {
-    const TrackedSegment& piece = branch.pieces[w];
-    for (std::size_t i = 0; i < piece.samples.size(); ++i) {
-      const double now = piece.samples[i][k];
+  for (std::size_t w = 0; w < branch.segments.size(); ++w) {
+    const TrackedSegment& segment = branch.segments[w];
+    for (std::size_t i = 0; i < segment.samples.size(); ++i) {
+      const double now = segment.samples[i][k];
       if (now >= lower && now <= upper) continue;
       if (i == 0) return static_cast<double>(w);
-      const double before = piece.samples[i - 1][k], limit = now > upper ? upper : lower;
+      const double before = segment.samples[i - 1][k], limit = now > upper ? upper : lower;
       const double share = std::clamp((limit - before) / (now - before), 0.0, 1.0);
-      return static_cast<double>(w) + std::lerp(piece.fractions[i - 1], piece.fractions[i], share);
+      return static_cast<double>(w) +
+             std::lerp(segment.fractions[i - 1], segment.fractions[i], share);
     }
   }
   return branch.path_parameter;
@@ -89,10 +91,10 @@ double leaves_at(const Branch& branch, int k, double lower, double upper) {
 /// The whole turns that take coordinate k farthest along, of these the ones that keep it farthest
 /// from its limits, and of these the fewest.
 double best_turns(const Branch& branch, int k, double lower, double upper) {
-  constexpr int most_turns = 16;  // either way: limits may be far away, or nowhere
+  constexpr int max_turns = 16;  // either way: limits may be far away, or nowhere
   const Extent extent = extent_of(branch, k);
   double best = 0, best_done = -1, best_margin = 0;
-  for (int i = 0; i <= 2 * most_turns; ++i) {
+  for (int i = 0; i <= 2 * max_turns; ++i) {
     const double shift = (i % 2 == 0 ? -(i / 2) : (i + 1) / 2) * turn;
     const double low = lower - shift, high = upper - shift;
     if (branch.start[k] < low - rounding || branch.start[k] > high + rounding) continue;
@@ -106,8 +108,8 @@ double best_turns(const Branch& branch, int k, double lower, double upper) {
 
 void shift(Branch& branch, int k, double turns) {
   branch.start[k] += turns;
-  for (TrackedSegment& piece : branch.pieces) {
-    for (Configuration& q : piece.samples) q[k] += turns;
+  for (TrackedSegment& segment : branch.segments) {
+    for (Configuration& q : segment.samples) q[k] += turns;
   }
 }
 
@@ -122,19 +124,19 @@ void keep_limits(const Arm& arm, const ToolPath& path, Branch& branch) {
     if (done < first || (done == first && done < branch.path_parameter)) first = done, blocking = k;
   }
   if (blocking < 0) return;
-  const auto w = std::min(static_cast<std::size_t>(first), path.pieces.size() - 1);
+  const auto w = std::min(static_cast<std::size_t>(first), path.segments.size() - 1);
   const double s = first - static_cast<double>(w);
-  branch.pieces.resize(w + 1);
-  TrackedSegment& piece = branch.pieces[w];
-  while (piece.fractions.size() > 1 && piece.fractions.back() > s) {
-    piece.fractions.pop_back();
-    piece.samples.pop_back();
+  branch.segments.resize(w + 1);
+  TrackedSegment& segment = branch.segments[w];
+  while (segment.fractions.size() > 1 && segment.fractions.back() > s) {
+    segment.fractions.pop_back();
+    segment.samples.pop_back();
   }
   branch.path_parameter = first;
   branch.status = MotionStatus::outside_limits;
-  const double ahead = piece.samples.back()[blocking];
+  const double ahead = segment.samples.back()[blocking];
   const bool low = ahead - bounds.lower[blocking] < bounds.upper[blocking] - ahead;
-  branch.reason = piece_number(path, w) + place_in_words(path.pieces[w], s) +
+  branch.reason = segment_number(path, w) + place_in_words(path.segments[w], s) +
                   limit_in_the_way(arm, blocking, low);
 }
 
@@ -151,14 +153,14 @@ std::vector<Branch> backward_branches(const Arm& arm, const ToolPath& path, cons
     Branch branch{.start = end};
     follow_all(arm, back, bounds, options, branch);
     if (branch.status != MotionStatus::reached) continue;
-    std::reverse(branch.pieces.begin(), branch.pieces.end());
-    for (TrackedSegment& piece : branch.pieces) {
-      std::reverse(piece.samples.begin(), piece.samples.end());
-      if (piece.samples.size() == 1) continue;
-      std::reverse(piece.fractions.begin(), piece.fractions.end());
-      for (double& fraction : piece.fractions) fraction = 1 - fraction;
+    std::reverse(branch.segments.begin(), branch.segments.end());
+    for (TrackedSegment& segment : branch.segments) {
+      std::reverse(segment.samples.begin(), segment.samples.end());
+      if (segment.samples.size() == 1) continue;
+      std::reverse(segment.fractions.begin(), segment.fractions.end());
+      for (double& fraction : segment.fractions) fraction = 1 - fraction;
     }
-    branch.start = branch.pieces.front().samples.front();
+    branch.start = branch.segments.front().samples.front();
     branches.push_back(std::move(branch));
   }
   return branches;
@@ -178,8 +180,8 @@ void narrow(Margins& margins, const Arm& arm, const Task& task, const Configurat
 
 void measure(const Arm& arm, const Task& task, Branch& branch) {
   Margins margins;
-  for (const TrackedSegment& piece : branch.pieces) {
-    for (const Configuration& q : piece.samples) narrow(margins, arm, task, q);
+  for (const TrackedSegment& segment : branch.segments) {
+    for (const Configuration& q : segment.samples) narrow(margins, arm, task, q);
   }
   branch.limit_margin = margins.limit;
   branch.dexterity = margins.dexterity;
@@ -188,15 +190,15 @@ void measure(const Arm& arm, const Task& task, Branch& branch) {
 void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options, Branch& branch) {
   if (branch.status != MotionStatus::not_converged) return;
   std::size_t samples = 1;
-  for (const TrackedSegment& piece : branch.pieces) samples += piece.samples.size() - 1;
-  const std::size_t w = branch.pieces.size() - 1;
-  const TrackedSegment& last = branch.pieces.back();
-  const PieceFailure failure = samples >= options.most_samples
-                                   ? too_many_samples(static_cast<int>(options.most_samples))
-                                   : piece_failure(arm, path.pieces[w], options.task,
-                                                   last.samples.back(), last.fractions.back());
+  for (const TrackedSegment& segment : branch.segments) samples += segment.samples.size() - 1;
+  const std::size_t w = branch.segments.size() - 1;
+  const TrackedSegment& last = branch.segments.back();
+  const SegmentFailure failure = samples >= options.max_samples
+                                     ? too_many_samples(static_cast<int>(options.max_samples))
+                                     : segment_failure(arm, path.segments[w], options.task,
+                                                       last.samples.back(), last.fractions.back());
   branch.status = failure.status;
-  branch.reason = piece_number(path, w) + failure.reason;
+  branch.reason = segment_number(path, w) + failure.reason;
 }
 
 bool better(const Branch& a, const Branch& b) {

@@ -31,7 +31,7 @@ struct Branch {
   double path_parameter = 0;  ///< segments completed, the last one in part
   double limit_margin = 1;    ///< see Margins
   double dexterity = 1;
-  std::vector<TrackedSegment> pieces = {};  ///< a single sample where what matters stands still
+  std::vector<TrackedSegment> segments = {};  ///< a single sample where what matters stands still
 };
 
 /// Fills in the margins of the branch's samples, to the arm's limits and singularities.
@@ -43,12 +43,12 @@ bool better(const Branch& a, const Branch& b);
 struct BranchOptions {
   Task task;
   Deviation tolerance = {1e-4, 1e-4};
-  std::size_t most_samples = 200'000;  ///< of one branch
+  std::size_t max_samples = 200'000;  ///< of one branch
   int finest_grid = 256;  ///< of plan_path(), for joints to spare: see LayeredGraphOptions::grid
   /// Whose end is explained, which takes milliseconds: all branches', or that of the one which goes
   /// farthest, or none's.
   enum class Reasons { all, best, none } reasons = Reasons::best;
-  /// Where there is a choice, the configuration at a place (whole pieces and a fraction) is taken
+  /// Where there is a choice, the configuration at a place (whole segments and a fraction) is taken
   /// next to this one; see TrackOptions::guide.
   std::function<Configuration(double)> guide = {};
   std::function<void(double)> progress = {};  ///< told the share done, in [0, 1], now and then
@@ -58,7 +58,7 @@ struct BranchOptions {
 /// farthest from limits and singularities first. Each is followed without the limits of joints that
 /// turn around; then every such joint gets the turn at which it stays farthest within its limits.
 /// For arms without joints to spare, where inverse kinematics finds all solutions. Empty when it
-/// finds none for the path's begin. Throws Error for a path without pieces, and what check_task()
+/// finds none for the path's begin. Throws Error for a path without segments, and what check_task()
 /// refuses.
 std::vector<Branch> track_branches(const Arm& arm, const ToolPath& path,
                                    const BranchOptions& options);

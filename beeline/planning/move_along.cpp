@@ -33,8 +33,8 @@ void check_options(const PathMotionOptions& options) {
     throw Error("the rate must be zero or above, not " + number(options.rate) +
                 " samples a second");
   }
-  if (options.most_samples < 2) {
-    throw Error("most samples is " + std::to_string(options.most_samples) + "; a line needs two");
+  if (options.max_samples < 2) {
+    throw Error("max_samples is " + std::to_string(options.max_samples) + "; a line needs two");
   }
 }
 
@@ -81,9 +81,9 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
   motion.status = plan.status;
   motion.reason = plan.reason;
   if (plan.status != MotionStatus::reached) return motion;
-  TimedPlan timed =
-      timed_plan(arm, route, plan, task,
-                 {.law = options.law, .tool_speed = options.tool_speed, .rate = options.rate});
+  TimedPlan timed = timed_plan(
+      arm, route, plan, task,
+      {.profile = options.profile, .tool_speed = options.tool_speed, .rate = options.rate});
   motion.status = timed.status;
   motion.reason = timed.reason;
   if (motion.status == MotionStatus::reached) {
@@ -94,7 +94,7 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
     }
   }
   motion.trajectory = std::move(timed.trajectory);
-  motion.places = std::move(timed.places);
+  motion.path_parameters = std::move(timed.path_parameters);
   motion.limit_margin = plan.limit_margin;
   motion.dexterity = plan.dexterity;
   return motion;
@@ -104,10 +104,10 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
 void prove(const Arm& arm, const Route& route, const Task& task, const PathMotionOptions& options,
            PathMotion& motion) {
   motion.path = route.path;
-  motion.arrivals = arrivals(motion.places);
+  motion.arrivals = arrivals(motion.path_parameters);
   motion.deviation =
-      path_deviation(arm, motion.trajectory.positions, motion.places, route.path, task);
-  motion.limits = limit_check(motion.trajectory, arm);
+      path_deviation(arm, motion.trajectory.positions, motion.path_parameters, route.path, task);
+  motion.limits = limit_usage(motion.trajectory, arm);
   motion.reason = not_proved(motion.deviation, options);
   if (motion.reason.empty()) return;
   motion.status = MotionStatus::not_converged;
@@ -125,7 +125,7 @@ PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const
   const BranchOptions planning{
       .task = task,
       .tolerance = {share * options.tolerance, share * options.orientation_tolerance},
-      .most_samples = static_cast<std::size_t>(options.most_samples),
+      .max_samples = static_cast<std::size_t>(options.max_samples),
       .progress = options.progress};
   const Branch plan = plan_path(arm, start, route.path, planning);
   PathMotion motion = timed(arm, route, plan, task, options);

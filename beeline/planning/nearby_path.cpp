@@ -5,8 +5,8 @@
 namespace beeline {
 namespace {
 
-constexpr double least_shift = 1e-3, most_shift = 0.26;  // metres
-constexpr double least_turn = 1e-2, most_turn = 0.64;    // radians
+constexpr double least_shift = 1e-3, max_shift = 0.26;  // metres
+constexpr double least_turn = 1e-2, max_turn = 0.64;    // radians
 constexpr int halvings = 5;
 
 /// What is done to a path: a shift in the world's axes, and a turn in the tool's.
@@ -19,24 +19,24 @@ struct Change {
     pose.linear() = pose.linear() * turn;
     return pose;
   }
-  Piece operator()(const Line& line) const { return Line{(*this)(line.from), (*this)(line.to)}; }
-  Piece operator()(const ScrewLine& screw) const {
+  Segment operator()(const Line& line) const { return Line{(*this)(line.from), (*this)(line.to)}; }
+  Segment operator()(const ScrewLine& screw) const {
     return ScrewLine{(*this)(screw.from), (*this)(screw.to)};
   }
-  Piece operator()(const Arc& arc) const {
+  Segment operator()(const Arc& arc) const {
     return Arc{(*this)(arc.from), (*this)(arc.to), arc.centre + shift, arc.turn};
   }
-  Piece operator()(const SplinePiece& piece) const {
-    return SplinePiece{(*this)(piece.centre), piece.terms};
+  Segment operator()(const SplineSegment& segment) const {
+    return SplineSegment{(*this)(segment.centre), segment.terms};
   }
 };
 
 ToolPath changed(const ToolPath& path, bool first_stays, const Vector3& step, bool turns) {
   const Change change = turns ? Change{.turn = so3_exp(step)} : Change{.shift = step};
   ToolPath result = path;
-  for (Piece& piece : result.pieces) piece = std::visit(change, piece);
+  for (Segment& segment : result.segments) segment = std::visit(change, segment);
   if (first_stays) {
-    Line& first = std::get<Line>(result.pieces.front());
+    Line& first = std::get<Line>(result.segments.front());
     first.from = pose_at(path, 0);
     result.spans.front() = span_of(first);
   }
@@ -56,7 +56,8 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
                                       const ToolPath& path, const BranchOptions& options,
                                       bool turns) {
   const bool first_stays = start.has_value();
-  if (first_stays && !all_lines(path)) return {};  // the next piece would no longer go on smoothly
+  if (first_stays && !all_lines(path))
+    return {};  // the next segment would no longer go on smoothly
   BranchOptions exact = options;
   exact.reasons = BranchOptions::Reasons::none;
   exact.progress = {};
@@ -67,7 +68,7 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
     const ToolPath other = changed(path, first_stays, step, turns);
     return plan_path(arm, start, other, planning).status == MotionStatus::reached;
   };
-  for (double size = turns ? least_turn : least_shift; size <= (turns ? most_turn : most_shift);
+  for (double size = turns ? least_turn : least_shift; size <= (turns ? max_turn : max_shift);
        size *= 2) {
     for (int axis = 0; axis < 3; ++axis) {
       if (arm.planar() && turns != (axis == 2)) continue;

@@ -19,7 +19,7 @@ struct NearbyPath {
 /// one of its own, with which plan_path() goes through: of steps that double, up to 0.26 m and 0.64
 /// rad, and then made smaller by halving. Nothing where none of them works. With a start the arm's
 /// own first pose stays, and the first line leads on from there; nothing then for a path of other
-/// pieces. Planar arms move in their plane.
+/// segments. Planar arms move in their plane.
 std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Configuration>& start,
                                       const ToolPath& path, const BranchOptions& options,
                                       bool turns);

@@ -14,7 +14,7 @@ struct ChainEnds {
 };
 
 /// No serial arm has more joints: a longer description is refused as an accident.
-constexpr std::size_t most_joints = 10000;
+constexpr std::size_t max_joints = 10000;
 
 /// An arm from what a person types: a built-in name (`panda`), a joint string with link lengths
 /// (`RRR:3.5,3.5,2`), or a file (`.urdf`, `.json`). Base and tip go with URDF files only.

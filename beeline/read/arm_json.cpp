@@ -71,9 +71,9 @@ Arm arm_from_json(std::string_view text, const std::string& path) {
   const Json* tool = document.find(root, "tool");
   const std::string& name = document.text(document.need(root, "name"));
   std::vector<Joint> joints = joints_of(document);
-  if (joints.size() > most_joints) {
+  if (joints.size() > max_joints) {
     document.refuse(root, "has " + std::to_string(joints.size()) + " joints; at most " +
-                              std::to_string(most_joints) + " are read");
+                              std::to_string(max_joints) + " are read");
   }
   const Pose nowhere = Pose::Identity();
   const Pose base_pose = base == nullptr ? nowhere : pose_from_json(document, *base);

@@ -9,8 +9,8 @@
 namespace beeline {
 namespace {
 
-constexpr std::size_t most_columns = 100'000;
-constexpr std::size_t most_rows = 4'000'000;  // an hour at 1 kHz; more would fill the memory
+constexpr std::size_t max_columns = 100'000;
+constexpr std::size_t max_rows = 4'000'000;  // an hour at 1 kHz; more would fill the memory
 
 /// The lines of a text, with their numbers; empty lines and comments are passed over.
 class Lines {
@@ -75,8 +75,8 @@ std::vector<std::string> parse_header(std::string_view line) {
     check_name(item, "the name of column " + std::to_string(columns.size() + 1));
     if (!seen.insert(item).second) throw Error("column " + in_quotes(item) + " stands there twice");
     columns.push_back(item);
-    if (columns.size() > most_columns) {
-      throw Error("there are more than " + std::to_string(most_columns) + " columns");
+    if (columns.size() > max_columns) {
+      throw Error("there are more than " + std::to_string(max_columns) + " columns");
     }
   }
   const bool digits = std::ranges::all_of(columns, [](const std::string& name) {
@@ -114,8 +114,8 @@ CsvTable parse_csv(std::string_view text, const std::string& path) {
     while (lines.next(line)) {
       table.rows.push_back(parse_row(line, table.columns));
       table.lines.push_back(lines.number());
-      if (table.rows.size() > most_rows) {
-        throw Error("there are more than " + std::to_string(most_rows) + " rows");
+      if (table.rows.size() > max_rows) {
+        throw Error("there are more than " + std::to_string(max_rows) + " rows");
       }
     }
   } catch (const FileError&) {

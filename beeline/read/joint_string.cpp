@@ -82,9 +82,9 @@ Arm arm_from_joint_string(std::string_view text) {
   const std::size_t colon = text.find(':');
   const std::string_view letters = text.substr(0, colon);
   if (letters.empty()) throw Error("a joint string begins with its letters, as in RRR:3.5,3.5,2");
-  if (letters.size() > most_joints) {
+  if (letters.size() > max_joints) {
     throw Error("joint string " + printable(letters) + " has " + std::to_string(letters.size()) +
-                " letters; at most " + std::to_string(most_joints) + " are read");
+                " letters; at most " + std::to_string(max_joints) + " are read");
   }
   std::vector<Item> items;
   if (colon == std::string_view::npos) {

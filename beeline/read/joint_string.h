@@ -20,7 +20,7 @@ namespace beeline {
 bool is_joint_string(std::string_view text);
 
 /// The arm, named by its string. Throws Error for an unknown letter, a wrong count of items, an
-/// item that cannot be read, or more than `most_joints` letters.
+/// item that cannot be read, or more than `max_joints` letters.
 Arm arm_from_joint_string(std::string_view text);
 
 }  // namespace beeline

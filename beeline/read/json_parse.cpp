@@ -10,8 +10,8 @@ namespace beeline {
 namespace {
 
 constexpr std::size_t deepest = 64;
-constexpr std::size_t most_values = 8'000'000;
-constexpr std::size_t most_keys = 32;  // our formats have ten; the search for twins is square
+constexpr std::size_t max_values = 8'000'000;
+constexpr std::size_t max_keys = 32;  // our formats have ten; the search for twins is square
 
 /// Reads a text and knows the line of the last character read. A line break counts only when what
 /// follows it is read, because the end of a number is known one character late.
@@ -77,7 +77,7 @@ class Builder {
     for (const auto& [name, value] : members) {
       if (name == key) refuse("the key " + in_quotes(key) + " stands there twice");
     }
-    if (members.size() == most_keys) refuse("an object has more than 32 keys");
+    if (members.size() == max_keys) refuse("an object has more than 32 keys");
     members.push_back({std::move(key), {}});
     return true;
   }
@@ -101,7 +101,7 @@ class Builder {
 
   template <typename Value>
   Json& add(Value&& value) {
-    if (++count_ > most_values) refuse("holds more than 8 million values");
+    if (++count_ > max_values) refuse("holds more than 8 million values");
     Json* place = &root_;
     if (!open_.empty()) {
       auto& parent = open_.back()->value;

@@ -78,7 +78,7 @@ Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnd
     joints.push_back(moving_joint(file, urdf, fixed));
     fixed = Pose::Identity();
   }
-  if (joints.empty() || joints.size() > most_joints) {
+  if (joints.empty() || joints.size() > max_joints) {
     throw FileError(path, 0,
                     "has " + std::string(joints.empty() ? "no" : "more than 10000") +
                         " moving joints between its base and its tip");

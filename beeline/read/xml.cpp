@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t largest_xml = std::size_t{8} << 20;
 
 /// The parser compares every attribute of a tag with all before it; no tag of ours has ten.
-constexpr int most_attributes = 100;
+constexpr int max_attributes = 100;
 
 /// Where the tag that starts at `at` ends; counts its attributes on the way.
 std::size_t end_of_tag(std::string_view text, std::size_t at, int& attributes) {
@@ -39,7 +39,7 @@ std::size_t find_crowded_tag(std::string_view text) {
     }
     int attributes = 0;
     const std::size_t end = end_of_tag(text, at, attributes);
-    if (attributes > most_attributes) return at;
+    if (attributes > max_attributes) return at;
     at = end;
   }
   return std::string_view::npos;

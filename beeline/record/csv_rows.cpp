@@ -13,7 +13,7 @@
 namespace beeline {
 namespace {
 
-constexpr std::size_t most_text = 25;  // of a number with its comma: -2.2250738585072014e-308,
+constexpr std::size_t max_text = 25;  // of a number with its comma: -2.2250738585072014e-308,
 
 std::size_t longest_line(const RowForms& forms) {
   std::size_t width = 0;
@@ -210,7 +210,7 @@ void CsvWriter::write(const Eigen::Ref<const Eigen::MatrixXd>& block) {
   const auto start = [&](Eigen::Index i) { return block.cols() * i / parts; };
   for (Eigen::Index i = 0; i < parts; ++i) {  // here, as a thread could not say that memory ran out
     const auto numbers = static_cast<std::size_t>((start(i + 1) - start(i)) * block.rows());
-    texts_[i].resize(numbers * most_text);
+    texts_[i].resize(numbers * max_text);
   }
   const auto part = [&](Eigen::Index i) { format(block, start(i), start(i + 1), texts_[i]); };
   {

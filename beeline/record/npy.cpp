@@ -72,12 +72,12 @@ class Literals {
 };
 
 std::vector<std::int64_t> parse_shape(Literals& literals) {
-  constexpr std::size_t most_dimensions = 32;  // numpy's own limit for long
+  constexpr std::size_t max_dimensions = 32;  // numpy's own limit for long
   std::vector<std::int64_t> shape;
   literals.need("(");
   while (!literals.take(")")) {
     shape.push_back(literals.count());
-    if (shape.size() > most_dimensions) throw Error("its header's shape has too many dimensions");
+    if (shape.size() > max_dimensions) throw Error("its header's shape has too many dimensions");
     if (literals.take(",")) continue;
     literals.need(")");
     break;

@@ -35,11 +35,11 @@ class Passes {
     prepare();
   }
 
-  double most(std::size_t k) const { return most_[k]; }
+  double most(std::size_t k) const { return max_[k]; }
 
   SquaredSpeeds begins(std::size_t k, const SquaredSpeeds& ends) {
     polygon_.go_to(k * strips_of_a_step());
-    return polygon_.begins(ends, most_[k]);
+    return polygon_.begins(ends, max_[k]);
   }
 
   double furthest_end(std::size_t k, double x, const SquaredSpeeds& ends) {
@@ -50,10 +50,10 @@ class Passes {
   /// From here on the limits of velocity count as lower by this factor.
   void slow_down(double factor) {
     slowness_ *= factor;
-    const double begin = most_.front(), end = most_.back();  // the speeds asked for there stay
+    const double begin = max_.front(), end = max_.back();  // the speeds asked for there stay
     prepare();
-    most_.front() = begin;
-    most_.back() = end;
+    max_.front() = begin;
+    max_.back() = end;
   }
 
   /// The largest share of a velocity limit between the places at which the strips keep it.
@@ -82,11 +82,11 @@ class Passes {
 
   void prepare() {
     const double fastest = squared((path_.s.back() - path_.s.front()) / shortest_duration);
-    most_.resize(path_.size());
+    max_.resize(path_.size());
     for (std::size_t k = 0; k < path_.size(); ++k) {
       double slowest = path_.dq[k].cwiseAbs().cwiseProduct(slowness_).maxCoeff();
       if (!limits_.speed.empty()) slowest = std::max(slowest, 1 / limits_.speed[k]);
-      most_[k] = std::min(fastest, 1 / squared(slowest));
+      max_[k] = std::min(fastest, 1 / squared(slowest));
     }
     strips_.along.resize((path_.size() - 1) * strips_of_a_step());
     strips_.across.resize(strips_.along.size());
@@ -131,7 +131,7 @@ class Passes {
   Configuration slowness_;  ///< inverses of the limits of velocity
   Strips strips_;           ///< of all steps
   StepPolygon polygon_;
-  std::vector<double> most_;
+  std::vector<double> max_;
 };
 
 /// Both passes, into b: the squared speeds at the grid points. Returns why there are none; empty
@@ -168,27 +168,28 @@ std::string squared_speeds(const JointPath& path, const EndSpeeds& ends, Passes&
   return {};
 }
 
-/// The squared speeds of the grid points as a law, slower by a factor.
-PathLaw timed(const JointPath& path, const std::vector<double>& b, double slower) {
+/// The squared speeds of the grid points as a scaling, slower by a factor.
+TimeScaling timed(const JointPath& path, const std::vector<double>& b, double slower) {
   const std::size_t points = path.size();
-  PathLaw law;
-  law.s = path.s;
-  law.t.resize(points);
-  law.speed.resize(points);
-  law.acceleration.resize(points);
+  TimeScaling scaling;
+  scaling.s = path.s;
+  scaling.t.resize(points);
+  scaling.speed.resize(points);
+  scaling.acceleration.resize(points);
   double before = 0;
   for (std::size_t k = 0; k < points; ++k) {
-    law.speed[k] = std::sqrt(b[k]) / slower;
+    scaling.speed[k] = std::sqrt(b[k]) / slower;
     if (k > 0) {
-      law.t[k] = law.t[k - 1] + 2 * (path.s[k] - path.s[k - 1]) / (law.speed[k - 1] + law.speed[k]);
+      scaling.t[k] = scaling.t[k - 1] +
+                     2 * (path.s[k] - path.s[k - 1]) / (scaling.speed[k - 1] + scaling.speed[k]);
     }
     const bool last = k + 1 == points;
     const double after =
         last ? before : 0.5 * (b[k + 1] - b[k]) / (path.s[k + 1] - path.s[k]) / squared(slower);
-    law.acceleration[k] = k == 0 ? after : 0.5 * (before + after);
+    scaling.acceleration[k] = k == 0 ? after : 0.5 * (before + after);
     before = after;
   }
-  return law;
+  return scaling;
 }
 
 void check(const JointPath& path, const PathLimits& limits, const EndSpeeds& ends) {
@@ -202,7 +203,7 @@ void check(const JointPath& path, const PathLimits& limits, const EndSpeeds& end
 
 }  // namespace
 
-PathLaw fastest(const JointPath& path, const PathLimits& limits, const EndSpeeds& ends) {
+TimeScaling fastest(const JointPath& path, const PathLimits& limits, const EndSpeeds& ends) {
   check(path, limits, ends);
   Passes passes(path, limits);
   std::vector<double> b;
@@ -216,7 +217,7 @@ PathLaw fastest(const JointPath& path, const PathLimits& limits, const EndSpeeds
     reason = squared_speeds(path, ends, passes, b);
   }
   if (reason.empty()) return timed(path, b, 1);
-  PathLaw none;
+  TimeScaling none;
   none.reason = std::move(reason);
   return none;
 }

@@ -19,6 +19,6 @@ struct EndSpeeds {
 /// Where nothing moves, the path takes a millisecond in all or more. No law, with the reason, where
 /// the speeds at the ends are too high. Throws Error for a path, limits or speeds that make no
 /// sense.
-PathLaw fastest(const JointPath& path, const PathLimits& limits, const EndSpeeds& ends = {});
+TimeScaling fastest(const JointPath& path, const PathLimits& limits, const EndSpeeds& ends = {});
 
 }  // namespace beeline

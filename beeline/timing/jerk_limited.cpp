@@ -21,11 +21,11 @@ constexpr double distinct = 0.05;        // of a step: knots nearer to a grid po
 constexpr double rough = 1.02;           // times slower: for what the clock gets more knots
 constexpr double kept = 1.003;           // times slower: what steps with enough knots break limits
 constexpr int pieces = 4;                // of a step with too few
-constexpr int most_attempts = 5;         // with more and more knots
-constexpr double slow = 1.3;             // of the fastest law's duration: what stops may better
+constexpr int max_attempts = 5;          // with more and more knots
+constexpr double slow = 1.3;             // of the fastest scaling's duration: what stops may better
 constexpr double shallowest = 0.25;      // of the speed on both sides, where a stop may do good
 constexpr double alike = 2;              // times: two such shares
-constexpr int most_halvings = 8;
+constexpr int max_halvings = 8;
 
 /// Where the path makes the jerk jump, as the clock can follow that at its knots; in between times
 /// a like way apart.
@@ -52,33 +52,33 @@ std::vector<double> knots_for(const QuinticMotion& motion) {
 }
 
 /// The clock that makes the motion quick.
-ClockSpline quick_clock(QuinticMotion& motion, std::vector<double> knots) {
-  ClockSpline clock(std::move(knots));
-  ClockProblem problem(clock, motion.limits().acceleration, motion.limits().jerk);
+SquaredRateSpline quick_clock(QuinticMotion& motion, std::vector<double> knots) {
+  SquaredRateSpline clock(std::move(knots));
+  DurationProblem problem(clock, motion.limits().acceleration, motion.limits().jerk);
   double most = 1;
   for (std::size_t k = 0; k < problem.moments().size(); ++k) {
-    const ClockMoment& moment = motion.at(problem.moments()[k]);
+    const MotionSample& moment = motion.at(problem.moments()[k]);
     most = std::max(most, moment.inverse_most);
     problem.set(k, moment);
   }
   clock.coefficients.setConstant(room / most);
-  hasten(clock, problem);
+  minimise_duration(clock, problem);
   return clock;
 }
 
 /// By what factor the clock must be slower in each of its steps so that the limits are kept between
 /// the moments of its problem as well, and on both sides of the path's grid points.
-std::vector<double> slower(QuinticMotion& motion, const ClockSpline& clock) {
+std::vector<double> slower(QuinticMotion& motion, const SquaredRateSpline& clock) {
   const PathLimits& limits = motion.limits();
   std::vector<double> factors(clock.steps());
   auto passed = motion.times().begin();
   for (std::size_t k = 0; k < clock.steps(); ++k) {
     const double begin = clock.knots()[k], length = clock.knots()[k + 1] - begin;
-    const ClockRate first = clock.begin_of(k);
+    const SquaredRate first = clock.begin_of(k);
     double velocity = 1, acceleration = 1, jerk = 1;
     const auto look_at = [&](double t) {
-      const ClockMoment& moment = motion.at(t);
-      const ClockRate rate = first.after(t - begin);
+      const MotionSample& moment = motion.at(t);
+      const SquaredRate rate = first.after(t - begin);
       if (!(rate.b > 0)) velocity = Limits::none;  // a clock that stops is none
       const double root = std::sqrt(rate.b);
       velocity = std::max(velocity, rate.b * moment.inverse_most);
@@ -103,7 +103,7 @@ std::vector<double> slower(QuinticMotion& motion, const ClockSpline& clock) {
 }
 
 /// More knots for the clock, around its steps that break a limit.
-std::vector<double> closer(const ClockSpline& clock, const std::vector<double>& factors) {
+std::vector<double> closer(const SquaredRateSpline& clock, const std::vector<double>& factors) {
   std::vector<double> knots{0};
   for (std::size_t k = 0; k < clock.steps(); ++k) {
     const auto near = factors.begin() + std::ptrdiff_t(k);
@@ -123,7 +123,7 @@ struct Place {
 };
 
 /// The path's grid points and the clock's knots, in order.
-std::vector<Place> places_of(const QuinticMotion& motion, const ClockSpline& clock) {
+std::vector<Place> places_of(const QuinticMotion& motion, const SquaredRateSpline& clock) {
   std::vector<Place> all;
   const std::vector<double>& times = motion.times();
   const std::vector<double>& knots = clock.knots();
@@ -142,18 +142,18 @@ std::vector<Place> places_of(const QuinticMotion& motion, const ClockSpline& clo
 }
 
 /// The seconds that the clock takes for some of the motion's time: Gauss's rule of three points.
-double seconds(const ClockRate& first, double from, double to) {
+double seconds(const SquaredRate& first, double from, double to) {
   const double half = 0.5 * (to - from), middle = 0.5 * (from + to), aside = std::sqrt(0.6) * half;
   const auto pace = [&](double t) { return 1 / std::sqrt(first.after(t).b); };
   return half / 9 * (5 * pace(middle - aside) + 8 * pace(middle) + 5 * pace(middle + aside));
 }
 
-PathLaw law_of(QuinticMotion& motion, const ClockSpline& clock, double factor) {
-  PathLaw law;
-  law.smooth = true;
+TimeScaling law_of(QuinticMotion& motion, const SquaredRateSpline& clock, double factor) {
+  TimeScaling scaling;
+  scaling.smooth = true;
   const std::vector<double>& knots = clock.knots();
   std::size_t k = 0;
-  ClockRate first = clock.begin_of(0);
+  SquaredRate first = clock.begin_of(0);
   double time = 0, before = 0;
   for (const auto& [t, s] : places_of(motion, clock)) {
     for (; k + 1 < clock.steps() && knots[k + 1] <= t; before = knots[++k]) {
@@ -163,36 +163,36 @@ PathLaw law_of(QuinticMotion& motion, const ClockSpline& clock, double factor) {
     time += seconds(first, before - knots[k], t - knots[k]);
     before = t;
     const JointState state = motion.along(t);
-    const ClockRate rate = first.after(t - knots[k]);
-    law.s.push_back(s);
-    law.t.push_back(time * factor);
-    law.speed.push_back(state.velocity * std::sqrt(rate.b) / factor);
-    law.acceleration.push_back((state.acceleration * rate.b + 0.5 * state.velocity * rate.slope) /
-                               (factor * factor));
+    const SquaredRate rate = first.after(t - knots[k]);
+    scaling.s.push_back(s);
+    scaling.t.push_back(time * factor);
+    scaling.speed.push_back(state.velocity * std::sqrt(rate.b) / factor);
+    scaling.acceleration.push_back(
+        (state.acceleration * rate.b + 0.5 * state.velocity * rate.slope) / (factor * factor));
   }
-  return law;
+  return scaling;
 }
 
 /// The quickest that one clock for the whole path finds, where it breaks limits with more knots
 /// there, so that the whole need not be slowed down for it.
-PathLaw without_a_stop(const JointPath& path, const PathLimits& limits) {
-  PathLaw best = scalar_law(ScalarForm::quintic, path, limits);
+TimeScaling without_a_stop(const JointPath& path, const PathLimits& limits) {
+  TimeScaling best = scalar_profile(ScalarForm::quintic, path, limits);
   QuinticMotion motion(path, limits, best);
   std::vector<double> knots = knots_for(motion);
-  for (int left = most_attempts; left > 0; --left) {
-    const ClockSpline clock = quick_clock(motion, std::move(knots));
+  for (int left = max_attempts; left > 0; --left) {
+    const SquaredRateSpline clock = quick_clock(motion, std::move(knots));
     const std::vector<double> factors = slower(motion, clock);
     const double factor = *std::max_element(factors.begin(), factors.end());
-    PathLaw law = law_of(motion, clock, factor);
-    if (law.duration() < best.duration()) best = std::move(law);
+    TimeScaling scaling = law_of(motion, clock, factor);
+    if (scaling.duration() < best.duration()) best = std::move(scaling);
     if (factor < rough) break;
     knots = closer(clock, factors);
   }
   return best;
 }
 
-/// The point at which a stop costs little, as a law is slow there and quicker on both sides: of the
-/// valleys of its speed that are nearly as deep as the deepest, the one nearest to the middle,
+/// The point at which a stop costs little, as a scaling is slow there and quicker on both sides: of
+/// the valleys of its speed that are nearly as deep as the deepest, the one nearest to the middle,
 /// which leaves the fewest points to both parts. 0: there is none.
 std::size_t tightest(const std::vector<double>& speed) {
   const std::size_t points = speed.size();
@@ -230,42 +230,42 @@ Part part_of(const JointPath& path, const PathLimits& limits, std::size_t from, 
   return part;
 }
 
-void append(PathLaw& law, const PathLaw& next) {
-  const double begin = law.duration();
+void append(TimeScaling& scaling, const TimeScaling& next) {
+  const double begin = scaling.duration();
   for (std::size_t k = 1; k < next.s.size(); ++k) {
-    law.s.push_back(next.s[k]);
-    law.t.push_back(begin + next.t[k]);
-    law.speed.push_back(next.speed[k]);
-    law.acceleration.push_back(next.acceleration[k]);
+    scaling.s.push_back(next.s[k]);
+    scaling.t.push_back(begin + next.t[k]);
+    scaling.speed.push_back(next.speed[k]);
+    scaling.acceleration.push_back(next.acceleration[k]);
   }
 }
 
-/// The quicker of the law without a stop and, where that is slow as the path has a tight spot, of
-/// those of both parts that meet at rest there: each again with stops, but for `halvings` times.
-PathLaw with_stops(const JointPath& path, const PathLimits& limits, int halvings) {
-  PathLaw law = without_a_stop(path, limits);
-  if (halvings == 0 || tightest(law.speed) == 0) return law;
-  const PathLaw quickest = fastest(path, limits);
-  if (law.duration() < slow * quickest.duration()) return law;
+/// The quicker of the scaling without a stop and, where that is slow as the path has a tight spot,
+/// of those of both parts that meet at rest there: each again with stops, but for `halvings` times.
+TimeScaling with_stops(const JointPath& path, const PathLimits& limits, int halvings) {
+  TimeScaling scaling = without_a_stop(path, limits);
+  if (halvings == 0 || tightest(scaling.speed) == 0) return scaling;
+  const TimeScaling quickest = fastest(path, limits);
+  if (scaling.duration() < slow * quickest.duration()) return scaling;
   const std::size_t stop = tightest(quickest.speed);
-  if (stop == 0) return law;
+  if (stop == 0) return scaling;
   const Part first = part_of(path, limits, 0, stop);
   const Part second = part_of(path, limits, stop, path.size() - 1);
-  PathLaw both = with_stops(first.path, first.limits, halvings - 1);
-  if (both.duration() > law.duration()) return law;
+  TimeScaling both = with_stops(first.path, first.limits, halvings - 1);
+  if (both.duration() > scaling.duration()) return scaling;
   append(both, with_stops(second.path, second.limits, halvings - 1));
-  return both.duration() < law.duration() ? both : law;
+  return both.duration() < scaling.duration() ? both : scaling;
 }
 
 }  // namespace
 
-PathLaw jerk_limited(const JointPath& path, const PathLimits& limits) {
+TimeScaling jerk_limited(const JointPath& path, const PathLimits& limits) {
   check_path(path);
   check_limits(limits, path);
   if (!limits.jerk.array().isFinite().any()) {
-    throw Error("a law that keeps limits of jerk needs some: none of the joints has one");
+    throw Error("a scaling that keeps limits of jerk needs some: none of the joints has one");
   }
-  return with_stops(path, limits, most_halvings);
+  return with_stops(path, limits, max_halvings);
 }
 
 }  // namespace beeline

@@ -16,6 +16,6 @@ namespace beeline {
 /// rest there, if that is quicker. A local optimum up to about a thousandth without a tight spot,
 /// never slower than the quintic.
 /// Throws Error for a path or limits that make no sense, and without any limit of jerk.
-PathLaw jerk_limited(const JointPath& path, const PathLimits& limits);
+TimeScaling jerk_limited(const JointPath& path, const PathLimits& limits);
 
 }  // namespace beeline

@@ -7,7 +7,7 @@
 namespace beeline {
 namespace {
 
-constexpr double most_samples = 1e7;
+constexpr double max_samples = 1e7;
 
 void check_limits(std::span<const Limits> limits) {
   for (std::size_t k = 0; k < limits.size(); ++k) {
@@ -44,20 +44,20 @@ Limits with_velocity(Limits limits) {
   return limits;
 }
 
-void follow_own_laws(std::span<const Limits> limits, PointToPoint& motion) {
+void set_own_curves(std::span<const Limits> limits, PointToPoint& motion) {
   motion.duration = 0;
   for (std::size_t k = 0; k < limits.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    motion.laws[k] = s_curve(motion.to[i] - motion.from[i], with_velocity(limits[k]));
-    motion.duration = std::max(motion.duration, motion.laws[k].duration);
+    motion.curves[k] = s_curve(motion.to[i] - motion.from[i], with_velocity(limits[k]));
+    motion.duration = std::max(motion.duration, motion.curves[k].duration);
   }
-  for (SCurve& law : motion.laws) law = stretched(law, motion.duration);
+  for (SCurve& curve : motion.curves) curve = stretched(curve, motion.duration);
 }
 
-/// The law of a joint that goes `share` of the way of `law`, either way round.
-SCurve share_of(const SCurve& law, double share) {
-  SCurve part = law;
-  if (share == 0) return {.duration = law.duration};
+/// The curve of a joint that goes `share` of the way of `curve`, either way round.
+SCurve share_of(const SCurve& curve, double share) {
+  SCurve part = curve;
+  if (share == 0) return {.duration = curve.duration};
   part.distance *= share;
   part.velocity *= share;
   part.acceleration *= share;
@@ -66,7 +66,7 @@ SCurve share_of(const SCurve& law, double share) {
 }
 
 /// The farthest joint's way is followed, with limits that hold the others to theirs.
-void follow_one_law(std::span<const Limits> limits, PointToPoint& motion) {
+void set_one_curve(std::span<const Limits> limits, PointToPoint& motion) {
   const Eigen::Index joints = motion.from.size();
   double farthest = 0;
   for (Eigen::Index k = 0; k < joints; ++k) {
@@ -81,13 +81,13 @@ void follow_one_law(std::span<const Limits> limits, PointToPoint& motion) {
     tightest.acceleration = std::min(tightest.acceleration, limit.acceleration / share);
     tightest.jerk = std::min(tightest.jerk, limit.jerk / share);
   }
-  const SCurve law = s_curve(farthest, tightest);
-  motion.duration = law.duration;
+  const SCurve curve = s_curve(farthest, tightest);
+  motion.duration = curve.duration;
   for (std::size_t k = 0; k < limits.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     const double way = motion.to[i] - motion.from[i];
-    motion.laws[k] = share_of(law, way == 0 ? 0 : way / farthest);
-    motion.laws[k].distance = way;
+    motion.curves[k] = share_of(curve, way == 0 ? 0 : way / farthest);
+    motion.curves[k].distance = way;
   }
 }
 
@@ -101,9 +101,9 @@ void plan(std::span<const Limits> limits, const ConfigurationRef& from, const Co
     motion.from[k] = begin;
     motion.to[k] = end;
   }
-  motion.laws.resize(limits.size());
-  if (options.synchronise == Synchronise::straight) return follow_one_law(limits, motion);
-  follow_own_laws(limits, motion);
+  motion.curves.resize(limits.size());
+  if (options.synchronise == Synchronise::straight) return set_one_curve(limits, motion);
+  set_own_curves(limits, motion);
 }
 
 }  // namespace
@@ -146,8 +146,8 @@ void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
   }
   const bool first_half = t <= motion.duration / 2;
   for (Eigen::Index k = 0; k < joints; ++k) {
-    const SCurve& law = motion.laws[k];
-    const JointState state = before_the_middle(law, first_half ? t : motion.duration - t);
+    const SCurve& curve = motion.curves[k];
+    const JointState state = before_the_middle(curve, first_half ? t : motion.duration - t);
     q[k] = first_half ? motion.from[k] + state.position : motion.to[k] - state.position;
     velocity[k] = state.velocity;
     acceleration[k] = first_half ? state.acceleration : -state.acceleration;
@@ -158,7 +158,7 @@ Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate) {
   check_configuration(arm, motion.from);
   if (!(rate > 0)) throw Error("the rate is " + number(rate) + " a second; it must be above zero");
   const double steps = motion.duration * rate;
-  if (!(steps < most_samples)) {
+  if (!(steps < max_samples)) {
     throw Error(number(motion.duration) + " s at " + number(rate) +
                 " samples a second are too many samples; lower the rate");
   }

@@ -10,20 +10,20 @@ namespace beeline {
 
 /// What the joints that could be quicker do, so that all begin and end together.
 enum class Synchronise {
-  time,      ///< each follows its own law, stretched to the slowest joint's duration
-  straight,  ///< all follow one law, in proportion: a straight line in joint space
+  time,      ///< each follows its own curve, stretched to the slowest joint's duration
+  straight,  ///< all follow one curve, in proportion: a straight line in joint space
 };
 
 struct PointToPointOptions {
   Synchronise synchronise = Synchronise::time;
 };
 
-/// A motion of all joints from rest to rest, each with a law from s_curve.h.
+/// A motion of all joints from rest to rest, each with a curve from s_curve.h.
 struct PointToPoint {
   Configuration from;  ///< radians, metres
   Configuration to;
-  std::vector<SCurve> laws;  ///< one for each coordinate, all of the same duration
-  double duration = 0;       ///< seconds
+  std::vector<SCurve> curves;  ///< one for each coordinate, all of the same duration
+  double duration = 0;         ///< seconds
 };
 
 /// The quickest motion that keeps the limits on velocity, acceleration and jerk. For `time` it

@@ -13,12 +13,12 @@
 namespace beeline {
 namespace {
 
-constexpr const char* law_names[] = {"fastest", "jerk", "trapezoidal", "quintic", "s-curve"};
+constexpr const char* profile_names[] = {"fastest", "jerk", "trapezoidal", "quintic", "s-curve"};
 
 constexpr double repeated = 1e-12;     // radians, metres: positions as near as that are one
 constexpr double standing = 1e-9;      // of the largest velocity
 constexpr double longest_gap = 0.005;  // of a stretch's duration, between its samples
-constexpr double most_samples = 1e6;
+constexpr double max_samples = 1e6;
 constexpr double slowest_tool = 1e-9;  // metres per second
 
 /// The positions between the stops, which end one stretch and begin the next.
@@ -69,23 +69,23 @@ Tool tool_at(const Arm& arm, const Configuration& q, const Configuration& dq, Ja
   return {pose.translation(), columns.topRows<3>() * dq};
 }
 
-PathLaw law_along(const JointPath& path, const PathLimits& limits, Law law) {
-  switch (law) {
-    case Law::jerk:
+TimeScaling scaling_along(const JointPath& path, const PathLimits& limits, Profile profile) {
+  switch (profile) {
+    case Profile::jerk:
       return jerk_limited(path, limits);
-    case Law::trapezoidal:
-      return scalar_law(ScalarForm::trapezoidal, path, limits);
-    case Law::quintic:
-      return scalar_law(ScalarForm::quintic, path, limits);
-    case Law::s_curve:
-      return scalar_law(ScalarForm::s_curve, path, limits);
-    case Law::fastest:
+    case Profile::trapezoidal:
+      return scalar_profile(ScalarForm::trapezoidal, path, limits);
+    case Profile::quintic:
+      return scalar_profile(ScalarForm::quintic, path, limits);
+    case Profile::s_curve:
+      return scalar_profile(ScalarForm::s_curve, path, limits);
+    case Profile::fastest:
       break;
   }
   return fastest(path, limits);
 }
 
-void check(const Arm& arm, const RetimeOptions& options, Law law) {
+void check(const Arm& arm, const RetimeOptions& options, Profile profile) {
   if (!(options.tool_speed >= slowest_tool)) {
     throw Error("the tool's speed must be " + number(slowest_tool) + " m/s at least, not " +
                 number(options.tool_speed) + " m/s");
@@ -93,27 +93,28 @@ void check(const Arm& arm, const RetimeOptions& options, Law law) {
   if (!(options.rate >= 0) || !std::isfinite(options.rate)) {
     throw Error("the rate must be above zero, not " + number(options.rate) + " samples a second");
   }
-  if (law == Law::jerk && default_law(arm) != Law::jerk) {
-    throw Error("law jerk needs an arm with limits of jerk; " + arm.name() +
-                " has none: give it some, or ask for law fastest or s-curve");
+  if (profile == Profile::jerk && default_profile(arm) != Profile::jerk) {
+    throw Error("profile jerk needs an arm with limits of jerk; " + arm.name() +
+                " has none: give it some, or ask for profile fastest or s-curve");
   }
 }
 
-/// By what factor the trajectory must be slower: samples may show what the law's own check, at
+/// By what factor the trajectory must be slower: samples may show what the profile's own check, at
 /// other places, has not seen.
 double slower(const Retimed& timed, const RetimeOptions& options) {
-  const double share = options.speed_limit;
-  double factor = std::max({1.0, timed.limits.velocity.share / share,
-                            std::sqrt(timed.limits.acceleration.share) / share,
+  const double fraction = options.speed_limit;
+  double factor = std::max({1.0, timed.limits.velocity.fraction / fraction,
+                            std::sqrt(timed.limits.acceleration.fraction) / fraction,
                             timed.tool_speed / options.tool_speed});
-  if (keeps_jerk(timed.law)) factor = std::max(factor, std::cbrt(timed.limits.jerk.share) / share);
+  if (keeps_jerk(timed.profile))
+    factor = std::max(factor, std::cbrt(timed.limits.jerk.fraction) / fraction);
   return factor;
 }
 
 void check_rate(const RetimeOptions& options, double duration) {
   const double rate = options.rate, fewest = options.fewest_steps;
-  if (rate * duration > most_samples) {
-    throw Error(number(rate) + " samples a second make more than " + number(most_samples) + " in " +
+  if (rate * duration > max_samples) {
+    throw Error(number(rate) + " samples a second make more than " + number(max_samples) + " in " +
                 number(duration) + " s");
   }
   if (rate > 0 && rate * duration < fewest) {
@@ -123,10 +124,10 @@ void check_rate(const RetimeOptions& options, double duration) {
   }
 }
 
-void slow_down(PathLaw& law, double factor) {
-  for (double& t : law.t) t *= factor;
-  for (double& v : law.speed) v /= factor;
-  for (double& a : law.acceleration) a /= factor * factor;
+void slow_down(TimeScaling& scaling, double factor) {
+  for (double& t : scaling.t) t *= factor;
+  for (double& v : scaling.speed) v /= factor;
+  for (double& a : scaling.acceleration) a /= factor * factor;
 }
 
 Trajectory sampled(const Arm& arm, const std::vector<TimedPath>& motions, double rate,
@@ -136,7 +137,7 @@ Trajectory sampled(const Arm& arm, const std::vector<TimedPath>& motions, double
     trajectory = at_rate(motions, rate, ways);
   } else {
     for (const TimedPath& motion : motions) {
-      append_points(trajectory, motion, longest_gap * motion.law.duration());
+      append_points(trajectory, motion, longest_gap * motion.scaling.duration());
     }
   }
   trajectory.joint_names = arm.joint_names();
@@ -145,7 +146,7 @@ Trajectory sampled(const Arm& arm, const std::vector<TimedPath>& motions, double
 
 void measure(const Arm& arm, Retimed& timed) {
   const auto& [names, t, q, v, a] = timed.trajectory;
-  timed.limits = limit_check(timed.trajectory, arm);
+  timed.limits = limit_usage(timed.trajectory, arm);
   timed.tool_speed = 0;
   Jacobian columns(6, arm.dof());
   Vector3 before = Vector3::Zero();
@@ -174,7 +175,7 @@ void settle(const Arm& arm, Retimed& timed, std::vector<TimedPath>& motions,
     const double left = slower(timed, options) - 1;
     if (!(left > rounding)) return;
     const double step = std::max(1.1 * left, std::min(more * left, excess));
-    for (TimedPath& motion : motions) slow_down(motion.law, 1 + step);
+    for (TimedPath& motion : motions) slow_down(motion.scaling, 1 + step);
     excess += (1 + excess) * step;
   }
   throw Error("no samples were found that keep the limits at " + number(options.rate) +
@@ -183,20 +184,23 @@ void settle(const Arm& arm, Retimed& timed, std::vector<TimedPath>& motions,
 
 }  // namespace
 
-bool keeps_jerk(Law law) { return law != Law::fastest && law != Law::trapezoidal; }
-
-std::string name(Law law) { return law_names[static_cast<int>(law)]; }
-
-Law law_named(const std::string& name) {
-  const std::vector<std::string> names(std::begin(law_names), std::end(law_names));
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) throw unknown_name("law", name, names);
-  return static_cast<Law>(found - names.begin());
+bool keeps_jerk(Profile profile) {
+  return profile != Profile::fastest && profile != Profile::trapezoidal;
 }
 
-Law default_law(const Arm& arm) {
+std::string name(Profile profile) { return profile_names[static_cast<int>(profile)]; }
+
+Profile profile_named(const std::string& name) {
+  const std::vector<std::string> names(std::begin(profile_names), std::end(profile_names));
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) throw unknown_name("profile", name, names);
+  return static_cast<Profile>(found - names.begin());
+}
+
+Profile default_profile(const Arm& arm) {
   const auto has_jerk = [](const Limits& limits) { return limits.jerk < Limits::none; };
-  return std::any_of(arm.limits().begin(), arm.limits().end(), has_jerk) ? Law::jerk : Law::fastest;
+  return std::any_of(arm.limits().begin(), arm.limits().end(), has_jerk) ? Profile::jerk
+                                                                         : Profile::fastest;
 }
 
 void check_moves(const Trajectory& trajectory) {
@@ -213,8 +217,8 @@ void check_moves(const Trajectory& trajectory) {
 
 Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& options) {
   Retimed timed;
-  timed.law = options.law.value_or(default_law(arm));
-  check(arm, options, timed.law);
+  timed.profile = options.profile.value_or(default_profile(arm));
+  check(arm, options, timed.profile);
   const Trajectory trajectory = matched_to(arm, recorded);
   PathLimits limits = path_limits(arm, options.speed_limit);
   check_moves(trajectory);
@@ -231,10 +235,10 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
       const Tool tool = tool_at(arm, motion.path.q[k], motion.path.dq[k], columns);
       limits.speed.push_back(options.tool_speed / tool.velocity.norm());
     }
-    motion.law = law_along(motion.path, limits, timed.law);
-    timed.reason = motion.law.reason;
+    motion.scaling = scaling_along(motion.path, limits, timed.profile);
+    timed.reason = motion.scaling.reason;
     if (!timed.found()) return timed;
-    duration += motion.law.duration();
+    duration += motion.scaling.duration();
   }
   check_rate(options, duration);
   timed.stretches = motions.size();

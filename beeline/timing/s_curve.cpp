@@ -31,9 +31,9 @@ SCurve s_curve(double distance, const Limits& limits) {
   if (!(d < Limits::none && v > 0 && a > 0 && j > 0)) refuse(distance, limits);
   if (d == 0) return {};
 
-  SCurve law{.distance = distance, .velocity = v, .acceleration = a, .jerk = j};
-  double& tj = law.jerk_time;
-  double& ta = law.acceleration_time;
+  SCurve curve{.distance = distance, .velocity = v, .acceleration = a, .jerk = j};
+  double& tj = curve.jerk_time;
+  double& ta = curve.acceleration_time;
   const double to_limit = j == Limits::none ? 0 : a / j;  // till the acceleration is at its limit
 
   // Up to the velocity limit: v = j tj (tj + ta), over v (2 tj + ta) both ways together.
@@ -42,44 +42,44 @@ SCurve s_curve(double distance, const Limits& limits) {
     ta = v / a - to_limit;
   } else {  // also where neither v nor a is limited
     tj = std::sqrt(v / j);
-    law.acceleration = j * tj;
+    curve.acceleration = j * tj;
   }
   const double both_ramps = v * (2 * tj + ta);
   if (d >= both_ramps) {
-    law.cruise_time = (d - both_ramps) / v;
+    curve.cruise_time = (d - both_ramps) / v;
   } else if (d / a < 2 * to_limit * to_limit) {  // d = 2 j tj^3
     tj = std::cbrt(d / j / 2);
     ta = 0;
-    law.acceleration = j * tj;
-    law.velocity = law.acceleration * tj;
+    curve.acceleration = j * tj;
+    curve.velocity = curve.acceleration * tj;
   } else {  // d = a (tj + ta) (2 tj + ta), solved for ta without a difference of like numbers
     tj = to_limit;
     const double root = std::sqrt(tj * tj + 4 * (d / a));
     const double tiny = std::numeric_limits<double>::min();  // where d / a has come down to zero
     ta = 2 * (d / a - 2 * tj * tj) / std::max(root + 3 * tj, tiny);
-    law.acceleration = a;
-    law.velocity = a * (tj + ta);
+    curve.acceleration = a;
+    curve.velocity = a * (tj + ta);
   }
-  law.duration = 4 * tj + 2 * ta + law.cruise_time;
-  if (!(law.duration < Limits::none && law.velocity < Limits::none)) refuse(distance, limits);
+  curve.duration = 4 * tj + 2 * ta + curve.cruise_time;
+  if (!(curve.duration < Limits::none && curve.velocity < Limits::none)) refuse(distance, limits);
   if (distance < 0) {
-    law.velocity = -law.velocity;
-    law.acceleration = -law.acceleration;
-    law.jerk = -law.jerk;
+    curve.velocity = -curve.velocity;
+    curve.acceleration = -curve.acceleration;
+    curve.jerk = -curve.jerk;
   }
-  return law;
+  return curve;
 }
 
-SCurve stretched(const SCurve& law, double duration) {
-  if (!(duration >= law.duration && duration < Limits::none)) {
-    throw Error("a motion of " + number(law.duration) + " s cannot be stretched to " +
+SCurve stretched(const SCurve& curve, double duration) {
+  if (!(duration >= curve.duration && duration < Limits::none)) {
+    throw Error("a motion of " + number(curve.duration) + " s cannot be stretched to " +
                 number(duration) + " s");
   }
-  SCurve slow = law;
+  SCurve slow = curve;
   slow.duration = duration;
-  if (law.duration == 0) return slow;
-  const double pace = law.duration / duration;  // velocities go with it
-  const double longer = duration / law.duration;
+  if (curve.duration == 0) return slow;
+  const double pace = curve.duration / duration;  // velocities go with it
+  const double longer = duration / curve.duration;
   slow.jerk_time *= longer;
   slow.acceleration_time *= longer;
   slow.cruise_time *= longer;
@@ -89,13 +89,13 @@ SCurve stretched(const SCurve& law, double duration) {
   return slow;
 }
 
-JointState at(const SCurve& law, double t) {
+JointState at(const SCurve& curve, double t) {
   if (std::isnan(t)) throw Error("a motion has no state at a time that is no number");
   if (t <= 0) return {};
-  if (t >= law.duration) return {law.distance, 0, 0, 0};
-  if (t <= law.duration / 2) return before_the_middle(law, t);
-  JointState state = before_the_middle(law, law.duration - t);
-  state.position = law.distance - state.position;
+  if (t >= curve.duration) return {curve.distance, 0, 0, 0};
+  if (t <= curve.duration / 2) return before_the_middle(curve, t);
+  JointState state = before_the_middle(curve, curve.duration - t);
+  state.position = curve.distance - state.position;
   state.acceleration = -state.acceleration;
   return state;
 }

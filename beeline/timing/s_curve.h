@@ -28,27 +28,28 @@ struct JointState {
   double jerk = 0;
 };
 
-/// The time-optimal law over `distance`, in closed form. Any limits may be infinite: without one on
-/// jerk the velocity is a trapezoid, without one on acceleration either a step. The limits on
+/// The time-optimal curve over `distance`, in closed form. Any limits may be infinite: without one
+/// on jerk the velocity is a trapezoid, without one on acceleration either a step. The limits on
 /// position play no part.
 /// Throws Error when the distance is not finite, a limit is not above zero, velocity, acceleration
 /// and jerk are all without limit, or the motion would take longer than a number can tell.
 SCurve s_curve(double distance, const Limits& limits);
 
 /// The same way in `duration` seconds: all phases longer in proportion, so that what kept its
-/// limits keeps them. Throws Error when the duration is shorter than the law's own, or not finite.
-SCurve stretched(const SCurve& law, double duration);
+/// limits keeps them. Throws Error when the duration is shorter than the curve's own, or not
+/// finite.
+SCurve stretched(const SCurve& curve, double duration);
 
 /// The state at time t; at rest until 0 and from the duration on, at exactly 0 and the distance.
 /// Throws Error when t is no number.
-JointState at(const SCurve& law, double t);
+JointState at(const SCurve& curve, double t);
 
 /// The state at a time in the first half, from 0 to duration / 2. The second half is the first one
 /// run backwards from the other end. What comes after the constant acceleration is told from the
 /// end of the ramp and from the middle, so that the halves meet there.
-inline JointState before_the_middle(const SCurve& law, double t) {
-  const double v = law.velocity, a = law.acceleration, j = law.jerk;
-  const double tj = law.jerk_time, ramp = 2 * tj + law.acceleration_time;
+inline JointState before_the_middle(const SCurve& curve, double t) {
+  const double v = curve.velocity, a = curve.acceleration, j = curve.jerk;
+  const double tj = curve.jerk_time, ramp = 2 * tj + curve.acceleration_time;
   // `since` a known state (or till then, if it is negative) the jerk is constant.
   const auto carried_on = [](double q0, double v0, double a0, double j0, double since) {
     return JointState{q0 + since * (v0 + since * (a0 / 2 + since * j0 / 6)),
@@ -56,8 +57,8 @@ inline JointState before_the_middle(const SCurve& law, double t) {
   };
   if (t < tj) return carried_on(0, 0, 0, j, t);
   if (t < ramp - tj) return carried_on(a * tj * tj / 6, a * tj / 2, a, 0, t - tj);
-  if (t < ramp) return carried_on((law.distance - v * law.cruise_time) / 2, v, 0, -j, t - ramp);
-  return carried_on(law.distance / 2, v, 0, 0, t - law.duration / 2);
+  if (t < ramp) return carried_on((curve.distance - v * curve.cruise_time) / 2, v, 0, -j, t - ramp);
+  return carried_on(curve.distance / 2, v, 0, 0, t - curve.duration / 2);
 }
 
 }  // namespace beeline

@@ -11,8 +11,8 @@ namespace {
 constexpr double least_ramp = 1e-3;  // of the duration
 constexpr int place_count = 400;     // at which a shape is tried on the path
 
-/// A law that takes one second, by the fractions of what it ramps up: `ramp` of the duration, of
-/// which `round` goes to each of the two phases of jerk.
+/// A scaling that takes one second, by the fractions of what it ramps up: `ramp` of the duration,
+/// of which `round` goes to each of the two phases of jerk.
 struct Shape {
   ScalarForm form;
   SCurve curve;
@@ -65,7 +65,7 @@ struct Shape {
   }
 };
 
-/// The largest shares of limits that a law takes.
+/// The largest shares of limits that a scaling takes.
 class Shares {
  public:
   explicit Shares(const PathLimits& limits)
@@ -85,7 +85,7 @@ class Shares {
     }
   }
 
-  /// By what factor the law must be slower to keep them.
+  /// By what factor the scaling must be slower to keep them.
   double slower(ScalarForm form) const {
     const double least = std::max(velocity_, std::sqrt(acceleration_));
     return form == ScalarForm::trapezoidal ? least : std::max(least, std::cbrt(jerk_));
@@ -219,7 +219,7 @@ std::vector<Moment> moments_of(const Shape& shape, const JointPath& path) {
   return kept;
 }
 
-/// The seconds that the law takes: what is needed at the moments, on both sides, and half-way
+/// The seconds that the scaling takes: what is needed at the moments, on both sides, and half-way
 /// between them.
 double seconds_for(const Shape& shape, const std::vector<Moment>& moments, const JointPath& path,
                    const PathLimits& limits) {
@@ -263,14 +263,14 @@ SCurve quickest_s_curve(const JointPath& path, const PathLimits& limits) {
   return curve;
 }
 
-PathLaw scalar_law(ScalarForm form, const JointPath& path, const PathLimits& limits) {
+TimeScaling scalar_profile(ScalarForm form, const JointPath& path, const PathLimits& limits) {
   check_path(path);
   check_limits(limits, path);
   const Shape shape = best_shape(form, path, limits);
   const std::vector<Moment> moments = moments_of(shape, path);
   const double seconds = seconds_for(shape, moments, path, limits);
-  PathLaw law;
-  law.smooth = form != ScalarForm::trapezoidal;
+  TimeScaling scaling;
+  scaling.smooth = form != ScalarForm::trapezoidal;
   for (const Moment& moment : moments) {
     const JointState state = shape.at(moment.u);
     // Where the trapezoid's acceleration jumps the mean; at the ends what the motion begins with.
@@ -278,12 +278,13 @@ PathLaw scalar_law(ScalarForm form, const JointPath& path, const PathLimits& lim
     const double after = shape.at(std::min(moment.u + 1e-9, 1 - 1e-12)).acceleration;
     const bool first = moment.u == 0, last = moment.u == 1;
     const double mean = first ? after : last ? before : 0.5 * (before + after);
-    law.s.push_back(moment.s);
-    law.t.push_back(moment.u * seconds);
-    law.speed.push_back(state.velocity / seconds);
-    law.acceleration.push_back((law.smooth ? state.acceleration : mean) / (seconds * seconds));
+    scaling.s.push_back(moment.s);
+    scaling.t.push_back(moment.u * seconds);
+    scaling.speed.push_back(state.velocity / seconds);
+    scaling.acceleration.push_back((scaling.smooth ? state.acceleration : mean) /
+                                   (seconds * seconds));
   }
-  return law;
+  return scaling;
 }
 
 }  // namespace beeline

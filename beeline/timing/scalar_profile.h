@@ -18,9 +18,9 @@ enum class ScalarForm {
 /// The quickest law of the form that keeps the limits of velocity, acceleration and, but for the
 /// trapezoid, jerk. The shape is found by a search in one or two numbers, which on a path of many
 /// bends may stop at a local optimum. Throws Error for a path or limits that make no sense.
-PathLaw scalar_law(ScalarForm form, const JointPath& path, const PathLimits& limits);
+TimeScaling scalar_profile(ScalarForm form, const JointPath& path, const PathLimits& limits);
 
-/// The s-curve that `scalar_law` is made of, over the path's length.
+/// The s-curve that `scalar_profile` is made of, over the path's length.
 SCurve quickest_s_curve(const JointPath& path, const PathLimits& limits);
 
 }  // namespace beeline

@@ -26,7 +26,7 @@ PathLimits path_limits(const Arm& arm, double share = 1);
 void check_limits(const PathLimits& limits, const JointPath& path);
 
 /// When a path's places are passed: s at the time t.
-struct PathLaw {
+struct TimeScaling {
   std::string reason;                ///< why there is no law; empty when there is one
   std::vector<double> s;             ///< strictly increasing
   std::vector<double> t;             ///< seconds, strictly increasing from 0

@@ -17,11 +17,11 @@ double limit_of(const Arm& arm, int i, double Limits::*kind) {
 }
 
 /// Takes the values of one kind, and the differences of what they are the derivative of.
-LimitUse use(const Arm& arm, const std::vector<double>& t, const Columns& values,
-             const Columns& integral, double Limits::*kind) {
-  LimitUse most;
-  const auto take = [&](double share, int i, double time) {
-    if (share > most.share) most = {share, arm.joint_of(i).name, time};
+LimitFraction use(const Arm& arm, const std::vector<double>& t, const Columns& values,
+                  const Columns& integral, double Limits::*kind) {
+  LimitFraction most;
+  const auto take = [&](double fraction, int i, double time) {
+    if (fraction > most.fraction) most = {fraction, arm.joint_of(i).name, time};
   };
   for (int i = 0; i < arm.dof(); ++i) {
     const double limit = limit_of(arm, i, kind);
@@ -38,7 +38,7 @@ LimitUse use(const Arm& arm, const std::vector<double>& t, const Columns& values
 
 }  // namespace
 
-LimitCheck limit_check(const Trajectory& trajectory, const Arm& arm) {
+LimitUsage limit_usage(const Trajectory& trajectory, const Arm& arm) {
   const auto [names, t, q, v, a] = matched_to(arm, trajectory);
   return {use(arm, t, v, q, &Limits::velocity), use(arm, t, a, v, &Limits::acceleration),
           use(arm, t, {}, a, &Limits::jerk)};

@@ -6,15 +6,15 @@
 
 namespace beeline {
 
-/// The largest share of one kind of limit that a trajectory uses: above 1 it is broken.
-struct LimitUse {
-  double share = 0;   ///< 0 where no joint has such a limit, or nothing is known
-  std::string joint;  ///< whose; empty for a share of 0
-  double time = 0;    ///< seconds; of a change between samples, that of the earlier one
+/// The largest fraction of one kind of limit that a trajectory uses: above 1 it is broken.
+struct LimitFraction {
+  double fraction = 0;  ///< 0 where no joint has such a limit, or nothing is known
+  std::string joint;    ///< whose; empty for a fraction of 0
+  double time = 0;      ///< seconds; of a change between samples, that of the earlier one
 };
 
-struct LimitCheck {
-  LimitUse velocity, acceleration, jerk;
+struct LimitUsage {
+  LimitFraction velocity, acceleration, jerk;
 };
 
 /// How much of its limits an arm uses on a trajectory: at the samples, by the velocities and
@@ -24,6 +24,6 @@ struct LimitCheck {
 /// sampled (the mean value theorem). What numbers of their size lose by rounding is forgiven. An
 /// unknown velocity limit counts as `velocity_when_unknown`; other unknown limits are none.
 /// Throws Error where matched_to() does.
-LimitCheck limit_check(const Trajectory& trajectory, const Arm& arm);
+LimitUsage limit_usage(const Trajectory& trajectory, const Arm& arm);
 
 }  // namespace beeline

@@ -75,9 +75,9 @@ Configuration sample(const Trajectory& trajectory, double t) {
   if (t >= times.back()) return trajectory.positions.back();
   const auto after =
       static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), t) - times.begin());
-  const double share = (t - times[after - 1]) / (times[after] - times[after - 1]);
+  const double fraction = (t - times[after - 1]) / (times[after] - times[after - 1]);
   return trajectory.positions[after - 1] +
-         share * (trajectory.positions[after] - trajectory.positions[after - 1]);
+         fraction * (trajectory.positions[after] - trajectory.positions[after - 1]);
 }
 
 Trajectory matched_to(const Arm& arm, const Trajectory& trajectory) {

@@ -57,10 +57,10 @@ Twist error_of(const Pose& goal, const Pose& reached) {
 
 /// Newton's method with damping that vanishes with the error (Chan & Lawrence 1988).
 bool descend(const Screws& screws, const Pose& goal, Twist& q) {
-  constexpr int most_steps = 60;
+  constexpr int max_steps = 60;
   constexpr double longest_step = 1.0;
   bool close = false;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const State state = state_at(screws, q);
     const Twist error = error_of(goal, state.world_T_tool);
     if (error.norm() < arrived) return true;

@@ -43,10 +43,10 @@ void plan(benchmark::State& state, bool panda) {
   }
 }
 
-void whole(benchmark::State& state, bool panda, Law law) {
+void whole(benchmark::State& state, bool panda, Profile profile) {
   const Case line = half_a_metre(panda);
   PathMotion motion;
-  for (auto _ : state) motion = move_in_lines(line.arm, line.poses, {.law = law});
+  for (auto _ : state) motion = move_in_lines(line.arm, line.poses, {.profile = profile});
   if (motion.status != MotionStatus::reached) state.SkipWithError(motion.reason.c_str());
   if (motion.trajectory.size() == 0) return;
   state.counters["samples"] = static_cast<double>(motion.trajectory.size());
@@ -55,7 +55,7 @@ void whole(benchmark::State& state, bool panda, Law law) {
 
 void check(benchmark::State& state, bool panda) {
   const Case line = half_a_metre(panda);
-  const PathMotion motion = move_in_lines(line.arm, line.poses, {.law = Law::quintic});
+  const PathMotion motion = move_in_lines(line.arm, line.poses, {.profile = Profile::quintic});
   for (auto _ : state) {
     benchmark::DoNotOptimize(verify(line.arm, motion.trajectory, line.poses));
   }
@@ -71,10 +71,11 @@ int main(int argc, char** argv) {
     };
     add("plan", [panda](benchmark::State& state) { plan(state, panda); });
     add("check", [panda](benchmark::State& state) { check(state, panda); });
-    for (const Law law : {Law::fastest, Law::jerk, Law::trapezoidal, Law::quintic, Law::s_curve}) {
-      if (law == Law::jerk && !panda) continue;  // it has no limits of jerk
-      add("whole, law " + name(law),
-          [panda, law](benchmark::State& state) { whole(state, panda, law); });
+    for (const Profile profile : {Profile::fastest, Profile::jerk, Profile::trapezoidal,
+                                  Profile::quintic, Profile::s_curve}) {
+      if (profile == Profile::jerk && !panda) continue;  // it has no limits of jerk
+      add("whole, profile " + name(profile),
+          [panda, profile](benchmark::State& state) { whole(state, panda, profile); });
     }
   }
   benchmark::Initialize(&argc, argv);

@@ -57,7 +57,7 @@ void add_beeline(const std::string& name, double way, Synchronise synchronise) {
     for (auto _ : state) {
       const std::size_t k = motions.next();
       point_to_point(motions.arm, motions.from[k], motions.to[k], motion, {synchronise});
-      benchmark::DoNotOptimize(motion.laws.data());
+      benchmark::DoNotOptimize(motion.curves.data());
       benchmark::ClobberMemory();
     }
   });

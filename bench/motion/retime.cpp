@@ -1,10 +1,11 @@
 // Usage: bench_retime < cases > answers
 //
-// Beeline's time-optimal law beside TOPP-RA's own implementation, for retime.py. Both streams are
-// doubles in the machine's own order. A case is the numbers of joints, waypoints and grid points;
-// the limits of velocity and of acceleration; the waypoints' parameters and the waypoints; the grid
-// points' parameters (none: Beeline's own grid). The answer: the duration, the largest share of a
-// limit ten times as dense, the number of grid points and the best microseconds of the law alone.
+// Beeline's time-optimal scaling beside TOPP-RA's own implementation, for retime.py. Both streams
+// are doubles in the machine's own order. A case is the numbers of joints, waypoints and grid
+// points; the limits of velocity and of acceleration; the waypoints' parameters and the waypoints;
+// the grid points' parameters (none: Beeline's own grid). The answer: the duration, the largest
+// share of a limit ten times as dense, the number of grid points and the best microseconds of the
+// scaling alone.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -55,10 +56,10 @@ double best_microseconds(const JointPath& path, const PathLimits& limits) {
   double best = 1e9;
   for (int pass = 0; pass < 15; ++pass) {
     const auto begin = std::chrono::steady_clock::now();
-    const PathLaw law = fastest(path, limits);
+    const TimeScaling scaling = fastest(path, limits);
     const std::chrono::duration<double, std::micro> passed =
         std::chrono::steady_clock::now() - begin;
-    best = std::min(best, passed.count() + 0 * law.duration());
+    best = std::min(best, passed.count() + 0 * scaling.duration());
   }
   return best;
 }
@@ -79,9 +80,9 @@ int main() {
     const JointPath spline = joint_spline(waypoints, parameter);
     const std::vector<double> grid = read_many(head[2]);
     const JointPath path = grid.empty() ? refined(spline) : at_grid(spline, grid);
-    const PathLaw law = fastest(path, limits);
-    const double answer[] = {law.found() ? law.duration() : -1,
-                             law.found() ? testing::largest_share(path, limits, law) : -1,
+    const TimeScaling scaling = fastest(path, limits);
+    const double answer[] = {scaling.found() ? scaling.duration() : -1,
+                             scaling.found() ? testing::largest_share(path, limits, scaling) : -1,
                              static_cast<double>(path.size()), best_microseconds(path, limits)};
     std::fwrite(answer, sizeof(double), 4, stdout);
     std::fflush(stdout);

@@ -27,10 +27,11 @@ TEST(PathDeviation, MeasuresEveryLineFromItsOwnWaypoint) {
   const ToolPath path = lines_through(poses);
   const Task task = Task::position();
   const std::vector<std::size_t> reached{2, 4};
-  const std::vector<double> places = places_along(arm, samples, path, reached, task);
-  EXPECT_EQ(arrivals(places), reached);
-  EXPECT_NEAR(places[1], 0.5, 1e-12);
-  const PathDeviation told = path_deviation(arm, samples, places, path, task);
+  const std::vector<double> path_parameters =
+      path_parameters_along(arm, samples, path, reached, task);
+  EXPECT_EQ(arrivals(path_parameters), reached);
+  EXPECT_NEAR(path_parameters[1], 0.5, 1e-12);
+  const PathDeviation told = path_deviation(arm, samples, path_parameters, path, task);
   EXPECT_NEAR(told.sampled.position, 0.5, 1e-15);
   EXPECT_NEAR(told.bound.position, 0.5, 1e-15) << "slides leave no arc";
   EXPECT_EQ(told.sampled.orientation, 0);
@@ -41,13 +42,13 @@ TEST(PathDeviation, RefusesWhatDoesNotFit) {
   const std::vector<Configuration> samples{Configuration::Zero(3), Configuration::Zero(3)};
   const ToolPath path = lines_through(std::vector{make_pose({0, 0, 0}), make_pose({9, 0, 0})});
   const auto placed = [&](std::vector<std::size_t> reached) {
-    return places_along(arm, samples, path, reached, Task::planar());
+    return path_parameters_along(arm, samples, path, reached, Task::planar());
   };
   EXPECT_REFUSED(placed({0, 1}), "arrival");
   EXPECT_REFUSED(placed({2}), "arrival 1");
-  EXPECT_REFUSED(places_along(arm, {}, path, {}, Task::planar()), "samples");
-  const auto told = [&](std::vector<double> places, const ToolPath& on) {
-    return path_deviation(arm, samples, places, on, Task::planar());
+  EXPECT_REFUSED(path_parameters_along(arm, {}, path, {}, Task::planar()), "samples");
+  const auto told = [&](std::vector<double> path_parameters, const ToolPath& on) {
+    return path_deviation(arm, samples, path_parameters, on, Task::planar());
   };
   EXPECT_NO_THROW(told({0.2, 1}, path));
   EXPECT_REFUSED(told({0}, path), "a place");
@@ -55,46 +56,46 @@ TEST(PathDeviation, RefusesWhatDoesNotFit) {
   EXPECT_REFUSED(told({-0.1, 1}, path), "sample 1");
   EXPECT_REFUSED(told({0, 1.5}, path), "sample 2");
   EXPECT_REFUSED(told({0, NAN}, path), "sample 2");
-  EXPECT_REFUSED(told({0, 0}, ToolPath{}), "pieces");
+  EXPECT_REFUSED(told({0, 0}, ToolPath{}), "segments");
 }
 
 /// A path of the kind in front of the arm.
 ToolPath path_ahead(Random& random, const Arm& arm, const Pose& from, int kind) {
   std::vector<Pose> poses{from};
   for (int w = 0; w < 3; ++w) poses.push_back(testing::nearby_pose(random, arm, from));
-  if (kind == 4) return rounded_lines(poses, {0.03, 0.3}).path;
+  if (kind == 4) return blended_lines(poses, {0.03, 0.3}).path;
   if (kind == 2) poses.pop_back();
   return path_through(poses, static_cast<PathKind>(kind));
 }
 
 /// Follows a path with joints in proportion between a few samples that lie on it, none of them at
-/// the end of a piece but the last one.
+/// the end of a segment but the last one.
 struct Coarse {
   std::vector<Configuration> samples;
-  std::vector<double> places;
+  std::vector<double> path_parameters;
 };
 
 Coarse coarse(const Arm& arm, const ToolPath& path, Configuration q) {
   Coarse way{{q}, {0}};
-  for (std::size_t i = 0; i < path.pieces.size(); ++i) {
-    const TrackedSegment piece =
-        track_segment(arm, path.pieces[i], Task::spatial(), bounds_of(arm), q,
-                      {.tolerance = {1e-4, 1e-4}, .most_samples = 2000});
-    const bool last = i + 1 == path.pieces.size() || !piece.through();
-    for (std::size_t k = 1; k < piece.samples.size(); ++k) {
-      const bool end = k + 1 == piece.samples.size();
+  for (std::size_t i = 0; i < path.segments.size(); ++i) {
+    const TrackedSegment segment =
+        track_segment(arm, path.segments[i], Task::spatial(), bounds_of(arm), q,
+                      {.tolerance = {1e-4, 1e-4}, .max_samples = 2000});
+    const bool last = i + 1 == path.segments.size() || !segment.through();
+    for (std::size_t k = 1; k < segment.samples.size(); ++k) {
+      const bool end = k + 1 == segment.samples.size();
       if (k % 2 == 0 && !(end && last)) continue;
-      way.samples.push_back(piece.samples[k]);
-      way.places.push_back(static_cast<double>(i) + piece.fractions[k]);
+      way.samples.push_back(segment.samples[k]);
+      way.path_parameters.push_back(static_cast<double>(i) + segment.fractions[k]);
     }
-    if (!piece.through()) break;
-    q = piece.samples.back();
+    if (!segment.through()) break;
+    q = segment.samples.back();
   }
   return way;
 }
 
 // Round the corners of lines too, where it is large: whatever is between the samples is counted.
-TEST(PathDeviation, BoundsWhatIsBetweenSamplesAlsoOverTheEndsOfPieces) {
+TEST(PathDeviation, BoundsWhatIsBetweenSamplesAlsoOverTheEndsOfSegments) {
   Random random;
   int cut = 0;
   for (int i = 0; i < 60; ++i) {
@@ -102,17 +103,19 @@ TEST(PathDeviation, BoundsWhatIsBetweenSamplesAlsoOverTheEndsOfPieces) {
     const Configuration q = testing::inner_configuration(random, arm);
     const ToolPath path = path_ahead(random, arm, forward_kinematics(arm, q), i % 5);
     const Coarse way = coarse(arm, path, q);
-    const PathDeviation told = path_deviation(arm, way.samples, way.places, path, Task::spatial());
+    const PathDeviation told =
+        path_deviation(arm, way.samples, way.path_parameters, path, Task::spatial());
     ASSERT_LE(told.sampled.position, 1e-9);
     for (std::size_t k = 1; k < way.samples.size(); ++k) {
-      const auto steps = cut_at_pieces(path, Task::spatial(), way.samples[k - 1], way.places[k - 1],
-                                       way.samples[k], way.places[k]);
+      const auto steps =
+          cut_at_segments(path, Task::spatial(), way.samples[k - 1], way.path_parameters[k - 1],
+                          way.samples[k], way.path_parameters[k]);
       cut += steps.size() > 1;
-      for (const PieceStep& step : steps) {
+      for (const SegmentStep& step : steps) {
         for (int j = 0; j <= 10; ++j) {
           const Configuration between = step.q_a + j / 10.0 * (step.q_b - step.q_a);
           const Deviation off =
-              deviation_from(path.pieces[step.piece], std::lerp(step.s_a, step.s_b, j / 10.0),
+              deviation_from(path.segments[step.segment], std::lerp(step.s_a, step.s_b, j / 10.0),
                              forward_kinematics(arm, between), Task::spatial());
           ASSERT_LE(off.position, told.bound.position + 1e-12);
           ASSERT_LE(off.orientation, told.bound.orientation + 1e-12);
@@ -125,7 +128,7 @@ TEST(PathDeviation, BoundsWhatIsBetweenSamplesAlsoOverTheEndsOfPieces) {
   EXPECT_GT(cut, 20);
 }
 
-TEST(NearestPlace, FindsTheSamplesOfAWay) {
+TEST(NearestParameter, FindsTheSamplesOfAWay) {
   Random random;
   for (int i = 0; i < 40; ++i) {
     const Arm arm = built_in("ur5");
@@ -133,23 +136,24 @@ TEST(NearestPlace, FindsTheSamplesOfAWay) {
     const ToolPath path = path_ahead(random, arm, forward_kinematics(arm, q), i % 5);
     const Coarse way = coarse(arm, path, q);
     double before = 0;
-    const bool stops = i % 5 <= 2;  // at corners, one piece at a time
+    const bool stops = i % 5 <= 2;  // at corners, one segment at a time
     for (std::size_t k = 1; k < way.samples.size(); ++k) {
-      const auto piece = static_cast<double>(piece_at(path, way.places[k]));
-      const double end = stops ? piece + 1 : static_cast<double>(path.pieces.size());
+      const auto segment = static_cast<double>(segment_at(path, way.path_parameters[k]));
+      const double end = stops ? segment + 1 : static_cast<double>(path.segments.size());
       const Pose tool = forward_kinematics(arm, way.samples[k]);
-      if (stops) before = std::max(before, piece);
-      before = nearest_place(path, Task::spatial(), tool, before, end);
+      if (stops) before = std::max(before, segment);
+      before = nearest_parameter(path, Task::spatial(), tool, before, end);
       const Deviation off = task_deviation(Task::spatial(), pose_at(path, before), tool);
-      ASSERT_LT(off.position, 1e-9) << i % 5 << " place " << before << " of " << way.places[k];
+      ASSERT_LT(off.position, 1e-9)
+          << i % 5 << " place " << before << " of " << way.path_parameters[k];
       ASSERT_LT(off.orientation, 1e-8) << i % 5;
-      ASSERT_NEAR(before, way.places[k], 1e-6);
+      ASSERT_NEAR(before, way.path_parameters[k], 1e-6);
     }
   }
 }
 
 // Where the turn counts more than the way, the nearest place by both together may fit worse.
-TEST(FittingPlace, IsWithinTheToleranceWhereThereIsSuchAPlace) {
+TEST(FittingParameter, IsWithinTheToleranceWhereThereIsSuchAPlace) {
   Random random;
   const Deviation tolerance{1e-4, 1e-4};
   int nearest_is_none = 0;
@@ -166,8 +170,8 @@ TEST(FittingPlace, IsWithinTheToleranceWhereThereIsSuchAPlace) {
     const auto fits = [&](double place) {
       return within(task_deviation(Task::spatial(), pose_at(path, place), tool), tolerance);
     };
-    ASSERT_TRUE(fits(fitting_place(path, Task::spatial(), tool, 0, 1, tolerance))) << i;
-    nearest_is_none += !fits(nearest_place(path, Task::spatial(), tool, 0, 1));
+    ASSERT_TRUE(fits(fitting_parameter(path, Task::spatial(), tool, 0, 1, tolerance))) << i;
+    nearest_is_none += !fits(nearest_parameter(path, Task::spatial(), tool, 0, 1));
   }
   EXPECT_GT(nearest_is_none, 10);
 }
@@ -176,7 +180,7 @@ TEST(CornerAt, IsWhereLinesMeetAndNotWhereASplineGoesOn) {
   Random random;
   const std::vector<Pose> poses = testing::random_poses(random, 4, 1, 1);
   const ToolPath lines = lines_through(poses), spline = path_through(poses, PathKind::spline);
-  const ToolPath rounded = rounded_lines(poses, {0.01, 0.1}).path;
+  const ToolPath rounded = blended_lines(poses, {0.01, 0.1}).path;
   for (const double place : {0.0, 0.5, 1.0, 2.0, 3.0}) {
     EXPECT_EQ(corner_at(lines, place), place == 1 || place == 2);
     EXPECT_FALSE(corner_at(spline, place));
@@ -187,11 +191,11 @@ TEST(CornerAt, IsWhereLinesMeetAndNotWhereASplineGoesOn) {
 TEST(Reversed, IsTheSamePathFromItsEnd) {
   Random random;
   for (int i = 0; i < 50; ++i) {
-    const Piece piece = testing::random_piece(random);
-    const Piece back = reversed(piece);
+    const Segment segment = testing::random_segment(random);
+    const Segment back = reversed(segment);
     for (const double s : {0.0, 0.1, 0.5, 0.77, 1.0}) {
-      const Twist off = pose_difference(pose_at(piece, s), pose_at(back, 1 - s));
-      ASSERT_LT(off.norm(), 1e-9) << testing::kind_of(piece) << " " << s;
+      const Twist off = pose_difference(pose_at(segment, s), pose_at(back, 1 - s));
+      ASSERT_LT(off.norm(), 1e-9) << testing::kind_of(segment) << " " << s;
     }
   }
 }

@@ -38,7 +38,7 @@ std::vector<MadeAlong> made_along(const std::string& name) {
     poses.back().linear() = so3_exp(2 * corner) * a.linear();
   }
   poses.push_back(a);
-  std::vector<Route> routes{route_of(rounded_lines(poses, {0.01, 0.05}))};
+  std::vector<Route> routes{route_of(blended_lines(poses, {0.01, 0.05}))};
   for (const PathKind kind : {PathKind::line, PathKind::screw, PathKind::arc, PathKind::spline}) {
     routes.push_back(route_of(path_through(poses, kind), kind));
   }
@@ -49,7 +49,8 @@ std::vector<MadeAlong> made_along(const std::string& name) {
   std::vector<MadeAlong> all;
   for (const Route& route : routes) {
     for (const double rate : {0.0, 1000.0}) {
-      const PathMotion motion = move_along(arm, start, route, {.law = Law::quintic, .rate = rate});
+      const PathMotion motion =
+          move_along(arm, start, route, {.profile = Profile::quintic, .rate = rate});
       EXPECT_EQ(motion.reason, "") << name << " " << all.size();
       all.push_back({arm, route, motion.trajectory});
     }
@@ -63,13 +64,13 @@ TEST(Verify, PassesWhatMovesAlongEveryKindOfPath) {
     for (const auto& [arm, route, trajectory] : made_along(name)) {
       const Verification found = verify(arm, trajectory, route);
       EXPECT_EQ(found.reason, "") << name << " " << number;
-      EXPECT_EQ(found.arrivals.size(), route.path.pieces.size()) << name << " " << number;
+      EXPECT_EQ(found.arrivals.size(), route.path.segments.size()) << name << " " << number;
       ++number;
     }
   }
 }
 
-TEST(Verify, PassesPiecesOnWhichNothingThatMattersMoves) {
+TEST(Verify, PassesSegmentsOnWhichNothingThatMattersMoves) {
   const Arm arm = built_in("ur5");
   const Task task = Task::position();
   const Configuration start{{0, -1, 1.2, -1.5, -1.5, 0}};
@@ -124,7 +125,7 @@ TEST(Verify, TellsFaultsOnEveryKindOfPath) {
     }
     shorter.times.resize(half);
     const Verification cut = verify(arm, shorter, route);
-    EXPECT_EQ(cut.fault, Fault::not_through) << cut.reason << route.path.pieces.size();
+    EXPECT_EQ(cut.fault, Fault::not_through) << cut.reason << route.path.segments.size();
   }
 }
 
@@ -147,7 +148,7 @@ TEST(Verify, TellsAMotionThatGoesBack) {
   Pose to = forward_kinematics(arm, start);
   to.translation() += Vector3(0.1, 0.05, 0);
   const std::vector<Pose> waypoints{to};
-  const PathMotion motion = move_in_lines(arm, start, waypoints, {.law = Law::quintic});
+  const PathMotion motion = move_in_lines(arm, start, waypoints, {.profile = Profile::quintic});
   ASSERT_EQ(verify(arm, motion.trajectory, waypoints).reason, "");
   const std::size_t size = motion.trajectory.size(), turn = 3 * size / 4, back = size / 2;
   Trajectory there{motion.trajectory.joint_names, {}, {}, {}, {}};

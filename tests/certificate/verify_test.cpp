@@ -43,12 +43,13 @@ constexpr const char* arms[] = {"puma560", "ur5", "panda", "iiwa14"};
 
 TEST(Verify, PassesWhatLineMakes) {
   for (const std::string name : arms) {
-    for (const Law law : {Law::fastest, Law::trapezoidal, Law::quintic, Law::s_curve}) {
-      const bool jerky = law == Law::fastest || law == Law::trapezoidal;
+    for (const Profile profile :
+         {Profile::fastest, Profile::trapezoidal, Profile::quintic, Profile::s_curve}) {
+      const bool jerky = profile == Profile::fastest || profile == Profile::trapezoidal;
       for (const double rate : {0.0, 125.0, 1000.0}) {
-        const Verification found = told(made(name, {.law = law, .rate = rate}));
+        const Verification found = told(made(name, {.profile = profile, .rate = rate}));
         if (name == "panda" && jerky && found.fault == Fault::jerk) continue;  // it has jerk limits
-        EXPECT_EQ(found.reason, "") << name << ' ' << beeline::name(law) << ' ' << rate;
+        EXPECT_EQ(found.reason, "") << name << ' ' << beeline::name(profile) << ' ' << rate;
         EXPECT_EQ(found.arrivals.size(), 3);
       }
     }
@@ -57,7 +58,7 @@ TEST(Verify, PassesWhatLineMakes) {
 
 TEST(Verify, TellsASampleThatWasMoved) {
   for (const std::string name : arms) {
-    Made motion = made(name, {.law = Law::quintic});
+    Made motion = made(name, {.profile = Profile::quintic});
     const std::size_t k = motion.trajectory.size() / 3;
     Configuration& q = motion.trajectory.positions[k];
     const Jacobian j = jacobian(motion.arm, q);
@@ -133,8 +134,8 @@ TEST(Verify, TellsAWaypointThatIsLeftOut) {
 }
 
 TEST(Verify, TellsHaste) {
-  for (const Law law : {Law::fastest, Law::quintic}) {
-    Made motion = made("panda", {.law = law});
+  for (const Profile profile : {Profile::fastest, Profile::quintic}) {
+    Made motion = made("panda", {.profile = profile});
     for (double& t : motion.trajectory.times) t *= 0.95;
     const Fault fault = told(motion).fault;
     EXPECT_TRUE(fault == Fault::velocity || fault == Fault::acceleration || fault == Fault::jerk)

@@ -69,7 +69,8 @@ double bend(const Case& given, const ControlledMotion& motion) {
   std::vector<Pose> poses{forward_kinematics(given.arm, samples.front())};
   poses.insert(poses.end(), given.waypoints.begin(), given.waypoints.end());
   const ToolPath path = lines_through(poses);
-  const auto places = places_along(given.arm, samples, path, motion.arrivals, Task::position());
+  const auto places =
+      path_parameters_along(given.arm, samples, path, motion.arrivals, Task::position());
   return path_deviation(given.arm, samples, places, path, Task::position()).sampled.position;
 }
 
@@ -208,7 +209,7 @@ TEST(ControlInLines, IsFiniteAtAndNearSingularities) {
                           Vector3(0.05, 0.02, arm.planar() ? 0 : 0.05);
     for (const CartesianMethod method : {by_jacobian, by_solutions}) {
       const ControlledMotion motion = control_in_lines(
-          arm, start, std::vector{goal}, {.method = method, .simulation = {.most_steps = 5000}});
+          arm, start, std::vector{goal}, {.method = method, .simulation = {.max_steps = 5000}});
       for (std::size_t k = 1; k < motion.trajectory.size(); ++k) {
         const Configuration& q = motion.trajectory.positions[k];
         ASSERT_TRUE(q.allFinite());

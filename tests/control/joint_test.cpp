@@ -100,7 +100,7 @@ TEST(ControlJoints, SaysThatTheGainIsTooSmall) {
   const Arm arm = built_in("rrr");
   for (const double kp : {1e-3, 1e-6, 1e-10}) {
     const ControlledMotion motion = control_joints(
-        arm, Configuration::Zero(3), Configuration{{1, 2, -1}}, {.kp = kp}, {.most_steps = 3000});
+        arm, Configuration::Zero(3), Configuration{{1, 2, -1}}, {.kp = kp}, {.max_steps = 3000});
     EXPECT_EQ(motion.status, MotionStatus::not_converged);
     EXPECT_EQ(motion.steps, 3000);
     EXPECT_TRUE(says(motion, "gain is too small")) << motion.reason;
@@ -126,8 +126,8 @@ TEST(ControlJoints, ConvergesWithAllThreeGains) {
 TEST(ControlJoints, SumsAndDiffersTheErrorsAsItSays) {
   const Arm arm("slide", {built_in("gantry").joints().front()});
   const PidGains gains{.kp = 0.3, .ki = 0.05, .kd = 0.2};
-  const ControlledMotion motion = control_joints(arm, Configuration::Zero(1),
-                                                 Configuration::Ones(1), gains, {.most_steps = 50});
+  const ControlledMotion motion =
+      control_joints(arm, Configuration::Zero(1), Configuration::Ones(1), gains, {.max_steps = 50});
   double q = 0, sum = 0, before = 1;
   for (std::size_t k = 1; k < motion.trajectory.size(); ++k) {
     const double e = 1 - q;
@@ -218,7 +218,7 @@ TEST(ControlJoints, RefusesWhatMakesNoSense) {
   EXPECT_REFUSED(run({.kd = NAN}), "kd");
   EXPECT_REFUSED(run({}, {.tolerance = 0}), "tolerance");
   EXPECT_REFUSED(run({}, {.time_step = -1}), "time step");
-  EXPECT_REFUSED(run({}, {.most_steps = 0}), "step");
+  EXPECT_REFUSED(run({}, {.max_steps = 0}), "step");
   EXPECT_REFUSED(control_joints(arm, Configuration::Zero(7), q), "joint4");
   EXPECT_REFUSED(control_joints(arm, q, Configuration::Zero(6)), "7 joint values");
   EXPECT_REFUSED(control_joints(arm, q, Configuration::Constant(7, NAN)), "finite");

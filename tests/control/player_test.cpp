@@ -31,9 +31,9 @@ struct Played {
 
 /// Runs to the end, the speed being told by `speed_at(step)`.
 template <class Speed>
-Played play(Player& player, const Arm& arm, Speed&& speed_at, int most_steps = 100'000) {
+Played play(Player& player, const Arm& arm, Speed&& speed_at, int max_steps = 100'000) {
   Played played;
-  for (int i = 0; i < most_steps && !player.done(); ++i) {
+  for (int i = 0; i < max_steps && !player.done(); ++i) {
     player.set_speed(speed_at(i));
     const Command& command = player.step();
     played.q.push_back(command.q);

@@ -65,7 +65,7 @@ LinesOf panda_lines(double rate = 0) {
                                     tool * Eigen::AngleAxisd(0.3, Vector3::UnitZ()),
                                     tool * Eigen::AngleAxisd(0.1, Vector3::UnitX())};
   PathMotion motion = move_in_lines(arm, q, waypoints, {.rate = rate});
-  FollowedPath path{motion.path, motion.places, Task::spatial(), Deviation{1e-4, 1e-4}};
+  FollowedPath path{motion.path, motion.path_parameters, Task::spatial(), Deviation{1e-4, 1e-4}};
   return {arm, motion, path};
 }
 
@@ -272,7 +272,7 @@ TEST(PathTrace, HasNothingToExaggerateOnLinesOfRounding) {
   const Task task = Task::position();
   const PathMotion motion = move_in_lines(arm, Configuration::Zero(2), waypoints, {.task = task});
   ASSERT_EQ(motion.status, MotionStatus::reached) << motion.reason;
-  const FollowedPath path{motion.path, motion.places, task};
+  const FollowedPath path{motion.path, motion.path_parameters, task};
   const PathTrace trace = trace_path(arm, motion.trajectory.positions, path);
   EXPECT_EQ(exaggeration(trace), 1);
   EXPECT_EQ(deviation_charts(trace, path).size(), 1u);  // orientation is not asked for

@@ -38,10 +38,12 @@ inline PathLimits random_limits(Random& random, int joints) {
 }
 
 /// The largest share of a limit of velocity or acceleration at ten places of every step.
-inline double largest_share(const JointPath& path, const PathLimits& limits, const PathLaw& law) {
+inline double largest_share(const JointPath& path, const PathLimits& limits,
+                            const TimeScaling& scaling) {
   double largest = 0;
   for (std::size_t k = 0; k + 1 < path.size(); ++k) {
-    const double x = law.speed[k] * law.speed[k], y = law.speed[k + 1] * law.speed[k + 1];
+    const double x = scaling.speed[k] * scaling.speed[k],
+                 y = scaling.speed[k + 1] * scaling.speed[k + 1];
     const double u = (y - x) / (2 * (path.s[k + 1] - path.s[k]));
     for (int part = 0; part <= 10; ++part) {
       const double b = x + part / 10.0 * (y - x);

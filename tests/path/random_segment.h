@@ -23,26 +23,26 @@ inline std::vector<Pose> random_poses(Random& random, int count, double size, do
   return poses;
 }
 
-/// A piece of a random kind, size and turn, up to 3 radians.
-inline Piece random_piece(Random& random) {
+/// A segment of a random kind, size and turn, up to 3 radians.
+inline Segment random_segment(Random& random) {
   const double size = std::pow(10, random.uniform(-2, 0.5));
   const double angle = random.integer(0, 3) > 0 ? random.uniform(0, 3) : 0;
   const std::vector<Pose> poses = random_poses(random, random.integer(1, 3) * 2 + 1, size, angle);
   const int kind = random.integer(0, 4);
   if (kind == 4) {
-    const RoundedPath rounded = rounded_lines(poses, {random.uniform(1e-3, 1), 3});
-    for (const Piece& piece : rounded.path.pieces) {
-      if (std::holds_alternative<SplinePiece>(piece)) return piece;
+    const BlendedPath rounded = blended_lines(poses, {random.uniform(1e-3, 1), 3});
+    for (const Segment& segment : rounded.path.segments) {
+      if (std::holds_alternative<SplineSegment>(segment)) return segment;
     }
     return Line{poses[0], poses[1]};
   }
-  const auto pieces = path_through(poses, static_cast<PathKind>(kind)).pieces;
-  return pieces[random.integer(0, static_cast<int>(pieces.size()) - 1)];
+  const auto segments = path_through(poses, static_cast<PathKind>(kind)).segments;
+  return segments[random.integer(0, static_cast<int>(segments.size()) - 1)];
 }
 
-inline const char* kind_of(const Piece& piece) {
+inline const char* kind_of(const Segment& segment) {
   constexpr const char* names[] = {"line", "screw", "arc", "spline"};
-  return names[piece.index()];
+  return names[segment.index()];
 }
 
 inline double turn_between(const Pose& a, const Pose& b) {

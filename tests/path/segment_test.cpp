@@ -16,12 +16,12 @@ using std::numbers::pi;
 using testing::distance_between;
 using testing::kind_of;
 using testing::Random;
-using testing::random_piece;
 using testing::random_poses;
+using testing::random_segment;
 using testing::turn_between;
 
-double size_of(const Piece& piece) {
-  const PieceMotion at = motion_at(piece, 0.5);
+double size_of(const Segment& segment) {
+  const SegmentMotion at = motion_at(segment, 0.5);
   return 1 + at.velocity.norm() + at.acceleration.norm();
 }
 
@@ -57,48 +57,48 @@ TEST(Turning, ChangesByNoMoreThanTheChordBoundTakesItToDo) {
   EXPECT_GT(most, 0.99);
 }
 
-TEST(Piece, HasTheDerivativesThatDifferencesHave) {
+TEST(Segment, HasTheDerivativesThatDifferencesHave) {
   Random random;
   constexpr double h = 1e-4;
   std::map<std::string, int> kinds;
   for (int i = 0; i < 4000; ++i) {
-    const Piece piece = random_piece(random);
-    const double s = random.uniform(0.01, 0.99), size = size_of(piece);
-    const PieceMotion at = motion_at(piece, s);
-    const Twist ahead = pose_difference(pose_at(piece, s + h), at.pose);
-    const Twist back = pose_difference(pose_at(piece, s - h), at.pose);
-    ASSERT_TRUE(at.pose.isApprox(pose_at(piece, s), 1e-14));
-    ASSERT_LT((at.velocity - (ahead - back) / (2 * h)).norm(), 3e-6 * size) << kind_of(piece);
-    ASSERT_LT((at.acceleration - (ahead + back) / (h * h)).norm(), 1e-5 * size) << kind_of(piece);
-    ++kinds[kind_of(piece)];
+    const Segment segment = random_segment(random);
+    const double s = random.uniform(0.01, 0.99), size = size_of(segment);
+    const SegmentMotion at = motion_at(segment, s);
+    const Twist ahead = pose_difference(pose_at(segment, s + h), at.pose);
+    const Twist back = pose_difference(pose_at(segment, s - h), at.pose);
+    ASSERT_TRUE(at.pose.isApprox(pose_at(segment, s), 1e-14));
+    ASSERT_LT((at.velocity - (ahead - back) / (2 * h)).norm(), 3e-6 * size) << kind_of(segment);
+    ASSERT_LT((at.acceleration - (ahead + back) / (h * h)).norm(), 1e-5 * size) << kind_of(segment);
+    ++kinds[kind_of(segment)];
   }
   EXPECT_EQ(kinds.size(), 4u);
 }
 
-TEST(Piece, IsAsLongAsItsChordsTogether) {
+TEST(Segment, IsAsLongAsItsChordsTogether) {
   Random random;
   for (int i = 0; i < 300; ++i) {
-    const Piece piece = random_piece(random);
+    const Segment segment = random_segment(random);
     double chords = 0;
     constexpr int parts = 1000;
     for (int k = 0; k < parts; ++k) {
-      chords += distance_between(pose_at(piece, double(k) / parts),
-                                 pose_at(piece, double(k + 1) / parts));
+      chords += distance_between(pose_at(segment, double(k) / parts),
+                                 pose_at(segment, double(k + 1) / parts));
     }
-    ASSERT_NEAR(chords, length_of(piece), 1e-4 * chords + 1e-9) << kind_of(piece);
+    ASSERT_NEAR(chords, length_of(segment), 1e-4 * chords + 1e-9) << kind_of(segment);
   }
 }
 
-TEST(Piece, BeginsAndEndsAtItsPoses) {
+TEST(Segment, BeginsAndEndsAtItsPoses) {
   Random random;
   for (int i = 0; i < 2000; ++i) {
     const auto poses = random_poses(random, 5, 1, 3);
     for (const PathKind kind : {PathKind::line, PathKind::screw, PathKind::arc, PathKind::spline}) {
       const ToolPath path = path_through(poses, kind);
       const std::size_t step = kind == PathKind::arc ? 2 : 1;
-      ASSERT_EQ(path.pieces.size() * step, 4u);
-      for (std::size_t k = 0; k < path.pieces.size(); ++k) {
-        const Pose from = pose_at(path.pieces[k], 0), to = pose_at(path.pieces[k], 1);
+      ASSERT_EQ(path.segments.size() * step, 4u);
+      for (std::size_t k = 0; k < path.segments.size(); ++k) {
+        const Pose from = pose_at(path.segments[k], 0), to = pose_at(path.segments[k], 1);
         const double slack = kind == PathKind::arc ? 1e-9 : 1e-13;
         ASSERT_LT(distance_between(from, poses[k * step]), slack) << name(kind);
         ASSERT_LT(distance_between(to, poses[(k + 1) * step]), slack) << name(kind);
@@ -160,37 +160,37 @@ TEST(ScrewLine, IsOneScrewAllTheWay) {
 }
 
 /// The largest distances from the chord at the same share.
-Deviation sampled(const Piece& piece, double s_a, double s_b, int points) {
-  const Pose from = pose_at(piece, s_a), to = pose_at(piece, s_b);
+Deviation sampled(const Segment& segment, double s_a, double s_b, int points) {
+  const Pose from = pose_at(segment, s_a), to = pose_at(segment, s_b);
   Deviation seen;
   for (int k = 1; k < points; ++k) {
     const double t = double(k) / points;
-    const Pose pose = pose_at(piece, std::lerp(s_a, s_b, t)), chord = interpolate(from, to, t);
+    const Pose pose = pose_at(segment, std::lerp(s_a, s_b, t)), chord = interpolate(from, to, t);
     seen.position = std::max(seen.position, distance_between(pose, chord));
     seen.orientation = std::max(seen.orientation, turn_between(pose, chord));
   }
   return seen;
 }
 
-TEST(SegmentChordBound, HoldsForAllPiecesAndIsNotWasteful) {
+TEST(SegmentChordBound, HoldsForAllSegmentsAndIsNotWasteful) {
   Random random;
   std::map<std::string, std::vector<double>> ways, turns;
   for (int i = 0; i < 20000; ++i) {
-    const Piece piece = random_piece(random);
+    const Segment segment = random_segment(random);
     const double step = std::pow(10, random.uniform(-3, 0));
     const double s_a = random.uniform(0, 1 - step), s_b = s_a + step;
     const bool back = random.integer(0, 1) == 1;
     const SegmentChordBound bound =
-        back ? segment_chord_bound(piece, s_b, s_a) : segment_chord_bound(piece, s_a, s_b);
-    const Deviation seen = back ? sampled(piece, s_b, s_a, 20) : sampled(piece, s_a, s_b, 20);
-    const double size = 1e-13 * size_of(piece);
-    ASSERT_LE(seen.position, bound.position + 10 * size) << kind_of(piece) << " step " << step;
-    ASSERT_LE(seen.orientation, bound.orientation + size) << kind_of(piece) << " step " << step;
+        back ? segment_chord_bound(segment, s_b, s_a) : segment_chord_bound(segment, s_a, s_b);
+    const Deviation seen = back ? sampled(segment, s_b, s_a, 20) : sampled(segment, s_a, s_b, 20);
+    const double size = 1e-13 * size_of(segment);
+    ASSERT_LE(seen.position, bound.position + 10 * size) << kind_of(segment) << " step " << step;
+    ASSERT_LE(seen.orientation, bound.orientation + size) << kind_of(segment) << " step " << step;
     if (step > 0.1) continue;
-    const double turned = motion_at(piece, s_a).velocity.tail<3>().norm() * step;
-    if (bound.position > 1e-9) ways[kind_of(piece)].push_back(seen.position / bound.position);
+    const double turned = motion_at(segment, s_a).velocity.tail<3>().norm() * step;
+    if (bound.position > 1e-9) ways[kind_of(segment)].push_back(seen.position / bound.position);
     if (bound.orientation > 1e-9 && turned > 1e-6) {
-      turns[kind_of(piece)].push_back(seen.orientation / bound.orientation);
+      turns[kind_of(segment)].push_back(seen.orientation / bound.orientation);
     }
   }
   for (auto& [what, all] : {std::pair{"position", &ways}, std::pair{"orientation", &turns}}) {
@@ -223,17 +223,17 @@ TEST(SegmentChordBound, OfAnArcIsItsRise) {
 TEST(SegmentChordBound, AsAVectorIsTheBendButForTheRest) {
   Random random;
   for (int i = 0; i < 10000; ++i) {
-    const Piece piece = random_piece(random);
+    const Segment segment = random_segment(random);
     const double step = std::pow(10, random.uniform(-3, 0));
     const double s_a = random.uniform(0, 1 - step), s_b = s_a + step;
-    const SegmentChordBound bound = segment_chord_bound(piece, s_a, s_b);
-    const Pose from = pose_at(piece, s_a), to = pose_at(piece, s_b);
+    const SegmentChordBound bound = segment_chord_bound(segment, s_a, s_b);
+    const Pose from = pose_at(segment, s_a), to = pose_at(segment, s_b);
     for (int k = 1; k < 20; ++k) {
       const double t = k / 20.0;
       const Vector3 off =
-          pose_at(piece, s_a + t * step).translation() - interpolate(from, to, t).translation();
-      ASSERT_LE((off + 4 * t * (1 - t) * bound.bend).norm(), bound.rest + 1e-12 * size_of(piece))
-          << kind_of(piece);
+          pose_at(segment, s_a + t * step).translation() - interpolate(from, to, t).translation();
+      ASSERT_LE((off + 4 * t * (1 - t) * bound.bend).norm(), bound.rest + 1e-12 * size_of(segment))
+          << kind_of(segment);
     }
   }
 }

@@ -42,9 +42,9 @@ TEST(FollowBranches, GivesOneForEachSolutionOfTheFirstPoseTheBestFirst) {
     EXPECT_LE(branch.path_parameter, all.front().path_parameter);
     if (branch.status != MotionStatus::reached) continue;
     EXPECT_EQ(branch.path_parameter, 2);
-    ASSERT_EQ(branch.pieces.size(), 2);
-    EXPECT_EQ(branch.pieces[0].samples.back(), branch.pieces[1].samples.front());
-    const Configuration& end = branch.pieces[1].samples.back();
+    ASSERT_EQ(branch.segments.size(), 2);
+    EXPECT_EQ(branch.segments[0].samples.back(), branch.segments[1].samples.front());
+    const Configuration& end = branch.segments[1].samples.back();
     EXPECT_LT((end - branch.start).lpNorm<Eigen::Infinity>(), 1e-7) << "there and back again";
   }
 }
@@ -77,7 +77,7 @@ TEST(FollowBranches, BeginsAJointAtTheTurnThatLastsLongest) {
   }
   const std::vector<Branch> all = branches(arm, poses);
   ASSERT_EQ(all.front().status, MotionStatus::reached) << all.front().reason;
-  const double turned = all.front().pieces.back().samples.back()[5] - all.front().start[5];
+  const double turned = all.front().segments.back().samples.back()[5] - all.front().start[5];
   EXPECT_NEAR(turned, 400 * deg, 1e-6);
   EXPECT_LT(all.front().start[5], 0);
   EXPECT_GT(all.front().limit_margin, 0);

@@ -69,7 +69,7 @@ TEST_P(CertifiedLines, EveryFeasibleLineIsSolvedAndEveryOtherRefusedWithItsReaso
     SCOPED_TRACE(i);
     const Line line = random_certified_line(random, arm);
     const std::vector<Pose> poses{line.from, line.to};
-    const PathMotion motion = move_in_lines(arm, poses, {.law = Law::fastest});
+    const PathMotion motion = move_in_lines(arm, poses, {.profile = Profile::fastest});
     if (motion.status != MotionStatus::reached) {
       expect_rightly_refused(arm, line, motion);
       continue;

@@ -158,7 +158,7 @@ inline DenseAnswer dense_branches(const Arm& arm, const Pose& from, const Pose& 
 /// Seven joints: all solutions within limits on a grid of the joint to spare, for each of many
 /// places; those that can be reached from the ones before by small turns.
 inline DenseAnswer dense_layers(const Arm& arm, const Pose& from, const Pose& to, int layers = 160,
-                                int grid = 96, double most_turn = 0.2) {
+                                int grid = 96, double max_turn = 0.2) {
   InverseSolver solver(arm, {.all = true, .grid = grid, .tolerance = 1e-9, .restarts = 0});
   Eigen::MatrixXd columns(arm.dof(), 16 * grid);
   const Configuration middle = Configuration::Zero(arm.dof());
@@ -178,7 +178,7 @@ inline DenseAnswer dense_layers(const Arm& arm, const Pose& from, const Pose& to
     const auto now = static_cast<std::size_t>(r);
     for (const Configuration& q : all[now]) {
       int from_which = r == 0 ? 0 : -1;
-      double least = most_turn;
+      double least = max_turn;
       for (std::size_t i = 0; r > 0 && i < all[now - 1].size(); ++i) {
         const double turn = (q - all[now - 1][i]).lpNorm<Eigen::Infinity>();
         if (turn < least) least = turn, from_which = static_cast<int>(i);

@@ -128,9 +128,9 @@ TEST(MoveInLines, StopsAtTheSamplesAllowed) {
   const Configuration start{{0, 90 * deg, 0}};
   const std::vector<Pose> waypoints{planar(4.5, 5.2, 0), planar(2, 6, 0.5)};
   const int all = static_cast<int>(move_in_lines(arm, start, waypoints).trajectory.size());
-  EXPECT_EQ(move_in_lines(arm, start, waypoints, {.most_samples = all}).trajectory.size(), all);
+  EXPECT_EQ(move_in_lines(arm, start, waypoints, {.max_samples = all}).trajectory.size(), all);
   for (const int most : {2, 10, all / 2, all - 1}) {
-    const PathMotion motion = move_in_lines(arm, start, waypoints, {.most_samples = most});
+    const PathMotion motion = move_in_lines(arm, start, waypoints, {.max_samples = most});
     expect_nothing_made(motion, MotionStatus::not_converged);
     EXPECT_NE(motion.reason.find("more than " + std::to_string(most)), std::string::npos)
         << motion.reason;
@@ -165,7 +165,7 @@ TEST(MoveInLines, RefusesWhatMakesNoSense) {
   EXPECT_REFUSED(moved({from}, {.tolerance = 0}), "tolerance");
   EXPECT_REFUSED(moved({from}, {.orientation_tolerance = NAN}), "orientation tolerance");
   EXPECT_REFUSED(moved({from}, {.tool_speed = -1}), "speed");
-  EXPECT_REFUSED(moved({from}, {.most_samples = 1}), "needs two");
+  EXPECT_REFUSED(moved({from}, {.max_samples = 1}), "needs two");
   Task nothing = Task::spatial();
   nothing.rows.fill(false);
   EXPECT_REFUSED(moved({from}, {.task = nothing}), "row");

@@ -18,7 +18,7 @@ TEST(PlanPath, GoesAlongLimits) {
     const Line line = random_certified_line(random, arm);
     if (i != 29 && i != 224 && i != 426 && i != 439 && i != 495) continue;
     const std::vector<Pose> poses{line.from, line.to};
-    const PathMotion motion = move_in_lines(arm, poses, {.law = Law::quintic});
+    const PathMotion motion = move_in_lines(arm, poses, {.profile = Profile::quintic});
     ASSERT_EQ(motion.status, MotionStatus::reached) << i << ": " << motion.reason;
     EXPECT_EQ(verify(arm, motion.trajectory, poses).reason, "");
   }
@@ -81,7 +81,7 @@ TEST(PlanPath, ComesToTheElbowsLimitAndNotBeyond) {
     near.translation() -= 0.3 * out;
     beyond.translation() += 0.3 * out;
     for (const auto& poses : {std::vector<Pose>{near, far}, {far, near}}) {
-      const PathMotion motion = move_in_lines(arm, poses, {.law = Law::quintic});
+      const PathMotion motion = move_in_lines(arm, poses, {.profile = Profile::quintic});
       ASSERT_EQ(motion.status, MotionStatus::reached) << off << ' ' << motion.reason;
       EXPECT_EQ(verify(arm, motion.trajectory, poses).reason, "");
       EXPECT_LT(motion.trajectory.times.back(), 20);
@@ -102,7 +102,7 @@ TEST(PlanPath, LeavesRowsFree) {
       Pose to = from;
       to.translation() += 0.05 * random.direction();
       to.linear() = so3_exp(0.05 * random.direction()) * from.linear();
-      const PathMotionOptions options{.task = task_named(task), .law = Law::quintic};
+      const PathMotionOptions options{.task = task_named(task), .profile = Profile::quintic};
       const std::vector<Pose> poses{from, to};
       const PathMotion motion = move_in_lines(arm, poses, options);
       ASSERT_NE(motion.status, MotionStatus::not_converged) << name << task << motion.reason;

@@ -40,12 +40,12 @@ void expect_kept(const Arm& arm, const PathMotion& motion, const Route& route) {
   EXPECT_LE(motion.deviation.sampled.position, 1e-9);
   EXPECT_FALSE(first_joint_fault(arm, motion.trajectory).has_value())
       << first_joint_fault(arm, motion.trajectory)->reason;
-  ASSERT_EQ(motion.arrivals.size(), route.path.pieces.size());
+  ASSERT_EQ(motion.arrivals.size(), route.path.segments.size());
   for (std::size_t i = 0; i < motion.arrivals.size(); ++i) {
-    const Pose end = pose_at(route.path.pieces[i], 1);
+    const Pose end = pose_at(route.path.segments[i], 1);
     const Configuration& q = motion.trajectory.positions[motion.arrivals[i]];
     const Twist off = pose_difference(end, forward_kinematics(arm, q));
-    EXPECT_LT(off.norm(), 1e-9) << "piece " << i;
+    EXPECT_LT(off.norm(), 1e-9) << "segment " << i;
     const bool stop = i + 1 == motion.arrivals.size() || route.stops[i];
     EXPECT_EQ(motion.trajectory.velocities[motion.arrivals[i]].isZero(1e-12), stop);
   }
@@ -76,7 +76,7 @@ TEST(MoveAlong, KeepsEveryKindOfPathAndStopsWhereItShould) {
 TEST(MoveAlong, PassesRoundedCornersWithoutAStop) {
   const Arm arm = built_in("panda");
   const std::vector<Pose> poses = square(arm);
-  const Route rounded = route_of(rounded_lines(poses, {0.01, 0.05}));
+  const Route rounded = route_of(blended_lines(poses, {0.01, 0.05}));
   const PathMotion motion = move_along(arm, ready, rounded);
   expect_kept(arm, motion, rounded);
   EXPECT_EQ(std::count(rounded.stops.begin(), rounded.stops.end(), true), 0);
@@ -102,7 +102,7 @@ TEST(MoveAlong, PassesRoundedCornersWithoutAStop) {
 TEST(MoveAlong, KeepsTheRateOnEveryKindOfPath) {
   const Arm arm = built_in("panda");
   const std::vector<Pose> poses = square(arm);
-  std::vector<Route> routes{route_of(rounded_lines(poses, {0.01, 0.05}))};
+  std::vector<Route> routes{route_of(blended_lines(poses, {0.01, 0.05}))};
   for (const PathKind kind : {PathKind::line, PathKind::screw, PathKind::arc, PathKind::spline}) {
     routes.push_back(route_through(poses, kind));
   }
@@ -120,7 +120,7 @@ TEST(MoveAlong, KeepsTheRateOnEveryKindOfPath) {
         const double step = motion.trajectory.times[k] - motion.trajectory.times[k - 1];
         uneven += std::abs(step * rate - 1) > 1e-6;
       }
-      EXPECT_LE(uneven, static_cast<int>(route.path.pieces.size()));
+      EXPECT_LE(uneven, static_cast<int>(route.path.segments.size()));
     }
   }
 }
@@ -129,7 +129,7 @@ TEST(MoveAlong, TurnsBackWithAStop) {
   const Arm arm = built_in("panda");
   std::vector<Pose> poses = square(arm);
   poses = {poses[0], poses[1], poses[0]};
-  const Route back = route_of(rounded_lines(poses, {0.01, 0.05}));
+  const Route back = route_of(blended_lines(poses, {0.01, 0.05}));
   expect_kept(arm, move_along(arm, ready, back), back);
   EXPECT_EQ(std::count(back.stops.begin(), back.stops.end(), true), 1);
 }
@@ -154,7 +154,7 @@ TEST(MoveAlong, RefusesAStartElsewhere) {
   EXPECT_REFUSED(move_along(arm, other, route), "away from the path's begin");
   other[3] = 1;
   EXPECT_REFUSED(move_along(arm, other, route), "joint4");
-  EXPECT_REFUSED(move_along(arm, ready, Route{}), "pieces");
+  EXPECT_REFUSED(move_along(arm, ready, Route{}), "segments");
   EXPECT_REFUSED(move_along(arm, ready, route, {.task = task_named("111110:tool")}), "orientation");
 }
 
@@ -163,7 +163,7 @@ TEST(MoveAlong, RefusesOptionsThatMakeNoSense) {
   const Route route = route_through(square(arm), PathKind::screw);
   EXPECT_REFUSED(move_along(arm, ready, route, {.tolerance = -1}), "tolerance");
   EXPECT_REFUSED(move_along(arm, ready, route, {.orientation_tolerance = NAN}), "tolerance");
-  EXPECT_REFUSED(move_along(arm, ready, route, {.most_samples = -5}), "samples");
+  EXPECT_REFUSED(move_along(arm, ready, route, {.max_samples = -5}), "samples");
 }
 
 // Rows that do not matter alone move: the arm does not, and needs no time.

@@ -122,8 +122,8 @@ TEST(JointString, AThousandLettersWorkAndTooManyAreRefused) {
   const Arm arm = arm_from_joint_string(std::string(1000, 'R'));
   EXPECT_EQ(arm.dof(), 1000);
   EXPECT_EQ(forward_kinematics(arm, Configuration::Zero(1000)).translation(), Vector3(1000, 0, 0));
-  EXPECT_EQ(arm_from_joint_string(std::string(most_joints, 'P')).dof(), 10000);
-  EXPECT_REFUSED(arm_from_joint_string(std::string(most_joints + 1, 'R')),
+  EXPECT_EQ(arm_from_joint_string(std::string(max_joints, 'P')).dof(), 10000);
+  EXPECT_REFUSED(arm_from_joint_string(std::string(max_joints + 1, 'R')),
                  "has 10001 letters; at most 10000 are read");
   EXPECT_REFUSED(arm_from_joint_string(std::string(std::size_t{1} << 20, 'S') + ":1"), "at most");
 }

@@ -20,13 +20,13 @@ TEST(Fastest, KeepsLimitsBetweenGridPointsAndUsesThem) {
     const int joints = random.integer(1, 7);
     const JointPath path = random_path(random, joints, random.integer(3, 10));
     const PathLimits limits = random_limits(random, joints);
-    const PathLaw law = fastest(path, limits);
-    ASSERT_EQ(law.reason, "");
-    ASSERT_EQ(law.s, path.s);
-    ASSERT_EQ(law.speed.front(), 0);
-    ASSERT_EQ(law.speed.back(), 0);
-    for (std::size_t k = 1; k < law.t.size(); ++k) ASSERT_GT(law.t[k], law.t[k - 1]);
-    const double share = largest_share(path, limits, law);
+    const TimeScaling scaling = fastest(path, limits);
+    ASSERT_EQ(scaling.reason, "");
+    ASSERT_EQ(scaling.s, path.s);
+    ASSERT_EQ(scaling.speed.front(), 0);
+    ASSERT_EQ(scaling.speed.back(), 0);
+    for (std::size_t k = 1; k < scaling.t.size(); ++k) ASSERT_GT(scaling.t[k], scaling.t[k - 1]);
+    const double share = largest_share(path, limits, scaling);
     ASSERT_LE(share, 1 + 1e-6);
     ASSERT_GE(share, 0.999);
   }
@@ -55,7 +55,8 @@ TEST(Fastest, OfThePathReversedIsTheLawReversed) {
     const int joints = random.integer(1, 7);
     const JointPath path = random_path(random, joints, random.integer(3, 10));
     const PathLimits limits = random_limits(random, joints);
-    const PathLaw there = fastest(path, limits), back = fastest(testing::reversed(path), limits);
+    const TimeScaling there = fastest(path, limits),
+                      back = fastest(testing::reversed(path), limits);
     ASSERT_NEAR(there.duration(), back.duration(), 3e-3 * there.duration());
     const double most = *std::max_element(there.speed.begin(), there.speed.end());
     double apart = 0;
@@ -102,10 +103,10 @@ TEST(Fastest, KeepsALimitOfItsSpeed) {
     for (std::size_t k = 0; k < path.size(); ++k) {
       limits.speed.push_back(random.uniform(0.2, 3));
     }
-    const PathLaw law = fastest(path, limits);
-    ASSERT_TRUE(law.found());
+    const TimeScaling scaling = fastest(path, limits);
+    ASSERT_TRUE(scaling.found());
     for (std::size_t k = 0; k < path.size(); ++k) {
-      ASSERT_LE(law.speed[k], limits.speed[k] * (1 + 1e-12));
+      ASSERT_LE(scaling.speed[k], limits.speed[k] * (1 + 1e-12));
     }
   }
 }
@@ -117,15 +118,15 @@ TEST(Fastest, BeginsAndEndsAsFastAsAskedOrSaysWhyNot) {
     const JointPath path = random_path(random, 3, 5);
     const PathLimits limits = random_limits(random, 3);
     const EndSpeeds ends{random.uniform(0, 2), random.uniform(0, 2)};
-    const PathLaw law = fastest(path, limits, ends);
-    if (!law.found()) {
-      ASSERT_TRUE(law.t.empty());
+    const TimeScaling scaling = fastest(path, limits, ends);
+    if (!scaling.found()) {
+      ASSERT_TRUE(scaling.t.empty());
       continue;
     }
     ++found;
-    ASSERT_NEAR(law.speed.front(), ends.begin, 1e-8);
-    ASSERT_NEAR(law.speed.back(), ends.end, 1e-8);
-    ASSERT_LE(largest_share(path, limits, law), 1 + 1e-5);
+    ASSERT_NEAR(scaling.speed.front(), ends.begin, 1e-8);
+    ASSERT_NEAR(scaling.speed.back(), ends.end, 1e-8);
+    ASSERT_LE(largest_share(path, limits, scaling), 1 + 1e-5);
   }
   EXPECT_GT(found, 20);
   EXPECT_LT(found, 200);
@@ -146,12 +147,12 @@ TEST(Fastest, PassesStretchesWhereNothingMoves) {
   }
   PathLimits limits;
   limits.velocity = limits.acceleration = limits.jerk = Configuration::Constant(2, 1);
-  const PathLaw law = fastest(path, limits);
-  ASSERT_EQ(law.reason, "");
+  const TimeScaling scaling = fastest(path, limits);
+  ASSERT_EQ(scaling.reason, "");
   // Two radians at 1 rad/s and 1 rad/s^2 take 3 s without the stop.
-  EXPECT_GT(law.duration(), 2.9);
-  EXPECT_LT(law.duration(), 4.5);
-  for (std::size_t k = 1; k < law.t.size(); ++k) ASSERT_GT(law.t[k], law.t[k - 1]);
+  EXPECT_GT(scaling.duration(), 2.9);
+  EXPECT_LT(scaling.duration(), 4.5);
+  for (std::size_t k = 1; k < scaling.t.size(); ++k) ASSERT_GT(scaling.t[k], scaling.t[k - 1]);
 }
 
 TEST(Fastest, TakesAMomentWhereNothingMovesAtAll) {
@@ -160,10 +161,10 @@ TEST(Fastest, TakesAMomentWhereNothingMovesAtAll) {
       {0, 1, 2}, {still, still, still}, {still, still, still}, {still, still, still}};
   PathLimits limits;
   limits.velocity = limits.acceleration = limits.jerk = Configuration::Constant(1, 1);
-  const PathLaw law = fastest(path, limits);
-  ASSERT_TRUE(law.found());
-  EXPECT_GT(law.duration(), 0);
-  EXPECT_LE(law.duration(), 0.01);
+  const TimeScaling scaling = fastest(path, limits);
+  ASSERT_TRUE(scaling.found());
+  EXPECT_GT(scaling.duration(), 0);
+  EXPECT_LE(scaling.duration(), 0.01);
 }
 
 TEST(Fastest, RefusesWhatMakesNoSense) {

@@ -54,28 +54,30 @@ JointPath staircase(int corners, double size) {
   return path;
 }
 
-/// What the arm does at a point of the law.
+/// What the arm does at a point of the scaling.
 struct State {
   Configuration velocity, acceleration;
 };
-State state_at(const JointPath& path, const PathLaw& law, std::size_t i, std::size_t& step) {
-  while (step + 2 < path.size() && path.s[step + 1] <= law.s[i]) ++step;
-  const double along = (law.s[i] - path.s[step]) / (path.s[step + 1] - path.s[step]);
+State state_at(const JointPath& path, const TimeScaling& scaling, std::size_t i,
+               std::size_t& step) {
+  while (step + 2 < path.size() && path.s[step + 1] <= scaling.s[i]) ++step;
+  const double along = (scaling.s[i] - path.s[step]) / (path.s[step + 1] - path.s[step]);
   const PathPoint point = path_point(path, step, along);
-  const double v = law.speed[i];
-  return {point.dq * v, point.dq * law.acceleration[i] + point.ddq * v * v};
+  const double v = scaling.speed[i];
+  return {point.dq * v, point.dq * scaling.acceleration[i] + point.ddq * v * v};
 }
 
-void expect_limits_kept(const JointPath& path, const PathLimits& limits, const PathLaw& law) {
-  ASSERT_EQ(law.reason, "");
-  ASSERT_EQ(law.speed.front(), 0);
-  ASSERT_EQ(law.speed.back(), 0);
+void expect_limits_kept(const JointPath& path, const PathLimits& limits,
+                        const TimeScaling& scaling) {
+  ASSERT_EQ(scaling.reason, "");
+  ASSERT_EQ(scaling.speed.front(), 0);
+  ASSERT_EQ(scaling.speed.back(), 0);
   std::size_t step = 0;
-  State before = state_at(path, law, 0, step);
+  State before = state_at(path, scaling, 0, step);
   ASSERT_LT(before.acceleration.norm(), 1e-9);
-  for (std::size_t k = 1; k < law.t.size(); ++k) {
-    const State now = state_at(path, law, k, step);
-    const double dt = law.t[k] - law.t[k - 1];
+  for (std::size_t k = 1; k < scaling.t.size(); ++k) {
+    const State now = state_at(path, scaling, k, step);
+    const double dt = scaling.t[k] - scaling.t[k - 1];
     ASSERT_GT(dt, 0);
     ASSERT_LE(share(now.velocity, limits.velocity), 1 + 1e-5);
     ASSERT_LE(share(now.acceleration, limits.acceleration), 1 + 1e-4);
@@ -100,14 +102,14 @@ TEST(JerkLimited, KeepsAllLimitsOnDenseSamples) {
     auto [path, limits] = random_case(random);
     if (i % 3 == 1) limits.velocity[0] = Limits::none;
     if (i % 3 == 2) limits.acceleration[0] = Limits::none;
-    const PathLaw law = jerk_limited(path, limits);
+    const TimeScaling scaling = jerk_limited(path, limits);
     std::vector<double> ways;
-    const auto [names, t, q, v, a] = at_rate({{path, law}}, 2e4 / law.duration(), ways);
+    const auto [names, t, q, v, a] = at_rate({{path, scaling}}, 2e4 / scaling.duration(), ways);
     for (std::size_t k = 1; k < t.size(); ++k) {
       const double dt = t[k] - t[k - 1];
       ASSERT_LE(share(v[k], limits.velocity), 1 + 5e-3);
       ASSERT_LE(share(a[k], limits.acceleration), 1 + 2e-2);
-      // Where the jerk jumps between two points of the law, its quintic there swings a little.
+      // Where the jerk jumps between two points of the scaling, its quintic there swings a little.
       if (dt < 1e-6) continue;  // the end
       ASSERT_LE(share((a[k] - a[k - 1]) / dt, limits.jerk), 1 + 0.2);
     }
@@ -121,13 +123,13 @@ TEST(JerkLimited, KeepsALimitOfTheSpeedAlongThePath) {
     for (std::size_t k = 0; k < path.size(); ++k) {
       limits.speed.push_back(0.5 + 0.4 * std::sin(10 * path.s[k]));
     }
-    const PathLaw law = jerk_limited(path, limits);
+    const TimeScaling scaling = jerk_limited(path, limits);
     std::size_t seen = 0;
-    for (std::size_t k = 0; k < law.s.size(); ++k) {
-      const auto at = std::lower_bound(path.s.begin(), path.s.end(), law.s[k]);
-      if (*at != law.s[k]) continue;
+    for (std::size_t k = 0; k < scaling.s.size(); ++k) {
+      const auto at = std::lower_bound(path.s.begin(), path.s.end(), scaling.s[k]);
+      if (*at != scaling.s[k]) continue;
       ++seen;
-      ASSERT_LE(law.speed[k], limits.speed[std::size_t(at - path.s.begin())] * (1 + 1e-6));
+      ASSERT_LE(scaling.speed[k], limits.speed[std::size_t(at - path.s.begin())] * (1 + 1e-6));
     }
     ASSERT_EQ(seen, path.size());
   }
@@ -151,8 +153,8 @@ TEST(JerkLimited, IsNoSlowerThanSimplerLawsAndNearTheFastest) {
   for (int i = 0; i < count; ++i) {
     const auto [path, limits] = random_case(random);
     const double duration = jerk_limited(path, limits).duration();
-    ASSERT_LE(duration, scalar_law(ScalarForm::s_curve, path, limits).duration() * (1 + 2e-3));
-    ASSERT_LE(duration, scalar_law(ScalarForm::quintic, path, limits).duration());
+    ASSERT_LE(duration, scalar_profile(ScalarForm::s_curve, path, limits).duration() * (1 + 2e-3));
+    ASSERT_LE(duration, scalar_profile(ScalarForm::quintic, path, limits).duration());
     const double least = fastest(path, limits).duration();
     ASSERT_GE(duration, least * (1 - 1e-2));  // but for what a coarse grid costs the fastest
     worst = std::max(worst, duration / least);
@@ -187,10 +189,10 @@ TEST(JerkLimited, PassesTightCornersAsWellAsStopsThere) {
   for (const int corners : {1, 4, 9}) {
     for (const double size : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
       const JointPath path = refined(staircase(corners, size));
-      const PathLaw law = jerk_limited(path, limits);
-      expect_limits_kept(path, limits, law);
+      const TimeScaling scaling = jerk_limited(path, limits);
+      expect_limits_kept(path, limits, scaling);
       const double stopping = (corners + 1) * along_one;
-      EXPECT_LT(law.duration(), 1.2 * stopping) << corners << " corners of " << size;
+      EXPECT_LT(scaling.duration(), 1.2 * stopping) << corners << " corners of " << size;
     }
   }
 }

@@ -35,12 +35,12 @@ Configuration random_goal(testing::Random& random, const Arm& arm, const Configu
   return to;
 }
 
-double most_velocity(const Limits& limits) {
+double max_velocity(const Limits& limits) {
   return std::isfinite(limits.velocity) ? limits.velocity : velocity_when_unknown;
 }
 
 double own_duration(const Limits& limits, double way) {
-  return s_curve(way, {.velocity = most_velocity(limits),
+  return s_curve(way, {.velocity = max_velocity(limits),
                        .acceleration = limits.acceleration,
                        .jerk = limits.jerk})
       .duration;
@@ -56,10 +56,10 @@ void expect_limits_kept(const Arm& arm, const PointToPoint& motion) {
     const double h = motion.duration / samples;
     for (int i = 0; i < arm.dof(); ++i) {
       const Limits& limits = arm.limits(i);
-      ASSERT_LE(std::abs(v[i]), most_velocity(limits) * slack) << i;
+      ASSERT_LE(std::abs(v[i]), max_velocity(limits) * slack) << i;
       ASSERT_LE(std::abs(a[i]), limits.acceleration * slack) << i;
       if (k == 0) continue;
-      ASSERT_LE(std::abs(q[i] - last_q[i]), most_velocity(limits) * h * slack + tiny);
+      ASSERT_LE(std::abs(q[i] - last_q[i]), max_velocity(limits) * h * slack + tiny);
       ASSERT_LE(std::abs(v[i] - last_v[i]), limits.acceleration * h * slack + tiny);
       ASSERT_LE(std::abs(a[i] - last_a[i]), limits.jerk * h * slack + tiny);
     }
@@ -99,7 +99,7 @@ TEST(PointToPoint, LastsAsLongAsTheSlowestJointAndStraightNoLess) {
     ASSERT_EQ(motion.duration, slowest);
     ASSERT_GE(point_to_point(arm, from, to, {Synchronise::straight}).duration,
               slowest * (1 - 1e-12));
-    for (const SCurve& law : motion.laws) ASSERT_EQ(law.duration, motion.duration);
+    for (const SCurve& curve : motion.curves) ASSERT_EQ(curve.duration, motion.duration);
   });
 }
 
@@ -138,27 +138,27 @@ TEST(PointToPoint, StraightIsAStraightLineAtTheLimitOfSomeJoint) {
       const double share = way.dot(q - from) / way.squaredNorm();
       ASSERT_LT((q - from - share * way).norm(), 1e-12);
     }
-    // Each kind of limit that the law is at, some joint is at.
+    // Each kind of limit that the curve is at, some joint is at.
     double v_used = 0, a_used = 0, j_used = 0;
-    for (std::size_t k = 0; k < motion.laws.size(); ++k) {
-      const SCurve& law = motion.laws[k];
-      if (law.distance == 0) continue;
+    for (std::size_t k = 0; k < motion.curves.size(); ++k) {
+      const SCurve& curve = motion.curves[k];
+      if (curve.distance == 0) continue;
       const Limits& limits = arm.limits(k);
-      v_used = std::max(v_used, std::abs(law.velocity) / most_velocity(limits));
+      v_used = std::max(v_used, std::abs(curve.velocity) / max_velocity(limits));
       if (std::isfinite(limits.acceleration)) {
-        a_used = std::max(a_used, std::abs(law.acceleration) / limits.acceleration);
+        a_used = std::max(a_used, std::abs(curve.acceleration) / limits.acceleration);
       }
-      if (std::isfinite(limits.jerk)) j_used = std::max(j_used, std::abs(law.jerk) / limits.jerk);
+      if (std::isfinite(limits.jerk)) j_used = std::max(j_used, std::abs(curve.jerk) / limits.jerk);
     }
-    const SCurve& law = motion.laws[0];
+    const SCurve& curve = motion.curves[0];
     ASSERT_LE(std::max({v_used, a_used, j_used}), 1 + 1e-12);
-    if (law.cruise_time > 0) {
+    if (curve.cruise_time > 0) {
       ASSERT_NEAR(v_used, 1, 1e-12);
     }
-    if (law.acceleration_time > 0) {
+    if (curve.acceleration_time > 0) {
       ASSERT_NEAR(a_used, 1, 1e-12);
     }
-    if (law.jerk_time > 0) {
+    if (curve.jerk_time > 0) {
       ASSERT_NEAR(j_used, 1, 1e-12);
     }
   });
@@ -176,7 +176,7 @@ TEST(PointToPoint, WithOneJointBothWaysAreOne) {
     point_to_point(limits, from, to, time);
     point_to_point(limits, from, to, straight, {Synchronise::straight});
     ASSERT_EQ(time.duration, straight.duration);
-    ASSERT_EQ(time.laws[0].velocity, straight.laws[0].velocity);
+    ASSERT_EQ(time.curves[0].velocity, straight.curves[0].velocity);
   }
 }
 

@@ -12,7 +12,8 @@
 namespace beeline {
 namespace {
 
-constexpr Law laws[] = {Law::fastest, Law::jerk, Law::trapezoidal, Law::quintic, Law::s_curve};
+constexpr Profile profiles[] = {Profile::fastest, Profile::jerk, Profile::trapezoidal,
+                                Profile::quintic, Profile::s_curve};
 
 /// Waypoints well within the arm's limits, a second apart.
 Trajectory random_way(testing::Random& random, const Arm& arm, int count) {
@@ -30,21 +31,21 @@ TEST(Retime, KeepsEverySampleAndItsLimitsByEveryLaw) {
   const Arm arm = built_in("panda");
   for (int i = 0; i < 5; ++i) {
     const Trajectory way = random_way(random, arm, random.integer(2, 8));
-    for (const Law law : laws) {
-      const Retimed timed = retime(arm, way, {.law = law});
-      ASSERT_EQ(timed.reason, "") << name(law);
+    for (const Profile profile : profiles) {
+      const Retimed timed = retime(arm, way, {.profile = profile});
+      ASSERT_EQ(timed.reason, "") << name(profile);
       ASSERT_NO_THROW(check_trajectory(timed.trajectory));
-      ASSERT_LE(timed.limits.velocity.share, 1 + 1e-9);
-      ASSERT_LE(timed.limits.acceleration.share, 1 + 1e-9);
-      if (law != Law::fastest && law != Law::trapezoidal) {
-        ASSERT_LE(timed.limits.jerk.share, 1 + 1e-9);
+      ASSERT_LE(timed.limits.velocity.fraction, 1 + 1e-9);
+      ASSERT_LE(timed.limits.acceleration.fraction, 1 + 1e-9);
+      if (profile != Profile::fastest && profile != Profile::trapezoidal) {
+        ASSERT_LE(timed.limits.jerk.fraction, 1 + 1e-9);
       }
       ASSERT_EQ(timed.stretches, 1u);
       std::size_t kept = 0;
       for (const Configuration& q : timed.trajectory.positions) {
         if (kept < way.size() && q == way.positions[kept]) ++kept;
       }
-      ASSERT_EQ(kept, way.size()) << name(law);
+      ASSERT_EQ(kept, way.size()) << name(profile);
       for (const auto* v :
            {&timed.trajectory.velocities.front(), &timed.trajectory.velocities.back()}) {
         ASSERT_EQ(v->norm(), 0);
@@ -56,16 +57,17 @@ TEST(Retime, KeepsEverySampleAndItsLimitsByEveryLaw) {
 TEST(Retime, TellsVelocitiesAndAccelerationsThatFitThePositions) {
   testing::Random random;
   const Arm arm = built_in("panda");
-  for (const Law law : laws) {
-    const Retimed timed = retime(arm, random_way(random, arm, 5), {.law = law, .rate = 2000});
+  for (const Profile profile : profiles) {
+    const Retimed timed =
+        retime(arm, random_way(random, arm, 5), {.profile = profile, .rate = 2000});
     const auto& [names, t, q, v, a] = timed.trajectory;
     for (std::size_t k = 0; k + 2 < t.size(); ++k) {
       const double h = t[k + 1] - t[k];
       ASSERT_NEAR(h, 1.0 / 2000, 1e-9);
-      ASSERT_LT(((q[k + 1] - q[k]) / h - 0.5 * (v[k] + v[k + 1])).norm(), 5e-3) << name(law);
-      const bool jumps = law == Law::fastest || law == Law::trapezoidal;
+      ASSERT_LT(((q[k + 1] - q[k]) / h - 0.5 * (v[k] + v[k + 1])).norm(), 5e-3) << name(profile);
+      const bool jumps = profile == Profile::fastest || profile == Profile::trapezoidal;
       if (jumps) continue;
-      ASSERT_LT(((v[k + 1] - v[k]) / h - 0.5 * (a[k] + a[k + 1])).norm(), 2) << name(law);
+      ASSERT_LT(((v[k + 1] - v[k]) / h - 0.5 * (a[k] + a[k + 1])).norm(), 2) << name(profile);
     }
   }
 }
@@ -90,22 +92,23 @@ TEST(Retime, TakesTheShareOfTheSpeedThatIsAskedFor) {
   testing::Random random;
   const Arm arm = built_in("panda");
   const Trajectory way = random_way(random, arm, 5);
-  for (const Law law : laws) {
-    const double full = retime(arm, way, {.law = law}).trajectory.times.back();
-    const double half = retime(arm, way, {.law = law, .speed_limit = 0.5}).trajectory.times.back();
-    EXPECT_NEAR(half, 2 * full, 1e-2 * full) << name(law);
+  for (const Profile profile : profiles) {
+    const double full = retime(arm, way, {.profile = profile}).trajectory.times.back();
+    const double half =
+        retime(arm, way, {.profile = profile, .speed_limit = 0.5}).trajectory.times.back();
+    EXPECT_NEAR(half, 2 * full, 1e-2 * full) << name(profile);
   }
 }
 
 TEST(Retime, KeepsTheToolsSpeed) {
   testing::Random random;
   const Arm arm = built_in("panda");
-  for (const Law law : laws) {
+  for (const Profile profile : profiles) {
     const Trajectory way = random_way(random, arm, 5);
-    const Retimed timed = retime(arm, way, {.law = law, .tool_speed = 0.2});
+    const Retimed timed = retime(arm, way, {.profile = profile, .tool_speed = 0.2});
     ASSERT_TRUE(timed.found());
     EXPECT_LE(timed.tool_speed, 0.2 * (1 + 1e-9));
-    EXPECT_GT(timed.tool_speed, 0.17) << name(law);
+    EXPECT_GT(timed.tool_speed, 0.17) << name(profile);
     double length = 0;
     const auto& t = timed.trajectory.times;
     const auto& q = timed.trajectory.positions;
@@ -150,10 +153,11 @@ TEST(Retime, StandsStillWhereTheRecordingDid) {
 TEST(Retime, OfWhatItHasTimedTakesAsLong) {
   testing::Random random;
   const Arm arm = built_in("panda");
-  for (const Law law : {Law::fastest, Law::jerk}) {
-    const Trajectory once = retime(arm, random_way(random, arm, 4), {.law = law}).trajectory;
-    const Trajectory twice = retime(arm, once, {.law = law}).trajectory;
-    EXPECT_NEAR(twice.times.back(), once.times.back(), 0.05 * once.times.back()) << name(law);
+  for (const Profile profile : {Profile::fastest, Profile::jerk}) {
+    const Trajectory once =
+        retime(arm, random_way(random, arm, 4), {.profile = profile}).trajectory;
+    const Trajectory twice = retime(arm, once, {.profile = profile}).trajectory;
+    EXPECT_NEAR(twice.times.back(), once.times.back(), 0.05 * once.times.back()) << name(profile);
   }
 }
 
@@ -173,15 +177,16 @@ TEST(Retime, AtARateSettlesWithinTheLimitsOnATightCorner) {
       add(corner + size * Eigen::Vector2d(-(1 - u) * (1 - u), u * u));
     }
     for (int k = 19; k >= 0; --k) add(end + k / 20. * (corner + Eigen::Vector2d(0, size) - end));
-    for (const Law law : laws) {
-      const double duration = retime(arm, way, {.law = law}).trajectory.times.back();
+    for (const Profile profile : profiles) {
+      const double duration = retime(arm, way, {.profile = profile}).trajectory.times.back();
       for (const double rate : {10., 97., 1000.}) {
-        const Retimed timed = retime(arm, way, {.law = law, .rate = rate});
+        const Retimed timed = retime(arm, way, {.profile = profile, .rate = rate});
         ASSERT_EQ(timed.reason, "");
-        EXPECT_LE(timed.limits.velocity.share, 1 + 1e-9);
-        EXPECT_LE(timed.limits.acceleration.share, 1 + 1e-9);
-        EXPECT_LE(keeps_jerk(law) ? timed.limits.jerk.share : 0, 1 + 1e-9);
-        EXPECT_LT(timed.trajectory.times.back(), duration * (1 + 1e-2)) << name(law) << ' ' << rate;
+        EXPECT_LE(timed.limits.velocity.fraction, 1 + 1e-9);
+        EXPECT_LE(timed.limits.acceleration.fraction, 1 + 1e-9);
+        EXPECT_LE(keeps_jerk(profile) ? timed.limits.jerk.fraction : 0, 1 + 1e-9);
+        EXPECT_LT(timed.trajectory.times.back(), duration * (1 + 1e-2))
+            << name(profile) << ' ' << rate;
       }
     }
   }
@@ -206,12 +211,12 @@ TEST(Retime, GoesAsSlowlyAsItMayBeAskedTo) {
     for (int k = 0; k < 3; ++k) {
       way.positions.push_back(middle + 0.2 * (random.configuration(arm) - middle));
     }
-    for (const Law law : laws) {
-      if (law == Law::jerk && default_law(arm) != Law::jerk) continue;
-      const Retimed slow = retime(arm, way, {.law = law, .speed_limit = 1e-6});
+    for (const Profile profile : profiles) {
+      if (profile == Profile::jerk && default_profile(arm) != Profile::jerk) continue;
+      const Retimed slow = retime(arm, way, {.profile = profile, .speed_limit = 1e-6});
       ASSERT_TRUE(slow.found()) << slow.reason;
-      EXPECT_LE(slow.limits.velocity.share, 1e-6 * (1 + 1e-6));
-      const Retimed creeping = retime(arm, way, {.law = law, .tool_speed = 1e-9});
+      EXPECT_LE(slow.limits.velocity.fraction, 1e-6 * (1 + 1e-6));
+      const Retimed creeping = retime(arm, way, {.profile = profile, .tool_speed = 1e-9});
       ASSERT_TRUE(creeping.found()) << creeping.reason;
       EXPECT_LE(creeping.tool_speed, 1e-9 * (1 + 1e-6));
     }
@@ -235,7 +240,7 @@ TEST(Retime, RefusesWhatMakesNoSense) {
   const Trajectory still{arm.joint_names(), {0, 1}, {zero, zero}, {}, {}};
   EXPECT_REFUSED(retime(arm, still), "two different positions");
   EXPECT_REFUSED(retime(arm, {arm.joint_names(), {}, {}, {}, {}}), "no samples");
-  EXPECT_REFUSED(retime(arm, still, {.law = Law::jerk}), "limits of jerk");
+  EXPECT_REFUSED(retime(arm, still, {.profile = Profile::jerk}), "limits of jerk");
   for (const double share : {1.5, 0.0, 1e-7, 1e-300, std::nan("")}) {
     EXPECT_REFUSED(retime(arm, still, {.speed_limit = share}), "from 1e-06 to 1");
   }
@@ -243,8 +248,8 @@ TEST(Retime, RefusesWhatMakesNoSense) {
     EXPECT_REFUSED(retime(arm, still, {.tool_speed = speed}), "1e-09 m/s at least");
   }
   EXPECT_REFUSED(retime(arm, still, {.rate = -1}), "above zero");
-  EXPECT_REFUSED(law_named("scurve"), "s-curve");
-  for (const Law law : laws) EXPECT_EQ(law_named(name(law)), law);
+  EXPECT_REFUSED(profile_named("scurve"), "s-curve");
+  for (const Profile profile : profiles) EXPECT_EQ(profile_named(name(profile)), profile);
 }
 
 }  // namespace

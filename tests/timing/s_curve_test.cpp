@@ -80,48 +80,49 @@ TEST(SCurve, DurationsAreTheOptimumFoundBySearchAtAnyMagnitude) {
   for (int i = 0; i < 20000; ++i) {
     const double d = log_uniform(random, 1e-12, 1e6);
     const Limits limits = random_limits(random, 1e-3, 1e6);
-    const SCurve law = s_curve(d, limits);
+    const SCurve curve = s_curve(d, limits);
     const auto expected = static_cast<double>(searched_duration(d, limits));
-    worst = std::max(worst, std::abs(law.duration / expected - 1));
-    ASSERT_NEAR(law.duration / expected, 1, 1e-13) << text(d, limits);
-    const double sum = 4 * law.jerk_time + 2 * law.acceleration_time + law.cruise_time;
-    ASSERT_NEAR(sum / law.duration, 1, 1e-14);
+    worst = std::max(worst, std::abs(curve.duration / expected - 1));
+    ASSERT_NEAR(curve.duration / expected, 1, 1e-13) << text(d, limits);
+    const double sum = 4 * curve.jerk_time + 2 * curve.acceleration_time + curve.cruise_time;
+    ASSERT_NEAR(sum / curve.duration, 1, 1e-14);
   }
   std::cout << "largest relative difference of durations " << worst << '\n';
 }
 
 /// Limits kept at every sample and between them, and each state the last one carried on.
-void expect_motion(const SCurve& law, const Limits& limits, int samples, const std::string& what) {
+void expect_motion(const SCurve& curve, const Limits& limits, int samples,
+                   const std::string& what) {
   const double slack = 1 + 1e-12;
-  const double size = std::abs(law.distance);
-  JointState last = at(law, 0);
+  const double size = std::abs(curve.distance);
+  JointState last = at(curve, 0);
   for (int k = 1; k <= samples; ++k) {
-    const double before = law.duration * (k - 1) / samples, t = law.duration * k / samples;
+    const double before = curve.duration * (k - 1) / samples, t = curve.duration * k / samples;
     const double h = t - before;
-    const JointState state = at(law, t);
+    const JointState state = at(curve, t);
     ASSERT_LE(std::abs(state.velocity), limits.velocity * slack) << what;
     ASSERT_LE(std::abs(state.acceleration), limits.acceleration * slack) << what;
     ASSERT_LE(std::abs(state.jerk), limits.jerk * slack) << what;
     // Rounding: of the time, by which all else goes.
     const double grain = 1e-12;
     ASSERT_LE(std::abs(state.position - last.position),
-              std::abs(law.velocity) * h * slack + grain * size)
+              std::abs(curve.velocity) * h * slack + grain * size)
         << what;
     ASSERT_LE(std::abs(state.velocity - last.velocity),
-              std::abs(law.acceleration) * h * slack + grain * std::abs(law.velocity))
+              std::abs(curve.acceleration) * h * slack + grain * std::abs(curve.velocity))
         << what;
     ASSERT_LE(std::abs(state.acceleration - last.acceleration),
-              std::abs(law.jerk) * h * slack + grain * std::abs(law.acceleration))
+              std::abs(curve.jerk) * h * slack + grain * std::abs(curve.acceleration))
         << what << " at " << t;
-    ASSERT_GE((state.position - last.position) * law.distance, -grain * size * size) << what;
+    ASSERT_GE((state.position - last.position) * curve.distance, -grain * size * size) << what;
     const bool one_phase = state.jerk == last.jerk && k > 1 && k < samples &&
                            state.acceleration * last.acceleration >= 0 &&
                            (state.jerk != 0 || state.acceleration == last.acceleration);
     if (one_phase) {
       ASSERT_NEAR(state.acceleration, last.acceleration + last.jerk * h,
-                  grain * std::abs(law.acceleration));
+                  grain * std::abs(curve.acceleration));
       ASSERT_NEAR(state.velocity, last.velocity + h * (last.acceleration + h * last.jerk / 2),
-                  grain * std::abs(law.velocity))
+                  grain * std::abs(curve.velocity))
           << what;
       ASSERT_NEAR(
           state.position,
@@ -140,9 +141,9 @@ TEST(SCurve, KeepsItsLimitsAndMovesAsItsDerivativesSay) {
     const double d = log_uniform(random, extreme ? 1e-12 : 0.01, extreme ? 1e6 : 10);
     const Limits limits =
         extreme ? random_limits(random, 1e-3, 1e6) : random_limits(random, 0.1, 10);
-    const SCurve law = s_curve(d, limits);
-    ASSERT_NO_FATAL_FAILURE(expect_motion(law, limits, 300, text(d, limits)));
-    const SCurve slow = stretched(law, law.duration * random.uniform(1, 10));
+    const SCurve curve = s_curve(d, limits);
+    ASSERT_NO_FATAL_FAILURE(expect_motion(curve, limits, 300, text(d, limits)));
+    const SCurve slow = stretched(curve, curve.duration * random.uniform(1, 10));
     ASSERT_NO_FATAL_FAILURE(expect_motion(slow, limits, 100, text(d, limits)));
   }
 }
@@ -154,19 +155,19 @@ TEST(SCurve, ItsPhasesIntegratedOneByOneAreItsStatesAndItsDistance) {
     const Limits limits{.velocity = log_uniform(random, 0.1, 10),
                         .acceleration = log_uniform(random, 0.1, 10),
                         .jerk = log_uniform(random, 0.1, 10)};
-    const SCurve law = s_curve(d, limits);
-    const double tj = law.jerk_time, ta = law.acceleration_time, tv = law.cruise_time;
+    const SCurve curve = s_curve(d, limits);
+    const double tj = curve.jerk_time, ta = curve.acceleration_time, tv = curve.cruise_time;
     double t = 0, q = 0, v = 0, a = 0;
     for (const auto& [sign, h] :
          {std::pair{1, tj}, {0, ta}, {-1, tj}, {0, tv}, {-1, tj}, {0, ta}, {1, tj}}) {
-      const double j = sign * law.jerk;
+      const double j = sign * curve.jerk;
       q += h * (v + h * (a / 2 + h * j / 6));
       v += h * (a + h * j / 2);
       a += h * j;
       t += h;
-      ASSERT_NEAR(at(law, t).position, q, 1e-12 * d) << text(d, limits);
-      ASSERT_NEAR(at(law, t).velocity, v, 1e-12 * law.velocity) << text(d, limits);
-      ASSERT_NEAR(at(law, t).acceleration, a, 1e-11 * law.acceleration) << text(d, limits);
+      ASSERT_NEAR(at(curve, t).position, q, 1e-12 * d) << text(d, limits);
+      ASSERT_NEAR(at(curve, t).velocity, v, 1e-12 * curve.velocity) << text(d, limits);
+      ASSERT_NEAR(at(curve, t).acceleration, a, 1e-11 * curve.acceleration) << text(d, limits);
     }
     ASSERT_NEAR(q, d, 1e-12 * d) << text(d, limits);
   }
@@ -177,28 +178,29 @@ TEST(SCurve, BeginsAndEndsExactlyAtRestAndIsTheSameFromBothEnds) {
   for (int i = 0; i < 5000; ++i) {
     const double d = log_uniform(random, 1e-12, 1e6);
     const Limits limits = random_limits(random, 1e-3, 1e6);
-    const SCurve law = s_curve(d, limits), back = s_curve(-d, limits);
+    const SCurve curve = s_curve(d, limits), back = s_curve(-d, limits);
     for (const double t : {0.0, -1.0, -none}) {
-      ASSERT_EQ(at(law, t).position, 0);
-      ASSERT_EQ(at(law, t).velocity, 0);
-      ASSERT_EQ(at(law, t).acceleration, 0);
+      ASSERT_EQ(at(curve, t).position, 0);
+      ASSERT_EQ(at(curve, t).velocity, 0);
+      ASSERT_EQ(at(curve, t).acceleration, 0);
     }
-    for (const double t : {law.duration, law.duration + 1, none}) {
-      ASSERT_EQ(at(law, t).position, d);
-      ASSERT_EQ(at(law, t).velocity, 0);
-      ASSERT_EQ(at(law, t).acceleration, 0);
+    for (const double t : {curve.duration, curve.duration + 1, none}) {
+      ASSERT_EQ(at(curve, t).position, d);
+      ASSERT_EQ(at(curve, t).velocity, 0);
+      ASSERT_EQ(at(curve, t).acceleration, 0);
     }
     // A hair before the end it is there but for what the hair takes.
-    const double eve = law.duration * (1 - 1e-9);
-    ASSERT_NEAR(at(law, eve).position, d, 2e-9 * std::abs(law.velocity) * law.duration);
-    ASSERT_EQ(back.duration, law.duration);
-    const double t = law.duration * random.uniform(0, 1);
-    const JointState there = at(law, t), mirrored = at(back, t), other = at(law, law.duration - t);
+    const double eve = curve.duration * (1 - 1e-9);
+    ASSERT_NEAR(at(curve, eve).position, d, 2e-9 * std::abs(curve.velocity) * curve.duration);
+    ASSERT_EQ(back.duration, curve.duration);
+    const double t = curve.duration * random.uniform(0, 1);
+    const JointState there = at(curve, t), mirrored = at(back, t),
+                     other = at(curve, curve.duration - t);
     ASSERT_EQ(mirrored.position, -there.position);
     ASSERT_EQ(mirrored.velocity, -there.velocity);
     ASSERT_EQ(mirrored.acceleration, -there.acceleration);
     ASSERT_NEAR(there.position + other.position, d, 1e-12 * d);
-    ASSERT_NEAR(at(law, law.duration / 2).position, d / 2, 1e-14 * d);
+    ASSERT_NEAR(at(curve, curve.duration / 2).position, d / 2, 1e-14 * d);
   }
 }
 
@@ -224,22 +226,22 @@ TEST(SCurve, ScalesWithTheUnitsOfTimeAndLength) {
     const double d = log_uniform(random, 1e-3, 1e3);
     const Limits limits = random_limits(random, 1e-2, 1e3);
     const double k = log_uniform(random, 1e-3, 1e3);
-    const SCurve law = s_curve(d, limits);
+    const SCurve curve = s_curve(d, limits);
     const SCurve slow = s_curve(d, {.velocity = limits.velocity / k,
                                     .acceleration = limits.acceleration / (k * k),
                                     .jerk = limits.jerk / (k * k * k)});
-    ASSERT_NEAR(slow.duration / law.duration / k, 1, 1e-13) << text(d, limits) << " " << k;
+    ASSERT_NEAR(slow.duration / curve.duration / k, 1, 1e-13) << text(d, limits) << " " << k;
     const SCurve large = s_curve(k * d, {.velocity = limits.velocity * k,
                                          .acceleration = limits.acceleration * k,
                                          .jerk = limits.jerk * k});
-    ASSERT_NEAR(large.duration / law.duration, 1, 1e-13) << text(d, limits) << " " << k;
+    ASSERT_NEAR(large.duration / curve.duration, 1, 1e-13) << text(d, limits) << " " << k;
     const double share = random.uniform(0, 1);
-    const SCurve longer = stretched(law, 3 * law.duration);
-    ASSERT_EQ(longer.duration, 3 * law.duration);
-    const JointState quick = at(law, share * law.duration),
+    const SCurve longer = stretched(curve, 3 * curve.duration);
+    ASSERT_EQ(longer.duration, 3 * curve.duration);
+    const JointState quick = at(curve, share * curve.duration),
                      late = at(longer, share * longer.duration);
     ASSERT_NEAR(late.position, quick.position, 1e-12 * d);
-    ASSERT_NEAR(late.velocity * 3, quick.velocity, 1e-12 * std::abs(law.velocity));
+    ASSERT_NEAR(late.velocity * 3, quick.velocity, 1e-12 * std::abs(curve.velocity));
   }
 }
 
@@ -249,10 +251,10 @@ TEST(SCurve, IsFiniteForTheSmallestAndLargestNumbers) {
       for (const double jerk : {1e-100, 1.0, 1e100, none}) {
         if (rate == none && jerk == none) continue;
         const Limits limits{.velocity = rate, .acceleration = rate, .jerk = jerk};
-        const SCurve law = s_curve(d, limits);
-        ASSERT_TRUE(std::isfinite(law.duration) && law.duration >= 0) << text(d, limits);
+        const SCurve curve = s_curve(d, limits);
+        ASSERT_TRUE(std::isfinite(curve.duration) && curve.duration >= 0) << text(d, limits);
         for (const double share : {0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0}) {
-          const JointState state = at(law, share * law.duration);
+          const JointState state = at(curve, share * curve.duration);
           ASSERT_TRUE(std::isfinite(state.position)) << text(d, limits) << " " << share;
           ASSERT_TRUE(std::isfinite(state.velocity)) << text(d, limits) << " " << share;
         }
@@ -269,11 +271,11 @@ TEST(SCurve, RefusesWhatIsNoMotion) {
   EXPECT_REFUSED(s_curve(0, {.velocity = 0}), "above zero");
   EXPECT_REFUSED(s_curve(1, {.acceleration = -1}), "above zero");
   EXPECT_REFUSED(s_curve(1, {.jerk = NAN}), "above zero");
-  const SCurve law = s_curve(1, {.velocity = 1});
-  EXPECT_REFUSED(stretched(law, 0.5), "stretched");
-  EXPECT_REFUSED(stretched(law, NAN), "stretched");
-  EXPECT_REFUSED(stretched(law, none), "stretched");
-  EXPECT_REFUSED(at(law, NAN), "no number");
+  const SCurve curve = s_curve(1, {.velocity = 1});
+  EXPECT_REFUSED(stretched(curve, 0.5), "stretched");
+  EXPECT_REFUSED(stretched(curve, NAN), "stretched");
+  EXPECT_REFUSED(stretched(curve, none), "stretched");
+  EXPECT_REFUSED(at(curve, NAN), "no number");
 }
 
 }  // namespace

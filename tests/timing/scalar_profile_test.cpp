@@ -14,24 +14,24 @@ PathLimits with_jerk(testing::Random& random, PathLimits limits) {
   return limits;
 }
 
-/// The largest share of a limit, told by differences of the law's own points.
-double largest_share(const JointPath& path, const PathLimits& limits, const PathLaw& law) {
+/// The largest share of a limit, told by differences of the scaling's own points.
+double largest_share(const JointPath& path, const PathLimits& limits, const TimeScaling& scaling) {
   double largest = 0;
   std::size_t step = 0;
   Configuration acceleration_before, velocity_before;
-  for (std::size_t i = 0; i < law.t.size(); ++i) {
-    while (step + 2 < path.size() && path.s[step + 1] <= law.s[i]) ++step;
+  for (std::size_t i = 0; i < scaling.t.size(); ++i) {
+    while (step + 2 < path.size() && path.s[step + 1] <= scaling.s[i]) ++step;
     const PathPoint point =
-        path_point(path, step, (law.s[i] - path.s[step]) / (path.s[step + 1] - path.s[step]));
-    const double v = law.speed[i], a = law.acceleration[i];
+        path_point(path, step, (scaling.s[i] - path.s[step]) / (path.s[step + 1] - path.s[step]));
+    const double v = scaling.speed[i], a = scaling.acceleration[i];
     const Configuration velocity = point.dq * v, acceleration = point.dq * a + point.ddq * v * v;
     const auto share = [](const Configuration& value, const Configuration& limit) {
       return value.cwiseQuotient(limit).lpNorm<Eigen::Infinity>();
     };
     largest = std::max(
         {largest, share(velocity, limits.velocity), share(acceleration, limits.acceleration)});
-    if (i > 0 && law.smooth) {
-      const double dt = law.t[i] - law.t[i - 1];
+    if (i > 0 && scaling.smooth) {
+      const double dt = scaling.t[i] - scaling.t[i - 1];
       largest = std::max({largest, share((acceleration - acceleration_before) / dt, limits.jerk),
                           share((velocity - velocity_before) / dt, limits.acceleration)});
     }
@@ -41,29 +41,29 @@ double largest_share(const JointPath& path, const PathLimits& limits, const Path
   return largest;
 }
 
-TEST(ScalarLaw, KeepsTheLimitsAndUsesThemFromRestToRest) {
+TEST(ScalarProfile, KeepsTheLimitsAndUsesThemFromRestToRest) {
   testing::Random random;
   for (int i = 0; i < 20; ++i) {
     const int joints = random.integer(1, 7);
     const JointPath path = testing::random_path(random, joints, random.integer(2, 8));
     const PathLimits limits = with_jerk(random, testing::random_limits(random, joints));
     for (const auto form : {ScalarForm::trapezoidal, ScalarForm::quintic, ScalarForm::s_curve}) {
-      const PathLaw law = scalar_law(form, path, limits);
-      ASSERT_EQ(law.speed.front(), 0);
-      ASSERT_EQ(law.speed.back(), 0);
-      ASSERT_EQ(law.s.back(), path.s.back());
-      for (std::size_t k = 1; k < law.t.size(); ++k) {
-        ASSERT_GT(law.t[k], law.t[k - 1]);
-        ASSERT_GT(law.s[k], law.s[k - 1]);
+      const TimeScaling scaling = scalar_profile(form, path, limits);
+      ASSERT_EQ(scaling.speed.front(), 0);
+      ASSERT_EQ(scaling.speed.back(), 0);
+      ASSERT_EQ(scaling.s.back(), path.s.back());
+      for (std::size_t k = 1; k < scaling.t.size(); ++k) {
+        ASSERT_GT(scaling.t[k], scaling.t[k - 1]);
+        ASSERT_GT(scaling.s[k], scaling.s[k - 1]);
       }
-      const double share = largest_share(path, limits, law);
+      const double share = largest_share(path, limits, scaling);
       ASSERT_LE(share, 1 + 1e-3);
       ASSERT_GE(share, 0.8);
     }
   }
 }
 
-TEST(ScalarLaw, AlongAStraightLineIsTheClosedForm) {
+TEST(ScalarProfile, AlongAStraightLineIsTheClosedForm) {
   testing::Random random;
   for (int i = 0; i < 20; ++i) {
     const int joints = random.integer(1, 7);
@@ -77,22 +77,24 @@ TEST(ScalarLaw, AlongAStraightLineIsTheClosedForm) {
     const double trapezoid = s_curve(1, shares).duration;
     shares.jerk = limits.jerk.cwiseQuotient(way).minCoeff();
     const double rounded = s_curve(1, shares).duration;
-    ASSERT_NEAR(scalar_law(ScalarForm::trapezoidal, line, limits).duration(), trapezoid,
+    ASSERT_NEAR(scalar_profile(ScalarForm::trapezoidal, line, limits).duration(), trapezoid,
                 2e-3 * trapezoid);
-    ASSERT_NEAR(scalar_law(ScalarForm::s_curve, line, limits).duration(), rounded, 5e-3 * rounded);
-    ASSERT_GE(scalar_law(ScalarForm::trapezoidal, line, limits).duration(), trapezoid * (1 - 1e-9));
+    ASSERT_NEAR(scalar_profile(ScalarForm::s_curve, line, limits).duration(), rounded,
+                5e-3 * rounded);
+    ASSERT_GE(scalar_profile(ScalarForm::trapezoidal, line, limits).duration(),
+              trapezoid * (1 - 1e-9));
   }
 }
 
-TEST(ScalarLaw, IsNeverQuickerThanTheFastest) {
+TEST(ScalarProfile, IsNeverQuickerThanTheFastest) {
   testing::Random random;
   for (int i = 0; i < 20; ++i) {
     const JointPath path = testing::random_path(random, 3, 5);
     const PathLimits limits = with_jerk(random, testing::random_limits(random, 3));
     const double least = fastest(path, limits).duration();
-    const double trapezoid = scalar_law(ScalarForm::trapezoidal, path, limits).duration();
-    const double rounded = scalar_law(ScalarForm::s_curve, path, limits).duration();
-    const double quintic = scalar_law(ScalarForm::quintic, path, limits).duration();
+    const double trapezoid = scalar_profile(ScalarForm::trapezoidal, path, limits).duration();
+    const double rounded = scalar_profile(ScalarForm::s_curve, path, limits).duration();
+    const double quintic = scalar_profile(ScalarForm::quintic, path, limits).duration();
     ASSERT_LE(least, trapezoid * (1 + 5e-3));
     ASSERT_LE(least, rounded * (1 + 5e-3));
     ASSERT_LE(least, quintic);

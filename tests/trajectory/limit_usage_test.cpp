@@ -20,37 +20,37 @@ Arm slide(double velocity = 2) {
 
 Configuration one(double value) { return Configuration::Constant(1, value); }
 
-TEST(LimitCheck, TakesSamplesAndTheirDifferences) {
+TEST(LimitUsage, TakesSamplesAndTheirDifferences) {
   Trajectory trajectory{{"x"}, {0, 1, 3}, {one(0), one(1), one(-2)}, {}, {}};
-  LimitCheck check = limit_check(trajectory, slide());
-  EXPECT_NEAR(check.velocity.share, 0.75, 1e-12);  // 3 m in 2 s
+  LimitUsage check = limit_usage(trajectory, slide());
+  EXPECT_NEAR(check.velocity.fraction, 0.75, 1e-12);  // 3 m in 2 s
   EXPECT_EQ(check.velocity.joint, "x");
   EXPECT_EQ(check.velocity.time, 1);
   EXPECT_EQ(check.acceleration.joint, "");
-  EXPECT_EQ(check.jerk.share, 0);
+  EXPECT_EQ(check.jerk.fraction, 0);
 
   trajectory.velocities = {one(0), one(2.5), one(0)};
-  check = limit_check(trajectory, slide());
-  EXPECT_NEAR(check.velocity.share, 1.25, 1e-12);
-  EXPECT_NEAR(check.acceleration.share, 0.25, 1e-12);  // 2.5 m/s in 1 s
+  check = limit_usage(trajectory, slide());
+  EXPECT_NEAR(check.velocity.fraction, 1.25, 1e-12);
+  EXPECT_NEAR(check.acceleration.fraction, 0.25, 1e-12);  // 2.5 m/s in 1 s
   EXPECT_EQ(check.acceleration.time, 0);
 
   trajectory.accelerations = {one(0), one(-20), one(0)};
-  check = limit_check(trajectory, slide());
-  EXPECT_NEAR(check.acceleration.share, 2, 1e-12);
-  EXPECT_NEAR(check.jerk.share, 0.2, 1e-12);
+  check = limit_usage(trajectory, slide());
+  EXPECT_NEAR(check.acceleration.fraction, 2, 1e-12);
+  EXPECT_NEAR(check.jerk.fraction, 0.2, 1e-12);
 }
 
-TEST(LimitCheck, HoldsAnUnknownVelocityLimitAtOneAndKnowsNoOther) {
+TEST(LimitUsage, HoldsAnUnknownVelocityLimitAtOneAndKnowsNoOther) {
   const Trajectory trajectory{{"x"}, {0, 1}, {one(0), one(0.5)}, {one(0), one(0)}, {}};
-  EXPECT_NEAR(limit_check(trajectory, slide(Limits::none)).velocity.share, 0.5, 1e-12);
+  EXPECT_NEAR(limit_usage(trajectory, slide(Limits::none)).velocity.fraction, 0.5, 1e-12);
   const Arm rrr = built_in("rrr");
-  const LimitCheck still = limit_check(at_rest(rrr, middle_configuration(rrr)), rrr);
-  EXPECT_EQ(still.velocity.share, 0);
+  const LimitUsage still = limit_usage(at_rest(rrr, middle_configuration(rrr)), rrr);
+  EXPECT_EQ(still.velocity.fraction, 0);
   EXPECT_EQ(still.acceleration.joint, "");
 }
 
-TEST(LimitCheck, OfAMotionWithinItsLimitsPassesAtAnyRate) {
+TEST(LimitUsage, OfAMotionWithinItsLimitsPassesAtAnyRate) {
   // x = sin t at the limits of velocity 1, acceleration 1, jerk 1.
   Joint joint;
   joint.name = "x";
@@ -68,17 +68,17 @@ TEST(LimitCheck, OfAMotionWithinItsLimitsPassesAtAnyRate) {
       trajectory.accelerations.push_back(one(-std::sin(t)));
       t += std::pow(10, random.uniform(-9, 0));
     }
-    const LimitCheck check = limit_check(trajectory, arm);
-    for (const LimitUse* use : {&check.velocity, &check.acceleration, &check.jerk}) {
-      ASSERT_LE(use->share, 1 + 1e-12);
-      ASSERT_GT(use->share, 0.9);
+    const LimitUsage check = limit_usage(trajectory, arm);
+    for (const LimitFraction* use : {&check.velocity, &check.acceleration, &check.jerk}) {
+      ASSERT_LE(use->fraction, 1 + 1e-12);
+      ASSERT_GT(use->fraction, 0.9);
     }
   }
 }
 
-TEST(LimitCheck, RefusesATrajectoryOfAnotherArm) {
+TEST(LimitUsage, RefusesATrajectoryOfAnotherArm) {
   const Trajectory trajectory{{"y"}, {0, 1}, {one(0), one(0.5)}, {}, {}};
-  EXPECT_REFUSED(limit_check(trajectory, slide()), "lacks x");
+  EXPECT_REFUSED(limit_usage(trajectory, slide()), "lacks x");
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ SegmentChordBound off(const Line& line, double s_a, double s_b) {
 ///     g'/2 = (cos h - k) sin x + k x (k - cos x) <= (k x - sin x)(k - cos x),  0 <= x <= h <= pi,
 /// where cos h <= k and k x <= sin x: negative by the left side where k <= cos x, else by the
 /// right. So it is largest half-way.
-SegmentChordBound off_circle(const PieceMotion& middle, const Vector3& turn, double step) {
+SegmentChordBound off_circle(const SegmentMotion& middle, const Vector3& turn, double step) {
   const double size = middle.acceleration.head<3>().norm() * step * step;  // r f^2
   const double angle = turn.norm() * std::abs(step);
   const double sinc = angle > 1e-8 ? std::sin(angle / 4) / (angle / 4) : 1;
@@ -37,7 +37,7 @@ SegmentChordBound off_circle(const PieceMotion& middle, const Vector3& turn, dou
 }
 
 SegmentChordBound off(const ScrewLine& screw, double s_a, double s_b) {
-  const PieceMotion middle = motion_at(screw, (s_a + s_b) / 2);
+  const SegmentMotion middle = motion_at(screw, (s_a + s_b) / 2);
   return off_circle(middle, middle.velocity.tail<3>(), s_b - s_a);
 }
 
@@ -46,20 +46,20 @@ SegmentChordBound off(const Arc& arc, double s_a, double s_b) {
 }
 
 /// Derivatives of the polynomial, the value first.
-std::array<Twist, 6> derivatives(const SplinePiece& piece, double s) {
+std::array<Twist, 6> derivatives(const SplineSegment& segment, double s) {
   std::array<Twist, 6> d;
   d.fill(Twist::Zero());
   for (int k = 5; k >= 0; --k) {
     for (std::size_t i = 5; i > 0; --i) d[i] = d[i] * s + d[i - 1];
-    d[0] = d[0] * s + piece.terms.col(k);
+    d[0] = d[0] * s + segment.terms.col(k);
   }
   double factorial = 1;
   for (std::size_t i = 2; i < d.size(); ++i) d[i] *= factorial *= static_cast<double>(i);
   return d;
 }
 
-SegmentChordBound off(const SplinePiece& piece, double s_a, double s_b) {
-  const std::array<Twist, 6> d = derivatives(piece, (s_a + s_b) / 2);
+SegmentChordBound off(const SplineSegment& segment, double s_a, double s_b) {
+  const std::array<Twist, 6> d = derivatives(segment, (s_a + s_b) / 2);
   const double step = std::abs(s_b - s_a), half = step / 2, square = step * step;
   std::array<double, 6> x{}, r{};
   for (std::size_t i = 0; i < d.size(); ++i) {
@@ -91,8 +91,8 @@ SegmentChordBound off(const SplinePiece& piece, double s_a, double s_b) {
 
 }  // namespace
 
-SegmentChordBound segment_chord_bound(const Piece& piece, double s_a, double s_b) {
-  return std::visit([=](const auto& kind) { return off(kind, s_a, s_b); }, piece);
+SegmentChordBound segment_chord_bound(const Segment& segment, double s_a, double s_b) {
+  return std::visit([=](const auto& kind) { return off(kind, s_a, s_b); }, segment);
 }
 
 }  // namespace beeline

@@ -4,7 +4,7 @@
 
 namespace beeline {
 
-/// Proved bounds on how far a piece leaves, from s_a to s_b, the chord interpolate(pose_at(s_a),
+/// Proved bounds on how far a segment leaves, from s_a to s_b, the chord interpolate(pose_at(s_a),
 /// pose_at(s_b), t) at the same share t of the way; metres and radians.
 struct SegmentChordBound {
   double position = 0;
@@ -24,6 +24,6 @@ struct SegmentChordBound {
 ///     |w'| <= |r''| + |r x r'||r'| / 6,   |w''| <= |r'''| + (3/2)|r'||r''| + |r'|^3 / 3,
 /// and pi where they may turn by pi or more: w = J r', J being the mean of exp(u [r]x) for u from
 /// 0 to 1.
-SegmentChordBound segment_chord_bound(const Piece& piece, double s_a, double s_b);
+SegmentChordBound segment_chord_bound(const Segment& segment, double s_a, double s_b);
 
 }  // namespace beeline

@@ -135,8 +135,8 @@ Figure exaggerated_figure(const Arm& arm, const PathTrace& trace, const Followed
   scene.add(Layer::mark, Dots{{trace.polyline.front()}, ink, 5});
   std::vector<std::string> names;
   std::vector<Pose> waypoints;
-  for (const Piece& piece : followed.path.pieces) {
-    waypoints.push_back(pose_at(piece, 1));
+  for (const Segment& segment : followed.path.segments) {
+    waypoints.push_back(pose_at(segment, 1));
     names.push_back(std::to_string(waypoints.size()));
   }
   add_poses(scene, waypoints, names);

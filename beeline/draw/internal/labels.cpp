@@ -8,13 +8,13 @@
 namespace beeline::internal {
 namespace {
 
-struct Segment {
+struct StrokeSegment {
   Point from, to;
   double half_width = 0;
 };
 
-std::vector<Segment> segments_of(const std::vector<Mark>& marks) {
-  std::vector<Segment> segments;
+std::vector<StrokeSegment> segments_of(const std::vector<Mark>& marks) {
+  std::vector<StrokeSegment> segments;
   for (const Mark& mark : marks) {
     const auto* stroke = std::get_if<Stroke>(&mark);
     if (stroke == nullptr) continue;
@@ -33,7 +33,7 @@ std::vector<Segment> segments_of(const std::vector<Mark>& marks) {
 
 /// Returns the length of the segment inside the box (Liang & Barsky 1984) plus 2 points, so that a
 /// segment that only touches it counts too; 0 when it is outside.
-double length_inside(const Segment& segment, const Box& box) {
+double length_inside(const StrokeSegment& segment, const Box& box) {
   double enter = 0, leave = 1;
   const Point direction = segment.to - segment.from;
   for (int axis = 0; axis < 2; ++axis) {
@@ -59,7 +59,7 @@ double common_area(const Box& a, const Box& b) {
 
 void place_labels(const std::vector<Label>& labels, const Projection& projection,
                   std::vector<Mark>& marks) {
-  const std::vector<Segment> segments = segments_of(marks);
+  const std::vector<StrokeSegment> segments = segments_of(marks);
   std::vector<Box> taken;
   for (const Label& label : labels) {
     const Point anchor = projection(label.at);
@@ -79,7 +79,7 @@ void place_labels(const std::vector<Label>& labels, const Projection& projection
         Box box;
         box.include(centre, half + Point(1, -0.5));
         double cost = 0.35 * gap + 1.6 * std::abs(turn);
-        for (const Segment& segment : segments) cost += length_inside(segment, box);
+        for (const StrokeSegment& segment : segments) cost += length_inside(segment, box);
         for (const Box& other : taken) cost += 5 * common_area(box, other);
         if (cost >= least) continue;
         least = cost;

@@ -18,16 +18,16 @@ Vector3 in_rows(const Task& task, const Pose& pose, const Vector3& v) {
 
 /// A segment with its range of arc length.
 struct Interval {
-  const Piece& piece;
+  const Segment& segment;
   double begin = 0, length = 0;
 };
 
 PathTrace::Point measure(const Arm& arm, const Configuration& q, double s, std::size_t step,
                          const Interval& interval, const Task& task) {
   const Pose pose = forward_kinematics(arm, q);
-  if (const auto* line = std::get_if<Line>(&interval.piece))
+  if (const auto* line = std::get_if<Line>(&interval.segment))
     s = nearest_fraction(*line, pose, task);
-  const Pose wanted = pose_at(interval.piece, s);
+  const Pose wanted = pose_at(interval.segment, s);
   return {step, interval.begin + s * interval.length, task_deviation(task, wanted, pose),
           pose.translation(), in_rows(task, pose, pose.translation() - wanted.translation())};
 }
@@ -35,10 +35,10 @@ PathTrace::Point measure(const Arm& arm, const Configuration& q, double s, std::
 /// Returns the path as a polyline: the ends of lines, and 32 chords of other segments.
 std::vector<Vector3> polyline_of(const ToolPath& path) {
   std::vector<Vector3> points{pose_at(path, 0).translation()};
-  for (const Piece& piece : path.pieces) {
-    const int chords = std::holds_alternative<Line>(piece) ? 1 : 32;
+  for (const Segment& segment : path.segments) {
+    const int chords = std::holds_alternative<Line>(segment) ? 1 : 32;
     for (int i = 1; i <= chords; ++i) {
-      points.push_back(pose_at(piece, static_cast<double>(i) / chords).translation());
+      points.push_back(pose_at(segment, static_cast<double>(i) / chords).translation());
     }
   }
   return points;
@@ -49,38 +49,38 @@ std::vector<Vector3> polyline_of(const ToolPath& path) {
 PathTrace trace_path(const Arm& arm, std::span<const Configuration> samples,
                      const FollowedPath& followed) {
   const ToolPath& path = followed.path;
-  const std::vector<double>& places = followed.places;
+  const std::vector<double>& places = followed.path_parameters;
   const Task& task = followed.task;
-  if (places.empty() || places.size() > samples.size() || path.pieces.empty() ||
-      path.spans.size() != path.pieces.size()) {
-    throw Error("a trace along a path needs its pieces, samples, and their places");
+  if (places.empty() || places.size() > samples.size() || path.segments.empty() ||
+      path.spans.size() != path.segments.size()) {
+    throw Error("a trace along a path needs its segments, samples, and their places");
   }
-  check_places(path, places);
+  check_path_parameters(path, places);
   constexpr std::size_t wanted = 3000;  // points; a chart does not resolve more
   const std::size_t parts = std::clamp<std::size_t>(wanted / samples.size(), 2, 16);
   PathTrace trace;
   trace.polyline = polyline_of(path);
   std::vector<Interval> intervals;
   double begin = 0;
-  for (const Piece& piece : path.pieces) {
-    const Pose from = pose_at(piece, 0), to = pose_at(piece, 1);
-    const double turn = way_of_a_radian * pose_difference(to, from).tail<3>().norm();
-    const double length = length_of(piece);
-    intervals.push_back({piece, begin, std::max(length, turn)});
+  for (const Segment& segment : path.segments) {
+    const Pose from = pose_at(segment, 0), to = pose_at(segment, 1);
+    const double turn = least_metres_per_radian * pose_difference(to, from).tail<3>().norm();
+    const double length = length_of(segment);
+    intervals.push_back({segment, begin, std::max(length, turn)});
     trace.has_pure_rotation = trace.has_pure_rotation || length < turn;
     begin += intervals.back().length;
   }
-  std::size_t on = path.pieces.size();  // the piece before
+  std::size_t on = path.segments.size();  // the segment before
   for (std::size_t k = 1; k < places.size(); ++k) {
-    for (const PieceStep& step :
-         cut_at_pieces(path, task, samples[k - 1], places[k - 1], samples[k], places[k])) {
-      const Interval& interval = intervals[step.piece];
+    for (const SegmentStep& step :
+         cut_at_segments(path, task, samples[k - 1], places[k - 1], samples[k], places[k])) {
+      const Interval& interval = intervals[step.segment];
       const auto at = [&](double fraction, std::size_t number) {
         return measure(arm, step.q_a + fraction * (step.q_b - step.q_a),
                        std::lerp(step.s_a, step.s_b, fraction), number, interval, task);
       };
-      if (step.piece != on) trace.points.push_back(at(0, 0));
-      on = step.piece;
+      if (step.segment != on) trace.points.push_back(at(0, 0));
+      on = step.segment;
       const double from = trace.points.back().arc_length;
       for (std::size_t part = 1; part <= parts; ++part) {
         trace.points.push_back(at(static_cast<double>(part) / static_cast<double>(parts), k));

@@ -188,7 +188,7 @@ HWY_INLINE void write(const GeneralElimination& e, const Reduced& reduced, Lanes
 }
 
 constexpr double small_correction = 1e-5;
-constexpr int most_corrections = 3;
+constexpr int max_corrections = 3;
 
 HWY_INLINE void write_roots(const GeneralElimination& e, const Reduced& reduced, CircleRoots& roots,
                             GeneralCandidates& candidates) {
@@ -204,7 +204,7 @@ HWY_INLINE void write_roots(const GeneralElimination& e, const Reduced& reduced,
       null_vector(triangle, nullptr, x);
       const Lanes by = correction(reduced, M, c, s, x);
       angle += max(min(by, Lanes(1e-3)), Lanes(-1e-3));
-      if (round == most_corrections || bits(abs(by) > Lanes(small_correction)) == 0) break;
+      if (round == max_corrections || bits(abs(by) > Lanes(small_correction)) == 0) break;
     }
     write(e, reduced, angle, c, s, x, k, candidates);
   }

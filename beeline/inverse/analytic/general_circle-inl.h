@@ -18,7 +18,7 @@ namespace beeline::HWY_NAMESPACE {
 /// A real trigonometric polynomial, sum of cosine[k] cos kx + sine[k] sin kx.
 struct CirclePolynomial {
   int degree;
-  double cosine[CircleTables::most_degree + 1], sine[CircleTables::most_degree + 1];
+  double cosine[CircleTables::max_degree + 1], sine[CircleTables::max_degree + 1];
 };
 
 /// Where it is zero, and where it comes near zero without crossing.

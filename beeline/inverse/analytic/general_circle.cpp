@@ -26,7 +26,7 @@ CircleTables make_tables() {
   CircleTables tables;
   fill(24, tables.usual);
   fill(32, tables.most);
-  for (int k = 0; k < CircleTables::most_degree; ++k) {
+  for (int k = 0; k < CircleTables::max_degree; ++k) {
     for (int j = 0; j < CircleTables::grid / 2; ++j) {
       tables.cosine[k][j] = std::cos(angle(k + 1, j, CircleTables::grid));
       tables.sine[k][j] = std::sin(angle(k + 1, j, CircleTables::grid));

@@ -14,11 +14,11 @@ struct CircleSamples {
 
 struct CircleTables {
   static constexpr int usual_degree = 8;  ///< sixteen roots
-  static constexpr int most_degree = 12;
+  static constexpr int max_degree = 12;
   CircleSamples usual, most;
   static constexpr int grid = 256;
   /// Of k + 1 times the angle, over half a turn.
-  alignas(64) double cosine[most_degree][grid / 2], sine[most_degree][grid / 2];
+  alignas(64) double cosine[max_degree][grid / 2], sine[max_degree][grid / 2];
 };
 const CircleTables& circle_tables();
 

@@ -79,7 +79,7 @@ HWY_INLINE void solve(Lanes (*J)[6], Lanes* e) {  // J[column][row]
 }
 
 constexpr int usual_steps = 8;  // those that come near at all are near by then
-constexpr int most_steps = 40;  // where two solutions merge, each step only halves the error
+constexpr int max_steps = 40;   // where two solutions merge, each step only halves the error
 constexpr double near_enough = 1e-3;
 constexpr double longest_step = 0.3;
 
@@ -115,7 +115,7 @@ unsigned newton_lanes(const SixLinks& six, const Motion& goal, int last, double 
     const LaneMask upright = dot(at.x, goal_x) + dot(at.y, goal_y) + dot(at.z, goal_z) > Lanes(2);
     const LaneMask arrived = (error < Lanes(tolerance)) & upright;
     const LaneMask coming = (error < Lanes(near_enough)) & !arrived;
-    if (step == most_steps || bits(arrived) == 0xff || (step >= usual_steps && bits(coming) == 0)) {
+    if (step == max_steps || bits(arrived) == 0xff || (step >= usual_steps && bits(coming) == 0)) {
       for (int i = 0; i < 6; ++i) q[i].store(eight.q[i]);
       return bits(arrived);
     }

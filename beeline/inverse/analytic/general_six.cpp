@@ -143,7 +143,7 @@ GeneralSix::GeneralSix(const Chain& chain) {
 
 GeneralSix::Found GeneralSix::solve(const Pose& world_T_tool,
                                     Eigen::Ref<Eigen::Matrix<double, 6, Eigen::Dynamic>> q) const {
-  if (q.cols() < most_solutions) {
+  if (q.cols() < max_solutions) {
     throw Error("general six-axis inverse kinematics: room for " + std::to_string(q.cols()) +
                 " solutions, 16 are needed");
   }
@@ -154,7 +154,7 @@ GeneralSix::Found GeneralSix::solve(const Pose& world_T_tool,
   const Motion goal = plain(reached, six_.unit), loop = plain(reached * rest_inverse_, six_.unit);
   GeneralSolutions solutions;
   find(six_, eliminations_, goal, loop, solutions);
-  const int count = std::min(solutions.count, most_solutions);
+  const int count = std::min(solutions.count, max_solutions);
   for (int k = 0; k < count; ++k)
     q.col(k) = Eigen::Map<Eigen::Matrix<double, 6, 1>>(solutions.q[k]);
   return {count, solutions.complete};

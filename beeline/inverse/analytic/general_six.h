@@ -12,7 +12,7 @@ namespace beeline {
 /// have solutions in pairs that no cut tells apart: these are better solved by other means.
 class GeneralSix {
  public:
-  static constexpr int most_solutions = 16;
+  static constexpr int max_solutions = 16;
 
   /// Throws Error unless the chain has six links that turn, each by a coordinate of its own, q_i.
   explicit GeneralSix(const Chain& chain);

@@ -11,8 +11,8 @@
 namespace beeline {
 namespace {
 
-constexpr int most_descents = 64;  // that must agree on what is nearest
-constexpr int most_followed = 12;  // joints; the Hessian of a longer chain takes its time
+constexpr int max_descents = 64;  // that must agree on what is nearest
+constexpr int max_followed = 12;  // joints; the Hessian of a longer chain takes its time
 
 Deviation error_in(const Question& ask, const Configuration& q) {
   return task_deviation(ask.task, ask.goal, forward_kinematics(ask.arm, q));
@@ -47,11 +47,11 @@ Configuration nearest_for(const Question& ask, const Task& task, InverseMethods&
   multi_start(ready.problem, ready.deck, goal, start,
               {.tolerance = ask.tolerance,
                .iterations = 200,
-               .restarts = most_descents,
+               .restarts = max_descents,
                .random_seed = ask.options.random_seed},
               methods.buffers, methods.search);
   const Descent& nearest = methods.search.nearest;
-  if (nearest.converged || ask.arm.dof() > most_followed) return nearest.q;
+  if (nearest.converged || ask.arm.dof() > max_followed) return nearest.q;
   return nearest_for_task(ask.arm, goal, task, nearest.q);
 }
 
@@ -62,7 +62,7 @@ Configuration least_turned(const Question& ask, const Task& place, InverseMethod
   const Descents ready = descents(ask.arm, place, no_bounds(ask.arm), ask.options);
   multi_start(ready.problem, ready.deck, ask.goal, start,
               {.tolerance = ask.tolerance,
-               .restarts = most_descents,
+               .restarts = max_descents,
                .all = true,
                .random_seed = ask.options.random_seed},
               methods.buffers, methods.search);
@@ -176,14 +176,14 @@ void explain(InverseMethods& methods, const Question& ask, const Beyond& beyond,
     result.status = InverseStatus::unreachable;
     result.residual = error.position;
     if (beyond.law && !beyond.law->of_orientation) return by_law(*beyond.law, result);
-    const bool to_the_end = ask.arm.dof() <= most_followed;
+    const bool to_the_end = ask.arm.dof() <= max_followed;
     result.reason = "the position is out of reach by " + number(error.position) + " m: " + arm +
                     (to_the_end ? " comes no nearer than " : " was found to come as near as ") +
                     point(result.nearest->world_T_tool.translation());
     return;
   }
   constexpr double clear = 1e-3;  // radians: fewer descents may just have missed it
-  const bool searched = result.restarts >= most_descents && error.orientation > clear;
+  const bool searched = result.restarts >= max_descents && error.orientation > clear;
   const bool in_place = error.position <= ask.tolerance;
   if (beyond.law || (in_place && searched) ||
       (in_place && beyond.complete && error.orientation > hair)) {

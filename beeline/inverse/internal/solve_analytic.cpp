@@ -102,7 +102,7 @@ void solve_planar(const Question& ask, Claims& claims) {
 
 Beyond solve_general(const GeneralSix& general, const Question& ask, InverseResult& result) {
   Claims claims(ask, result);
-  Eigen::Matrix<double, 6, GeneralSix::most_solutions> q;
+  Eigen::Matrix<double, 6, GeneralSix::max_solutions> q;
   const GeneralSix::Found found = general.solve(ask.goal, q);
   for (int i = 0; i < found.count; ++i) claims.add(q.col(i), false);
   claims.beyond.complete = found.complete && !claims.beyond.doubtful;

@@ -210,10 +210,10 @@ HWY_INLINE void set_trial(const DescentProblem& problem, LaneDescents& lanes) {
 }
 
 void run(const DescentProblem& problem, const double* goal, const LaneDescentOptions& options,
-         int most_steps, LaneDescents& lanes) {
+         int max_steps, LaneDescents& lanes) {
   const unsigned started = lanes.active;
   Look at{};
-  for (int steps = 0; steps < most_steps && lanes.active == started; ++steps) {
+  for (int steps = 0; steps < max_steps && lanes.active == started; ++steps) {
     look(problem, goal, lanes, at);
     const LaneMask better = judge(problem, at, options, lanes);
     take_over(better, lanes);
@@ -243,11 +243,11 @@ namespace beeline {
 HWY_EXPORT(run);
 
 void run_lanes(const DescentProblem& problem, const Pose& world_T_tool,
-               const LaneDescentOptions& options, int most_steps, LaneDescents& lanes) {
+               const LaneDescentOptions& options, int max_steps, LaneDescents& lanes) {
   Pose goal = world_T_tool;
   goal.linear() = world_T_tool.linear() * problem.chain.tool.linear().transpose();
   goal.translation() /= problem.length;
-  HWY_DYNAMIC_DISPATCH(run)(problem, goal.data(), options, most_steps, lanes);
+  HWY_DYNAMIC_DISPATCH(run)(problem, goal.data(), options, max_steps, lanes);
 }
 
 }  // namespace beeline

@@ -76,11 +76,11 @@ void lane_configuration(const DescentProblem& problem, const LaneDescents& lanes
 Deviation lane_deviation(const DescentProblem& problem, const LaneDescents& lanes, int lane);
 
 /// Runs the active lanes on towards the pose, all in step, until one or more of them end (arrived,
-/// stuck, or out of iterations; no longer active), or for `most_steps`. Each lane does what
+/// stuck, or out of iterations; no longer active), or for `max_steps`. Each lane does what
 /// descend() does, but for rounding and details of the bounds, whatever the other lanes do.
 /// The pose must be finite.
 void run_lanes(const DescentProblem& problem, const Pose& world_T_tool,
-               const LaneDescentOptions& options, int most_steps, LaneDescents& lanes);
+               const LaneDescentOptions& options, int max_steps, LaneDescents& lanes);
 
 /// Throws Error when the pose is not finite, or an option is not finite or negative.
 void check_descents(const Pose& world_T_tool, const LaneDescentOptions& options);

@@ -97,11 +97,11 @@ void bring_within(const Bounds& bounds, Configuration& q) {
 /// The damped step within the bounds: joints that it would carry through a bound are stopped there,
 /// and the others solved again for what is left.
 void bounded_step(const Goal& goal, const Configuration& q, double damping, Workspace& work) {
-  constexpr int most_rounds = 10;  // after these the bounds cut off what still sticks out
+  constexpr int max_rounds = 10;  // after these the bounds cut off what still sticks out
   work.free = work.now.columns;
   std::fill(work.held.begin(), work.held.end(), 0);
   Twist left = work.now.error;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     Matrix6 normal = work.free * work.free.transpose();
     normal.diagonal().array() += damping;
     const Twist dual = normal.ldlt().solve(left);

@@ -10,7 +10,7 @@ struct LineExtent {
   Vector3 way, turn;  ///< in the world's axes; zero when no row of the kind matters
   double length = 0;  ///< metres; in base axes of the rows that matter alone
   double angle = 0;   ///< radians
-  bool told_by_way() const { return length > nothing && length >= way_of_a_radian * angle; }
+  bool told_by_way() const { return length > nothing && length >= least_metres_per_radian * angle; }
   bool told_by_turn() const { return !told_by_way() && angle > nothing; }
 
   static constexpr double nothing = 1e-12;  // metres or radians that count as none
@@ -25,7 +25,8 @@ Vector3 in_position_rows(const Task& task, const Pose& pose, const Vector3& v);
 bool turns_within_rows(const Task& task, const Vector3& turn);
 
 /// The fraction of the line, from 0 to 1, whose pose is nearest: nearest is meant by position, and
-/// by orientation where the line moves less than `way_of_a_radian`. 1 for a line that does neither.
+/// by orientation where the line moves less than `least_metres_per_radian`. 1 for a line that does
+/// neither.
 double nearest_fraction(const Line& line, const Pose& pose, const Task& task);
 
 /// The line's pose at that fraction.

@@ -7,29 +7,29 @@
 namespace beeline {
 namespace {
 
-constexpr double stride = 1.0 / 32;  // of a piece
-constexpr double farthest = 2;       // pieces that a tool may pass between two samples
-constexpr int most_newton_steps = 30;
+constexpr double stride = 1.0 / 32;  // of a segment
+constexpr double farthest = 2;       // segments that a tool may pass between two samples
+constexpr int max_newton_steps = 30;
 
 /// The rows that matter, turns in metres.
 Twist weighted(const Task& task, Twist twist) {
   twist = masked(task, twist);
-  twist.tail<3>() *= metres_of_a_radian;
+  twist.tail<3>() *= metres_per_radian;
   return twist;
 }
 
 double distance(const ToolPath& path, const Task& task, const Pose& pose, double place) {
   const Deviation off = task_deviation(task, pose_at(path, place), pose);
-  return std::hypot(off.position, metres_of_a_radian * off.orientation);
+  return std::hypot(off.position, metres_per_radian * off.orientation);
 }
 
 }  // namespace
 
-double nearest_place(const ToolPath& path, const Task& task, const Pose& pose, double from,
-                     double to) {
-  const std::size_t on = piece_at(path, to);
+double nearest_parameter(const ToolPath& path, const Task& task, const Pose& pose, double from,
+                         double to) {
+  const std::size_t on = segment_at(path, to);
   const auto begin = static_cast<double>(on);
-  const auto* line = std::get_if<Line>(&path.pieces[on]);
+  const auto* line = std::get_if<Line>(&path.segments[on]);
   if (line != nullptr && from >= begin) {
     return std::clamp(begin + nearest_fraction(*line, pose, task), from, to);
   }
@@ -44,9 +44,9 @@ double nearest_place(const ToolPath& path, const Task& task, const Pose& pose, d
     low = place, place = next, least = there;
   }
   const double scanned = place;
-  for (int i = 0; i < most_newton_steps; ++i) {                           // Gauss and Newton's
+  for (int i = 0; i < max_newton_steps; ++i) {                            // Gauss and Newton's
     const std::size_t k = std::min(static_cast<std::size_t>(place), on);  // of two the one ahead
-    const PieceMotion motion = motion_at(path.pieces[k], place - static_cast<double>(k));
+    const SegmentMotion motion = motion_at(path.segments[k], place - static_cast<double>(k));
     const Twist rate = weighted(task, motion.velocity);
     const Twist left = weighted(task, pose_difference(pose, motion.pose));
     const double square = rate.squaredNorm();
@@ -58,8 +58,8 @@ double nearest_place(const ToolPath& path, const Task& task, const Pose& pose, d
   return distance(path, task, pose, place) <= least ? place : scanned;
 }
 
-double fitting_place(const ToolPath& path, const Task& task, const Pose& pose, double from,
-                     double to, const Deviation& tolerance) {
+double fitting_parameter(const ToolPath& path, const Task& task, const Pose& pose, double from,
+                         double to, const Deviation& tolerance) {
   constexpr int looks = 16, thirds = 40;
   const auto share = [&](double place) {
     const Deviation off = task_deviation(task, pose_at(path, place), pose);
@@ -80,12 +80,12 @@ double fitting_place(const ToolPath& path, const Task& task, const Pose& pose, d
     }
     return (low + high) / 2;
   };
-  const double nearest = nearest_place(path, task, pose, from, to);
+  const double nearest = nearest_parameter(path, task, pose, from, to);
   if (share(nearest) <= 1) return nearest;
   const double place = fitted(nearest);
   if (share(place) <= 1) return place;
   for (double begin = nearest + stride; begin < std::min(to, from + farthest); begin += stride) {
-    const double next = nearest_place(path, task, pose, begin, to);
+    const double next = nearest_parameter(path, task, pose, begin, to);
     if (share(next) <= 1) return next;
     begin = std::max(begin, next);
   }

@@ -18,7 +18,7 @@ Steps steps_between(std::span<const Pose> poses) {
     const Twist way = pose_difference(poses[i], poses[i - 1]);
     steps.way.push_back(way);
     steps.span.push_back(
-        std::hypot(way.head<3>().norm(), metres_of_a_radian * way.tail<3>().norm()));
+        std::hypot(way.head<3>().norm(), metres_per_radian * way.tail<3>().norm()));
   }
   return steps;
 }
@@ -68,22 +68,23 @@ Eigen::Matrix<double, 3, 6> quintic(const Vector3& from, const Turning& at_from,
 }
 
 /// From `from` on, with velocities at both ends; all by s.
-SplinePiece piece_of(const Pose& from, const Twist& way, const Twist& at_from, const Twist& at_to) {
+SplineSegment segment_of(const Pose& from, const Twist& way, const Twist& at_from,
+                         const Twist& at_to) {
   const Twist second_from = 6 * way - 4 * at_from - 2 * at_to;  // the cubic's
   const Twist second_to = -6 * way + 2 * at_from + 4 * at_to;
-  SplinePiece piece;
-  piece.terms.col(1) = at_from;
-  piece.terms.col(2) = second_from / 2;
-  piece.terms.col(3) = (second_to - second_from) / 6;
+  SplineSegment segment;
+  segment.terms.col(1) = at_from;
+  segment.terms.col(2) = second_from / 2;
+  segment.terms.col(3) = (second_to - second_from) / 6;
   const Vector3 turn = way.tail<3>() / 2;
   const auto rates = [](const Vector3& r, const Twist& first, const Twist& second) {
     return rotation_vector_rates(r, {first.tail<3>(), second.tail<3>()});
   };
-  piece.terms.bottomRows<3>() =
+  segment.terms.bottomRows<3>() =
       quintic(-turn, rates(-turn, at_from, second_from), turn, rates(turn, at_to, second_to));
-  piece.centre = from;
-  piece.centre.linear() = so3_exp(turn) * from.linear();
-  return piece;
+  segment.centre = from;
+  segment.centre.linear() = so3_exp(turn) * from.linear();
+  return segment;
 }
 
 }  // namespace
@@ -94,8 +95,8 @@ ToolPath spline_through(std::span<const Pose> poses, const SplineEnds& ends) {
   ToolPath path;
   for (std::size_t i = 0; i < steps.way.size(); ++i) {
     const double span = steps.span[i];
-    path.pieces.emplace_back(
-        piece_of(poses[i], steps.way[i], span * slopes[i], span * slopes[i + 1]));
+    path.segments.emplace_back(
+        segment_of(poses[i], steps.way[i], span * slopes[i], span * slopes[i + 1]));
     path.spans.push_back(span);
   }
   return path;

@@ -14,7 +14,7 @@ namespace beeline {
 namespace {
 
 constexpr double longest_edge = 1.2;  // radians or metres of one joint between neighbours
-constexpr int most_repairs = 60;      // edges that turn out not to lead on
+constexpr int max_repairs = 60;       // edges that turn out not to lead on
 constexpr int smoothings = 12;
 constexpr double limit_weight = 0.003;  // of nearness to limits, against the square of seconds
 
@@ -27,15 +27,15 @@ struct Rung {
   std::vector<int> before;   ///< its solution on the rung before; -1: none
 };
 
-/// About how far the tool moves on a piece, turns too.
-double size_of(const Piece& piece) {
+/// About how far the tool moves on a segment, turns too.
+double size_of(const Segment& segment) {
   constexpr int chords = 8;
   double size = 0;
-  Pose before = pose_at(piece, 0);
+  Pose before = pose_at(segment, 0);
   for (int i = 1; i <= chords; ++i) {
-    const Pose now = pose_at(piece, static_cast<double>(i) / chords);
+    const Pose now = pose_at(segment, static_cast<double>(i) / chords);
     const Twist way = pose_difference(now, before);
-    size += way.head<3>().norm() + metres_of_a_radian * way.tail<3>().norm();
+    size += way.head<3>().norm() + metres_per_radian * way.tail<3>().norm();
     before = now;
   }
   return size;
@@ -44,13 +44,13 @@ double size_of(const Piece& piece) {
 /// None where what matters stands still.
 std::vector<Rung> rungs(const ToolPath& path, const Task& task, double spacing) {
   std::vector<Rung> all{{0, pose_at(path, 0), {}, {}, {}}};
-  for (std::size_t w = 0; w < path.pieces.size(); ++w) {
-    if (stands_still(path.pieces[w], task)) continue;
-    const double wanted = std::ceil(size_of(path.pieces[w]) / spacing);
+  for (std::size_t w = 0; w < path.segments.size(); ++w) {
+    if (stands_still(path.segments[w], task)) continue;
+    const double wanted = std::ceil(size_of(path.segments[w]) / spacing);
     const int parts = static_cast<int>(std::clamp(wanted, 4.0, 400.0));
     for (int i = 1; i <= parts; ++i) {
       const double s = static_cast<double>(i) / parts;
-      all.push_back({static_cast<double>(w) + s, pose_at(path.pieces[w], s), {}, {}, {}});
+      all.push_back({static_cast<double>(w) + s, pose_at(path.segments[w], s), {}, {}, {}});
     }
   }
   return all;
@@ -136,7 +136,7 @@ std::vector<int> chain_to(const std::vector<Rung>& all, std::size_t end) {
 bool leads_on(const Arm& arm, const ToolPath& path, const Task& task, const Bounds& bounds,
               const Knot& a, const Knot& b) {
   const Configuration middle = (a.q + b.q) / 2;
-  const double begin = std::max(a.place, static_cast<double>(piece_at(path, b.place)));
+  const double begin = std::max(a.place, static_cast<double>(segment_at(path, b.place)));
   const Descent found = descend(arm, pose_at(path, (begin + b.place) / 2), task, bounds, middle,
                                 {.tolerance = 1e-9, .iterations = 20});
   const double way = (b.q - a.q).lpNorm<Eigen::Infinity>();
@@ -149,7 +149,7 @@ void smooth(const Arm& arm, const ToolPath& path, const Task& task, const Costs&
             const std::vector<Rung>& all, bool first_is_fixed, std::vector<Knot>& knots) {
   constexpr double pull = 0.5, push = 0.02;
   std::vector<double> ways;
-  for (const Knot& knot : knots) ways.push_back(way_to(path, knot.place));
+  for (const Knot& knot : knots) ways.push_back(span_to(path, knot.place));
   for (int pass = 0; pass < smoothings; ++pass) {
     for (std::size_t r = first_is_fixed ? 1 : 0; r < knots.size(); ++r) {
       const Configuration& q = knots[r].q;
@@ -207,7 +207,7 @@ KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
   std::vector<Edge> closed;
   KnotSequence result;
   std::size_t first = 0;
-  for (int repair = 0; repair <= most_repairs; ++repair) {
+  for (int repair = 0; repair <= max_repairs; ++repair) {
     const std::size_t end = relax(all, costs, closed, first);
     if (end == 0) return result;
     const std::vector<int> chain = chain_to(all, end);
@@ -242,7 +242,7 @@ KnotSpline::KnotSpline(const std::vector<Knot>& knots, const ToolPath& path)
     q = {q.back()};
   };
   for (const Knot& knot : knots) {
-    const double way = way_to(path, knot.place);
+    const double way = span_to(path, knot.place);
     if (!ways.empty() && !(way > ways.back())) continue;
     ways.push_back(way);
     q.push_back(knot.q);
@@ -253,7 +253,7 @@ KnotSpline::KnotSpline(const std::vector<Knot>& knots, const ToolPath& path)
 
 Configuration KnotSpline::at(double place) const {
   if (parts_.empty()) return first_;
-  const double way = way_to(path_, place);
+  const double way = span_to(path_, place);
   const auto begins_after = [](double w, const JointPath& part) { return w < part.s.front(); };
   auto part = std::upper_bound(parts_.begin() + 1, parts_.end(), way, begins_after) - 1;
   const auto next = std::upper_bound(part->s.begin() + 1, part->s.end() - 1, way);

@@ -10,7 +10,7 @@
 namespace beeline {
 namespace {
 
-// How far ahead to look, in lengths of the piece: just behind the wall, and clearly behind it.
+// How far ahead to look, in lengths of the segment: just behind the wall, and clearly behind it.
 constexpr double looks[] = {1e-6, 1e-5, 1e-4, 1e-3};
 constexpr double farther = 1e-4;   // of them, that a motion stopped by limits would go on
 constexpr double regular = 1e3;    // a condition below: the arm is far from singular
@@ -27,11 +27,11 @@ std::string joints_outside(const Arm& arm, const Configuration& q) {
 
 /// What the motion would go on to without limits, if that is outside of them; nothing where it
 /// would come to an end at once even so.
-std::string passed_limits(const Arm& arm, const Piece& piece, const Task& task,
+std::string passed_limits(const Arm& arm, const Segment& segment, const Task& task,
                           const Configuration& q, double s) {
   std::string joints;
   for (const double look : looks) {
-    const Pose next = pose_at(piece, std::min(1.0, s + look));
+    const Pose next = pose_at(segment, std::min(1.0, s + look));
     const Descent free = descend(arm, next, task, no_bounds(arm), q);
     if (!free.converged || (free.q - q).lpNorm<Eigen::Infinity>() > next_door) return {};
     if (joints.empty()) joints = joints_outside(arm, free.q);
@@ -42,9 +42,9 @@ std::string passed_limits(const Arm& arm, const Piece& piece, const Task& task,
 
 }  // namespace
 
-std::string place_in_words(const Piece& piece, double s) {
-  const Vector3 p = pose_at(piece, s).translation();
-  const bool line = std::holds_alternative<Line>(piece);
+std::string place_in_words(const Segment& segment, double s) {
+  const Vector3 p = pose_at(segment, s).translation();
+  const bool line = std::holds_alternative<Line>(segment);
   return "stops after " + number(100 * s) + (line ? " % of its length, at x " : " % of it, at x ") +
          number(p.x()) + ", y " + number(p.y()) + ", z " + number(p.z()) + " m: ";
 }
@@ -57,17 +57,17 @@ std::string limit_in_the_way(const Arm& arm, int coordinate, bool lower) {
          " limit of " + with_unit(joint, limit);
 }
 
-PieceFailure piece_failure(const Arm& arm, const Piece& piece, const Task& task,
-                           const Configuration& q, double s) {
-  const std::string where = place_in_words(piece, s);
-  const std::string joints = passed_limits(arm, piece, task, q, s);
+SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Task& task,
+                               const Configuration& q, double s) {
+  const std::string where = place_in_words(segment, s);
+  const std::string joints = passed_limits(arm, segment, task, q, s);
   if (!joints.empty()) return {MotionStatus::outside_limits, where + joints};
 
   // Next to the edge of the workspace solutions are nearly there: that none exists shows farther
   // on.
   InverseResult answer;
   for (const double look : {1e-3, 1e-2, 1e-1}) {
-    const Pose next = pose_at(piece, std::min(1.0, s + look));
+    const Pose next = pose_at(segment, std::min(1.0, s + look));
     InverseResult ahead = inverse_kinematics(arm, next, {.seed = q, .task = task});
     const bool none =
         ahead.status == InverseStatus::unreachable || ahead.status == InverseStatus::orientation;
@@ -100,7 +100,7 @@ PieceFailure piece_failure(const Arm& arm, const Piece& piece, const Task& task,
   return {MotionStatus::not_found, where + "no way on was found" + edge + "; " + answer.reason};
 }
 
-PieceFailure too_many_samples(int most) {
+SegmentFailure too_many_samples(int most) {
   return {MotionStatus::not_converged,
           "needs more than " + std::to_string(most) +
               " samples in all; allow a larger tolerance or more samples (--most-samples)"};

@@ -8,9 +8,9 @@ namespace beeline {
 /// A planned way with its times.
 struct TimedPlan {
   MotionStatus status = MotionStatus::reached;
-  std::string reason = {};          ///< why there is none; empty when reached
-  Trajectory trajectory = {};       ///< from rest to rest
-  std::vector<double> places = {};  ///< on the path, of each sample
+  std::string reason = {};                   ///< why there is none; empty when reached
+  Trajectory trajectory = {};                ///< from rest to rest
+  std::vector<double> path_parameters = {};  ///< on the path, of each sample
 };
 
 /// Gives a branch that goes all along the route's path its times, from stop to stop

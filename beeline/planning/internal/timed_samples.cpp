@@ -30,7 +30,7 @@ Trajectory only_samples(const Trajectory& timed, std::span<const Configuration> 
 std::string append_timed(Trajectory& trajectory, const Arm& arm,
                          std::span<const Configuration> samples, const RetimeOptions& options,
                          const std::function<void(Trajectory&, std::span<const double>)>& brought) {
-  constexpr int most_attempts = 8;    // to find how much slower samples at a rate have to be
+  constexpr int max_attempts = 8;     // to find how much slower samples at a rate have to be
   constexpr double rounding = 1e-11;  // what retime() does not take for a motion is a tenth of it
   const bool moves = std::any_of(samples.begin(), samples.end(), [&](const Configuration& q) {
     return (q - samples.front()).lpNorm<Eigen::Infinity>() > rounding;
@@ -42,13 +42,13 @@ std::string append_timed(Trajectory& trajectory, const Arm& arm,
   retiming.fewest_steps = 0;  // what is left of the way is proved
   const bool paced = std::isfinite(options.tool_speed);
   Trajectory motion;
-  for (int left = most_attempts; left > 0; --left) {
+  for (int left = max_attempts; left > 0; --left) {
     const Retimed timed = retime(arm, way, retiming);
     if (!timed.found()) return timed.reason;
     motion = options.rate > 0 ? timed.trajectory : only_samples(timed.trajectory, samples);
     if (options.rate > 0 && brought) brought(motion, timed.ways);
     const double slower = std::max(paced ? largest_tool_speed(arm, motion) / options.tool_speed : 1,
-                                   slowdown_for_limits(arm, motion, keeps_jerk(timed.law)));
+                                   slowdown_for_limits(arm, motion, keeps_jerk(timed.profile)));
     if (options.rate > 0 && slower > 1 && left > 1) {  // so that the samples keep the rate
       retiming.speed_limit /= slower * (1 + 1e-3);
       if (paced) retiming.tool_speed /= slower * (1 + 1e-3);

@@ -7,8 +7,8 @@ constexpr double side = 1e-6;  // of a step: how far inside its ends are looked 
 
 }  // namespace
 
-ClockProblem::ClockProblem(const ClockSpline& clock, const Eigen::VectorXd& acceleration,
-                           const Eigen::VectorXd& jerk)
+DurationProblem::DurationProblem(const SquaredRateSpline& clock,
+                                 const Eigen::VectorXd& acceleration, const Eigen::VectorXd& jerk)
     : end_(clock.knots().back()) {
   for (Eigen::Index i = 0; i < jerk.size(); ++i) {
     inverse_limits_.push_back(1 / acceleration[i]);
@@ -42,7 +42,7 @@ ClockProblem::ClockProblem(const ClockSpline& clock, const Eigen::VectorXd& acce
   }
 }
 
-void ClockProblem::set(std::size_t moment, const ClockMoment& motion) {
+void DurationProblem::set(std::size_t moment, const MotionSample& motion) {
   if (moments_[moment] == end_) return;
   double* at = numbers_.data() + moment / lanes * block_size() + moment % lanes + 10 * lanes;
   *at = motion.inverse_most;

@@ -9,27 +9,27 @@ namespace beeline {
 ///     velocity      v sqrt(b)
 ///     acceleration  a b + v b' / 2
 ///     jerk          sqrt(b) (j b + 3/2 a b' + v b'' / 2).
-struct ClockMoment {
+struct MotionSample {
   std::vector<double> half_velocity, acceleration, jerk;  ///< v / 2, a, j of each joint
   double inverse_most = 0;  ///< 1 / b's largest value for the limits of velocity
 
-  explicit ClockMoment(std::size_t joints)
+  explicit MotionSample(std::size_t joints)
       : half_velocity(joints), acceleration(joints), jerk(joints) {}
 };
 
 /// What a clock has to keep, at both ends of each of its steps and in between. Numbers lie in
 /// eights, for Lanes: of as many steps one after the other, at one moment of each.
-class ClockProblem {
+class DurationProblem {
  public:
   static constexpr std::size_t lanes = 8;
 
-  ClockProblem(const ClockSpline& clock, const Eigen::VectorXd& acceleration,
-               const Eigen::VectorXd& jerk);
+  DurationProblem(const SquaredRateSpline& clock, const Eigen::VectorXd& acceleration,
+                  const Eigen::VectorXd& jerk);
 
   /// The times at which motions are to be set, in eights too; past the clock's end its end, at
   /// which nothing moves whatever is set.
   const std::vector<double>& moments() const { return moments_; }
-  void set(std::size_t moment, const ClockMoment& motion);
+  void set(std::size_t moment, const MotionSample& motion);
 
   std::size_t joints() const { return inverse_limits_.size() / 2; }
   std::size_t blocks() const { return moments_.size() / lanes; }
@@ -42,8 +42,8 @@ class ClockProblem {
   /// each joint the acceleration's upper and lower one and the jerk's.
   std::size_t multipliers() const { return blocks() * lanes * (1 + 4 * joints()); }
 
-  /// In eights: nine of ClockSpline::rows(), row by row; the share of the duration that it counts
-  /// for; 1 / b's largest value; then of each joint v / 2, a and j.
+  /// In eights: nine of SquaredRateSpline::rows(), row by row; the share of the duration that it
+  /// counts for; 1 / b's largest value; then of each joint v / 2, a and j.
   const double* numbers(std::size_t block) const { return numbers_.data() + block * block_size(); }
   /// Of each joint 1 / limit of acceleration, 1 / limit of jerk.
   const double* inverse_limits() const { return inverse_limits_.data(); }

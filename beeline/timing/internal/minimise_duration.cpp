@@ -11,7 +11,7 @@ namespace {
 constexpr double first_gap = 1;
 constexpr double last_gap = 1e-4;
 constexpr double longest = 0.95;  // of the way to the first bound, that one goes
-constexpr int most_steps = 50;
+constexpr int max_steps = 50;
 
 /// By what factor the gap is to shrink next, after a part of a step: after a short one the
 /// coefficients have to come up with the multipliers first.
@@ -19,7 +19,7 @@ double shrinking(double part) { return part > 0.9 ? 0.2 : part > 0.5 ? 0.6 : 1; 
 
 /// Solves the equations for the first `size` coefficients, by the factors L D L^T of the Hessian,
 /// which they take the place of.
-void solve(ClockEquations& equations, std::size_t size, std::vector<double>& x) {
+void solve(NewtonEquations& equations, std::size_t size, std::vector<double>& x) {
   auto& [gradient, bands] = equations;
   auto& [middle, first, second] = bands;
   for (std::size_t k = 0; k < size; ++k) x[k] = -gradient[k];
@@ -50,7 +50,7 @@ void add(std::vector<double>& to, double part, const std::vector<double>& step) 
 
 }  // namespace
 
-void hasten(ClockSpline& clock, const ClockProblem& problem) {
+void minimise_duration(SquaredRateSpline& clock, const DurationProblem& problem) {
   const auto size = static_cast<std::size_t>(clock.coefficients.size());
   std::vector<double> c(problem.coefficients(), 1), next(c), dc(c.size(), 0);
   std::copy(clock.coefficients.begin(), clock.coefficients.end(), c.begin());
@@ -60,9 +60,9 @@ void hasten(ClockSpline& clock, const ClockProblem& problem) {
   // Multipliers that fit the gap.
   multiplier_step(problem, c.data(), dc.data(), multipliers.data(), gap, change.data());
   add(multipliers, 1, change);
-  ClockEquations equations(problem);
+  NewtonEquations equations(problem);
   bool inside = set_up(equations, problem, c.data(), multipliers.data(), gap);
-  for (int i = 0; i < most_steps && inside; ++i) {
+  for (int i = 0; i < max_steps && inside; ++i) {
     solve(equations, size, dc);
     const MultiplierStep step =
         multiplier_step(problem, c.data(), dc.data(), multipliers.data(), gap, change.data());

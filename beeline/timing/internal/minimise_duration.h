@@ -8,6 +8,6 @@ namespace beeline {
 /// that keep all limits with room to spare; where they do not, nothing changes. By a primal-dual
 /// interior-point method (Boyd and Vandenberghe, Convex Optimization, section 11.7; Nocedal and
 /// Wright, Numerical Optimization, section 19.3).
-void hasten(ClockSpline& clock, const ClockProblem& problem);
+void minimise_duration(SquaredRateSpline& clock, const DurationProblem& problem);
 
 }  // namespace beeline

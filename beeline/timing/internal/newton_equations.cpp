@@ -97,8 +97,8 @@ struct Local {
   }
 };
 
-bool equations(const ClockProblem& problem, const double* c, const double* multipliers, double gap,
-               double* gradient, double* const* bands) {
+bool equations(const DurationProblem& problem, const double* c, const double* multipliers,
+               double gap, double* gradient, double* const* bands) {
   const double* inverse_limits = problem.inverse_limits();
   for (std::size_t block = 0; block < problem.blocks(); ++block) {
     const std::size_t first = problem.first_step(block);
@@ -176,7 +176,7 @@ struct Step {
   }
 };
 
-MultiplierStep step(const ClockProblem& problem, const double* c, const double* dc,
+MultiplierStep step(const DurationProblem& problem, const double* c, const double* dc,
                     const double* multipliers, double gap, double* change) {
   const double* inverse_limits = problem.inverse_limits();
   Step step;
@@ -218,11 +218,12 @@ namespace beeline {
 HWY_EXPORT(equations);
 HWY_EXPORT(step);
 
-ClockEquations::ClockEquations(const ClockProblem& problem) : gradient(problem.coefficients()) {
+NewtonEquations::NewtonEquations(const DurationProblem& problem)
+    : gradient(problem.coefficients()) {
   for (auto& band : bands) band.resize(gradient.size());
 }
 
-bool set_up(ClockEquations& equations, const ClockProblem& problem, const double* c,
+bool set_up(NewtonEquations& equations, const DurationProblem& problem, const double* c,
             const double* multipliers, double gap) {
   auto& [gradient, bands] = equations;
   for (auto* numbers : {&gradient, &bands[0], &bands[1], &bands[2]}) {
@@ -232,7 +233,7 @@ bool set_up(ClockEquations& equations, const ClockProblem& problem, const double
   return HWY_DYNAMIC_DISPATCH(equations)(problem, c, multipliers, gap, gradient.data(), at);
 }
 
-MultiplierStep multiplier_step(const ClockProblem& problem, const double* c, const double* dc,
+MultiplierStep multiplier_step(const DurationProblem& problem, const double* c, const double* dc,
                                const double* multipliers, double gap, double* change) {
   return HWY_DYNAMIC_DISPATCH(step)(problem, c, dc, multipliers, gap, change);
 }

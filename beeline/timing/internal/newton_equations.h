@@ -7,8 +7,8 @@ namespace beeline {
 /// Newton's equations of the interior-point method of clock_barrier.h: what is left of each limit,
 /// times its multiplier, is to become `gap`. Arrays by coefficients are as long as
 /// `problem.coefficients()`, those by multipliers as `problem.multipliers()`.
-struct ClockEquations {
-  explicit ClockEquations(const ClockProblem& problem);
+struct NewtonEquations {
+  explicit NewtonEquations(const DurationProblem& problem);
 
   std::vector<double> gradient;
   std::vector<double> bands[3];  ///< of the Hessian: band d at k is its entry (k + d, k)
@@ -16,7 +16,7 @@ struct ClockEquations {
 
 /// At the coefficients c; false where these do not keep a limit. Of the Hessian the bends of the
 /// limits are left out, so that it is positive.
-bool set_up(ClockEquations& equations, const ClockProblem& problem, const double* c,
+bool set_up(NewtonEquations& equations, const DurationProblem& problem, const double* c,
             const double* multipliers, double gap);
 
 /// What a step does to the multipliers.
@@ -33,7 +33,7 @@ struct MultiplierStep {
 };
 
 /// The change of the multipliers that belongs to the change dc of the coefficients.
-MultiplierStep multiplier_step(const ClockProblem& problem, const double* c, const double* dc,
+MultiplierStep multiplier_step(const DurationProblem& problem, const double* c, const double* dc,
                                const double* multipliers, double gap, double* change);
 
 }  // namespace beeline

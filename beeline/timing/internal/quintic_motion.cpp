@@ -6,7 +6,7 @@
 namespace beeline {
 
 QuinticMotion::QuinticMotion(const JointPath& path, const PathLimits& limits,
-                             const PathLaw& quintic)
+                             const TimeScaling& quintic)
     : path_(path), limits_(limits), rates_(path), times_(quintic.t), moment_(rates_.joints()) {}
 
 JointState QuinticMotion::along(double t) const {
@@ -18,7 +18,7 @@ JointState QuinticMotion::along(double t) const {
           length * pace * pace * pace * 60 * (1 - 6 * u * rest)};
 }
 
-const ClockMoment& QuinticMotion::at(double t) {
+const MotionSample& QuinticMotion::at(double t) {
   while (step_ + 2 < path_.size() && times_[step_ + 1] <= t) ++step_;
   while (step_ > 0 && times_[step_] > t) --step_;
   const double begin = path_.s[step_], length = path_.s[step_ + 1] - begin;

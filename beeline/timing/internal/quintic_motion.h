@@ -7,11 +7,11 @@
 
 namespace beeline {
 
-/// A path that is gone by the quintic law within its limits, as a motion by its own time.
+/// A path that is gone by the quintic scaling within its limits, as a motion by its own time.
 class QuinticMotion {
  public:
-  /// `quintic`: scalar_law(ScalarForm::quintic, path, limits). Path and limits must live on.
-  QuinticMotion(const JointPath& path, const PathLimits& limits, const PathLaw& quintic);
+  /// `quintic`: scalar_profile(ScalarForm::quintic, path, limits). Path and limits must live on.
+  QuinticMotion(const JointPath& path, const PathLimits& limits, const TimeScaling& quintic);
 
   const JointPath& path() const { return path_; }
   const PathLimits& limits() const { return limits_; }
@@ -23,7 +23,7 @@ class QuinticMotion {
   JointState along(double t) const;
 
   /// The joints at a time, until the next call; quick where times are near each other.
-  const ClockMoment& at(double t);
+  const MotionSample& at(double t);
 
   /// By how much the jerks jump at each grid point of the path, if it is passed as fast as the
   /// middle is: the most of a joint, as a share of its limit.
@@ -34,7 +34,7 @@ class QuinticMotion {
   const PathLimits& limits_;
   PathRates rates_;
   std::vector<double> times_;
-  ClockMoment moment_;
+  MotionSample moment_;
   std::size_t step_ = 0;  ///< of the path, at the last time
 };
 

@@ -4,11 +4,11 @@ namespace beeline {
 
 using Eigen::Matrix3d;
 
-ClockSpline::ClockSpline(std::vector<double> knots)
+SquaredRateSpline::SquaredRateSpline(std::vector<double> knots)
     : coefficients(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(knots.size()) + 1)),
       knots_(std::move(knots)) {}
 
-Matrix3d ClockSpline::rows(std::size_t step, double share) const {
+Matrix3d SquaredRateSpline::rows(std::size_t step, double share) const {
   const auto length =
       [this](std::size_t k) {  // of step k - 1; none before the first, after the last
         return k == 0 || k == knots_.size() ? 0 : knots_[k] - knots_[k - 1];
@@ -26,7 +26,7 @@ Matrix3d ClockSpline::rows(std::size_t step, double share) const {
   return rows;
 }
 
-ClockRate ClockSpline::begin_of(std::size_t step) const {
+SquaredRate SquaredRateSpline::begin_of(std::size_t step) const {
   const Eigen::Vector3d rate =
       rows(step, 0) * coefficients.segment<3>(static_cast<Eigen::Index>(step));
   return {rate[0], rate[1], rate[2]};

@@ -6,30 +6,30 @@
 namespace beeline {
 namespace {
 
-/// Where the law is at one time.
+/// Where the scaling is at one time.
 struct Progress {
   double s, speed, acceleration;
 };
 
-Progress point(const PathLaw& law, std::size_t k) {
-  return {law.s[k], law.speed[k], law.acceleration[k]};
+Progress point(const TimeScaling& scaling, std::size_t k) {
+  return {scaling.s[k], scaling.speed[k], scaling.acceleration[k]};
 }
 
-/// `x` seconds into step k of the law: with constant acceleration, or the quintic that continues
-/// the acceleration on both sides.
-Progress progress(const PathLaw& law, std::size_t k, double x) {
-  const double h = law.t[k + 1] - law.t[k], way = law.s[k + 1] - law.s[k];
-  const double v0 = law.speed[k], v1 = law.speed[k + 1];
-  if (!law.smooth) {
+/// `x` seconds into step k of the scaling: with constant acceleration, or the quintic that
+/// continues the acceleration on both sides.
+Progress progress(const TimeScaling& scaling, std::size_t k, double x) {
+  const double h = scaling.t[k + 1] - scaling.t[k], way = scaling.s[k + 1] - scaling.s[k];
+  const double v0 = scaling.speed[k], v1 = scaling.speed[k + 1];
+  if (!scaling.smooth) {
     const double a = (v1 - v0) / h;
-    return {law.s[k] + x * (v0 + 0.5 * x * a), v0 + x * a, a};
+    return {scaling.s[k] + x * (v0 + 0.5 * x * a), v0 + x * a, a};
   }
-  const double c1 = h * v0, c2 = 0.5 * h * h * law.acceleration[k];
+  const double c1 = h * v0, c2 = 0.5 * h * h * scaling.acceleration[k];
   const double r0 = way - c1 - c2, r1 = h * v1 - c1 - 2 * c2;
-  const double r2 = h * h * law.acceleration[k + 1] - 2 * c2;
+  const double r2 = h * h * scaling.acceleration[k + 1] - 2 * c2;
   const double c3 = 10 * r0 - 4 * r1 + 0.5 * r2, c4 = -15 * r0 + 7 * r1 - r2;
   const double c5 = 6 * r0 - 3 * r1 + 0.5 * r2, u = x / h;
-  return {law.s[k] + u * (c1 + u * (c2 + u * (c3 + u * (c4 + u * c5)))),
+  return {scaling.s[k] + u * (c1 + u * (c2 + u * (c3 + u * (c4 + u * c5)))),
           (c1 + u * (2 * c2 + u * (3 * c3 + u * (4 * c4 + u * 5 * c5)))) / h,
           (2 * c2 + u * (6 * c3 + u * (12 * c4 + u * 20 * c5))) / (h * h)};
 }
@@ -71,15 +71,15 @@ class Writer {
 
 void append_points(Trajectory& trajectory, const TimedPath& motion, double gap) {
   const double begin = trajectory.times.empty() ? 0 : trajectory.times.back();
-  const PathLaw& law = motion.law;
+  const TimeScaling& scaling = motion.scaling;
   Writer writer(trajectory, motion.path);
-  for (std::size_t k = 0; k < law.t.size(); ++k) {
-    writer.write(begin + law.t[k], point(law, k));
-    if (k + 1 == law.t.size()) break;
-    const double h = law.t[k + 1] - law.t[k], parts = std::ceil(h / gap);
+  for (std::size_t k = 0; k < scaling.t.size(); ++k) {
+    writer.write(begin + scaling.t[k], point(scaling, k));
+    if (k + 1 == scaling.t.size()) break;
+    const double h = scaling.t[k + 1] - scaling.t[k], parts = std::ceil(h / gap);
     for (double part = 1; part < parts; ++part) {
       const double x = h * part / parts;
-      writer.write(begin + law.t[k] + x, progress(law, k, x));
+      writer.write(begin + scaling.t[k] + x, progress(scaling, k, x));
     }
   }
 }
@@ -90,19 +90,20 @@ Trajectory at_rate(const std::vector<TimedPath>& motions, double rate, std::vect
   const double hair = 1e-6 / rate;  // a time this near to the end is the end
   double begin = 0, count = 0, way = 0;
   for (const TimedPath& motion : motions) {
-    const PathLaw& law = motion.law;
+    const TimeScaling& scaling = motion.scaling;
     Writer writer(trajectory, motion.path);
     std::size_t k = 0;
     const bool last = &motion == &motions.back();
-    const double end = begin + law.duration();
+    const double end = begin + scaling.duration();
     for (; count / rate < end - (last ? hair : 0); ++count) {
       const double t = count / rate - begin;
-      while (k + 2 < law.t.size() && law.t[k + 1] <= t) ++k;
-      const Progress now = t <= law.t[k] ? point(law, k) : progress(law, k, t - law.t[k]);
-      if (writer.write(count / rate, now)) ways.push_back(way + now.s - law.s.front());
+      while (k + 2 < scaling.t.size() && scaling.t[k + 1] <= t) ++k;
+      const Progress now =
+          t <= scaling.t[k] ? point(scaling, k) : progress(scaling, k, t - scaling.t[k]);
+      if (writer.write(count / rate, now)) ways.push_back(way + now.s - scaling.s.front());
     }
-    way += law.s.back() - law.s.front();
-    if (last && writer.write(end, point(law, law.t.size() - 1))) ways.push_back(way);
+    way += scaling.s.back() - scaling.s.front();
+    if (last && writer.write(end, point(scaling, scaling.t.size() - 1))) ways.push_back(way);
     begin = end;
   }
   return trajectory;

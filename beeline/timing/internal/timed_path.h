@@ -6,14 +6,14 @@
 
 namespace beeline {
 
-/// A path with the law along it: a motion. The law's points include the path's grid points.
+/// A path with the scaling along it: a motion. The scaling's points include the path's grid points.
 struct TimedPath {
   JointPath path;
-  PathLaw law;
+  TimeScaling scaling;
 };
 
 /// Appends the motion, which begins at the trajectory's end if that has samples: every point of the
-/// law, and more where `gap` seconds would pass between two.
+/// scaling, and more where `gap` seconds would pass between two.
 void append_points(Trajectory& trajectory, const TimedPath& motion, double gap);
 
 /// The motions one after the other at `rate` samples a second, and the end of the last one; `ways`

@@ -14,9 +14,9 @@ using testing::random_poses;
 
 constexpr PathKind all_kinds[] = {PathKind::line, PathKind::screw, PathKind::arc, PathKind::spline};
 
-/// The path's derivatives by its parameter, in piece k at its share s.
-PieceMotion by_parameter(const ToolPath& path, std::size_t k, double s) {
-  PieceMotion at = motion_at(path.pieces[k], s);
+/// The path's derivatives by its parameter, in segment k at its share s.
+SegmentMotion by_parameter(const ToolPath& path, std::size_t k, double s) {
+  SegmentMotion at = motion_at(path.segments[k], s);
   at.velocity /= path.spans[k];
   at.acceleration /= path.spans[k] * path.spans[k];
   return at;
@@ -28,14 +28,14 @@ TEST(PathThrough, SplinesHaveContinuousVelocitiesAndAccelerations) {
     const double angle = random.uniform(0, 2);
     const auto poses = random_poses(random, random.integer(3, 12), 1, angle);
     const ToolPath path = path_through(poses, PathKind::spline);
-    for (std::size_t k = 1; k < path.pieces.size(); ++k) {
-      const PieceMotion before = by_parameter(path, k - 1, 1), after = by_parameter(path, k, 0);
+    for (std::size_t k = 1; k < path.segments.size(); ++k) {
+      const SegmentMotion before = by_parameter(path, k - 1, 1), after = by_parameter(path, k, 0);
       const double size = 1 + before.velocity.norm() + before.acceleration.norm();
       ASSERT_LT((before.velocity - after.velocity).norm(), 1e-11 * size);
       ASSERT_LT((before.acceleration - after.acceleration).norm(), 1e-10 * size * size);
     }
-    const std::size_t last = path.pieces.size() - 1;
-    const PieceMotion end = by_parameter(path, last, 1);
+    const std::size_t last = path.segments.size() - 1;
+    const SegmentMotion end = by_parameter(path, last, 1);
     ASSERT_LT(by_parameter(path, 0, 0).acceleration.norm(), 1e-9);
     ASSERT_LT(end.acceleration.norm(), 1e-9 * (1 + end.velocity.squaredNorm()));
   }
@@ -47,7 +47,7 @@ TEST(PathThrough, SplinesTakeTheVelocitiesGivenAtTheirEnds) {
     const auto poses = random_poses(random, random.integer(2, 8), 1, 1);
     const Twist first = Twist::Random(), last = i % 2 == 0 ? Twist(Twist::Zero()) : first;
     const ToolPath path = path_through(poses, PathKind::spline, {.first = first, .last = last});
-    const std::size_t end = path.pieces.size() - 1;
+    const std::size_t end = path.segments.size() - 1;
     ASSERT_LT((by_parameter(path, 0, 0).velocity - first).norm(), 1e-12);
     ASSERT_LT((by_parameter(path, end, 1).velocity - last).norm(), 1e-12);
   }
@@ -66,8 +66,8 @@ TEST(PathThrough, OfPosesOnALineIsThatLine) {
         path_through(std::vector{from, interpolate(from, to, s), to}, PathKind::spline);
     for (const double t : {0.1, 0.5, 0.7}) {
       const Pose on = interpolate(from, to, t), on_first = interpolate(from, to, t * s);
-      ASSERT_LT(pose_difference(pose_at(two.pieces[0], t), on).norm(), 1e-12);
-      ASSERT_LT(pose_difference(pose_at(three.pieces[0], t), on_first).norm(), 1e-12);
+      ASSERT_LT(pose_difference(pose_at(two.segments[0], t), on).norm(), 1e-12);
+      ASSERT_LT(pose_difference(pose_at(three.segments[0], t), on_first).norm(), 1e-12);
     }
   }
 }
@@ -82,9 +82,9 @@ TEST(PathThrough, MovesWithTheWorldAndWithTheToolsOwnAxes) {
       std::vector<Pose> others;
       for (const Pose& pose : poses) others.push_back(moved * pose);
       const ToolPath other = path_through(others, kind);
-      for (std::size_t k = 0; k < path.pieces.size(); ++k) {
+      for (std::size_t k = 0; k < path.segments.size(); ++k) {
         for (const double s : {0.0, 0.3, 0.5, 1.0}) {
-          const Pose p = moved * pose_at(path.pieces[k], s), q = pose_at(other.pieces[k], s);
+          const Pose p = moved * pose_at(path.segments[k], s), q = pose_at(other.segments[k], s);
           ASSERT_LT(pose_difference(p, q).norm(), 1e-9) << name(kind);
         }
       }
@@ -95,10 +95,10 @@ TEST(PathThrough, MovesWithTheWorldAndWithTheToolsOwnAxes) {
     for (Pose pose : poses) turned.push_back((pose.linear() = pose.linear() * tool, pose));
     const ToolPath path = path_through(poses, PathKind::spline);
     const ToolPath other = path_through(turned, PathKind::spline);
-    for (std::size_t k = 0; k < path.pieces.size(); ++k) {
-      Pose p = pose_at(path.pieces[k], 0.3);
+    for (std::size_t k = 0; k < path.segments.size(); ++k) {
+      Pose p = pose_at(path.segments[k], 0.3);
       p.linear() = p.linear() * tool;
-      ASSERT_LT(pose_difference(p, pose_at(other.pieces[k], 0.3)).norm(), 1e-11);
+      ASSERT_LT(pose_difference(p, pose_at(other.segments[k], 0.3)).norm(), 1e-11);
     }
   }
 }
@@ -110,10 +110,10 @@ TEST(PathThrough, OfPosesInReverseIsThePathInReverse) {
     const std::vector<Pose> reverse(poses.rbegin(), poses.rend());
     for (const PathKind kind : all_kinds) {
       const ToolPath path = path_through(poses, kind), back = path_through(reverse, kind);
-      const std::size_t last = path.pieces.size() - 1;
+      const std::size_t last = path.segments.size() - 1;
       for (std::size_t k = 0; k <= last; ++k) {
         for (const double s : {0.0, 0.3, 0.5, 1.0}) {
-          const Pose p = pose_at(path.pieces[k], s), q = pose_at(back.pieces[last - k], 1 - s);
+          const Pose p = pose_at(path.segments[k], s), q = pose_at(back.segments[last - k], 1 - s);
           ASSERT_LT(pose_difference(p, q).norm(), 1e-9) << name(kind);
         }
       }
@@ -129,8 +129,8 @@ TEST(PathThrough, SplinesOfTurnsAboutOneAxisTurnAboutItAlone) {
     const Vector3 axis = random.direction();
     for (Pose& pose : poses) pose.linear() = so3_exp(axis * random.uniform(-1, 1));
     const ToolPath path = path_through(poses, PathKind::spline);
-    for (std::size_t k = 0; k < path.pieces.size(); ++k) {
-      const PieceMotion at = motion_at(path.pieces[k], random.uniform(0, 1));
+    for (std::size_t k = 0; k < path.segments.size(); ++k) {
+      const SegmentMotion at = motion_at(path.segments[k], random.uniform(0, 1));
       ASSERT_LT(at.velocity.tail<3>().cross(axis).norm(), 1e-12);
     }
   }
@@ -153,10 +153,10 @@ Deviation off_waving(int steps) {
   for (int i = 0; i < 200; ++i) {
     const Pose pose = waving(0.8 + 0.4 * i / 200);
     Deviation least{1, 1};  // from the nearest pose of the path, by either
-    for (std::size_t k = path.pieces.size() / 3; k <= 2 * path.pieces.size() / 3; ++k) {
+    for (std::size_t k = path.segments.size() / 3; k <= 2 * path.segments.size() / 3; ++k) {
       double low = 0, high = 1;
       const auto distance = [&](double s) {
-        return (pose_at(path.pieces[k], s).translation() - pose.translation()).norm();
+        return (pose_at(path.segments[k], s).translation() - pose.translation()).norm();
       };
       while (high - low > 1e-12) {
         const double third = (high - low) / 3;
@@ -167,7 +167,8 @@ Deviation off_waving(int steps) {
         }
       }
       if (distance(low) > least.position) continue;
-      least = {distance(low), pose_difference(pose_at(path.pieces[k], low), pose).tail<3>().norm()};
+      least = {distance(low),
+               pose_difference(pose_at(path.segments[k], low), pose).tail<3>().norm()};
     }
     off.position = std::max(off.position, least.position);
     off.orientation = std::max(off.orientation, least.orientation);
@@ -196,8 +197,8 @@ TEST(PathThrough, RefusesWhatMakesNoPath) {
   Pose rough = poses[0];
   rough.linear() *= 1 + 3e-7;
   const ToolPath made = path_through(std::vector{rough, poses[1]}, PathKind::spline);
-  EXPECT_LT(pose_difference(pose_at(made.pieces[0], 0), poses[0]).norm(), 1e-6);
-  EXPECT_NEAR(pose_at(made.pieces[0], 0).linear().determinant(), 1, 1e-14);
+  EXPECT_LT(pose_difference(pose_at(made.segments[0], 0), poses[0]).norm(), 1e-6);
+  EXPECT_NEAR(pose_at(made.segments[0], 0).linear().determinant(), 1, 1e-14);
   Pose bent = poses[0];
   bent.linear() *= 1.1;
   EXPECT_REFUSED(path_through(std::vector{poses[0], bent}, PathKind::line), "rigid");

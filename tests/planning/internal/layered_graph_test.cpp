@@ -106,13 +106,13 @@ TEST(KnotSpline, GoesThroughItsKnotsSmoothly) {
   EXPECT_EQ(KnotSpline({knots.front()}, path).at(3), knots.front().q);
 }
 
-// The end of a short piece next to a long one makes no kink by the way.
-TEST(KnotSpline, IsSmoothWherePiecesOfDifferentLengthMeet) {
+// The end of a short segment next to a long one makes no kink by the way.
+TEST(KnotSpline, IsSmoothWhereSegmentsOfDifferentLengthMeet) {
   const std::vector<Pose> poses{make_pose({0, 0, 0}), make_pose({1, 0, 0}), make_pose({1.1, 0, 0})};
   const ToolPath path = lines_through(poses);
   std::vector<Knot> knots;
   for (const double place : {0.0, 0.4, 0.8, 1.0, 1.4, 2.0}) {
-    knots.push_back({place, Configuration::Constant(1, std::pow(way_to(path, place), 2))});
+    knots.push_back({place, Configuration::Constant(1, std::pow(span_to(path, place), 2))});
   }
   const KnotSpline spline(knots, path);
   constexpr double h = 1e-6;
@@ -120,7 +120,7 @@ TEST(KnotSpline, IsSmoothWherePiecesOfDifferentLengthMeet) {
   const double right = (spline.at(1 + 10 * h)[0] - spline.at(1)[0]) / h;
   EXPECT_NEAR(left, right, 1e-3);
   for (double place = 0; place <= 2; place += 0.01) {  // the parabola itself
-    EXPECT_NEAR(spline.at(place)[0], std::pow(way_to(path, place), 2), 1e-9);
+    EXPECT_NEAR(spline.at(place)[0], std::pow(span_to(path, place), 2), 1e-9);
   }
 }
 

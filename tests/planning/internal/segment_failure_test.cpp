@@ -12,7 +12,7 @@ namespace beeline {
 namespace {
 
 // What a reason claims is looked up by other means at the place where the line stops.
-TEST(PieceFailure, TellsTheTruth) {
+TEST(SegmentFailure, TellsTheTruth) {
   testing::Random random;
   int seen[6] = {};
   for (const std::string name : {"rrr", "panda", "ur5", "puma560", "stanford"}) {
@@ -22,12 +22,11 @@ TEST(PieceFailure, TellsTheTruth) {
       const Configuration start = testing::inner_configuration(random, arm);
       const Pose from = forward_kinematics(arm, start);
       const Line line{from, testing::nearby_pose(random, arm, from)};
-      const TrackedSegment way =
-          track_segment(arm, line, task, bounds_of(arm), start,
-                        {.tolerance = {1e-4, 1e-3}, .most_samples = 100'000});
+      const TrackedSegment way = track_segment(arm, line, task, bounds_of(arm), start,
+                                               {.tolerance = {1e-4, 1e-3}, .max_samples = 100'000});
       if (way.through()) continue;
       const Configuration& q = way.samples.back();
-      const PieceFailure failure = piece_failure(arm, line, task, q, way.fractions.back());
+      const SegmentFailure failure = segment_failure(arm, line, task, q, way.fractions.back());
       ++seen[static_cast<int>(failure.status)];
 
       const double s = way.fractions.back();
@@ -68,8 +67,8 @@ TEST(PieceFailure, TellsTheTruth) {
   EXPECT_GT(seen[static_cast<int>(MotionStatus::singular)], 0);
 }
 
-TEST(PieceFailure, OfTooManySamplesSaysHowMany) {
-  const PieceFailure failure = too_many_samples(1234);
+TEST(SegmentFailure, OfTooManySamplesSaysHowMany) {
+  const SegmentFailure failure = too_many_samples(1234);
   EXPECT_EQ(failure.status, MotionStatus::not_converged);
   EXPECT_NE(failure.reason.find("1234"), std::string::npos);
 }

@@ -30,8 +30,8 @@ Pose moved_off(Random& random, Pose pose, double size) {
   return pose;
 }
 
-// Any piece and any step, however far from one another.
-TEST(MatchedStepBound, HoldsForAnyPieceAndAnyStep) {
+// Any segment and any step, however far from one another.
+TEST(MatchedStepBound, HoldsForAnySegmentAndAnyStep) {
   Random random;
   std::vector<double> ratios;
   for (int i = 0; i < 5000; ++i) {
@@ -45,30 +45,31 @@ TEST(MatchedStepBound, HoldsForAnyPieceAndAnyStep) {
     for (const double t : {0.0, 0.5, 1.0}) {
       poses.push_back(moved_off(random, forward_kinematics(arm, q_a + t * (q_b - q_a)), off));
     }
-    Piece piece = random.integer(0, 1) == 0 ? Piece(ScrewLine{poses[0], poses[2]})
-                                            : path_through(poses, PathKind::spline).pieces.front();
-    if (const auto spline = std::get_if<SplinePiece>(&piece)) {
+    Segment segment = random.integer(0, 1) == 0
+                          ? Segment(ScrewLine{poses[0], poses[2]})
+                          : path_through(poses, PathKind::spline).segments.front();
+    if (const auto spline = std::get_if<SplineSegment>(&segment)) {
       if (spline->terms.norm() > 1e3) continue;
     }
-    if (random.integer(0, 4) == 0) piece = testing::random_piece(random);
+    if (random.integer(0, 4) == 0) segment = testing::random_segment(random);
     const Task task = task_of(random);
-    check_matched(arm, piece, task);
+    check_matched(arm, segment, task);
     const double s_a = random.uniform(0, 1), s_b = random.uniform(0, 1);
     const auto deviation = [&](double t) {
-      return task_deviation(task, pose_at(piece, std::lerp(s_a, s_b, t)),
+      return task_deviation(task, pose_at(segment, std::lerp(s_a, s_b, t)),
                             forward_kinematics(arm, q_a + t * (q_b - q_a)));
     };
     const Deviation bound =
-        matched_step_bound(arm, piece, task, {q_a, s_a, deviation(0)}, {q_b, s_b, deviation(1)});
+        matched_step_bound(arm, segment, task, {q_a, s_a, deviation(0)}, {q_b, s_b, deviation(1)});
     for (int k = 0; k <= 20; ++k) {
       const Deviation seen = deviation(k / 20.0);
-      ASSERT_LE(seen.position, bound.position * (1 + 1e-9) + 1e-12) << kind_of(piece);
-      ASSERT_LE(seen.orientation, bound.orientation * (1 + 1e-9) + 1e-12) << kind_of(piece);
+      ASSERT_LE(seen.position, bound.position * (1 + 1e-9) + 1e-12) << kind_of(segment);
+      ASSERT_LE(seen.orientation, bound.orientation * (1 + 1e-9) + 1e-12) << kind_of(segment);
     }
   }
 }
 
-// Three slides and one joint that turns: the tool keeps to its chord, and all is the piece's.
+// Three slides and one joint that turns: the tool keeps to its chord, and all is the segment's.
 TEST(MatchedStepBound, HoldsWhereTheToolKeepsToItsChord) {
   Random random;
   double tightest = 0, tightest_turn = 0;
@@ -83,26 +84,26 @@ TEST(MatchedStepBound, HoldsWhereTheToolKeepsToItsChord) {
     const Arm arm("crane", joints, Pose(random.rotation()));
     const double off = std::pow(10, random.uniform(-6, 0));
     Configuration q_a = Configuration::Random(4), q_b = 1.5 * Configuration::Random(4);
-    Piece piece = ScrewLine{moved_off(random, forward_kinematics(arm, q_a), off),
-                            moved_off(random, forward_kinematics(arm, q_b), off)};
+    Segment segment = ScrewLine{moved_off(random, forward_kinematics(arm, q_a), off),
+                                moved_off(random, forward_kinematics(arm, q_b), off)};
     double s_a = 0, s_b = 1;
     if (i % 2 == 0) {
-      piece = testing::random_piece(random);
+      segment = testing::random_segment(random);
       s_a = random.uniform(0, 1), s_b = random.uniform(0, 1);
       for (auto [q, s] : {std::pair{&q_a, s_a}, std::pair{&q_b, s_b}}) {  // at its positions
-        q->head<3>() = arm.base().linear().transpose() * pose_at(piece, s).translation();
+        q->head<3>() = arm.base().linear().transpose() * pose_at(segment, s).translation();
       }
     }
     const auto deviation = [&](double t) {
-      return task_deviation(Task::spatial(), pose_at(piece, std::lerp(s_a, s_b, t)),
+      return task_deviation(Task::spatial(), pose_at(segment, std::lerp(s_a, s_b, t)),
                             forward_kinematics(arm, q_a + t * (q_b - q_a)));
     };
-    const Deviation bound = matched_step_bound(arm, piece, Task::spatial(),
+    const Deviation bound = matched_step_bound(arm, segment, Task::spatial(),
                                                {q_a, s_a, deviation(0)}, {q_b, s_b, deviation(1)});
     for (int k = 1; k < 20; ++k) {
       const Deviation seen = deviation(k / 20.0);
-      ASSERT_LE(seen.position, bound.position * (1 + 1e-9) + 1e-12) << kind_of(piece);
-      ASSERT_LE(seen.orientation, bound.orientation * (1 + 1e-9) + 1e-9) << kind_of(piece);
+      ASSERT_LE(seen.position, bound.position * (1 + 1e-9) + 1e-12) << kind_of(segment);
+      ASSERT_LE(seen.orientation, bound.orientation * (1 + 1e-9) + 1e-9) << kind_of(segment);
       tightest = std::max(tightest, seen.position / bound.position);
       tightest_turn = std::max(tightest_turn, seen.orientation / bound.orientation);
     }
@@ -127,15 +128,15 @@ TEST(MatchedStepBound, RefusesTasksThatLeaveTurnsFree) {
 }
 
 /// A path of the kind in front of the arm.
-std::vector<Piece> path_ahead(Random& random, const Arm& arm, const Pose& from, int kind) {
+std::vector<Segment> path_ahead(Random& random, const Arm& arm, const Pose& from, int kind) {
   std::vector<Pose> poses{from};
   for (int w = 0; w < 4; ++w) poses.push_back(testing::nearby_pose(random, arm, from));
   for (std::size_t w = 1; kind == 2 && w < poses.size(); w += 2) {  // arcs of moderate size
     const Vector3 aside = (poses[w].translation() - from.translation()) / 3;
     poses[w].translation() = (poses[w - 1].translation() + poses[w + 1].translation()) / 2 + aside;
   }
-  if (kind == 4) return rounded_lines(poses, {0.03, 0.3}).path.pieces;
-  return path_through(poses, static_cast<PathKind>(kind)).pieces;
+  if (kind == 4) return blended_lines(poses, {0.03, 0.3}).path.segments;
+  return path_through(poses, static_cast<PathKind>(kind)).segments;
 }
 
 struct Tally {
@@ -145,17 +146,17 @@ struct Tally {
 };
 
 /// Between all samples, joints in proportion, the tool stays within the bound.
-void expect_proved(const Arm& arm, const Piece& piece, const Task& task, const TrackedSegment& way,
-                   Random& random, Tally& tally) {
+void expect_proved(const Arm& arm, const Segment& segment, const Task& task,
+                   const TrackedSegment& way, Random& random, Tally& tally) {
   for (std::size_t k = 1; k < way.samples.size(); ++k) {
     const Configuration step = way.samples[k] - way.samples[k - 1];
     for (int i = 0; i < 4; ++i) {
       const double t = i == 0 ? 0.5 : random.uniform(0, 1);
       const double s = std::lerp(way.fractions[k - 1], way.fractions[k], t);
       const Pose pose = forward_kinematics(arm, way.samples[k - 1] + t * step);
-      const Deviation off = deviation_from(piece, s, pose, task);
-      ASSERT_LE(off.position, way.deviation.bound.position + 1e-12) << kind_of(piece);
-      ASSERT_LE(off.orientation, way.deviation.bound.orientation + 1e-12) << kind_of(piece);
+      const Deviation off = deviation_from(segment, s, pose, task);
+      ASSERT_LE(off.position, way.deviation.bound.position + 1e-12) << kind_of(segment);
+      ASSERT_LE(off.orientation, way.deviation.bound.orientation + 1e-12) << kind_of(segment);
       tally.worst = std::max(tally.worst, off.position / way.deviation.bound.position);
       tally.worst_turn =
           std::max(tally.worst_turn, off.orientation / way.deviation.bound.orientation);
@@ -164,7 +165,7 @@ void expect_proved(const Arm& arm, const Piece& piece, const Task& task, const T
   }
 }
 
-TEST(FollowPiece, StaysWithinTheProvedBoundAllTheWay) {
+TEST(TrackSegment, StaysWithinTheProvedBoundAllTheWay) {
   Random random;
   for (const std::string arm_name : {"puma560", "ur5", "panda", "rrr"}) {
     const Arm arm = built_in(arm_name);
@@ -174,34 +175,34 @@ TEST(FollowPiece, StaysWithinTheProvedBoundAllTheWay) {
       Tally tally;
       for (int i = 0; i < 400 && tally.points < 10'000; ++i) {
         Configuration q = testing::inner_configuration(random, arm);
-        for (const Piece& piece : path_ahead(random, arm, forward_kinematics(arm, q), kind)) {
-          const TrackedSegment way = track_segment(arm, piece, task, bounds_of(arm), q,
-                                                   {.tolerance = tolerance, .most_samples = 5000});
+        for (const Segment& segment : path_ahead(random, arm, forward_kinematics(arm, q), kind)) {
+          const TrackedSegment way = track_segment(arm, segment, task, bounds_of(arm), q,
+                                                   {.tolerance = tolerance, .max_samples = 5000});
           ASSERT_LE(way.deviation.bound.position, tolerance.position);
           ASSERT_LE(way.deviation.bound.orientation, tolerance.orientation);
-          expect_proved(arm, piece, task, way, random, tally);
+          expect_proved(arm, segment, task, way, random, tally);
           if (HasFatalFailure()) return;
           ++(way.through() ? tally.through : tally.ended);
           if (!way.through()) break;
           tally.samples += way.samples.size() - 1;
-          tally.length += length_of(piece);
+          tally.length += length_of(segment);
           q = way.samples.back();
-          ASSERT_LT(task_deviation(task, pose_at(piece, 1), forward_kinematics(arm, q)).position,
+          ASSERT_LT(task_deviation(task, pose_at(segment, 1), forward_kinematics(arm, q)).position,
                     1e-9);
         }
       }
       EXPECT_GE(tally.points, 10'000) << arm_name << " kind " << kind;
       EXPECT_GT(tally.through, 10) << arm_name << " kind " << kind;
       std::cout << arm_name << " kind " << kind << ": " << tally.points << " points, seen/bound "
-                << tally.worst << ' ' << tally.worst_turn << "; pieces " << tally.through << " and "
-                << tally.ended << " cut short; " << double(tally.samples) / tally.length
+                << tally.worst << ' ' << tally.worst_turn << "; segments " << tally.through
+                << " and " << tally.ended << " cut short; " << double(tally.samples) / tally.length
                 << " samples per metre\n";
     }
   }
 }
 
-// A line as a line, and the same line as a piece of a spline: the same way but for the proof.
-TEST(FollowPiece, OfALineIsTheLine) {
+// A line as a line, and the same line as a segment of a spline: the same way but for the proof.
+TEST(TrackSegment, OfALineIsTheLine) {
   Random random;
   const Arm arm = built_in("puma560");
   std::size_t as_line = 0, as_spline = 0;
@@ -209,13 +210,13 @@ TEST(FollowPiece, OfALineIsTheLine) {
     const Configuration q = testing::inner_configuration(random, arm);
     const Pose from = forward_kinematics(arm, q);
     const Line line{from, testing::nearby_pose(random, arm, from)};
-    const TrackOptions options{.tolerance = {1e-4, 1e-4}, .most_samples = 5000};
-    const auto go = [&](const Piece& piece) {
-      return track_segment(arm, piece, Task::spatial(), bounds_of(arm), q, options);
+    const TrackOptions options{.tolerance = {1e-4, 1e-4}, .max_samples = 5000};
+    const auto go = [&](const Segment& segment) {
+      return track_segment(arm, segment, Task::spatial(), bounds_of(arm), q, options);
     };
     const TrackedSegment way = go(line);
     const TrackedSegment other =
-        go(path_through(std::vector{line.from, line.to}, PathKind::spline).pieces.front());
+        go(path_through(std::vector{line.from, line.to}, PathKind::spline).segments.front());
     ASSERT_EQ(way.through(), other.through());
     if (!way.through()) continue;
     ASSERT_LT((way.samples.back() - other.samples.back()).norm(), 1e-8);

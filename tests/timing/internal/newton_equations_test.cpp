@@ -14,19 +14,19 @@ using Eigen::VectorXd;
 
 /// A clock for a motion without sense, well inside all its limits.
 struct Case {
-  ClockSpline clock;
-  ClockProblem problem;
+  SquaredRateSpline clock;
+  DurationProblem problem;
 };
 Case random_case(testing::Random& random, bool jerks) {
   const int joints = random.integer(1, 9);
   std::vector<double> knots{0};
   const int steps = random.integer(9, 30);
   for (int k = 0; k < steps; ++k) knots.push_back(knots.back() + random.uniform(0.5, 1.5));
-  ClockSpline clock(knots);
+  SquaredRateSpline clock(knots);
   const VectorXd none = VectorXd::Constant(joints, HUGE_VAL), one = VectorXd::Ones(joints);
-  ClockProblem problem(clock, jerks ? none : one, jerks ? one : none);
+  DurationProblem problem(clock, jerks ? none : one, jerks ? one : none);
   for (std::size_t k = 0; k < problem.moments().size(); ++k) {
-    ClockMoment moment{std::size_t(joints)};
+    MotionSample moment{std::size_t(joints)};
     for (auto* kind : {&moment.half_velocity, &moment.acceleration, &moment.jerk}) {
       for (double& value : *kind) value = random.uniform(-0.2, 0.2);
     }
@@ -37,7 +37,7 @@ Case random_case(testing::Random& random, bool jerks) {
   return {clock, problem};
 }
 
-std::vector<double> padded(const ClockProblem& problem, const VectorXd& c) {
+std::vector<double> padded(const DurationProblem& problem, const VectorXd& c) {
   std::vector<double> numbers(problem.coefficients(), 1);
   std::copy(c.begin(), c.end(), numbers.begin());
   return numbers;
@@ -48,9 +48,9 @@ struct Left {
   std::vector<double> left;
   double duration = 0;
 };
-Left left_of(const ClockProblem& problem, const VectorXd& coefficients) {
+Left left_of(const DurationProblem& problem, const VectorXd& coefficients) {
   const std::vector<double> c = padded(problem, coefficients);
-  constexpr std::size_t lanes = ClockProblem::lanes;
+  constexpr std::size_t lanes = DurationProblem::lanes;
   Left all;
   all.left.resize(problem.multipliers());
   std::size_t first = 0;
@@ -79,7 +79,7 @@ Left left_of(const ClockProblem& problem, const VectorXd& coefficients) {
   return all;
 }
 
-double barrier(const ClockProblem& problem, const VectorXd& c, double gap) {
+double barrier(const DurationProblem& problem, const VectorXd& c, double gap) {
   const Left all = left_of(problem, c);
   double value = all.duration;
   for (const double left : all.left) value -= gap * std::log(left);
@@ -87,20 +87,20 @@ double barrier(const ClockProblem& problem, const VectorXd& c, double gap) {
 }
 
 /// Multipliers that fit the gap.
-std::vector<double> fitting(const ClockProblem& problem, const VectorXd& c, double gap) {
+std::vector<double> fitting(const DurationProblem& problem, const VectorXd& c, double gap) {
   std::vector<double> multipliers = left_of(problem, c).left;
   for (double& m : multipliers) m = gap / m;
   return multipliers;
 }
 
-VectorXd gradient(const ClockProblem& problem, const VectorXd& c, double gap) {
-  ClockEquations equations(problem);
+VectorXd gradient(const DurationProblem& problem, const VectorXd& c, double gap) {
+  NewtonEquations equations(problem);
   const auto multipliers = fitting(problem, c, gap);
   EXPECT_TRUE(set_up(equations, problem, padded(problem, c).data(), multipliers.data(), gap));
   return Eigen::Map<VectorXd>(equations.gradient.data(), c.size());
 }
 
-TEST(ClockNewton, GradientIsThatOfTheBarrier) {
+TEST(NewtonEquations, GradientIsThatOfTheBarrier) {
   testing::Random random;
   for (int i = 0; i < 20; ++i) {
     const auto [clock, problem] = random_case(random, i % 2 == 0);
@@ -116,12 +116,12 @@ TEST(ClockNewton, GradientIsThatOfTheBarrier) {
   }
 }
 
-TEST(ClockNewton, HessianIsTheGradientsDerivativeWhereLimitsDoNotBend) {
+TEST(NewtonEquations, HessianIsTheGradientsDerivativeWhereLimitsDoNotBend) {
   testing::Random random;
   for (int i = 0; i < 10; ++i) {
     const auto [clock, problem] = random_case(random, false);
     const VectorXd& c = clock.coefficients;
-    ClockEquations equations(problem);
+    NewtonEquations equations(problem);
     const auto multipliers = fitting(problem, c, 0.01);
     ASSERT_TRUE(set_up(equations, problem, padded(problem, c).data(), multipliers.data(), 0.01));
     constexpr double h = 1e-5;
@@ -138,7 +138,7 @@ TEST(ClockNewton, HessianIsTheGradientsDerivativeWhereLimitsDoNotBend) {
   }
 }
 
-TEST(ClockNewton, StepOfTheMultipliersBringsTheProductsToTheGap) {
+TEST(NewtonEquations, StepOfTheMultipliersBringsTheProductsToTheGap) {
   testing::Random random;
   for (int i = 0; i < 20; ++i) {
     const auto [clock, problem] = random_case(random, i % 2 == 0);
@@ -170,12 +170,12 @@ TEST(ClockNewton, StepOfTheMultipliersBringsTheProductsToTheGap) {
   }
 }
 
-TEST(ClockBarrier, HastensUpToTheLimits) {
+TEST(MinimiseDuration, HastensUpToTheLimits) {
   testing::Random random;
   for (int i = 0; i < 20; ++i) {
     auto [clock, problem] = random_case(random, i % 2 == 0);
     const double before = left_of(problem, clock.coefficients).duration;
-    hasten(clock, problem);
+    minimise_duration(clock, problem);
     const Left after = left_of(problem, clock.coefficients);
     ASSERT_LT(after.duration, before);
     ASSERT_GT(*std::min_element(after.left.begin(), after.left.end()), 0);
@@ -195,20 +195,20 @@ TEST(ClockBarrier, HastensUpToTheLimits) {
   }
 }
 
-TEST(ClockBarrier, LeavesAClockThatKeepsNoLimits) {
+TEST(MinimiseDuration, LeavesAClockThatKeepsNoLimits) {
   testing::Random random;
   auto [clock, problem] = random_case(random, true);
   clock.coefficients.setConstant(1e3);
-  hasten(clock, problem);
+  minimise_duration(clock, problem);
   EXPECT_EQ(clock.coefficients, VectorXd::Constant(clock.coefficients.size(), 1e3));
 }
 
-TEST(ClockSpline, IsSmoothAtItsKnots) {
+TEST(SquaredRateSpline, IsSmoothAtItsKnots) {
   testing::Random random;
   for (int i = 0; i < 50; ++i) {
-    const ClockSpline clock = random_case(random, true).clock;
+    const SquaredRateSpline clock = random_case(random, true).clock;
     for (std::size_t k = 0; k + 1 < clock.steps(); ++k) {
-      const ClockRate end = clock.begin_of(k).after(clock.knots()[k + 1] - clock.knots()[k]);
+      const SquaredRate end = clock.begin_of(k).after(clock.knots()[k + 1] - clock.knots()[k]);
       ASSERT_NEAR(end.b, clock.begin_of(k + 1).b, 1e-12);
       ASSERT_NEAR(end.slope, clock.begin_of(k + 1).slope, 1e-12);
     }
