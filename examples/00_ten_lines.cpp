@@ -1,4 +1,4 @@
-// Everything in ten lines: an arm, its tool, its Jacobian, its inverse, and a straight line.
+// Ten lines: an arm, its tool pose, its Jacobian, inverse kinematics and a straight line.
 #include <iostream>
 
 #include <beeline/inverse/inverse_kinematics.h>
@@ -17,7 +17,7 @@ int main() {
   const auto motion = move_in_lines(arm, q, std::array{higher, tool});
   std::cout << "tool\n" << tool.matrix() << "\nJacobian\n" << j << '\n';
   std::cout << "inverse kinematics: " << name(answer.status) << answer.reason << '\n';
-  std::cout << "up and down: " << name(motion.status) << ", never more than "
-            << motion.deviation.bound.position << " m off the line\n"
+  std::cout << "up and down: " << name(motion.status) << ", deviation at most "
+            << motion.deviation.bound.position << " m\n"
             << motion.reason;
 }

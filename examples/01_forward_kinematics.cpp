@@ -1,4 +1,5 @@
-// Where is the tool? The chapter's eq. 1.1 and Figure 1.6, for its planar arm and for a Panda.
+// Forward kinematics (Dellaert, *Serial Link Manipulators*, eq. 1.1 and Figure 1.6) of the chapter's
+// planar arm and of a Panda.
 #include <iostream>
 #include <numbers>
 
@@ -17,5 +18,5 @@ int main() {
 
   const beeline::Arm panda = beeline::built_in("panda");
   const beeline::Pose world_T_tool = forward_kinematics(panda, middle_configuration(panda));
-  std::cout << "panda, all joints in the middle:\n" << world_T_tool.matrix() << '\n';
+  std::cout << "panda, all joints at the middle of their limits:\n" << world_T_tool.matrix() << '\n';
 }

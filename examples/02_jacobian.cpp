@@ -1,4 +1,4 @@
-// How fast does the tool move? The chapter's eq. 1.4 and Figure 1.8, and how far from singular.
+// The Jacobian (Dellaert, *Serial Link Manipulators*, eq. 1.4 and Figure 1.8) and manipulability.
 #include <iostream>
 #include <numbers>
 
@@ -10,11 +10,11 @@ int main() {
   const beeline::Arm rrr = beeline::built_in("rrr");
   const Eigen::Vector3d q(0, std::numbers::pi / 2, 0);
   const Eigen::Matrix3Xd j = planar_jacobian(rrr, q);
-  std::cout << "rows x, y, theta; a column for each joint:\n" << j << '\n';
+  std::cout << "rows x, y, theta; one column for each joint:\n" << j << '\n';
   std::cout << "manipulability " << beeline::dexterity(j).manipulability << '\n';
 
   const beeline::Arm panda = beeline::built_in("panda");
   const beeline::Configuration middle = middle_configuration(panda);
-  std::cout << "panda, in the tool's own axes:\n"
+  std::cout << "panda, in tool axes, rows vx vy vz wx wy wz:\n"
             << jacobian(panda, middle, beeline::Frame::tool) << '\n';
 }

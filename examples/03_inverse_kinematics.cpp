@@ -1,4 +1,4 @@
-// Which configurations reach a pose? Both elbows of the chapter's arm, and a reason when none does.
+// Inverse kinematics: both elbow solutions of the planar arm, and the reason when there is none.
 #include <iostream>
 #include <numbers>
 

@@ -1,4 +1,5 @@
-// The gain K_p of the chapter's eq. 1.3: too small is slow, too large overshoots, 2 never arrives.
+// Proportional joint control (Dellaert, *Serial Link Manipulators*, eq. 1.3): a small gain K_p is slow, a
+// large one overshoots, and 2 does not converge.
 #include <iostream>
 #include <numbers>
 

@@ -1,4 +1,4 @@
-// The main job: a tool moves in straight lines, and the report tells how straight it was.
+// The tool moves in straight lines through waypoints; prints the measured and the proved deviation.
 #include <iostream>
 #include <numbers>
 
@@ -10,7 +10,7 @@
 #include <beeline/record/trajectory_file.h>
 
 int main(int argc, char** argv) {
-  const std::string folder = argc > 1 ? argv[1] : ".";  // of the waypoints
+  const std::string folder = argc > 1 ? argv[1] : ".";  // with the waypoints
   const auto degrees = beeline::AngleUnit::degrees;
   const auto poses = beeline::read_poses(folder + "/waypoints_rrr.csv", degrees).poses;
 
@@ -21,10 +21,10 @@ int main(int argc, char** argv) {
     std::cout << name(motion.status) << ": " << motion.reason << '\n';
     return 1;
   }
-  std::cout << motion.trajectory.size() << " samples; off the line by "
+  std::cout << motion.trajectory.size() << " samples; deviation "
             << motion.deviation.measured.position
-            << " m as measured, and at no moment by more than " << motion.deviation.bound.position
-            << " m\n";
+            << " m measured, at most " << motion.deviation.bound.position
+            << " m at any time\n";
   write_trajectory("05_straight_line.csv", motion.trajectory);
   save(motion_figure(rrr, motion.trajectory.positions, poses), "05_straight_line.svg");
 }

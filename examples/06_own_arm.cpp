@@ -1,4 +1,4 @@
-// An arm of one's own: joints put together by hand, written as JSON, read back, drawn.
+// A custom arm: joints assembled by hand, written as JSON, read back, drawn.
 #include <iostream>
 
 #include <beeline/draw/arm_figure.h>
@@ -11,7 +11,7 @@
 #include <beeline/read/file.h>
 
 int main() {
-  // A crane: turns about z, lifts along z, extends along x.
+  // A crane: rotates about z, lifts along z, extends along x.
   std::vector<beeline::Joint> joints = beeline::composite_joint('C', "mast");
   joints[1].limits = {.lower = 0.2, .upper = 2, .velocity = 0.5};
   joints.push_back(beeline::composite_joint('P', "jib").front());
@@ -21,7 +21,7 @@ int main() {
   beeline::write_file("06_own_arm.json", arm_to_json(crane));
   const beeline::Arm again = beeline::read_arm("06_own_arm.json");
   const auto q = middle_configuration(again);
-  std::cout << again.name() << " hangs its hook at "
+  std::cout << again.name() << ": hook at "
             << forward_kinematics(again, q).translation().transpose() << '\n';
   save(arm_figure(again, q), "06_own_arm.svg");
 }

@@ -1,5 +1,5 @@
-// A control loop at 1 kHz: the panda's tool draws a figure of eight, and the clock tells how long
-// the steps took and how late the loop woke up.
+// A control loop at 1 kHz: the tool of a Panda follows a figure of eight; prints the duration of the
+// steps and the latency of the loop.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -31,11 +31,11 @@ void print(const char* what, std::vector<double> values) {
             << ", worst " << values.back() << '\n';
 }
 
-/// Where the tool is to be at time t, from the middle of the eight: 20 cm wide, 10 cm high, round
-/// in two seconds and a second to get going.
+/// Returns the commanded tool position at time t, relative to the centre of the eight: 20 cm wide,
+/// 10 cm high, two seconds for each round after one second of acceleration.
 beeline::Vector3 eight(double t) {
-  const double turns = t < 1 ? t * t / 2 : t - 0.5;
-  const double angle = std::numbers::pi * turns;
+  const double phase = t < 1 ? t * t / 2 : t - 0.5;
+  const double angle = std::numbers::pi * phase;
   return {0, 0.1 * std::sin(angle), 0.05 * std::sin(2 * angle)};
 }
 
@@ -69,15 +69,15 @@ int main() {
     took.push_back(microseconds(Clock::now() - begin));
     late.push_back(microseconds(begin - due));
     due += std::chrono::milliseconds(1);
-    q += dt * velocity;  // what the arm would do
+    q += dt * velocity;  // an ideal arm
     const beeline::Vector3 off = forward_kinematics(panda, q).translation() - middle.translation();
     farthest = std::max(farthest, (off - eight(t + dt)).norm());
     least_share = std::min(least_share, step.share);
     if (i % 25 == 0) trail.push_back(q);
   }
-  print("a step took", took);
-  print("it began late by", late);
-  std::cout << "at most " << 1000 * farthest << " mm off the eight, at least " << 100 * least_share
+  print("duration of a step", took);
+  print("latency", late);
+  std::cout << "at most " << 1000 * farthest << " mm from the path, at least " << 100 * least_share
             << " % of the commanded speed\n";
   save(motion_figure(panda, trail, {middle}), "07_servo.svg");
   return farthest < 1e-3 ? 0 : 1;
