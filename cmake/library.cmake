@@ -24,4 +24,5 @@ function(beeline_library name)
   target_include_directories(beeline_${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_sources(beeline_${name} PUBLIC
     FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
+  beeline_quick(beeline_${name})
 endfunction()

@@ -1,0 +1,34 @@
+# What makes the build quick. Measured on two cores: docs/build.md.
+
+# A library of its own: GCC takes a precompiled header only where every macro that was defined when it
+# was made is defined again.
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "")
+add_library(beeline_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
+target_link_libraries(beeline_precompiled PRIVATE Eigen3::Eigen)
+target_precompile_headers(beeline_precompiled PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
+set_target_properties(beeline_precompiled PROPERTIES UNITY_BUILD OFF)
+
+# beeline_quick(target): the sources of a folder are compiled as one (CMAKE_UNITY_BUILD, on in the
+# presets), except for the kernels, which Highway compiles once for each instruction set; all with the
+# header that beeline_precompiled compiles beforehand.
+function(beeline_quick target)
+  get_target_property(sources ${target} SOURCES)
+  get_target_property(folder ${target} SOURCE_DIR)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  foreach(source IN LISTS sources)
+    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${folder})
+    if(NOT source MATCHES "\\.cpp$")
+      continue()
+    endif()
+    file(STRINGS ${source} kernel REGEX "foreach_target\\.h" LIMIT_COUNT 1)
+    if(kernel)
+      set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    else()
+      cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE group)
+      cmake_path(GET group PARENT_PATH group)
+      string(REPLACE "/" "_" group ${group})
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+    endif()
+  endforeach()
+  target_precompile_headers(${target} REUSE_FROM beeline_precompiled)
+endfunction()
