@@ -5,7 +5,6 @@
 #include <limits>
 
 #include <beeline/error.h>
-#include <beeline/inverse/internal/request.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/read/pose_list.h>
 

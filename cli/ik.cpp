@@ -32,7 +32,7 @@ Residual residual_of(const UnitArgument& unit, const Arm& arm, const InverseResu
   switch (result.status) {
     case InverseStatus::unreachable:
       return {result.residual, " m"};
-    case InverseStatus::orientation:
+    case InverseStatus::orientation_unreachable:
       return {unit.shown(result.residual), fmt::format(" {}", unit.name())};
     case InverseStatus::outside_limits: {
       const int k = result.nearest->blocking;

@@ -26,7 +26,7 @@ ResolvedRates::ResolvedRates(const Arm& arm, const Task& task)
       rates_{Eigen::VectorXd::Zero(arm.dof()), Eigen::VectorXd::Zero(arm.dof())} {
   directions_.motion.resize(arm.dof(), 6);
   for (int i = 0; i < 6; ++i) {
-    scale_[i] = !task.rows[i] ? 0 : i < 3 ? 1 / unit_of_length(arm) : 1;
+    scale_[i] = !task.rows[i] ? 0 : i < 3 ? 1 / internal::unit_of_length(arm) : 1;
   }
   for (int k = 0; k < arm.dof(); ++k) {
     weight[k] = held_velocity(arm.limits(k));

@@ -17,8 +17,8 @@ double fast_to_stop(double way, double acceleration, double time_step) {
   return 2 * way / (time_step + std::sqrt(time_step * time_step + 2 * way / acceleration));
 }
 
-void fill_rooms(const Arm& arm, const Bounds& bounds, const ConfigurationRef& q, double time_step,
-                std::vector<Room>& rooms) {
+void fill_rooms(const Arm& arm, const internal::Bounds& bounds, const ConfigurationRef& q,
+                double time_step, std::vector<Room>& rooms) {
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     const Limits& limits = arm.limits(k);
     const double up = fast_to_stop(bounds.upper[k] - q[k], limits.acceleration, time_step);

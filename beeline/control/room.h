@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 
 namespace beeline {
 
@@ -28,7 +28,7 @@ struct Room {
 double fast_to_stop(double way, double acceleration, double time_step);
 
 /// One room for each coordinate of q; a q outside the bounds may only come back.
-void fill_rooms(const Arm& arm, const Bounds& bounds, const ConfigurationRef& q, double time_step,
-                std::vector<Room>& rooms);
+void fill_rooms(const Arm& arm, const internal::Bounds& bounds, const ConfigurationRef& q,
+                double time_step, std::vector<Room>& rooms);
 
 }  // namespace beeline

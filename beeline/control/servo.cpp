@@ -36,7 +36,7 @@ Servo::Servo(const Arm& arm, const ServoOptions& options)
     : arm_(arm),
       task_((check(options), options.task.value_or(default_task(arm)))),
       options_(options),
-      bounds_(bounds_of(arm)),
+      bounds_(internal::bounds_of(arm)),
       solver_(arm, task_),
       rooms_(static_cast<std::size_t>(arm.dof())),
       spare_(Eigen::VectorXd::Zero(arm.dof())),

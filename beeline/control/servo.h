@@ -59,7 +59,7 @@ class Servo {
   Arm arm_;
   Task task_;
   ServoOptions options_;
-  Bounds bounds_;
+  internal::Bounds bounds_;
   ResolvedRates solver_;
   std::vector<Room> rooms_;
   Eigen::VectorXd spare_, drift_;  ///< motions that leave the tool at rest: wanted and there

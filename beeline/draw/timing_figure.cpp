@@ -5,7 +5,7 @@
 #include <beeline/draw/internal/sheet.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
-#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/manipulability.h>
 
 namespace beeline {
@@ -16,7 +16,7 @@ constexpr double plot_height = 76;
 
 Chart condition_chart(const Arm& arm, const Trajectory& trajectory, const Task& task) {
   constexpr std::size_t max_points = 1500;  // a chart does not resolve more
-  const double unit = unit_of_length(arm);
+  const double unit = internal::unit_of_length(arm);
   Chart chart{.heading = "inverse condition of the Jacobian",
               .x_name = "time [s]",
               .left_name = "0: singular",

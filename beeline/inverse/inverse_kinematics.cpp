@@ -9,8 +9,8 @@ namespace {
 
 constexpr const char* method_names[] = {"automatic", "closed_form", "numerical"};
 constexpr const char* redundancy_names[] = {"any", "nearest", "centred"};
-constexpr const char* status_names[] = {"solved", "unreachable", "orientation", "outside_limits",
-                                        "not_found"};
+constexpr const char* status_names[] = {"solved", "unreachable", "orientation_unreachable",
+                                        "outside_limits", "not_found"};
 
 template <std::size_t n>
 int named(std::string_view name, const char* const (&names)[n], const char* what) {
@@ -34,19 +34,20 @@ std::string name(Redundancy redundancy) { return redundancy_names[static_cast<in
 std::string name(InverseStatus status) { return status_names[static_cast<int>(status)]; }
 
 InverseSolver::InverseSolver(const Arm& arm, const InverseOptions& options)
-    : methods_(std::make_unique<InverseMethods>(inverse_methods(arm, options))) {}
+    : methods_(
+          std::make_unique<internal::InverseMethods>(internal::inverse_methods(arm, options))) {}
 InverseSolver::InverseSolver(const InverseSolver& other)
-    : methods_(std::make_unique<InverseMethods>(*other.methods_)) {}
+    : methods_(std::make_unique<internal::InverseMethods>(*other.methods_)) {}
 InverseSolver::~InverseSolver() = default;
 
-std::string InverseSolver::method() const { return description(*methods_); }
+std::string InverseSolver::method() const { return internal::description(*methods_); }
 
 InverseResult InverseSolver::solve(const Pose& world_T_tool) {
   return solve(world_T_tool, methods_->options.seed ? *methods_->options.seed : methods_->middle);
 }
 
 InverseResult InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed) {
-  return answer(*methods_, world_T_tool, seed, true);
+  return internal::answer(*methods_, world_T_tool, seed, true);
 }
 
 int InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed,
@@ -57,9 +58,9 @@ int InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed,
                 " rows and at least one column");
   }
   const Pose goal = checked_pose(world_T_tool);
-  const int at_once = answer_at_once(*methods_, goal, seed, solutions);
+  const int at_once = internal::solve_fast_path(*methods_, goal, seed, solutions);
   if (at_once >= 0) return at_once;
-  const InverseResult result = answer(*methods_, goal, seed, false);
+  const InverseResult result = internal::answer(*methods_, goal, seed, false);
   const auto room = static_cast<std::size_t>(solutions.cols());
   const std::size_t count = std::min(room, result.solutions.size());
   for (std::size_t i = 0; i < count; ++i) {

@@ -56,11 +56,12 @@ struct InverseOptions {
 };
 
 enum class InverseStatus {
-  solved,          ///< at least one solution, checked by forward kinematics
-  unreachable,     ///< the tool cannot come to the position, limits or not: of 64 descents for the
-                   ///< position alone none does
-  orientation,     ///< it can come to the position, but not with the orientation that is asked for:
-                   ///< by the closed form, or none of 64 descents and more came within 1e-3 rad
+  solved,       ///< at least one solution, checked by forward kinematics
+  unreachable,  ///< the tool cannot come to the position, limits or not: of 64 descents for the
+                ///< position alone none does
+  orientation_unreachable,  ///< it can come to the position, but not with the orientation that is
+                            ///< asked for: by the closed form, or none of 64 descents and more came
+                            ///< within 1e-3 rad
   outside_limits,  ///< it can come to the pose, but within the joint limits no solution was found,
                    ///< and none exists where a closed form says so: see the reason
   not_found,       ///< the search ended without a solution; that none exists is not shown
@@ -110,7 +111,9 @@ struct InverseResult {
 InverseResult inverse_kinematics(const Arm& arm, const Pose& world_T_tool,
                                  const InverseOptions& options = {});
 
+namespace internal {
 struct InverseMethods;
+}
 
 /// inverse_kinematics() for many poses of one arm: what does not depend on the pose is done once.
 /// Not for use by two threads at a time; copies are cheap enough to give one to each.
@@ -137,7 +140,7 @@ class InverseSolver {
             Eigen::Ref<Eigen::MatrixXd> solutions);
 
  private:
-  std::unique_ptr<InverseMethods> methods_;
+  std::unique_ptr<internal::InverseMethods> methods_;
 };
 
 }  // namespace beeline

@@ -23,7 +23,7 @@ std::string segment_number(const ToolPath& path, std::size_t i) {
 }
 
 /// Follows the path from branch.start as far as it goes.
-void follow_all(const Arm& arm, const ToolPath& path, const Bounds& bounds,
+void follow_all(const Arm& arm, const ToolPath& path, const internal::Bounds& bounds,
                 const BranchOptions& options, Branch& branch) {
   Configuration q = branch.start;
   std::size_t left = options.max_samples;
@@ -115,7 +115,7 @@ void shift(Branch& branch, int k, double turns) {
 
 /// Cuts the branch off where it first leaves the limits, and tells which joint's.
 void keep_limits(const Arm& arm, const ToolPath& path, Branch& branch) {
-  const Bounds bounds = bounds_of(arm);
+  const internal::Bounds bounds = internal::bounds_of(arm);
   int blocking = -1;
   double first = branch.path_parameter;
   for (int k = 0; k < arm.dof(); ++k) {
@@ -142,7 +142,8 @@ void keep_limits(const Arm& arm, const ToolPath& path, Branch& branch) {
 
 /// The branches that go all the way from the path's end to its begin, told the right way round: at
 /// a singular begin one solution stands for infinitely many, and the path may need another.
-std::vector<Branch> backward_branches(const Arm& arm, const ToolPath& path, const Bounds& bounds,
+std::vector<Branch> backward_branches(const Arm& arm, const ToolPath& path,
+                                      const internal::Bounds& bounds,
                                       const BranchOptions& options) {
   const ToolPath back = reversed(path);
   const InverseResult ends = inverse_kinematics(
@@ -174,7 +175,7 @@ void narrow(Margins& margins, const Arm& arm, const Task& task, const Configurat
     margins.limit =
         std::min(margins.limit, std::max(0.0, limit_margin(q[k], limits.lower, limits.upper)));
   }
-  const Eigen::MatrixXd j = task_jacobian(arm, q, task, unit_of_length(arm));
+  const Eigen::MatrixXd j = task_jacobian(arm, q, task, internal::unit_of_length(arm));
   margins.dexterity = std::min(margins.dexterity, 1 / dexterity(j).condition);
 }
 
@@ -210,7 +211,7 @@ Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& 
                     const BranchOptions& options) {
   check_task(arm, path, options.task);
   Branch branch{.start = start};
-  follow_all(arm, path, bounds_of(arm), options, branch);
+  follow_all(arm, path, internal::bounds_of(arm), options, branch);
   if (options.reasons != BranchOptions::Reasons::none) explain(arm, path, options, branch);
   measure(arm, options.task, branch);
   return branch;
@@ -221,17 +222,17 @@ std::vector<Branch> track_branches(const Arm& arm, const ToolPath& path,
   check_task(arm, path, options.task);
   const InverseResult starts = inverse_kinematics(
       arm, pose_at(path, 0), {.task = options.task, .all = true, .ignore_limits = true});
-  const Bounds limits = bounds_of(arm);
-  Bounds bounds = limits;
+  const internal::Bounds limits = internal::bounds_of(arm);
+  internal::Bounds bounds = limits;
   for (int k = 0; k < arm.dof(); ++k) {
-    if (!turns_around(arm, k)) continue;
+    if (!internal::turns_around(arm, k)) continue;
     bounds.lower[k] = -Limits::none;
     bounds.upper[k] = Limits::none;
   }
   std::vector<Branch> branches;
   const auto add = [&](Branch branch) {
     for (int k = 0; k < arm.dof(); ++k) {
-      if (turns_around(arm, k))
+      if (internal::turns_around(arm, k))
         shift(branch, k, best_turns(branch, k, limits.lower[k], limits.upper[k]));
     }
     keep_limits(arm, path, branch);

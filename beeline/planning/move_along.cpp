@@ -4,7 +4,7 @@
 #include <beeline/certificate/internal/line_step.h>
 #include <beeline/certificate/joint_faults.h>
 #include <beeline/error.h>
-#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/internal/timed_plan.h>
 #include <beeline/planning/move_along.h>
@@ -70,7 +70,7 @@ Arm held_back(const Arm& arm, const std::optional<Configuration>& start, double 
 Configuration checked_start(const Arm& arm, const Configuration& start) {
   const auto outside = limit_violations(arm, start);
   if (!outside.empty()) throw Error("the motion cannot start: " + outside.front());
-  const Bounds bounds = bounds_of(arm);
+  const internal::Bounds bounds = internal::bounds_of(arm);
   return start.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
 }
 

@@ -13,7 +13,7 @@ MotionStatus status_of(InverseStatus status) {
     case InverseStatus::outside_limits:
       return MotionStatus::outside_limits;
     case InverseStatus::unreachable:
-    case InverseStatus::orientation:
+    case InverseStatus::orientation_unreachable:
       return MotionStatus::unreachable;
     default:
       return MotionStatus::not_found;

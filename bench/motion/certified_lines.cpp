@@ -121,7 +121,7 @@ void judge_refusal(const Arm& arm, const Line& line, const PathMotion& motion, i
     }
     const KnotSpline spline(knots, lines_through(std::vector{line.from, line.to}));
     const TrackedSegment way =
-        track_segment(arm, line, Task::spatial(), bounds_of(arm), dense.way.front(),
+        track_segment(arm, line, Task::spatial(), internal::bounds_of(arm), dense.way.front(),
                       {.tolerance = {1e-4, 1e-4}, .max_samples = 100'000, .guide = [&](double s) {
                          return spline.at(s);
                        }});

@@ -79,7 +79,7 @@ Coarse coarse(const Arm& arm, const ToolPath& path, Configuration q) {
   Coarse way{{q}, {0}};
   for (std::size_t i = 0; i < path.segments.size(); ++i) {
     const TrackedSegment segment =
-        track_segment(arm, path.segments[i], Task::spatial(), bounds_of(arm), q,
+        track_segment(arm, path.segments[i], Task::spatial(), internal::bounds_of(arm), q,
                       {.tolerance = {1e-4, 1e-4}, .max_samples = 2000});
     const bool last = i + 1 == path.segments.size() || !segment.through();
     for (std::size_t k = 1; k < segment.samples.size(); ++k) {

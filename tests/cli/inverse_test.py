@@ -84,7 +84,7 @@ def test_orientation_says_how_much_turn_is_missing(ik):
     least = math.acos((7 * 7 - 7 * 7 - 2 * 2) / (2 * 7 * 2))
     for unit, options in ((1, ()), (180 / math.pi, ("--degrees",))):
         answer = ik("rrr", "-7,0,0", *options)
-        assert answer["status"] == "orientation"
+        assert answer["status"] == "orientation_unreachable"
         # The search comes slowly to an arm that is stretched, but never below.
         assert -1e-9 < answer["residual"] / unit - least < 2e-3
         assert answer["nearest"]["orientation_error"] == pytest.approx(answer["residual"])
@@ -93,7 +93,7 @@ def test_orientation_says_how_much_turn_is_missing(ik):
 
 def test_orientation_where_every_axis_is_vertical(ik):
     answer = ik("scara", "0.4,0.1,0.3,150,0,0", "--degrees")  # the tool hangs at roll 180
-    assert answer["status"] == "orientation" and "tilted" in answer["reason"]
+    assert answer["status"] == "orientation_unreachable" and "tilted" in answer["reason"]
     assert answer["residual"] == pytest.approx(30)
     anyhow = ik("scara", "0.4,0.1,0.3,150,0,0", "--degrees", "--task", "position")
     assert anyhow["status"] == "solved"

@@ -25,7 +25,7 @@ inline void expect_solved(const Arm& arm, const Pose& pose, const Task& task,
   EXPECT_EQ(result.reason.empty(), !result.singular) << result.reason;
   double residual = 0;
   for (const Configuration& q : result.solutions) {
-    EXPECT_TRUE(within(bounds_of(arm), q)) << arm.name() << ' ' << q.transpose();
+    EXPECT_TRUE(within(internal::bounds_of(arm), q)) << arm.name() << ' ' << q.transpose();
     residual = std::max(residual, largest(task_deviation(task, pose, forward_kinematics(arm, q))));
   }
   EXPECT_LE(residual, tolerance) << arm.name();

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <beeline/inverse/analytic/six_loop.h>
-#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/inverse/numerical/representative.h>
 
 #include <tests/random.h>
@@ -61,7 +61,7 @@ inline std::vector<Axis> axes_with(SixLoop::Family family, std::size_t first,
 inline bool holds(const Arm& arm, const std::vector<Configuration>& list, const Configuration& q,
                   double tolerance = 1e-6) {
   for (const Configuration& each : list) {
-    if (same_posture(arm, each, q, tolerance)) return true;
+    if (internal::same_posture(arm, each, q, tolerance)) return true;
   }
   return false;
 }
@@ -72,7 +72,8 @@ inline std::vector<Configuration> search_all(const Arm& arm, const Pose& pose, c
                                              std::size_t enough, int starts, Random& random) {
   std::vector<Configuration> found;
   for (int start = 0, idle = 0; start < starts && (found.size() < enough || idle < 100); ++start) {
-    const Descent run = descend(arm, pose, task, no_bounds(arm), random.configuration(arm));
+    const internal::NumericalResult run = internal::levenberg_marquardt(
+        arm, pose, task, internal::no_bounds(arm), random.configuration(arm));
     const bool is_new = run.converged && !holds(arm, found, run.q, 1e-4);
     if (is_new) found.push_back(run.q);
     idle = is_new ? 0 : idle + 1;

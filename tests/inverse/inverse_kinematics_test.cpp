@@ -13,6 +13,8 @@
 namespace beeline {
 namespace {
 
+using namespace internal;
+
 constexpr double pi = std::numbers::pi;
 
 using testing::expect_no;

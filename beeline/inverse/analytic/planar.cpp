@@ -3,7 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/inverse/analytic/planar.h>
-#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/orientation.h>
 
@@ -47,8 +47,9 @@ double largest(const Deviation& error) { return std::max(error.position, error.o
 void polish(const Arm& arm, const Pose& world_T_tool, const Task& task, double tolerance,
             PlanarSolution& solution) {
   if (largest(solution.error) <= tolerance || largest(solution.error) > 1000 * tolerance) return;
-  const Descent run = descend(arm, world_T_tool, task, no_bounds(arm), solution.q,
-                              {.tolerance = tolerance, .iterations = 5});
+  const internal::NumericalResult run =
+      internal::levenberg_marquardt(arm, world_T_tool, task, internal::no_bounds(arm), solution.q,
+                                    {.tolerance = tolerance, .iterations = 5});
   if (!run.converged) return;
   solution.q = run.q;
   solution.error = run.error;

@@ -8,7 +8,7 @@
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/pose/angle.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 /// With a coordinate locked it is another arm, which is kept as long as the value stays.
@@ -56,43 +56,46 @@ InverseResult answer(InverseMethods& methods, const Pose& world_T_tool, const Co
                      bool with_reason) {
   if (methods.options.lock) return answer_locked(methods, world_T_tool, seed, with_reason);
   check_configuration(methods.arm, seed);
-  const Question ask = question(methods.arm, methods.options, methods.task, methods.bounds,
-                                world_T_tool, brought_near(methods, seed));
+  const Request request = make_request(methods.arm, methods.options, methods.task, methods.bounds,
+                                       world_T_tool, brought_near(methods, seed));
   InverseResult result;
   result.method = description(methods);
   const bool formulas = methods.planar || methods.closed || methods.general;
-  Beyond beyond;
-  beyond.law = against_what_stays(ask.arm, ask.goal, ask.task, ask.tolerance);
-  if (beyond.law) {
-    beyond.complete = true;
+  UnconstrainedResult unconstrained;
+  unconstrained.law =
+      invariant_violation(request.arm, request.goal, request.task, request.tolerance);
+  if (unconstrained.law) {
+    unconstrained.complete = true;
   } else if (formulas) {
-    beyond = solve_closed(methods, ask, result);
+    unconstrained = solve_closed(methods, request, result);
   }
   // Of a continuum another member may be within limits.
-  const bool last_word = beyond.complete && !(beyond.continuum && result.solutions.empty());
-  const bool lacking = result.solutions.empty() || (beyond.doubtful && ask.options.all);
+  const bool last_word =
+      unconstrained.complete && !(unconstrained.continuum && result.solutions.empty());
+  const bool lacking = result.solutions.empty() || (unconstrained.doubtful && request.options.all);
   if (lacking && !last_word && methods.options.method != InverseMethod::closed_form &&
-      !out_of_reach(ask.arm, ask.goal, ask.task, ask.tolerance)) {
+      !out_of_reach(request.arm, request.goal, request.task, request.tolerance)) {
     const bool added = result.solutions.empty();
-    beyond = solve_numerical(methods, ask, result, beyond);
+    unconstrained = solve_numerical(methods, request, result, unconstrained);
     if (added && !result.solutions.empty()) result.method = "numerical";
     if (result.solutions.empty() && !methods.general) {  // descents may have missed it
       if (!methods.second_opinion) methods.second_opinion = prepared_general(methods);
-      if (methods.second_opinion) beyond = solve_general(*methods.second_opinion, ask, result);
+      if (methods.second_opinion)
+        unconstrained = solve_general(*methods.second_opinion, request, result);
     }
   }
-  if (result.solutions.empty() && with_reason) explain(methods, ask, beyond, result);
+  if (result.solutions.empty() && with_reason) explain(methods, request, unconstrained, result);
   if (result.solutions.empty()) return result;
-  const bool spare = ask.arm.dof() > ask.task.size() && !ask.options.all;
-  if (spare && ask.options.redundancy != Redundancy::any) settle(ask, result);
-  result.complete = ask.options.all && beyond.complete && !result.singular;
-  finish(ask, result);
+  const bool spare = request.arm.dof() > request.task.size() && !request.options.all;
+  if (spare && request.options.redundancy != Redundancy::any) settle(request, result);
+  result.complete = request.options.all && unconstrained.complete && !result.singular;
+  finish(request, result);
   if (result.singular) {
-    result.reason = "singular: arm " + ask.arm.name() +
+    result.reason = "singular: arm " + request.arm.name() +
                     " can move with the tool at rest, so that there are infinitely many " +
                     "solutions; in those given the joints concerned are nearest to the seed";
   }
   return result;
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

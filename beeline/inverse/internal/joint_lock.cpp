@@ -1,7 +1,7 @@
 #include <beeline/error.h>
 #include <beeline/inverse/internal/joint_lock.h>
 
-namespace beeline {
+namespace beeline::internal {
 
 Arm with_locked(const Arm& arm, int k, double value) {
   if (arm.dof() < 2) throw Error("arm " + arm.name() + " has one joint, which cannot be locked");
@@ -33,4 +33,4 @@ Configuration with(const Configuration& q, int k, double value) {
   return longer;
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

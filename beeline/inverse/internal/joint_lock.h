@@ -2,7 +2,7 @@
 
 #include <beeline/model/arm.h>
 
-namespace beeline {
+namespace beeline::internal {
 
 /// The arm with coordinate k standing still at a value: its joint, and those that follow it, are
 /// parts of the links then, and it has one coordinate less. Throws Error when it has one only.
@@ -12,4 +12,4 @@ Arm with_locked(const Arm& arm, int k, double value);
 Configuration without(const Configuration& q, int k);
 Configuration with(const Configuration& q, int k, double value);
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -6,7 +6,7 @@
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 /// Six joints that turn, each by a coordinate of its own.
@@ -100,4 +100,4 @@ std::string description(const InverseMethods& methods) {
   return "numerical";
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

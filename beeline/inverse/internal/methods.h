@@ -9,15 +9,15 @@
 #include <beeline/inverse/internal/request.h>
 #include <beeline/inverse/numerical/multi_start.h>
 
-namespace beeline {
+namespace beeline::internal {
 
-/// Descents for one task within some bounds, and where they may start.
-struct Descents {
-  DescentProblem problem;
-  StartDeck deck;
+/// PreparedSearch for one task within some bounds, and where they may start.
+struct PreparedSearch {
+  NumericalProblem problem;
+  SeedTable seeds;
 };
-Descents descents(const Arm& arm, const Task& task, const Bounds& bounds,
-                  const InverseOptions& options);
+PreparedSearch prepared_search(const Arm& arm, const Task& task, const Bounds& bounds,
+                               const InverseOptions& options);
 
 /// What an arm is solved by, prepared as far as it was asked for.
 struct InverseMethods {
@@ -32,12 +32,12 @@ struct InverseMethods {
   bool general_six = false;    ///< six joints that turn, and no closed form of a family
   std::optional<GeneralSix> general = std::nullopt;
   std::optional<GeneralSix> second_opinion = std::nullopt;  ///< where descents find nothing
-  std::optional<Descents> within = std::nullopt, anywhere = std::nullopt;
+  std::optional<PreparedSearch> within = std::nullopt, anywhere = std::nullopt;
   int missing = -1;  ///< the coordinate of a longer arm that is locked in this one
   std::vector<InverseMethods> shorter = {};  ///< for options.lock: the arm that is left ...
   double shorter_value = 0;                  ///< ... with the coordinate at this value
   MultiStartBuffers buffers = {};
-  Search search = {};
+  SearchResult search = {};
 };
 
 /// Throws Error for options that make no sense, or a closed form that the arm does not have.
@@ -50,11 +50,11 @@ std::optional<GeneralSix> prepared_general(const InverseMethods& methods);
 std::string description(const InverseMethods& methods);
 
 /// What is known of the solutions when limits do not count.
-struct Beyond {
+struct UnconstrainedResult {
   bool complete = false;               ///< all there are have been looked at
   bool doubtful = false;               ///< one may have been lost to rounding
   bool continuum = false;              ///< some of them stand for infinitely many
-  std::optional<Obstacle> law;         ///< there are none, whatever the joints do
+  std::optional<Infeasibility> law;    ///< there are none, whatever the joints do
   std::optional<Configuration> least;  ///< the one that is least outside limits
 };
 
@@ -70,30 +70,32 @@ InverseResult answer(InverseMethods& methods, const Pose& world_T_tool, const Co
 
 /// The solutions in the shortest way, into the columns, where nothing about them needs a second
 /// look; returns how many, or -1 where something does. Does not allocate in the ordinary course.
-int answer_at_once(InverseMethods& methods, const Pose& goal, const ConfigurationRef& seed,
-                   Eigen::Ref<Eigen::MatrixXd> solutions);
+int solve_fast_path(InverseMethods& methods, const Pose& goal, const ConfigurationRef& seed,
+                    Eigen::Ref<Eigen::MatrixXd> solutions);
 
 /// Puts what formulas give into result.solutions, as far as it is within limits.
-Beyond solve_closed(InverseMethods& methods, const Question& ask, InverseResult& result);
-Beyond solve_general(const GeneralSix& general, const Question& ask, InverseResult& result);
+UnconstrainedResult solve_closed(InverseMethods& methods, const Request& request,
+                                 InverseResult& result);
+UnconstrainedResult solve_general(const GeneralSix& general, const Request& request,
+                                  InverseResult& result);
 
-/// Puts what descents find into result.solutions; `beyond` is what is known already.
-Beyond solve_numerical(InverseMethods& methods, const Question& ask, InverseResult& result,
-                       Beyond beyond = {});
+/// Puts what descents find into result.solutions; `unconstrained` is what is known already.
+UnconstrainedResult solve_numerical(InverseMethods& methods, const Request& request,
+                                    InverseResult& result, UnconstrainedResult unconstrained = {});
 
 /// The same in the shortest way, for one solution: from the seed into the first column. Says
 /// whether there is one. Does not allocate but at the first call.
-bool descend_at_once(InverseMethods& methods, const Pose& goal, const ConfigurationRef& seed,
-                     Eigen::Ref<Eigen::MatrixXd> solutions);
+bool search_fast_path(InverseMethods& methods, const Pose& goal, const ConfigurationRef& seed,
+                      Eigen::Ref<Eigen::MatrixXd> solutions);
 
 /// Eight descents within limits from branches that exceed these least; the first that arrives goes
 /// into q. Says whether one did. Does not allocate but at the first call.
-bool descend_from(InverseMethods& methods, const Pose& goal, const LeastOutside& outside,
-                  double tolerance, Eigen::Ref<Configuration> q);
+bool solve_from(InverseMethods& methods, const Pose& goal, const LeastOutside& outside,
+                double tolerance, Eigen::Ref<Configuration> q);
 
 /// Fills in status, residual, nearest miss and reason of a result without solutions; or, where it
 /// comes upon one, that.
-void explain(InverseMethods& methods, const Question& ask, const Beyond& beyond,
-             InverseResult& result);
+void explain(InverseMethods& methods, const Request& request,
+             const UnconstrainedResult& unconstrained, InverseResult& result);
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -5,7 +5,7 @@
 #include <beeline/inverse/internal/nearest_pose.h>
 #include <beeline/kinematics/forward.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 constexpr int steps = 100;
@@ -103,4 +103,4 @@ Configuration nearest_orientation(const Arm& arm, const Pose& world_T_tool, cons
   return best;
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -2,7 +2,7 @@
 
 #include <beeline/kinematics/task.h>
 
-namespace beeline {
+namespace beeline::internal {
 
 /// From q downhill to where the task's error is least, limits ignored: Newton's method on half its
 /// square, with as much damping as it takes to descend. Lengths and angles weigh alike.
@@ -18,4 +18,4 @@ Task position_part(const Task& task);
 Configuration nearest_orientation(const Arm& arm, const Pose& world_T_tool, const Task& task,
                                   const Configuration& q);
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -7,7 +7,7 @@
 #include <beeline/inverse/internal/reason.h>
 #include <beeline/kinematics/forward.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 /// Directions that differ by less count as the same. What they can then still differ by over a long
@@ -33,9 +33,10 @@ bool turns(const Twist& screw) { return !screw.tail<3>().isZero(0); }
 
 /// All axes are along `axis`: the tilt against it stays, and so does the height along it unless
 /// something moves that way.
-std::optional<Obstacle> against_parallel_axes(const Arm& arm, const Vector3& axis,
-                                              const std::vector<Twist>& motions, const Pose& goal,
-                                              const Task& task, double tolerance) {
+std::optional<Infeasibility> against_parallel_axes(const Arm& arm, const Vector3& axis,
+                                                   const std::vector<Twist>& motions,
+                                                   const Pose& goal, const Task& task,
+                                                   double tolerance) {
   const Pose rest = forward_kinematics(arm, Configuration::Zero(arm.dof()));
   const Vector3 seen = rest.linear().transpose() * axis;  // the axis in the tool's frame: it stays
   const Vector3 local = task.frame == Frame::tool ? seen : axis;
@@ -44,10 +45,10 @@ std::optional<Obstacle> against_parallel_axes(const Arm& arm, const Vector3& axi
   const double tilt = std::atan2(seen.cross(asked).norm(), seen.dot(asked));
   const double skew = 2 * parallel * static_cast<double>(motions.size());
   if (tilt > tolerance + skew && (rows(task, 3) || (about_z && task.rows[3] && task.rows[4]))) {
-    return Obstacle{tilt, true,
-                    "the pose is tilted by " + angle(tilt) +
-                        " against all that the tool can take: every axis of arm " + arm.name() +
-                        " has the same direction, about which alone it turns"};
+    return Infeasibility{tilt, true,
+                         "the pose is tilted by " + angle(tilt) +
+                             " against all that the tool can take: every axis of arm " +
+                             arm.name() + " has the same direction, about which alone it turns"};
   }
   const bool moves_along = std::any_of(
       motions.begin(), motions.end(),
@@ -57,23 +58,23 @@ std::optional<Obstacle> against_parallel_axes(const Arm& arm, const Vector3& axi
   const double size = std::isfinite(arm.reach().radius) ? arm.reach().radius : way;
   if (!moves_along && off > tolerance + skew * size &&
       (rows(task, 0) || (about_z && task.rows[2]))) {
-    return Obstacle{off, false,
-                    "the pose is " + number(off) + " m off the plane that the tool of arm " +
-                        arm.name() +
-                        " never leaves: all axes are normal to it, and nothing slides out"};
+    return Infeasibility{off, false,
+                         "the pose is " + number(off) + " m off the plane that the tool of arm " +
+                             arm.name() +
+                             " never leaves: all axes are normal to it, and nothing slides out"};
   }
   return std::nullopt;
 }
 
 /// Nothing turns: the orientation stays, and the position is linear in q.
-std::optional<Obstacle> against_slides(const Arm& arm, const std::vector<Twist>& motions,
-                                       const Pose& goal, const Task& task, double tolerance) {
+std::optional<Infeasibility> against_slides(const Arm& arm, const std::vector<Twist>& motions,
+                                            const Pose& goal, const Task& task, double tolerance) {
   const Pose rest = forward_kinematics(arm, Configuration::Zero(arm.dof()));
   const double turn = task_deviation(task, goal, rest).orientation;
   if (turn > tolerance) {
-    return Obstacle{turn, true,
-                    "the orientation differs by " + angle(turn) +
-                        " from the tool's, which no joint of arm " + arm.name() + " turns"};
+    return Infeasibility{turn, true,
+                         "the orientation differs by " + angle(turn) +
+                             " from the tool's, which no joint of arm " + arm.name() + " turns"};
   }
   const Rotation axes =
       task.frame == Frame::tool ? Rotation(rest.linear().transpose()) : Rotation::Identity();
@@ -90,9 +91,9 @@ std::optional<Obstacle> against_slides(const Arm& arm, const std::vector<Twist>&
   decomposition.compute(directions);
   const double off = (directions * decomposition.solve(way) - way).norm();
   if (off <= tolerance) return std::nullopt;
-  return Obstacle{off, false,
-                  "the position is " + number(off) + " m off all that the slides of arm " +
-                      arm.name() + " reach, however far they go"};
+  return Infeasibility{off, false,
+                       "the position is " + number(off) + " m off all that the slides of arm " +
+                           arm.name() + " reach, however far they go"};
 }
 
 }  // namespace
@@ -104,8 +105,8 @@ std::string point(const Vector3& exact) {
   return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";
 }
 
-std::optional<Obstacle> beyond_reach(const Arm& arm, const Pose& world_T_tool, const Task& task,
-                                     double tolerance) {
+std::optional<Infeasibility> beyond_reach(const Arm& arm, const Pose& world_T_tool,
+                                          const Task& task, double tolerance) {
   Vector3 way = world_T_tool.translation() - arm.reach().centre;
   if (!rows(task, 0)) {
     if (task.frame == Frame::tool) return std::nullopt;
@@ -113,11 +114,11 @@ std::optional<Obstacle> beyond_reach(const Arm& arm, const Pose& world_T_tool, c
   }
   const double beyond = way.norm() - arm.reach().radius;
   if (!(beyond > tolerance)) return std::nullopt;
-  return Obstacle{beyond, false,
-                  "the pose is " + number(beyond) + " m beyond the reach of arm " + arm.name() +
-                      ": " + number(way.norm()) + " m from " + point(arm.reach().centre) +
-                      ", which the tool never leaves by more " + "than " +
-                      number(arm.reach().radius) + " m"};
+  return Infeasibility{beyond, false,
+                       "the pose is " + number(beyond) + " m beyond the reach of arm " +
+                           arm.name() + ": " + number(way.norm()) + " m from " +
+                           point(arm.reach().centre) + ", which the tool never leaves by more " +
+                           "than " + number(arm.reach().radius) + " m"};
 }
 
 bool out_of_reach(const Arm& arm, const Pose& world_T_tool, const Task& task, double tolerance) {
@@ -127,8 +128,8 @@ bool out_of_reach(const Arm& arm, const Pose& world_T_tool, const Task& task, do
   return beyond_reach(arm, world_T_tool, task, tolerance).has_value();
 }
 
-std::optional<Obstacle> against_what_stays(const Arm& arm, const Pose& world_T_tool,
-                                           const Task& task, double tolerance) {
+std::optional<Infeasibility> invariant_violation(const Arm& arm, const Pose& world_T_tool,
+                                                 const Task& task, double tolerance) {
   const std::vector<Twist> motions = screws(arm);
   const auto first = std::find_if(motions.begin(), motions.end(), turns);
   if (first == motions.end()) {
@@ -166,4 +167,4 @@ std::string miss(const Deviation& error, double tolerance) {
   return number(error.position) + " m and " + angle(error.orientation);
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

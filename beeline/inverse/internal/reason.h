@@ -3,21 +3,21 @@
 #include <optional>
 #include <string>
 
-#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 
-namespace beeline {
+namespace beeline::internal {
 
 /// Why a pose cannot be reached, as one sentence, and how much is missing at least: metres, or
 /// radians where the orientation is the obstacle.
-struct Obstacle {
+struct Infeasibility {
   double missing = 0;
   bool of_orientation = false;
   std::string reason;
 };
 
 /// The pose is outside the ball that the tool never leaves, within limits (Arm::reach).
-std::optional<Obstacle> beyond_reach(const Arm& arm, const Pose& world_T_tool, const Task& task,
-                                     double tolerance);
+std::optional<Infeasibility> beyond_reach(const Arm& arm, const Pose& world_T_tool,
+                                          const Task& task, double tolerance);
 
 /// The same, where that ball would not grow if the limits did not count: no search is needed then.
 bool out_of_reach(const Arm& arm, const Pose& world_T_tool, const Task& task, double tolerance);
@@ -25,8 +25,8 @@ bool out_of_reach(const Arm& arm, const Pose& world_T_tool, const Task& task, do
 /// Something of the tool's pose that no joint can change is not as the task asks. Looks at arms
 /// whose axes are all parallel (the heights along them and the tilt against them stay) and at arms
 /// that only slide (the orientation stays, and the position is in the span of the slides).
-std::optional<Obstacle> against_what_stays(const Arm& arm, const Pose& world_T_tool,
-                                           const Task& task, double tolerance);
+std::optional<Infeasibility> invariant_violation(const Arm& arm, const Pose& world_T_tool,
+                                                 const Task& task, double tolerance);
 
 /// The coordinate of q that is farthest outside the bounds, as a clause: `joint2 would be at
 /// 2.5 rad (...), 0.3 rad (...) above its upper limit 2.2 rad (...)`. Requires that one is outside.
@@ -42,4 +42,4 @@ double excess(const Bounds& bounds, const Configuration& q);
 /// `0.1 rad (5.73 deg)`, or both.
 std::string miss(const Deviation& error, double tolerance);
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -6,7 +6,7 @@
 
 #include <beeline/inverse/internal/redundant_joint.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 constexpr double golden = 0.6180339887498949;
@@ -169,4 +169,4 @@ LockedBranch best_within(const ClosedForm& form, const Pose& goal, const LockedR
   return best;
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -5,7 +5,7 @@
 #include <beeline/inverse/analytic/closed_form.h>
 #include <beeline/inverse/internal/request.h>
 
-namespace beeline {
+namespace beeline::internal {
 
 /// The values of a ClosedForm's locked coordinate that come into question: its limits, or one turn
 /// (for a slide, the arm's size to both sides) about the seed where it has none.
@@ -50,4 +50,4 @@ LockedBranch best_within(const ClosedForm& form, const Pose& goal, const LockedR
 /// The values of a grid over the range, its ends included.
 std::vector<double> grid_values(const LockedRange& range, int grid);
 
-}  // namespace beeline
+}  // namespace beeline::internal

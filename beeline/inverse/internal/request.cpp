@@ -8,7 +8,7 @@
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 /// Forward kinematics rounds off about this much of the arm's size.
@@ -50,67 +50,70 @@ void check_options(const Arm& arm, const InverseOptions& options) {
   if (options.every_turn && !options.all) throw Error("every turn makes sense with all only");
 }
 
-Question question(const Arm& arm, const InverseOptions& options, const Task& task,
-                  const Bounds& bounds, const Pose& world_T_tool, const Configuration& seed) {
+Request make_request(const Arm& arm, const InverseOptions& options, const Task& task,
+                     const Bounds& bounds, const Pose& world_T_tool, const Configuration& seed) {
   using Clock = std::chrono::steady_clock;
-  Question ask{arm,  options, checked_pose(world_T_tool), task,
-               seed, bounds,  options.tolerance,          Clock::time_point::max()};
-  check_configuration(arm, ask.seed);
-  ask.tolerance = std::max(options.tolerance, rounding_of(arm, ask.goal));
+  Request request{arm,  options, checked_pose(world_T_tool), task,
+                  seed, bounds,  options.tolerance,          Clock::time_point::max()};
+  check_configuration(arm, request.seed);
+  request.tolerance = std::max(options.tolerance, rounding_of(arm, request.goal));
   constexpr double forever = 1e9;  // seconds
   if (options.time_limit && *options.time_limit < forever) {
-    ask.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                      std::chrono::duration<double>(*options.time_limit));
+    request.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                          std::chrono::duration<double>(*options.time_limit));
   }
-  return ask;
+  return request;
 }
 
-double error_at(const Question& ask, const Configuration& q) {
-  const Deviation error = task_deviation(ask.task, ask.goal, forward_kinematics(ask.arm, q));
+double error_at(const Request& request, const Configuration& q) {
+  const Deviation error =
+      task_deviation(request.task, request.goal, forward_kinematics(request.arm, q));
   return std::max(error.position, error.orientation);
 }
 
-void confirm(const Question& ask, const Configuration& q, InverseResult& result) {
+void confirm(const Request& request, const Configuration& q, InverseResult& result) {
   // Next to a singular solution a value is known to the square root of rounding only.
   constexpr double hair = 1e-6;
-  Configuration turned = nearest_representative(ask.arm, q, ask.seed, ask.bounds);
-  if (excess(ask.bounds, turned) > hair) return;
-  turned = turned.cwiseMax(ask.bounds.lower).cwiseMin(ask.bounds.upper);
-  double error = error_at(ask, turned);
-  if (error > std::max(1e-13, ask.tolerance / 100)) {
+  Configuration turned = nearest_representative(request.arm, q, request.seed, request.bounds);
+  if (excess(request.bounds, turned) > hair) return;
+  turned = turned.cwiseMax(request.bounds.lower).cwiseMin(request.bounds.upper);
+  double error = error_at(request, turned);
+  if (error > std::max(1e-13, request.tolerance / 100)) {
     // It was set on a bound, is ill conditioned, or lost its digits in turns far from zero.
-    const Configuration& near = within(ask.bounds, q) ? q : turned;
-    const Descent mended =
-        descend(ask.arm, ask.goal, ask.task, ask.bounds, near, {.tolerance = ask.tolerance});
-    const double left = error_at(ask, mended.q);
+    const Configuration& near = within(request.bounds, q) ? q : turned;
+    const NumericalResult mended =
+        levenberg_marquardt(request.arm, request.goal, request.task, request.bounds, near,
+                            {.tolerance = request.tolerance});
+    const double left = error_at(request, mended.q);
     if (left < error) error = left, turned = mended.q;
   }
-  if (!(error <= ask.tolerance)) return;
+  if (!(error <= request.tolerance)) return;
   for (const Configuration& known : result.solutions) {
-    if (same_posture(ask.arm, known, turned)) return;
+    if (same_posture(request.arm, known, turned)) return;
   }
   result.solutions.push_back(turned);
 }
 
-void finish(const Question& ask, InverseResult& result) {
+void finish(const Request& request, InverseResult& result) {
   result.status = InverseStatus::solved;
-  if (ask.options.every_turn) {
-    result.solutions = every_representative(ask.arm, result.solutions, ask.bounds);
-    std::erase_if(result.solutions, [&ask](const Configuration& q) {  // set on a bound, or far off
-      return error_at(ask, q) > ask.tolerance;
-    });
+  if (request.options.every_turn) {
+    result.solutions = every_representative(request.arm, result.solutions, request.bounds);
+    std::erase_if(result.solutions,
+                  [&request](const Configuration& q) {  // set on a bound, or far off
+                    return error_at(request, q) > request.tolerance;
+                  });
   }
   std::sort(result.solutions.begin(), result.solutions.end(),
-            [&ask](const Configuration& a, const Configuration& b) {
-              const double to_a = (a - ask.seed).norm(), to_b = (b - ask.seed).norm();
+            [&request](const Configuration& a, const Configuration& b) {
+              const double to_a = (a - request.seed).norm(), to_b = (b - request.seed).norm();
               if (to_a != to_b) return to_a < to_b;
               return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
             });
-  if (!ask.options.all) result.solutions.resize(1);
+  if (!request.options.all) result.solutions.resize(1);
   result.residual = 0;
   for (const Configuration& q : result.solutions) {
-    result.residual = std::max(result.residual, error_at(ask, q));
+    result.residual = std::max(result.residual, error_at(request, q));
   }
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -3,12 +3,12 @@
 #include <chrono>
 
 #include <beeline/inverse/inverse_kinematics.h>
-#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 
-namespace beeline {
+namespace beeline::internal {
 
 /// What is asked of inverse kinematics, checked and with its defaults filled in.
-struct Question {
+struct Request {
   const Arm& arm;
   const InverseOptions& options;
   Pose goal;
@@ -23,18 +23,18 @@ struct Question {
 void check_options(const Arm& arm, const InverseOptions& options);
 
 /// `options` are checked already, but for the seed. Throws Error when pose or seed make no sense.
-Question question(const Arm& arm, const InverseOptions& options, const Task& task,
-                  const Bounds& bounds, const Pose& world_T_tool, const Configuration& seed);
+Request make_request(const Arm& arm, const InverseOptions& options, const Task& task,
+                     const Bounds& bounds, const Pose& world_T_tool, const Configuration& seed);
 
 /// The larger part of the task's error at q, by forward kinematics.
-double error_at(const Question& ask, const Configuration& q);
+double error_at(const Request& request, const Configuration& q);
 
 /// Adds q to the solutions by the turns nearest to the seed, if so it is within limits, forward
 /// kinematics confirms it, and it is not there yet. `q` is a posture that some method claims to be
 /// a solution; its last digits are mended.
-void confirm(const Question& ask, const Configuration& q, InverseResult& result);
+void confirm(const Request& request, const Configuration& q, InverseResult& result);
 
 /// Sorts the solutions and leaves out what was not asked for.
-void finish(const Question& ask, InverseResult& result);
+void finish(const Request& request, InverseResult& result);
 
-}  // namespace beeline
+}  // namespace beeline::internal

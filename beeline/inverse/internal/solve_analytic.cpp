@@ -6,44 +6,46 @@
 #include <beeline/inverse/internal/redundant_joint.h>
 #include <beeline/inverse/numerical/representative.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 /// A claim of a closed form, limits ignored: mended, checked, and counted.
 class Claims {
  public:
-  Claims(const Question& ask, InverseResult& result) : ask_(ask), result_(result) {}
+  Claims(const Request& request, InverseResult& result) : request_(request), result_(result) {}
 
   void add(Configuration q, bool continuum) {
     if (!q.allFinite()) {
-      beyond.doubtful = true;
+      unconstrained.doubtful = true;
       return;
     }
-    beyond.continuum = beyond.continuum || continuum;
-    const double error = error_at(ask_, q);
+    unconstrained.continuum = unconstrained.continuum || continuum;
+    const double error = error_at(request_, q);
     constexpr double hopeless = 1e-3;  // of the size: an added joint is not where it must be
-    const double size = std::max(1.0, unit_of_length(ask_.arm));
+    const double size = std::max(1.0, unit_of_length(request_.arm));
     if (!(error <= hopeless * size)) return;
-    if (error > ask_.tolerance / 100) {
-      const Descent mended = descend(ask_.arm, ask_.goal, ask_.task, no_bounds(ask_.arm), q,
-                                     {.tolerance = ask_.tolerance});
+    if (error > request_.tolerance / 100) {
+      const NumericalResult mended =
+          levenberg_marquardt(request_.arm, request_.goal, request_.task, no_bounds(request_.arm),
+                              q, {.tolerance = request_.tolerance});
       constexpr double far = 1e-2;  // radians: another solution
       if (!mended.converged || (mended.q - q).norm() > far) {
-        beyond.doubtful = true;
+        unconstrained.doubtful = true;
         return;
       }
       q = mended.q;
     }
-    const Configuration turned = nearest_representative(ask_.arm, q, ask_.seed, ask_.bounds);
-    const double outside = excess(ask_.bounds, turned);
-    if (!beyond.least || outside < least_) beyond.least = turned, least_ = outside;
-    confirm(ask_, q, result_);
+    const Configuration turned =
+        nearest_representative(request_.arm, q, request_.seed, request_.bounds);
+    const double outside = excess(request_.bounds, turned);
+    if (!unconstrained.least || outside < least_) unconstrained.least = turned, least_ = outside;
+    confirm(request_, q, result_);
   }
 
-  Beyond beyond;
+  UnconstrainedResult unconstrained;
 
  private:
-  const Question& ask_;
+  const Request& request_;
   InverseResult& result_;
   double least_ = 0;
 };
@@ -58,26 +60,27 @@ void add_branches(const ClosedForm& form, const SixBranches& found, double value
   }
 }
 
-void solve_locked(InverseMethods& methods, const Question& ask, Claims& claims) {
+void solve_locked(InverseMethods& methods, const Request& request, Claims& claims) {
   const ClosedForm& form = *methods.closed;
-  SixQuestion six = form.question(ask.seed, ask.bounds.lower, ask.bounds.upper, ask.tolerance);
-  const LockedRange range = locked_range(ask.arm, ask.bounds, ask.seed, form);
-  const int dof = ask.arm.dof();
-  claims.beyond.complete = false;
-  const int grid = ask.options.grid;
-  if (ask.options.all) {
+  SixQuestion six =
+      form.question(request.seed, request.bounds.lower, request.bounds.upper, request.tolerance);
+  const LockedRange range = locked_range(request.arm, request.bounds, request.seed, form);
+  const int dof = request.arm.dof();
+  claims.unconstrained.complete = false;
+  const int grid = request.options.grid;
+  if (request.options.all) {
     for (const double value : grid_values(range, grid)) {
       SixBranches found;
-      form.branches(ask.goal, value, six, found);
+      form.branches(request.goal, value, six, found);
       add_branches(form, found, value, dof, claims);
     }
     return;
   }
   LeastOutside outside;
   const LockedBranch branch =
-      ask.options.redundancy == Redundancy::any
-          ? first_within(form, ask.goal, range, grid, six, outside)
-          : best_within(form, ask.goal, range, grid, ask.options.redundancy, six);
+      request.options.redundancy == Redundancy::any
+          ? first_within(form, request.goal, range, grid, six, outside)
+          : best_within(form, request.goal, range, grid, request.options.redundancy, six);
   Configuration q(dof);
   if (branch.lane >= 0) {
     form.configuration(branch.found, branch.lane, branch.value, q);
@@ -86,52 +89,55 @@ void solve_locked(InverseMethods& methods, const Question& ask, Claims& claims) 
   for (int i = 0; i < outside.count; ++i) {
     claims.add(Eigen::Map<const Configuration>(outside.q[i], dof), false);
   }
-  if (outside.count > 0 && descend_from(methods, ask.goal, outside, ask.tolerance, q)) {
+  if (outside.count > 0 && solve_from(methods, request.goal, outside, request.tolerance, q)) {
     claims.add(q, false);
   }
 }
 
-void solve_planar(const Question& ask, Claims& claims) {
-  for (const PlanarSolution& candidate :
-       nearest_planar_solutions(ask.arm, ask.goal, ask.task, ask.seed, ask.tolerance)) {
+void solve_planar(const Request& request, Claims& claims) {
+  for (const PlanarSolution& candidate : nearest_planar_solutions(
+           request.arm, request.goal, request.task, request.seed, request.tolerance)) {
     claims.add(candidate.q, candidate.continuum);
   }
 }
 
 }  // namespace
 
-Beyond solve_general(const GeneralSix& general, const Question& ask, InverseResult& result) {
-  Claims claims(ask, result);
+UnconstrainedResult solve_general(const GeneralSix& general, const Request& request,
+                                  InverseResult& result) {
+  Claims claims(request, result);
   Eigen::Matrix<double, 6, GeneralSix::max_solutions> q;
-  const GeneralSix::Found found = general.solve(ask.goal, q);
+  const GeneralSix::Found found = general.solve(request.goal, q);
   for (int i = 0; i < found.count; ++i) claims.add(q.col(i), false);
-  claims.beyond.complete = found.complete && !claims.beyond.doubtful;
-  claims.beyond.doubtful = !claims.beyond.complete;
-  return claims.beyond;
+  claims.unconstrained.complete = found.complete && !claims.unconstrained.doubtful;
+  claims.unconstrained.doubtful = !claims.unconstrained.complete;
+  return claims.unconstrained;
 }
 
-Beyond solve_closed(InverseMethods& methods, const Question& ask, InverseResult& result) {
-  Claims claims(ask, result);
-  claims.beyond.complete = true;
+UnconstrainedResult solve_closed(InverseMethods& methods, const Request& request,
+                                 InverseResult& result) {
+  Claims claims(request, result);
+  claims.unconstrained.complete = true;
   if (methods.planar) {
-    solve_planar(ask, claims);
+    solve_planar(request, claims);
   } else if (methods.closed && methods.closed->locked() >= 0) {
-    solve_locked(methods, ask, claims);
+    solve_locked(methods, request, claims);
   } else if (methods.closed) {
-    SixQuestion six =
-        methods.closed->question(ask.seed, ask.bounds.lower, ask.bounds.upper, ask.tolerance);
+    SixQuestion six = methods.closed->question(request.seed, request.bounds.lower,
+                                               request.bounds.upper, request.tolerance);
     SixBranches found;
-    methods.closed->branches(ask.goal, 0, six, found);
-    add_branches(*methods.closed, found, 0, ask.arm.dof(), claims);
+    methods.closed->branches(request.goal, 0, six, found);
+    add_branches(*methods.closed, found, 0, request.arm.dof(), claims);
     // Where an added joint may share a turn with the arm's, only one of infinitely many was seen.
-    claims.beyond.complete = !methods.closed->has_added_joints() || found.continuum == 0;
-    claims.beyond.doubtful |= !methods.closed_is_sure || nearly_found(*methods.closed, found);
+    claims.unconstrained.complete = !methods.closed->has_added_joints() || found.continuum == 0;
+    claims.unconstrained.doubtful |=
+        !methods.closed_is_sure || nearly_found(*methods.closed, found);
   } else if (methods.general) {
-    return solve_general(*methods.general, ask, result);
+    return solve_general(*methods.general, request, result);
   }
-  claims.beyond.complete = claims.beyond.complete && !claims.beyond.doubtful;
-  result.singular = claims.beyond.continuum && !result.solutions.empty();
-  return claims.beyond;
+  claims.unconstrained.complete = claims.unconstrained.complete && !claims.unconstrained.doubtful;
+  result.singular = claims.unconstrained.continuum && !result.solutions.empty();
+  return claims.unconstrained;
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

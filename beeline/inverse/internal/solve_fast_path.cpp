@@ -5,7 +5,7 @@
 #include <beeline/inverse/internal/methods.h>
 #include <beeline/pose/angle.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 /// One solution of an arm with a joint to spare. A few values of that joint find most; for the rest
@@ -24,10 +24,10 @@ int one_of_many(InverseMethods& methods, const Pose& goal, const ConfigurationRe
   }
   if (out_of_reach(methods.arm, goal, methods.task, methods.options.tolerance)) return -1;
   if (outside.count > 0 &&
-      descend_from(methods, goal, outside, methods.options.tolerance, solutions.col(0))) {
+      solve_from(methods, goal, outside, methods.options.tolerance, solutions.col(0))) {
     return 1;
   }
-  return descend_at_once(methods, goal, seed, solutions) ? 1 : -1;
+  return search_fast_path(methods, goal, seed, solutions) ? 1 : -1;
 }
 
 /// The lanes within limits, nearest first; -1 where something needs a second look.
@@ -67,15 +67,15 @@ bool has_twins(const SixBranches& found, const int* lanes, int count) {
 
 }  // namespace
 
-int answer_at_once(InverseMethods& methods, const Pose& goal, const ConfigurationRef& seed,
-                   Eigen::Ref<Eigen::MatrixXd> solutions) {
+int solve_fast_path(InverseMethods& methods, const Pose& goal, const ConfigurationRef& seed,
+                    Eigen::Ref<Eigen::MatrixXd> solutions) {
   const InverseOptions& options = methods.options;
   if (options.time_limit || seed.cwiseAbs().maxCoeff() > farthest_seed) return -1;
   if (!methods.closed) {
     const bool any_will_do = !methods.planar && !methods.general && !options.all && !options.lock &&
                              options.redundancy == Redundancy::any;
     if (!any_will_do || out_of_reach(methods.arm, goal, methods.task, options.tolerance)) return -1;
-    return descend_at_once(methods, goal, seed, solutions) ? 1 : -1;
+    return search_fast_path(methods, goal, seed, solutions) ? 1 : -1;
   }
   const ClosedForm& form = *methods.closed;
   // Free joints have shares in distances and solutions.
@@ -110,4 +110,4 @@ int answer_at_once(InverseMethods& methods, const Pose& goal, const Configuratio
   return shown;
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -7,7 +7,7 @@
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/pose/angle.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 constexpr int steps_a_look = 16;     // at the clock
@@ -16,11 +16,11 @@ constexpr int tries_for_fine = 256;  // descents after one that stuck within the
 /// One call.
 class Run {
  public:
-  Run(const DescentProblem& problem, const StartDeck& deck, const Pose& world_T_tool,
+  Run(const NumericalProblem& problem, const SeedTable& seeds, const Pose& world_T_tool,
       const ConfigurationRef& start, const MultiStartOptions& options, MultiStartBuffers& buffers,
-      Search& result)
+      SearchResult& result)
       : problem_(problem),
-        deck_(deck),
+        seeds_(seeds),
         world_T_tool_(world_T_tool),
         start_(start),
         options_(options),
@@ -43,7 +43,7 @@ class Run {
     start_lane(problem_, start_.data(), 0, lanes_);
     held_ = 1;
     while (true) {
-      for (int lane = 0; lane < descent_lane_count; ++lane) {
+      for (int lane = 0; lane < solver_lane_count; ++lane) {
         if (holds(lane) && (lanes_.active >> lane & 1) == 0) collect(lane);
       }
       if (found_ > 0 && !options_.all && result_.restarts >= last_restart_) break;
@@ -52,7 +52,7 @@ class Run {
       ran_ = true;
       run_lanes(problem_, world_T_tool_, descent(), steps_a_look, lanes_);
     }
-    for (int lane = 0; lane < descent_lane_count; ++lane) {
+    for (int lane = 0; lane < solver_lane_count; ++lane) {
       if (holds(lane)) collect(lane);  // on the way still
     }
     result_.solutions.resize(found_);
@@ -67,14 +67,14 @@ class Run {
            std::chrono::steady_clock::now() >= options_.deadline;
   }
 
-  LaneDescentOptions descent() const {
+  LaneOptions descent() const {
     return {.tolerance = options_.tolerance,
             .iterations = options_.iterations,
             .first_is_enough = !options_.all};
   }
 
   bool arrives_nearby() {
-    if (!descend_near(problem_, world_T_tool_, start_.data(), descent(), near_)) return false;
+    if (!gauss_newton(problem_, world_T_tool_, start_.data(), descent(), near_)) return false;
     for (std::size_t k = 0; k < q_.size(); ++k) q_[k] = near_.q[k] * problem_.coordinates[k].unit;
     turn_to_start();
     result_.nearest.q = Eigen::Map<const Configuration>(q_.data(), start_.size());
@@ -88,15 +88,15 @@ class Run {
 
   /// Gives every empty lane a start, as long as there are restarts.
   void fill() {
-    int block[descent_lane_count];
-    const bool from_deck = result_.restarts == 0 && deck_.blocks > 0;
-    if (from_deck) nearest_starts(problem_, deck_, world_T_tool_, block);
-    for (int lane = 0; lane < descent_lane_count; ++lane) {
+    int block[solver_lane_count];
+    const bool from_table = result_.restarts == 0 && seeds_.blocks > 0;
+    if (from_table) nearest_seeds(problem_, seeds_, world_T_tool_, block);
+    for (int lane = 0; lane < solver_lane_count; ++lane) {
       if (holds(lane) || result_.restarts >= options_.restarts) continue;
-      if (from_deck) {
+      if (from_table) {
         const std::size_t dof = q_.size(), first = static_cast<std::size_t>(block[lane]) * dof;
         for (std::size_t k = 0; k < dof; ++k) {
-          q_[k] = deck_.q[first + k].lane[lane] * problem_.coordinates[k].unit;
+          q_[k] = seeds_.q[first + k].lane[lane] * problem_.coordinates[k].unit;
         }
       } else {
         const double away =
@@ -112,7 +112,7 @@ class Run {
 
   /// The coordinate's turn nearest to the start's, within the bounds as `angle` is.
   static double nearest_turn_within(double angle, double start,
-                                    const DescentProblem::Coordinate& within) {
+                                    const NumericalProblem::Coordinate& within) {
     if (std::abs(angle - start) <= std::numbers::pi) return angle;
     const double turn = nearest_turn(angle, std::clamp(start, within.lower, within.upper));
     if (turn > within.upper) return std::max(turn - 2 * std::numbers::pi, within.lower);
@@ -124,7 +124,7 @@ class Run {
   double turn_to_start() {
     double square = 0;
     for (std::size_t k = 0; k < q_.size(); ++k) {
-      const DescentProblem::Coordinate& coordinate = problem_.coordinates[k];
+      const NumericalProblem::Coordinate& coordinate = problem_.coordinates[k];
       const double start = start_[static_cast<Eigen::Index>(k)];
       if (coordinate.turns_around) q_[k] = nearest_turn_within(q_[k], start, coordinate);
       const double away = (q_[k] - start) / coordinate.unit;
@@ -170,15 +170,15 @@ class Run {
     ++found_;
   }
 
-  const DescentProblem& problem_;
-  const StartDeck& deck_;
+  const NumericalProblem& problem_;
+  const SeedTable& seeds_;
   const Pose& world_T_tool_;
   const ConfigurationRef& start_;
   const MultiStartOptions& options_;
-  NearDescent& near_;
-  LaneDescents& lanes_;
+  GaussNewtonState& near_;
+  LevenbergMarquardtLanes& lanes_;
   std::vector<double>& q_;
-  Search& result_;
+  SearchResult& result_;
   Splitmix random_;
   unsigned held_ = 0;
   bool ran_ = false;  ///< the lanes, for a while
@@ -190,20 +190,21 @@ class Run {
 
 }  // namespace
 
-void multi_start(const DescentProblem& problem, const StartDeck& deck, const Pose& world_T_tool,
+void multi_start(const NumericalProblem& problem, const SeedTable& seeds, const Pose& world_T_tool,
                  const ConfigurationRef& start, const MultiStartOptions& options,
-                 MultiStartBuffers& buffers, Search& result) {
-  check_descents(world_T_tool, {.tolerance = options.tolerance, .iterations = options.iterations});
+                 MultiStartBuffers& buffers, SearchResult& result) {
+  check_lane_options(world_T_tool,
+                     {.tolerance = options.tolerance, .iterations = options.iterations});
   if (start.size() != static_cast<Eigen::Index>(problem.coordinates.size()) || !start.allFinite()) {
     check_configuration(problem.arm, start);
   }
   if (options.restarts < 0) {
     throw Error("restarts must be zero or more, not " + std::to_string(options.restarts));
   }
-  if (deck.q.size() != static_cast<std::size_t>(deck.blocks) * problem.coordinates.size()) {
-    throw Error("the deck of starts is not one for arm " + problem.arm.name());
+  if (seeds.q.size() != static_cast<std::size_t>(seeds.blocks) * problem.coordinates.size()) {
+    throw Error("the seed table is not one for arm " + problem.arm.name());
   }
-  Run(problem, deck, world_T_tool, start, options, buffers, result).go();
+  Run(problem, seeds, world_T_tool, start, options, buffers, result).go();
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

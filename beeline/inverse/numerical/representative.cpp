@@ -6,7 +6,7 @@
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/pose/angle.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 constexpr double rounding = 1e-9;
@@ -89,4 +89,4 @@ bool same_posture(const Arm& arm, const Configuration& a, const Configuration& b
   return true;
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 
-namespace beeline {
+namespace beeline::internal {
 
 /// Whether a whole turn of coordinate k leaves the arm as it is: revolute, and so are all joints
 /// that mimic it, by whole ratios.
@@ -30,4 +30,4 @@ bool within(const Bounds& bounds, const Configuration& q);
 bool same_posture(const Arm& arm, const Configuration& a, const Configuration& b,
                   double tolerance = 1e-6);
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -10,6 +10,8 @@ HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 namespace {
 
+using namespace internal;
+
 /// Where eight configurations, rows of q in units, bring the tool: 12 rows.
 void tools(const Chain& chain, const double* q, double* axes, double* tool) {
   const Space frame = last_frame(chain, q, axes);
@@ -53,9 +55,11 @@ namespace beeline {
 HWY_EXPORT(tools);
 HWY_EXPORT(nearest);
 
-void draw_configuration(const DescentProblem& problem, double far, Splitmix& random, double* q) {
+namespace internal {
+
+void draw_configuration(const NumericalProblem& problem, double far, Splitmix& random, double* q) {
   for (std::size_t k = 0; k < problem.coordinates.size(); ++k) {
-    const DescentProblem::Coordinate& coordinate = problem.coordinates[k];
+    const NumericalProblem::Coordinate& coordinate = problem.coordinates[k];
     double away = coordinate.slides ? far : 0x1.921fb54442d18p+1;
     for (int i = coordinate.first_link; i < coordinate.end_link && !coordinate.slides; ++i) {
       const auto link = static_cast<std::size_t>(problem.links[i]);
@@ -71,33 +75,33 @@ void draw_configuration(const DescentProblem& problem, double far, Splitmix& ran
   }
 }
 
-StartDeck start_deck(const DescentProblem& problem, std::uint64_t random_seed, int blocks) {
-  StartDeck deck;
+SeedTable seed_table(const NumericalProblem& problem, std::uint64_t random_seed, int blocks) {
+  SeedTable seeds;
   const std::size_t dof = problem.coordinates.size(), count = static_cast<std::size_t>(blocks);
-  deck.blocks = blocks;
-  deck.q.resize(dof * count);
-  deck.tool.resize(12 * count);
+  seeds.blocks = blocks;
+  seeds.q.resize(dof * count);
+  seeds.tool.resize(12 * count);
   std::vector<EightNumbers> axes(6 * problem.links.size());
   std::vector<double> q(dof);
   Splitmix random(random_seed);
   for (std::size_t b = 0; b < count; ++b) {
-    EightNumbers* rows = deck.q.data() + b * dof;
-    for (int lane = 0; lane < descent_lane_count; ++lane) {
+    EightNumbers* rows = seeds.q.data() + b * dof;
+    for (int lane = 0; lane < solver_lane_count; ++lane) {
       draw_configuration(problem, 1, random, q.data());
       for (std::size_t k = 0; k < dof; ++k) rows[k].lane[lane] = q[k] / problem.coordinates[k].unit;
     }
-    HWY_DYNAMIC_DISPATCH(tools)(problem.chain, rows->lane, axes[0].lane, deck.tool[12 * b].lane);
+    HWY_DYNAMIC_DISPATCH(tools)(problem.chain, rows->lane, axes[0].lane, seeds.tool[12 * b].lane);
   }
-  return deck;
+  return seeds;
 }
 
-void nearest_starts(const DescentProblem& problem, const StartDeck& deck, const Pose& world_T_tool,
-                    int (&block)[descent_lane_count]) {
+void nearest_seeds(const NumericalProblem& problem, const SeedTable& seeds,
+                   const Pose& world_T_tool, int (&block)[solver_lane_count]) {
   const auto& rows = problem.task.rows;
   const bool base = problem.task.frame == Frame::base;
   const bool whole_place = rows[0] && rows[1] && rows[2],
              whole_turn = rows[3] && rows[4] && rows[5];
-  double goal[12], weight[3], at[descent_lane_count];
+  double goal[12], weight[3], at[solver_lane_count];
   for (std::size_t column = 0; column < 4; ++column) {
     for (std::size_t i = 0; i < 3; ++i) goal[3 * column + i] = world_T_tool.data()[4 * column + i];
   }
@@ -106,10 +110,11 @@ void nearest_starts(const DescentProblem& problem, const StartDeck& deck, const 
     weight[i] = whole_place || (base && rows[i]) ? 1 : 0;
   }
   HWY_DYNAMIC_DISPATCH(nearest)
-  (deck.tool[0].lane, deck.blocks, goal, weight, whole_turn ? 1 : 0, at);
-  for (int lane = 0; lane < descent_lane_count; ++lane) block[lane] = static_cast<int>(at[lane]);
+  (seeds.tool[0].lane, seeds.blocks, goal, weight, whole_turn ? 1 : 0, at);
+  for (int lane = 0; lane < solver_lane_count; ++lane) block[lane] = static_cast<int>(at[lane]);
 }
 
+}  // namespace internal
 }  // namespace beeline
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <beeline/certificate/path_deviation.h>
 #include <beeline/inverse/inverse_kinematics.h>
-#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/path/joint_spline.h>
 #include <beeline/planning/internal/layered_graph.h>
@@ -59,9 +59,9 @@ std::vector<Rung> rungs(const ToolPath& path, const Task& task, double spacing) 
 /// The graph's costs, in seconds squared.
 struct Costs {
   Eigen::VectorXd pace;  ///< seconds a radian or metre
-  Bounds bounds;
+  internal::Bounds bounds;
 
-  explicit Costs(const Arm& arm) : pace(arm.dof()), bounds(bounds_of(arm)) {
+  explicit Costs(const Arm& arm) : pace(arm.dof()), bounds(internal::bounds_of(arm)) {
     for (int k = 0; k < arm.dof(); ++k) {
       pace[k] = 1 / held_velocity(arm.limits(k));
     }
@@ -133,12 +133,13 @@ std::vector<int> chain_to(const std::vector<Rung>& all, std::size_t end) {
 }
 
 /// Whether half-way between two solutions there is one near their middle.
-bool leads_on(const Arm& arm, const ToolPath& path, const Task& task, const Bounds& bounds,
-              const Knot& a, const Knot& b) {
+bool leads_on(const Arm& arm, const ToolPath& path, const Task& task,
+              const internal::Bounds& bounds, const Knot& a, const Knot& b) {
   const Configuration middle = (a.q + b.q) / 2;
   const double begin = std::max(a.place, static_cast<double>(segment_at(path, b.place)));
-  const Descent found = descend(arm, pose_at(path, (begin + b.place) / 2), task, bounds, middle,
-                                {.tolerance = 1e-9, .iterations = 20});
+  const internal::NumericalResult found =
+      internal::levenberg_marquardt(arm, pose_at(path, (begin + b.place) / 2), task, bounds, middle,
+                                    {.tolerance = 1e-9, .iterations = 20});
   const double way = (b.q - a.q).lpNorm<Eigen::Infinity>();
   return found.converged && (found.q - middle).lpNorm<Eigen::Infinity>() < 0.3 * way + 0.02;
 }
@@ -161,8 +162,8 @@ void smooth(const Arm& arm, const ToolPath& path, const Task& task, const Costs&
       for (Eigen::Index k = 0; k < q.size(); ++k) {
         wanted[k] += push * push_from_limits(q[k], costs.bounds.lower[k], costs.bounds.upper[k]);
       }
-      const Descent found = descend(arm, all[r].pose, task, costs.bounds, wanted,
-                                    {.tolerance = 1e-9, .iterations = 20});
+      const internal::NumericalResult found = internal::levenberg_marquardt(
+          arm, all[r].pose, task, costs.bounds, wanted, {.tolerance = 1e-9, .iterations = 20});
       if (found.converged && (found.q - q).lpNorm<Eigen::Infinity>() < 0.3) knots[r].q = found.q;
     }
   }
@@ -192,8 +193,8 @@ KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
       for (int i = 0; i < count; ++i) all[r].solutions.emplace_back(columns.col(i));
     }
     if (r > 0 && own.size() > 0) {
-      const Descent on = descend(arm, all[r].pose, options.task, costs.bounds, own,
-                                 {.tolerance = 1e-9, .iterations = 20});
+      const internal::NumericalResult on = internal::levenberg_marquardt(
+          arm, all[r].pose, options.task, costs.bounds, own, {.tolerance = 1e-9, .iterations = 20});
       own = on.converged ? on.q : Configuration();
       if (on.converged) all[r].solutions.push_back(own);
     }

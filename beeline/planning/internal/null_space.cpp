@@ -11,7 +11,7 @@ namespace {
 constexpr double damping = 1e-4;  // far below the singular values of an arm that can move on
 constexpr double urge = 5;        // push at a limit, over the step; more lengthens motions
 
-Configuration away_from_limits(const Configuration& q, const Bounds& bounds) {
+Configuration away_from_limits(const Configuration& q, const internal::Bounds& bounds) {
   Configuration push(q.size());
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     push[k] = push_from_limits(q[k], bounds.lower[k], bounds.upper[k]);
@@ -35,7 +35,7 @@ Eigen::VectorXd damped_solve(const Eigen::MatrixXd& jacobian, const Eigen::Vecto
 }
 
 Configuration predicted(const Arm& arm, const Configuration& q, const Pose& target,
-                        const Task& task, const Bounds& bounds) {
+                        const Task& task, const internal::Bounds& bounds) {
   const Eigen::MatrixXd j = task_jacobian(arm, q, task);
   const Eigen::VectorXd error = task_error(task, target, forward_kinematics(arm, q));
   Configuration step = damped_solve(j, error, damping);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 
 namespace beeline {
 
@@ -9,7 +9,7 @@ namespace beeline {
 /// Jacobian's null space that keeps them from their limits (Liegeois 1977). Always within the
 /// bounds.
 Configuration predicted(const Arm& arm, const Configuration& q, const Pose& target,
-                        const Task& task, const Bounds& bounds);
+                        const Task& task, const internal::Bounds& bounds);
 
 /// Which way, from -1 to 1, and how urgently a coordinate at q should go back to the middle of its
 /// limits: 0 in the inner half of the range and where it has no end, growing with the square to 1

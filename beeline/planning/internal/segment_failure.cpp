@@ -3,7 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/inverse/inverse_kinematics.h>
-#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/planning/internal/segment_failure.h>
 
@@ -32,7 +32,8 @@ std::string passed_limits(const Arm& arm, const Segment& segment, const Task& ta
   std::string joints;
   for (const double look : looks) {
     const Pose next = pose_at(segment, std::min(1.0, s + look));
-    const Descent free = descend(arm, next, task, no_bounds(arm), q);
+    const internal::NumericalResult free =
+        internal::levenberg_marquardt(arm, next, task, internal::no_bounds(arm), q);
     if (!free.converged || (free.q - q).lpNorm<Eigen::Infinity>() > next_door) return {};
     if (joints.empty()) joints = joints_outside(arm, free.q);
     if (!joints.empty() && look >= farther) return joints;
@@ -69,8 +70,8 @@ SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Tas
   for (const double look : {1e-3, 1e-2, 1e-1}) {
     const Pose next = pose_at(segment, std::min(1.0, s + look));
     InverseResult ahead = inverse_kinematics(arm, next, {.seed = q, .task = task});
-    const bool none =
-        ahead.status == InverseStatus::unreachable || ahead.status == InverseStatus::orientation;
+    const bool none = ahead.status == InverseStatus::unreachable ||
+                      ahead.status == InverseStatus::orientation_unreachable;
     if (answer.reason.empty() || none) answer = std::move(ahead);
     if (answer.status != InverseStatus::not_found) break;
   }
@@ -90,7 +91,7 @@ SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Tas
     case InverseStatus::unreachable:
       return {MotionStatus::unreachable,
               where + "the way leaves the arm's workspace; " + answer.reason};
-    case InverseStatus::orientation:
+    case InverseStatus::orientation_unreachable:
       return {MotionStatus::unreachable, where + answer.reason};
     case InverseStatus::not_found:
       break;

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/nearest_parameter.h>
 #include <beeline/path/joint_spline.h>
@@ -22,7 +22,7 @@ struct Stretch {
 std::vector<double> put_on_path(const Arm& arm, const ToolPath& path, const Task& task,
                                 const Stretch& exact, std::span<const double> ways,
                                 Trajectory& timed) {
-  const Bounds bounds = bounds_of(arm);
+  const internal::Bounds bounds = internal::bounds_of(arm);
   const std::vector<double> passed = chord_length(exact.samples);
   std::vector<double> path_parameters{exact.path_parameters.front()};
   for (std::size_t k = 1; k + 1 < timed.size(); ++k) {
@@ -32,7 +32,8 @@ std::vector<double> put_on_path(const Arm& arm, const ToolPath& path, const Task
                  to = exact.path_parameters[i];
     Configuration& q = timed.positions[k];
     path_parameters.push_back(nearest_parameter(path, task, forward_kinematics(arm, q), from, to));
-    const Descent found = descend(arm, pose_at(path, path_parameters.back()), task, bounds, q);
+    const internal::NumericalResult found =
+        internal::levenberg_marquardt(arm, pose_at(path, path_parameters.back()), task, bounds, q);
     if (found.converged) q = found.q;
   }
   path_parameters.push_back(exact.path_parameters.back());

@@ -31,7 +31,7 @@ struct SegmentTracker {
   const Arm& arm;
   const Segment& segment;
   const Task& task;
-  const Bounds& bounds;
+  const internal::Bounds& bounds;
   const TrackOptions& options;
   double exact = 0;  ///< at a sample
   Deviation ends;    ///< by which samples may be off
@@ -62,8 +62,8 @@ struct SegmentTracker {
   std::optional<Step> proved(const StepEnd& last, double s, const Pose& target,
                              const Configuration& guess) {
     use = 0;
-    const Descent found =
-        descend(arm, target, task, bounds, guess, {.tolerance = exact, .iterations = 30});
+    const internal::NumericalResult found = internal::levenberg_marquardt(
+        arm, target, task, bounds, guess, {.tolerance = exact, .iterations = 30});
     if (!found.converged) return {};
     for (int k = 0; k < arm.dof(); ++k) {
       const bool turns = kind(arm.joint_of(k)) != JointKind::prismatic;
@@ -93,7 +93,7 @@ double exact_at_samples(const Arm& arm) {
 }  // namespace
 
 TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task& task,
-                             const Bounds& bounds, const Configuration& start,
+                             const internal::Bounds& bounds, const Configuration& start,
                              const TrackOptions& options) {
   check_task(arm, segment, task);
   const double exact = exact_at_samples(arm);

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include <beeline/certificate/path_deviation.h>
-#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 
 namespace beeline {
 
@@ -32,7 +32,7 @@ struct TrackedSegment {
 /// early where the arm cannot go on, or with max_samples. Throws Error for a start that is
 /// elsewhere, and what check_task() refuses.
 TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task& task,
-                             const Bounds& bounds, const Configuration& start,
+                             const internal::Bounds& bounds, const Configuration& start,
                              const TrackOptions& options);
 
 }  // namespace beeline

@@ -3,7 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/inverse/analytic/planar.h>
-#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
@@ -15,6 +15,8 @@
 
 namespace beeline {
 namespace {
+
+using namespace internal;
 
 constexpr double pi = std::numbers::pi;
 
@@ -144,8 +146,8 @@ TEST(PlanarSolutions, MissNoneThatDescentFinds) {
       const Pose pose = forward_kinematics(arm, random.configuration(arm));
       const auto found = planar_solutions(arm, pose, Task::planar(), random.configuration(arm));
       for (int start = 0; start < 10; ++start) {
-        const Descent run =
-            descend(arm, pose, Task::planar(), no_bounds(arm), random.configuration(arm));
+        const NumericalResult run = levenberg_marquardt(arm, pose, Task::planar(), no_bounds(arm),
+                                                        random.configuration(arm));
         EXPECT_TRUE(!run.converged || among(arm, run.q, found, 1e-4)) << mix;
       }
     }

@@ -11,6 +11,8 @@
 namespace beeline {
 namespace {
 
+using namespace internal;
+
 using testing::expect_solved;
 
 /// Joints about random axes, within 2 rad, 2 m in all.

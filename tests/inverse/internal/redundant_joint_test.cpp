@@ -12,6 +12,8 @@
 namespace beeline {
 namespace {
 
+using namespace internal;
+
 using testing::expect_solved;
 using testing::holds;
 using testing::Random;

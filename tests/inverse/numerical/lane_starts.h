@@ -1,12 +1,15 @@
 #pragma once
 
-#include <beeline/inverse/numerical/descent_lanes.h>
+#include <beeline/inverse/numerical/levenberg_marquardt_lanes.h>
 
 #include <tests/random.h>
 
 namespace beeline::testing {
 
-inline Configuration found(const DescentProblem& problem, const LaneDescents& lanes, int lane) {
+using namespace internal;
+
+inline Configuration found(const NumericalProblem& problem, const LevenbergMarquardtLanes& lanes,
+                           int lane) {
   Configuration q(problem.arm.dof());
   lane_configuration(problem, lanes, lane, q.data());
   return q;
@@ -14,7 +17,7 @@ inline Configuration found(const DescentProblem& problem, const LaneDescents& la
 
 /// Eight starts within `size` of q.
 inline Eigen::MatrixXd starts_near(const Configuration& q, double size, Random& random) {
-  Eigen::MatrixXd starts(q.size(), descent_lane_count);
+  Eigen::MatrixXd starts(q.size(), solver_lane_count);
   for (double& start : starts.reshaped()) start = random.uniform(-size, size);
   return starts.colwise() + q;
 }

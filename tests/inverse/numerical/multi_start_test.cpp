@@ -12,19 +12,21 @@
 namespace beeline {
 namespace {
 
+using namespace internal;
+
 /// An arm with what a caller keeps for it.
 struct Solver {
-  DescentProblem problem;
-  StartDeck deck;
+  NumericalProblem problem;
+  SeedTable seeds;
   MultiStartBuffers buffers;
-  Search result;
+  SearchResult result;
 
   Solver(const Arm& arm, const Task& task, const Bounds& bounds)
-      : problem(descent_problem(arm, task, bounds)), deck(start_deck(problem, 7, 32)) {}
+      : problem(numerical_problem(arm, task, bounds)), seeds(seed_table(problem, 7, 32)) {}
 
-  const Search& operator()(const Pose& pose, const Configuration& start,
-                           const MultiStartOptions& options = {}) {
-    multi_start(problem, deck, pose, start, options, buffers, result);
+  const SearchResult& operator()(const Pose& pose, const Configuration& start,
+                                 const MultiStartOptions& options = {}) {
+    multi_start(problem, seeds, pose, start, options, buffers, result);
     return result;
   }
 };
@@ -49,7 +51,7 @@ TEST(MultiStart, SolvesWhatIsWithinLimitsToRoundingLevel) {
     int fine = 0;
     for (int i = 0; i < 500; ++i) {
       const Pose pose = forward_kinematics(arm, random.configuration(arm));
-      const Search& result = solve(pose, start, {.tolerance = 1e-6});
+      const SearchResult& result = solve(pose, start, {.tolerance = 1e-6});
       expect_solved(solve, pose, 1e-6 + 1e-12);
       fine += result.nearest.error.position < 1e-10 && result.nearest.error.orientation < 1e-10;
       ASSERT_EQ(result.solutions.size(), 1u) << name;
@@ -93,7 +95,8 @@ TEST(MultiStart, AllFindsTheEightBranches) {
   Solver solve(arm, Task::spatial(), no_bounds(arm));
   for (int i = 0; i < 20; ++i) {
     const Pose pose = forward_kinematics(arm, random.configuration(arm));
-    const Search& result = solve(pose, middle_configuration(arm), {.restarts = 2000, .all = true});
+    const SearchResult& result =
+        solve(pose, middle_configuration(arm), {.restarts = 2000, .all = true});
     expect_solved(solve, pose, 1e-9);
     EXPECT_EQ(result.restarts, 2000);
     EXPECT_GE(result.solutions.size(), 4u);
@@ -143,7 +146,8 @@ TEST(MultiStart, TheSameSeedGivesTheSameAnswerWhateverWasBefore) {
 TEST(MultiStart, OutOfReachEndsWithTheNearest) {
   const Arm arm = built_in("ur5");
   Solver solve(arm, Task::spatial(), bounds_of(arm));
-  const Search& result = solve(make_pose({3, 0, 0}), Configuration::Zero(6), {.restarts = 30});
+  const SearchResult& result =
+      solve(make_pose({3, 0, 0}), Configuration::Zero(6), {.restarts = 30});
   EXPECT_TRUE(result.solutions.empty());
   EXPECT_FALSE(result.nearest.converged);
   EXPECT_EQ(result.restarts, 30);
@@ -160,7 +164,7 @@ TEST(MultiStart, DeadlineEndsTheSearch) {
   Solver solve(arm, Task::spatial(), bounds_of(arm));
   MultiStartOptions options{.restarts = 1'000'000'000};
   options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(2);
-  const Search& result = solve(make_pose({3, 0, 0}), Configuration::Zero(6), options);
+  const SearchResult& result = solve(make_pose({3, 0, 0}), Configuration::Zero(6), options);
   EXPECT_TRUE(result.solutions.empty());
   EXPECT_LT(result.restarts, 1'000'000'000);
   EXPECT_EQ(result.nearest.q.size(), 6);
@@ -176,7 +180,7 @@ TEST(MultiStart, RefusesWhatDoesNotFit) {
   EXPECT_THROW(solve(Pose::Identity(), q, {.tolerance = -1}), Error);
   EXPECT_THROW(solve(Pose::Identity(), q, {.iterations = -1}), Error);
   EXPECT_THROW(solve(Pose::Identity(), q, {.restarts = -1}), Error);
-  solve.deck = {.blocks = 1, .q = {}, .tool = {}};
+  solve.seeds = {.blocks = 1, .q = {}, .tool = {}};
   EXPECT_THROW(solve(Pose::Identity(), q), Error);
 }
 

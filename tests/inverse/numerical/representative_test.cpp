@@ -10,6 +10,8 @@
 namespace beeline {
 namespace {
 
+using namespace internal;
+
 constexpr double pi = std::numbers::pi;
 
 Joint follower(const Joint& like, const std::string& name, const std::string& leader,

@@ -25,7 +25,7 @@ TEST(Predicted, BringsTheToolNextToTheTarget) {
       const Configuration q = testing::inner_configuration(random, arm);
       const double way = 1e-4;
       const Pose to = a_little_away(random, forward_kinematics(arm, q), way);
-      const Configuration next = predicted(arm, q, to, Task::spatial(), bounds_of(arm));
+      const Configuration next = predicted(arm, q, to, Task::spatial(), internal::bounds_of(arm));
       const double step = (next - q).norm();
       if (step > 0.02) continue;  // nearly singular: the Jacobian tells little
       const Eigen::VectorXd left = task_error(Task::spatial(), to, forward_kinematics(arm, next));
@@ -37,7 +37,7 @@ TEST(Predicted, BringsTheToolNextToTheTarget) {
 TEST(Predicted, StaysWithinTheBounds) {
   testing::Random random;
   const Arm arm = built_in("panda");
-  const Bounds bounds = bounds_of(arm);
+  const internal::Bounds bounds = internal::bounds_of(arm);
   for (int i = 0; i < 500; ++i) {
     Configuration q = random.configuration(arm);
     const int k = random.integer(0, 6);
@@ -54,7 +54,7 @@ TEST(Predicted, StandsStillWhereTheToolIsAlready) {
   const Arm arm = built_in("iiwa14");
   const Configuration q = random.configuration(arm);
   const Configuration next =
-      predicted(arm, q, forward_kinematics(arm, q), Task::spatial(), bounds_of(arm));
+      predicted(arm, q, forward_kinematics(arm, q), Task::spatial(), internal::bounds_of(arm));
   EXPECT_LT((next - q).norm(), 1e-9);
 }
 
@@ -62,7 +62,7 @@ TEST(Predicted, StandsStillWhereTheToolIsAlready) {
 TEST(Predicted, DrivesARedundantJointFromItsLimit) {
   testing::Random random;
   const Arm arm = built_in("panda");
-  const Bounds bounds = bounds_of(arm);
+  const internal::Bounds bounds = internal::bounds_of(arm);
   int inside = 0, cases = 0;
   for (int i = 0; i < 300; ++i) {
     Configuration q = testing::inner_configuration(random, arm);
@@ -70,7 +70,7 @@ TEST(Predicted, DrivesARedundantJointFromItsLimit) {
     q[k] = bounds.upper[k] - 0.02 * (bounds.upper[k] - bounds.lower[k]);
     const Pose to = a_little_away(random, forward_kinematics(arm, q), 1e-4);
     const double with = predicted(arm, q, to, Task::spatial(), bounds)[k];
-    const double without = predicted(arm, q, to, Task::spatial(), no_bounds(arm))[k];
+    const double without = predicted(arm, q, to, Task::spatial(), internal::no_bounds(arm))[k];
     if (std::abs(with - without) < 1e-9) continue;  // no freedom to move this joint
     ++cases;
     inside += with < without ? 1 : 0;

@@ -22,7 +22,7 @@ TEST(SegmentFailure, TellsTheTruth) {
       const Configuration start = testing::inner_configuration(random, arm);
       const Pose from = forward_kinematics(arm, start);
       const Line line{from, testing::nearby_pose(random, arm, from)};
-      const TrackedSegment way = track_segment(arm, line, task, bounds_of(arm), start,
+      const TrackedSegment way = track_segment(arm, line, task, internal::bounds_of(arm), start,
                                                {.tolerance = {1e-4, 1e-3}, .max_samples = 100'000});
       if (way.through()) continue;
       const Configuration& q = way.samples.back();

@@ -176,7 +176,7 @@ TEST(TrackSegment, StaysWithinTheProvedBoundAllTheWay) {
       for (int i = 0; i < 400 && tally.points < 10'000; ++i) {
         Configuration q = testing::inner_configuration(random, arm);
         for (const Segment& segment : path_ahead(random, arm, forward_kinematics(arm, q), kind)) {
-          const TrackedSegment way = track_segment(arm, segment, task, bounds_of(arm), q,
+          const TrackedSegment way = track_segment(arm, segment, task, internal::bounds_of(arm), q,
                                                    {.tolerance = tolerance, .max_samples = 5000});
           ASSERT_LE(way.deviation.bound.position, tolerance.position);
           ASSERT_LE(way.deviation.bound.orientation, tolerance.orientation);
@@ -212,7 +212,7 @@ TEST(TrackSegment, OfALineIsTheLine) {
     const Line line{from, testing::nearby_pose(random, arm, from)};
     const TrackOptions options{.tolerance = {1e-4, 1e-4}, .max_samples = 5000};
     const auto go = [&](const Segment& segment) {
-      return track_segment(arm, segment, Task::spatial(), bounds_of(arm), q, options);
+      return track_segment(arm, segment, Task::spatial(), internal::bounds_of(arm), q, options);
     };
     const TrackedSegment way = go(line);
     const TrackedSegment other =

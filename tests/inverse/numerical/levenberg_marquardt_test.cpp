@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <beeline/error.h>
-#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/pose/orientation.h>
@@ -11,6 +11,8 @@
 
 namespace beeline {
 namespace {
+
+using namespace internal;
 
 using testing::largest;
 
@@ -43,8 +45,9 @@ TEST(Descend, ComesBackToRoundingLevelFromNearby) {
     for (int i = 0; i < 200; ++i) {
       const Configuration q = random.configuration(arm);
       const Pose pose = forward_kinematics(arm, q);
-      const Descent run = descend(arm, pose, default_task(arm), bounds_of(arm),
-                                  nearby(arm, q, 0.05, random), {.tolerance = 1e-9});
+      const NumericalResult run =
+          levenberg_marquardt(arm, pose, default_task(arm), bounds_of(arm),
+                              nearby(arm, q, 0.05, random), {.tolerance = 1e-9});
       if (!run.converged) continue;  // another branch next to a singularity may end at a bound
       ++hits;
       EXPECT_LT(largest(run.error), 1e-11) << name;
@@ -65,7 +68,8 @@ TEST(Descend, NeverLeavesTheBoundsNorTheFinite) {
     for (int i = 0; i < 200; ++i) {
       const double far = std::pow(10.0, random.uniform(-3, 8));
       const Configuration start = nearby(arm, random.configuration(arm), far, random);
-      const Descent run = descend(arm, random.pose(far), Task::spatial(), bounds, start);
+      const NumericalResult run =
+          levenberg_marquardt(arm, random.pose(far), Task::spatial(), bounds, start);
       EXPECT_TRUE((run.q.array() >= bounds.lower.array()).all())
           << name << ' ' << run.q.transpose();
       EXPECT_TRUE((run.q.array() <= bounds.upper.array()).all())
@@ -83,7 +87,8 @@ TEST(Descend, NeverEndsFartherFromThePoseThanItStarted) {
     const Configuration start = random.configuration(arm);
     const Pose pose = random.pose(1.2);
     const Pose before = forward_kinematics(arm, start);
-    const Descent run = descend(arm, pose, Task::spatial(), bounds_of(arm), start);
+    const NumericalResult run =
+        levenberg_marquardt(arm, pose, Task::spatial(), bounds_of(arm), start);
     const double length = arm.reach().radius;
     const Deviation first = task_deviation(Task::spatial(), pose, before);
     EXPECT_LE(std::hypot(run.error.position / length, run.error.orientation),
@@ -105,8 +110,8 @@ TEST(Descend, FindsTheEdgeOfABox) {
   const Arm arm("box", joints);
   for (int i = 0; i < 200; ++i) {
     const Vector3 p = random.vector(3);
-    const Descent run =
-        descend(arm, make_pose(p), Task::position(), bounds_of(arm), random.configuration(arm));
+    const NumericalResult run = levenberg_marquardt(arm, make_pose(p), Task::position(),
+                                                    bounds_of(arm), random.configuration(arm));
     EXPECT_LT((run.q - p.cwiseMax(-1).cwiseMin(1)).norm(), 1e-6);
   }
 }
@@ -122,7 +127,8 @@ TEST(Descend, EveryMaskAndFrameConvergesFromNearby) {
       for (int i = 0; i < 20; ++i) {
         const Configuration q = random.configuration(arm);
         const Pose pose = testing::moved_where_free(forward_kinematics(arm, q), task, random);
-        const Descent run = descend(arm, pose, task, no_bounds(arm), nearby(arm, q, 0.02, random));
+        const NumericalResult run =
+            levenberg_marquardt(arm, pose, task, no_bounds(arm), nearby(arm, q, 0.02, random));
         hits += run.converged;
         EXPECT_EQ(run.converged,
                   largest(task_deviation(task, pose, forward_kinematics(arm, run.q))) <= 1e-10);
@@ -138,8 +144,9 @@ TEST(Descend, ConvergesFastAtRegularSolutions) {
     for (int i = 0; i < 50; ++i) {
       const Arm arm = random_arm(letters, 1, random);
       const Configuration q = random.configuration(arm);
-      const Descent run = descend(arm, forward_kinematics(arm, q), Task::spatial(), no_bounds(arm),
-                                  nearby(arm, q, 1e-3, random));
+      const NumericalResult run =
+          levenberg_marquardt(arm, forward_kinematics(arm, q), Task::spatial(), no_bounds(arm),
+                              nearby(arm, q, 1e-3, random));
       EXPECT_TRUE(run.converged) << letters;
       EXPECT_LE(run.iterations, 30) << letters;
     }
@@ -153,8 +160,9 @@ TEST(Descend, WorksFrom1To1000JointsAndOnEveryScale) {
       const Arm arm =
           random_arm(std::string(static_cast<std::size_t>(dof), 'R'), size / dof, random);
       const Configuration q = random.configuration(arm);
-      const Descent run = descend(arm, forward_kinematics(arm, q), Task::spatial(), no_bounds(arm),
-                                  nearby(arm, q, 0.1, random), {.tolerance = 1e-9});
+      const NumericalResult run =
+          levenberg_marquardt(arm, forward_kinematics(arm, q), Task::spatial(), no_bounds(arm),
+                              nearby(arm, q, 0.1, random), {.tolerance = 1e-9});
       EXPECT_TRUE(run.converged) << dof << " joints of " << size;
     }
   }
@@ -163,8 +171,8 @@ TEST(Descend, WorksFrom1To1000JointsAndOnEveryScale) {
 TEST(Descend, StretchedArmIsReachedThoughItIsSingular) {
   const Arm arm = built_in("rrr");
   const Pose pose = forward_kinematics(arm, Configuration::Zero(3));
-  const Descent run = descend(arm, pose, Task::planar(), bounds_of(arm),
-                              (Configuration(3) << 0.5, -0.8, 0.4).finished());
+  const NumericalResult run = levenberg_marquardt(arm, pose, Task::planar(), bounds_of(arm),
+                                                  (Configuration(3) << 0.5, -0.8, 0.4).finished());
   EXPECT_TRUE(run.converged);
 }
 
@@ -175,13 +183,17 @@ TEST(Descend, RefusesWhatMakesNoSense) {
   Pose nan = pose;
   nan.translation().x() = std::nan("");
   const Bounds bounds = bounds_of(arm);
-  EXPECT_THROW(descend(arm, nan, Task::spatial(), bounds, q), Error);
-  EXPECT_THROW(descend(arm, pose, Task::spatial(), bounds, Configuration::Zero(5)), Error);
-  EXPECT_THROW(descend(arm, pose, Task::spatial(), bounds_of(built_in("panda")), q), Error);
-  EXPECT_THROW(descend(arm, pose, Task{.rows = {}}, bounds, q), Error);
-  EXPECT_THROW(descend(arm, pose, Task{.frame = Frame::space}, bounds, q), Error);
-  EXPECT_THROW(descend(arm, pose, Task::spatial(), bounds, q, {.tolerance = -1}), Error);
-  EXPECT_THROW(descend(arm, pose, Task::spatial(), bounds, q, {.iterations = -1}), Error);
+  EXPECT_THROW(levenberg_marquardt(arm, nan, Task::spatial(), bounds, q), Error);
+  EXPECT_THROW(levenberg_marquardt(arm, pose, Task::spatial(), bounds, Configuration::Zero(5)),
+               Error);
+  EXPECT_THROW(levenberg_marquardt(arm, pose, Task::spatial(), bounds_of(built_in("panda")), q),
+               Error);
+  EXPECT_THROW(levenberg_marquardt(arm, pose, Task{.rows = {}}, bounds, q), Error);
+  EXPECT_THROW(levenberg_marquardt(arm, pose, Task{.frame = Frame::space}, bounds, q), Error);
+  EXPECT_THROW(levenberg_marquardt(arm, pose, Task::spatial(), bounds, q, {.tolerance = -1}),
+               Error);
+  EXPECT_THROW(levenberg_marquardt(arm, pose, Task::spatial(), bounds, q, {.iterations = -1}),
+               Error);
 }
 
 }  // namespace

@@ -3,14 +3,14 @@
 #include <numbers>
 
 #include <beeline/error.h>
-#include <beeline/inverse/numerical/descent_lanes.h>
+#include <beeline/inverse/numerical/levenberg_marquardt_lanes.h>
 #include <beeline/inverse/numerical/representative.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 /// The chain with lengths, and the coordinates that slide, in units of `length`.
-Chain in_units(Chain chain, double length, const std::vector<DescentProblem::Coordinate>& units) {
+Chain in_units(Chain chain, double length, const std::vector<NumericalProblem::Coordinate>& units) {
   chain.base.translation() /= length;
   chain.tool.translation() /= length;
   for (Chain::Link& link : chain.links) {
@@ -24,13 +24,13 @@ Chain in_units(Chain chain, double length, const std::vector<DescentProblem::Coo
 
 }  // namespace
 
-DescentProblem descent_problem(const Arm& arm, const Task& task, const Bounds& bounds) {
+NumericalProblem numerical_problem(const Arm& arm, const Task& task, const Bounds& bounds) {
   check_task(arm, task, bounds);
-  DescentProblem problem{arm, task, bounds, 1, {}, {}, {}};
+  NumericalProblem problem{arm, task, bounds, 1, {}, {}, {}};
   problem.length = std::exp2(std::round(std::log2(unit_of_length(arm))));
   const Chain& chain = arm.chain();
   for (int k = 0; k < arm.dof(); ++k) {
-    DescentProblem::Coordinate coordinate;
+    NumericalProblem::Coordinate coordinate;
     coordinate.slides = kind(arm.joint_of(k)) == JointKind::prismatic;
     if (coordinate.slides) coordinate.unit = problem.length;
     coordinate.lower = coordinate.lowest = bounds.lower[k] / coordinate.unit;
@@ -52,7 +52,8 @@ DescentProblem descent_problem(const Arm& arm, const Task& task, const Bounds& b
   return problem;
 }
 
-void start_lane(const DescentProblem& problem, const double* q, int lane, LaneDescents& lanes) {
+void start_lane(const NumericalProblem& problem, const double* q, int lane,
+                LevenbergMarquardtLanes& lanes) {
   const std::size_t dof = problem.coordinates.size(), links = problem.links.size();
   if (lanes.q.size() != dof || lanes.axes.size() != 6 * links) {
     lanes = {};
@@ -64,7 +65,7 @@ void start_lane(const DescentProblem& problem, const double* q, int lane, LaneDe
     lanes.axes.resize(6 * links);
   }
   for (std::size_t k = 0; k < dof; ++k) {
-    const DescentProblem::Coordinate& coordinate = problem.coordinates[k];
+    const NumericalProblem::Coordinate& coordinate = problem.coordinates[k];
     const double within = std::clamp(q[k] / coordinate.unit, coordinate.lower, coordinate.upper);
     lanes.q[k].lane[lane] = lanes.trial[k].lane[lane] = within;
   }
@@ -78,14 +79,15 @@ void start_lane(const DescentProblem& problem, const double* q, int lane, LaneDe
   lanes.within &= ~bit;
 }
 
-void lane_configuration(const DescentProblem& problem, const LaneDescents& lanes, int lane,
-                        double* q) {
+void lane_configuration(const NumericalProblem& problem, const LevenbergMarquardtLanes& lanes,
+                        int lane, double* q) {
   for (std::size_t k = 0; k < problem.coordinates.size(); ++k) {
     q[k] = lanes.q[k].lane[lane] * problem.coordinates[k].unit;
   }
 }
 
-Deviation lane_deviation(const DescentProblem& problem, const LaneDescents& lanes, int lane) {
+Deviation lane_deviation(const NumericalProblem& problem, const LevenbergMarquardtLanes& lanes,
+                         int lane) {
   const auto length = [&](int first) {
     return std::hypot(lanes.error[first].lane[lane], lanes.error[first + 1].lane[lane],
                       lanes.error[first + 2].lane[lane]);
@@ -93,7 +95,7 @@ Deviation lane_deviation(const DescentProblem& problem, const LaneDescents& lane
   return {length(0) * problem.length, length(3)};
 }
 
-void check_descents(const Pose& world_T_tool, const LaneDescentOptions& options) {
+void check_lane_options(const Pose& world_T_tool, const LaneOptions& options) {
   if (!world_T_tool.matrix().allFinite()) throw Error("the pose has a number that is not finite");
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance) || options.iterations < 0) {
     throw Error("tolerance must be above zero, and iterations zero or more; not " +
@@ -101,14 +103,14 @@ void check_descents(const Pose& world_T_tool, const LaneDescentOptions& options)
   }
 }
 
-void descend_lanes(const DescentProblem& problem, const Pose& world_T_tool,
-                   const Eigen::Ref<const Eigen::MatrixXd>& starts,
-                   const LaneDescentOptions& options, LaneDescents& lanes) {
-  check_descents(world_T_tool, options);
-  if (starts.rows() != problem.arm.dof() || starts.cols() > descent_lane_count) {
+void levenberg_marquardt_lanes(const NumericalProblem& problem, const Pose& world_T_tool,
+                               const Eigen::Ref<const Eigen::MatrixXd>& starts,
+                               const LaneOptions& options, LevenbergMarquardtLanes& lanes) {
+  check_lane_options(world_T_tool, options);
+  if (starts.rows() != problem.arm.dof() || starts.cols() > solver_lane_count) {
     throw Error("starts for arm " + problem.arm.name() + " need " +
                 std::to_string(problem.arm.dof()) + " rows and at most " +
-                std::to_string(descent_lane_count) + " columns");
+                std::to_string(solver_lane_count) + " columns");
   }
   if (!starts.allFinite()) throw Error("a start has a number that is not finite");
   lanes.active = lanes.arrived = lanes.coarse = 0;
@@ -118,4 +120,4 @@ void descend_lanes(const DescentProblem& problem, const Pose& world_T_tool,
   }
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <beeline/error.h>
-#include <beeline/inverse/numerical/descent_lanes.h>
+#include <beeline/inverse/numerical/levenberg_marquardt_lanes.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
@@ -16,6 +16,8 @@
 
 namespace beeline {
 namespace {
+
+using namespace internal;
 
 using testing::found;
 using testing::largest;
@@ -34,14 +36,15 @@ std::vector<Arm> arms(testing::Random& random) {
 TEST(DescentLanes, WhatArrivesIsThereByTheForwardKinematics) {
   testing::Random random;
   for (const Arm& arm : arms(random)) {
-    const DescentProblem problem = descent_problem(arm, Task::spatial(), bounds_of(arm));
-    LaneDescents lanes;
+    const NumericalProblem problem = numerical_problem(arm, Task::spatial(), bounds_of(arm));
+    LevenbergMarquardtLanes lanes;
     int arrived = 0;
     for (int i = 0; i < 50; ++i) {
       const Configuration q = random.configuration(arm);
       const Pose pose = forward_kinematics(arm, q);
-      descend_lanes(problem, pose, starts_near(q, 0.02, random), {.tolerance = 1e-8}, lanes);
-      for (int lane = 0; lane < descent_lane_count; ++lane) {
+      levenberg_marquardt_lanes(problem, pose, starts_near(q, 0.02, random), {.tolerance = 1e-8},
+                                lanes);
+      for (int lane = 0; lane < solver_lane_count; ++lane) {
         const Configuration at = found(problem, lanes, lane);
         EXPECT_TRUE(within(problem.bounds, at)) << arm.name() << ' ' << at.transpose();
         const Deviation seen = task_deviation(Task::spatial(), pose, forward_kinematics(arm, at));
@@ -61,16 +64,17 @@ TEST(DescentLanes, ComesToRoundingLevelAndToWhereDescendComes) {
   testing::Random random;
   for (const std::string& name : built_in_names()) {
     const Arm arm = built_in(name);
-    const DescentProblem problem = descent_problem(arm, default_task(arm), bounds_of(arm));
-    LaneDescents lanes;
+    const NumericalProblem problem = numerical_problem(arm, default_task(arm), bounds_of(arm));
+    LevenbergMarquardtLanes lanes;
     int same = 0, both = 0;
     for (int i = 0; i < 100; ++i) {
       const Configuration q = random.configuration(arm);
       const Pose pose = forward_kinematics(arm, q);
       const Eigen::MatrixXd starts = starts_near(q, 0.02, random);
-      descend_lanes(problem, pose, starts, {.tolerance = 1e-9}, lanes);
-      for (int lane = 0; lane < descent_lane_count; ++lane) {
-        const Descent one = descend(arm, pose, problem.task, problem.bounds, starts.col(lane));
+      levenberg_marquardt_lanes(problem, pose, starts, {.tolerance = 1e-9}, lanes);
+      for (int lane = 0; lane < solver_lane_count; ++lane) {
+        const NumericalResult one =
+            levenberg_marquardt(arm, pose, problem.task, problem.bounds, starts.col(lane));
         if (!one.converged || (lanes.arrived >> lane & 1) == 0) continue;
         EXPECT_LT(largest(lane_deviation(problem, lanes, lane)), 1e-11) << name;
         ++both;
@@ -87,18 +91,18 @@ TEST(DescentLanes, NoLaneDependsOnTheOthersNorOnItsPlace) {
   testing::Random random;
   for (const char* name : {"puma560", "ur5", "panda", "stanford", "scara"}) {
     const Arm arm = built_in(name);
-    const DescentProblem problem = descent_problem(arm, Task::spatial(), bounds_of(arm));
-    LaneDescents together, alone;
+    const NumericalProblem problem = numerical_problem(arm, Task::spatial(), bounds_of(arm));
+    LevenbergMarquardtLanes together, alone;
     for (int i = 0; i < 20; ++i) {
       const Pose pose = forward_kinematics(arm, random.configuration(arm));
-      Eigen::MatrixXd starts(arm.dof(), descent_lane_count);
-      for (int lane = 0; lane < descent_lane_count; ++lane) {
+      Eigen::MatrixXd starts(arm.dof(), solver_lane_count);
+      for (int lane = 0; lane < solver_lane_count; ++lane) {
         starts.col(lane) = random.configuration(arm);
       }
       starts(0, 3) = 1e7;  // brought within the bounds
-      descend_lanes(problem, pose, starts, {}, together);
-      for (int lane = 0; lane < descent_lane_count; ++lane) {
-        descend_lanes(problem, pose, starts.col(lane), {}, alone);
+      levenberg_marquardt_lanes(problem, pose, starts, {}, together);
+      for (int lane = 0; lane < solver_lane_count; ++lane) {
+        levenberg_marquardt_lanes(problem, pose, starts.col(lane), {}, alone);
         EXPECT_EQ(found(problem, together, lane), found(problem, alone, 0)) << name;
         EXPECT_EQ(together.iterations.lane[lane], alone.iterations.lane[0]);
         EXPECT_EQ(together.arrived >> lane & 1, alone.arrived & 1);
@@ -110,14 +114,14 @@ TEST(DescentLanes, NoLaneDependsOnTheOthersNorOnItsPlace) {
 TEST(DescentLanes, NeverLeavesTheBoundsNorTheFinite) {
   testing::Random random;
   for (const Arm& arm : arms(random)) {
-    const DescentProblem problem = descent_problem(arm, Task::spatial(), bounds_of(arm));
-    LaneDescents lanes;
+    const NumericalProblem problem = numerical_problem(arm, Task::spatial(), bounds_of(arm));
+    LevenbergMarquardtLanes lanes;
     for (int i = 0; i < 30; ++i) {
       const double far = std::pow(10.0, random.uniform(-3, 8));
       const Pose pose = random.pose(far);
       const Configuration q = random.configuration(arm);
-      descend_lanes(problem, pose, starts_near(q, far, random), {}, lanes);
-      for (int lane = 0; lane < descent_lane_count; ++lane) {
+      levenberg_marquardt_lanes(problem, pose, starts_near(q, far, random), {}, lanes);
+      for (int lane = 0; lane < solver_lane_count; ++lane) {
         const Configuration at = found(problem, lanes, lane);
         EXPECT_TRUE(within(problem.bounds, at)) << arm.name() << ' ' << at.transpose();
         EXPECT_TRUE(at.allFinite());
@@ -138,14 +142,14 @@ TEST(DescentLanes, FindsTheEdgeOfABox) {
     joint.limits.upper = 1;
   }
   const Arm arm("box", joints);
-  const DescentProblem problem = descent_problem(arm, Task::position(), bounds_of(arm));
+  const NumericalProblem problem = numerical_problem(arm, Task::position(), bounds_of(arm));
   testing::Random random;
-  LaneDescents lanes;
+  LevenbergMarquardtLanes lanes;
   for (int i = 0; i < 200; ++i) {
     const Vector3 p = random.vector(3);
     const Configuration q = random.configuration(arm);
-    descend_lanes(problem, make_pose(p), starts_near(q, 1, random), {}, lanes);
-    for (int lane = 0; lane < descent_lane_count; ++lane) {
+    levenberg_marquardt_lanes(problem, make_pose(p), starts_near(q, 1, random), {}, lanes);
+    for (int lane = 0; lane < solver_lane_count; ++lane) {
       EXPECT_LT((found(problem, lanes, lane) - p.cwiseMax(-1).cwiseMin(1)).norm(), 1e-6);
     }
   }
@@ -165,12 +169,12 @@ TEST(DescentLanes, WorksFrom1To100Joints) {
         joints.push_back(joint);
       }
       const Arm arm("chain", joints);
-      const DescentProblem problem = descent_problem(arm, Task::spatial(), bounds_of(arm));
+      const NumericalProblem problem = numerical_problem(arm, Task::spatial(), bounds_of(arm));
       const Configuration q = random.configuration(arm);
-      LaneDescents lanes;
-      descend_lanes(problem, forward_kinematics(arm, q), starts_near(q, 0.05, random),
-                    {.tolerance = 1e-9 * std::max(1.0, size)}, lanes);
-      all += descent_lane_count;
+      LevenbergMarquardtLanes lanes;
+      levenberg_marquardt_lanes(problem, forward_kinematics(arm, q), starts_near(q, 0.05, random),
+                                {.tolerance = 1e-9 * std::max(1.0, size)}, lanes);
+      all += solver_lane_count;
       arrived += std::popcount(lanes.arrived);
       // Six joints may have a lesser valley nearby, but with many there is a way round.
       if (dof >= 30) {
@@ -184,20 +188,20 @@ TEST(DescentLanes, WorksFrom1To100Joints) {
 TEST(DescentLanes, EveryMachineArrivesAlike) {
   testing::Random random;
   const Arm arm = built_in("panda");
-  const DescentProblem problem = descent_problem(arm, Task::spatial(), bounds_of(arm));
+  const NumericalProblem problem = numerical_problem(arm, Task::spatial(), bounds_of(arm));
   for (int i = 0; i < 20; ++i) {
     const Configuration q = random.configuration(arm);
     const Pose pose = forward_kinematics(arm, q);
     const Eigen::MatrixXd starts = starts_near(q, 0.02, random);
-    LaneDescents first;
-    descend_lanes(problem, pose, starts, {}, first);
+    LevenbergMarquardtLanes first;
+    levenberg_marquardt_lanes(problem, pose, starts, {}, first);
     for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
       hwy::SetSupportedTargetsForTest(target);
-      LaneDescents lanes;
-      descend_lanes(problem, pose, starts, {}, lanes);
+      LevenbergMarquardtLanes lanes;
+      levenberg_marquardt_lanes(problem, pose, starts, {}, lanes);
       hwy::SetSupportedTargetsForTest(0);
       EXPECT_EQ(lanes.arrived, first.arrived) << hwy::TargetName(target);
-      for (int lane = 0; lane < descent_lane_count; ++lane) {
+      for (int lane = 0; lane < solver_lane_count; ++lane) {
         if ((first.arrived >> lane & 1) == 0) continue;
         EXPECT_LT((found(problem, lanes, lane) - found(problem, first, lane)).norm(), 1e-6)
             << hwy::TargetName(target);
@@ -208,31 +212,34 @@ TEST(DescentLanes, EveryMachineArrivesAlike) {
 
 TEST(DescentLanes, StretchedArmIsReachedThoughItIsSingular) {
   const Arm arm = built_in("rrr");
-  const DescentProblem problem = descent_problem(arm, Task::planar(), bounds_of(arm));
-  LaneDescents lanes;
-  descend_lanes(problem, forward_kinematics(arm, Configuration::Zero(3)),
-                Eigen::Vector3d(0.5, -0.8, 0.4), {}, lanes);
+  const NumericalProblem problem = numerical_problem(arm, Task::planar(), bounds_of(arm));
+  LevenbergMarquardtLanes lanes;
+  levenberg_marquardt_lanes(problem, forward_kinematics(arm, Configuration::Zero(3)),
+                            Eigen::Vector3d(0.5, -0.8, 0.4), {}, lanes);
   EXPECT_EQ(lanes.arrived, 1u);
 }
 
 TEST(DescentLanes, RefusesWhatDoesNotFit) {
   const Arm arm = built_in("puma560");
   const Bounds bounds = bounds_of(arm);
-  EXPECT_THROW(descent_problem(arm, Task{.rows = {}}, bounds), Error);
-  EXPECT_THROW(descent_problem(arm, Task{.frame = Frame::space}, bounds), Error);
-  EXPECT_THROW(descent_problem(arm, Task::spatial(), bounds_of(built_in("panda"))), Error);
-  EXPECT_THROW(descent_problem(arm, Task::spatial(), {bounds.upper, bounds.lower}), Error);
-  const DescentProblem problem = descent_problem(arm, Task::spatial(), bounds);
-  LaneDescents lanes;
+  EXPECT_THROW(numerical_problem(arm, Task{.rows = {}}, bounds), Error);
+  EXPECT_THROW(numerical_problem(arm, Task{.frame = Frame::space}, bounds), Error);
+  EXPECT_THROW(numerical_problem(arm, Task::spatial(), bounds_of(built_in("panda"))), Error);
+  EXPECT_THROW(numerical_problem(arm, Task::spatial(), {bounds.upper, bounds.lower}), Error);
+  const NumericalProblem problem = numerical_problem(arm, Task::spatial(), bounds);
+  LevenbergMarquardtLanes lanes;
   const Pose pose = Pose::Identity();
   const Eigen::MatrixXd start = Eigen::MatrixXd::Zero(6, 1);
-  EXPECT_THROW(descend_lanes(problem, pose, Eigen::MatrixXd::Zero(7, 1), {}, lanes), Error);
-  EXPECT_THROW(descend_lanes(problem, pose, Eigen::MatrixXd::Zero(6, 9), {}, lanes), Error);
-  EXPECT_THROW(descend_lanes(problem, pose, start * NAN, {}, lanes), Error);
-  EXPECT_THROW(descend_lanes(problem, pose, start, {.tolerance = 0}, lanes), Error);
-  EXPECT_THROW(descend_lanes(problem, pose, start, {.tolerance = NAN}, lanes), Error);
-  EXPECT_THROW(descend_lanes(problem, pose, start, {.iterations = -1}, lanes), Error);
-  EXPECT_THROW(descend_lanes(problem, make_pose(Vector3(NAN, 0, 0)), start, {}, lanes), Error);
+  EXPECT_THROW(levenberg_marquardt_lanes(problem, pose, Eigen::MatrixXd::Zero(7, 1), {}, lanes),
+               Error);
+  EXPECT_THROW(levenberg_marquardt_lanes(problem, pose, Eigen::MatrixXd::Zero(6, 9), {}, lanes),
+               Error);
+  EXPECT_THROW(levenberg_marquardt_lanes(problem, pose, start * NAN, {}, lanes), Error);
+  EXPECT_THROW(levenberg_marquardt_lanes(problem, pose, start, {.tolerance = 0}, lanes), Error);
+  EXPECT_THROW(levenberg_marquardt_lanes(problem, pose, start, {.tolerance = NAN}, lanes), Error);
+  EXPECT_THROW(levenberg_marquardt_lanes(problem, pose, start, {.iterations = -1}, lanes), Error);
+  EXPECT_THROW(levenberg_marquardt_lanes(problem, make_pose(Vector3(NAN, 0, 0)), start, {}, lanes),
+               Error);
 }
 
 }  // namespace

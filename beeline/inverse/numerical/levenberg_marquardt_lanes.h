@@ -2,15 +2,15 @@
 
 #include <vector>
 
-#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/model/chain.h>
 
-namespace beeline {
+namespace beeline::internal {
 
 /// What descents need to know of an arm, a task and bounds, made once for many poses. Inside,
 /// lengths count in units of `length`, slides' coordinates too, so that they weigh like radians;
 /// it is a power of two, so that this rounds nothing.
-struct DescentProblem {
+struct NumericalProblem {
   Arm arm;
   Task task;
   Bounds bounds;
@@ -29,18 +29,18 @@ struct DescentProblem {
   std::vector<int> links;
 };
 
-/// Throws Error for an arm, task and bounds for which descend() does.
-DescentProblem descent_problem(const Arm& arm, const Task& task, const Bounds& bounds);
+/// Throws Error for an arm, task and bounds for which levenberg_marquardt() does.
+NumericalProblem numerical_problem(const Arm& arm, const Task& task, const Bounds& bounds);
 
 /// The number of descents that run together.
-inline constexpr int descent_lane_count = 8;
+inline constexpr int solver_lane_count = 8;
 
 /// A number of each descent, as the machine's widest registers take them.
 struct alignas(64) EightNumbers {
-  double lane[descent_lane_count] = {};
+  double lane[solver_lane_count] = {};
 };
 
-struct LaneDescentOptions {
+struct LaneOptions {
   double tolerance = 1e-10;      ///< metres and radians
   int iterations = 100;          ///< most steps of each descent
   bool polish = true;            ///< go on below the tolerance to 1e-13, or where rounding ends it
@@ -49,7 +49,7 @@ struct LaneDescentOptions {
 
 /// Eight descents on their way: where they are, and what their next steps need. One for each
 /// thread; sized by start_lane() for the first problem, so that later calls do not allocate.
-struct LaneDescents {
+struct LevenbergMarquardtLanes {
   unsigned active = 0;              ///< bit i: lane i is under way
   unsigned arrived = 0;             ///< bit i: lane i has ended within the tolerance
   unsigned coarse = 0;              ///< bit i: and was stuck there on its way to 3e-11
@@ -68,27 +68,29 @@ struct LaneDescents {
 };
 
 /// Sets lane `lane` on its way from q, which is brought within the bounds.
-void start_lane(const DescentProblem& problem, const double* q, int lane, LaneDescents& lanes);
+void start_lane(const NumericalProblem& problem, const double* q, int lane,
+                LevenbergMarquardtLanes& lanes);
 
 /// Where a lane is, in radians and metres: dof numbers into q.
-void lane_configuration(const DescentProblem& problem, const LaneDescents& lanes, int lane,
-                        double* q);
-Deviation lane_deviation(const DescentProblem& problem, const LaneDescents& lanes, int lane);
+void lane_configuration(const NumericalProblem& problem, const LevenbergMarquardtLanes& lanes,
+                        int lane, double* q);
+Deviation lane_deviation(const NumericalProblem& problem, const LevenbergMarquardtLanes& lanes,
+                         int lane);
 
 /// Runs the active lanes on towards the pose, all in step, until one or more of them end (arrived,
 /// stuck, or out of iterations; no longer active), or for `max_steps`. Each lane does what
-/// descend() does, but for rounding and details of the bounds, whatever the other lanes do.
-/// The pose must be finite.
-void run_lanes(const DescentProblem& problem, const Pose& world_T_tool,
-               const LaneDescentOptions& options, int max_steps, LaneDescents& lanes);
+/// levenberg_marquardt() does, but for rounding and details of the bounds, whatever the other lanes
+/// do. The pose must be finite.
+void run_lanes(const NumericalProblem& problem, const Pose& world_T_tool,
+               const LaneOptions& options, int max_steps, LevenbergMarquardtLanes& lanes);
 
 /// Throws Error when the pose is not finite, or an option is not finite or negative.
-void check_descents(const Pose& world_T_tool, const LaneDescentOptions& options);
+void check_lane_options(const Pose& world_T_tool, const LaneOptions& options);
 
-/// Descents from up to eight starts, one in each column, to their ends. Throws Error when they do
-/// not fit the arm or are not finite, and what check_descents() throws.
-void descend_lanes(const DescentProblem& problem, const Pose& world_T_tool,
-                   const Eigen::Ref<const Eigen::MatrixXd>& starts,
-                   const LaneDescentOptions& options, LaneDescents& lanes);
+/// Searches from up to eight starts, one in each column, to their ends. Throws Error when
+/// they do not fit the arm or are not finite, and what check_lane_options() throws.
+void levenberg_marquardt_lanes(const NumericalProblem& problem, const Pose& world_T_tool,
+                               const Eigen::Ref<const Eigen::MatrixXd>& starts,
+                               const LaneOptions& options, LevenbergMarquardtLanes& lanes);
 
-}  // namespace beeline
+}  // namespace beeline::internal

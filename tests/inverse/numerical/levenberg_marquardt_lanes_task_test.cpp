@@ -1,7 +1,7 @@
 #include <bit>
 #include <gtest/gtest.h>
 
-#include <beeline/inverse/numerical/descent_lanes.h>
+#include <beeline/inverse/numerical/levenberg_marquardt_lanes.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/pose/orientation.h>
@@ -13,6 +13,8 @@
 namespace beeline {
 namespace {
 
+using namespace internal;
+
 using testing::found;
 using testing::largest;
 using testing::starts_near;
@@ -20,18 +22,18 @@ using testing::starts_near;
 TEST(DescentLanes, EveryMaskAndFrameConvergesFromNearby) {
   testing::Random random;
   const Arm arm = built_in("puma560");
-  LaneDescents lanes;
+  LevenbergMarquardtLanes lanes;
   for (int mask = 1; mask < 64; ++mask) {
     for (const Frame frame : {Frame::base, Frame::tool}) {
       Task task{.rows = {}, .frame = frame};
       for (std::size_t i = 0; i < 6; ++i) task.rows[i] = (mask >> i & 1) != 0;
-      const DescentProblem problem = descent_problem(arm, task, no_bounds(arm));
+      const NumericalProblem problem = numerical_problem(arm, task, no_bounds(arm));
       int arrived = 0;
       for (int i = 0; i < 10; ++i) {
         const Configuration q = random.configuration(arm);
         const Pose pose = testing::moved_where_free(forward_kinematics(arm, q), task, random);
-        descend_lanes(problem, pose, starts_near(q, 0.02, random), {}, lanes);
-        for (int lane = 0; lane < descent_lane_count; ++lane) {
+        levenberg_marquardt_lanes(problem, pose, starts_near(q, 0.02, random), {}, lanes);
+        for (int lane = 0; lane < solver_lane_count; ++lane) {
           const Pose at = forward_kinematics(arm, found(problem, lanes, lane));
           const bool there = (lanes.arrived >> lane & 1) != 0;
           EXPECT_EQ(there, largest(task_deviation(task, pose, at)) <= 1e-10) << name(task);
@@ -46,9 +48,9 @@ TEST(DescentLanes, EveryMaskAndFrameConvergesFromNearby) {
 TEST(DescentLanes, ErrorIsTheTasksAtEveryAngleUpToAHalfTurn) {
   testing::Random random;
   const Arm arm = built_in("iiwa14");
-  LaneDescents lanes;
+  LevenbergMarquardtLanes lanes;
   for (const Task& task : {Task::spatial(), task_named("111110:tool"), task_named("101011")}) {
-    const DescentProblem problem = descent_problem(arm, task, no_bounds(arm));
+    const NumericalProblem problem = numerical_problem(arm, task, no_bounds(arm));
     for (int i = 0; i < 300; ++i) {
       const Configuration q = random.configuration(arm);
       Pose pose = forward_kinematics(arm, q);
@@ -56,7 +58,7 @@ TEST(DescentLanes, ErrorIsTheTasksAtEveryAngleUpToAHalfTurn) {
       const double short_of_pi = i % 3 == 0 ? 0 : std::pow(10.0, random.uniform(-16, 0.4));
       const double angle = i % 2 == 0 ? pi - short_of_pi : short_of_pi;
       pose.linear() = so3_exp(random.direction() * angle) * pose.linear();
-      descend_lanes(problem, pose, q, {.iterations = 0}, lanes);
+      levenberg_marquardt_lanes(problem, pose, q, {.iterations = 0}, lanes);
       const Eigen::VectorXd error = task_error(task, pose, forward_kinematics(arm, q));
       int row = 0;
       for (int r = 0; r < 6; ++r) {

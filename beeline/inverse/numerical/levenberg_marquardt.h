@@ -2,7 +2,7 @@
 
 #include <beeline/kinematics/task.h>
 
-namespace beeline {
+namespace beeline::internal {
 
 /// A box that a configuration must not leave; infinite where there is no limit.
 struct Bounds {
@@ -20,12 +20,12 @@ void check_task(const Arm& arm, const Task& task, const Bounds& bounds);
 /// or 1 m where that is infinite or zero.
 double unit_of_length(const Arm& arm);
 
-struct DescentOptions {
+struct NumericalOptions {
   double tolerance = 1e-10;  ///< the error to go below, metres and radians
   int iterations = 100;
 };
 
-struct Descent {
+struct NumericalResult {
   Configuration q;  ///< the best configuration met, always within the bounds
   Deviation error;  ///< what is left of the task at q
   int iterations = 0;
@@ -42,7 +42,8 @@ struct Descent {
 /// before `iterations` where it is stuck. Cost of a step: linear in the number of joints.
 /// Throws Error when start or bounds do not fit the arm, the pose or an option is not finite or
 /// negative, or the task has no rows or is in Frame::space.
-Descent descend(const Arm& arm, const Pose& world_T_tool, const Task& task, const Bounds& bounds,
-                const Configuration& start, const DescentOptions& options = {});
+NumericalResult levenberg_marquardt(const Arm& arm, const Pose& world_T_tool, const Task& task,
+                                    const Bounds& bounds, const Configuration& start,
+                                    const NumericalOptions& options = {});
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -1,14 +1,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include <beeline/inverse/numerical/descent_near.h>
+#include <beeline/inverse/numerical/gauss_newton.h>
 
 // One configuration leaves most of a 512-bit register empty, and stores of single numbers stall the
 // wide loads behind them: 256 bits are faster.
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "beeline/inverse/numerical/descent_near.cpp"
+#define HWY_TARGET_INCLUDE "beeline/inverse/numerical/gauss_newton.cpp"
 #include <hwy/foreach_target.h>
 
 #include <beeline/kinematics/chain_one-inl.h>
@@ -16,6 +16,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 namespace {
+
+using namespace internal;
 
 constexpr double least_damping = 1e-13;
 constexpr double damping_factor = 0.01;  // over squared error
@@ -26,7 +28,7 @@ constexpr double fine = 1e-21;           // the same, where it falls no further
 constexpr double whole_turn = 0x1.921fb54442d18p+2;
 
 /// What leads to the goal (four columns of four); false where it is a quarter turn or more away.
-HWY_INLINE bool look(const DescentProblem& problem, const double* goal, NearDescent& near,
+HWY_INLINE bool look(const NumericalProblem& problem, const double* goal, GaussNewtonState& near,
                      double* place) {
   double frame[16], turn[3][3];
   last_frame_of_one(problem.chain, near.q.data(), near.angle[0].lane, near.sine[0].lane,
@@ -61,7 +63,8 @@ HWY_INLINE bool look(const DescentProblem& problem, const double* goal, NearDesc
 }
 
 /// The Jacobian's columns, and J J^T row by row (rows of eight, six of them used).
-HWY_INLINE void linearise(const DescentProblem& problem, const double* place, NearDescent& near) {
+HWY_INLINE void linearise(const NumericalProblem& problem, const double* place,
+                          GaussNewtonState& near) {
   Lanes sum[6];
   for (Lanes& row : sum) row = Lanes(0);
   const int* links = problem.links.data();
@@ -132,7 +135,7 @@ HWY_INLINE double along(const double* c, const double (&y)[6]) {
 /// Half the second derivative of the tool's motion along `near.move`: what moves on a straight
 /// line through the coordinates does not do so in space. A joint turns the columns of all that
 /// come after it, and its own.
-HWY_INLINE void bend(const NearDescent& near, double (&half)[6]) {
+HWY_INLINE void bend(const GaussNewtonState& near, double (&half)[6]) {
   double turn[3] = {0, 0, 0}, linear[3] = {0, 0, 0}, angular[3] = {0, 0, 0};
   for (size_t k = 0; k < near.move.size(); ++k) {
     const double *v = near.column[k].lane, *w = v + 3, move = near.move[k];
@@ -154,7 +157,7 @@ HWY_INLINE void bend(const NearDescent& near, double (&half)[6]) {
 
 /// The step of `near.normal` and its columns. Returns how long it is, in the joint that goes
 /// farthest. A joint that comes to its bound stays there.
-HWY_INLINE double step(const DescentProblem& problem, bool bent, NearDescent& near) {
+HWY_INLINE double step(const NumericalProblem& problem, bool bent, GaussNewtonState& near) {
   double dual[6];
   for (int r = 0; r < 6; ++r) dual[r] = near.error[r];
   solve(near.normal, dual);
@@ -182,8 +185,8 @@ HWY_INLINE double step(const DescentProblem& problem, bool bent, NearDescent& ne
   return longest;
 }
 
-bool descend(const DescentProblem& problem, const double* goal, const LaneDescentOptions& options,
-             NearDescent& near) {
+bool iterate(const NumericalProblem& problem, const double* goal, const LaneOptions& options,
+             GaussNewtonState& near) {
   const double tolerance = options.tolerance / problem.length;
   const bool in_order = problem.links.size() == problem.coordinates.size();
   const double enough = options.polish ? polished : tolerance * tolerance;
@@ -230,10 +233,12 @@ HWY_AFTER_NAMESPACE();
 
 namespace beeline {
 
-HWY_EXPORT(descend);
+HWY_EXPORT(iterate);
 
-bool descend_near(const DescentProblem& problem, const Pose& world_T_tool, const double* start,
-                  const LaneDescentOptions& options, NearDescent& near) {
+namespace internal {
+
+bool gauss_newton(const NumericalProblem& problem, const Pose& world_T_tool, const double* start,
+                  const LaneOptions& options, GaussNewtonState& near) {
   for (const bool row : problem.task.rows) {
     if (!row) return false;
   }
@@ -250,16 +255,17 @@ bool descend_near(const DescentProblem& problem, const Pose& world_T_tool, const
     near.cosine.assign((links + 7) / 8, {});
   }
   for (std::size_t k = 0; k < dof; ++k) {
-    const DescentProblem::Coordinate& coordinate = problem.coordinates[k];
+    const NumericalProblem::Coordinate& coordinate = problem.coordinates[k];
     near.free[k] = true;
     near.q[k] = std::clamp(start[k] / coordinate.unit, coordinate.lower, coordinate.upper);
   }
   Pose goal = world_T_tool;
   goal.linear() = world_T_tool.linear() * problem.chain.tool.linear().transpose();
   goal.translation() /= problem.length;
-  return HWY_DYNAMIC_DISPATCH(descend)(problem, goal.data(), options, near);
+  return HWY_DYNAMIC_DISPATCH(iterate)(problem, goal.data(), options, near);
 }
 
+}  // namespace internal
 }  // namespace beeline
 
 #endif

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <beeline/inverse/numerical/descent_lanes.h>
+#include <beeline/inverse/numerical/levenberg_marquardt_lanes.h>
 
-namespace beeline {
+namespace beeline::internal {
 
 /// A descent on its own that starts near the pose, as when a path is tracked: one configuration
 /// runs faster without the other lanes. One for each thread; sized by the first start.
-struct NearDescent {
+struct GaussNewtonState {
   std::vector<double> q;  ///< in the coordinates' units, within the bounds
   double error[6] = {};   ///< of the task at q; lengths in units
   int iterations = 0;
@@ -15,7 +15,7 @@ struct NearDescent {
   std::vector<char> free;      ///< whether a coordinate has not come to a bound
   std::vector<double> axes;    ///< eight numbers for each link: direction and origin
   std::vector<EightNumbers> angle, sine, cosine;  ///< of the links, eight by eight
-  double normal[6 * descent_lane_count] = {};     ///< the factors of J J^T, rows of eight
+  double normal[6 * solver_lane_count] = {};      ///< the factors of J J^T, rows of eight
   std::vector<EightNumbers> column;  ///< for each coordinate: the six numbers of its column
 };
 
@@ -24,7 +24,7 @@ struct NearDescent {
 /// tenth of a radian away. Says whether it arrives. It does not where the error does not fall fast,
 /// nor from a quarter turn away; then run_lanes() may. A joint that comes to a bound stays there.
 /// The pose must be finite and the start fit.
-bool descend_near(const DescentProblem& problem, const Pose& world_T_tool, const double* start,
-                  const LaneDescentOptions& options, NearDescent& near);
+bool gauss_newton(const NumericalProblem& problem, const Pose& world_T_tool, const double* start,
+                  const LaneOptions& options, GaussNewtonState& near);
 
-}  // namespace beeline
+}  // namespace beeline::internal

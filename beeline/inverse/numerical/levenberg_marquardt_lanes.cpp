@@ -1,7 +1,7 @@
-#include <beeline/inverse/numerical/descent_lanes.h>
+#include <beeline/inverse/numerical/levenberg_marquardt_lanes.h>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "beeline/inverse/numerical/descent_lanes.cpp"
+#define HWY_TARGET_INCLUDE "beeline/inverse/numerical/levenberg_marquardt_lanes.cpp"
 #include <hwy/foreach_target.h>
 
 #include <beeline/inverse/numerical/lane_solve-inl.h>
@@ -10,6 +10,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 namespace {
+
+using namespace internal;
 
 // Found by trial over random poses of the built-in arms; the optimum is flat.
 constexpr double first_factor = 0.05;    // damping over squared error
@@ -40,8 +42,8 @@ HWY_INLINE bool whole(const Task& task) {
 }
 
 /// `goal`: four columns of four, the tool's place and the last link's orientation.
-HWY_INLINE void look(const DescentProblem& problem, const double* goal, LaneDescents& lanes,
-                     Look& at) {
+HWY_INLINE void look(const NumericalProblem& problem, const double* goal,
+                     LevenbergMarquardtLanes& lanes, Look& at) {
   const Space frame = last_frame(problem.chain, lanes.trial[0].lane, lanes.axes[0].lane);
   const double* tool = problem.chain.tool.data();
   at.tool = frame.origin + from_axes(frame, {tool[12], tool[13], tool[14]});
@@ -63,8 +65,8 @@ HWY_INLINE void look(const DescentProblem& problem, const double* goal, LaneDesc
 
 /// Takes the trial's error over in the lanes in which it is less, sees which lanes end, and says
 /// in which it is less.
-HWY_INLINE LaneMask judge(const DescentProblem& problem, const Look& at,
-                          const LaneDescentOptions& options, LaneDescents& lanes) {
+HWY_INLINE LaneMask judge(const NumericalProblem& problem, const Look& at,
+                          const LaneOptions& options, LevenbergMarquardtLanes& lanes) {
   const LaneMask active = mask_of(lanes.active);
   const Vector &linear = at.error.linear, &angular = at.error.angular;
   const Lanes position = dot(linear, linear), orientation = dot(angular, angular);
@@ -104,7 +106,7 @@ HWY_INLINE LaneMask judge(const DescentProblem& problem, const Look& at,
   return better;
 }
 
-HWY_INLINE void take_over(LaneMask better, LaneDescents& lanes) {
+HWY_INLINE void take_over(LaneMask better, LevenbergMarquardtLanes& lanes) {
   for (size_t k = 0; k < lanes.q.size(); ++k) {
     store(choose(better, load(lanes.trial[k]), load(lanes.q[k])), lanes.q[k]);
   }
@@ -115,15 +117,16 @@ HWY_INLINE Lanes along(const Lanes (&column)[6], const Lanes (&y)[6]) {
          fma(column[3], y[3], fma(column[4], y[4], column[5] * y[5]));
 }
 
-HWY_INLINE void load_column(const LaneDescents& lanes, size_t k, Lanes (&column)[6]) {
+HWY_INLINE void load_column(const LevenbergMarquardtLanes& lanes, size_t k, Lanes (&column)[6]) {
 #pragma GCC unroll 6
   for (size_t r = 0; r < 6; ++r) column[r] = load(lanes.column[6 * k + r]);
 }
 
 /// Takes the trial's Jacobian over in the lanes in which it is better, holds the joints at a bound
 /// that the error pulls through it, and returns J J^T of the others.
-HWY_INLINE void linearise(const DescentProblem& problem, const Look& at, LaneMask better,
-                          const Lanes (&error)[6], LaneDescents& lanes, Symmetric6& normal) {
+HWY_INLINE void linearise(const NumericalProblem& problem, const Look& at, LaneMask better,
+                          const Lanes (&error)[6], LevenbergMarquardtLanes& lanes,
+                          Symmetric6& normal) {
   const bool partial = !whole(problem.task);
   const bool all_better = (lanes.active & ~bits(better)) == 0;
   const int* links = problem.links.data();
@@ -153,7 +156,7 @@ HWY_INLINE void linearise(const DescentProblem& problem, const Look& at, LaneMas
   }
 }
 
-HWY_INLINE void normal_equations(const LaneDescents& lanes, Symmetric6& normal) {
+HWY_INLINE void normal_equations(const LevenbergMarquardtLanes& lanes, Symmetric6& normal) {
   for (Lanes& entry : normal.entry) entry = Lanes(0);
   for (size_t k = 0; k < lanes.q.size(); ++k) {
     const Lanes free = load(lanes.free[k]);
@@ -167,8 +170,8 @@ HWY_INLINE void normal_equations(const LaneDescents& lanes, Symmetric6& normal) 
 /// The damped step of the free joints, where what they are to do is `left`. Joints that it would
 /// carry through a bound stop there. Near the goal they are no longer free then, and what they do
 /// is taken off `left`; says in which lanes.
-HWY_INLINE unsigned step(const DescentProblem& problem, Symmetric6& normal, Lanes (&left)[6],
-                         bool again, LaneDescents& lanes) {
+HWY_INLINE unsigned step(const NumericalProblem& problem, Symmetric6& normal, Lanes (&left)[6],
+                         bool again, LevenbergMarquardtLanes& lanes) {
   const Lanes damping = fma(load(lanes.factor), load(lanes.cost), Lanes(least_damping));
   const LaneMask near = load(lanes.cost) < Lanes(near_goal);
   Lanes dual[6];
@@ -194,7 +197,7 @@ HWY_INLINE unsigned step(const DescentProblem& problem, Symmetric6& normal, Lane
   return stopped;
 }
 
-HWY_INLINE void set_trial(const DescentProblem& problem, LaneDescents& lanes) {
+HWY_INLINE void set_trial(const NumericalProblem& problem, LevenbergMarquardtLanes& lanes) {
   Lanes longest(largest_step);
   for (const EightNumbers& one : lanes.step) longest = max(longest, abs(load(one)));
   const Lanes scale = Lanes(largest_step) / longest;
@@ -209,8 +212,8 @@ HWY_INLINE void set_trial(const DescentProblem& problem, LaneDescents& lanes) {
   }
 }
 
-void run(const DescentProblem& problem, const double* goal, const LaneDescentOptions& options,
-         int max_steps, LaneDescents& lanes) {
+void run(const NumericalProblem& problem, const double* goal, const LaneOptions& options,
+         int max_steps, LevenbergMarquardtLanes& lanes) {
   const unsigned started = lanes.active;
   Look at{};
   for (int steps = 0; steps < max_steps && lanes.active == started; ++steps) {
@@ -242,14 +245,17 @@ namespace beeline {
 
 HWY_EXPORT(run);
 
-void run_lanes(const DescentProblem& problem, const Pose& world_T_tool,
-               const LaneDescentOptions& options, int max_steps, LaneDescents& lanes) {
+namespace internal {
+
+void run_lanes(const NumericalProblem& problem, const Pose& world_T_tool,
+               const LaneOptions& options, int max_steps, LevenbergMarquardtLanes& lanes) {
   Pose goal = world_T_tool;
   goal.linear() = world_T_tool.linear() * problem.chain.tool.linear().transpose();
   goal.translation() /= problem.length;
   HWY_DYNAMIC_DISPATCH(run)(problem, goal.data(), options, max_steps, lanes);
 }
 
+}  // namespace internal
 }  // namespace beeline
 
 #endif

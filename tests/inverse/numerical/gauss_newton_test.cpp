@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <beeline/inverse/numerical/descent_near.h>
+#include <beeline/inverse/numerical/gauss_newton.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
@@ -12,11 +12,13 @@
 namespace beeline {
 namespace {
 
+using namespace internal;
+
 /// A way from nearby, and what must hold when it arrives.
-bool arrives(const DescentProblem& problem, const Configuration& q, const Configuration& start,
-             const LaneDescentOptions& options, double tolerance, NearDescent& near) {
+bool arrives(const NumericalProblem& problem, const Configuration& q, const Configuration& start,
+             const LaneOptions& options, double tolerance, GaussNewtonState& near) {
   const Pose pose = forward_kinematics(problem.arm, q);
-  if (!descend_near(problem, pose, start.data(), options, near)) return false;
+  if (!gauss_newton(problem, pose, start.data(), options, near)) return false;
   Configuration at(q.size());
   for (Eigen::Index k = 0; k < at.size(); ++k) {
     const auto i = static_cast<std::size_t>(k);
@@ -42,8 +44,8 @@ TEST(DescentNear, TracksEveryBuiltInArm) {
   testing::Random random;
   for (const std::string& name : built_in_names()) {
     const Arm arm = built_in(name);
-    const DescentProblem problem = descent_problem(arm, Task::spatial(), bounds_of(arm));
-    NearDescent near;
+    const NumericalProblem problem = numerical_problem(arm, Task::spatial(), bounds_of(arm));
+    GaussNewtonState near;
     int arrived = 0, steps = 0;
     for (int i = 0; i < 500; ++i) {
       const Configuration q = random.configuration(arm);
@@ -62,8 +64,8 @@ TEST(DescentNear, PolishesToRoundingLevel) {
   testing::Random random;
   for (const std::string& name : built_in_names()) {
     const Arm arm = built_in(name);
-    const DescentProblem problem = descent_problem(arm, Task::spatial(), no_bounds(arm));
-    NearDescent near;
+    const NumericalProblem problem = numerical_problem(arm, Task::spatial(), no_bounds(arm));
+    GaussNewtonState near;
     int arrived = 0;
     for (int i = 0; i < 200; ++i) {
       const Configuration q = random.configuration(arm);
@@ -77,8 +79,8 @@ TEST(DescentNear, TracksJointsOfAllKindsAndFollowers) {
   testing::Random random;
   for (int joints = 1; joints <= 40; ++joints) {
     const Arm arm = testing::random_arm(random, joints, joints % 2 == 0 ? 3 : 0);
-    const DescentProblem problem = descent_problem(arm, Task::spatial(), bounds_of(arm));
-    NearDescent near;
+    const NumericalProblem problem = numerical_problem(arm, Task::spatial(), bounds_of(arm));
+    GaussNewtonState near;
     int arrived = 0;
     for (int i = 0; i < 20; ++i) {
       const Configuration q = random.configuration(arm);
@@ -91,26 +93,26 @@ TEST(DescentNear, TracksJointsOfAllKindsAndFollowers) {
 TEST(DescentNear, SaysNoWhereItDoesNotFitAndNeverArrivesWrongly) {
   testing::Random random;
   const Arm arm = built_in("panda");
-  NearDescent near;
+  GaussNewtonState near;
   const Configuration q = Configuration::Zero(7);
-  const DescentProblem part = descent_problem(arm, Task::position(), no_bounds(arm));
-  EXPECT_FALSE(descend_near(part, forward_kinematics(arm, q), q.data(), {}, near));
-  const DescentProblem problem = descent_problem(arm, Task::spatial(), bounds_of(arm));
+  const NumericalProblem part = numerical_problem(arm, Task::position(), no_bounds(arm));
+  EXPECT_FALSE(gauss_newton(part, forward_kinematics(arm, q), q.data(), {}, near));
+  const NumericalProblem problem = numerical_problem(arm, Task::spatial(), bounds_of(arm));
   for (int i = 0; i < 2000; ++i) {
     const double far = std::pow(10.0, random.uniform(-3, 6));
     arrives(problem, random.configuration(arm), nearby(random.configuration(arm), far, random), {},
             1e-10 + 1e-13, near);
     const Pose beyond = random.pose(far + 3);
     if (beyond.translation().norm() < 2) continue;
-    EXPECT_FALSE(descend_near(problem, beyond, q.data(), {}, near));
+    EXPECT_FALSE(gauss_newton(problem, beyond, q.data(), {}, near));
   }
 }
 
 TEST(DescentNear, EveryMachineArrivesAlike) {
   testing::Random random;
   const Arm arm = built_in("iiwa14");
-  const DescentProblem problem = descent_problem(arm, Task::spatial(), bounds_of(arm));
-  NearDescent first, other;
+  const NumericalProblem problem = numerical_problem(arm, Task::spatial(), bounds_of(arm));
+  GaussNewtonState first, other;
   for (int i = 0; i < 100; ++i) {
     const Configuration q = random.configuration(arm), start = nearby(q, 0.02, random);
     const bool arrived = arrives(problem, q, start, {}, 1e-10, first);

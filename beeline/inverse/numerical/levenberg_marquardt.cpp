@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include <beeline/error.h>
-#include <beeline/inverse/numerical/numerical.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 /// The task at one configuration: the error e and the Jacobian of its decrease (e falls by J dz),
@@ -123,7 +123,7 @@ void bounded_step(const Goal& goal, const Configuration& q, double damping, Work
 }
 
 void check_goal(const Arm& arm, const Pose& world_T_tool, const Task& task, const Bounds& bounds,
-                const DescentOptions& options) {
+                const NumericalOptions& options) {
   if (!world_T_tool.matrix().allFinite()) throw Error("the pose has a number that is not finite");
   check_task(arm, task, bounds);
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance) || options.iterations < 0) {
@@ -162,8 +162,9 @@ Bounds bounds_of(const Arm& arm) {
   return bounds;
 }
 
-Descent descend(const Arm& arm, const Pose& world_T_tool, const Task& task, const Bounds& bounds,
-                const Configuration& start, const DescentOptions& options) {
+NumericalResult levenberg_marquardt(const Arm& arm, const Pose& world_T_tool, const Task& task,
+                                    const Bounds& bounds, const Configuration& start,
+                                    const NumericalOptions& options) {
   check_configuration(arm, start);
   check_goal(arm, world_T_tool, task, bounds, options);
   const double length = unit_of_length(arm);
@@ -174,7 +175,7 @@ Descent descend(const Arm& arm, const Pose& world_T_tool, const Task& task, cons
   work.step.resize(arm.dof());
   work.held.resize(static_cast<std::size_t>(arm.dof()));
 
-  Descent run;
+  NumericalResult run;
   run.q = start;
   bring_within(bounds, run.q);
   linearise(goal, run.q, work.now);
@@ -213,4 +214,4 @@ Descent descend(const Arm& arm, const Pose& world_T_tool, const Task& task, cons
   return run;
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal
