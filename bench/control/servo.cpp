@@ -1,6 +1,6 @@
-// What one step of the servo takes: anywhere, and next to a singularity. With a number of steps
-// behind it also the slowest of so many, on a smooth random motion: bench_servo 10000000.
-// Options are Google Benchmark's.
+// Times one step of the servo, anywhere and next to a singularity. With a number of steps as
+// argument also the slowest of them on a smooth random motion: bench_servo 10000000. Takes the
+// options of Google Benchmark.
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double dt = 1e-3;
 
-/// The tool motion asked for: sums of sines whose periods have no common one.
+/// The commanded tool motion: sums of sines with incommensurable periods.
 Twist command_at(double t) {
   Twist command;
   for (int i = 0; i < 6; ++i) {
@@ -30,7 +30,7 @@ Twist command_at(double t) {
   return command;
 }
 
-/// A loop that goes on: the arm moves as the servo says.
+/// A control loop: the arm moves with the velocities of the servo.
 struct Loop {
   explicit Loop(const char* name, double wrist)
       : arm(built_in(name)), servo(arm), q(middle_configuration(arm)), v(arm.dof()) {
@@ -38,7 +38,7 @@ struct Loop {
     q[1] += 0.2, q[2] += 0.5, q[3] += 0.3;
     home = forward_kinematics(arm, q);
   }
-  /// Held to the neighbourhood of where it began.
+  /// Stays near the start configuration.
   Twist command(double t) const {
     return command_at(t) + 0.5 * pose_error(home, forward_kinematics(arm, q), Frame::base);
   }
@@ -55,7 +55,7 @@ void add(const char* name) {
     double t = 0;
     for (auto _ : state) {
       benchmark::DoNotOptimize(loop.servo.step(loop.q, command_at(t += dt), loop.v));
-      if (t < 0.5) loop.q += dt * loop.v;  // then on the spot
+      if (t < 0.5) loop.q += dt * loop.v;  // then stays in place
     }
   });
   for (const double wrist : {1e-3, 1e-8}) {
@@ -70,8 +70,8 @@ void add(const char* name) {
   }
 }
 
-/// The slowest of so many steps: as the loop saw it the first time, with all else that the machine
-/// did, and of each step's quicker one of two equal passes, which is the step's own time.
+/// Prints the slowest of `count` steps: as measured in the first pass, with all interruptions, and
+/// by the faster of two equal passes of each step, which is the time of the step itself.
 void print_slowest(const char* name, long count) {
   const double cost = clock_cost();
   std::vector<float> times(static_cast<std::size_t>(count), 1e30F);

@@ -12,7 +12,7 @@ namespace beeline::bench {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double given = 0.5;  // radians, where the last joint stands still
+constexpr double given = 0.5;  // radians, value of a locked last joint
 
 Arm six_joints(const std::string& name, const std::array<DhRow, 6>& rows) {
   std::vector<Joint> joints;
@@ -25,7 +25,7 @@ Arm six_joints(const std::string& name, const std::array<DhRow, 6>& rows) {
   return {name, joints};
 }
 
-/// Nothing special: no two axes meet, are parallel or at right angles.
+/// A general geometry: no two axes meet, are parallel or at right angles.
 Arm general_6r() {
   return six_joints("general_6r", {{{.a = 0.12, .alpha = -1.31, .d = 0.35, .theta = 0.0},
                                     {.a = 0.41, .alpha = 0.37, .d = 0.07, .theta = 0.4},
@@ -35,7 +35,7 @@ Arm general_6r() {
                                     {.a = 0.04, .alpha = 0.55, .d = 0.11, .theta = -0.3}}});
 }
 
-/// The arm that showed that sixteen solutions are possible: Manseur & Doty, "A robot manipulator
+/// The first arm known to have sixteen solutions: Manseur & Doty, "A robot manipulator
 /// with 16 real inverse kinematic solution sets", IJRR 8(5), 1989.
 Arm sixteen() {
   constexpr double degree = pi / 180;
@@ -47,8 +47,8 @@ Arm sixteen() {
                                  {.alpha = degree}}});
 }
 
-/// A UR5 as its maker calibrates each: the parallel axes are off by 1e-4 rad, the lengths by
-/// tenths of millimetres.
+/// A UR5 with typical calibration offsets: 1e-4 rad in the parallel axes, tenths of millimetres in
+/// the lengths.
 Arm ur5_calibrated() {
   return six_joints("ur5_calibrated",
                     {{{.a = 1e-4, .alpha = pi / 2 + 1e-4, .d = 0.0892, .theta = 2e-5},

@@ -3,7 +3,7 @@
 namespace beeline::bench {
 namespace {
 
-constexpr int room = 64;  // for solutions
+constexpr int max_solutions = 64;
 
 InverseOptions options_of(const BenchArm& arm, CaseKind kind) {
   InverseOptions options;
@@ -21,7 +21,7 @@ InverseOptions options_of(const BenchArm& arm, CaseKind kind) {
 BeelineCase::BeelineCase(const BenchArm& arm, CaseKind kind)
     : solver_(arm.arm, options_of(arm, kind)),
       last_(arm.last),
-      solutions_(arm.arm.dof(), options_of(arm, kind).all ? room : 1) {}
+      solutions_(arm.arm.dof(), options_of(arm, kind).all ? max_solutions : 1) {}
 
 int BeelineCase::solve(const Pose& world_T_tool, const Configuration& seed) {
   if (!last_) return solver_.solve(world_T_tool, seed, solutions_);

@@ -6,15 +6,15 @@
 
 namespace beeline::bench {
 
-/// Beeline asked the question of a case: the only place of the benchmark that calls it.
+/// Calls Beeline's inverse kinematics for a case; the only caller in the benchmark.
 class BeelineCase {
  public:
   BeelineCase(const BenchArm& arm, CaseKind kind);
 
-  /// Returns how many solutions there are.
+  /// Returns the number of solutions.
   int solve(const Pose& world_T_tool, const Configuration& seed);
 
-  /// Solution i of the last call.
+  /// Returns solution i of the last call.
   Configuration solution(int i) const { return solutions_.col(i); }
 
  private:

@@ -7,25 +7,25 @@
 
 namespace beeline::bench {
 
-/// A question that every solver of the benchmark is asked. The peers in peers.py take the names.
+/// A problem that every solver of the benchmark is given. peers.py uses the same names.
 enum class CaseKind {
-  all_solutions,            ///< limits do not count
-  within_limits,            ///< one solution, by the method that is chosen by itself
+  all_solutions,            ///< limits ignored
+  within_limits,            ///< one solution, by the automatic method
   numerical_within_limits,  ///< one solution
-  numerical_free,           ///< one solution, limits do not count
+  numerical_free,           ///< one solution, limits ignored
   tracking,                 ///< numerical, from a seed within 0.1 rad, within limits
 };
 
 struct Case {
   CaseKind kind;
   std::string name;
-  bool limits;  ///< a solution outside them is none
+  bool limits;  ///< solutions outside the limits are rejected
 
   bool near_seed() const { return kind == CaseKind::tracking; }
 };
 
-/// The cases that are asked of this arm: all solutions only where they are finitely many, and that
-/// alone where the last joint is given.
+/// Returns the cases for this arm: all solutions only where they are finitely many, and only that
+/// case when the last joint is locked.
 std::vector<Case> cases_of(const BenchArm& arm);
 
 }  // namespace beeline::bench

@@ -1,5 +1,5 @@
-// Whether Beeline's `all solutions` are all: an exhaustive numerical search from random starts,
-// which shares no code with it, looks for one that it missed. Exit code 1 if it finds one.
+// Checks that `all solutions` is complete: an exhaustive numerical search from random starts, which
+// shares no code with Beeline, looks for missed solutions. Exit code 1 if it finds one.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -24,7 +24,7 @@ struct Run {
 struct Tally {
   int poses_missed = 0;
   int missed = 0, searched = 0, given = 0, most = 0;
-  int beyond = 0;  ///< solutions of Beeline that the search did not meet
+  int beyond = 0;  ///< solutions of Beeline that the search did not find
 };
 
 void print(const Configuration& q) {
@@ -45,7 +45,7 @@ Tally compare(const Run& run, const BenchArm& arm) {
     const int count = solver.solve(goal, centre);
     for (int i = 0; i < count; ++i) given.push_back(solver.solution(i));
     std::vector<Configuration> searched = searched_solutions(screws, goal, run.effort, engine);
-    searched.push_back(made_from);  // the one that is known without a search
+    searched.push_back(made_from);  // known without a search
     const auto has = [&](const std::vector<Configuration>& all, const Configuration& q) {
       return std::any_of(all.begin(), all.end(), [&](const Configuration& other) {
         return difference(screws, q, other) < same;

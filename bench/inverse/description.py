@@ -1,4 +1,4 @@
-"""An arm as bench_inverse wrote it down, and forward kinematics of its own to check answers by."""
+"""An arm as written by bench_inverse, and independent forward kinematics to check answers."""
 
 import json
 from pathlib import Path

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// 1e-15 to 0.1, each power of ten as often; either sign.
+/// Returns 1e-15 to 0.1, log-uniform, with random sign.
 double hair(Engine& engine) {
   const double size = std::pow(10.0, uniform(engine, -15, -1));
   return uniform(engine, -1, 1) < 0 ? -size : size;
@@ -26,7 +26,8 @@ Rotation any_rotation(Engine& engine) {
   return Eigen::AngleAxisd(uniform(engine, -pi, pi), direction(engine)).toRotationMatrix();
 }
 
-/// Within limits, with each value by even chance at a multiple of a right angle, or next to one.
+/// Returns a configuration within limits, half of its values at or next to a multiple of a right
+/// angle.
 Configuration near_singular(const Screws& screws, Engine& engine) {
   Configuration q = random_configuration(screws, engine);
   for (int i = 0; i < screws.free; ++i) {
@@ -39,7 +40,7 @@ Configuration near_singular(const Screws& screws, Engine& engine) {
   return q;
 }
 
-/// Within limits, with each value by even chance at a limit, or next to one.
+/// Returns a configuration within limits, half of its values at or next to a limit.
 Configuration near_limit(const Screws& screws, Engine& engine) {
   Configuration q = random_configuration(screws, engine);
   for (int i = 0; i < screws.free; ++i) {

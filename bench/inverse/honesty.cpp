@@ -1,6 +1,5 @@
-// Whether what Beeline calls a solution is one: random poses, half of them out of reach, next to
-// singular or at the limits, and every configuration that comes back put through forward
-// kinematics that shares no code with it. Exit code 1 if one is wrong.
+// Checks every returned solution by forward kinematics that shares no code with Beeline, on random
+// poses, half of them out of reach, nearly singular or at limits. Exit code 1 if one is wrong.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -25,7 +24,7 @@ struct Run {
 struct Tally {
   long poses = 0, solutions = 0;
   long wrong = 0, outside = 0;
-  long unsolved = 0;  ///< poses that are reachable by construction and got no solution
+  long unsolved = 0;  ///< reachable poses without a solution
   double worst = 0;
 };
 
@@ -71,7 +70,7 @@ class Judge {
   std::vector<Asked> questions_;
 };
 
-/// Half of the poses are plain ones.
+/// Returns the kind of a pose; half of them are plain.
 Hardness hardness_of(long n) {
   return n % 2 == 0 ? Hardness::plain : static_cast<Hardness>(1 + (n / 2) % 5);
 }

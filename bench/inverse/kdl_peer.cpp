@@ -20,7 +20,7 @@ struct KdlPeer::Solver {
   KDL::ChainIkSolverPos_LMA lma;  // keeps a reference to the chain
   KDL::JntArray seed, answer;
 
-  // KDL's default weights would let the orientation be a hundred times less exact.
+  // KDL's default weights make the orientation a hundred times less accurate.
   explicit Solver(const Screws& arm)
       : chain(kdl_chain(arm)),
         lma(chain, even_weights(), 1e-6),

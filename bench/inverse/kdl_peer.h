@@ -7,7 +7,7 @@
 
 namespace beeline::bench {
 
-/// Orocos KDL's Levenberg-Marquardt solver (ChainIkSolverPos_LMA): one try, limits unknown to it.
+/// Orocos KDL's Levenberg-Marquardt solver (ChainIkSolverPos_LMA): one try, without limits.
 /// kdl_peer.cpp is built where KDL is installed, kdl_missing.cpp where it is not.
 class KdlPeer {
  public:
@@ -17,7 +17,7 @@ class KdlPeer {
   explicit KdlPeer(const Screws& screws);
   ~KdlPeer();
 
-  /// Whether KDL says that it arrived; `q` is where.
+  /// Returns whether KDL reports convergence; `q` is its result.
   bool solve(const Pose& world_T_tool, const Configuration& seed, Configuration& q);
 
  private:

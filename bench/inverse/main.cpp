@@ -1,4 +1,4 @@
-// Makes the poses of one arm, times Beeline and KDL on them, and writes both down for peers.py and
+// Generates the poses of one arm, times Beeline and KDL on them, and writes both for peers.py and
 // table.py: FOLDER/ARM/arm.json, *.f64 and native.jsonl.
 
 #include <CLI/CLI.hpp>
@@ -43,7 +43,7 @@ std::string beeline_record(const Run& run, const BenchArm& arm, const Screws& sc
   return record(arm.name, question.name, "Beeline", timing, check);
 }
 
-/// KDL knows no limits: what it finds outside them counts as solved.
+/// KDL has no limits here: solutions outside them count as solved.
 std::string kdl_record(const Run& run, const BenchArm& arm, const Screws& screws,
                        const Poses& poses, const Case& question) {
   KdlPeer solver(screws);

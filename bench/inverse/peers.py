@@ -1,4 +1,4 @@
-"""Asks the Python peers what bench_inverse asked Beeline, on the same poses and the same core.
+"""Runs the Python peers on the problems of bench_inverse: the same poses, the same core.
 
 Usage: peers.py FOLDER..., each as bench_inverse left it: gets peers.jsonl
 

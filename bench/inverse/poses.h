@@ -9,8 +9,8 @@
 
 namespace beeline::bench {
 
-/// What is asked of one arm: random configurations within limits, the tool's poses there, and for
-/// tracking a seed of which no value is more than 0.1 away (radians, metres), within limits too.
+/// The problems of one arm: random configurations within limits, their tool poses, and for tracking
+/// a seed within limits whose values differ by at most 0.1 (radians, metres).
 struct Poses {
   std::vector<Configuration> q;
   std::vector<Configuration> near;
@@ -21,17 +21,17 @@ using Engine = std::mt19937_64;
 
 double uniform(Engine& engine, double lower, double upper);
 
-/// Uniform within the limits, the last joint where it is given.
+/// Returns a configuration uniform within the limits, with a locked last joint at its value.
 Configuration random_configuration(const Screws& screws, Engine& engine);
 
 /// The same seed gives the same poses.
 Poses random_poses(const Screws& screws, int count, std::uint64_t seed);
 
-/// The middle of the limits.
+/// Returns the middle of the limits.
 Configuration middle(const Screws& screws);
 
-/// For the peers that are no C++: arm.json (axes, points, limits, home), and pose.f64, q.f64 and
-/// near.f64, rows of doubles (a pose is its 4 x 4 matrix, row by row).
+/// Writes the files for the Python peers: arm.json (axes, points, limits, home), and pose.f64,
+/// q.f64 and near.f64, rows of doubles (a pose is its 4 x 4 matrix, row by row).
 void write_poses(const std::filesystem::path& folder, const BenchArm& arm, const Screws& screws,
                  const Poses& poses);
 

@@ -8,10 +8,10 @@
 
 namespace beeline::bench {
 
-/// What came back over all poses, put through forward kinematics.
+/// Results over all poses, checked by forward kinematics.
 class Check {
  public:
-  /// `limits`: a solution outside them counts as wrong.
+  /// `limits`: a solution outside the limits counts as wrong.
   Check(const Screws& screws, bool limits) : screws_(screws), limits_(limits) {}
 
   void begin_pose();
@@ -19,9 +19,11 @@ class Check {
   void end_pose();
 
   int poses() const { return poses_; }
-  double solved() const;     ///< share of poses with a solution that reaches them to 1e-6
-  double solutions() const;  ///< right ones a pose that differ by more than 1e-4, mean
-  int wrong() const { return wrong_; }  ///< solutions returned that are none
+  double solved() const;     ///< fraction of poses with a solution within 1e-6
+  double solutions() const;  ///< mean number of correct solutions that differ by more than 1e-4
+  int wrong() const {
+    return wrong_;
+  }  ///< number of returned configurations that are not solutions
   double worst_error() const { return worst_; }
 
  private:
@@ -30,11 +32,11 @@ class Check {
   Screws screws_;
   bool limits_;
   int poses_ = 0, solved_ = 0, right_ = 0, wrong_ = 0;
-  std::vector<Configuration> here_;  ///< the pose's
+  std::vector<Configuration> here_;  ///< of the current pose
   double worst_ = 0;
 };
 
-/// One line of results, as a JSON object.
+/// Returns one line of results as a JSON object.
 std::string record(const std::string& arm, const std::string& question, const std::string& solver,
                    const Timing& timing, const Check& check);
 

@@ -11,10 +11,10 @@ namespace beeline::bench {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double same = 1e-4;      // what is closer is one solution
-constexpr double arrived = 1e-12;  // error of a solution, metres and radians
+constexpr double same = 1e-4;        // distance below which two solutions count as one
+constexpr double converged = 1e-12;  // error of a solution, metres and radians
 
-/// The tool's pose and how the six joints move it, in the world's axes.
+/// The tool pose and its Jacobian, in the world's axes.
 struct State {
   Pose world_T_tool = Pose::Identity();
   Matrix6 jacobian;
@@ -22,13 +22,13 @@ struct State {
 
 State state_at(const Screws& screws, const Twist& q) {
   State state;
-  Pose turned = Pose::Identity();  // what the joints so far do to the arm at q = 0
+  Pose motion = Pose::Identity();  // product of the exponentials of the joints so far
   std::array<Vector3, 6> axes, points;
   for (int i = 0; i < 6; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Vector3& axis = screws.axis[k];
-    axes[k] = turned.linear() * axis;
-    points[k] = turned * screws.point[k];
+    axes[k] = motion.linear() * axis;
+    points[k] = motion * screws.point[k];
     Pose motion = Pose::Identity();
     if (screws.slides[k]) {
       motion.translation() = q[i] * axis;
@@ -36,9 +36,9 @@ State state_at(const Screws& screws, const Twist& q) {
       motion.linear() = Eigen::AngleAxisd(q[i], axis).toRotationMatrix();
       motion.translation() = screws.point[k] - motion.linear() * screws.point[k];
     }
-    turned = turned * motion;
+    motion = motion * motion;
   }
-  state.world_T_tool = turned * screws.home;
+  state.world_T_tool = motion * screws.home;
   for (int i = 0; i < 6; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Vector3 arm = state.world_T_tool.translation() - points[k];
@@ -63,7 +63,7 @@ bool descend(const Screws& screws, const Pose& goal, Twist& q) {
   for (int step = 0; step < max_steps; ++step) {
     const State state = state_at(screws, q);
     const Twist error = error_of(goal, state.world_T_tool);
-    if (error.norm() < arrived) return true;
+    if (error.norm() < converged) return true;
     if (close && error.norm() > 1e-3) return false;
     close = error.norm() < 1e-6;
     Matrix6 normal = state.jacobian.transpose() * state.jacobian;
@@ -81,7 +81,7 @@ bool descend(const Screws& screws, const Pose& goal, Twist& q) {
 std::vector<Configuration> searched_solutions(const Screws& screws, const Pose& goal,
                                               const SearchEffort& effort, Engine& engine) {
   if (screws.free != 6) throw Error("the search is for six joints that move");
-  Screws six = screws;  // a last joint that stands still is part of the tool
+  Screws six = screws;  // a locked last joint is part of the tool
   if (screws.joints == 7) {
     Configuration still = Configuration::Zero(7);
     still[6] = screws.last;

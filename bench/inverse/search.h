@@ -7,13 +7,13 @@
 namespace beeline::bench {
 
 struct SearchEffort {
-  int starts = 4000;   ///< most random starts a pose
-  int patience = 600;  ///< ends after so many starts in a row without a new solution
+  int starts = 4000;   ///< max random starts for each pose
+  int patience = 600;  ///< ends after this many consecutive starts without a new solution
 };
 
-/// All solutions that Newton's method, damped (Levenberg-Marquardt), meets from random starts; no
-/// two are the same to 1e-4 in every value, whole turns aside. Limits do not count. Shares nothing
-/// with beeline/inverse. Throws Error unless six joints move.
+/// Returns all solutions that Levenberg-Marquardt finds from random starts, distinct by 1e-4 in
+/// some value modulo full revolutions. Ignores limits. Shares no code with beeline/inverse. Throws
+/// Error unless six joints are not locked.
 std::vector<Configuration> searched_solutions(const Screws& screws, const Pose& goal,
                                               const SearchEffort& effort, Engine& engine);
 

@@ -6,7 +6,7 @@
 
 namespace beeline::bench {
 
-/// Microseconds a call, over the poses.
+/// Microseconds for each call, over the poses.
 struct Timing {
   double mean = 0;
   double median = 0;
@@ -15,22 +15,21 @@ struct Timing {
   double max = 0;
 };
 
-/// Keeps this process on one core (BENCH_CORE, else the last one that it may use), and returns it.
+/// Pins this process to one core (BENCH_CORE, otherwise the last one allowed) and returns it.
 int stay_on_one_core();
 
-/// What reading the clock twice takes, microseconds.
+/// Returns the duration of two clock readings, microseconds.
 double clock_cost();
 
 double microseconds_since(std::chrono::steady_clock::time_point start);
 
-/// `passes`: the mean of each pass, timed as a whole. `calls`: of each pose its quickest call.
+/// `passes`: the mean of each pass, timed as a whole. `calls`: the shortest call of each pose.
 Timing timing_of(std::vector<double> passes, std::vector<double> calls);
 
-/// Times solve(0) ... solve(count - 1). Means come from whole passes without a clock in between,
-/// and the median pass counts, as other work disturbs some. The percentiles come from passes with
-/// each call timed, less the clock's own cost; a pose's time is its quickest of all such passes, so
-/// that what is seen in the tail is the pose's and not the machine's. A solver that takes more than
-/// a few seconds a pass gets one of each.
+/// Times solve(0) ... solve(count - 1). The mean is that of the median pass, each pass timed as a
+/// whole. The percentiles come from passes with each call timed, minus the cost of the clock; the
+/// time of a pose is its shortest of all passes, so that the tail shows hard poses and not
+/// interruptions. A solver that takes more than a few seconds for each pass gets one pass of each.
 template <class Solve>
 Timing timed(int count, int passes, Solve solve) {
   constexpr double patience = 5e6;  // microseconds

@@ -1,6 +1,5 @@
-// Many configurations: Beeline's batches beside the single calls of KDL and Pinocchio, nanoseconds
-// a configuration (each_ns). `cached`: outputs that stay in the cache; `memory`: outputs that do
-// not.
+// Times Beeline's batches and the single calls of KDL and Pinocchio, nanoseconds for each
+// configuration (each_ns). `cached`: outputs fit the cache; `memory`: they do not.
 
 #include <beeline/batch/batch.h>
 
@@ -22,7 +21,7 @@ Matrix configurations(const Screws& screws, int count) {
   return q;
 }
 
-/// Nanoseconds a configuration.
+/// Nanoseconds for each configuration.
 void count_each(benchmark::State& state, int count) {
   using benchmark::Counter;
   state.counters["each_ns"] =

@@ -1,4 +1,4 @@
-// What forward kinematics costs by the number of joints and of configurations: two tables.
+// Prints the cost of forward kinematics over the number of joints and of configurations.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace beeline::bench {
 namespace {
 
-/// Revolute joints about random axes, 2 m in all.
+/// Returns a chain of revolute joints about random axes, 2 m long.
 Arm snake(int joints, Engine& engine) {
   std::vector<Joint> chain;
   for (int i = 0; i < joints; ++i) {
@@ -28,7 +28,7 @@ Arm snake(int joints, Engine& engine) {
   return {"snake", chain};
 }
 
-/// The median of a few runs, in microseconds.
+/// Returns the median of a few runs, microseconds.
 template <class Call>
 double median_time(const Call& call) {
   std::vector<double> times;
@@ -54,7 +54,7 @@ void by_joints(Engine& engine) {
     const double batch = median_time([&] { batch_forward<double>(arm, q, poses, {.threads = 1}); });
     const double each = 1000 * calls / count;
     std::printf("| %d | %.1f | %.2f | %.1f |\n", joints, each, each / joints, 1000 * batch / count);
-    if (sum == 0.123) std::printf("\n");  // so that it is worked out
+    if (sum == 0.123) std::printf("\n");  // keeps the compiler from removing the work
   }
 }
 

@@ -1,5 +1,5 @@
-// Calls a kernel for callgrind to count: bench_instructions forward|jacobian ARM. The same call
-// again and again, as counts repeat where times do not.
+// Repeats one kernel call for callgrind: bench_instructions forward|jacobian ARM. Instruction
+// counts are reproducible where times are not.
 
 #include <cstdio>
 #include <cstring>

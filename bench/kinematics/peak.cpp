@@ -1,5 +1,4 @@
-// The machine's peak of fused multiply-adds with eight numbers in the lanes, one core: what counted
-// operations are held against.
+// Measures the peak rate of fused multiply-adds of one core, to compare counted operations with.
 
 #include <algorithm>
 #include <chrono>
@@ -15,7 +14,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
-/// Multiply-adds in `chains` that do not wait for each other; returns what keeps them from going.
+/// Runs multiply-adds in `chains` independent chains; returns their sum, so that the compiler keeps
+/// them.
 double multiply_add(int rounds) {
   constexpr int chains = 12;
   Lanes sum[chains];

@@ -6,22 +6,22 @@
 
 namespace beeline::bench {
 
-/// Another library's kinematics of the same arm, called as its users call it.
+/// Another library's kinematics of the same arm, through its usual interface.
 class KinematicsPeer {
  public:
   virtual ~KinematicsPeer() = default;
   virtual const char* name() const = 0;
 
-  /// The tool's pose.
+  /// Computes the tool pose.
   virtual Pose forward(const Configuration& q) = 0;
 
-  /// The Jacobian of the tool's origin in the world's axes, linear rows first, as far as the
-  /// library gives it without the pose; returns what depends on it.
+  /// Computes the Jacobian of the tool's origin in the world's axes, linear rows first; returns a
+  /// value that depends on it.
   virtual double jacobian(const Configuration& q) = 0;
 };
 
-/// Those that were found when the benchmark was built. Throws Error where one's pose differs from
-/// the benchmark's own by more than 1e-12.
+/// Returns the peers found when the benchmark was built. Throws Error when the pose of one differs
+/// from the benchmark's own by more than 1e-12.
 std::vector<std::unique_ptr<KinematicsPeer>> kinematics_peers(const Screws& screws);
 
 std::unique_ptr<KinematicsPeer> kdl_kinematics(const Screws& screws);

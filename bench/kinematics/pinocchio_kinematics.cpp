@@ -12,7 +12,7 @@ namespace {
 
 pinocchio::SE3 se3(const Pose& pose) { return {pose.linear(), pose.translation()}; }
 
-/// With the joints about and along z, Pinocchio's quick ones.
+/// Joints about and along z, Pinocchio's fastest.
 pinocchio::Model model_of(const Screws& screws) {
   pinocchio::Model model;
   pinocchio::JointIndex joint = 0;

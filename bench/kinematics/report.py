@@ -1,4 +1,4 @@
-"""Makes a table of what Google Benchmark measured, and adds it to results.json.
+"""Prints a table of Google Benchmark's results and adds it to results.json.
 
 Usage: report.py RESULTS.json MEASURED.json..., written with --benchmark_repetitions and
 --benchmark_out; names are arm/case/solver. A solver's time is the median of its repetitions."""

@@ -1,4 +1,4 @@
-// One configuration at a time: Beeline beside KDL and Pinocchio. Options are Google Benchmark's.
+// Times single calls of Beeline, KDL and Pinocchio. Takes the options of Google Benchmark.
 
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
@@ -12,7 +12,7 @@
 namespace beeline::bench {
 namespace {
 
-/// Runs through configurations that are too many for the branch predictor to learn.
+/// Cycles through more configurations than a branch predictor learns.
 class Configurations {
  public:
   explicit Configurations(const Screws& screws) {

@@ -1,8 +1,8 @@
 // Usage: bench_certified_lines ARM [LINES]
 //
-// Random lines of 0.1 to 0.8 m with turns of up to 90 degrees from random poses of an arm: every
-// one that a dense search of other make finds feasible has to be solved, every other refused with
-// the reason that the search sees too. Solved ones are measured on 10,000 points and verified.
+// Random lines of 0.1 to 0.8 m with rotations of up to 90 degrees from random poses of an arm: each
+// line that an independent dense search finds feasible must be solved, every other one refused for
+// the reason that the search finds too. Solved lines are measured at 10,000 points and verified.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -24,14 +24,13 @@ namespace {
 struct Tally {
   int solved = 0, missed = 0, refused = 0, wrong = 0, early = 0, unverified = 0, broken = 0,
       fast = 0;
-  int undecided = 0;  ///< the dense search goes through, but its way cannot be followed
+  int undecided = 0;  ///< the dense search succeeds, but its solution cannot be followed
   double position_ratio = 0, orientation_ratio = 0, samples = 0;
   std::vector<double> position_ratios, orientation_ratios, times_solved, times_refused;
   std::map<std::string, int> statuses;
 };
 
-/// How far the tool is from the segment and from the orientation there: in other words than
-/// deviation_from().
+/// Returns the deviation of the tool from the line, independent of deviation_from().
 Deviation off_segment(const Line& line, const Pose& pose) {
   const Vector3 way = line.to.translation() - line.from.translation();
   const Vector3 done = pose.translation() - line.from.translation();
@@ -41,13 +40,13 @@ Deviation off_segment(const Line& line, const Pose& pose) {
   return {(done - s * way).norm(), so3_log(pose.linear() * there.transpose()).norm()};
 }
 
-/// The fraction of the line that a refusal tells; -1 where it tells none.
+/// Returns the fraction of the line named in a refusal; -1 when there is none.
 double told_fraction(const PathMotion& motion) {
   const std::size_t at = motion.reason.find("stops after ");
   return at == std::string::npos ? -1 : std::stod(motion.reason.substr(at + 12)) / 100;
 }
 
-/// Of the processor, which is all that counts on a busy machine.
+/// CPU time, which does not depend on other load.
 double seconds_of(const auto& work) {
   const std::clock_t begin = std::clock();
   work();
@@ -94,7 +93,7 @@ void measure(const Arm& arm, const Line& line, const PathMotion& motion, int num
   }
 }
 
-/// Whether the arm has a configuration for the line's pose at s, limits or not.
+/// Returns whether the arm has a configuration for the line's pose at s, with or without limits.
 bool reachable(const Arm& arm, const Line& line, double s, bool limits) {
   const InverseResult result =
       inverse_kinematics(arm, interpolate(line.from, line.to, std::clamp(s, 0.0, 1.0)),

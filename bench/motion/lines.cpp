@@ -1,5 +1,5 @@
-// What a certified line of half a metre costs: planned, proved and timed, and its parts. The aim is
-// 5 ms for the whole.
+// Times a certified line of half a metre and its parts: planning, proof, timing. The aim is 5 ms in
+// total.
 #include <beeline/certificate/verify.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
@@ -18,7 +18,7 @@ struct Case {
   std::vector<Pose> poses;
 };
 
-/// Half a metre with a turn of 0.4 rad, from a posture in the middle of the arm's range.
+/// Half a metre with a rotation of 0.4 rad, from a configuration in the middle of the limits.
 Case half_a_metre(bool panda) {
   const Arm arm = built_in(panda ? "panda" : "ur5");
   Configuration q(arm.dof());

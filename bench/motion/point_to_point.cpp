@@ -1,6 +1,6 @@
-// A motion of seven joints planned from rest to rest: Beeline beside Ruckig, which is left out
-// where its sources are not (scripts/bench_peers.sh fetches them). First says how far their
-// durations are apart; fails where that is more than rounding. Options are Google Benchmark's.
+// Times planning a motion of seven joints from rest to rest by Beeline and by Ruckig, where its
+// sources are present (scripts/bench_peers.sh fetches them). Prints the difference of their
+// durations first and fails when it exceeds rounding. Takes the options of Google Benchmark.
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +23,8 @@ namespace {
 
 constexpr std::size_t joints = 7;
 
-/// Motions between configurations of the Panda within its limits; they are too many for the branch
-/// predictor to learn.
+/// Motions between configurations of the Panda within its limits; more than a branch predictor
+/// learns.
 struct Motions {
   Arm arm = built_in("panda");
   std::vector<Configuration> from, to;

@@ -1,11 +1,11 @@
 // Usage: bench_retime < cases > answers
 //
-// Beeline's time-optimal scaling beside TOPP-RA's own implementation, for retime.py. Both streams
-// are doubles in the machine's own order. A case is the numbers of joints, waypoints and grid
+// Beeline's time-optimal scaling for retime.py, which compares it with TOPP-RA. Both streams are
+// doubles in native byte order. A case is the numbers of joints, waypoints and grid
 // points; the limits of velocity and of acceleration; the waypoints' parameters and the waypoints;
 // the grid points' parameters (none: Beeline's own grid). The answer: the duration, the largest
-// share of a limit ten times as dense, the number of grid points and the best microseconds of the
-// scaling alone.
+// fraction of a limit on a ten times denser grid, the number of grid points and the shortest time
+// of the scaling alone, microseconds.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -37,7 +37,7 @@ std::vector<double> read_many(double count) {
   return values;
 }
 
-/// The path at other grid points, which include its own ends.
+/// Returns the path at other grid points, which include its ends.
 JointPath at_grid(const JointPath& path, const std::vector<double>& grid) {
   JointPath on_grid;
   std::size_t k = 0;

@@ -1,4 +1,4 @@
-"""Time-optimal laws along splines: Beeline beside toppra on the same paths, limits and grids.
+"""Time-optimal scaling along splines: Beeline and toppra on the same paths, limits and grids.
 
 Usage: retime.py BENCH_RETIME [--count N] [--seed S]
 
