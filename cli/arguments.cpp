@@ -1,27 +1,46 @@
 #include "arguments.h"
 
 #include <cmath>
-#include <cstdio>
-#include <fmt/core.h>
 #include <numbers>
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/read/arm.h>
 
+#include "command/streams.h"
+
 using namespace beeline;
 
-void ArmArgument::declare(CLI::App& verb) {
-  verb.add_option("ARM", text, "A built-in name, a joint string or a file (.urdf, .json)")
-      ->required();
-  verb.add_option("--base", base, "The link that a URDF's chain begins at (default: its root)");
-  verb.add_option("--tip", tip, "The link that a URDF's chain ends at (default: its only leaf)");
+std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists) {
+  std::vector<Option> all;
+  for (const std::vector<Option>& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+Positional ArmArgument::argument() {
+  return {.name = "ARM",
+          .help = "A built-in arm, a joint string or a file (.urdf, .json).",
+          .target = &text,
+          .completes = Completes::arm};
+}
+
+std::vector<Option> ArmArgument::options() {
+  return {{.name = "--base",
+           .value = "LINK",
+           .help = "First link of the chain, for a URDF file. Default: its root link.",
+           .target = &base},
+          {.name = "--tip",
+           .value = "LINK",
+           .help = "Last link of the chain, for a URDF file. Default: its only leaf link.",
+           .target = &tip}};
 }
 
 Arm ArmArgument::read() const { return read_arm(text, {.base = base, .tip = tip}); }
 
-void UnitArgument::declare(CLI::App& verb) {
-  verb.add_flag("--degrees", degrees, "Angles in degrees, read and printed (default: radians)");
+std::vector<Option> UnitArgument::options() {
+  return {{.name = "--degrees",
+           .help = "Read and print angles in degrees instead of radians.",
+           .target = &degrees}};
 }
 
 Configuration UnitArgument::configuration(const Arm& arm, const std::string& text,
@@ -41,8 +60,8 @@ Configuration UnitArgument::configuration(const Arm& arm, const std::string& tex
 }
 
 double UnitArgument::coordinate(const Arm& arm, int k, double value) const {
-  const bool slides = kind(arm.joint_of(k)) == JointKind::prismatic;
-  return slides ? value : to_radians(value, angle_unit());
+  const bool prismatic = kind(arm.joint_of(k)) == JointKind::prismatic;
+  return prismatic ? value : to_radians(value, angle_unit());
 }
 
 double UnitArgument::shown(double radians) const {
@@ -59,16 +78,52 @@ double UnitArgument::shown(const Arm& arm, int k, double value) const {
   return kind(arm.joint_of(k)) == JointKind::prismatic ? value : shown(value);
 }
 
-void TaskArgument::declare(CLI::App& verb) {
-  verb.add_option(
-      "--task", text,
-      "What matters of the tool's pose: planar, position, spatial, or six of 0 and 1 for\n"
-      "x y z wx wy wz such as 111110; :tool behind it takes the tool's axes\n"
-      "(default: planar for planar arms, else spatial)");
+std::vector<Option> TaskArgument::options() {
+  return {{.name = "--task",
+           .value = "TASK",
+           .help = "The components of the tool's pose that count: planar (x, y, theta), position, "
+                   "spatial, or six digits 0 or 1 for x y z wx wy wz, such as 111110. A suffix "
+                   ":tool takes them along the tool's axes. Default: planar for planar arms, "
+                   "otherwise spatial.",
+           .target = &text,
+           .choices = {"planar", "position", "spatial"},
+           .other_values = true}};
 }
 
 Task TaskArgument::read(const Arm& arm) const {
   return text.empty() ? default_task(arm) : task_named(text);
+}
+
+std::vector<Option> JacobianArgument::options() {
+  return joined({{{.name = "--frame",
+                   .value = "FRAME",
+                   .help = "base: velocity of the tool origin in the world's axes; tool: the same "
+                           "in the tool's axes; space: spatial twist at the world's origin.",
+                   .target = &frame,
+                   .choices = {name(Frame::base), name(Frame::tool), name(Frame::space)}}},
+                 task.options()});
+}
+
+Task JacobianArgument::read(const Arm& arm) const {
+  Task rows = task.read(arm);
+  if (rows.frame == Frame::tool && frame != name(Frame::tool)) {
+    throw Error("--task " + task.text + " is in the tool's axes and does not go with --frame " +
+                frame);
+  }
+  rows.frame = frame_named(frame);
+  return rows;
+}
+
+Option joint_values_option(std::string name, std::string help, std::string* target) {
+  return {.name = std::move(name), .value = "Q", .help = std::move(help), .target = target};
+}
+
+WrittenPose parse_pose_option(const std::string& text, const UnitArgument& unit) {
+  try {
+    return parse_pose(text, unit.angle_unit());
+  } catch (const Error& error) {
+    throw Error(std::string("--pose: ") + error.what());
+  }
 }
 
 void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgument& task,
@@ -78,17 +133,15 @@ void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgum
                 " needs x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz");
   }
   if (written.planar || !arm.planar() || !task.text.empty()) return;
-  constexpr double off_plane = 1e-6;  // metres, and of the z axis
+  constexpr double tolerance = 1e-6;  // metres, and of the unit vector z
   const double height = forward_kinematics(arm, middle_configuration(arm)).translation().z();
-  const bool in_plane = std::abs(written.pose.translation().z() - height) < off_plane &&
-                        (written.pose.linear().col(2) - Vector3::UnitZ()).norm() < off_plane;
+  const bool in_plane = std::abs(written.pose.translation().z() - height) < tolerance &&
+                        (written.pose.linear().col(2) - Vector3::UnitZ()).norm() < tolerance;
   if (in_plane) return;
-  throw Error(where + ": the pose is off the plane z = " + number(height) + " m of arm " +
-              arm.name() + "; give x,y,theta, or --task planar to leave height and tilt out");
+  throw Error(where + ": the pose is outside the plane z = " + number(height) + " m of arm " +
+              arm.name() + "; give x,y,theta, or --task planar to ignore height and tilt");
 }
 
 void warn_outside_limits(const Arm& arm, const Configuration& q) {
-  for (const std::string& sentence : limit_violations(arm, q)) {
-    fmt::print(stderr, "beeline: warning: {}\n", sentence);
-  }
+  for (const std::string& sentence : limit_violations(arm, q)) warn(sentence);
 }

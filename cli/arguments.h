@@ -1,54 +1,79 @@
 #pragma once
 
-#include <CLI/App.hpp>
+#include <initializer_list>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <beeline/kinematics/task.h>
 #include <beeline/read/pose_list.h>
 
-/// The arguments that several verbs share, each declared and understood in one place.
+#include "command/option.h"
+
+/// The arguments that several verbs share. Each is declared, and turned into the library's types,
+/// in one place.
+
+/// Lists of options in one.
+std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists);
 
 /// ARM with --base and --tip.
 struct ArmArgument {
-  std::string text, base, tip;
+  std::string text = {}, base = {}, tip = {};
 
-  void declare(CLI::App& verb);
+  Positional argument();
+  std::vector<Option> options();
   beeline::Arm read() const;
 };
 
-/// --degrees: angles in degrees, both ways.
+/// --degrees: angles in degrees, read and printed.
 struct UnitArgument {
   bool degrees = false;
 
-  void declare(CLI::App& verb);
+  std::vector<Option> options();
   beeline::AngleUnit angle_unit() const {
     return degrees ? beeline::AngleUnit::degrees : beeline::AngleUnit::radians;
   }
-  /// Joint values as typed, such as "112,-52,-60": metres stay metres where a joint slides.
-  /// Throws Error beginning with `option` when they do not fit the arm.
+  /// Joint values as typed, such as "112,-52,-60"; the value of a prismatic joint is in metres.
+  /// Throws Error that begins with `option` if they do not fit the arm.
   beeline::Configuration configuration(const beeline::Arm& arm, const std::string& text,
                                        const std::string& option) const;
-  /// The same for coordinate k alone.
+  /// The value of coordinate k in radians or metres.
   double coordinate(const beeline::Arm& arm, int k, double value) const;
-  /// A configuration, a value of coordinate k, or an angle, in the unit that the caller asked for.
+  /// A configuration, a value of coordinate k, or an angle, in the unit of the output.
   beeline::Configuration shown(const beeline::Arm& arm, const beeline::Configuration& q) const;
   double shown(const beeline::Arm& arm, int k, double value) const;
   double shown(double radians) const;
   const char* name() const { return degrees ? "deg" : "rad"; }
 };
 
-/// --task: planar, position, spatial or a mask; the arm's default when it is not given.
+/// --task: planar, position, spatial or a mask; default the arm's own.
 struct TaskArgument {
-  std::string text;
+  std::string text = {};
 
-  void declare(CLI::App& verb);
+  std::vector<Option> options();
   beeline::Task read(const beeline::Arm& arm) const;
 };
 
-/// Refuses a planar pose for an arm that is not planar and, where no task was asked for, a pose in
-/// space that is off a planar arm's plane: its height and tilt would be left out.
+/// --frame with --task: which Jacobian.
+struct JacobianArgument {
+  std::string frame = "base";
+  TaskArgument task = {};
+
+  std::vector<Option> options();
+  /// The rows of the task, in the frame. Throws Error if the task's own frame is another one.
+  beeline::Task read(const beeline::Arm& arm) const;
+};
+
+/// --q, or another option that takes joint values.
+Option joint_values_option(std::string name, std::string help, std::string* target);
+
+/// A pose as typed for --pose, in one of the three forms. Throws Error that begins with --pose.
+beeline::WrittenPose parse_pose_option(const std::string& text, const UnitArgument& unit);
+
+/// Throws Error for a planar pose given to an arm that is not planar and, without --task, for a
+/// spatial pose outside the plane of a planar arm, whose height and tilt would be ignored.
 void check_pose_form(const beeline::Arm& arm, const beeline::WrittenPose& pose,
                      const TaskArgument& task, const std::string& where);
 
-/// Warns on stderr, once for each coordinate, when q is outside the arm's limits.
+/// Warns on stderr of each coordinate of q that is outside the arm's limits.
 void warn_outside_limits(const beeline::Arm& arm, const beeline::Configuration& q);

@@ -2,16 +2,11 @@
 
 #include <beeline/model/catalog.h>
 
-#include "output.h"
-#include "verb.h"
+#include "verbs.h"
 
 using namespace beeline;
 
 namespace {
-
-struct Arguments {
-  bool json = false;
-};
 
 std::string joint_letters(const Arm& arm) {
   std::string letters;
@@ -19,27 +14,34 @@ std::string joint_letters(const Arm& arm) {
   return letters;
 }
 
-Exit list_arms(const Arguments& arguments) {
-  OrderedJson arms = OrderedJson::array();
+Answer list_arms() {
+  Answer answer;
+  Json arms = Json::list();
   for (const std::string& name : built_in_names()) {
     const Arm arm = built_in(name);
     const std::string letters = joint_letters(arm), summary = built_in_summary(name);
-    if (!arguments.json) fmt::print("{:<9} {:<8} {}\n", name, letters, summary);
-    arms.push_back({{"name", name},
-                    {"joints", letters},
-                    {"dof", arm.dof()},
-                    {"planar", arm.planar()},
-                    {"summary", summary}});
+    answer.text += fmt::format("{:<9} {:<8} {}\n", name, letters, summary);
+    arms.append({{"name", name},
+                 {"joints", letters},
+                 {"dof", arm.dof()},
+                 {"planar", arm.planar()},
+                 {"summary", summary}});
   }
-  if (arguments.json) print_json({{"arms", arms}});
-  return Exit::yes;
+  answer.document = {{"arms", arms}};
+  return answer;
 }
 
 }  // namespace
 
-Run declare_arms(CLI::App& verb) {
-  static Arguments arguments;
-  verb.add_flag("--json", arguments.json, "Print JSON");
-  verb.footer("Example:\n  beeline arms");
-  return [] { return list_arms(arguments); };
+Verb arms_verb() {
+  static bool json = false;
+  return {.name = "arms",
+          .summary = "List the built-in arms",
+          .description =
+              "Prints the name of each built-in arm, the kinds of its joints (R revolute, P "
+              "prismatic) from the base to the tool, and what it is.",
+          .examples = {{"The list, and the first arm's joints as a table",
+                        "beeline arms\nbeeline show rrr"}},
+          .json = &json,
+          .run = list_arms};
 }

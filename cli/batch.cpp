@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <fmt/core.h>
 
@@ -5,10 +6,11 @@
 #include <beeline/record/number_rows.h>
 
 #include "batch_work.h"
-#include "output.h"
-#include "progress.h"
-#include "results.h"
-#include "verb.h"
+#include "command/progress.h"
+#include "command/streams.h"
+#include "format.h"
+#include "result_files.h"
+#include "verbs.h"
 
 using namespace beeline;
 
@@ -17,21 +19,21 @@ namespace {
 struct Report {
   std::int64_t rows = 0;
   double seconds = 0;
-  BatchCounts counts;
-  BadRows bad;
+  BatchCounts counts = {};
+  BadRows bad = {};
 
   double rate() const { return seconds > 0 ? static_cast<double>(rows) / seconds : 0; }
 };
 
-/// Rows at a time, so that what is read and what is written take a few megabytes.
-Eigen::Index rows_at_a_time(const BatchWork& work) {
+/// Rows in a block, so that what is read and what is written take a few megabytes.
+Eigen::Index rows_in_a_block(const BatchWork& work) {
   constexpr std::size_t numbers = std::size_t{1} << 19;
   std::size_t width = work.columns.size();
   for (const auto& form : work.forms) width = std::max(width, form.size());
   return std::clamp<Eigen::Index>(static_cast<Eigen::Index>(numbers / width), 16, work.max_rows);
 }
 
-Report work_through(const BatchArguments& arguments, const BatchWork& work) {
+Report process(const BatchArguments& arguments, const BatchWork& work) {
   const auto start = std::chrono::steady_clock::now();
   Report report;
   report.bad.skip = arguments.skip_bad;
@@ -39,7 +41,7 @@ Report work_through(const BatchArguments& arguments, const BatchWork& work) {
   RowWriter writer(arguments.out, work.columns, arguments.single, arguments.threads);
   RowBlock block;
   block.numbers.resize(static_cast<Eigen::Index>(work.forms[reader.form()].size()),
-                       rows_at_a_time(work));
+                       rows_in_a_block(work));
   Eigen::MatrixXd results;
   Progress progress;
   for (;;) {
@@ -53,7 +55,7 @@ Report work_through(const BatchArguments& arguments, const BatchWork& work) {
       progress.show(static_cast<double>(file.position()) / static_cast<double>(*file.size()));
     }
   }
-  // A .npy file says that its array has no rows; a table without any has lost them.
+  // A .npy file states that its array has no rows; a .csv file without rows was cut off.
   const bool nothing = report.rows == 0 && report.bad.count == 0;
   if (nothing && row_format(arguments.in) == RowFormat::csv) {
     throw FileError(reader.file().path(), 0, "has a header but no rows below it");
@@ -63,174 +65,179 @@ Report work_through(const BatchArguments& arguments, const BatchWork& work) {
   return report;
 }
 
-const char* plural(std::int64_t count) { return count == 1 ? "" : "s"; }
-
-/// On stderr: what was left out, and what is outside limits.
-void warn(const Report& report) {
+/// Warns of rows that were left out and of configurations outside the limits.
+void warn_of_rows(const Report& report) {
   const BatchCounts& counts = report.counts;
   if (report.bad.count > 0) {
-    fmt::print(stderr, "beeline: warning: {} bad row{} left out; the first: {}\n", report.bad.count,
-               plural(report.bad.count), report.bad.first);
+    warn(fmt::format("{} left out; the first: {}", counted(report.bad.count, "bad row"),
+                     report.bad.first));
   }
   if (counts.outside_limits > 0) {
-    fmt::print(stderr, "beeline: warning: {} row{} outside the arm's limits; the first is row {}\n",
-               counts.outside_limits, plural(counts.outside_limits), counts.first_outside);
+    warn(fmt::format("{} outside the arm's limits; the first is row {}",
+                     counted(counts.outside_limits, "row"), counts.first_outside));
   }
 }
 
-void print_report(const BatchArguments& arguments, const std::string& kind, const Arm& arm,
-                  const Report& report) {
-  const bool spoken_for = arguments.out == "-";  // stdout has the rows
-  std::FILE* const stream = spoken_for ? stderr : stdout;
-  fmt::print(stream, "{} of {}: {} row{} in {:.3g} s, {:.3g} rows/s\n", kind, arm.name(),
-             report.rows, plural(report.rows), report.seconds, report.rate());
-  if (kind == "jacobian") fmt::print(stream, "frame         {}\n", arguments.frame);
-  if (kind == "ik") fmt::print(stream, "solved        {}\n", report.counts.solved);
-  if (!spoken_for) fmt::print("rows          {}\n", arguments.out);
+std::string text_of(const BatchArguments& arguments, const std::string& kind, const Arm& arm,
+                    const Report& report) {
+  std::string text = fmt::format("{} of {}: {} in {:.3g} s, {:.3g} rows/s\n", kind, arm.name(),
+                                 counted(report.rows, "row"), report.seconds, report.rate());
+  if (kind == "jacobian") text += fmt::format("frame         {}\n", arguments.jacobian.frame);
+  if (kind == "ik") text += fmt::format("solved        {}\n", report.counts.solved);
+  if (arguments.out != "-") text += fmt::format("rows          {}\n", arguments.out);
+  return text;
 }
 
-OrderedJson document(const BatchArguments& arguments, const std::string& kind, const Arm& arm,
-                     const BatchWork& work, const Report& report) {
-  OrderedJson document{{"arm", arm.name()},
-                       {"rows", report.rows},
-                       {"bad_rows", report.bad.count},
-                       {"seconds", report.seconds},
-                       {"rows_per_second", report.rate()}};
+Json document_of(const BatchArguments& arguments, const std::string& kind, const Arm& arm,
+                 const BatchWork& work, const Report& report) {
+  Json document{{"arm", arm.name()},
+                {"rows", report.rows},
+                {"bad_rows", report.bad.count},
+                {"seconds", report.seconds},
+                {"rows_per_second", report.rate()}};
   if (kind == "ik") {
-    document["solved"] = report.counts.solved;
-    document["unsolved"] = report.rows - report.counts.solved;
+    document.add("solved", report.counts.solved);
+    document.add("unsolved", report.rows - report.counts.solved);
   } else {
-    document["outside_limits"] = report.counts.outside_limits;
+    document.add("outside_limits", report.counts.outside_limits);
   }
-  if (kind == "jacobian") document["frame"] = arguments.frame;
-  document["columns"] = work.columns;
-  document["out"] = arguments.out;
+  if (kind == "jacobian") document.add("frame", arguments.jacobian.frame);
+  document.add("columns", work.columns);
+  document.add("out", arguments.out);
   return document;
 }
 
 using MakeWork = BatchWork (*)(const BatchArguments&, const Arm&);
 
-Exit batch(const BatchArguments& arguments, const std::string& kind, MakeWork make_work) {
+Answer batch(const BatchArguments& arguments, const std::string& kind, MakeWork make_work) {
   row_format(arguments.in);
   row_format(arguments.out);
   refuse_overwriting(arguments.out, {arguments.in, arguments.arm.text});
-  if (arguments.json && arguments.out == "-") {
+  const bool rows_on_stdout = arguments.out == "-";
+  if (arguments.json && rows_on_stdout) {
     throw Error("--json does not go with --out -: both would write to stdout");
   }
   const Arm arm = arguments.arm.read();
   const BatchWork work = make_work(arguments, arm);
-  const Report report = work_through(arguments, work);
-  warn(report);
-  if (arguments.json) {
-    print_json(document(arguments, kind, arm, work, report));
-  } else {
-    print_report(arguments, kind, arm, report);
-  }
+  const Report report = process(arguments, work);
+  warn_of_rows(report);
   const std::int64_t unsolved = report.rows - report.counts.solved;
-  if (kind != "ik" || unsolved == 0) return Exit::yes;
-  fmt::print(stderr, "beeline: {} of {} poses without a solution: their rows are nan\n", unsolved,
-             report.rows);
-  return Exit::no;
-}
-
-void declare_common(CLI::App& verb, BatchArguments& arguments, const char* rows) {
-  arguments.arm.declare(verb);
-  verb.add_option("--in", arguments.in, rows)->required();
-  verb.add_option("--out", arguments.out,
-                  "Where the results go, a row for each: .csv with a header, .npy, or - for stdout")
-      ->required();
-  arguments.unit.declare(verb);
-}
-
-void declare_running(CLI::App& verb, BatchArguments& arguments) {
-  verb.add_option("--threads", arguments.threads,
-                  "0: as many as the machine has; the results are the same for any number")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  verb.add_flag("--float", arguments.single, "32-bit numbers in a .npy file");
-  verb.add_flag("--skip-bad", arguments.skip_bad,
-                "Leave bad rows out and count them; else the first ends the run, and nothing is\n"
-                "written");
-  verb.add_flag("--json", arguments.json, "Print JSON");
+  return {.text = text_of(arguments, kind, arm, report),
+          .document = document_of(arguments, kind, arm, work, report),
+          .yes = kind != "ik" || unsolved == 0,
+          .reason = fmt::format("{} of {} poses without a solution: their rows are nan", unsolved,
+                                report.rows),
+          .text_on_stderr = rows_on_stdout};
 }
 
 constexpr const char* configurations =
-    "Configurations, one in a row: .csv, its header the joints' names in any order or none;\n"
-    ".npy of shape (N, joints), '<f8' or '<f4'; or - for CSV from stdin";
+    "Configurations, one in each row: .csv, with the joints' names in any order as header or "
+    "without a header; .npy of shape (N, joints), dtype '<f8' or '<f4'; or - for CSV on stdin.";
+constexpr const char* poses =
+    "Poses, one in each row, .csv, .npy or - for CSV on stdin: x,y,z,qw,qx,qy,qz; "
+    "x,y,z,roll,pitch,yaw; the matrix m11,m12,...,m44 row by row; or x,y,theta (planar arms). "
+    "Without a header, as many numbers in this order.";
 
-void declare_forward(CLI::App& verb, BatchArguments& arguments) {
-  declare_common(verb, arguments, configurations);
-  verb.add_option("--layout", arguments.layout,
-                  "matrix: 16 numbers, row by row; pose: x,y,z,qw,qx,qy,qz with qw >= 0")
-      ->capture_default_str();
-  declare_running(verb, arguments);
-  verb.footer(
-      "Examples:\n"
-      "  beeline batch fk panda --in q.npy --out poses.npy\n"
-      "  beeline batch fk rrr --in q.csv --degrees --out poses.csv --layout pose");
+/// The verb `batch NAME` without what is its own.
+Verb common(BatchArguments& arguments, const char* name, const char* rows,
+            const std::vector<Option>& own, MakeWork make_work) {
+  Verb verb{.name = name, .summary = ""};
+  verb.arguments = {arguments.arm.argument()};
+  verb.options = joined(
+      {{{.name = "--in",
+         .value = "FILE",
+         .help = rows,
+         .target = &arguments.in,
+         .required = true,
+         .completes = Completes::file},
+        {.name = "--out",
+         .value = "FILE",
+         .help = "The results, a row for each: .csv with a header, .npy, or - for CSV on stdout.",
+         .target = &arguments.out,
+         .required = true,
+         .completes = Completes::file}},
+       arguments.unit.options(),
+       own,
+       {{.name = "--threads",
+         .value = "N",
+         .help = "Number of threads; 0: as many as the machine has. The results do not depend on "
+                 "it.",
+         .target = &arguments.threads},
+        {.name = "--float",
+         .help = "Write 32-bit numbers to a .npy file.",
+         .target = &arguments.single},
+        {.name = "--skip-bad",
+         .help = "Leave bad rows out and count them. By default a bad row ends the run with an "
+                 "error and no file is written.",
+         .target = &arguments.skip_bad}},
+       arguments.arm.options()});
+  verb.json = &arguments.json;
+  verb.run = [&arguments, name, make_work] { return batch(arguments, name, make_work); };
+  return verb;
 }
 
-void declare_jacobian_rows(CLI::App& verb, BatchArguments& arguments) {
-  declare_common(verb, arguments, configurations);
-  verb.add_option("--frame", arguments.frame, "base, tool or space")->capture_default_str();
-  arguments.task.declare(verb);
-  declare_running(verb, arguments);
-  verb.footer(
-      "Each row has a Jacobian, row by row: reshape (N, 6, joints). Entries are per radian, or "
-      "per\n"
-      "metre of a joint that slides, also with --degrees.\n"
-      "Example:\n"
-      "  beeline batch jacobian panda --in q.npy --out jacobians.npy --frame tool");
+Verb batch_fk() {
+  static BatchArguments arguments;
+  const Option layout{.name = "--layout",
+                      .value = "LAYOUT",
+                      .help =
+                          "matrix: the 16 entries row by row; pose: x,y,z,qw,qx,qy,qz with "
+                          "qw >= 0.",
+                      .target = &arguments.layout,
+                      .choices = {"matrix", "pose"}};
+  Verb verb = common(arguments, "fk", configurations, {layout}, forward_work);
+  verb.summary = "Forward kinematics: the pose of the tool at each configuration";
+  verb.examples = {{"Two configurations of the planar arm, in degrees",
+                    "printf 'joint1,joint2,joint3\\n0,90,0\\n112,-52,-60\\n' > q.csv\n"
+                    "beeline batch fk rrr --in q.csv --degrees --out poses.csv --layout pose"},
+                   {"The same as an array for numpy, from a pipe",
+                    "beeline batch fk rrr --in - --degrees --out poses.npy < q.csv"}};
+  return verb;
 }
 
-void declare_inverse(CLI::App& verb, BatchArguments& arguments) {
-  declare_common(verb, arguments,
-                 "Poses, one in a row, .csv, .npy or - for CSV from stdin: x,y,z,qw,qx,qy,qz,\n"
-                 "x,y,z,roll,pitch,yaw, the matrix m11,m12,...,m44 row by row, or x,y,theta\n"
-                 "(planar arms); without a header, as many numbers in this order");
-  arguments.inverse.declare_choices(verb);
-  arguments.inverse.declare_search(verb);
-  declare_running(verb, arguments);
-  verb.footer(
-      "Each row has the joint values of one solution, nan where there is none; then the exit code\n"
-      "is 1.\n"
-      "Examples:\n"
-      "  beeline batch ik ur5 --in poses.npy --out q.npy\n"
-      "  beeline batch ik panda --in poses.csv --out q.csv --seed 0,-0.8,0,-2.4,0,1.6,0.8");
+Verb batch_jacobian() {
+  static BatchArguments arguments;
+  Verb verb =
+      common(arguments, "jacobian", configurations, arguments.jacobian.options(), jacobian_work);
+  verb.summary = "The Jacobian at each configuration";
+  verb.description =
+      "Writes one Jacobian in each row of the output, row by row: reshape it to (N, 6, joints). "
+      "Entries are per radian, or per metre of a prismatic joint, also with --degrees.";
+  verb.examples = {{"Two body Jacobians of the planar arm",
+                    "printf '0,1.5,0\\n1,-1,0.5\\n' > q.csv\n"
+                    "beeline batch jacobian rrr --in q.csv --out jacobians.npy --frame tool"}};
+  return verb;
+}
+
+Verb batch_ik() {
+  static BatchArguments arguments;
+  Verb verb =
+      common(arguments, "ik", poses,
+             joined({arguments.inverse.choice_options(), arguments.inverse.search_options()}),
+             inverse_work);
+  verb.summary = "Inverse kinematics: a configuration for each pose";
+  verb.description =
+      "Writes the joint values of one solution in each row of the output, nan where there is none; "
+      "then the exit code is 1.";
+  verb.examples = {{"Two poses of the planar arm, solutions in degrees",
+                    "printf 'x,y,theta\\n4,3,0\\n4.5,5.2,30\\n' > poses.csv\n"
+                    "beeline batch ik rrr --in poses.csv --degrees --out q.csv"},
+                   {"Near a given configuration, written to stdout",
+                    "beeline batch ik rrr --in poses.csv --degrees --seed 10,60,-30 --out -"}};
+  return verb;
 }
 
 }  // namespace
 
-Run declare_batch(CLI::App& verb) {
-  struct Kind {
-    const char* name;
-    const char* summary;
-    void (*declare)(CLI::App&, BatchArguments&);
-    MakeWork make_work;
-    BatchArguments arguments;
-    CLI::App* app = nullptr;
-  };
-  static Kind kinds[] = {
-      {"fk", "The tool's pose at each configuration", declare_forward, forward_work, {}},
-      {"jacobian", "The Jacobian at each configuration", declare_jacobian_rows, jacobian_work, {}},
-      {"ik", "A configuration for each pose", declare_inverse, inverse_work, {}},
-  };
-  verb.require_subcommand(1);
-  for (Kind& kind : kinds) {
-    kind.app = verb.add_subcommand(kind.name, kind.summary);
-    kind.declare(*kind.app, kind.arguments);
-  }
-  verb.footer(
-      "Rows go through in blocks: any number of them needs the same memory. The file --out is\n"
-      "there when all is done, or not at all.\n"
-      "Examples:\n"
-      "  beeline batch fk panda --in q.npy --out poses.npy\n"
-      "  beeline batch jacobian ur5 --in q.csv --out jacobians.npy\n"
-      "  beeline batch ik ur5 --in poses.csv --out q.csv --skip-bad");
-  return [] {
-    for (const Kind& kind : kinds) {
-      if (kind.app->parsed()) return batch(kind.arguments, kind.name, kind.make_work);
-    }
-    return Exit::usage;
-  };
+Verb batch_verb() {
+  Verb verb{.name = "batch", .summary = "fk, jacobian or ik of all rows of a file, .csv or .npy"};
+  verb.description =
+      "Computes one result for each row of a file and prints the number of rows and of rows per "
+      "second. Rows are processed in blocks, so any number of them needs the same memory. The "
+      "output file is complete or absent.";
+  verb.examples = {{"Forward kinematics of two configurations",
+                    "printf '0,90,0\\n112,-52,-60\\n' > q.csv\n"
+                    "beeline batch fk rrr --in q.csv --degrees --out poses.csv"}};
+  verb.verbs = {batch_fk(), batch_jacobian(), batch_ik()};
+  return verb;
 }

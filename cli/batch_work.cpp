@@ -22,7 +22,7 @@ std::vector<std::string> matrix_columns() {
 
 const std::vector<std::string>& quaternion_columns() { return pose_forms()[2]; }
 
-/// Keeps the rows for which `good` is true, which meets the others.
+/// Keeps the rows for which `good` is true; it reports the others.
 template <class Good>
 void keep_rows(RowBlock& block, Eigen::MatrixXd& values, Good&& good) {
   Eigen::Index kept = 0;
@@ -35,12 +35,12 @@ void keep_rows(RowBlock& block, Eigen::MatrixXd& values, Good&& good) {
   block.places.resize(static_cast<std::size_t>(kept));
 }
 
-/// The block's first rows, as they were read, become configurations.
+/// Converts the rows of a block to configurations, and checks results.
 class Configurations {
  public:
   Configurations(const BatchArguments& arguments, const Arm& arm) : arguments_(arguments) {
     for (int k = 0; k < arm.dof(); ++k) {
-      turns_.push_back(kind(arm.joint_of(k)) != JointKind::prismatic);
+      revolute_.push_back(kind(arm.joint_of(k)) != JointKind::prismatic);
     }
     const auto& limits = arm.limits();
     lower_.resize(arm.dof());
@@ -55,7 +55,7 @@ class Configurations {
     for (Eigen::Index i = 0; i < block.count(); ++i) {
       auto q = block.numbers.col(i);
       for (Eigen::Index k = 0; k < q.size() && arguments_.unit.degrees; ++k) {
-        if (turns_[k]) q[k] = to_radians(q[k], AngleUnit::degrees);
+        if (revolute_[k]) q[k] = to_radians(q[k], AngleUnit::degrees);
       }
       if ((q.array() >= lower_).all() && (q.array() <= upper_).all()) continue;
       if (counts.outside_limits++ > 0) continue;
@@ -63,18 +63,20 @@ class Configurations {
     }
   }
 
-  /// Takes out the rows whose results overflowed.
+  /// Removes the rows whose results exceed the range of numbers.
   void check(RowBlock& block, Eigen::MatrixXd& results, BadRows& bad) const {
-    const double most =
+    const double largest =
         arguments_.single ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
-    const auto fits = [most](const auto& numbers) { return (numbers.array().abs() <= most).all(); };
+    const auto fits = [largest](const auto& numbers) {
+      return (numbers.array().abs() <= largest).all();
+    };
     if (fits(results)) return;
     keep_rows(block, results, [&](Eigen::Index i, const RowPlace& place) {
       if (fits(results.col(i))) return true;
       bad.meet(bad_row(arguments_.source(), place,
                        arguments_.single && results.col(i).allFinite()
-                           ? "a result is too large for 32 bits; leave --float out"
-                           : "the tool is farther away than a number can tell"));
+                           ? "a result is too large for 32 bits; omit --float"
+                           : "the tool's position exceeds the range of numbers"));
       return false;
     });
     results.conservativeResize(Eigen::NoChange, block.count());
@@ -82,7 +84,7 @@ class Configurations {
 
  private:
   const BatchArguments& arguments_;
-  std::vector<bool> turns_;
+  std::vector<bool> revolute_;
   Eigen::ArrayXd lower_, upper_;
 };
 
@@ -92,7 +94,7 @@ PoseLayout layout_named(const std::string& name) {
   throw unknown_name("layout", name, {"matrix", "pose"});
 }
 
-/// The pose of a row of one of the forms; throws Error for what is none.
+/// The pose of a row in one of the forms. Throws Error if it is not a pose.
 Pose pose_in(const Eigen::Ref<const Eigen::VectorXd>& row, const UnitArgument& unit) {
   if (row.size() != 16) {
     return pose_of({row.data(), static_cast<std::size_t>(row.size())}, unit.angle_unit());
@@ -108,7 +110,7 @@ Pose pose_in(const Eigen::Ref<const Eigen::VectorXd>& row, const UnitArgument& u
   return pose;
 }
 
-/// The block's poses as columns of 16; bad ones are met, and their rows taken out.
+/// The poses of a block as columns of 16 numbers; rows that are not poses are reported and removed.
 void read_goals(const BatchArguments& arguments, const Arm& arm, std::size_t width, RowBlock& block,
                 Eigen::MatrixXd& goals, BadRows& bad) {
   const bool planar_form = width == pose_forms()[0].size();
@@ -141,7 +143,7 @@ BatchWork forward_work(const BatchArguments& arguments, const Arm& arm) {
     batch_forward<double>(arm, block.numbers.leftCols(block.count()), results, options);
     rows.check(block, results, bad);
     if (!matrix) return;
-    for (auto pose : results.colwise()) {  // row by row, as JSON and numpy have a matrix
+    for (auto pose : results.colwise()) {  // the matrix row by row
       Eigen::Map<Eigen::Matrix4d>(pose.data()).transposeInPlace();
     }
   };
@@ -151,13 +153,9 @@ BatchWork forward_work(const BatchArguments& arguments, const Arm& arm) {
 }
 
 BatchWork jacobian_work(const BatchArguments& arguments, const Arm& arm) {
-  Task task = arguments.task.read(arm);
-  if (task.frame == Frame::tool && arguments.frame != "tool") {
-    throw Error("the task's :tool does not go with --frame " + arguments.frame);
-  }
-  task.frame = frame_named(arguments.frame);
+  const Task task = arguments.jacobian.read(arm);
   BatchWork work{.forms = {arm.joint_names()}, .columns = {}, .step = {}};
-  std::vector<Eigen::Index> source;  // of each number: row by row, as numpy has a matrix
+  std::vector<Eigen::Index> source;  // of each number of the output, the matrix row by row
   for (const std::string& row : row_names({task.rows, Frame::base})) {
     for (const std::string& joint : arm.joint_names()) work.columns.push_back(row + "_" + joint);
   }
@@ -182,7 +180,7 @@ BatchWork jacobian_work(const BatchArguments& arguments, const Arm& arm) {
 BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
   const InverseOptions options = arguments.inverse.read(arm, arguments.unit);
   const Configuration seed = options.seed ? *options.seed : middle_configuration(arm);
-  // Refuses what makes no sense before the rows are read, a lock outside limits too.
+  // Checks the options before rows are read; a lock outside the limits is found by solving.
   Eigen::MatrixXd any(arm.dof(), 1);
   InverseSolver(arm, options).solve(forward_kinematics(arm, seed), seed, any);
   BatchWork work{.forms = {}, .columns = arm.joint_names(), .max_rows = 4096, .step = {}};

@@ -9,14 +9,13 @@
 
 #include "inverse_argument.h"
 
-/// What `beeline batch` is told, whatever it computes.
+/// The arguments of all kinds of `beeline batch`.
 struct BatchArguments {
   ArmArgument arm;
   UnitArgument unit;
-  TaskArgument task;  ///< of jacobian
   std::string in, out;
   std::string layout = "matrix";  ///< of fk
-  std::string frame = "base";     ///< of jacobian
+  JacobianArgument jacobian;      ///< of jacobian
   InverseArgument inverse;        ///< of ik
   int threads = 0;
   bool single = false, skip_bad = false, json = false;
@@ -31,9 +30,9 @@ struct BatchCounts {
   std::int64_t solved = 0;          ///< poses
 };
 
-/// A computation on rows: which rows it takes, what stands in the rows that it gives, and the step
-/// from some to the others, one column of `results` for each row of the block. Bad rows are met by
-/// the step, and taken out of the block.
+/// A computation on rows: the columns of its input, the columns of its output, and the step that
+/// turns a block of one into a block of the other, one column of `results` for each row. The step
+/// reports bad rows to `bad` and removes them from the block.
 struct BatchWork {
   beeline::RowForms forms;
   std::vector<std::string> columns;
@@ -43,7 +42,7 @@ struct BatchWork {
       step;
 };
 
-/// Each needs `arguments` and `arm` as long as the work lasts.
+/// `arguments` and `arm` must outlive the result.
 BatchWork forward_work(const BatchArguments& arguments, const beeline::Arm& arm);
 BatchWork jacobian_work(const BatchArguments& arguments, const beeline::Arm& arm);
 BatchWork inverse_work(const BatchArguments& arguments, const beeline::Arm& arm);

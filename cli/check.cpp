@@ -6,111 +6,130 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/read/file.h>
-#include <beeline/read/pose_list.h>
 
+#include "format.h"
+#include "input_files.h"
+#include "motion_report.h"
 #include "path_argument.h"
-#include "results.h"
-#include "verb.h"
+#include "result_files.h"
+#include "verbs.h"
 
 using namespace beeline;
 
 namespace {
 
 struct Arguments {
-  std::string trajectory;
   ArmArgument arm;
+  std::string file, through, plot;
   UnitArgument unit;
   TaskArgument task;
   PathArgument path;
-  std::string through, plot;
-  VerifyOptions options;
+  VerifyOptions verify;
   bool json = false;
 };
 
-/// The motion beside its limits, along its path as far as it follows that.
-void draw_plot(const Arguments& arguments, const Arm& arm, const Trajectory& trajectory,
-               const Verification& found, const VerifyOptions& options) {
+/// Plots the motion beside its limits, and its deviation as far as it follows the path.
+void write_plot(const Arguments& arguments, const Arm& arm, const Trajectory& trajectory,
+                const Verification& verification, const VerifyOptions& options) {
   const Deviation tolerance{options.tolerance, options.orientation_tolerance};
-  const FollowedPath path{found.path, found.path_parameters, *options.task, tolerance};
+  const FollowedPath path{verification.path, verification.path_parameters, *options.task, tolerance};
   const Drawing drawing = timing_figure(arm, trajectory, {.path = path});
   write_file(arguments.plot, render(drawing, format_of(arguments.plot)));
 }
 
-OrderedJson document(const Arguments& arguments, const Verification& found, std::size_t samples) {
-  const bool passed = found.fault == Fault::none;
-  OrderedJson document{{"status", passed ? "passed" : "failed"},
-                       {"fault", passed ? OrderedJson(nullptr) : OrderedJson(name(found.fault))},
-                       {"sample", passed ? OrderedJson(nullptr) : OrderedJson(found.sample + 1)},
-                       {"time", passed ? OrderedJson(nullptr) : OrderedJson(found.time)}};
-  add_deviation(document, found.deviation, arguments.unit);
-  document["samples"] = samples;
-  document["reason"] = found.reason;
-  for (const std::size_t arrival : found.arrivals) document["arrivals"].push_back(arrival + 1);
-  if (!arguments.plot.empty()) document["plot"] = arguments.plot;
+Json document_of(const Arguments& arguments, const Verification& verification,
+                 std::size_t samples) {
+  const bool passed = verification.fault == Fault::none;
+  Json document{{"status", passed ? "passed" : "failed"},
+                {"fault", passed ? Json() : Json(name(verification.fault))},
+                {"sample", passed ? Json() : Json(verification.sample + 1)},
+                {"time", passed ? Json() : Json(verification.time)}};
+  document.add(deviation_members(verification.deviation, arguments.unit));
+  document.add("samples", samples);
+  document.add("reason", verification.reason);
+  Json arrivals = Json::list();
+  for (const std::size_t arrival : verification.arrivals) arrivals.append(arrival + 1);
+  if (!verification.arrivals.empty()) document.add("arrivals", arrivals);
+  if (!arguments.plot.empty()) document.add("plot", arguments.plot);
   return document;
 }
 
-Exit check(const Arguments& arguments) {
+std::string text_of(const Arguments& arguments, const Verification& verification,
+                    std::size_t samples, std::size_t waypoints) {
+  const bool passed = verification.fault == Fault::none;
+  std::string text =
+      fmt::format("{}: {} samples through {}\n", passed ? "passed" : "failed", samples,
+                  counted(static_cast<std::int64_t>(waypoints), "waypoint"));
+  text += passed ? deviation_text(verification.deviation, arguments.unit)
+                 : fmt::format("fault         {}\n", name(verification.fault));
+  if (!arguments.plot.empty()) text += fmt::format("plot          {}\n", arguments.plot);
+  return text;
+}
+
+Answer check(const Arguments& arguments) {
   if (!arguments.plot.empty()) {
     format_of(arguments.plot);
-    refuse_overwriting(arguments.plot,
-                       {arguments.arm.text, arguments.trajectory, arguments.through});
+    refuse_overwriting(arguments.plot, {arguments.arm.text, arguments.file, arguments.through});
   }
   const Arm arm = arguments.arm.read();
-  const Trajectory trajectory = read_recording(arguments.trajectory, arm);
+  const Trajectory trajectory = read_recording(arguments.file, arm);
   const PoseList waypoints = read_waypoints(arguments.through, arm, arguments.task, arguments.unit);
-  VerifyOptions options = arguments.options;
+  VerifyOptions options = arguments.verify;
   options.task = arguments.task.read(arm);
-  if (trajectory.size() == 0) throw FileError(arguments.trajectory, 0, "has no samples");
+  if (trajectory.size() == 0) throw FileError(arguments.file, 0, "has no samples");
   const Pose begin = forward_kinematics(arm, trajectory.positions.front());
   const Route route = arguments.path.from(begin, waypoints.poses, *options.task);
-  const Verification found = verify(arm, trajectory, route, options);
-  const bool passed = found.fault == Fault::none;
-  if (!arguments.plot.empty()) draw_plot(arguments, arm, trajectory, found, options);
-  if (arguments.json) {
-    print_json(document(arguments, found, trajectory.size()));
-  } else {
-    fmt::print("{}: {} samples through {} waypoint{}\n", passed ? "passed" : "failed",
-               trajectory.size(), waypoints.poses.size(), waypoints.poses.size() == 1 ? "" : "s");
-    if (passed) print_deviation(found.deviation, arguments.unit);
-    if (!passed) fmt::print("fault         {}\n", name(found.fault));
-    if (!arguments.plot.empty()) fmt::print("plot          {}\n", arguments.plot);
-  }
-  if (!passed) fmt::print(stderr, "beeline: {}\n", found.reason);
-  return passed ? Exit::yes : Exit::no;
+  const Verification verification = verify(arm, trajectory, route, options);
+  if (!arguments.plot.empty()) write_plot(arguments, arm, trajectory, verification, options);
+  return {.text = text_of(arguments, verification, trajectory.size(), waypoints.poses.size()),
+          .document = document_of(arguments, verification, trajectory.size()),
+          .yes = verification.fault == Fault::none,
+          .reason = verification.reason};
+}
+
+std::vector<Option> tolerance_options(VerifyOptions& options) {
+  return {{.name = "--tolerance",
+           .value = "METRES",
+           .help = "Largest distance of the tool origin from the path.",
+           .target = &options.tolerance},
+          {.name = "--orientation-tolerance",
+           .value = "RAD",
+           .help = "Largest angle from the path's orientation, radians.",
+           .target = &options.orientation_tolerance}};
 }
 
 }  // namespace
 
-Run declare_check(CLI::App& verb) {
+Verb check_verb() {
   static Arguments arguments;
-  VerifyOptions& options = arguments.options;
-  verb.add_option("FILE", arguments.trajectory, "A trajectory: .csv or .json")->required();
-  arguments.arm.declare(verb);
-  verb.add_option("--through", arguments.through,
-                  "The poses that it should go through, after its own first one: see line --help")
-      ->required();
-  arguments.unit.declare(verb);
-  arguments.task.declare(verb);
-  arguments.path.declare(verb);
-  verb.add_option("--tolerance", options.tolerance, "Most deviation from the path, metres")
-      ->capture_default_str();
-  verb.add_option("--orientation-tolerance", options.orientation_tolerance,
-                  "Most turn away from it, radians")
-      ->capture_default_str();
-  verb.add_option("--plot", arguments.plot,
-                  "Draw the joints over time, and the deviation along the path, to this file:\n"
-                  ".svg, .png or .pdf");
-  verb.add_flag("--json", arguments.json, "Print JSON");
-  verb.footer(
-      "Proves, from the file alone, that the tool goes in straight lines through the poses, or on\n"
-      "the path that --path or --round names, and the joints keep their limits, whoever made the\n"
-      "file; joints move in proportion between its samples. Exit code 1, and the first fault with "
-      "its place, when it does not.\n"
-      "The trajectory's own values are radians and metres; --degrees is for the poses.\n"
-      "Examples:\n"
-      "  beeline check move.csv rrr --through waypoints.csv\n"
-      "  beeline check move.csv panda --through poses.csv --path spline --plot check.svg\n"
-      "  beeline check recorded.json robot.urdf --through poses.csv --tolerance 0.001 --json");
-  return [] { return check(arguments); };
+  return {
+      .name = "check",
+      .summary = "Prove that a trajectory follows its path and respects the joint limits",
+      .description =
+          "Proves from a trajectory file alone, whoever made it, that the tool moves in straight "
+          "lines (or on the path of --path, --blend) through the poses and that the joints respect "
+          "their limits of position, velocity, acceleration and jerk; joints move linearly between "
+          "the samples. Prints passed with the measured and the proved deviation in metres and "
+          "radians, or failed with the first fault, its sample and time; then the exit code is 1. "
+          "The trajectory is in radians and metres; --degrees applies to the poses and the output.",
+      .arguments = {arguments.arm.argument(),
+                    trajectory_argument("FILE", "The trajectory to check, .csv or .json.",
+                                        &arguments.file)},
+      .options = joined({{through_option("The poses that the tool must pass after its first one.",
+                                         &arguments.through)},
+                         arguments.unit.options(),
+                         arguments.task.options(),
+                         arguments.path.options(),
+                         tolerance_options(arguments.verify),
+                         {plot_option(&arguments.plot)},
+                         arguments.arm.options()}),
+      .examples = {{"Plan a motion, then check the file that was written",
+                    "printf 'x,y,theta\\n4.5,5.2,0\\n2,6,45\\n' > planar.csv\n"
+                    "beeline line rrr --from 0,90,0 --degrees --through planar.csv --out move.csv\n"
+                    "beeline check rrr move.csv --degrees --through planar.csv"},
+                   {"A smaller tolerance, a plot of the deviation, and JSON",
+                    "beeline check rrr move.csv --degrees --through planar.csv --tolerance 2e-4 "
+                    "--plot check.svg --json"}},
+      .json = &arguments.json,
+      .run = [] { return check(arguments); }};
 }

@@ -3,68 +3,79 @@
 #include <beeline/error.h>
 #include <beeline/trajectory/difference.h>
 
-#include "difference_report.h"
-#include "results.h"
-#include "verb.h"
+#include "input_files.h"
+#include "motion_report.h"
+#include "verbs.h"
 
 using namespace beeline;
 
 namespace {
 
 struct Arguments {
-  std::string a, b;
   ArmArgument arm;
+  std::string a, b;
   UnitArgument unit;
-  double tolerance = Limits::none;
+  std::optional<double> tolerance;
   bool json = false;
 };
 
-Exit diff(const Arguments& arguments) {
-  if (!(arguments.tolerance >= 0)) {
-    throw Error("--tolerance must be zero or above, not " + number(arguments.tolerance));
-  }
-  const Arm arm = arguments.arm.read();
-  const TrajectoryDifference apart =
-      difference(arm, read_recording(arguments.a, arm), read_recording(arguments.b, arm));
+int most_different_joint(const Arm& arm, const TrajectoryDifference& difference) {
   int worst = 0;
   for (int k = 1; k < arm.dof(); ++k) {
-    const auto& joints = apart.joints;
-    if (joints[k].largest > joints[worst].largest) worst = k;
+    if (difference.joints[k].largest > difference.joints[worst].largest) worst = k;
   }
-  const JointDifference& most = apart.joints[worst];
-  const bool same = most.largest <= arguments.tolerance;
-  if (arguments.json) {
-    OrderedJson document{{"status", same ? "within" : "apart"}};
-    document.update(json_difference(arm, apart, arguments.unit));
-    print_json(document);
-  } else {
-    print_difference(arm, apart, arguments.unit);
+  return worst;
+}
+
+Answer compare(const Arguments& arguments) {
+  const double tolerance = arguments.tolerance.value_or(Limits::none);
+  if (!(tolerance >= 0)) {
+    throw Error("--tolerance must be zero or above, not " + number(tolerance));
   }
-  if (same) return Exit::yes;
-  fmt::print(stderr, "beeline: joint {} differs by {} at {} s; the tolerance is {}\n",
-             arm.joint_of(worst).name, number(most.largest), number(most.time),
-             number(arguments.tolerance));
-  return Exit::no;
+  const Arm arm = arguments.arm.read();
+  const TrajectoryDifference differences =
+      difference(arm, read_recording(arguments.a, arm), read_recording(arguments.b, arm));
+  const int worst = most_different_joint(arm, differences);
+  const JointDifference& joint = differences.joints[worst];
+  const bool within = joint.largest <= tolerance;
+  Answer answer{.text = difference_text(arm, differences, arguments.unit),
+                .document = {{"status", within ? "within" : "apart"}},
+                .yes = within,
+                .reason = fmt::format("joint {} differs by {} at {} s; the tolerance is {}",
+                                      arm.joint_of(worst).name, number(joint.largest),
+                                      number(joint.time), number(tolerance))};
+  answer.document.add(difference_members(arm, differences, arguments.unit));
+  return answer;
 }
 
 }  // namespace
 
-Run declare_diff(CLI::App& verb) {
+Verb diff_verb() {
   static Arguments arguments;
-  verb.add_option("A", arguments.a, "A recorded trajectory: .csv or .json")->required();
-  verb.add_option("B", arguments.b, "Another one, of the same arm")->required();
-  arguments.arm.declare(verb);
-  arguments.unit.declare(verb);
-  verb.add_option("--tolerance", arguments.tolerance,
-                  "Exit with 1 when a joint differs by more, radians or metres");
-  verb.add_flag("--json", arguments.json, "Print JSON");
-  verb.footer(
-      "Each recording counts from its own first sample; joints are linear between samples. With\n"
-      "what was commanded and what was measured it tells the tracking error. What one lasts "
-      "longer\n"
-      "than the other is told, but not judged by --tolerance.\n"
-      "Examples:\n"
-      "  beeline diff commanded.csv measured.csv panda\n"
-      "  beeline diff before.csv after.json robot.urdf --tolerance 1e-3 --json");
-  return [] { return diff(arguments); };
+  return {
+      .name = "diff",
+      .summary = "Compare two recordings of an arm, such as commanded and measured",
+      .description =
+          "Prints, for each joint, the largest difference, the time at which it occurs and the "
+          "root mean square; the same for the tool's position and orientation; and how much longer "
+          "the second recording lasts. The first sample of each recording is at time 0; joints "
+          "move linearly between samples. The comparison ends with the shorter recording.",
+      .arguments = {arguments.arm.argument(),
+                    trajectory_argument("A", "A recorded trajectory, .csv or .json.", &arguments.a),
+                    trajectory_argument("B", "Another one, of the same arm.", &arguments.b)},
+      .options = joined({arguments.unit.options(),
+                         {{.name = "--tolerance",
+                           .value = "E",
+                           .help = "Exit with code 1 if a joint differs by more than this, radians "
+                                   "or metres.",
+                           .target = &arguments.tolerance}},
+                         arguments.arm.options()}),
+      .examples = {{"Two gains of joint control, compared",
+                    "beeline move rrr --from 0,0,0 --to 1,1,1 --kp 0.1 --out slow.csv\n"
+                    "beeline move rrr --from 0,0,0 --to 1,1,1 --kp 0.2 --out fast.csv\n"
+                    "beeline diff rrr slow.csv fast.csv --degrees"},
+                   {"Equal within 1e-3 rad? (exit code 0)",
+                    "beeline diff rrr slow.csv slow.csv --tolerance 1e-3 --json"}},
+      .json = &arguments.json,
+      .run = [] { return compare(arguments); }};
 }

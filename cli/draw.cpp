@@ -6,8 +6,9 @@
 #include <beeline/error.h>
 #include <beeline/read/file.h>
 
-#include "results.h"
-#include "verb.h"
+#include "input_files.h"
+#include "result_files.h"
+#include "verbs.h"
 
 using namespace beeline;
 
@@ -18,16 +19,16 @@ struct Arguments {
   UnitArgument unit;
   std::string motion, q, out;
   double azimuth = 0, elevation = 0;  ///< degrees
-  ArmFigureOptions options;
+  ArmFigureOptions figure;
   bool json = false;
 };
 
-Figure picture(const Arguments& arguments, const Arm& arm) {
-  ArmFigureOptions options = arguments.options;
+Figure figure_of(const Arguments& arguments, const Arm& arm) {
+  ArmFigureOptions options = arguments.figure;
   options.azimuth = to_radians(arguments.azimuth, AngleUnit::degrees);
   options.elevation = to_radians(arguments.elevation, AngleUnit::degrees);
   if (!arguments.motion.empty()) {
-    if (!arguments.q.empty()) throw Error("a motion has its own joint values: leave out --q");
+    if (!arguments.q.empty()) throw Error("--q does not go with a motion, which has joint values");
     return motion_figure(arm, at_equal_times(read_recording(arguments.motion, arm)), {}, options);
   }
   if (arguments.q.empty()) return arm_figure(arm, middle_configuration(arm), options);
@@ -36,48 +37,71 @@ Figure picture(const Arguments& arguments, const Arm& arm) {
   return arm_figure(arm, q, options);
 }
 
-Exit draw(const Arguments& arguments) {
+Answer draw(const Arguments& arguments) {
   const Format format = format_of(arguments.out);
-  for (const double angle : {arguments.azimuth, arguments.elevation}) {
-    if (!std::isfinite(angle)) throw Error("--azimuth and --elevation must be finite numbers");
-  }
   refuse_overwriting(arguments.out, {arguments.arm.text, arguments.motion});
   const Arm arm = arguments.arm.read();
-  write_file(arguments.out, render(picture(arguments, arm), format));
-  if (arguments.json) {
-    print_json({{"status", "drawn"}, {"out", arguments.out}});
-  } else {
-    fmt::print("{} drawn: {}\n", arm.name(), arguments.out);
-  }
-  return Exit::yes;
+  write_file(arguments.out, render(figure_of(arguments, arm), format));
+  return {.text = fmt::format("{} drawn: {}\n", arm.name(), arguments.out),
+          .document = {{"status", "drawn"}, {"out", arguments.out}}};
+}
+
+std::vector<Option> drawing_options(Arguments& arguments) {
+  ArmFigureOptions& figure = arguments.figure;
+  return {{.name = "--out",
+           .value = "FILE",
+           .help = "The picture: .svg, .png or .pdf.",
+           .target = &arguments.out,
+           .required = true,
+           .completes = Completes::file},
+          joint_values_option("--q", "Joint values. Default: the middle of the position limits.",
+                              &arguments.q),
+          {.name = "--frames",
+           .help = "Draw the frame of every link: x red, y green, z blue.",
+           .target = &figure.frames},
+          {.name = "--jacobian",
+           .help = "Draw the columns of the Jacobian as arrows at the tool: joint 1 red, 2 green, "
+                   "3 blue.",
+           .target = &figure.jacobian},
+          {.name = "--title",
+           .value = "TEXT",
+           .help = "The title. Default: the arm's name.",
+           .target = &figure.title},
+          {.name = "--azimuth",
+           .value = "DEGREES",
+           .help = "Direction from x to the viewer of a spatial arm, always in degrees.",
+           .target = &arguments.azimuth},
+          {.name = "--elevation",
+           .value = "DEGREES",
+           .help = "Height of the viewer of a spatial arm above the ground, always in degrees.",
+           .target = &arguments.elevation}};
 }
 
 }  // namespace
 
-Run declare_draw(CLI::App& verb) {
+Verb draw_verb() {
   static Arguments arguments;
-  ArmFigureOptions& options = arguments.options;
   const UnitArgument degrees{true};
-  arguments.azimuth = std::round(degrees.shown(options.azimuth));
-  arguments.elevation = std::round(degrees.shown(options.elevation));
-  arguments.arm.declare(verb);
-  verb.add_option("MOTION", arguments.motion, "A trajectory of the arm to draw: .csv or .json");
-  verb.add_option("--q", arguments.q, "Joint values (default: the middle of the limits)");
-  arguments.unit.declare(verb);
-  verb.add_option("--out", arguments.out, "The picture: .svg, .png or .pdf")->required();
-  verb.add_flag("--frames", options.frames, "Every link's frame: x red, y green, z blue");
-  verb.add_flag("--jacobian", options.jacobian,
-                "The Jacobian's columns as arrows at the tool: joint 1 red, 2 green, 3 blue");
-  verb.add_option("--title", options.title, "The title (default: the arm's name)");
-  verb.add_option("--azimuth", arguments.azimuth, "Spatial arms: degrees from x to the viewer")
-      ->capture_default_str();
-  verb.add_option("--elevation", arguments.elevation, "Spatial arms: degrees above the ground")
-      ->capture_default_str();
-  verb.add_flag("--json", arguments.json, "Print JSON");
-  verb.footer(
-      "Examples:\n"
-      "  beeline draw rrr --q 0,90,0 --degrees --jacobian --out rrr.svg\n"
-      "  beeline draw panda move.csv --out move.png\n"
-      "  beeline draw robot.urdf --tip tool0 --frames --out robot.pdf");
-  return [] { return draw(arguments); };
+  arguments.azimuth = std::round(degrees.shown(arguments.figure.azimuth));
+  arguments.elevation = std::round(degrees.shown(arguments.figure.elevation));
+  Positional motion =
+      trajectory_argument("FILE", "A trajectory of the arm, .csv or .json.", &arguments.motion);
+  motion.required = false;
+  return {.name = "draw",
+          .summary = "Draw an arm or a motion as SVG, PNG or PDF",
+          .description =
+              "Draws the arm at given joint values, or the arm along a trajectory with "
+              "the path of its tool. Prints the name of the file.",
+          .arguments = {arguments.arm.argument(), motion},
+          .options = joined(
+              {drawing_options(arguments), arguments.unit.options(), arguments.arm.options()}),
+          .examples = {{"The planar arm with the columns of its Jacobian",
+                        "beeline draw rrr --q 0,90,0 --degrees --jacobian --out rrr.svg"},
+                       {"All frames of a UR5", "beeline draw ur5 --frames --out ur5.pdf"},
+                       {"A motion",
+                        "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
+                        "--out move.csv\n"
+                        "beeline draw panda move.csv --out move.png"}},
+          .json = &arguments.json,
+          .run = [] { return draw(arguments); }};
 }

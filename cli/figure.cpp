@@ -5,8 +5,7 @@
 #include <beeline/error.h>
 #include <beeline/read/file.h>
 
-#include "output.h"
-#include "verb.h"
+#include "verbs.h"
 
 using namespace beeline;
 
@@ -17,31 +16,38 @@ struct Arguments {
   bool json = false;
 };
 
-Exit redraw(const Arguments& arguments) {
+Answer redraw(const Arguments& arguments) {
   const Format format = format_of(arguments.out);
   write_file(arguments.out, render(chapter_figure(arguments.number), format));
-  if (arguments.json) {
-    print_json({{"status", "drawn"}, {"figure", arguments.number}, {"out", arguments.out}});
-  } else {
-    fmt::print("figure {} drawn: {}\n", arguments.number, arguments.out);
-  }
-  return Exit::yes;
+  return {.text = fmt::format("figure {} drawn: {}\n", arguments.number, arguments.out),
+          .document = {{"status", "drawn"}, {"figure", arguments.number}, {"out", arguments.out}}};
 }
 
 }  // namespace
 
-Run declare_figure(CLI::App& verb) {
+Verb figure_verb() {
   static Arguments arguments;
-  verb.add_option("NUMBER", arguments.number, "One of " + listed(chapter_figures()))->required();
-  verb.add_option("--out", arguments.out, "The picture: .svg, .png or .pdf")->required();
-  verb.add_flag("--json", arguments.json, "Print JSON");
-  verb.footer(
-      "1.3  the RRR arm at rest and actuated, with its frames\n"
-      "1.6  two configurations\n"
-      "1.7  joint-space control: a curved trail that slows down\n"
-      "1.8  the Jacobian's columns as velocities\n"
-      "1.9  Cartesian control: straight trails through three waypoints\n"
-      "Example:\n"
-      "  beeline figure 1.9 --out figure.svg");
-  return [] { return redraw(arguments); };
+  return {
+      .name = "figure",
+      .summary = "Redraw a figure of Dellaert, Serial Link Manipulators",
+      .description =
+          "Draws one of the chapter's figures from computed motions:\n"
+          "  1.3  the RRR arm at rest and actuated, with its frames\n"
+          "  1.6  two configurations\n"
+          "  1.7  joint-space control: a curved path of the tool\n"
+          "  1.8  the columns of the Jacobian as velocities\n"
+          "  1.9  Cartesian control: straight lines through three poses",
+      .arguments = {{.name = "NUMBER",
+                     .help = "One of " + listed(chapter_figures()) + ".",
+                     .target = &arguments.number,
+                     .choices = chapter_figures()}},
+      .options = {{.name = "--out",
+                   .value = "FILE",
+                   .help = "The picture: .svg, .png or .pdf.",
+                   .target = &arguments.out,
+                   .required = true,
+                   .completes = Completes::file}},
+      .examples = {{"Straight lines through three poses", "beeline figure 1.9 --out figure.svg"}},
+      .json = &arguments.json,
+      .run = [] { return redraw(arguments); }};
 }

@@ -3,8 +3,8 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 
-#include "output.h"
-#include "verb.h"
+#include "format.h"
+#include "verbs.h"
 
 using namespace beeline;
 
@@ -14,8 +14,7 @@ struct Arguments {
   ArmArgument arm;
   UnitArgument unit;
   std::string q;
-  bool all = false;
-  bool json = false;
+  bool all = false, json = false;
 };
 
 std::string link_label(const Arm& arm, std::size_t i) {
@@ -24,47 +23,61 @@ std::string link_label(const Arm& arm, std::size_t i) {
   return link.empty() ? fmt::format("link{}", i) : link;
 }
 
-Exit forward(const Arguments& arguments) {
+Answer compute(const Arguments& arguments) {
+  const UnitArgument& unit = arguments.unit;
   const Arm arm = arguments.arm.read();
-  const Configuration q = arguments.unit.configuration(arm, arguments.q, "--q");
+  const Configuration q = unit.configuration(arm, arguments.q, "--q");
   warn_outside_limits(arm, q);
   const Pose tool = forward_kinematics(arm, q);
-  if (!tool.matrix().allFinite())
-    throw Error("--q: the tool is farther away than a number can tell");
-  const std::vector<Pose> links = arguments.all ? link_poses(arm, q) : std::vector<Pose>{};
-  if (arguments.json) {
-    OrderedJson document{{"pose", json_pose(tool, arm.planar(), arguments.unit)}};
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      OrderedJson pose = json_pose(links[i], arm.planar(), arguments.unit);
-      pose["link"] = link_label(arm, i);
-      document["links"].push_back(pose);
-    }
-    print_json(document);
-    return Exit::yes;
+  if (!tool.matrix().allFinite()) {
+    throw Error("--q: the tool's position exceeds the range of numbers, 1e308 m");
   }
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    fmt::print("{} in the world\n", link_label(arm, i));
-    print_pose(links[i], arm.planar(), arguments.unit);
+  Answer answer;
+  Json links = Json::list();
+  const std::vector<Pose> poses = arguments.all ? link_poses(arm, q) : std::vector<Pose>{};
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const std::string label = link_label(arm, i);
+    answer.text += label + " in the world\n" + pose_text(poses[i], arm.planar(), unit);
+    Json link = json_pose(poses[i], arm.planar(), unit);
+    link.add("link", label);
+    links.append(link);
   }
-  fmt::print("tool in the world\n");
-  print_pose(tool, arm.planar(), arguments.unit);
-  return Exit::yes;
+  answer.text += "tool in the world\n" + pose_text(tool, arm.planar(), unit);
+  answer.document = {{"pose", json_pose(tool, arm.planar(), unit)}};
+  if (arguments.all) answer.document.add("links", links);
+  return answer;
 }
 
 }  // namespace
 
-Run declare_fk(CLI::App& verb) {
+Verb fk_verb() {
   static Arguments arguments;
-  arguments.arm.declare(verb);
-  verb.add_option("--q", arguments.q, "Joint values, comma-separated; metres where a joint slides")
-      ->required();
-  arguments.unit.declare(verb);
-  verb.add_flag("--all", arguments.all, "Every link's pose as well, the base first");
-  verb.add_flag("--json", arguments.json, "Print JSON");
-  verb.footer(
-      "Examples:\n"
-      "  beeline fk rrr --q 112,-52,-60 --degrees\n"
-      "  beeline fk panda --q 0,-0.785,0,-2.356,0,1.571,0.785 --json\n"
-      "  beeline fk robot.urdf --tip tool0 --q 0,0,0,0,0,0 --all");
-  return [] { return forward(arguments); };
+  Option q = joint_values_option(
+      "--q", "Joint values, comma-separated, from the base on; metres for a prismatic joint.",
+      &arguments.q);
+  q.required = true;
+  return {
+      .name = "fk",
+      .summary = "Forward kinematics: the pose of the tool, or of every link",
+      .description =
+          "Computes the pose of the tool in the world for given joint values (Dellaert, Serial "
+          "Link Manipulators, eq. 1.1). For a planar arm it prints x and y in metres and the angle "
+          "theta; otherwise the position in metres, roll, pitch and yaw about the fixed axes "
+          "X, Y, Z, and the unit quaternion. Joint values outside the arm's limits give a "
+          "warning.",
+      .arguments = {arguments.arm.argument()},
+      .options = joined({{q},
+                         arguments.unit.options(),
+                         {{.name = "--all",
+                           .help = "Also print the pose of every link, from the base on.",
+                           .target = &arguments.all}},
+                         arguments.arm.options()}),
+      .examples = {{"The planar arm with three revolute joints, in degrees",
+                    "beeline fk rrr --q 112,-52,-60 --degrees"},
+                   {"All links of a Franka Panda, as JSON",
+                    "beeline fk panda --q 0,-0.785,0,-2.356,0,1.571,0.785 --all --json"},
+                   {"An arm given by its joint letters and link lengths",
+                    "beeline fk RRP:1,0.8,0 --q 0.5,0.2,0.3"}},
+      .json = &arguments.json,
+      .run = [] { return compute(arguments); }};
 }

@@ -1,13 +1,11 @@
-#include <algorithm>
 #include <fmt/core.h>
 
-#include <beeline/error.h>
 #include <beeline/inverse/inverse_kinematics.h>
-#include <beeline/read/pose_list.h>
 
+#include "command/streams.h"
+#include "format.h"
 #include "inverse_argument.h"
-#include "output.h"
-#include "verb.h"
+#include "verbs.h"
 
 using namespace beeline;
 
@@ -21,11 +19,11 @@ struct Arguments {
   bool json = false;
 };
 
-/// What the status is about: metres, or an angle in the caller's unit; no unit where it is the
-/// larger of both.
+/// The residual in the unit of what the status is about: metres, an angle, or that of the joint
+/// outside its limits; without a unit where it is the larger of a distance and an angle.
 struct Residual {
   double value = 0;
-  std::string unit;
+  std::string unit = {};
 };
 
 Residual residual_of(const UnitArgument& unit, const Arm& arm, const InverseResult& result) {
@@ -36,56 +34,55 @@ Residual residual_of(const UnitArgument& unit, const Arm& arm, const InverseResu
       return {unit.shown(result.residual), fmt::format(" {}", unit.name())};
     case InverseStatus::outside_limits: {
       const int k = result.nearest->blocking;
-      const bool slides = kind(arm.joint_of(k)) == JointKind::prismatic;
-      return {unit.shown(arm, k, result.residual), fmt::format(" {}", slides ? "m" : unit.name())};
+      const bool prismatic = kind(arm.joint_of(k)) == JointKind::prismatic;
+      return {unit.shown(arm, k, result.residual),
+              fmt::format(" {}", prismatic ? "m" : unit.name())};
     }
     default:
-      return {result.residual, ""};
+      return {result.residual};
   }
 }
 
-void print_result(const Arguments& arguments, const Arm& arm, const InverseResult& result) {
-  const UnitArgument& unit = arguments.unit;
+std::string text_of(const Arm& arm, const InverseResult& result, const UnitArgument& unit) {
   const Residual residual = residual_of(unit, arm, result);
-  fmt::print("{}: {} solution{}{} by {}, residual {}{}\n", name(result.status),
-             result.solutions.size(), result.solutions.size() == 1 ? "" : "s",
-             result.complete ? ", all there are," : "", result.method, shown(residual.value),
-             residual.unit);
-  for (const Configuration& q : result.solutions) fmt::print("  {}\n", shown(unit.shown(arm, q)));
-  if (result.singular) fmt::print("  {}\n", result.reason);
-  if (result.nearest) {
-    fmt::print("  nearest: q {}; tool at {}\n", shown(unit.shown(arm, result.nearest->q)),
-               shown(result.nearest->world_T_tool, arm.planar(), unit));
+  std::string text =
+      fmt::format("{}: {}{} by {}, residual {}{}\n", name(result.status),
+                  counted(static_cast<std::int64_t>(result.solutions.size()), "solution"),
+                  result.complete ? ", all that exist," : "", result.method, shown(residual.value),
+                  residual.unit);
+  for (const Configuration& q : result.solutions) {
+    text += fmt::format("  {}\n", shown(unit.shown(arm, q)));
   }
+  if (result.singular) text += fmt::format("  {}\n", result.reason);
+  if (result.nearest) {
+    text += fmt::format("  nearest: q {}; tool at {}\n", shown(unit.shown(arm, result.nearest->q)),
+                        shown(result.nearest->world_T_tool, arm.planar(), unit));
+  }
+  return text;
 }
 
-OrderedJson nearest_document(const Arguments& arguments, const Arm& arm,
-                             const NearestMiss& nearest) {
-  const UnitArgument& unit = arguments.unit;
-  OrderedJson document{{"q", json_vector(unit.shown(arm, nearest.q))},
-                       {"pose", json_pose(nearest.world_T_tool, arm.planar(), unit)},
-                       {"position_error", json_number(nearest.error.position)},
-                       {"orientation_error", json_number(unit.shown(nearest.error.orientation))}};
+Json nearest_document(const Arm& arm, const NearestMiss& nearest, const UnitArgument& unit) {
+  Json document{{"q", unit.shown(arm, nearest.q)},
+                {"pose", json_pose(nearest.world_T_tool, arm.planar(), unit)},
+                {"position_error", nearest.error.position},
+                {"orientation_error", unit.shown(nearest.error.orientation)}};
   if (nearest.blocking >= 0) {
-    document["joint"] = arm.joint_of(nearest.blocking).name;
-    document["excess"] = json_number(unit.shown(arm, nearest.blocking, nearest.excess));
+    document.add("joint", arm.joint_of(nearest.blocking).name);
+    document.add("excess", unit.shown(arm, nearest.blocking, nearest.excess));
   }
   return document;
 }
 
-OrderedJson result_document(const Arguments& arguments, const Arm& arm,
-                            const InverseResult& result) {
-  OrderedJson solutions = OrderedJson::array();
-  for (const Configuration& q : result.solutions) {
-    solutions.push_back(json_vector(arguments.unit.shown(arm, q)));
-  }
-  OrderedJson nearest;
-  if (result.nearest) nearest = nearest_document(arguments, arm, *result.nearest);
+Json document_of(const Arm& arm, const InverseResult& result, const UnitArgument& unit) {
+  Json solutions = Json::list();
+  for (const Configuration& q : result.solutions) solutions.append(unit.shown(arm, q));
+  Json nearest;
+  if (result.nearest) nearest = nearest_document(arm, *result.nearest, unit);
   return {{"status", name(result.status)},
           {"solutions", solutions},
           {"singular", result.singular},
           {"complete", result.complete},
-          {"residual", json_number(residual_of(arguments.unit, arm, result).value)},
+          {"residual", residual_of(unit, arm, result).value},
           {"reason", result.reason},
           {"nearest", nearest},
           {"method", result.method},
@@ -93,52 +90,71 @@ OrderedJson result_document(const Arguments& arguments, const Arm& arm,
           {"restarts", result.restarts}};
 }
 
-Exit ik(const Arguments& arguments) {
+Answer solve(const Arguments& arguments) {
   const Arm arm = arguments.arm.read();
-  const WrittenPose goal = parse_pose(arguments.pose, arguments.unit.angle_unit());
+  const WrittenPose goal = parse_pose_option(arguments.pose, arguments.unit);
   const InverseOptions options = arguments.inverse.read(arm, arguments.unit);
   check_pose_form(arm, goal, arguments.inverse.task, "--pose");
   const InverseResult result = inverse_kinematics(arm, goal.pose, options);
-  if (arguments.json) {
-    print_json(result_document(arguments, arm, result));
-  } else {
-    print_result(arguments, arm, result);
-  }
   const bool solved = result.status == InverseStatus::solved;
   if (solved && result.residual > options.tolerance) {
-    fmt::print(stderr,
-               "beeline: warning: rounding at this arm's size limits the error to {} m or rad\n",
-               shown(result.residual));
+    warn(fmt::format("rounding limits the error to {} m or rad for an arm of this size",
+                     shown(result.residual)));
   }
-  if (!solved) fmt::print(stderr, "beeline: {}\n", result.reason);
-  return solved ? Exit::yes : Exit::no;
+  return {.text = text_of(arm, result, arguments.unit),
+          .document = document_of(arm, result, arguments.unit),
+          .yes = solved,
+          .reason = result.reason};
+}
+
+std::vector<Option> options_of(Arguments& arguments) {
+  InverseArgument& inverse = arguments.inverse;
+  return joined({{{.name = "--pose",
+                   .value = "POSE",
+                   .help = "Pose of the tool in the world: x,y,theta (planar arms), "
+                           "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz.",
+                   .target = &arguments.pose,
+                   .required = true}},
+                 arguments.unit.options(),
+                 {{.name = "--all",
+                   .help = "Print every solution found, the nearest to the seed first.",
+                   .target = &inverse.values.all},
+                  {.name = "--every-turn",
+                   .help = "Print each solution once for every whole turn of its revolute joints "
+                           "within the position limits.",
+                   .target = &inverse.values.every_turn,
+                   .needs = "--all"}},
+                 inverse.choice_options(),
+                 inverse.search_options(),
+                 arguments.arm.options()});
 }
 
 }  // namespace
 
-Run declare_ik(CLI::App& verb) {
+Verb ik_verb() {
   static Arguments arguments;
-  arguments.arm.declare(verb);
-  verb.add_option("--pose", arguments.pose,
-                  "x,y,theta (planar arms), x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz")
-      ->required();
-  arguments.unit.declare(verb);
-  InverseArgument& inverse = arguments.inverse;
-  CLI::Option* all = verb.add_flag("--all", inverse.options.all,
-                                   "Every solution found, nearest to the seed first");
-  verb.add_flag("--every-turn", inverse.options.every_turn,
-                "With --all: the same posture by every turn within limits")
-      ->needs(all);
-  inverse.declare_choices(verb);
-  inverse.declare_search(verb);
-  verb.add_flag("--json", arguments.json, "Print JSON");
-  verb.footer(
-      "Examples:\n"
-      "  beeline ik rrr --pose 4.459,5.226,0 --all --degrees\n"
-      "  beeline ik panda --pose 0.4,0.1,0.5,3.14159,0,0 --json\n"
-      "  beeline ik puma560 --pose 0.3,0.2,0.4,180,0,0 --degrees --all --every-turn\n"
-      "  beeline ik ur5 --pose 0.4,0.2,0.3,3.14,0,0 --method numerical --time-limit 0.01\n"
-      "  beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --redundancy centred\n"
-      "  beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --lock joint7=45 --all");
-  return [] { return ik(arguments); };
+  return {
+      .name = "ik",
+      .summary = "Inverse kinematics: the joint values that reach a pose",
+      .description =
+          "Prints a status, then the solutions, one line of joint values each. The status is "
+          "solved, unreachable (the position is out of reach), orientation_unreachable (the "
+          "position can be reached, but not with this orientation), outside_limits (all solutions "
+          "found violate position limits) or not_found (the search ended without a proof). "
+          "Without a solution, exit code 1, the nearest configuration and the reason are given. "
+          "The residual is the error of the solutions, or the distance, the angle or the joint "
+          "value by which the pose is missed.",
+      .arguments = {arguments.arm.argument()},
+      .options = options_of(arguments),
+      .examples = {{"Both solutions of the planar arm",
+                    "beeline ik rrr --pose 4.459,5.226,0 --all --degrees"},
+                   {"A redundant arm: the solution most centred between its limits",
+                    "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --redundancy centred"},
+                   {"All solutions with joint 7 at 45 degrees",
+                    "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --lock joint7=45 --all"},
+                   {"The numerical method for at most 10 ms, as JSON",
+                    "beeline ik ur5 --pose 0.4,0.2,0.3,3.14,0,0 --method numerical "
+                    "--time-limit 0.01 --json"}},
+      .json = &arguments.json,
+      .run = [] { return solve(arguments); }};
 }

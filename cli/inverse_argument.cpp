@@ -1,7 +1,6 @@
 #include "inverse_argument.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include <beeline/error.h>
 #include <beeline/read/numbers.h>
@@ -10,73 +9,91 @@ using namespace beeline;
 
 namespace {
 
-/// CLI11 takes -1 for the largest number, and cuts off what is too large.
-std::string whole_number(const std::string& text) {
-  std::uint64_t value = 0;
-  const char* const last = text.data() + text.size();
-  const auto [end, fault] = std::from_chars(text.data(), last, value);
-  if (text.empty() || (fault == std::errc() && end == last)) return "";
-  return "needs a whole number from 0 to 18446744073709551615, not " + text;
-}
-
-/// --lock NAME or NAME=VALUE: the value goes into the seed, where the joint stays.
+/// --lock NAME or NAME=VALUE; the value becomes the seed's.
 void apply_lock(const std::string& lock, const Arm& arm, const UnitArgument& unit,
                 InverseOptions& options) {
   const std::vector<std::string> names = arm.joint_names();
   auto joint = std::find(names.begin(), names.end(), lock);
   const std::size_t equals = lock.rfind('=');
   const bool has_value = joint == names.end() && equals != std::string::npos;
-  const std::string asked = has_value ? lock.substr(0, equals) : lock;
-  joint = std::find(names.begin(), names.end(), asked);
-  if (joint == names.end()) throw unknown_name("joint", asked, names);
+  const std::string locked = has_value ? lock.substr(0, equals) : lock;
+  joint = std::find(names.begin(), names.end(), locked);
+  if (joint == names.end()) {
+    throw Error(std::string("--lock: ") + unknown_name("joint", locked, names).what());
+  }
   const int k = static_cast<int>(joint - names.begin());
   options.lock = k;
   if (!has_value) return;
   if (!options.seed) options.seed = middle_configuration(arm);
-  const double value = parse_number(lock.substr(equals + 1), "--lock " + asked);
+  const double value = parse_number(lock.substr(equals + 1), "--lock " + locked);
   (*options.seed)[k] = unit.coordinate(arm, k, value);
 }
 
 }  // namespace
 
-void InverseArgument::declare_choices(CLI::App& verb) {
-  verb.add_option("--seed", seed, "Joint values to be near to (default: the middle)");
-  task.declare(verb);
-  verb.add_flag("--ignore-limits", options.ignore_limits, "Joint limits do not count");
-  verb.add_option("--lock", lock,
-                  "NAME or NAME=VALUE: this joint stays at the seed's value, or at this one");
-  verb.add_option("--redundancy", redundancy,
-                  "With a joint to spare, which of infinitely many solutions: any, the nearest\n"
-                  "to the seed, or the one most centred between the limits")
-      ->capture_default_str();
-  verb.add_option("--grid", options.grid, "Values of the joint to spare that are tried first")
-      ->capture_default_str();
+std::vector<Option> InverseArgument::choice_options() {
+  return joined(
+      {{joint_values_option("--seed",
+                            "Joint values; solutions near them come first. Default: the middle "
+                            "of the position limits.",
+                            &seed)},
+       task.options(),
+       {{.name = "--ignore-limits",
+         .help = "Accept solutions outside the position limits.",
+         .target = &values.ignore_limits},
+        {.name = "--lock",
+         .value = "JOINT[=VALUE]",
+         .help = "Keep this joint at the value given, or at the seed's.",
+         .target = &lock},
+        {.name = "--redundancy",
+         .value = "CHOICE",
+         .help = "Which of infinitely many solutions of a redundant arm: any; the one nearest to "
+                 "the seed; or the most centred between the position limits.",
+         .target = &redundancy,
+         .choices = {name(Redundancy::any), name(Redundancy::nearest), name(Redundancy::centred)}},
+        {.name = "--grid",
+         .value = "N",
+         .help = "Number of values of the redundant joint at which solutions are first sought.",
+         .target = &values.grid}}});
 }
 
-void InverseArgument::declare_search(CLI::App& verb) {
-  verb.add_option("--method", method,
-                  "automatic, closed_form (all solutions by formulas; an error where the arm\n"
-                  "has none) or numerical (descents from the seed and from elsewhere)")
-      ->capture_default_str();
-  verb.add_option("--tolerance", options.tolerance, "Largest error, metres and radians")
-      ->capture_default_str();
-  verb.add_option("--iterations", options.iterations, "Most steps of the numerical solver in a try")
-      ->capture_default_str();
-  verb.add_option("--restarts", options.restarts, "Most tries from random configurations")
-      ->capture_default_str();
-  verb.add_option("--random-seed", options.random_seed, "The same seed gives the same answer")
-      ->check(whole_number)
-      ->capture_default_str();
-  verb.add_option("--time-limit", options.time_limit,
-                  "Seconds after which a numerical search ends with what it has");
+std::vector<Option> InverseArgument::search_options() {
+  return {{.name = "--method",
+           .value = "METHOD",
+           .help = "closed_form: all solutions by formulas, an error for an arm without; "
+                   "numerical: iterations from the seed and from random configurations; "
+                   "automatic: closed form where there is one.",
+           .target = &method,
+           .choices = {name(InverseMethod::automatic), name(InverseMethod::closed_form),
+                       name(InverseMethod::numerical)}},
+          {.name = "--tolerance",
+           .value = "E",
+           .help = "Largest error of a solution, in metres and in radians.",
+           .target = &values.tolerance},
+          {.name = "--max-iterations",
+           .value = "N",
+           .help = "Largest number of iterations from one start of the numerical method.",
+           .target = &values.iterations},
+          {.name = "--max-restarts",
+           .value = "N",
+           .help = "Largest number of random starts of the numerical method.",
+           .target = &values.restarts},
+          {.name = "--random-seed",
+           .value = "N",
+           .help = "Seed of the random starts; the same seed gives the same answer.",
+           .target = &values.random_seed},
+          {.name = "--time-limit",
+           .value = "SECONDS",
+           .help = "End a numerical search after this time with the solutions found so far.",
+           .target = &values.time_limit}};
 }
 
 InverseOptions InverseArgument::read(const Arm& arm, const UnitArgument& unit) const {
-  InverseOptions asked = options;
-  asked.task = task.read(arm);
-  asked.method = inverse_method_named(method);
-  asked.redundancy = redundancy_named(redundancy);
-  if (!seed.empty()) asked.seed = unit.configuration(arm, seed, "--seed");
-  if (!lock.empty()) apply_lock(lock, arm, unit, asked);
-  return asked;
+  InverseOptions options = values;
+  options.task = task.read(arm);
+  options.method = inverse_method_named(method);
+  options.redundancy = redundancy_named(redundancy);
+  if (!seed.empty()) options.seed = unit.configuration(arm, seed, "--seed");
+  if (!lock.empty()) apply_lock(lock, arm, unit, options);
+  return options;
 }

@@ -4,17 +4,17 @@
 
 #include "arguments.h"
 
-/// What is asked of inverse kinematics besides the pose, by `ik` and `batch ik` alike.
+/// The options of inverse kinematics that `ik` and `batch ik` share.
 struct InverseArgument {
-  TaskArgument task;
-  std::string seed, lock;
+  TaskArgument task = {};
+  std::string seed = {}, lock = {};
   std::string method = name(beeline::InverseMethod::automatic);
   std::string redundancy = name(beeline::Redundancy::any);
-  beeline::InverseOptions options;
+  beeline::InverseOptions values = {};
 
-  /// --seed and --task, --ignore-limits, --lock and which of many: what is wanted.
-  void declare_choices(CLI::App& verb);
-  /// --method to --time-limit: how it is looked for.
-  void declare_search(CLI::App& verb);
+  /// Which solutions are wanted: --seed, --task, --ignore-limits, --lock, --redundancy, --grid.
+  std::vector<Option> choice_options();
+  /// How they are searched for: --method to --time-limit.
+  std::vector<Option> search_options();
   beeline::InverseOptions read(const beeline::Arm& arm, const UnitArgument& unit) const;
 };

@@ -4,8 +4,8 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/manipulability.h>
 
-#include "output.h"
-#include "verb.h"
+#include "format.h"
+#include "verbs.h"
 
 using namespace beeline;
 
@@ -14,72 +14,77 @@ namespace {
 struct Arguments {
   ArmArgument arm;
   UnitArgument unit;
-  TaskArgument task;
+  JacobianArgument jacobian;
   std::string q;
-  std::string frame = "base";
   bool json = false;
 };
 
 const char* meaning(Frame frame) {
   switch (frame) {
     case Frame::base:
-      return "velocity of the tool's origin, in the world's axes";
+      return "velocity of the tool origin, in the world's axes";
     case Frame::tool:
-      return "velocity of the tool's origin, in the tool's axes";
+      return "velocity of the tool origin, in the tool's axes";
     case Frame::space:
-      return "spatial twist, taken at the world's origin";
+      return "spatial twist, at the world's origin";
   }
   return "";
 }
 
-Exit differential(const Arguments& arguments) {
+Answer compute(const Arguments& arguments) {
   const Arm arm = arguments.arm.read();
   const Configuration q = arguments.unit.configuration(arm, arguments.q, "--q");
-  Task task = arguments.task.read(arm);
-  if (task.frame == Frame::tool && arguments.frame != "tool") {
-    throw Error("the task's :tool does not go with --frame " + arguments.frame);
-  }
-  task.frame = frame_named(arguments.frame);
+  const Task task = arguments.jacobian.read(arm);
   warn_outside_limits(arm, q);
   const Eigen::MatrixXd matrix = task_jacobian(arm, q, task);
-  if (!std::isfinite(matrix.squaredNorm()))
-    throw Error("--q: the tool is farther away than a number can tell");
+  if (!std::isfinite(matrix.squaredNorm())) {
+    throw Error("--q: the Jacobian exceeds the range of numbers, 1e308");
+  }
   const Dexterity dexterous = dexterity(matrix);
   const std::vector<std::string> rows = row_names({task.rows, Frame::base});
-  if (arguments.json) {
-    print_json({{"frame", arguments.frame},
-                {"rows", rows},
-                {"columns", arm.joint_names()},
-                {"jacobian", json_matrix(matrix)},
-                {"singular_values", json_vector(dexterous.singular_values)},
-                {"manipulability", json_number(dexterous.manipulability)},
-                {"condition", json_number(dexterous.condition)}});
-    return Exit::yes;
-  }
-  fmt::print("Jacobian in the {} frame: {}\n", arguments.frame, meaning(task.frame));
-  fmt::print("(a column for each joint: {})\n", listed(arm.joint_names()));
-  print_matrix(matrix, rows);
-  fmt::print("singular values  {}\n", shown(dexterous.singular_values));
-  fmt::print("manipulability   {}\n", shown(dexterous.manipulability));
-  fmt::print("condition        {}\n", shown(dexterous.condition));
-  return Exit::yes;
+  const std::string& frame = arguments.jacobian.frame;
+  Answer answer;
+  answer.document = {{"frame", frame},
+                     {"rows", rows},
+                     {"columns", arm.joint_names()},
+                     {"jacobian", json_matrix(matrix)},
+                     {"singular_values", dexterous.singular_values},
+                     {"manipulability", dexterous.manipulability},
+                     {"condition", dexterous.condition}};
+  answer.text = fmt::format("Jacobian in the {} frame: {}\n", frame, meaning(task.frame)) +
+                fmt::format("(a column for each joint: {})\n", listed(arm.joint_names())) +
+                matrix_text(matrix, rows) +
+                fmt::format("singular values  {}\n", shown(dexterous.singular_values)) +
+                fmt::format("manipulability   {}\n", shown(dexterous.manipulability)) +
+                fmt::format("condition        {}\n", shown(dexterous.condition));
+  return answer;
 }
 
 }  // namespace
 
-Run declare_jacobian(CLI::App& verb) {
+Verb jacobian_verb() {
   static Arguments arguments;
-  arguments.arm.declare(verb);
-  verb.add_option("--q", arguments.q, "Joint values, comma-separated; metres where a joint slides")
-      ->required();
-  arguments.unit.declare(verb);
-  verb.add_option("--frame", arguments.frame, "base, tool or space")->capture_default_str();
-  arguments.task.declare(verb);
-  verb.add_flag("--json", arguments.json, "Print JSON; a condition that is infinite is null");
-  verb.footer(
-      "Entries are per radian, or per metre of a joint that slides, also with --degrees.\n"
-      "Examples:\n"
-      "  beeline jacobian rrr --q 0,90,0 --degrees\n"
-      "  beeline jacobian panda --q 0,-0.785,0,-2.356,0,1.571,0.785 --frame tool --json");
-  return [] { return differential(arguments); };
+  Option q = joint_values_option(
+      "--q", "Joint values, comma-separated, from the base on; metres for a prismatic joint.",
+      &arguments.q);
+  q.required = true;
+  return {
+      .name = "jacobian",
+      .summary = "The Jacobian, its singular values and manipulability",
+      .description =
+          "Computes the Jacobian that maps joint velocities to the velocity of the tool: rows "
+          "vx vy vz wx wy wz in m/s and rad/s, or x y theta for a planar arm; one column for "
+          "each joint, per rad/s or m/s of that joint, also with --degrees. Prints its "
+          "singular values, their product (manipulability) and the ratio of the largest to "
+          "the smallest (condition number, null in JSON if infinite).",
+      .arguments = {arguments.arm.argument()},
+      .options = joined(
+          {{q}, arguments.unit.options(), arguments.jacobian.options(), arguments.arm.options()}),
+      .examples = {{"The columns drawn in figure 1.8 of the chapter",
+                    "beeline jacobian rrr --q 0,90,0 --degrees"},
+                   {"The body Jacobian of a Franka Panda, as JSON",
+                    "beeline jacobian panda --q 0,-0.785,0,-2.356,0,1.571,0.785 --frame tool "
+                    "--json"}},
+      .json = &arguments.json,
+      .run = [] { return compute(arguments); }};
 }

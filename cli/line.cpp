@@ -1,58 +1,53 @@
-#include <algorithm>
 #include <fmt/core.h>
 
 #include <beeline/control/cartesian.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/move_along.h>
-#include <beeline/read/pose_list.h>
 
+#include "command/progress.h"
+#include "input_files.h"
 #include "line_report.h"
 #include "path_argument.h"
-#include "progress.h"
-#include "results.h"
-#include "verb.h"
+#include "profile_argument.h"
+#include "verbs.h"
 
 using namespace beeline;
 
 namespace {
+
+const std::string exact = "exact";
 
 struct Arguments {
   ArmArgument arm;
   UnitArgument unit;
   TaskArgument task;
   PathArgument path;
-  std::string from, through, law, method = "exact";
-  PathMotionOptions options;
+  ProfileArgument profile;
+  std::string from, through, method = exact;
+  PathMotionOptions motion;
+  std::optional<double> tool_speed, rate;
   CartesianOptions control;
   ResultFiles files;
   bool branches = false, json = false;
-  std::vector<const CLI::Option*> exact_options, control_options;
 };
 
-/// Refuses an option that the chosen method would ignore.
-void check_method(const Arguments& arguments) {
-  const std::vector<std::string> methods{"exact", name(CartesianMethod::inverse_jacobian),
-                                         name(CartesianMethod::inverse_kinematics)};
-  if (std::find(methods.begin(), methods.end(), arguments.method) == methods.end()) {
-    throw unknown_name("method", arguments.method, methods);
-  }
-  const bool exact = arguments.method == "exact";
-  for (const CLI::Option* option : exact ? arguments.control_options : arguments.exact_options) {
-    if (option->count() == 0) continue;
-    throw Error(option->get_name() + " does not go with --method " + arguments.method);
-  }
+PathMotionOptions motion_options(const Arguments& arguments, const Task& task) {
+  PathMotionOptions options = arguments.motion;
+  options.task = task;
+  options.profile = arguments.profile.read();
+  options.suggest = true;
+  if (arguments.tool_speed) options.tool_speed = *arguments.tool_speed;
+  if (arguments.rate) options.rate = checked_rate(*arguments.rate);
+  return options;
 }
 
-LineReport follow_exactly(const Arguments& arguments, const Arm& arm,
-                          const std::optional<Configuration>& start, const std::vector<Pose>& poses,
-                          const Task& task) {
+LineReport plan(const Arguments& arguments, const Arm& arm,
+                const std::optional<Configuration>& start, const std::vector<Pose>& poses,
+                const Task& task) {
   Progress progress;
-  PathMotionOptions options = arguments.options;
-  options.task = task;
-  if (!arguments.law.empty()) options.profile = profile_named(arguments.law);
-  options.progress = [&progress](double share) { progress.show(share); };
-  options.suggest = true;
+  PathMotionOptions options = motion_options(arguments, task);
+  options.progress = [&progress](double fraction) { progress.show(fraction); };
   const Route route = start ? arguments.path.from(forward_kinematics(arm, *start), poses, task)
                             : arguments.path.through(poses);
   PathMotion motion = move_along(arm, start, route, options);
@@ -75,8 +70,8 @@ LineReport follow_exactly(const Arguments& arguments, const Arm& arm,
   return report;
 }
 
-LineReport follow_by_control(const Arm& arm, const Configuration& start,
-                             const std::vector<Pose>& waypoints, const CartesianOptions& options) {
+LineReport control(const Arm& arm, const Configuration& start, const std::vector<Pose>& waypoints,
+                   const CartesianOptions& options) {
   ControlledMotion motion = control_in_lines(arm, start, waypoints, options);
   LineReport report;
   report.status = motion.status;
@@ -97,107 +92,150 @@ LineReport follow_by_control(const Arm& arm, const Configuration& start,
   return report;
 }
 
-LineReport follow(const Arguments& arguments, const Arm& arm, const std::vector<Pose>& waypoints) {
+LineReport plan_or_control(const Arguments& arguments, const Arm& arm,
+                           const std::vector<Pose>& waypoints) {
   std::optional<Configuration> start;
   if (!arguments.from.empty()) {
     start = arguments.unit.configuration(arm, arguments.from, "--from");
   }
   const Task task = arguments.task.read(arm);
-  if (arguments.method == "exact") return follow_exactly(arguments, arm, start, waypoints, task);
+  if (arguments.method == exact) return plan(arguments, arm, start, waypoints, task);
   if (!start) throw Error("--method " + arguments.method + " needs --from");
   CartesianOptions options = arguments.control;
   options.task = task;
   options.method = arguments.method == name(CartesianMethod::inverse_jacobian)
                        ? CartesianMethod::inverse_jacobian
                        : CartesianMethod::inverse_kinematics;
-  return follow_by_control(arm, *start, waypoints, options);
+  return control(arm, *start, waypoints, options);
 }
 
-Exit line(const Arguments& arguments) {
+Answer move_in_lines(const Arguments& arguments) {
   arguments.files.check({arguments.arm.text, arguments.through});
-  check_method(arguments);
   const Arm arm = arguments.arm.read();
   const PoseList waypoints = read_waypoints(arguments.through, arm, arguments.task, arguments.unit);
-  LineReport report = follow(arguments, arm, waypoints.poses);
+  LineReport report = plan_or_control(arguments, arm, waypoints.poses);
   report.method = arguments.method;
   report.waypoints = waypoints.poses.size();
   const bool reached = report.status == MotionStatus::reached;
   if (reached) arguments.files.write(arm, report.trajectory, waypoints.poses, report.path);
-  if (arguments.json) {
-    print_json(json_report(arm, report, arguments.unit, arguments.files));
-  } else {
-    print_report(arm, report, arguments.unit, arguments.files);
-  }
-  if (!reached) fmt::print(stderr, "beeline: {}\n", report.reason);
-  return reached ? Exit::yes : Exit::no;
+  return {.text = report_text(arm, report, arguments.unit, arguments.files),
+          .document = report_document(arm, report, arguments.unit, arguments.files),
+          .yes = reached,
+          .reason = report.reason};
+}
+
+std::vector<Option> motion_options(Arguments& arguments) {
+  const std::string jacobian = name(CartesianMethod::inverse_jacobian);
+  const std::string kinematics = name(CartesianMethod::inverse_kinematics);
+  return {through_option("The poses to pass.", &arguments.through),
+          joint_values_option("--from",
+                              "Joint values at the start. Default: the joint values at the first "
+                              "pose that are best for the whole path.",
+                              &arguments.from),
+          {.name = "--method",
+           .value = "METHOD",
+           .help = "exact: a planned motion with a certificate; inverse-jacobian: feedback by the "
+                   "inverse Jacobian (eq. 1.6 of the chapter); inverse-kinematics: joint control "
+                   "(eq. 1.3) between solutions at intermediate poses.",
+           .target = &arguments.method,
+           .choices = {exact, jacobian, kinematics}}};
+}
+
+std::vector<Option> exact_options(Arguments& arguments) {
+  PathMotionOptions& motion = arguments.motion;
+  return joined(
+      {arguments.path.options({exact}),
+       {arguments.profile.option({exact}),
+        {.name = "--tool-speed",
+         .value = "V",
+         .help = "Largest speed of the tool origin, m/s.",
+         .target = &arguments.tool_speed,
+         .methods = {exact}},
+        {.name = "--rate",
+         .value = "HZ",
+         .help = "Samples per second. Default: as few samples as the tolerance needs.",
+         .target = &arguments.rate,
+         .methods = {exact}},
+        {.name = "--tolerance",
+         .value = "METRES",
+         .help = "Largest distance of the tool origin from the path between samples.",
+         .target = &motion.tolerance,
+         .methods = {exact}},
+        {.name = "--orientation-tolerance",
+         .value = "RAD",
+         .help = "Largest angle from the path's orientation between samples, radians.",
+         .target = &motion.orientation_tolerance,
+         .methods = {exact}},
+        {.name = "--max-samples",
+         .value = "N",
+         .help = "Give up if more samples are needed.",
+         .target = &motion.max_samples,
+         .methods = {exact}},
+        {.name = "--branches",
+         .help = "Also list every inverse-kinematics branch at the first pose: how many segments "
+                 "it follows, its margins, and why it ends.",
+         .target = &arguments.branches,
+         .methods = {exact}}}});
+}
+
+std::vector<Option> control_options(Arguments& arguments) {
+  const std::string jacobian = name(CartesianMethod::inverse_jacobian);
+  const std::string kinematics = name(CartesianMethod::inverse_kinematics);
+  CartesianOptions& control = arguments.control;
+  return {{.name = "--gain",
+           .value = "K",
+           .help = "Proportional gain K_p.",
+           .target = &control.gain,
+           .methods = {jacobian, kinematics}},
+          {.name = "--time-step",
+           .value = "SECONDS",
+           .help = "Duration of one step.",
+           .target = &control.simulation.time_step,
+           .methods = {jacobian, kinematics}},
+          {.name = "--max-steps",
+           .value = "N",
+           .help = "Give up after this many steps.",
+           .target = &control.simulation.max_steps,
+           .methods = {jacobian, kinematics}},
+          {.name = "--intermediate",
+           .value = "N",
+           .help = "Poses on each line at which inverse kinematics is solved.",
+           .target = &control.intermediate,
+           .methods = {kinematics}}};
 }
 
 }  // namespace
 
-Run declare_line(CLI::App& verb) {
+Verb line_verb() {
   static Arguments arguments;
-  PathMotionOptions& options = arguments.options;
-  CartesianOptions& control = arguments.control;
-  arguments.arm.declare(verb);
-  verb.add_option(
-      "--from", arguments.from,
-      "Joint values at the start; without it the motion begins at the first pose, with\n"
-      "the joint values that are best for the whole way");
-  verb.add_option("--through", arguments.through,
-                  "Poses, a CSV file with the header x,y,theta (planar arms),\n"
-                  "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz")
-      ->required();
-  arguments.unit.declare(verb);
-  arguments.task.declare(verb);
-  verb.add_option("--method", arguments.method,
-                  "exact: every sample on the line, the rest bounded by proof;\n"
-                  "inverse-jacobian: feedback by eq. 1.6; inverse-kinematics: solutions at\n"
-                  "intermediate poses, joint control (eq. 1.3) between them")
-      ->capture_default_str();
-  arguments.exact_options = {
-      verb.add_option("--tolerance", options.tolerance,
-                      "exact: most deviation between samples, metres")
-          ->capture_default_str(),
-      verb.add_option("--orientation-tolerance", options.orientation_tolerance,
-                      "exact: most turn away from the path, radians")
-          ->capture_default_str(),
-      verb.add_option(
-          "--law", arguments.law,
-          "exact: of time, from stop to stop: fastest, jerk, trapezoidal, quintic or s-curve;\n"
-          "see time --help"),
-      verb.add_option("--rate", options.rate,
-                      "exact: samples a second (default: as few as the tolerance needs)"),
-      verb.add_flag(
-          "--branches", arguments.branches,
-          "exact: also list what becomes of every solution for the first pose: how far it\n"
-          "goes, how near to limits and singularities, and why it ends"),
-      verb.add_option("--tool-speed", options.tool_speed, "exact: most speed of the tool, m/s"),
-      verb.add_option("--most-samples", options.max_samples,
-                      "exact: samples after which to give up")
-          ->capture_default_str()};
-  for (const CLI::Option* option : arguments.path.declare(verb, "exact: ")) {
-    arguments.exact_options.push_back(option);
-  }
-  arguments.control_options = {
-      verb.add_option("--gain", control.gain, "feedback: K_p")->capture_default_str(),
-      verb.add_option("--intermediate", control.intermediate,
-                      "inverse-kinematics: poses on each line")
-          ->capture_default_str(),
-      verb.add_option("--time-step", control.simulation.time_step, "feedback: seconds a step")
-          ->capture_default_str(),
-      verb.add_option("--most-steps", control.simulation.max_steps,
-                      "feedback: steps after which to give up")
-          ->capture_default_str()};
-  arguments.files.declare(verb);
-  verb.add_flag("--json", arguments.json, "Print JSON");
-  verb.footer(
-      "Examples:\n"
-      "  beeline line rrr --from 0,90,0 --degrees --through waypoints.csv --out move.csv "
-      "--draw move.svg\n"
-      "  beeline line panda --through poses.csv --round 0.02 --out move.csv\n"
-      "  beeline line panda --through poses.csv --law s-curve --rate 250 --out move.csv\n"
-      "  beeline line robot.urdf --tip tool0 --from 0,-1,1,0,1,0 --through poses.csv --json\n"
-      "  beeline line rrr --from 0,90,0 --degrees --through waypoints.csv "
-      "--method inverse-jacobian --gain 0.5");
-  return [] { return line(arguments); };
+  return {
+      .name = "line",
+      .summary = "Move the tool in straight lines through poses, with a proved deviation",
+      .description =
+          "Plans a joint trajectory whose tool follows straight lines (or --path, --blend) through "
+          "the poses of a file, at rest at each pose, in minimum time within the joint limits. "
+          "Prints a status, the number of samples and the duration in seconds; the deviation from "
+          "the path in metres and radians, measured and proved; the fraction of each joint limit "
+          "that is used; and the smallest margins to position limits and singularities. If the "
+          "path cannot be followed, it prints where and why, and nearby paths that can; exit "
+          "code 1.",
+      .arguments = {arguments.arm.argument()},
+      .options =
+          joined({motion_options(arguments), arguments.unit.options(), arguments.task.options(),
+                  arguments.files.options(), arguments.arm.options(), exact_options(arguments),
+                  control_options(arguments)}),
+      .examples = {{"Three straight lines of the planar arm, with a picture",
+                    "printf 'x,y,theta\\n4.5,5.2,0\\n2,6,45\\n5,3,-20\\n' > planar.csv\n"
+                    "beeline line rrr --from 0,90,0 --degrees --through planar.csv --out move.csv "
+                    "--draw move.svg"},
+                   {"A Franka Panda with blended corners, sampled at 250 Hz",
+                    "printf 'x,y,z,roll,pitch,yaw\\n0.5,-0.2,0.5,180,0,0\\n0.5,0.2,0.4,180,0,20\\n"
+                    "0.4,0.1,0.5,180,0,0\\n' > poses.csv\n"
+                    "beeline line panda --degrees --through poses.csv --blend 0.02 --rate 250 "
+                    "--out panda.csv"},
+                   {"The same lines by feedback, to compare the deviation",
+                    "beeline line rrr --from 0,90,0 --degrees --through planar.csv "
+                    "--method inverse-jacobian --gain 0.5"}},
+      .json = &arguments.json,
+      .run = [] { return move_in_lines(arguments); }};
 }

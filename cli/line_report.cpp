@@ -2,63 +2,69 @@
 
 #include <fmt/core.h>
 
-#include "branch_table.h"
+#include "format.h"
 
 using namespace beeline;
 
-void print_report(const Arm& arm, const LineReport& report, const UnitArgument& unit,
-                  const ResultFiles& files) {
-  const std::size_t waypoints = report.waypoints;
-  const bool reached = report.status == MotionStatus::reached;
-  fmt::print("{}: {} waypoint{}, method {}\n", name(report.status), waypoints,
-             waypoints == 1 ? "" : "s", report.method);
-  for (const NearbyPath& nearby : report.nearby) {
-    fmt::print("would work    {}\n", nearby.description);
-  }
-  if (!reached) {
-    if (report.branches) print_branches(arm, *report.branches, unit);
-    return;
-  }
-  fmt::print("samples       {} in {} s\n", report.trajectory.size(),
-             shown(report.trajectory.times.back()));
-  if (report.method != "exact") {
-    fmt::print("control       {} steps, overshoot {} % of a line\n", report.steps,
-               shown(100 * report.overshoot));
-  }
-  print_deviation(report.deviation, unit);
+namespace {
+
+std::string motion_text(const LineReport& report, const UnitArgument& unit) {
+  std::string text = fmt::format("samples       {} in {} s\n", report.trajectory.size(),
+                                 shown(report.trajectory.times.back()));
   if (report.method == "exact") {
-    print_limits(report.limits);
-    fmt::print("margins       {} % of a joint's range to its limits, inverse condition {}\n",
+    return text + deviation_text(report.deviation, unit) + limits_text(report.limits) +
+           fmt::format(
+               "margins       {} % of a joint's half range to its limits, inverse "
+               "condition number {}\n",
                shown(100 * report.limit_margin), shown(report.dexterity));
   }
-  files.print();
-  if (report.branches) print_branches(arm, *report.branches, unit);
+  return text +
+         fmt::format("control       {} steps, overshoot {} % of a line\n", report.steps,
+                     shown(100 * report.overshoot)) +
+         deviation_text(report.deviation, unit);
 }
 
-OrderedJson json_report(const Arm& arm, const LineReport& report, const UnitArgument& unit,
+}  // namespace
+
+std::string report_text(const Arm& arm, const LineReport& report, const UnitArgument& unit,
                         const ResultFiles& files) {
+  std::string text =
+      fmt::format("{}: {}, method {}\n", name(report.status),
+                  counted(static_cast<std::int64_t>(report.waypoints), "waypoint"), report.method);
+  for (const NearbyPath& nearby : report.nearby) {
+    text += fmt::format("would work    {}\n", nearby.description);
+  }
+  if (report.status == MotionStatus::reached) text += motion_text(report, unit) + files.text();
+  if (report.branches) text += branches_text(arm, *report.branches, unit);
+  return text;
+}
+
+Json report_document(const Arm& arm, const LineReport& report, const UnitArgument& unit,
+                     const ResultFiles& files) {
   const bool reached = report.status == MotionStatus::reached;
-  OrderedJson document{
+  Json document{
       {"status", name(report.status)}, {"method", report.method}, {"waypoints", report.waypoints}};
-  add_deviation(document, reached ? std::optional(report.deviation) : std::nullopt, unit);
-  document["samples"] = report.trajectory.size();
-  document["duration"] = reached ? json_number(report.trajectory.times.back()) : nullptr;
-  document["reason"] = report.reason;
+  document.add(deviation_members(reached ? std::optional(report.deviation) : std::nullopt, unit));
+  document.add("samples", report.trajectory.size());
+  document.add("duration", reached ? Json(report.trajectory.times.back()) : nullptr);
+  document.add("reason", report.reason);
   if (reached && report.method == "exact") {
-    document["limits"] = json_limits(report.limits);
-    document["limit_margin"] = json_number(report.limit_margin);
-    document["dexterity"] = json_number(report.dexterity);
+    document.add("limits", json_limits(report.limits));
+    document.add("limit_margin", report.limit_margin);
+    document.add("dexterity", report.dexterity);
   }
   if (report.method != "exact") {
-    document["steps"] = report.steps;
-    document["overshoot"] = json_number(report.overshoot);
+    document.add("steps", report.steps);
+    document.add("overshoot", report.overshoot);
   }
-  for (const NearbyPath& nearby : report.nearby) {
-    document["nearby"].push_back({{"description", nearby.description},
-                                  {"moved", json_vector(nearby.moved)},
-                                  {"turned", json_vector(nearby.turned)}});
+  Json nearby = Json::list();
+  for (const NearbyPath& path : report.nearby) {
+    nearby.append({{"description", path.description},
+                   {"translation", Eigen::VectorXd(path.moved)},
+                   {"rotation", Eigen::VectorXd(path.turned)}});
   }
-  if (report.branches) document["branches"] = json_branches(arm, *report.branches, unit);
+  if (!report.nearby.empty()) document.add("nearby", nearby);
+  if (report.branches) document.add("branches", json_branches(arm, *report.branches, unit));
   if (reached) files.add_to(document);
   return document;
 }

@@ -5,147 +5,174 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/timing/point_to_point.h>
 
-#include "results.h"
-#include "verb.h"
+#include "format.h"
+#include "result_files.h"
+#include "verbs.h"
 
 using namespace beeline;
 
 namespace {
+
+const std::string feedback = "feedback", quickest = "quickest";
 
 struct Arguments {
   ArmArgument arm;
   UnitArgument unit;
   std::string from, to;
   PidGains gains;
-  SimulationOptions options;
-  std::string method = "feedback", synchronise = "time";
+  SimulationOptions simulation;
+  std::string method = feedback, synchronise = "time";
   double rate = 100;
   ResultFiles files;
   bool json = false;
-  std::vector<const CLI::Option*> feedback_options, quickest_options;
 };
 
-/// Refuses an option that the chosen method would ignore.
-void check_method(const Arguments& arguments) {
-  const bool feedback = arguments.method == "feedback";
-  if (!feedback && arguments.method != "quickest") {
-    throw unknown_name("method", arguments.method, {"feedback", "quickest"});
-  }
-  for (const CLI::Option* option :
-       feedback ? arguments.quickest_options : arguments.feedback_options) {
-    if (option->count() == 0) continue;
-    throw Error(option->get_name() + " does not go with --method " + arguments.method);
-  }
-}
-
-Synchronise synchronise_named(const std::string& name) {
-  if (name == "time") return Synchronise::time;
-  if (name == "straight") return Synchronise::straight;
-  throw unknown_name("synchronisation", name, {"time", "straight"});
-}
-
-/// All joints together, as quickly as velocities, accelerations and jerks allow.
+/// The motion in minimum time, all joints beginning and ending together.
 ControlledMotion move_quickest(const Arguments& arguments, const Arm& arm,
                                const Configuration& from, const Configuration& to) {
-  const PointToPoint motion =
-      point_to_point(arm, from, to, {.synchronise = synchronise_named(arguments.synchronise)});
+  const Synchronise synchronise =
+      arguments.synchronise == "time" ? Synchronise::time : Synchronise::straight;
+  const PointToPoint motion = point_to_point(arm, from, to, {.synchronise = synchronise});
   ControlledMotion result;
   result.trajectory = sampled(arm, motion, arguments.rate);
   result.steps = static_cast<int>(result.trajectory.size()) - 1;
   return result;
 }
 
-Exit move(const Arguments& arguments) {
-  check_method(arguments);
+std::string text_of(const Arguments& arguments, const Arm& arm, const ControlledMotion& motion,
+                    const Pose& goal) {
+  std::string text;
+  if (arguments.method == feedback) {
+    text = fmt::format("{} after {} steps of {} s\n", name(motion.status), motion.steps,
+                       shown(arguments.simulation.time_step)) +
+           fmt::format("error         {} (largest joint error, rad or m)\n", shown(motion.error)) +
+           fmt::format("overshoot     {} % of the distance\n", shown(100 * motion.overshoot));
+  } else {
+    text =
+        fmt::format("{} after {} s\n", name(motion.status), shown(motion.trajectory.times.back()));
+  }
+  if (motion.slowed > 0) {
+    text += fmt::format("slowed        {} steps, to respect the velocity limits\n", motion.slowed);
+  }
+  if (motion.status != MotionStatus::reached) return text;
+  return text + "tool at the goal\n" + pose_text(goal, arm.planar(), arguments.unit) +
+         arguments.files.text();
+}
+
+Answer move(const Arguments& arguments) {
   arguments.files.check({arguments.arm.text});
   const Arm arm = arguments.arm.read();
   const Configuration from = arguments.unit.configuration(arm, arguments.from, "--from");
   const Configuration to = arguments.unit.configuration(arm, arguments.to, "--to");
-  const bool feedback = arguments.method == "feedback";
   const ControlledMotion motion =
-      feedback ? control_joints(arm, from, to, arguments.gains, arguments.options)
-               : move_quickest(arguments, arm, from, to);
+      arguments.method == feedback
+          ? control_joints(arm, from, to, arguments.gains, arguments.simulation)
+          : move_quickest(arguments, arm, from, to);
   const bool reached = motion.status == MotionStatus::reached;
   const Pose goal = forward_kinematics(arm, to);
   if (reached) arguments.files.write(arm, motion.trajectory, {goal});
+  Answer answer{.text = text_of(arguments, arm, motion, goal),
+                .document = {{"status", name(motion.status)},
+                             {"method", arguments.method},
+                             {"samples", motion.trajectory.size()},
+                             {"steps", motion.steps},
+                             {"error", motion.error},
+                             {"overshoot", motion.overshoot},
+                             {"slowed", motion.slowed},
+                             {"duration", motion.trajectory.times.back()},
+                             {"reason", motion.reason}},
+                .yes = reached,
+                .reason = motion.reason};
+  if (reached) arguments.files.add_to(answer.document);
+  return answer;
+}
 
-  if (arguments.json) {
-    OrderedJson document{{"status", name(motion.status)},
-                         {"method", arguments.method},
-                         {"samples", motion.trajectory.size()},
-                         {"steps", motion.steps},
-                         {"error", json_number(motion.error)},
-                         {"overshoot", json_number(motion.overshoot)},
-                         {"slowed", motion.slowed},
-                         {"duration", motion.trajectory.times.back()},
-                         {"reason", motion.reason}};
-    if (reached) arguments.files.add_to(document);
-    print_json(document);
-  } else {
-    if (feedback) {
-      fmt::print("{} after {} steps of {} s\n", name(motion.status), motion.steps,
-                 shown(arguments.options.time_step));
-      fmt::print("error         {} (largest joint error, rad or m)\n", shown(motion.error));
-      fmt::print("overshoot     {} % of the way\n", shown(100 * motion.overshoot));
-    } else {
-      fmt::print("{} after {} s\n", name(motion.status), shown(motion.trajectory.times.back()));
-    }
-    if (motion.slowed > 0) {
-      fmt::print("slowed        {} steps, to keep the velocity limits\n", motion.slowed);
-    }
-    if (reached) {
-      fmt::print("tool at the goal\n");
-      print_pose(goal, arm.planar(), arguments.unit);
-      arguments.files.print();
-    }
-  }
-  if (!reached) fmt::print(stderr, "beeline: {}\n", motion.reason);
-  return reached ? Exit::yes : Exit::no;
+std::vector<Option> motion_options(Arguments& arguments) {
+  Option from = joint_values_option("--from", "Joint values at the start.", &arguments.from);
+  Option to = joint_values_option("--to", "Joint values at the goal.", &arguments.to);
+  from.required = to.required = true;
+  return {from,
+          to,
+          {.name = "--method",
+           .value = "METHOD",
+           .help = "feedback: P or PID control of each joint (eq. 1.3 of the chapter); quickest: "
+                   "minimum time under the velocity, acceleration and jerk limits, from rest to "
+                   "rest.",
+           .target = &arguments.method,
+           .choices = {feedback, quickest}}};
+}
+
+std::vector<Option> method_options(Arguments& arguments) {
+  PidGains& gains = arguments.gains;
+  SimulationOptions& simulation = arguments.simulation;
+  return {{.name = "--kp",
+           .value = "K",
+           .help = "Proportional gain K_p, per step; the joints overshoot if it is above 1.",
+           .target = &gains.kp,
+           .alias = "--gain",
+           .methods = {feedback}},
+          {.name = "--ki",
+           .value = "K",
+           .help = "Integral gain.",
+           .target = &gains.ki,
+           .methods = {feedback}},
+          {.name = "--kd",
+           .value = "K",
+           .help = "Derivative gain.",
+           .target = &gains.kd,
+           .methods = {feedback}},
+          {.name = "--tolerance",
+           .value = "E",
+           .help = "The goal is reached when every joint error is below this, rad or m.",
+           .target = &simulation.tolerance,
+           .methods = {feedback}},
+          {.name = "--time-step",
+           .value = "SECONDS",
+           .help = "Duration of one step.",
+           .target = &simulation.time_step,
+           .methods = {feedback}},
+          {.name = "--max-steps",
+           .value = "N",
+           .help = "Give up after this many steps.",
+           .target = &simulation.max_steps,
+           .methods = {feedback}},
+          {.name = "--synchronise",
+           .value = "KIND",
+           .help = "time: each joint has its own profile of the same duration; straight: all "
+                   "joints move in proportion, on a straight line in joint space.",
+           .target = &arguments.synchronise,
+           .choices = {"time", "straight"},
+           .methods = {quickest}},
+          {.name = "--rate",
+           .value = "HZ",
+           .help = "Samples per second.",
+           .target = &arguments.rate,
+           .methods = {quickest}}};
 }
 
 }  // namespace
 
-Run declare_move(CLI::App& verb) {
+Verb move_verb() {
   static Arguments arguments;
-  PidGains& gains = arguments.gains;
-  SimulationOptions& options = arguments.options;
-  arguments.arm.declare(verb);
-  verb.add_option("--from", arguments.from, "Joint values at the start")->required();
-  verb.add_option("--to", arguments.to, "Joint values at the goal")->required();
-  arguments.unit.declare(verb);
-  verb.add_option(
-          "--method", arguments.method,
-          "feedback: the chapter's control (eq. 1.3), P or PID; quickest: a plan, jerk-limited\n"
-          "where the arm has limits of jerk, all joints beginning and ending together")
-      ->capture_default_str();
-  arguments.feedback_options = {
-      verb.add_option("--kp,--gain", gains.kp,
-                      "feedback: proportional gain K_p (eq. 1.3): overshoots above 1")
-          ->capture_default_str(),
-      verb.add_option("--ki", gains.ki, "feedback: integral gain")->capture_default_str(),
-      verb.add_option("--kd", gains.kd, "feedback: derivative gain")->capture_default_str(),
-      verb.add_option("--tolerance", options.tolerance,
-                      "feedback: joint error that counts as arrived, rad or m")
-          ->capture_default_str(),
-      verb.add_option("--time-step", options.time_step, "feedback: seconds a step")
-          ->capture_default_str(),
-      verb.add_option("--most-steps", options.max_steps, "feedback: steps after which to give up")
-          ->capture_default_str()};
-  arguments.quickest_options = {
-      verb.add_option(
-              "--synchronise", arguments.synchronise,
-              "quickest: time, each joint on a law of its own, or straight, all in proportion")
-          ->capture_default_str(),
-      verb.add_option("--rate", arguments.rate, "quickest: samples a second")
-          ->capture_default_str()};
-  arguments.files.declare(verb);
-  verb.add_flag("--json", arguments.json, "Print JSON");
-  verb.footer(
-      "Examples:\n"
-      "  beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --draw move.svg\n"
-      "  beeline move rrr --from 0,0,0 --to 1,1,1 --gain 1.5   (overshoots)\n"
-      "  beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 --out m.csv\n"
-      "  beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
-      "--method quickest --rate 1000");
-  return [] { return move(arguments); };
+  return {
+      .name = "move",
+      .summary = "Joint-space motion control from one configuration to another",
+      .description =
+          "Simulates proportional or PID control of the joints, or plans the quickest motion. "
+          "Prints a status, the number of steps, the largest joint error at the end in rad or m, "
+          "the overshoot, and the pose of the tool at the goal. In general the tool does not move "
+          "in a straight line: see `beeline line`.",
+      .arguments = {arguments.arm.argument()},
+      .options =
+          joined({motion_options(arguments), arguments.unit.options(), arguments.files.options(),
+                  arguments.arm.options(), method_options(arguments)}),
+      .examples =
+          {{"Proportional control of the planar arm, with a picture of the tool's path",
+            "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --draw move.svg"},
+           {"A gain above 1 overshoots", "beeline move rrr --from 0,0,0 --to 1,1,1 --kp 1.5"},
+           {"The quickest motion of a Franka Panda at 1 kHz",
+            "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
+            "--method quickest --rate 1000 --out move.csv"}},
+      .json = &arguments.json,
+      .run = [] { return move(arguments); }};
 }

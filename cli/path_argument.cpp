@@ -5,41 +5,46 @@
 
 using namespace beeline;
 
-std::vector<const CLI::Option*> PathArgument::declare(CLI::App& verb, const std::string& before) {
+std::vector<Option> PathArgument::options(const std::vector<std::string>& methods) {
   return {
-      verb.add_option("--path", kind,
-                      before +
-                          "line; screw motions between the poses; arc, each through two more\n"
-                          "poses, of the first of which the position counts; or spline through "
-                          "them all")
-          ->capture_default_str(),
-      verb.add_option("--round", round,
-                      before + "round the lines' corners and pass them without a stop, at no more "
-                               "than\nthis from them, metres, and 5 rad for each metre")};
+      {.name = "--path",
+       .value = "KIND",
+       .help = "line; screw: a screw motion from pose to pose; arc: circular arcs, each through "
+               "two more poses, of which the first gives a position only; spline: one smooth "
+               "curve through all poses.",
+       .target = &kind,
+       .choices = {"line", "screw", "arc", "spline"},
+       .methods = methods},
+      {.name = "--blend",
+       .value = "METRES",
+       .help = "Blend the corners of straight lines, so that the tool passes them without a "
+               "stop, at most this far from the corner (and 5 rad for each metre).",
+       .target = &blend,
+       .methods = methods}};
 }
 
-bool PathArgument::straight() const { return path_kind_named(kind) == PathKind::line && !round; }
+bool PathArgument::straight() const { return path_kind_named(kind) == PathKind::line && !blend; }
 
 Route PathArgument::through(std::span<const Pose> poses) const {
   const PathKind path = path_kind_named(kind);
-  if (round && path != PathKind::line) {
-    throw Error("--round goes with --path line, whose corners it rounds");
-  }
-  if (round) return route_of(blended_lines(poses, {*round, *round / metres_per_radian}));
+  if (blend && path != PathKind::line) throw Error("--blend goes with --path line only");
+  if (blend) return route_of(blended_lines(poses, {*blend, *blend / metres_per_radian}));
   return route_of(straight() ? lines_through(poses) : path_through(poses, path), path);
 }
 
 Route PathArgument::from(const Pose& tool, std::vector<Pose> poses, const Task& task) const {
-  constexpr Deviation rounding{1e-9, 1e-9}, there{1e-5, 1e-5};  // as joint values of six digits
-  const Deviation off = task_deviation(task, poses.front(), tool);
-  if (!straight() && within(off, there)) {
-    if (!within(off, rounding)) poses.front() = tool;
+  constexpr Deviation rounding{1e-9, 1e-9};
+  constexpr Deviation same{1e-5, 1e-5};  // the effect of joint values typed with six digits
+  const Deviation distance = task_deviation(task, poses.front(), tool);
+  if (!straight() && within(distance, same)) {
+    if (!within(distance, rounding)) poses.front() = tool;
     return through(poses);
   }
   if (path_kind_named(kind) == PathKind::arc && poses.size() % 2 == 1) {
-    throw Error("the arm begins " + number(off.position) + " m and " + angle(off.orientation) +
-                " away from the first pose, so that it counts as one more: arcs then need an even "
-                "number of poses in the file");
+    throw Error("the tool begins " + number(distance.position) + " m and " +
+                angle(distance.orientation) +
+                " away from the first pose, so that its pose counts as one more; arcs then need an "
+                "even number of poses in the file");
   }
   poses.insert(poses.begin(), tool);
   return through(poses);

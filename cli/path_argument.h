@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,19 +8,22 @@
 #include <beeline/kinematics/task.h>
 #include <beeline/path/tool_path.h>
 
-/// --path and --round: what the tool does between the poses.
+#include "command/option.h"
+
+/// --path and --blend: the path of the tool through the poses.
 struct PathArgument {
   std::string kind = "line";
-  std::optional<double> round;
+  std::optional<double> blend = {};
 
-  std::vector<const CLI::Option*> declare(CLI::App& verb, const std::string& before = "");
-  /// Straight lines with a stop at each pose.
+  /// The options; `methods` are the values of --method that they go with.
+  std::vector<Option> options(const std::vector<std::string>& methods = {});
+  /// Whether the path is straight lines with a stop at each pose.
   bool straight() const;
-  /// Throws Error for what does not go together, and poses that do not make such a path.
+  /// Throws Error for options that exclude each other, and for poses that do not make such a path.
   beeline::Route through(std::span<const beeline::Pose> poses) const;
-  /// The same from the tool's pose on, which is put before the first; for straight lines always,
-  /// for others unless that is no more than 1e-5 m and rad away, as far as the task asks. Then it
-  /// takes the first one's place, but for what is rounding.
+  /// The path that begins at the tool's pose. For straight lines, that pose becomes the first one.
+  /// For other paths it replaces the first pose if it is within 1e-5 m and rad of it in the task's
+  /// components, and otherwise becomes an additional first one.
   beeline::Route from(const beeline::Pose& tool, std::vector<beeline::Pose> poses,
                       const beeline::Task& task) const;
 };

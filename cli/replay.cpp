@@ -5,21 +5,22 @@
 #include <beeline/error.h>
 #include <beeline/read/numbers.h>
 
-#include "difference_report.h"
-#include "results.h"
-#include "verb.h"
+#include "format.h"
+#include "input_files.h"
+#include "motion_report.h"
+#include "result_files.h"
+#include "verbs.h"
 
 using namespace beeline;
 
 namespace {
 
 struct Arguments {
-  std::string recording;
   ArmArgument arm;
+  std::string file;
   UnitArgument unit;
   std::string from, speed_at, measured;
-  ReplayOptions options;
-  const CLI::Option* ramp = nullptr;
+  ReplayOptions replay;
   ResultFiles files;
   bool json = false;
 };
@@ -32,7 +33,7 @@ std::vector<SpeedChange> speed_changes(const std::string& text) {
     const std::string change = text.substr(begin, end - begin);
     const std::size_t colon = change.find(':');
     if (colon == std::string::npos) {
-      throw Error("--speed-at takes times and speeds, such as 2:0.5,4:0,6:1, not " + change);
+      throw Error("--speed-at takes TIME:SPEED pairs, such as 2:0.5,4:0,6:1, not " + change);
     }
     changes.push_back({parse_number(change.substr(0, colon), "--speed-at, time"),
                        parse_number(change.substr(colon + 1), "--speed-at, speed")});
@@ -41,94 +42,121 @@ std::vector<SpeedChange> speed_changes(const std::string& text) {
   return changes;
 }
 
-OrderedJson document(const Replay& played) {
-  const bool reached = played.status == MotionStatus::reached;
-  return {{"status", name(played.status)},
-          {"samples", played.trajectory.size()},
-          {"duration", reached ? played.trajectory.times.back() : 0},
-          {"lead_in", played.lead_in},
-          {"fastest", played.fastest > 0 ? json_number(played.fastest) : OrderedJson(nullptr)},
-          {"reason", played.reason}};
-}
-
-void print(const Replay& played) {
-  fmt::print("played        {} samples in {} s, of which {} s lead-in\n", played.trajectory.size(),
-             shown(played.trajectory.times.back()), shown(played.lead_in));
-  if (played.fastest > 0) {
-    fmt::print("fastest       {} % of a joint's velocity limit\n", shown(100 * played.fastest));
-  }
-}
-
-Exit play(const Arguments& arguments) {
-  arguments.files.check({arguments.arm.text, arguments.recording, arguments.measured});
-  ReplayOptions options = arguments.options;
-  if (!arguments.speed_at.empty()) {
-    options.speed_at = speed_changes(arguments.speed_at);
-  } else if (arguments.ramp->count() > 0) {
-    throw Error("--ramp goes with --speed-at alone; --speed-at 0:1 plays at one speed with it");
-  }
-  const Arm arm = arguments.arm.read();
-  const Trajectory recording = read_recording(arguments.recording, arm);
-  std::optional<Trajectory> measured;
-  if (!arguments.measured.empty()) measured = read_recording(arguments.measured, arm);
+ReplayOptions options_of(const Arguments& arguments, const Arm& arm) {
+  ReplayOptions options = arguments.replay;
+  if (!arguments.speed_at.empty()) options.speed_at = speed_changes(arguments.speed_at);
   if (!arguments.from.empty()) {
     options.start = arguments.unit.configuration(arm, arguments.from, "--from");
   }
+  return options;
+}
+
+Json document_of(const Replay& played) {
+  const bool reached = played.status == MotionStatus::reached;
+  return {{"status", name(played.status)},
+          {"samples", played.trajectory.size()},
+          {"duration", reached ? played.trajectory.times.back() : 0.0},
+          {"lead_in", played.lead_in},
+          {"velocity_fraction", played.fastest > 0 ? Json(played.fastest) : Json()},
+          {"reason", played.reason}};
+}
+
+std::string text_of(const Replay& played) {
+  std::string text = fmt::format("played        {} samples in {} s, of which {} s lead-in\n",
+                                 played.trajectory.size(), shown(played.trajectory.times.back()),
+                                 shown(played.lead_in));
+  if (played.fastest > 0) {
+    text +=
+        fmt::format("velocity      at most {} % of a joint's limit\n", shown(100 * played.fastest));
+  }
+  return text;
+}
+
+Answer play(const Arguments& arguments) {
+  arguments.files.check({arguments.arm.text, arguments.file, arguments.measured});
+  const Arm arm = arguments.arm.read();
+  const ReplayOptions options = options_of(arguments, arm);
+  const Trajectory recording = read_recording(arguments.file, arm);
+  std::optional<Trajectory> measured;
+  if (!arguments.measured.empty()) measured = read_recording(arguments.measured, arm);
   const Replay played = replay(arm, recording, options);
   const bool reached = played.status == MotionStatus::reached;
-  std::optional<TrajectoryDifference> tracking;
-  if (reached && measured) tracking = difference(arm, played.trajectory, *measured);
   if (reached) arguments.files.write(arm, played.trajectory, {});
-  if (arguments.json) {
-    OrderedJson printed = document(played);
-    if (tracking) printed["tracking"] = json_difference(arm, *tracking, arguments.unit);
-    if (reached) arguments.files.add_to(printed);
-    print_json(printed);
-  } else {
-    fmt::print("{}: {} recorded samples on {}\n", name(played.status), recording.size(),
-               arm.name());
-    if (reached) print(played);
-    if (tracking) fmt::print("tracking      from what is played to {}\n", arguments.measured);
-    if (tracking) print_difference(arm, *tracking, arguments.unit);
-    if (reached) arguments.files.print();
+  Answer answer{.text = fmt::format("{}: {} recorded samples on {}\n", name(played.status),
+                                    recording.size(), arm.name()),
+                .document = document_of(played),
+                .yes = reached,
+                .reason = played.reason};
+  if (!reached) return answer;
+  answer.text += text_of(played);
+  if (measured) {
+    const TrajectoryDifference tracking = difference(arm, played.trajectory, *measured);
+    answer.text += fmt::format("tracking      {} against what is played\n", arguments.measured) +
+                   difference_text(arm, tracking, arguments.unit);
+    answer.document.add("tracking", difference_members(arm, tracking, arguments.unit));
   }
-  if (!reached) fmt::print(stderr, "beeline: {}\n", played.reason);
-  return reached ? Exit::yes : Exit::no;
+  answer.text += arguments.files.text();
+  arguments.files.add_to(answer.document);
+  return answer;
+}
+
+std::vector<Option> playing_options(Arguments& arguments) {
+  ReplayOptions& replay = arguments.replay;
+  return {joint_values_option("--from",
+                              "Joint values at which the arm is; it first moves to the first "
+                              "sample (the lead-in).",
+                              &arguments.from),
+          {.name = "--speed",
+           .value = "K",
+           .help = "Playback speed; at 0.5 the motion takes twice the recorded time.",
+           .target = &replay.speed},
+          {.name = "--speed-at",
+           .value = "T:K,...",
+           .help = "Playback speeds from 0 (pause) to 1 and the times at which they begin, lead-in "
+                   "included: 2:0.5,4:0,6:1 is half speed from 2 s on, a pause at 4 s, full speed "
+                   "from 6 s on. The speed changes gradually, starting from 0.",
+           .target = &arguments.speed_at},
+          {.name = "--ramp",
+           .value = "SECONDS",
+           .help = "Time in which the playback speed changes by 1.",
+           .target = &replay.ramp,
+           .needs = "--speed-at"},
+          {.name = "--rate",
+           .value = "HZ",
+           .help = "Samples per second of the output.",
+           .target = &replay.rate},
+          {.name = "--measured",
+           .value = "FILE",
+           .help = "A measured trajectory, to report the tracking error as `beeline diff` does.",
+           .target = &arguments.measured,
+           .completes = Completes::file}};
 }
 
 }  // namespace
 
-Run declare_replay(CLI::App& verb) {
+Verb replay_verb() {
   static Arguments arguments;
-  ReplayOptions& options = arguments.options;
-  verb.add_option("FILE", arguments.recording, "A recorded trajectory: .csv or .json")->required();
-  arguments.arm.declare(verb);
-  verb.add_option("--from", arguments.from, "Where the arm is: it first moves to the first sample");
-  arguments.unit.declare(verb);
-  verb.add_option("--speed", options.speed, "0.5 takes twice the recorded time")
-      ->capture_default_str();
-  verb.add_option("--speed-at", arguments.speed_at,
-                  "Speeds while it runs, from 0, which pauses, to 1: 2:0.5,4:0,6:1 goes to half\n"
-                  "the speed from 2 s on, pauses at 4 s, and goes on at 6 s");
-  arguments.ramp =
-      verb.add_option("--ramp", options.ramp, "Seconds in which --speed-at changes the speed by 1")
-          ->capture_default_str();
-  verb.add_option("--rate", options.rate, "Samples a second")->capture_default_str();
-  verb.add_option("--measured", arguments.measured,
-                  "What the arm did when it played this: tells its tracking error");
-  arguments.files.declare(verb);
-  verb.add_flag("--json", arguments.json, "Print JSON");
-  verb.footer(
-      "The times of --speed-at are those of --out: from the begin of playing, lead-in included.\n"
-      "With it the speed also begins at zero and changes steadily, more slowly where joints need\n"
-      "their accelerations; without it every recorded sample is played, at full speed at once.\n"
-      "--measured is compared as beeline diff does, which compares any two recordings.\n"
-      "The recording's own values are radians and metres; --degrees is for --from and angles "
-      "told.\n"
-      "Examples:\n"
-      "  beeline replay move.csv rrr --rate 50 --out played.csv\n"
-      "  beeline replay move.csv panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --speed 0.5\n"
-      "  beeline replay move.csv panda --speed-at 2:0.5,4:0,6:1 --out played.csv\n"
-      "  beeline replay move.csv panda --speed-at 2:0.5,4:0,6:1 --measured measured.csv");
-  return [] { return play(arguments); };
+  return {
+      .name = "replay",
+      .summary = "Play a recorded trajectory on an arm, checked against its limits",
+      .description =
+          "Checks a recording against the arm's position and velocity limits and resamples it. "
+          "Prints a status, the number of samples, the duration and the lead-in in seconds, and "
+          "the largest fraction of a velocity limit. The recording is in radians and metres; "
+          "--degrees applies to --from and to printed angles.",
+      .arguments = {arguments.arm.argument(),
+                    trajectory_argument("FILE", "A recorded trajectory, .csv or .json.",
+                                        &arguments.file)},
+      .options = joined({playing_options(arguments), arguments.unit.options(),
+                         arguments.files.options(), arguments.arm.options()}),
+      .examples = {{"Record a motion, then play it at half speed",
+                    "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
+                    "--method quickest --out move.csv\n"
+                    "beeline replay panda move.csv --speed 0.5 --out slow.csv"},
+                   {"Half speed, a pause from 1 s to 2 s, then full speed",
+                    "beeline replay panda move.csv --speed-at 0:0.5,1:0,2:1 --out paused.csv"},
+                   {"The tracking error of a measured trajectory",
+                    "beeline replay panda move.csv --measured slow.csv"}},
+      .json = &arguments.json,
+      .run = [] { return play(arguments); }};
 }

@@ -7,8 +7,9 @@
 #include <beeline/read/arm_json.h>
 #include <beeline/read/file.h>
 
-#include "results.h"
-#include "verb.h"
+#include "format.h"
+#include "result_files.h"
+#include "verbs.h"
 
 using namespace beeline;
 
@@ -21,133 +22,156 @@ struct Arguments {
   bool json = false;
 };
 
-std::string limit_text(double limit, bool angle, const UnitArgument& unit) {
+std::string limit_text(double limit, bool prismatic, const UnitArgument& unit) {
   if (!std::isfinite(limit)) return "-";
-  return shown(angle ? unit.shown(limit) : limit);
+  return shown(prismatic ? limit : unit.shown(limit));
 }
 
-/// A leading joint's limits, narrowed so that its followers keep theirs.
-const Limits& limits_in_arm(const Arm& arm, std::size_t joint) {
-  return arm.limits(arm.drives()[joint].coordinate);
+/// The limits of joint i. Those of a joint with followers are narrowed so that these keep theirs.
+const Limits& limits_of(const Arm& arm, std::size_t i) {
+  const Joint& joint = arm.joints()[i];
+  return joint.mimic ? joint.limits : arm.limits(arm.drives()[i].coordinate);
 }
 
-void print_joints(const Arm& arm, const UnitArgument& unit) {
+std::string joint_row(const Arm& arm, std::size_t i, const Pose& link, std::size_t width,
+                      const UnitArgument& unit) {
+  const Joint& joint = arm.joints()[i];
+  const bool prismatic = kind(joint) == JointKind::prismatic;
+  const Limits& limits = limits_of(arm, i);
+  const Twist screw = adjoint(link, joint.screw);
+  const Vector3 axis = prismatic ? screw.head<3>() : screw.tail<3>();
+  std::string row = fmt::format(
+      "{:>3}  {:<{}}  {:<9}  {:<22}  {:>9}  {:>9}  {:>9}", i + 1, joint.name, width,
+      name(kind(joint)), shown(axis), limit_text(limits.lower, prismatic, unit),
+      limit_text(limits.upper, prismatic, unit), limit_text(limits.velocity, prismatic, unit));
+  if (kind(joint) == JointKind::helical) {
+    row += fmt::format("  pitch {} m/rad", shown(pitch(joint)));
+  }
+  if (joint.mimic) {
+    row += fmt::format("  = {} x {} + {}", shown(joint.mimic->multiplier), joint.mimic->leader,
+                       shown(prismatic ? joint.mimic->offset : unit.shown(joint.mimic->offset)));
+  }
+  return row + "\n";
+}
+
+std::string joint_table(const Arm& arm, const UnitArgument& unit) {
   std::size_t width = 5;
   for (const Joint& joint : arm.joints()) width = std::max(width, joint.name.size());
-  fmt::print("{:>3}  {:<{}}  {:<9}  {:<22}  {:>9}  {:>9}  {:>9}\n", "", "joint", width, "type",
-             "axis in the world", "lower", "upper", "velocity");
+  std::string table =
+      fmt::format("{:>3}  {:<{}}  {:<9}  {:<22}  {:>9}  {:>9}  {:>9}\n", "", "joint", width, "type",
+                  "axis in the world", "lower", "upper", "velocity");
   const std::vector<Pose> links = link_poses(arm, Configuration::Zero(arm.dof()));
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
-    const Joint& joint = arm.joints()[i];
-    const bool slides = kind(joint) == JointKind::prismatic;
-    const Limits& limits = joint.mimic ? joint.limits : limits_in_arm(arm, i);
-    const Twist screw = adjoint(links[i + 1], joint.screw);
-    const Vector3 axis = slides ? screw.head<3>() : screw.tail<3>();
-    fmt::print("{:>3}  {:<{}}  {:<9}  {:<22}  {:>9}  {:>9}  {:>9}", i + 1, joint.name, width,
-               name(kind(joint)), shown(axis), limit_text(limits.lower, !slides, unit),
-               limit_text(limits.upper, !slides, unit), limit_text(limits.velocity, !slides, unit));
-    if (kind(joint) == JointKind::helical) fmt::print("  pitch {} m/rad", shown(pitch(joint)));
-    if (joint.mimic) {
-      fmt::print("  = {} x {} + {}", shown(joint.mimic->multiplier), joint.mimic->leader,
-                 shown(slides ? joint.mimic->offset : unit.shown(joint.mimic->offset)));
-    }
-    fmt::print("\n");
+    table += joint_row(arm, i, links[i + 1], width, unit);
   }
+  return table + fmt::format(
+                     "     (revolute joints in {}, prismatic joints in m, velocities per "
+                     "second; - means no limit)\n",
+                     unit.name());
 }
 
-void print_frames(const Arm& arm, const UnitArgument& unit) {
-  fmt::print("\nframes in the world, all joints at 0 (x y z in m; roll pitch yaw in {})\n",
-             unit.name());
-  const auto print_frame = [&unit](const std::string& label, const Pose& pose) {
+std::string frame_table(const Arm& arm, const UnitArgument& unit) {
+  std::string table = fmt::format(
+      "\nframes in the world, all joints at 0 (x y z in m; roll pitch yaw in {})\n", unit.name());
+  const auto add = [&](const std::string& label, const Pose& pose) {
     const RollPitchYaw rpy = roll_pitch_yaw(pose.linear());
     const Eigen::Vector3d angles(unit.shown(rpy.roll), unit.shown(rpy.pitch), unit.shown(rpy.yaw));
-    fmt::print("  {:<24}  {:<30}  {}\n", label, shown(pose.translation()), shown(angles));
+    table += fmt::format("  {:<24}  {:<30}  {}\n", label, shown(pose.translation()), shown(angles));
   };
   const std::vector<Pose> links = link_poses(arm, Configuration::Zero(arm.dof()));
   for (std::size_t i = 0; i < links.size(); ++i) {
-    const std::string link = i == 0 ? "" : arm.joints()[i - 1].link;
-    print_frame(i == 0 ? "0 (base)" : fmt::format("{} {}", i, link), links[i]);
+    add(i == 0 ? "0 (base)" : fmt::format("{} {}", i, arm.joints()[i - 1].link), links[i]);
   }
-  print_frame("tool", links.back() * arm.tool());
+  add("tool", links.back() * arm.tool());
+  return table;
 }
 
-void print_table(const Arm& arm, const UnitArgument& unit) {
-  fmt::print("{}: {} joint{}, {} degree{} of freedom, {}\n\n", arm.name(), arm.joints().size(),
-             arm.joints().size() == 1 ? "" : "s", arm.dof(), arm.dof() == 1 ? "" : "s",
-             arm.planar() ? "planar" : "spatial");
-  print_joints(arm, unit);
-  fmt::print("     (angles in {}, slides in m, velocities per second, - is no limit)\n",
-             unit.name());
-  print_frames(arm, unit);
+std::string arm_text(const Arm& arm, const UnitArgument& unit) {
+  const std::string text =
+      fmt::format("{}: {}, {} degree{} of freedom, {}\n\n", arm.name(),
+                  counted(static_cast<std::int64_t>(arm.joints().size()), "joint"), arm.dof(),
+                  arm.dof() == 1 ? "" : "s", arm.planar() ? "planar" : "spatial") +
+      joint_table(arm, unit) + frame_table(arm, unit);
   const Arm::Reach& reach = arm.reach();
-  if (std::isfinite(reach.radius)) {
-    fmt::print("\nreach: the tool never leaves the ball of radius {} m around {}\n",
-               shown(reach.radius), shown(reach.centre));
-  } else {
-    fmt::print("\nreach: unlimited, for a joint that slides has no limits\n");
+  if (!std::isfinite(reach.radius)) {
+    return text + "\nreach: unlimited, because a prismatic joint has no limits\n";
   }
+  return text + fmt::format("\nreach: the tool stays within {} m of the point {}\n",
+                            shown(reach.radius), shown(reach.centre));
 }
 
-OrderedJson document(const Arm& arm, const UnitArgument& unit) {
-  OrderedJson joints = OrderedJson::array();
+Json joint_document(const Arm& arm, std::size_t i, const UnitArgument& unit) {
+  const Joint& joint = arm.joints()[i];
+  const bool prismatic = kind(joint) == JointKind::prismatic;
+  const auto value = [&](double number) { return prismatic ? number : unit.shown(number); };
+  const Limits& known = limits_of(arm, i);
+  Json limits = Json::object();
+  const auto add = [&](const char* key, double limit) {
+    if (std::isfinite(limit)) limits.add(key, value(limit));
+  };
+  add("lower", known.lower);
+  add("upper", known.upper);
+  add("velocity", known.velocity);
+  add("acceleration", known.acceleration);
+  add("jerk", known.jerk);
+  Json document{{"name", joint.name}, {"type", name(kind(joint))}};
+  if (!joint.link.empty()) document.add("link", joint.link);
+  document.add("limits", limits);
+  if (joint.mimic) {
+    document.add("mimic", Json{{"joint", joint.mimic->leader},
+                               {"multiplier", joint.mimic->multiplier},
+                               {"offset", value(joint.mimic->offset)}});
+  }
+  return document;
+}
+
+Json arm_document(const Arm& arm, const UnitArgument& unit) {
+  Json joints = Json::list();
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
-    const Joint& joint = arm.joints()[i];
-    const bool slides = kind(joint) == JointKind::prismatic;
-    const Limits& known = joint.mimic ? joint.limits : limits_in_arm(arm, i);
-    OrderedJson limits;
-    const auto add = [&](const char* key, double value) {
-      if (std::isfinite(value)) limits[key] = slides ? value : unit.shown(value);
-    };
-    add("lower", known.lower);
-    add("upper", known.upper);
-    add("velocity", known.velocity);
-    add("acceleration", known.acceleration);
-    add("jerk", known.jerk);
-    OrderedJson entry{{"name", joint.name}, {"type", name(kind(joint))}};
-    if (!joint.link.empty()) entry["link"] = joint.link;
-    entry["limits"] = limits.is_null() ? OrderedJson::object() : limits;
-    if (joint.mimic) {
-      entry["mimic"] = {{"joint", joint.mimic->leader},
-                        {"multiplier", joint.mimic->multiplier},
-                        {"offset", slides ? joint.mimic->offset : unit.shown(joint.mimic->offset)}};
-    }
-    joints.push_back(entry);
+    joints.append(joint_document(arm, i, unit));
   }
-  return {
-      {"name", arm.name()},
-      {"joints", joints},
-      {"dof", arm.dof()},
-      {"planar", arm.planar()},
-      {"reach",
-       {{"centre", json_vector(arm.reach().centre)}, {"radius", json_number(arm.reach().radius)}}}};
+  return {{"name", arm.name()},
+          {"joints", joints},
+          {"dof", arm.dof()},
+          {"planar", arm.planar()},
+          {"reach",
+           Json{{"centre", Eigen::VectorXd(arm.reach().centre)}, {"radius", arm.reach().radius}}}};
 }
 
-Exit show(const Arguments& arguments) {
+Answer show(const Arguments& arguments) {
   const Arm arm = arguments.arm.read();
-  if (!arguments.out.empty() && extension(arguments.out) != "json") {
-    throw Error("--out " + arguments.out + ": arms are written as .json files");
+  if (!arguments.out.empty()) {
+    if (extension(arguments.out) != "json") {
+      throw Error("--out " + arguments.out + ": an arm is written to a .json file");
+    }
+    refuse_overwriting(arguments.out, {arguments.arm.text});
+    write_file(arguments.out, arm_to_json(arm));
   }
-  refuse_overwriting(arguments.out, {arguments.arm.text});
-  if (!arguments.out.empty()) write_file(arguments.out, arm_to_json(arm));
-  if (arguments.json) {
-    print_json(document(arm, arguments.unit));
-  } else {
-    print_table(arm, arguments.unit);
-  }
-  return Exit::yes;
+  return {.text = arm_text(arm, arguments.unit), .document = arm_document(arm, arguments.unit)};
 }
 
 }  // namespace
 
-Run declare_show(CLI::App& verb) {
+Verb show_verb() {
   static Arguments arguments;
-  arguments.arm.declare(verb);
-  arguments.unit.declare(verb);
-  verb.add_option("--out", arguments.out, "Also write the arm to this JSON file");
-  verb.add_flag("--json", arguments.json, "Print JSON");
-  verb.footer(
-      "Examples:\n"
-      "  beeline show panda --degrees\n"
-      "  beeline show robot.urdf --tip tool0 --out robot.json");
-  return [] { return show(arguments); };
+  return {.name = "show",
+          .summary = "Print an arm as a table: joints, limits, frames, reach",
+          .description =
+              "Prints each joint with its type, its axis in the world at zero joint values, its "
+              "position limits (lower, upper) and its velocity limit; the frames of all links and "
+              "of the tool at zero joint values; and a ball that the tool cannot leave. With "
+              "--json the limits of acceleration and jerk are printed too.",
+          .arguments = {arguments.arm.argument()},
+          .options = joined({arguments.unit.options(),
+                             {{.name = "--out",
+                               .value = "FILE",
+                               .help = "Also write the arm to this .json file.",
+                               .target = &arguments.out,
+                               .completes = Completes::file}},
+                             arguments.arm.options()}),
+          .examples = {{"The Franka Panda, angles in degrees", "beeline show panda --degrees"},
+                       {"An arm file to change and use in place of the built-in arm",
+                        "beeline show ur5 --out my_arm.json\nbeeline show my_arm.json"}},
+          .json = &arguments.json,
+          .run = [] { return show(arguments); }};
 }

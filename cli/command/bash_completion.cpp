@@ -1,0 +1,112 @@
+#include "bash_completion.h"
+
+#include <beeline/model/catalog.h>
+
+#include "completion.h"
+
+namespace {
+
+/// Finds the verb, the number of arguments behind it and the option whose value is completed, then
+/// offers words. _beeline_words sets, for a verb: its options, those with a value, the values of
+/// the option `prev`, and what its arguments are.
+constexpr const char* functions = R"(
+_beeline() {
+  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]}
+  if [[ $cur == "=" ]]; then
+    cur=
+  elif [[ $prev == "=" ]]; then
+    prev=${COMP_WORDS[COMP_CWORD-2]}
+  fi
+  local command= position=0 value= i word verbs options valued values arguments
+  _beeline_words ""
+  for ((i = 1; i < COMP_CWORD; i++)); do
+    word=${COMP_WORDS[i]}
+    if [[ -n $value ]]; then
+      [[ $word == "=" ]] || value=
+    elif [[ $word == -* ]]; then
+      [[ " $valued " != *" $word "* ]] || value=yes
+    elif [[ " $verbs " == *" $word "* ]]; then
+      command+="${command:+ }$word"
+      _beeline_words "$command"
+    else
+      position=$((position + 1))
+    fi
+  done
+  local offered
+  if [[ -n $value ]]; then
+    offered=$values
+  elif [[ $cur == -* ]]; then
+    offered=$options
+  elif [[ -n $verbs ]]; then
+    offered=$verbs
+  else
+    local -a kinds=($arguments)
+    offered=${kinds[position]//,/ }
+  fi
+  COMPREPLY=()
+  if [[ " $offered " == *" @file "* ]]; then
+    compopt -o filenames 2>/dev/null
+    mapfile -t COMPREPLY < <(compgen -f -- "$cur")
+  fi
+  mapfile -t -O ${#COMPREPLY[@]} COMPREPLY < <(compgen -W "${offered//@file/}" -- "$cur")
+}
+complete -F _beeline beeline
+)";
+
+std::string joined(const std::vector<std::string>& words, const char* separator) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
+  return text;
+}
+
+/// The words that stand for an argument or a value, @file for names of files.
+std::vector<std::string> offered(Completes completes, std::vector<std::string> words) {
+  if (completes == Completes::arm) words = beeline::built_in_names();
+  if (completes != Completes::nothing) words.push_back("@file");
+  return words;
+}
+
+std::string case_of(const Leaf& leaf) {
+  std::string options, valued, values, arguments;
+  for (const Option& option : all_options(*leaf.verb)) {
+    for (const std::string& name : {option.name, option.alias}) {
+      if (name.empty()) continue;
+      options += " " + name;
+      if (is_flag(option)) continue;
+      valued += " " + name;
+      const std::string words = joined(offered(option.completes, option.choices), " ");
+      if (!words.empty()) values += "        " + name + ") values='" + words + "' ;;\n";
+    }
+  }
+  for (const Positional& argument : leaf.verb->arguments) {
+    const std::string words = joined(offered(argument.completes, argument.choices), ",");
+    arguments += (arguments.empty() ? "" : " ") + (words.empty() ? "-" : words);
+  }
+  std::string text = "    '" + joined(leaf.words, " ") + "')\n      options='" + options.substr(1) +
+                     "'\n      valued='" + valued + "'\n      arguments='" + arguments + "'\n";
+  if (!values.empty()) text += "      case $prev in\n" + values + "      esac\n";
+  return text + "      ;;\n";
+}
+
+std::string verbs_case(const std::string& command, const std::vector<Verb>& verbs) {
+  std::string words;
+  for (const Verb& verb : verbs) words += " " + verb.name;
+  return "    '" + command + "') verbs='" + words.substr(1) + "' options='--help" +
+         (command.empty() ? " --version" : "") + "' ;;\n";
+}
+
+}  // namespace
+
+std::string bash_completion(const std::vector<Verb>& verbs) {
+  std::string text =
+      "# bash completion for beeline, printed by `beeline completion bash`\n"
+      "_beeline_words() {\n"
+      "  verbs= options= valued= values= arguments=\n"
+      "  case $1 in\n" +
+      verbs_case("", verbs);
+  for (const Verb& verb : verbs) {
+    if (!verb.verbs.empty()) text += verbs_case(verb.name, verb.verbs);
+  }
+  for (const Leaf& leaf : leaves(verbs)) text += case_of(leaf);
+  return text + "  esac\n}\n" + functions;
+}

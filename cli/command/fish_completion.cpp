@@ -1,0 +1,87 @@
+#include "fish_completion.h"
+
+#include <beeline/model/catalog.h>
+
+#include "completion.h"
+
+namespace {
+
+/// __beeline_is WORDS: the verb that was typed is WORDS. __beeline_at N: N words were typed that
+/// are no options.
+constexpr const char* functions = R"(
+function __beeline_is
+    set -l tokens (commandline -opc)
+    for i in (seq (count $argv))
+        test "$tokens[(math $i + 1)]" = "$argv[$i]"; or return 1
+    end
+end
+
+function __beeline_at
+    test (count (string match -v -- '-*' (commandline -opc))) -eq $argv[1]
+end
+)";
+
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) {
+    if (c == '\'' || c == '\\') result += '\\';
+    result += c == '\n' ? ' ' : c;
+  }
+  return result + "'";
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+std::string line(const std::string& condition, const std::string& rest) {
+  return "complete -c beeline -n " + quoted(condition) + " " + rest + "\n";
+}
+
+/// What is offered for a value or an argument: only these words, or names of files as well.
+std::string offer(Completes completes, std::vector<std::string> words, const char* no_files) {
+  if (completes == Completes::arm) words = beeline::built_in_names();
+  std::string text = completes == Completes::nothing ? no_files : "-F";
+  if (!words.empty()) text += " -a " + quoted(joined(words));
+  return text;
+}
+
+std::string option_line(const std::string& condition, const Option& option) {
+  std::string rest = "-l " + option.name.substr(2);
+  if (option.alias.size() == 2) rest += " -s " + option.alias.substr(1);
+  if (option.alias.size() > 2) rest += " -l " + option.alias.substr(2);
+  if (!is_flag(option)) rest += " -r " + offer(option.completes, option.choices, "-f");
+  return line(condition, rest + " -d " + quoted(option.help));
+}
+
+std::string lines_of(const Leaf& leaf) {
+  const std::string condition = "__beeline_is " + joined(leaf.words);
+  std::string text;
+  for (const Option& option : all_options(*leaf.verb)) text += option_line(condition, option);
+  std::size_t words = 1 + leaf.words.size();
+  for (const Positional& argument : leaf.verb->arguments) {
+    text += line(condition + "; and __beeline_at " + std::to_string(words++),
+                 offer(argument.completes, argument.choices, "-f"));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string fish_completion(const std::vector<Verb>& verbs) {
+  std::string text = "# fish completion for beeline, printed by `beeline completion fish`\n" +
+                     std::string(functions) + "\ncomplete -c beeline -f\n" +
+                     line("__beeline_at 1", "-l version -d 'Print the version.'") +
+                     line("__beeline_at 1", "-l help -s h -d 'Print this help.'");
+  for (const Verb& verb : verbs) {
+    text += line("__beeline_at 1", "-a " + verb.name + " -d " + quoted(verb.summary));
+    for (const Verb& part : verb.verbs) {
+      text += line("__beeline_at 2; and __beeline_is " + verb.name,
+                   "-a " + part.name + " -d " + quoted(part.summary));
+    }
+  }
+  for (const Leaf& leaf : leaves(verbs)) text += lines_of(leaf);
+  return text;
+}

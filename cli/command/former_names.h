@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "verb.h"
+
+/// What verbs, options and the order of arguments were in version 0.1, for errors that say what
+/// they are now.
+
+/// "--profile" for "--law"; empty for an option that was not renamed.
+std::string current_option_name(const std::string& name);
+
+/// "retime" for "time"; empty for a verb that was not renamed.
+std::string current_verb_name(const std::string& name);
+
+/// Throws Error if the arguments of a verb `VERB ARM FILE...` were given as `VERB FILE... ARM`.
+void refuse_former_order(const Verb& verb);

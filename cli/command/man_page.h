@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "verb.h"
+
+/// The manual page beeline(1) in roff, with all verbs.
+std::string man_page(const std::vector<Verb>& verbs);
+
+/// `beeline man`. `verbs` must outlive the verb.
+Verb man_verb(const std::vector<Verb>& verbs);

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// The variable that an option sets. Its value before parsing is the option's default. The whole
+/// numbers and real numbers are finite; bool makes the option a flag.
+using Target =
+    std::variant<bool*, int*, std::uint64_t*, double*, std::optional<double>*, std::string*>;
+
+/// What a value names, for shell completion.
+enum class Completes { nothing, arm, file };
+
+/// An argument without a dash, by its position.
+struct Positional {
+  std::string name;  ///< as the help shows it: ARM
+  std::string help = {};
+  std::string* target = nullptr;
+  Completes completes = Completes::nothing;
+  bool required = true;
+  std::vector<std::string> choices = {};  ///< for completion
+};
+
+/// An option of a verb. The parser, the help, the man page and the shell completions read these
+/// fields alone.
+struct Option {
+  std::string name;        ///< "--kp"
+  std::string value = {};  ///< placeholder of the value, such as N or FILE; empty for a flag
+  std::string help;        ///< one or more sentences, with the unit
+  Target target = {};
+  bool required = false;
+  std::string alias = {};                 ///< a second name
+  std::vector<std::string> choices = {};  ///< the accepted values; empty: any
+  bool other_values = false;              ///< the choices are not all accepted values
+  Completes completes = Completes::nothing;
+  std::vector<std::string> methods = {};  ///< needs --method with one of these values
+  std::string needs = {};                 ///< another option that it needs
+};
+
+/// Sets the target from the text typed for `name`. Throws Error naming the option if the text is
+/// empty, is not such a number, or is not among the choices.
+void assign(const Option& option, const std::string& name, const std::string& text);
+
+/// The default as the help shows it; empty if there is none.
+std::string default_text(const Option& option);
+
+bool is_flag(const Option& option);

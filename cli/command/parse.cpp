@@ -1,0 +1,146 @@
+#include "parse.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include <beeline/error.h>
+
+#include "former_names.h"
+
+using beeline::Error;
+using beeline::unknown_name;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+bool is_number_like(const std::string& word) {
+  const std::size_t sign = word.find_first_not_of("+-");
+  return sign != std::string::npos &&
+         std::string("0123456789.").find(word[sign]) != std::string::npos;
+}
+
+/// The name of an option word: "--rate" of "--rate=100".
+std::string option_name(const std::string& word) { return word.substr(0, word.find('=')); }
+
+/// The error for a word that is neither an option nor an expected argument.
+Error unexpected(const Verb& verb, const std::string& word) {
+  if (is_number_like(word)) {
+    return Error("unexpected argument " + word + "; write a list without blanks, such as 1,-2,3");
+  }
+  if (word[0] != '-') return Error("unexpected argument \"" + word + "\"");
+  const std::string name = option_name(word);
+  Words known;
+  for (const Option& option : all_options(verb)) {
+    known.push_back(option.name);
+    if (option.alias.size() > 2) known.push_back(option.alias);
+  }
+  const std::string renamed = current_option_name(name);
+  if (std::find(known.begin(), known.end(), renamed) != known.end()) {
+    return Error("the option " + name + " is now called " + renamed);
+  }
+  const std::string message = unknown_name("option", name, known).what();
+  return Error(message.substr(0, message.find(" (known")));  // the verb's help lists them
+}
+
+/// An option as CLI11 parses it.
+struct Parsed {
+  const Option* option;
+  CLI::Option* result;
+  bool given() const { return result->count() > 0; }
+};
+
+std::string typed_name(const Option& option, const Words& arguments) {
+  const auto is_alias = [&](const std::string& word) { return option_name(word) == option.alias; };
+  const bool alias = std::any_of(arguments.begin(), arguments.end(), is_alias);
+  return alias && !option.alias.empty() ? option.alias : option.name;
+}
+
+void check_needs(const Option& option, const std::string& name, const Words& typed,
+                 const std::string& method) {
+  const auto has = [](const Words& words, const std::string& word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  if (!option.needs.empty() && !has(typed, option.needs)) {
+    throw Error(name + " needs " + option.needs);
+  }
+  if (option.methods.empty() || has(option.methods, method)) return;
+  throw Error(name + " has no effect with --method " + method + "; it goes with --method " +
+              beeline::listed(option.methods));
+}
+
+std::string method_of(const Verb& verb) {
+  for (const Option& option : verb.options) {
+    if (option.name == "--method") return *std::get<std::string*>(option.target);
+  }
+  return "";
+}
+
+void set_arguments(const Verb& verb, const std::vector<CLI::Option*>& results) {
+  Words files;
+  for (std::size_t i = 0; i < verb.arguments.size(); ++i) {
+    const Positional& argument = verb.arguments[i];
+    if (results[i]->count() == 0) {
+      if (argument.required) throw Error(argument.name + " is missing");
+      continue;
+    }
+    *argument.target = results[i]->results().front();
+    if (argument.target->empty()) throw Error(argument.name + " is empty");
+  }
+  refuse_former_order(verb);
+}
+
+Words set_options(const Verb& verb, const std::vector<Parsed>& parsed, const Words& arguments) {
+  Words typed;
+  for (const auto& [option, result] : parsed) {
+    const std::string name = typed_name(*option, arguments);
+    if (result->count() == 0) {
+      if (option->required) throw Error(name + " " + option->value + " is missing");
+      continue;
+    }
+    if (result->count() > 1)
+      throw Error(name + " is given " + std::to_string(result->count()) + " times");
+    typed.push_back(name);
+    if (auto* const* flag = std::get_if<bool*>(&option->target)) {
+      **flag = true;
+    } else {
+      assign(*option, name, result->results().front());
+    }
+  }
+  const std::string method = method_of(verb);
+  for (const auto& [option, result] : parsed) {
+    if (result->count() > 0) check_needs(*option, typed_name(*option, arguments), typed, method);
+  }
+  return typed;
+}
+
+}  // namespace
+
+std::vector<std::string> parse(const Verb& verb, const Words& arguments) {
+  CLI::App app;
+  app.set_help_flag();
+  app.allow_extras();
+  const std::vector<Option> options = all_options(verb);
+  std::vector<CLI::Option*> positions;
+  std::vector<Parsed> parsed;
+  for (const Positional& argument : verb.arguments) {
+    positions.push_back(app.add_option(argument.name));
+  }
+  for (const Option& option : options) {
+    const std::string names = option.name + (option.alias.empty() ? "" : "," + option.alias);
+    parsed.push_back({&option, is_flag(option) ? app.add_flag(names) : app.add_option(names)});
+  }
+  try {
+    app.parse(Words(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::ArgumentMismatch&) {
+    for (const auto& [option, result] : parsed) {
+      const bool value_missing = !arguments.empty() && (arguments.back() == option->name ||
+                                                        arguments.back() == option->alias);
+      if (value_missing) throw Error(arguments.back() + " needs a value: " + option->value);
+    }
+    throw;
+  }
+  for (const std::string& word : app.remaining()) throw unexpected(verb, word);
+  set_arguments(verb, positions);
+  return set_options(verb, parsed, arguments);
+}

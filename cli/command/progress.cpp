@@ -1,0 +1,20 @@
+#include "progress.h"
+
+#include <fmt/core.h>
+
+#include "streams.h"
+
+#include <unistd.h>
+
+Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+  if (percent_ >= 0) write_stderr("\r\033[K");
+}
+
+void Progress::show(double fraction) {
+  const int percent = static_cast<int>(100 * fraction);
+  if (!terminal_ || percent == percent_) return;
+  percent_ = percent;
+  write_stderr(fmt::format("\r{:3d} %", percent));
+}

@@ -1,0 +1,40 @@
+#include "streams.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include <beeline/error.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+void prepare_streams() {
+  std::signal(SIGPIPE, SIG_IGN);
+  const auto fill = [](int stream, int mode) {
+    if (fcntl(stream, F_GETFD) != -1) return;
+    const int opened = open("/dev/null", mode);  // the lowest free number, which is `stream`
+    if (opened != stream && opened >= 0) close(opened);
+  };
+  // Opened the wrong way round, a filled stream fails when it is used, as a closed one does.
+  fill(STDIN_FILENO, O_WRONLY);
+  fill(STDOUT_FILENO, O_RDONLY);
+  fill(STDERR_FILENO, O_WRONLY);
+}
+
+void write_stderr(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+void print_error(std::string_view text) { write_stderr("beeline: " + std::string(text) + "\n"); }
+
+void warn(std::string_view text) { print_error("warning: " + std::string(text)); }
+
+void write_stdout(std::string_view text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (written && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+  throw beeline::FileError("stdout", 0, std::string("cannot be written: ") + std::strerror(errno));
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string_view>
+
+/// The standard streams. An stderr that is closed or full never changes the exit code; an stdout
+/// that cannot be written does.
+
+/// Fills the places of closed standard streams, so that no output file gets the number of one, and
+/// ignores SIGPIPE, so that writing to a closed pipe fails instead of ending the process.
+void prepare_streams();
+
+/// Prints the line `beeline: TEXT` on stderr.
+void print_error(std::string_view text);
+
+/// Prints the line `beeline: warning: TEXT` on stderr.
+void warn(std::string_view text);
+
+/// Writes text on stderr as it is.
+void write_stderr(std::string_view text);
+
+/// Writes text on stdout, to the last byte. Throws FileError if that fails.
+void write_stdout(std::string_view text);

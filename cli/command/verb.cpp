@@ -1,0 +1,45 @@
+#include "verb.h"
+
+#include <beeline/error.h>
+
+#include "former_names.h"
+
+std::vector<Option> all_options(const Verb& verb) {
+  static bool help = false;
+  std::vector<Option> options = verb.options;
+  if (verb.json != nullptr) {
+    options.push_back({.name = "--json",
+                       .help = "Print the answer as JSON. Numbers read back exactly.",
+                       .target = verb.json});
+  }
+  options.push_back({.name = "--help", .help = "Print this help.", .target = &help, .alias = "-h"});
+  return options;
+}
+
+std::string usage(const Verb& verb, const std::string& command) {
+  std::string text = command;
+  if (!verb.verbs.empty()) return text + " VERB [options]";
+  for (const Positional& argument : verb.arguments) {
+    text += argument.required ? " " + argument.name : " [" + argument.name + "]";
+  }
+  bool optional = false;
+  for (const Option& option : verb.options) {
+    if (option.required) text += " " + option.name + " " + option.value;
+    optional = optional || !option.required;
+  }
+  return optional ? text + " [options]" : text;
+}
+
+const Verb& find_verb(const std::vector<Verb>& verbs, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Verb& verb : verbs) {
+    if (verb.name == name) return verb;
+    names.push_back(verb.name);
+  }
+  const std::string renamed = current_verb_name(name);
+  if (!renamed.empty()) {
+    throw beeline::Error("the verb " + name + " is now called " + renamed +
+                         ", and takes the arm first: beeline " + renamed + " ARM FILE");
+  }
+  throw beeline::unknown_name("verb", name, names);
+}

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "json.h"
+#include "option.h"
+
+/// What a verb answers. The text, or with --json the document, is printed on stdout.
+struct Answer {
+  std::string text = {};
+  Json document = {};
+  bool yes = true;              ///< no ends with exit code 1
+  std::string reason = {};      ///< of a no, for stderr
+  bool text_on_stderr = false;  ///< stdout holds other results
+};
+
+/// Commands that work when they are pasted into a shell, in the order of the verb's examples.
+struct Example {
+  std::string purpose;  ///< one line
+  std::string commands;
+};
+
+/// A verb as data: the parser, the help, the man page and the shell completions read nothing else.
+struct Verb {
+  std::string name;
+  std::string summary;  ///< one line: "Retime a trajectory: minimum time within the limits"
+  std::string description = {};  ///< what is computed and printed, in paragraphs
+  std::vector<Positional> arguments = {};
+  std::vector<Option> options = {};
+  std::vector<Example> examples = {};
+  bool* json = nullptr;  ///< set by --json; null for a verb without that option
+  std::function<Answer()> run = {};
+  std::vector<Verb> verbs = {};  ///< such as fk of batch; then run is empty
+};
+
+/// All options with --json and --help, as the help, the man page and the completions list them.
+std::vector<Option> all_options(const Verb& verb);
+
+/// "beeline line ARM --through FILE [options]".
+std::string usage(const Verb& verb, const std::string& command);
+
+/// Throws Error for an unknown name, with the nearest known one, and for a former name.
+const Verb& find_verb(const std::vector<Verb>& verbs, const std::string& name);

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <beeline/kinematics/task.h>
+
+#include "arguments.h"
+#include "command/json.h"
+
+/// How answers are written: rounded in texts, exact in JSON.
+
+/// A number with six significant digits; rounding errors near zero are shown as 0.
+std::string shown(double value);
+
+/// Numbers with commas between.
+std::string shown(const Eigen::VectorXd& values);
+
+/// A pose on one line, in the order of --pose: x, y, theta or x, y, z, roll, pitch, yaw.
+std::string shown(const beeline::Pose& pose, bool planar, const UnitArgument& unit);
+
+/// A matrix in aligned columns, each row indented and labelled.
+std::string matrix_text(const Eigen::MatrixXd& matrix, const std::vector<std::string>& row_labels);
+
+/// A pose on indented lines.
+std::string pose_text(const beeline::Pose& pose, bool planar, const UnitArgument& unit);
+
+/// "1 sample", "2 samples".
+std::string counted(std::int64_t count, const std::string& noun);
+
+/// A matrix as a list of its rows.
+Json json_matrix(const Eigen::MatrixXd& matrix);
+
+/// {matrix, translation, quaternion {qw,qx,qy,qz}} and, for planar arms, planar {x,y,theta}, with
+/// theta in the unit of the output.
+Json json_pose(const beeline::Pose& pose, bool planar, const UnitArgument& unit);

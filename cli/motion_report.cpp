@@ -1,0 +1,131 @@
+#include "motion_report.h"
+
+#include <cmath>
+#include <fmt/core.h>
+
+#include "format.h"
+
+using namespace beeline;
+
+namespace {
+
+std::string usage_line(const char* limit, const LimitFraction& use) {
+  if (use.joint.empty()) return "";
+  return fmt::format("{:<14}at most {} % of the limit, joint {} at {} s\n", limit,
+                     shown(100 * use.fraction), use.joint, shown(use.time));
+}
+
+Json json_usage(const LimitFraction& use) {
+  if (use.joint.empty()) return nullptr;
+  return {{"fraction", use.fraction}, {"joint", use.joint}, {"time", use.time}};
+}
+
+}  // namespace
+
+std::string deviation_text(const PathDeviation& deviation, const UnitArgument& unit) {
+  std::string text = "deviation     position     orientation\n";
+  const auto add = [&](const char* label, const Deviation& value, const char* remark) {
+    text += fmt::format("  {:<10}  {:.2e} m   {:.2e} {}{}\n", label, value.position,
+                        unit.shown(value.orientation), unit.name(), remark);
+  };
+  add("at samples", deviation.sampled, "");
+  add("measured", deviation.measured, "   (between samples too)");
+  add("proved", deviation.bound, "   (at all times, joints linear between samples)");
+  return text;
+}
+
+Json deviation_members(const std::optional<PathDeviation>& deviation, const UnitArgument& unit) {
+  const std::pair<const char*, Deviation PathDeviation::*> kinds[] = {
+      {"bound", &PathDeviation::bound},
+      {"measured", &PathDeviation::measured},
+      {"sampled", &PathDeviation::sampled}};
+  Json members = Json::object();
+  for (const auto& [kind, value] : kinds) {
+    const Json position = deviation ? Json((*deviation.*value).position) : nullptr;
+    members.add(std::string("deviation_") + kind, position);
+  }
+  for (const auto& [kind, value] : kinds) {
+    const Json angle = deviation ? Json(unit.shown((*deviation.*value).orientation)) : nullptr;
+    members.add(std::string("orientation_") + kind, angle);
+  }
+  return members;
+}
+
+std::string limits_text(const LimitUsage& limits) {
+  return usage_line("velocity", limits.velocity) + usage_line("acceleration", limits.acceleration) +
+         usage_line("jerk", limits.jerk);
+}
+
+Json json_limits(const LimitUsage& limits) {
+  return {{"velocity", json_usage(limits.velocity)},
+          {"acceleration", json_usage(limits.acceleration)},
+          {"jerk", json_usage(limits.jerk)}};
+}
+
+std::string difference_text(const Arm& arm, const TrajectoryDifference& difference,
+                            const UnitArgument& unit) {
+  std::string text = "joint         largest       at s          rms\n";
+  for (int k = 0; k < arm.dof(); ++k) {
+    const JointDifference& joint = difference.joints[k];
+    text += fmt::format("  {:<10}  {:<12}  {:<12}  {}\n", arm.joint_of(k).name,
+                        shown(unit.shown(arm, k, joint.largest)), shown(joint.time),
+                        shown(unit.shown(arm, k, joint.rms)));
+  }
+  return text +
+         fmt::format("tool          {} m at {} s, {} {} at {} s\n",
+                     shown(difference.largest_position), shown(difference.position_time),
+                     shown(unit.shown(difference.largest_orientation)), unit.name(),
+                     shown(difference.orientation_time)) +
+         fmt::format("time          {} s compared; the second lasts {} s {}\n",
+                     shown(difference.overlap), shown(std::abs(difference.longer)),
+                     difference.longer < 0 ? "less" : "more");
+}
+
+Json difference_members(const Arm& arm, const TrajectoryDifference& difference,
+                        const UnitArgument& unit) {
+  Json joints = Json::list();
+  for (int k = 0; k < arm.dof(); ++k) {
+    const JointDifference& joint = difference.joints[k];
+    joints.append({{"joint", arm.joint_of(k).name},
+                   {"largest", unit.shown(arm, k, joint.largest)},
+                   {"time", joint.time},
+                   {"rms", unit.shown(arm, k, joint.rms)}});
+  }
+  return {{"joints", joints},
+          {"position", difference.largest_position},
+          {"position_time", difference.position_time},
+          {"orientation", unit.shown(difference.largest_orientation)},
+          {"orientation_time", difference.orientation_time},
+          {"overlap", difference.overlap},
+          {"longer", difference.longer}};
+}
+
+std::string branches_text(const Arm& arm, const std::vector<Branch>& branches,
+                          const UnitArgument& unit) {
+  std::string text = fmt::format("branches      {}\n", branches.size());
+  if (branches.empty()) return text;
+  text += fmt::format("   #  segments  margin  inv. cond.  start ({})\n", unit.name());
+  for (std::size_t i = 0; i < branches.size(); ++i) {
+    const Branch& branch = branches[i];
+    text += fmt::format("  {:>2}  {:>8}  {:>4.0f} %  {:>10}  {}\n", i + 1,
+                        shown(branch.path_parameter), 100 * branch.limit_margin,
+                        shown(branch.dexterity), shown(unit.shown(arm, branch.start)));
+    if (!branch.reason.empty()) {
+      text += fmt::format("      {}: {}\n", name(branch.status), branch.reason);
+    }
+  }
+  return text;
+}
+
+Json json_branches(const Arm& arm, const std::vector<Branch>& branches, const UnitArgument& unit) {
+  Json list = Json::list();
+  for (const Branch& branch : branches) {
+    list.append({{"start", unit.shown(arm, branch.start)},
+                 {"status", name(branch.status)},
+                 {"path_parameter", branch.path_parameter},
+                 {"limit_margin", branch.limit_margin},
+                 {"dexterity", branch.dexterity},
+                 {"reason", branch.reason}});
+  }
+  return list;
+}

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <beeline/certificate/path_deviation.h>
+#include <beeline/planning/branch.h>
+#include <beeline/trajectory/difference.h>
+#include <beeline/trajectory/limit_usage.h>
+
+#include "arguments.h"
+#include "command/json.h"
+
+/// What several verbs report of a motion: as text, and as members that are added to a document.
+
+/// The deviation of a motion from its path: at the samples, measured, proved.
+std::string deviation_text(const beeline::PathDeviation& deviation, const UnitArgument& unit);
+/// Members deviation_... and orientation_...; null if there is no deviation to report.
+Json deviation_members(const std::optional<beeline::PathDeviation>& deviation,
+                       const UnitArgument& unit);
+
+/// The largest fraction of each limit that a motion uses, with the joint and the time.
+std::string limits_text(const beeline::LimitUsage& limits);
+Json json_limits(const beeline::LimitUsage& limits);
+
+/// The differences of each joint and of the tool between two recordings.
+std::string difference_text(const beeline::Arm& arm,
+                            const beeline::TrajectoryDifference& difference,
+                            const UnitArgument& unit);
+/// Members joints, position, position_time, orientation, orientation_time, overlap, longer.
+Json difference_members(const beeline::Arm& arm, const beeline::TrajectoryDifference& difference,
+                        const UnitArgument& unit);
+
+/// The outcome of each branch along a path.
+std::string branches_text(const beeline::Arm& arm, const std::vector<beeline::Branch>& branches,
+                          const UnitArgument& unit);
+Json json_branches(const beeline::Arm& arm, const std::vector<beeline::Branch>& branches,
+                   const UnitArgument& unit);

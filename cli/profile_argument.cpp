@@ -1,0 +1,33 @@
+#include "profile_argument.h"
+
+#include <beeline/error.h>
+
+using namespace beeline;
+
+Option ProfileArgument::option(const std::vector<std::string>& methods) {
+  std::vector<std::string> names;
+  for (const Profile profile : {Profile::fastest, Profile::jerk, Profile::trapezoidal, Profile::quintic, Profile::s_curve}) {
+    names.push_back(name(profile));
+  }
+  return {.name = "--profile",
+          .value = "PROFILE",
+          .help =
+              "Time profile. fastest: minimum time under velocity and acceleration limits, "
+              "jerk is not limited; jerk: short time under velocity, acceleration and jerk "
+              "limits; trapezoidal (jerk is not limited), quintic, s-curve: one profile of "
+              "that form from stop to stop. Default: jerk for an arm with jerk limits, "
+              "otherwise fastest.",
+          .target = &text,
+          .choices = names,
+          .methods = methods};
+}
+
+std::optional<Profile> ProfileArgument::read() const {
+  if (text.empty()) return std::nullopt;
+  return profile_named(text);
+}
+
+double checked_rate(double rate) {
+  if (rate > 0) return rate;
+  throw Error("--rate must be above zero, not " + number(rate));
+}

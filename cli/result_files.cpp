@@ -1,0 +1,98 @@
+#include "result_files.h"
+
+#include <filesystem>
+#include <fmt/core.h>
+
+#include <beeline/draw/arm_figure.h>
+#include <beeline/draw/canvas.h>
+#include <beeline/error.h>
+#include <beeline/read/file.h>
+#include <beeline/record/trajectory_file.h>
+
+using namespace beeline;
+
+void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs) {
+    std::error_code missing;
+    const std::string file = input == "-" ? "/dev/stdin" : input;
+    if (std::filesystem::equivalent(output, file, missing) && !missing) {
+      throw Error("the output " + output + " is an input as well; choose another name");
+    }
+  }
+}
+
+std::vector<Configuration> at_equal_times(const Trajectory& trajectory) {
+  constexpr int steps = 1000;  // a step of a trail across the picture is then below a pixel
+  std::vector<Configuration> positions;
+  const double begin = trajectory.times.front();
+  const double duration = trajectory.times.back() - begin;
+  for (int k = 0; k <= steps; ++k) {
+    positions.push_back(sample(trajectory, begin + duration * k / steps));
+  }
+  return positions;
+}
+
+Option plot_option(std::string* target) {
+  return {.name = "--plot",
+          .value = "FILE",
+          .help = "Plot joints and tool over time beside their limits: .svg, .png or .pdf.",
+          .target = target,
+          .completes = Completes::file};
+}
+
+std::vector<Option> ResultFiles::options() {
+  return {{.name = "--out",
+           .value = "FILE",
+           .help = "Write the joint trajectory: .csv, or .json as a ROS JointTrajectory.",
+           .target = &out,
+           .completes = Completes::file},
+          {.name = "--draw",
+           .value = "FILE",
+           .help = "Draw the arm and the path of its tool: .svg, .png or .pdf.",
+           .target = &draw,
+           .completes = Completes::file},
+          plot_option(&plot)};
+}
+
+void ResultFiles::check(const std::vector<std::string>& inputs) const {
+  if (!out.empty()) trajectory_format(out);
+  if (!draw.empty()) format_of(draw);
+  if (!plot.empty()) format_of(plot);
+  const auto refuse_same = [](const char* options, const std::string& a, const std::string& b) {
+    if (!a.empty() && a == b) throw Error(options + std::string(" name the same file: ") + a);
+  };
+  refuse_same("--out and --draw", out, draw);
+  refuse_same("--out and --plot", out, plot);
+  refuse_same("--draw and --plot", draw, plot);
+  for (const std::string& file : {out, draw, plot}) refuse_overwriting(file, inputs);
+}
+
+void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
+                        const std::vector<Pose>& waypoints,
+                        const std::optional<FollowedPath>& path) const {
+  std::vector<NewFile> files;
+  if (!out.empty()) files.push_back({out, trajectory_text(trajectory, trajectory_format(out))});
+  if (!draw.empty()) {
+    const Figure figure = motion_figure(arm, at_equal_times(trajectory), waypoints);
+    files.push_back({draw, render(figure, format_of(draw))});
+  }
+  if (!plot.empty()) {
+    const Drawing drawing = timing_figure(arm, trajectory, {.path = path});
+    files.push_back({plot, render(drawing, format_of(plot))});
+  }
+  write_files(files);
+}
+
+std::string ResultFiles::text() const {
+  std::string text;
+  if (!out.empty()) text += fmt::format("trajectory    {}\n", out);
+  if (!draw.empty()) text += fmt::format("picture       {}\n", draw);
+  if (!plot.empty()) text += fmt::format("plot          {}\n", plot);
+  return text;
+}
+
+void ResultFiles::add_to(Json& document) const {
+  if (!out.empty()) document.add("out", out);
+  if (!draw.empty()) document.add("draw", draw);
+  if (!plot.empty()) document.add("plot", plot);
+}

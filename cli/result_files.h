@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <beeline/draw/timing_figure.h>
+#include <beeline/trajectory/trajectory.h>
+
+#include "command/json.h"
+#include "command/option.h"
+
+/// Throws Error if `output` is the same file as one of `inputs`, where `-` is the standard input.
+void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs);
+
+/// Configurations of a motion at equal steps of time, for the trail in a picture.
+std::vector<beeline::Configuration> at_equal_times(const beeline::Trajectory& trajectory);
+
+/// --plot.
+Option plot_option(std::string* target);
+
+/// --out, --draw and --plot: the files that a motion is written to.
+struct ResultFiles {
+  std::string out = {}, draw = {}, plot = {};
+
+  std::vector<Option> options();
+  /// Throws Error for an unknown format and for the name of an input file. Called before the
+  /// computation begins.
+  void check(const std::vector<std::string>& inputs) const;
+  /// Writes all files or none. `path` is the path that the motion follows.
+  void write(const beeline::Arm& arm, const beeline::Trajectory& trajectory,
+             const std::vector<beeline::Pose>& waypoints,
+             const std::optional<beeline::FollowedPath>& path = std::nullopt) const;
+  /// The names of the files, one a line.
+  std::string text() const;
+  void add_to(Json& document) const;
+};

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <fmt/core.h>
+
+#include <beeline/error.h>
+#include <beeline/read/csv.h>
+#include <beeline/read/file.h>
+#include <beeline/timing/retime.h>
+
+#include "format.h"
+#include "input_files.h"
+#include "motion_report.h"
+#include "profile_argument.h"
+#include "result_files.h"
+#include "verbs.h"
+
+using namespace beeline;
+
+namespace {
+
+struct Arguments {
+  ArmArgument arm;
+  std::string file;
+  ProfileArgument profile;
+  RetimeOptions retime;
+  std::optional<double> tool_speed, rate;
+  ResultFiles files;
+  bool json = false;
+};
+
+/// A trajectory, or a path: the positions of a .csv file without column t, at times 0, 1, 2, ... s,
+/// which retime() ignores.
+struct Input {
+  Trajectory trajectory;
+  bool has_times = true;
+};
+
+Trajectory untimed(const CsvTable& table) {
+  Trajectory path{table.columns, {}, {}, {}, {}};
+  for (const std::vector<double>& row : table.rows) {
+    path.times.push_back(static_cast<double>(path.times.size()));
+    path.positions.push_back(
+        Eigen::Map<const Configuration>(row.data(), static_cast<Eigen::Index>(row.size())));
+  }
+  return path;
+}
+
+Input read_input(const std::string& file, const Arm& arm) {
+  Input input;
+  if (extension(file) == "csv") {
+    const CsvTable table = parse_csv(read_file(file), file);
+    const auto& columns = table.columns;
+    input.has_times = std::find(columns.begin(), columns.end(), "t") != columns.end();
+    if (!input.has_times) input.trajectory = untimed(table);
+  }
+  if (input.has_times) input.trajectory = read_recording(file, arm);
+  try {
+    input.trajectory = matched_to(arm, input.trajectory);
+    check_moves(input.trajectory);
+  } catch (const Error& error) {
+    throw FileError(file, 0, error.what());
+  }
+  return input;
+}
+
+RetimeOptions options_of(const Arguments& arguments) {
+  RetimeOptions options = arguments.retime;
+  options.profile = arguments.profile.read();
+  if (arguments.rate) options.rate = checked_rate(*arguments.rate);
+  if (arguments.tool_speed) options.tool_speed = *arguments.tool_speed;
+  return options;
+}
+
+std::string text_of(const Arguments& arguments, const Arm& arm, const Retimed& retimed,
+                    const std::optional<double>& duration_before) {
+  if (!retimed.found()) return "";
+  const std::string before =
+      duration_before ? fmt::format(", before {} s", shown(*duration_before)) : "";
+  const std::string stops =
+      retimed.stretches > 1 ? fmt::format(", with {} stops between", retimed.stretches - 1) : "";
+  return fmt::format("retimed       {} samples of {}, profile {}\n", retimed.trajectory.size(),
+                     arm.name(), name(retimed.profile)) +
+         fmt::format("duration      {} s{}{}\n", shown(retimed.trajectory.times.back()), before,
+                     stops) +
+         limits_text(retimed.limits) +
+         fmt::format("tool speed    at most {} m/s\n", shown(retimed.tool_speed)) +
+         arguments.files.text();
+}
+
+Answer retime(const Arguments& arguments) {
+  arguments.files.check({arguments.arm.text, arguments.file});
+  const RetimeOptions options = options_of(arguments);
+  const Arm arm = arguments.arm.read();
+  const Input input = read_input(arguments.file, arm);
+  const Retimed retimed = retime(arm, input.trajectory, options);
+  const bool found = retimed.found();
+  if (found) arguments.files.write(arm, retimed.trajectory, {});
+  const std::vector<double>& before = input.trajectory.times;
+  const std::optional<double> duration_before =
+      input.has_times ? std::optional(before.back() - before.front()) : std::nullopt;
+  Answer answer{.text = text_of(arguments, arm, retimed, duration_before),
+                .document = {{"status", found ? "reached" : "outside_limits"},
+                             {"profile", name(retimed.profile)},
+                             {"samples", retimed.trajectory.size()},
+                             {"duration", found ? Json(retimed.trajectory.times.back()) : Json()},
+                             {"duration_before", duration_before},
+                             {"sections", retimed.stretches},
+                             {"limits", json_limits(retimed.limits)},
+                             {"tool_speed", retimed.tool_speed},
+                             {"reason", retimed.reason}},
+                .yes = found,
+                .reason = retimed.reason};
+  if (found) arguments.files.add_to(answer.document);
+  return answer;
+}
+
+std::vector<Option> timing_options(Arguments& arguments) {
+  return {arguments.profile.option(),
+          {.name = "--speed",
+           .value = "K",
+           .help = "Speed scale k in (0, 1]: velocity limits x k, acceleration x k^2, "
+                   "jerk x k^3.",
+           .target = &arguments.retime.speed_limit},
+          {.name = "--tool-speed",
+           .value = "V",
+           .help = "Largest speed of the tool origin, m/s.",
+           .target = &arguments.tool_speed},
+          {.name = "--rate",
+           .value = "HZ",
+           .help = "Samples per second. Default: every sample of the file, and more between.",
+           .target = &arguments.rate}};
+}
+
+}  // namespace
+
+Verb retime_verb() {
+  static Arguments arguments;
+  return {
+      .name = "retime",
+      .summary = "Retime a trajectory: minimum time within the joint limits",
+      .description =
+          "Computes new times for a trajectory, from rest to rest. The geometric path is the cubic "
+          "spline through its positions; its times and velocities are ignored, except that stops "
+          "(a repeated position or a zero velocity) remain. Prints the number of samples, the new "
+          "and the previous duration in seconds, the largest fraction of each limit that is used, "
+          "and the largest tool speed in m/s. The file is in radians and metres. A velocity limit "
+          "that is not known is taken as 1 rad/s or 1 m/s.",
+      .arguments = {arguments.arm.argument(),
+                    trajectory_argument("FILE",
+                                        "The trajectory, .csv or .json. A .csv file without column "
+                                        "t is a path without times.",
+                                        &arguments.file)},
+      .options =
+          joined({timing_options(arguments), arguments.files.options(), arguments.arm.options()}),
+      .examples = {{"Record a motion under feedback control, then retime it",
+                    "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
+                    "--out move.csv\n"
+                    "beeline retime panda move.csv --out quick.csv"},
+                   {"Waypoints without times, at half the speed limits, sampled at 100 Hz",
+                    "printf 'joint1,joint2,joint3\\n0,1,0\\n0.5,0.8,-0.3\\n1,0,0.2\\n' > "
+                    "waypoints.csv\n"
+                    "beeline retime rrr waypoints.csv --speed 0.5 --rate 100 --out timed.csv"}},
+      .json = &arguments.json,
+      .run = [] { return retime(arguments); }};
+}

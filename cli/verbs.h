@@ -1,0 +1,19 @@
+#pragma once
+
+#include "command/verb.h"
+
+/// One function for each verb, each in the file of its name.
+Verb arms_verb();
+Verb show_verb();
+Verb fk_verb();
+Verb jacobian_verb();
+Verb ik_verb();
+Verb batch_verb();
+Verb move_verb();
+Verb line_verb();
+Verb check_verb();
+Verb retime_verb();
+Verb replay_verb();
+Verb diff_verb();
+Verb draw_verb();
+Verb figure_verb();
