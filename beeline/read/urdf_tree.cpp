@@ -43,7 +43,7 @@ class Tree {
     if (tips.size() > 1) {
       std::ranges::sort(tips);
       refuse("has " + std::to_string(tips.size()) + " tips below " + name_of(base) +
-             "; choose one with --tip: " + names(tips));
+             "; choose one as the tip: " + names(tips));
     }
     return tips.front();
   }

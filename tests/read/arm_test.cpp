@@ -27,6 +27,13 @@ TEST(ReadArm, NamesStringsAndFilesAllGiveArms) {
       1);
 }
 
+TEST(ReadArm, BuiltInNamesAreFoundInAnyCase) {
+  for (const char* name : {"Panda", "PANDA", "pAndA"}) EXPECT_EQ(read_arm(name).name(), "panda");
+  EXPECT_EQ(read_arm("UR5").name(), "ur5");
+  EXPECT_EQ(read_arm("Rrr").name(), "rrr");
+  EXPECT_EQ(read_arm("RRR").name(), "RRR");  // a joint string
+}
+
 TEST(ReadArm, UnknownNamesGetTheNearestOne) {
   EXPECT_REFUSED(read_arm("pnda"),
                  "unknown arm \"pnda\"; did you mean \"panda\"? (known: rrr, rp,");
@@ -46,7 +53,7 @@ TEST(ReadArm, FilesThatAreNoArmsAreNamed) {
   EXPECT_REFUSED(read_arm("folder/arm"), "folder/arm: is no known kind of arm file");
   EXPECT_REFUSED(read_arm("arm.urdf.xacro"), "is a xacro file; run xacro first");
   EXPECT_REFUSED(read_arm(folder.write("a.urdf", testing::whole_urdf)),
-                 "a.urdf: has 2 tips below base; choose one with --tip: left, right");
+                 "a.urdf: has 2 tips below base; choose one as the tip: left, right");
 }
 
 TEST(ReadArm, EndsGoWithUrdfOnly) {
