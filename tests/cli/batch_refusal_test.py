@@ -109,7 +109,7 @@ def test_a_pose_off_the_plane_of_a_planar_arm(refused, beeline, written):
 
 def test_a_tool_out_of_the_numbers(refused, written):
     far = ("batch", "fk", "PP:0,0", "--in", written("q.csv", "0,0\n1e308,1e308\n"), "--out", "p.npy")
-    refused(3, *far, says=["q.csv:2", "row 2", "farther"])
+    refused(3, *far, says=["q.csv:2", "row 2", "range of numbers"])
     refused(3, "batch", "fk", "P", "--in", written("q.csv", "1\n1e300\n"), "--out", "p.npy",
             "--float", says=["q.csv:2", "row 2", "32 bits", "--float"])
 
@@ -125,7 +125,7 @@ def test_a_pipe_that_brings_more_than_its_header_says(build, tmp_path):
     assert not (tmp_path / "o.npy").exists()
 
 
-def test_the_input_is_not_written_over_by_way_of_stdin(build, written, tmp_path):
+def test_an_input_on_stdin_is_not_overwritten(build, written, tmp_path):
     written("q.csv", GOOD)
     command = [str(build / "beeline"), "batch", "fk", "rrr", "--in", "-", "--out", "q.csv"]
     with open(tmp_path / "q.csv") as file:
@@ -136,7 +136,7 @@ def test_the_input_is_not_written_over_by_way_of_stdin(build, written, tmp_path)
 
 USAGE = [
     (("fkk", "rrr"), ["fkk", "fk, jacobian, ik"]),
-    ((), ["subcommand"]),
+    ((), ["needs a verb", "fk, jacobian, ik"]),
     (("fk", "rrr", "--in", "q.csv"), ["--out"]),
     (("fk", "rrr", "--in", "q.csv", "--out", ""), ["--out", "empty"]),
     (("fk", "rrr", "--in", "q.txt", "--out", "p.csv"), ["q.txt", ".npy"]),

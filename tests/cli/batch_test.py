@@ -1,4 +1,4 @@
-"""batch: rows in files through fk, jacobian and ik; what it refuses, and that it leaves nothing."""
+"""batch: fk, jacobian and ik of the rows of files."""
 
 import io
 import json
@@ -189,7 +189,7 @@ def test_a_pose_without_solution_is_nan_and_counted(batch):
         assert "1 of 3 poses without a solution" in document["err"]
 
 
-def test_limits_count_unless_told_otherwise(batch, rows):
+def test_limits_are_respected_unless_ignored(batch, rows):
     q = rows(20, 4)
     q[:, 3] = 0.6  # joint4 slides no farther than 0.17
     poses, document = batch("fk", "scara", q)
@@ -199,7 +199,7 @@ def test_limits_count_unless_told_otherwise(batch, rows):
     assert strict["solved"] == 0 and free["solved"] == 20
 
 
-def test_a_locked_joint_stays_where_it_was_told(batch, rows):
+def test_a_locked_joint_keeps_its_value(batch, rows):
     poses, _ = batch("fk", "panda", rows(20, 7))
     q, _ = batch("ik", "panda", poses, "--lock", "joint7=0.5", "--ignore-limits", code=None)
     solved = q[~np.isnan(q[:, 0])]

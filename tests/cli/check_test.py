@@ -1,4 +1,4 @@
-"""check: passes all that line makes, and tells each fault planted in it, with its place."""
+"""check: passes what line makes, and reports each fault planted in it, with its sample."""
 
 import csv
 import math
@@ -7,7 +7,7 @@ import pytest
 
 STARTS = {"ur5": "0.2,-1.2,1.5,-0.5,1.2,0", "puma560": "0.2,-0.6,0.3,0.4,0.7,0",
           "panda": "0,0.3,0,-1.6,0,1.2,0.785", "rrr": "1.0,-0.9,0.4"}
-LAWS = ["fastest", "trapezoidal", "quintic", "s-curve"]
+PROFILES = ["fastest", "trapezoidal", "quintic", "s-curve"]
 
 
 @pytest.fixture
@@ -32,7 +32,7 @@ def lines(beeline, written):
 
 @pytest.fixture
 def made(beeline, lines, tmp_path):
-    """made("ur5", "--law", "quintic") -> the file of poses and the rows of the motion."""
+    """made("ur5", "--profile", "quintic") -> the file of poses and the rows of the motion."""
 
     def make(arm, *options):
         through = lines(arm)
@@ -45,19 +45,19 @@ def made(beeline, lines, tmp_path):
 
 
 @pytest.fixture
-def told(beeline, tmp_path):
-    """told(rows, arm, through) -> the report on rows, written to a file."""
+def checked(beeline, tmp_path):
+    """checked(rows, arm, through) -> the report on rows, written to a file."""
 
-    def check(rows, arm, through, code=1):
+    def write_and_check(rows, arm, through, code=1):
         with open(tmp_path / "planted.csv", "w", newline="") as file:
             writer = csv.DictWriter(file, rows[0].keys())
             writer.writeheader()
             writer.writerows(rows)
-        answer = beeline("check", "planted.csv", arm, "--through", through, "--json")
+        answer = beeline("check", arm, "planted.csv", "--through", through, "--json")
         assert answer.code == code, answer.out + answer.err
         return answer.json if code < 2 else answer.err
 
-    return check
+    return write_and_check
 
 
 def shift(rows, first, joint, by):
@@ -66,12 +66,12 @@ def shift(rows, first, joint, by):
 
 
 @pytest.mark.parametrize("arm", STARTS)
-@pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize("rate", ["0", "250"])
-def test_all_that_line_makes_passes(beeline, made, arm, law, rate):
-    through, rows = made(arm, "--law", law, "--rate", rate)
-    report = beeline("check", "move.csv", arm, "--through", through, "--json").json
-    if arm == "panda" and law in ("fastest", "trapezoidal"):  # they do not keep its jerk limits
+@pytest.mark.parametrize("profile", PROFILES)
+@pytest.mark.parametrize("rate", [(), ("--rate", "250")])
+def test_what_line_makes_passes(beeline, made, arm, profile, rate):
+    through, rows = made(arm, "--profile", profile, *rate)
+    report = beeline("check", arm, "move.csv", "--through", through, "--json").json
+    if arm == "panda" and profile in ("fastest", "trapezoidal"):  # they do not keep its jerk limits
         assert report["fault"] in (None, "jerk")
         return
     assert report["status"] == "passed", report["reason"]
@@ -85,37 +85,37 @@ def test_a_motion_from_given_joints_passes(beeline, lines, arm):
     through = lines(arm)
     answer = beeline("line", arm, "--from", STARTS[arm], "--through", through, "--out", "m.json")
     assert answer.code == 0, answer.err
-    report = beeline("check", "m.json", arm, "--through", through, "--json").json
+    report = beeline("check", arm, "m.json", "--through", through, "--json").json
     assert report["status"] == "passed", report["reason"]
 
 
 @pytest.mark.parametrize("arm", ["ur5", "panda"])
-@pytest.mark.parametrize("rate", ["0", "250"])
-def test_one_sample_moved_by_a_fifth_of_a_millimetre_is_told(beeline, made, told, arm, rate):
-    through, rows = made(arm, "--rate", rate, "--law", "quintic")
+@pytest.mark.parametrize("rate", [(), ("--rate", "250")])
+def test_one_sample_moved_by_a_fifth_of_a_millimetre_is_found(beeline, made, checked, arm, rate):
+    through, rows = made(arm, *rate, "--profile", "quintic")
     k = len(rows) // 3
     q = [float(rows[k][f"joint{i}"]) for i in range(1, len(STARTS[arm].split(",")) + 1)]
 
-    def place(q):
+    def position(q):
         return beeline("fk", arm, "--q", ",".join(map(repr, q)), "--json").json["pose"]["translation"]
 
-    moved = math.dist(place(q), place([q[0] + 1e-3, *q[1:]]))
+    moved = math.dist(position(q), position([q[0] + 1e-3, *q[1:]]))
     rows[k]["joint1"] = repr(q[0] + 2e-4 * 1e-3 / moved)
-    report = told(rows, arm, through)
+    report = checked(rows, arm, through)
     assert k - 3 <= report["sample"] <= k + 2
     assert f"sample {report['sample']}" in report["reason"]
 
 
 @pytest.mark.parametrize("arm", ["ur5", "puma560"])
-def test_a_whole_turn_is_told(made, told, arm):
+def test_a_jump_by_a_whole_turn_is_found(made, checked, arm):
     through, rows = made(arm)
     half = len(rows) // 2
     shift(rows, half, "joint6", -2 * math.pi if float(rows[half]["joint6"]) > 0 else 2 * math.pi)
-    report = told(rows, arm, through)
+    report = checked(rows, arm, through)
     assert report["fault"] == "flip" and report["sample"] == half
 
 
-def test_a_change_of_branch_is_told(beeline, made, told, pose_at):
+def test_a_change_of_branch_is_found(beeline, made, checked, pose_at):
     through, rows = made("ur5")
     half = len(rows) // 2
     for row in rows[half:]:
@@ -123,77 +123,77 @@ def test_a_change_of_branch_is_told(beeline, made, told, pose_at):
         answer = beeline("ik", "ur5", f"--pose={pose_at('ur5', q)}", f"--seed={q}", "--all", "--json")
         other = answer.json["solutions"][1]
         row.update({f"joint{i + 1}": repr(value) for i, value in enumerate(other)})
-    report = told(rows, "ur5", through)
+    report = checked(rows, "ur5", through)
     assert report["sample"] == half and report["fault"] in ("flip", "deviation")
 
 
-def test_a_limit_that_is_passed_between_samples_only_is_told(beeline, made, told):
+def test_a_limit_exceeded_only_between_samples_is_found(beeline, made, checked):
     through, rows = made("panda")
     k = len(rows) // 2
     top = 3.0 + float(rows[k]["t"]) - float(rows[k - 1]["t"])
     rows[k]["joint2_vel"] = repr(1e3 * top)
-    report = told(rows, "panda", through)
+    report = checked(rows, "panda", through)
     assert report["fault"] == "limits" and report["sample"] in (k, k + 1)
     assert "before the next sample" in report["reason"] and "joint2" in report["reason"]
 
 
-def test_haste_is_told(made, told):
+def test_a_motion_that_is_too_fast_is_found(made, checked):
     through, rows = made("panda")
     for row in rows:
         row["t"] = repr(0.9 * float(row["t"]))
-    assert told(rows, "panda", through)["fault"] in ("velocity", "acceleration", "jerk")
+    assert checked(rows, "panda", through)["fault"] in ("velocity", "acceleration", "jerk")
 
 
-def test_files_that_are_no_trajectory_are_refused(made, told):
+def test_files_without_a_trajectory_are_refused(made, checked):
     through, rows = made("ur5")
     rows[4]["t"] = rows[3]["t"]
-    assert "planted.csv" in told(rows, "ur5", through, code=3)
+    assert "planted.csv" in checked(rows, "ur5", through, code=3)
     through, rows = made("ur5")
     renamed = [{key.replace("joint3", "elbow"): row[key] for key in row} for row in rows]
-    refusal = told(renamed, "ur5", through, code=3)
+    refusal = checked(renamed, "ur5", through, code=3)
     assert "elbow" in refusal and len(refusal.strip().splitlines()) == 1
 
 
-def test_a_tolerance_that_is_none_is_refused(beeline, made):
+def test_a_tolerance_that_is_not_positive_is_refused(beeline, made):
     through, _ = made("rrr")
     for bad in ("0", "-1", "nan"):
-        answer = beeline("check", "move.csv", "rrr", "--through", through, f"--tolerance={bad}")
+        answer = beeline("check", "rrr", "move.csv", "--through", through, f"--tolerance={bad}")
         assert answer.code == 2 and len(answer.err.strip().splitlines()) == 1, answer.err
 
 
 @pytest.mark.parametrize("arm", ["ur5", "panda", "rrr"])
-@pytest.mark.parametrize("path", [["--path", "screw"], ["--path", "arc"], ["--path", "spline"], ["--round", "0.02"]])
+@pytest.mark.parametrize("path", [["--path", "screw"], ["--path", "arc"], ["--path", "spline"], ["--blend", "0.02"]])
 @pytest.mark.parametrize("rate", [[], ["--rate", "2000"]])
-def test_every_kind_of_path_is_checked_as_it_was_made(beeline, made, told, arm, path, rate):
+def test_every_kind_of_path_is_checked_as_it_was_made(beeline, made, checked, arm, path, rate):
     if arm == "rrr" and rate:
         rate = ["--rate", "10000"]  # metres a second
-    through, rows = made(arm, "--from", STARTS[arm], "--law", "quintic", *path, *rate)
-    # the file's first pose is the arm's own: told once, it would be twice on the path
-    answer = beeline("check", "move.csv", arm, "--through", through, "--json", *path, "--plot", "check.svg")
+    through, rows = made(arm, "--from", STARTS[arm], "--profile", "quintic", *path, *rate)
+    # the first pose of the file is that of the arm, and counts once
+    answer = beeline("check", arm, "move.csv", "--through", through, "--json", *path, "--plot", "check.svg")
     assert answer.code == 0, answer.err
     assert answer.json["deviation_bound"] <= 1e-4
-    if path[1] != "screw" or arm == "rrr":  # of the others the tool does not turn
-        assert beeline("check", "move.csv", arm, "--through", through).code == 1  # no straight lines
+    if path[1] != "screw" or arm == "rrr":  # on the other paths the orientation is not constant
+        assert beeline("check", arm, "move.csv", "--through", through).code == 1  # not straight lines
     rows[len(rows) // 2]["joint1"] = "0.5"
-    told(rows, arm, through)
+    checked(rows, arm, through)
 
 
-def test_branches_are_told_along_every_kind_of_path(beeline, lines):
-    for path in (["--path", "screw"], ["--path", "spline"], ["--round", "0.02"]):
+def test_branches_are_listed_along_every_kind_of_path(beeline, lines):
+    for path in (["--path", "screw"], ["--path", "spline"], ["--blend", "0.02"]):
         answer = beeline("line", "ur5", "--through", lines("ur5"), "--branches", "--json", *path)
         assert answer.code == 0, answer.err
         assert len(answer.json["branches"]) == 8
-        assert {branch["done"] for branch in answer.json["branches"]} <= {2.0, 3.0}
+        assert {branch["path_parameter"] for branch in answer.json["branches"]} <= {2.0, 3.0}
 
 
 @pytest.mark.parametrize("off", [0, 2e-9, 5e-6, 1e-3])
-@pytest.mark.parametrize("path", [["--path", "spline"], ["--round", "0.01"]])
-def test_a_start_beside_the_first_pose_is_the_same_for_line_and_check(
+@pytest.mark.parametrize("path", [["--path", "spline"], ["--blend", "0.01"]])
+def test_a_start_near_the_first_pose_means_the_same_to_line_and_check(
         beeline, lines, written, tmp_path, off, path):
     rows = (tmp_path / lines("ur5")).read_text().splitlines()
     x, rest = rows[1].split(",", 1)
     through = written("beside.csv", "\n".join([rows[0], f"{float(x) + off!r},{rest}", *rows[2:]]))
     made = beeline("line", "ur5", "--from", STARTS["ur5"], "--through", through, "--out", "move.csv", *path)
     assert made.code == 0, made.err
-    answer = beeline("check", "move.csv", "ur5", "--through", through, *path)
+    answer = beeline("check", "ur5", "move.csv", "--through", through, *path)
     assert answer.code == 0, answer.err

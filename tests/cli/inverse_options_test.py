@@ -12,7 +12,7 @@ PANDA = ("ik", "panda", "--pose", "0.4,0.1,0.5,180,0,0", "--degrees")
 def test_closed_form_and_numerical_find_the_same(ik, pose_at):
     pose = pose_at("ur5", Q["ur5"])
     closed = ik("ur5", pose, "--all", "--method", "closed_form")["solutions"]
-    met = ik("ur5", pose, "--all", "--method", "numerical", "--restarts", "2000")["solutions"]
+    met = ik("ur5", pose, "--all", "--method", "numerical", "--max-restarts", "2000")["solutions"]
     assert len(closed) == len(met) == 8
     for a, b in zip(closed, met):
         assert a == pytest.approx(b, abs=1e-6)
@@ -25,7 +25,7 @@ def test_an_arm_without_closed_form_is_refused_one(refused):
 
 def test_a_time_limit_ends_a_search(ik, pose_at):
     pose = pose_at("ur5", Q["ur5"])
-    endless = ("--method", "numerical", "--all", "--restarts", "2000000000")
+    endless = ("--method", "numerical", "--all", "--max-restarts", "2000000000")
     answer = ik("ur5", pose, *endless, "--time-limit", "0.05")
     assert answer["restarts"] < 2000000000
     assert ik("ur5", pose, "--time-limit", "3600") == ik("ur5", pose)
@@ -48,7 +48,7 @@ def test_redundancy_chooses_among_infinitely_many(ik, beeline):
     assert margin(centred) > max(margin(first), margin(nearest))
 
 
-def test_grid_is_how_many_values_of_the_joint_to_spare_are_tried(ik):
+def test_grid_is_the_number_of_values_of_the_redundant_joint(ik):
     def values(grid):
         solutions = ik("panda", "0.4,0.1,0.5,3.1,0.1,0", "--all", "--grid", grid)["solutions"]
         return {round(q[6], 9) for q in solutions}
@@ -59,12 +59,12 @@ def test_grid_is_how_many_values_of_the_joint_to_spare_are_tried(ik):
 
 @pytest.mark.parametrize("arm, name, k, value, shown", [
     ("rrr", "joint2", 1, "0.9", 0.9),
-    ("panda", "joint7", 6, "0.9", 0.9),  # the joint that the closed form has to spare
+    ("panda", "joint7", 6, "0.9", 0.9),  # the redundant joint of the closed form
     ("panda", "joint1", 0, "0.3", 0.3),
     ("iiwa14", "joint3", 2, "0.1", 0.1),
     ("scara", "joint4", 3, "0.1", 0.1),  # a slide
 ])
-def test_a_locked_joint_stays_where_it_is_told(ik, pose_at, arm, name, k, value, shown):
+def test_a_locked_joint_keeps_its_value(ik, pose_at, arm, name, k, value, shown):
     pose = pose_at(arm, Q[arm])
     answer = ik(arm, pose, "--all", "--lock", f"{name}={value}")
     assert answer["status"] == "solved"
@@ -75,7 +75,7 @@ def test_a_locked_joint_stays_where_it_is_told(ik, pose_at, arm, name, k, value,
     assert len(same["solutions"]) == len(answer["solutions"])
 
 
-def test_a_lock_goes_into_the_seed_in_the_unit_that_was_asked_for(beeline, ik):
+def test_a_lock_sets_the_seed_in_the_unit_of_the_command(beeline, ik):
     def locked(*options):
         document = beeline(*PANDA, "--json", "--all", *options).json
         return {q[6] for q in document["solutions"]}
@@ -101,7 +101,7 @@ def test_a_lock_goes_into_the_seed_in_the_unit_that_was_asked_for(beeline, ik):
     ("joint4=10", ["joint4", "its limits are"]),
     ("", ["--lock"]),
 ])
-def test_a_lock_that_makes_no_sense(refused, lock, says):
+def test_an_invalid_lock(refused, lock, says):
     refused(2, *PANDA, "--lock", lock, says=says)
 
 
@@ -133,12 +133,12 @@ def test_the_same_seed_gives_the_same_answer(beeline):
     ("--redundancy", ["centered", "0"]),
     ("--grid", ["0", "1", "-4", "nan", "many", "2.5", "99999999999"]),
     ("--time-limit", ["0", "-1", "nan", "soon"]),
-    ("--restarts", ["-1", "nan", "1.5", "99999999999"]),
-    ("--iterations", ["-1", "ten", "99999999999999999999"]),
+    ("--max-restarts", ["-1", "nan", "1.5", "99999999999"]),
+    ("--max-iterations", ["-1", "ten", "99999999999999999999"]),
     ("--random-seed", ["-1", "1.5", "nan", "18446744073709551616", "99999999999999999999999"]),
     ("--tolerance", ["0", "-1", "nan", "inf", "small"]),
 ])
-def test_an_option_that_makes_no_sense(refused, option, values):
+def test_an_invalid_value(refused, option, values):
     word = option[2:].replace("-", " ")
     for value in values:
         line = refused(2, *PANDA, f"{option}={value}", says=[value.split(".")[0]])

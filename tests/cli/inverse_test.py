@@ -136,8 +136,8 @@ def test_an_excess_is_in_the_joints_own_unit(ik, beeline, written, pose_at, tmp_
 
 
 def test_not_found_claims_nothing(ik, pose_at):
-    answer = ik("panda", pose_at("panda", Q["panda"]), "--method", "numerical", "--restarts", "0",
-                "--iterations", "1", "--time-limit", "1e-9")
+    answer = ik("panda", pose_at("panda", Q["panda"]), "--method", "numerical", "--max-restarts", "0",
+                "--max-iterations", "1", "--time-limit", "1e-9")
     assert answer["status"] == "not_found" and answer["restarts"] == 0
     assert "time limit" in answer["reason"] and "not shown" in answer["reason"]
     assert answer["residual"] > 0 and answer["nearest"] is not None

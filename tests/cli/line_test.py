@@ -1,4 +1,4 @@
-"""line, move, replay, draw, figure: the main job, and what is left behind when it cannot be done."""
+"""line, move, replay, draw, figure; nothing is written when a motion is not possible."""
 
 import csv
 
@@ -50,12 +50,12 @@ def test_the_main_job_on_real_arms(beeline, written, tmp_path, arm, start, goals
                      "--out", "move.json", "--draw", "move.png").json
     assert report["status"] == "reached", report["reason"]
     assert report["deviation_sampled"] < 1e-6 and report["orientation_sampled"] < 1e-6
-    replayed = beeline("replay", "move.json", arm, "--json")
+    replayed = beeline("replay", arm, "move.json", "--json")
     assert replayed.code == 0, replayed.err  # limits of position and velocity are kept
     assert (tmp_path / "move.png").read_bytes().startswith(b"\x89PNG")
 
 
-def test_a_line_that_leaves_the_workspace_says_where_and_why_and_writes_nothing(
+def test_a_line_that_leaves_the_workspace_reports_where_and_why_and_writes_nothing(
         beeline, written, tmp_path):
     through = written("far.csv", "x,y,theta\n4.5,5.2,0\n12,5,0\n")
     answer = beeline("line", "rrr", "--from", "0,90,0", "--degrees", "--through", through,
@@ -66,14 +66,14 @@ def test_a_line_that_leaves_the_workspace_says_where_and_why_and_writes_nothing(
     assert sorted(p.name for p in tmp_path.iterdir()) == ["far.csv"]
 
 
-def test_a_line_whose_end_is_not_found_says_if_none_exists(beeline, written):
+def test_a_line_whose_end_is_not_found_reports_whether_none_exists(beeline, written):
     through = written("w.csv", "x,y,z,roll,pitch,yaw\n-0.5,-0.1,1.0,0,0,0\n")
     answer = beeline("line", "ur5", "--from", "0,-1.2,1.5,-0.5,1.2,0", "--through", through, "--json")
     assert answer.code == 1
     assert (answer.json["status"] == "unreachable") != ("not shown" in answer.json["reason"])
 
 
-def test_both_of_the_chapters_ways_can_be_compared(beeline, written):
+def test_the_methods_of_the_chapter_can_be_compared(beeline, written):
     through = written("waypoints.csv", WAYPOINTS)
 
     def deviation(*options):
@@ -89,7 +89,7 @@ def test_both_of_the_chapters_ways_can_be_compared(beeline, written):
     assert exact < 1e-9 < jacobian < few and many < few / 10
 
 
-def test_the_gains_effect_is_told(beeline):
+def test_the_effect_of_the_gain_is_reported(beeline):
     def steps_and_overshoot(gain):
         answer = beeline("move", "rrr", "--from", "0,0,0", "--to", "99.2,-68.8,-30.4", "--degrees",
                          "--gain", gain, "--json").json
@@ -105,11 +105,11 @@ def test_the_gains_effect_is_told(beeline):
 
 def test_record_and_replay(beeline, tmp_path):
     assert beeline("move", "rrr", "--from", "0,0,0", "--to", "1,-1,0.5", "--out", "a.csv").code == 0
-    half = beeline("replay", "a.csv", "rrr", "--speed", "0.5", "--out", "b.csv", "--json").json
-    whole = beeline("replay", "a.csv", "rrr", "--json").json
+    half = beeline("replay", "rrr", "a.csv", "--speed", "0.5", "--out", "b.csv", "--json").json
+    whole = beeline("replay", "rrr", "a.csv", "--json").json
     assert half["duration"] == pytest.approx(2 * whole["duration"])
-    assert beeline("replay", "b.csv", "rrr", "--from", "0.3,0,0", "--json").json["lead_in"] > 0
-    other = beeline("replay", "a.csv", "rp")
+    assert beeline("replay", "rrr", "b.csv", "--from", "0.3,0,0", "--json").json["lead_in"] > 0
+    other = beeline("replay", "rp", "a.csv")
     assert other.code == 3 and "joint3" in other.err and "a.csv" in other.err
 
 

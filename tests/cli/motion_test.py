@@ -1,4 +1,4 @@
-"""line's branches, paths and laws, move --method quickest, diff: as a user would call them."""
+"""line's branches, paths and profiles, move --method quickest, diff: as a user would call them."""
 
 import csv
 
@@ -14,22 +14,22 @@ def test_the_branches_are_listed_best_first(beeline, written):
     answer = beeline("line", "ur5", "--through", through, "--branches", "--json").json
     branches = answer["branches"]
     assert len(branches) == 8 and answer["status"] == "reached"
-    done = [branch["done"] for branch in branches]
+    done = [branch["path_parameter"] for branch in branches]
     assert done == sorted(done, reverse=True) and done[0] == 2
     for branch in branches:
-        assert (branch["status"] == "reached") == (branch["done"] == 2) == (branch["reason"] == "")
+        assert (branch["status"] == "reached") == (branch["path_parameter"] == 2) == (branch["reason"] == "")
     text = beeline("line", "ur5", "--through", through, "--branches").out
     assert "branches      8" in text
 
 
-@pytest.mark.parametrize("law", ["fastest", "jerk", "trapezoidal", "quintic", "s-curve"])
-def test_every_law_keeps_the_line(beeline, written, law):
+@pytest.mark.parametrize("profile", ["fastest", "jerk", "trapezoidal", "quintic", "s-curve"])
+def test_every_profile_follows_the_line(beeline, written, profile):
     through = written("poses.csv", POSES)
-    made = beeline("line", "panda", "--through", through, "--law", law, "--rate", "250", "--out",
+    made = beeline("line", "panda", "--through", through, "--profile", profile, "--rate", "250", "--out",
                    "m.csv", "--json")
-    assert made.code == 0 and made.json["limits"]["velocity"]["share"] <= 1 + 1e-6
-    checked = beeline("check", "m.csv", "panda", "--through", through, "--json").json
-    assert checked["fault"] in ((None, "jerk") if law in ("fastest", "trapezoidal") else (None,))
+    assert made.code == 0 and made.json["limits"]["velocity"]["fraction"] <= 1 + 1e-6
+    checked = beeline("check", "panda", "m.csv", "--through", through, "--json").json
+    assert checked["fault"] in ((None, "jerk") if profile in ("fastest", "trapezoidal") else (None,))
 
 
 @pytest.mark.parametrize("path", ["screw", "arc", "spline"])
@@ -40,19 +40,19 @@ def test_other_paths(beeline, written, path):
     assert answer.json["deviation_bound"] <= 1e-4 and answer.json["deviation_sampled"] < 1e-9
 
 
-def test_rounded_corners_are_quicker(beeline, written):
+def test_blended_corners_are_quicker(beeline, written):
     through = written("poses.csv", POSES)
     sharp = beeline("line", "panda", "--through", through, "--json").json
-    rounded = beeline("line", "panda", "--through", through, "--round", "0.02", "--json").json
-    assert rounded["status"] == "reached" and rounded["duration"] < sharp["duration"]
+    blended = beeline("line", "panda", "--through", through, "--blend", "0.02", "--json").json
+    assert blended["status"] == "reached" and blended["duration"] < sharp["duration"]
 
 
-def test_a_line_out_of_reach_comes_with_one_that_would_work(beeline, written):
+def test_a_line_out_of_reach_comes_with_a_nearby_one_that_works(beeline, written):
     through = written("far.csv", "x,y,z,roll,pitch,yaw\n0.5,-0.3,0.5,3.14159,0,0\n"
                                  "0.8,0.3,0.5,3.14159,0,0.6\n")
     answer = beeline("line", "ur5", "--through", through, "--json")
     assert answer.code == 1 and answer.json["status"] == "unreachable"
-    moved = answer.json["nearby"][0]["moved"]
+    moved = answer.json["nearby"][0]["translation"]
     assert moved[0] < -0.05 and "along -x" in answer.json["nearby"][0]["description"]
     x, y, z = moved
     rows = [[0.5 + x, -0.3 + y, 0.5 + z, 3.14159, 0, 0], [0.8 + x, 0.3 + y, 0.5 + z, 3.14159, 0, 0.6]]
@@ -72,30 +72,30 @@ def test_the_quickest_move(beeline, tmp_path):
     assert straight["duration"] >= answer["duration"] - 1e-9
 
 
-def test_a_recording_does_not_differ_from_itself_and_does_from_another(beeline):
+def test_a_recording_differs_from_another_one_and_not_from_itself(beeline):
     command = ("move", "panda", "--from", READY, "--method", "quickest", "--rate", "200")
     beeline(*command, "--to", "0.5,-0.3,0.2,-1.9,0.1,2,0.3", "--out", "a.csv")
     beeline(*command, "--to", "0.5,-0.3,0.2,-1.9,0.1,2,0.4", "--out", "b.csv")
-    same = beeline("diff", "a.csv", "a.csv", "panda", "--tolerance", "0", "--json")
+    same = beeline("diff", "panda", "a.csv", "a.csv", "--tolerance", "0", "--json")
     assert same.code == 0 and same.json["position"] == 0
-    apart = beeline("diff", "a.csv", "b.csv", "panda", "--tolerance", "0.01", "--json")
+    apart = beeline("diff", "panda", "a.csv", "b.csv", "--tolerance", "0.01", "--json")
     assert apart.code == 1 and "joint7" in apart.err
     largest = {joint["joint"]: joint["largest"] for joint in apart.json["joints"]}
     assert largest["joint7"] == pytest.approx(0.1, abs=0.02) and largest["joint1"] < 0.02
 
 
 REFUSED = [
-    (("line", "panda", "--through", "p.csv", "--law", "fast"), ["fast", "s-curve"]),
+    (("line", "panda", "--through", "p.csv", "--profile", "fast"), ["fast", "s-curve"]),
     (("line", "panda", "--through", "p.csv", "--path", "curve"), ["curve", "spline"]),
-    (("line", "panda", "--through", "p.csv", "--path", "arc", "--round", "1"), ["--round"]),
-    (("line", "panda", "--through", "p.csv", "--round", "-1"), ["-1"]),
+    (("line", "panda", "--through", "p.csv", "--path", "arc", "--blend", "1"), ["--blend"]),
+    (("line", "panda", "--through", "p.csv", "--blend", "-1"), ["-1"]),
     (("line", "panda", "--through", "p.csv", "--rate", "-5"), ["rate", "-5"]),
     (("line", "panda", "--through", "p.csv", "--method", "inverse-jacobian"), ["--from"]),
     (("move", "panda", "--from", READY, "--to", READY, "--method", "fast"), ["fast", "quickest"]),
     (("move", "panda", "--from", READY, "--to", READY, "--rate", "5"), ["--rate", "feedback"]),
     (("move", "panda", "--from", READY, "--to", READY, "--method", "quickest", "--kp", "1"),
      ["--kp", "quickest"]),
-    (("diff", "p.csv", "p.csv", "panda", "--tolerance", "-1"), ["--tolerance"]),
+    (("diff", "panda", "p.csv", "p.csv", "--tolerance", "-1"), ["--tolerance"]),
 ]
 
 

@@ -5,13 +5,13 @@ import os
 import pytest
 
 THROUGH = "x,y,theta\n4.5,5.2,0\n2,6,45\n5,3,-20\n"
-LINE = ("line", "rrr", "--from", "0,90,0", "--degrees", "--through", "way.csv")
+LINE = ("line", "rrr", "--from", "0,90,0", "--degrees", "--through", "waypoints.csv")
 SIGNATURES = {"svg": b"<?xml", "png": b"\x89PNG", "pdf": b"%PDF-", "SVG": b"<?xml"}
 
 
 @pytest.fixture
 def line(beeline, written):
-    written("way.csv", THROUGH)
+    written("waypoints.csv", THROUGH)
     return lambda *options: beeline(*LINE, *options)
 
 
@@ -35,9 +35,9 @@ def test_line_by_every_method(line, tmp_path, method):
 def test_every_verb_that_makes_a_motion(line, beeline, tmp_path):
     line("--out", "line.csv")
     commands = [
-        ("time", "line.csv", "rrr"),
-        ("replay", "line.csv", "rrr"),
-        ("check", "line.csv", "rrr", "--through", "way.csv", "--degrees"),
+        ("retime", "rrr", "line.csv"),
+        ("replay", "rrr", "line.csv"),
+        ("check", "rrr", "line.csv", "--through", "waypoints.csv", "--degrees"),
         ("move", "rrr", "--from", "0,0,0", "--to", "1,1,1"),
         ("move", "panda", "--from", "0,-1,0,-2,0,2,0", "--to", "1,0,0,-2,0,2,0",
          "--method", "quickest"),
@@ -56,10 +56,10 @@ def test_the_same_bytes_twice(line, tmp_path):
     assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
 
 
-def test_a_failed_check_shows_what_it_checked(line, beeline, written, tmp_path):
+def test_a_failed_check_is_plotted(line, beeline, written, tmp_path):
     line("--out", "line.csv")
     written("other.csv", "x,y,theta\n4.5,5.2,0\n2,5,45\n5,3,-20\n")
-    answer = beeline("check", "line.csv", "rrr", "--through", "other.csv", "--degrees",
+    answer = beeline("check", "rrr", "line.csv", "--through", "other.csv", "--degrees",
                      "--plot", "p.svg", "--json")
     assert answer.code == 1 and answer.json["plot"] == "p.svg"
     assert (tmp_path / "p.svg").exists()
@@ -78,11 +78,11 @@ def test_all_or_nothing(line, refused, written, tmp_path):
         assert answer.out == "" and all(part in answer.err for part in says), answer.err
         assert sorted(os.listdir(tmp_path)) == before
     written("arm.svg", "RRR")
-    refused(3, "line", "arm.svg", "--from", "0,1,0", "--through", "way.csv", "--plot", "p.svg")
-    refused(2, "check", "m.csv", "rrr", "--through", "way.csv", "--plot", "p.txt", says=["p.txt"])
+    refused(3, "line", "arm.svg", "--from", "0,1,0", "--through", "waypoints.csv", "--plot", "p.svg")
+    refused(2, "check", "rrr", "m.csv", "--through", "waypoints.csv", "--plot", "p.txt", says=["p.txt"])
 
 
-def test_nothing_is_drawn_of_a_motion_that_is_not_reached(beeline, written, tmp_path):
+def test_nothing_is_plotted_without_a_motion(beeline, written, tmp_path):
     written("far.csv", "x,y,theta\n40,5.2,0\n")
     answer = beeline("line", "rrr", "--from", "0,90,0", "--degrees", "--through", "far.csv",
                      "--plot", "p.svg", "--json")

@@ -19,10 +19,10 @@ USAGE = [
     (("fk", "rrr", *Q3, "--nonsense"), ["--nonsense"]),
     (("fly",), ["fly", "fk, jacobian"]),
     (("mvoe",), ["mvoe", '"move"']),
-    ((), []),
+    ((), ["needs a verb", "jacobian"]),
     (("jacobian", "rrr", *Q3, "--frame", "tol"), ["tol", "tool"]),
     (("jacobian", "rrr", *Q3, "--task", "000000"), ["000000"]),
-    (("ik", "rrr", "--pose", "1,2"), ["pose", "x,y,theta"]),
+    (("ik", "rrr", "--pose", "1,2"), ["--pose", "x,y,theta"]),
     (("ik", "panda", "--pose", "1,2,3"), ["--pose", "panda"]),
     (("ik", "panda", "--pose", "1,2,3,1,1,1,1"), ["quaternion"]),
     (("ik", "rrr", "--pose", "1,2,0", "--seed", "0,0"), ["--seed"]),
@@ -37,8 +37,8 @@ USAGE = [
     (("figure", "1.6", "--out", "a.tiff"), ["tiff", "pdf"]),
     (("fk", "rrr", *Q3, "--tip", "tool0"), ["tip"]),
     (("fk", "RR:1e308,1e308", "--q", "0,0"), ["1e100"]),
-    (("fk", "PP:0,0", "--q", "1e308,1e308"), ["--q", "farther"]),
-    (("jacobian", "RPP", "--q", "1,1e308,1e308"), ["--q", "farther"]),
+    (("fk", "PP:0,0", "--q", "1e308,1e308"), ["--q", "range of numbers"]),
+    (("jacobian", "RPP", "--q", "1,1e308,1e308"), ["--q", "range of numbers"]),
     (("ik", "rrr", "--pose", "1,1,5,0,0,1"), ["--pose", "plane", "--task"]),
     (("show", "rrr", "--out", "a.txt"), ["a.txt", "json"]),
     (("show", "rrr", "--out", ""), ["--out", "empty"]),
@@ -77,7 +77,7 @@ FILES = [
     ("no such tip", "a.urdf", urdf(("i", "a", "b", "0 0 1", -1, 1), ("j", "b", "c", "0 0 1", -1, 1)),
      ("--tip", "d"), ["a.urdf", '"d"', "c"]),
     ("two tips", "a.urdf", urdf(("i", "a", "b", "0 0 1", -1, 1), ("j", "a", "c", "0 0 1", -1, 1)),
-     (), ["a.urdf", "--tip", "b", "c"]),
+     (), ["a.urdf", "tip", "b", "c"]),
     ("no axis length", "a.urdf",
      urdf(("i", "a", "b", "0 0 0", -1, 1), ("j", "b", "c", "0 0 1", -1, 1)), (),
      ["a.urdf:1", "axis"]),
@@ -118,7 +118,7 @@ def test_a_bad_pose_file(refused, written, _, text, says):
 def test_files_that_are_not_there(refused, tmp_path):
     refused(3, "fk", "missing.urdf", *Q3, says=["missing.urdf"])
     refused(3, "line", "rrr", "--from", "0,1,0", "--through", "missing.csv", says=["missing.csv"])
-    refused(3, "replay", "missing.csv", "rrr", says=["missing.csv"])
+    refused(3, "replay", "rrr", "missing.csv", says=["missing.csv"])
     refused(3, "show", str(tmp_path) + ".json", says=[".json"])
 
 
@@ -157,7 +157,7 @@ def test_a_planar_pose_is_refused_for_a_spatial_arm(refused, written):
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
-def test_a_full_disk_is_no_success(build):
+def test_a_full_stdout_is_an_error(build):
     import subprocess
 
     with open("/dev/full", "w") as full:

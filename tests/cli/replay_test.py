@@ -1,4 +1,4 @@
-"""replay with speeds that change, and its tracking error: as a user would call them."""
+"""replay with changing speed, and its tracking error."""
 
 import csv
 
@@ -18,8 +18,8 @@ def rows_of(path):
     return [{name: float(text) for name, text in row.items()} for row in csv.DictReader(path.open())]
 
 
-def test_it_pauses_and_goes_on(beeline, recording, tmp_path):
-    answer = beeline("replay", recording, "panda", "--speed-at", "0:0.5,2:0,5:1", "--rate", "200",
+def test_it_pauses_and_continues(beeline, recording, tmp_path):
+    answer = beeline("replay", "panda", recording, "--speed-at", "0:0.5,2:0,5:1", "--rate", "200",
                      "--out", "played.csv", "--json")
     assert answer.code == 0, answer.err
     rows, recorded = rows_of(tmp_path / "played.csv"), rows_of(tmp_path / recording)
@@ -33,7 +33,7 @@ def test_it_pauses_and_goes_on(beeline, recording, tmp_path):
 
 
 def test_its_times_include_the_lead_in(beeline, recording):
-    there = ("replay", recording, "panda", "--from", "0.5,-0.8,0,-2.4,0,1.6,0.8")
+    there = ("replay", "panda", recording, "--from", "0.5,-0.8,0,-2.4,0,1.6,0.8")
     at_once = beeline(*there, "--speed-at", "0:1", "--json").json
     paused = beeline(*there, "--speed-at", "0.2:0,3:1", "--json").json
     assert paused["lead_in"] > 3 > at_once["lead_in"] > 0
@@ -41,7 +41,7 @@ def test_its_times_include_the_lead_in(beeline, recording):
 
 def test_the_tracking_error(beeline, recording, tmp_path):
     speeds = ("--speed-at", "0:0.5,1:0,2:1")
-    assert beeline("replay", recording, "panda", *speeds, "--out", "played.csv").code == 0
+    assert beeline("replay", "panda", recording, *speeds, "--out", "played.csv").code == 0
     with (tmp_path / "measured.csv").open("w") as file:
         rows = rows_of(tmp_path / "played.csv")
         writer = csv.DictWriter(file, ["t"] + [f"joint{i}" for i in range(1, 8)],
@@ -50,14 +50,14 @@ def test_the_tracking_error(beeline, recording, tmp_path):
         for number, row in enumerate(rows):
             row["joint3"] += 0.01 if number % 2 else -0.03
             writer.writerow(row)
-    answer = beeline("replay", recording, "panda", *speeds, "--measured", "measured.csv", "--json")
+    answer = beeline("replay", "panda", recording, *speeds, "--measured", "measured.csv", "--json")
     assert answer.code == 0, answer.err
     joints = answer.json["tracking"]["joints"]
     assert joints[2]["largest"] == pytest.approx(0.03) and 0.01 < joints[2]["rms"] < 0.03
     assert joints[0]["largest"] == joints[0]["rms"] == 0
-    diff = beeline("diff", "played.csv", "measured.csv", "panda", "--json").json
+    diff = beeline("diff", "panda", "played.csv", "measured.csv", "--json").json
     assert {key: diff[key] for key in answer.json["tracking"]} == answer.json["tracking"]
-    text = beeline("replay", recording, "panda", *speeds, "--measured", "measured.csv").out
+    text = beeline("replay", "panda", recording, *speeds, "--measured", "measured.csv").out
     assert "measured.csv" in text and "joint3" in text and "0.03" in text
 
 
@@ -65,13 +65,13 @@ def test_the_tracking_error(beeline, recording, tmp_path):
     ("0:1,4:0", "4 s"), ("2", "2:0.5,4:0,6:1"), ("0:1,", "2:0.5,4:0,6:1"), ("0:x", "speed"),
     ("x:1", "time"), ("0:2", "from 0 to 1"), ("2:1,1:1", "increase"), ("0:-0.5", "from 0 to 1"),
 ])
-def test_speeds_that_make_no_sense(refused, recording, speeds, says):
-    refused(2, "replay", recording, "panda", "--speed-at", speeds, says=[says])
+def test_invalid_speeds(refused, recording, speeds, says):
+    refused(2, "replay", "panda", recording, "--speed-at", speeds, says=[says])
 
 
-def test_what_else_is_refused(refused, recording):
-    refused(2, "replay", recording, "panda", "--ramp", "1", says=["--ramp", "--speed-at"])
-    refused(2, "replay", recording, "panda", "--speed-at", "0:1", "--ramp", "0", says=["ramp"])
-    refused(3, "replay", recording, "panda", "--measured", "no.csv", says=["no.csv"])
-    refused(2, "replay", recording, "panda", "--measured", "move.csv", "--out", "move.csv",
+def test_other_invalid_options(refused, recording):
+    refused(2, "replay", "panda", recording, "--ramp", "1", says=["--ramp", "--speed-at"])
+    refused(2, "replay", "panda", recording, "--speed-at", "0:1", "--ramp", "0", says=["ramp"])
+    refused(3, "replay", "panda", recording, "--measured", "no.csv", says=["no.csv"])
+    refused(2, "replay", "panda", recording, "--measured", "move.csv", "--out", "move.csv",
             says=["move.csv", "input"])
