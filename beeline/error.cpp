@@ -10,7 +10,7 @@
 namespace beeline {
 namespace {
 
-/// Levenshtein distance, ignoring case: how many edits turn `a` into `b`.
+/// The Levenshtein distance of `a` and `b`, ignoring case.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
   std::vector<std::size_t> row(b.size() + 1);
@@ -39,11 +39,11 @@ std::string one_line(std::string text) {
   return text;
 }
 
-/// At most `most` bytes from the front, without half a UTF-8 character at the end.
-std::string_view front(std::string_view text, std::size_t most) {
-  if (text.size() <= most) return text;
-  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0) == 0x80) --most;
-  return text.substr(0, most);
+/// The first `bytes` bytes, fewer where they would end within a UTF-8 character.
+std::string_view front(std::string_view text, std::size_t bytes) {
+  if (text.size() <= bytes) return text;
+  while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xc0) == 0x80) --bytes;
+  return text.substr(0, bytes);
 }
 
 }  // namespace
@@ -55,14 +55,14 @@ FileError::FileError(std::string_view path, int line, std::string_view message)
 
 Error unknown_name(std::string_view what, std::string_view name,
                    const std::vector<std::string>& choices) {
-  constexpr std::size_t longest_compared = 100;  // a longer name is no slip of the pen
+  constexpr std::size_t longest_compared = 100;  // a longer name is not a misspelt choice
   const std::string shown(front(name, longest_compared));
   std::string text = "unknown " + std::string(what) + " \"" + shown + "\"";
   const std::string* nearest = nullptr;
   std::size_t fewest = shown.size() / 3 + 2;
   for (const std::string& choice : choices) {
     const std::size_t edits = edit_distance(shown, choice);
-    if (edits < fewest && edits < std::max(shown.size(), choice.size())) {  // something is alike
+    if (edits < fewest && edits < std::max(shown.size(), choice.size())) {  // some characters agree
       fewest = edits;
       nearest = &choice;
     }
@@ -73,12 +73,13 @@ Error unknown_name(std::string_view what, std::string_view name,
 }
 
 std::string listed(const std::vector<std::string>& choices) {
-  constexpr std::size_t most = 24;
+  constexpr std::size_t longest = 24;
   std::string text;
-  for (std::size_t i = 0; i < std::min(choices.size(), most); ++i) {
+  for (std::size_t i = 0; i < std::min(choices.size(), longest); ++i) {
     text += (i == 0 ? "" : ", ") + choices[i];
   }
-  if (choices.size() > most) text += " and " + std::to_string(choices.size() - most) + " more";
+  if (choices.size() > longest)
+    text += " and " + std::to_string(choices.size() - longest) + " more";
   return text;
 }
 

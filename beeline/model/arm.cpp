@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <ostream>
 #include <unordered_map>
+#include <utility>
 
 #include <beeline/error.h>
 #include <beeline/model/arm.h>
+#include <beeline/pose/orientation.h>
 
 namespace beeline {
 namespace {
@@ -13,21 +16,23 @@ constexpr double farthest = 1e100;  // metres; beyond, squares overflow
 constexpr double rounding = 1e-9;   // of a screw's unit length and of parallel axes
 
 void check_limits(const Limits& limits, const std::string& what) {
-  if (std::isnan(limits.lower) || std::isnan(limits.upper))
-    throw Error(what + " has a limit that is no number");
+  if (std::isnan(limits.lower) || std::isnan(limits.upper)) {
+    throw Error(what + " has a position limit that is NaN");
+  }
   if (limits.lower > limits.upper) {
-    throw Error(what + " has its limits the wrong way round: lower " + number(limits.lower) +
-                " is above upper " + number(limits.upper));
+    throw Error(what + ": lower limit " + number(limits.lower) + " exceeds upper limit " +
+                number(limits.upper));
   }
   if (limits.lower == Limits::none || limits.upper == -Limits::none) {
     throw Error(what + " has limits " + number(limits.lower) + " to " + number(limits.upper) +
                 "; no finite value lies between them");
   }
-  for (double rate : {limits.velocity, limits.acceleration, limits.jerk}) {
-    if (!(rate > 0)) {
-      throw Error(what + " has a velocity, acceleration or jerk limit of " + number(rate) +
-                  "; it must be above zero, or be left out");
-    }
+  const std::pair<const char*, double> rates[] = {
+      {"velocity", limits.velocity}, {"acceleration", limits.acceleration}, {"jerk", limits.jerk}};
+  for (const auto& [quantity, rate] : rates) {
+    if (rate >= Limits::least_rate) continue;
+    throw Error(what + ": " + quantity + " limit " + number(rate) + " is below " +
+                number(Limits::least_rate) + "; leave it out where there is none");
   }
 }
 
@@ -40,8 +45,8 @@ void check_joint(Joint& joint, std::size_t index) {
   if (joint.screw.cwiseAbs().maxCoeff() > farthest) {
     throw Error(what + " has a screw with a number above 1e100; no arm is that large");
   }
-  const double turn = joint.screw.tail<3>().norm();
-  const double unit = turn == 0 ? joint.screw.head<3>().norm() : turn;
+  const double rotation = joint.screw.tail<3>().norm();
+  const double unit = rotation == 0 ? joint.screw.head<3>().norm() : rotation;
   if (std::abs(unit - 1) > rounding) {
     throw Error(what + " has a screw of length " + number(unit) + "; it must be 1");
   }
@@ -58,7 +63,8 @@ std::size_t leader_of(const std::vector<Joint>& joints,
               unknown_name("joint", joints[i].mimic->leader, names).what());
 }
 
-/// A follower may lead others, in any order: each chain is climbed to where it is known, once.
+/// A mimic joint may lead others, in any order: each sequence of leaders is followed up to one that
+/// is resolved, once.
 std::vector<Arm::Drive> resolve_drives(const std::vector<Joint>& joints,
                                        const std::unordered_map<std::string, std::size_t>& index,
                                        const std::vector<int>& coordinate_of) {
@@ -66,37 +72,38 @@ std::vector<Arm::Drive> resolve_drives(const std::vector<Joint>& joints,
   std::vector<bool> known(joints.size(), false);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     std::vector<std::size_t> followers;
-    std::size_t at = i;
-    while (!known[at] && joints[at].mimic) {
+    std::size_t joint = i;
+    while (!known[joint] && joints[joint].mimic) {
       if (followers.size() == joints.size()) {
-        throw Error("joint " + joints[i].name + " mimics itself in a circle");
+        throw Error("joint " + joints[i].name + " mimics itself through its leaders");
       }
-      followers.push_back(at);
-      at = leader_of(joints, index, at);
+      followers.push_back(joint);
+      joint = leader_of(joints, index, joint);
     }
-    if (!known[at]) drives[at].coordinate = coordinate_of[at];
-    known[at] = true;
+    if (!known[joint]) drives[joint].coordinate = coordinate_of[joint];
+    known[joint] = true;
     for (; !followers.empty(); followers.pop_back()) {
-      const Arm::Drive& leader = drives[at];
-      at = followers.back();
-      const Mimic& mimic = *joints[at].mimic;
-      drives[at] = {leader.coordinate, mimic.multiplier * leader.ratio,
-                    mimic.multiplier * leader.shift + mimic.offset};
-      if (!std::isfinite(drives[at].ratio) || !std::isfinite(drives[at].shift)) {
-        throw Error("joint " + joints[at].name + " mimics with a number that is not finite");
+      const Arm::Drive& leader = drives[joint];
+      joint = followers.back();
+      const Mimic& mimic = *joints[joint].mimic;
+      drives[joint] = {leader.coordinate, mimic.multiplier * leader.ratio,
+                       mimic.multiplier * leader.shift + mimic.offset};
+      if (!std::isfinite(drives[joint].ratio) || !std::isfinite(drives[joint].shift)) {
+        throw Error("joint " + joints[joint].name +
+                    ": its mimic multiplier or offset is not finite");
       }
-      known[at] = true;
+      known[joint] = true;
     }
   }
   return drives;
 }
 
-/// The leader's limits, narrowed so that a follower (`what`) stays within its own.
-void narrow(Limits& leader, const Limits& follower, const Arm::Drive& drive,
-            const std::string& what) {
-  if (drive.ratio == 0) {  // the follower stands still
+/// Tightens the leader's limits so that a follower, called `what`, stays within its own.
+void tighten(Limits& leader, const Limits& follower, const Arm::Drive& drive,
+             const std::string& what) {
+  if (drive.ratio == 0) {  // the follower does not move
     if (drive.shift >= follower.lower && drive.shift <= follower.upper) return;
-    throw Error(what + " stands at " + number(drive.shift) + ", outside its limits " +
+    throw Error(what + " is fixed at " + number(drive.shift) + ", outside its limits " +
                 number(follower.lower) + " to " + number(follower.upper));
   }
   double lower = (follower.lower - drive.shift) / drive.ratio;
@@ -115,48 +122,49 @@ bool is_planar(const Arm& arm) {
   for (const Joint& joint : arm.joints()) {
     base_T_link = base_T_link * joint.offset;
     const Twist screw = adjoint(base_T_link, joint.screw);
-    const bool turns_about_z = screw.segment<2>(3).isZero(rounding);
+    const bool rotates_about_z = screw.segment<2>(3).isZero(rounding);
     const bool stays_in_plane = std::abs(screw[2]) < rounding;
-    if (!turns_about_z || !stays_in_plane) return false;
+    if (!rotates_about_z || !stays_in_plane) return false;
   }
   const Vector3 tool_z = (base_T_link * arm.tool()).linear().col(2);
   return (tool_z - Vector3::UnitZ()).isZero(rounding);
 }
 
-/// The farthest that a joint of this kind can carry its link along its own travel.
-double travel(const Joint& joint, const Limits& limits, const Arm::Drive& drive) {
+/// The largest |d| of the link along the joint's axis within its limits, metres.
+double largest_translation(const Joint& joint, const Limits& limits, const Arm::Drive& drive) {
   const double along = kind(joint) == JointKind::prismatic ? 1 : std::abs(pitch(joint));
   if (along == 0 || drive.ratio == 0) return along * std::abs(drive.shift);
   return along * std::max(std::abs(drive.ratio * limits.lower + drive.shift),
                           std::abs(drive.ratio * limits.upper + drive.shift));
 }
 
-/// The centre is a point of the first axis that turns. From there to the tool leads a chain of
-/// points, one on each such axis: two neighbours are on one rigid link, so the distance between
-/// them changes only by what slides between them. The radius is the sum of all of these.
+/// The centre is a point on the first axis of rotation. A sequence of points, one on each axis of
+/// rotation, leads from there to the tool: two neighbours are fixed to one link, so their distance
+/// is constant except for the translations of joints between them. The radius is the sum of all
+/// distances and translations.
 Arm::Reach reach_ball(const Arm& arm) {
   Arm::Reach reach;
   Pose base_T_link = arm.base();
-  bool turned = false;
+  bool rotates = false;
   Vector3 last = Vector3::Zero();
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
     const Joint& joint = arm.joints()[i];
     const Arm::Drive& drive = arm.drives()[i];
     base_T_link = base_T_link * joint.offset;
-    reach.radius += travel(joint, arm.limits(drive.coordinate), drive);
+    reach.radius += largest_translation(joint, arm.limits(drive.coordinate), drive);
     if (kind(joint) == JointKind::prismatic) continue;
     const Twist screw = adjoint(base_T_link, joint.screw);
     const Vector3 axis = screw.tail<3>();
     const Vector3 origin = base_T_link.translation();
     const Vector3 point = axis.cross(screw.head<3>()) + axis.dot(origin) * axis;
-    if (turned) reach.radius += (point - last).norm();
-    if (!turned) reach.centre = point;
-    turned = true;
+    if (rotates) reach.radius += (point - last).norm();
+    if (!rotates) reach.centre = point;
+    rotates = true;
     last = point;
   }
   const Vector3 tool = (base_T_link * arm.tool()).translation();
-  if (!turned) reach.centre = tool;
-  if (turned) reach.radius += (tool - last).norm();
+  if (!rotates) reach.centre = tool;
+  if (rotates) reach.radius += (tool - last).norm();
   return reach;
 }
 
@@ -172,7 +180,7 @@ Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Po
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     check_joint(joints_[i], i);
     if (!index.emplace(joints_[i].name, i).second) {
-      throw Error("two joints are called " + joints_[i].name + "; each needs a name of its own");
+      throw Error("two joints are called " + joints_[i].name + "; each needs its own name");
     }
     if (joints_[i].mimic) continue;
     coordinate_of[i] = dof();
@@ -184,7 +192,7 @@ Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Po
     if (!joints_[i].mimic) continue;
     const std::string what = "mimic joint " + joints_[i].name;
     Limits& leader = limits_[drives_[i].coordinate];
-    narrow(leader, joints_[i].limits, drives_[i], what);
+    tighten(leader, joints_[i].limits, drives_[i], what);
     check_limits(leader, what + " with its leader");
   }
   chain_ = chain_of(*this);
@@ -246,6 +254,28 @@ Configuration middle_configuration(const Arm& arm) {
                    : std::clamp(0.0, limits.lower, limits.upper);
   }
   return q;
+}
+
+std::ostream& operator<<(std::ostream& out, const Arm& arm) {
+  out << "arm " << arm.name() << ", " << arm.joints().size() << " joints, dof " << arm.dof()
+      << '\n';
+  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
+    const Joint& joint = arm.joints()[i];
+    const Limits& limits = joint.limits;
+    out << "  " << joint.name << ", " << name(kind(joint)) << ", " << number(limits.lower) << " to "
+        << number(limits.upper) << ' ' << unit(joint);
+    const std::pair<double, const char*> rates[] = {
+        {limits.velocity, "/s"}, {limits.acceleration, "/s^2"}, {limits.jerk, "/s^3"}};
+    for (const auto& [rate, per] : rates) {
+      if (rate < Limits::none) out << ", " << number(rate) << ' ' << unit(joint) << per;
+    }
+    if (joint.mimic) {
+      out << ", " << number(joint.mimic->multiplier) << " * " << joint.mimic->leader << " + "
+          << number(joint.mimic->offset);
+    }
+    out << '\n';
+  }
+  return out << "  tool at " << arm.tool() << '\n';
 }
 
 }  // namespace beeline

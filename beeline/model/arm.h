@@ -1,6 +1,10 @@
 #pragma once
 
+#include <initializer_list>
+#include <iosfwd>
+#include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <beeline/model/chain.h>
@@ -8,18 +12,37 @@
 
 namespace beeline {
 
-/// The joint coordinates, one for each degree of freedom: radians, or metres where prismatic.
+/// The joint coordinates, one for each degree of freedom: rad, or m for a prismatic joint.
 using Configuration = Eigen::VectorXd;
-using ConfigurationRef = Eigen::Ref<const Eigen::VectorXd>;
 
-/// A serial chain: base, joints 1 to n, tool. Immutable; checked when it is built.
-/// Joint i connects link i-1 to link i; link 0 is the base.
+/// A configuration as an argument: an Eigen vector or expression, a braced list {0, -0.8, 1.2}, a
+/// std::vector<double> or a std::span<const double>. It refers to the caller's numbers, so it is
+/// not to be stored.
+class ConfigurationRef : public Eigen::Ref<const Configuration> {
+ public:
+  using Base = Eigen::Ref<const Configuration>;
+
+  template <class Derived>
+  requires std::is_same_v<typename Derived::Scalar, double> ConfigurationRef(
+      const Eigen::DenseBase<Derived>& q)
+      : Base(q.derived()) {}                   // NOLINT: implicit
+  ConfigurationRef(std::span<const double> q)  // NOLINT: implicit
+      : Base(Eigen::Map<const Configuration>(q.data(), static_cast<Eigen::Index>(q.size()))) {}
+  ConfigurationRef(const std::vector<double>& q)  // NOLINT: implicit
+      : ConfigurationRef(std::span<const double>(q)) {}
+  ConfigurationRef(std::initializer_list<double> q)  // NOLINT: implicit
+      : ConfigurationRef(std::span<const double>(q.begin(), q.size())) {}
+};
+
+/// A serial chain: a base, joints 1 to n, a tool. Immutable, and checked on construction. Joint i
+/// connects link i-1 to link i; link 0 is the base.
 class Arm {
  public:
-  /// `base` is the pose of link 0 in the world, `tool` the tool's pose in link n.
-  /// Throws Error for: no joints, two joints of one name, a number that is not finite, a screw that
-  /// is not of unit length, an offset that is not a rigid motion, limits the wrong way round, a
-  /// mimic joint whose leader is missing, follows in a circle or cannot keep it within its limits.
+  /// `base` is the pose of link 0 in the world, `tool` the pose of the tool in link n.
+  /// Throws Error for: no joints; two joints of one name; a number that is not finite; a screw that
+  /// is not of unit length; an offset, base or tool that is not a rigid motion; a lower limit above
+  /// the upper one; a velocity, acceleration or jerk limit below Limits::least_rate; a mimic joint
+  /// whose leader does not exist, depends on itself, or cannot keep it within its limits.
   Arm(std::string name, std::vector<Joint> joints, const Pose& tool = Pose::Identity(),
       const Pose& base = Pose::Identity());
 
@@ -28,16 +51,19 @@ class Arm {
   const Pose& base() const { return base_; }
   const Pose& tool() const { return tool_; }
 
-  /// The number of coordinates: every joint that is no mimic joint has one, in the arm's order.
+  /// The number of coordinates. Every joint except the mimic joints has one, in the arm's order.
   int dof() const { return static_cast<int>(leaders_.size()); }
 
-  /// Coordinate k's joint. Its limits in `limits()` also keep its followers within theirs.
+  /// The joint of coordinate k (from 0).
   const Joint& joint_of(Eigen::Index k) const { return joints_[leaders_[k]]; }
-  const Limits& limits(Eigen::Index k) const { return limits_[k]; }
-  const std::vector<Limits>& limits() const { return limits_; }
   std::vector<std::string> joint_names() const;  ///< one for each coordinate
 
-  /// How joint i (from 0) is driven: its value is ratio * q[coordinate] + shift.
+  /// The limits of coordinate k: those of its joint, tightened so that the mimic joints that follow
+  /// it stay within theirs.
+  const Limits& limits(Eigen::Index k) const { return limits_[k]; }
+  const std::vector<Limits>& limits() const { return limits_; }
+
+  /// How joint i (from 0) depends on q: its value is ratio * q[coordinate] + shift.
   struct Drive {
     int coordinate = 0;
     double ratio = 1;
@@ -45,15 +71,15 @@ class Arm {
   };
   const std::vector<Drive>& drives() const { return drives_; }
 
-  /// The same kinematics in the form that is fast to run through.
+  /// The same kinematics in the form that the kernels use.
   const Chain& chain() const { return chain_; }
   const ChainAngles& chain_angles() const { return chain_angles_; }
 
-  /// All motion stays in one plane z = constant, and the tool's z axis is the world's.
+  /// Whether all motion is in one plane z = constant, with the tool's z axis along the world's.
   bool planar() const { return planar_; }
 
-  /// A ball in the world that the tool's origin never leaves, whatever the configuration within
-  /// limits. The radius is infinite when a joint that slides has no limits.
+  /// A sphere in the world that contains the tool's origin in every configuration within the
+  /// limits. Its radius is infinite when a prismatic or helical joint has no position limits.
   struct Reach {
     Vector3 centre = Vector3::Zero();
     double radius = 0;
@@ -73,22 +99,25 @@ class Arm {
   Reach reach_;
 };
 
-/// A copy with another tool.
+/// Returns a copy with another tool.
 Arm with_tool(const Arm& arm, const Pose& tool);
 
-/// Throws Error unless q has the arm's number of coordinates, all finite.
+/// Throws Error unless q has arm.dof() values, all finite.
 void check_configuration(const Arm& arm, const ConfigurationRef& q);
 
-/// The coordinates of q that are outside their position limits by more than `slack` (rad or m).
+/// Returns the coordinates of q that violate their position limits by more than `slack` (rad or m).
 /// Throws Error when q does not fit the arm.
 std::vector<int> outside_limits(const Arm& arm, const ConfigurationRef& q,
                                 double slack = position_slack);
 
-/// One sentence for each of outside_limits(); empty when all are within.
+/// Returns one sentence for each of outside_limits().
 std::vector<std::string> limit_violations(const Arm& arm, const ConfigurationRef& q,
                                           double slack = position_slack);
 
-/// The middle of each coordinate's limits; where a side is unlimited, the value nearest to zero.
+/// The midpoint of each coordinate's limits, or the value nearest to zero where one is infinite.
 Configuration middle_configuration(const Arm& arm);
+
+/// Prints the arm as a table: one line for each joint with its kind and limits, then the tool.
+std::ostream& operator<<(std::ostream& out, const Arm& arm);
 
 }  // namespace beeline

@@ -131,8 +131,8 @@ struct Entry {
 };
 
 constexpr std::array<Entry, 10> catalog{{
-    {"rrr", "planar RRR of the chapter, links 3.5, 3.5, 2", rrr},
-    {"rp", "planar RP of the chapter's exercise, a link of 1 and a slide", rp},
+    {"rrr", "planar RRR of Dellaert's chapter, links 3.5, 3.5, 2", rrr},
+    {"rp", "planar RP, a link of 1 and a prismatic joint", rp},
     {"gantry", "planar PP at right angles: a constant Jacobian", gantry},
     {"puma560", "Unimation Puma 560, RRRRRR, standard DH, no pedestal", puma560},
     {"ur5", "Universal Robots UR5, RRRRRR, standard DH", ur5},

@@ -4,14 +4,14 @@
 namespace beeline {
 namespace {
 
-Joint turning(const std::string& name, const Vector3& axis, double pitch = 0) {
+Joint revolute(const std::string& name, const Vector3& axis, double pitch = 0) {
   Joint joint;
   joint.name = name;
   joint.screw = rotation_screw(axis, Vector3::Zero(), pitch);
   return joint;
 }
 
-Joint sliding(const std::string& name, const Vector3& axis) {
+Joint prismatic(const std::string& name, const Vector3& axis) {
   Joint joint;
   joint.name = name;
   joint.screw = translation_screw(axis);
@@ -24,20 +24,20 @@ std::vector<Joint> composite_joint(char letter, const std::string& name, double 
   const Vector3 x = Vector3::UnitX(), y = Vector3::UnitY(), z = Vector3::UnitZ();
   switch (letter) {
     case 'R':
-      return {turning(name, z)};
+      return {revolute(name, z)};
     case 'P':
-      return {sliding(name, x)};
+      return {prismatic(name, x)};
     case 'H':
-      return {turning(name, z, pitch)};
+      return {revolute(name, z, pitch)};
     case 'S':
-      return {turning(name + "_z", z), turning(name + "_y", y), turning(name + "_x", x)};
+      return {revolute(name + "_z", z), revolute(name + "_y", y), revolute(name + "_x", x)};
     case 'U':
-      return {turning(name + "_z", z), turning(name + "_y", y)};
+      return {revolute(name + "_z", z), revolute(name + "_y", y)};
     case 'C':
-      return {turning(name + "_z", z), sliding(name + "_slide_z", z)};
+      return {revolute(name + "_z", z), prismatic(name + "_slide_z", z)};
     case 'E':
-      return {sliding(name + "_slide_x", x), sliding(name + "_slide_y", y),
-              turning(name + "_z", z)};
+      return {prismatic(name + "_slide_x", x), prismatic(name + "_slide_y", y),
+              revolute(name + "_z", z)};
     default:
       throw unknown_name("joint type", std::string(1, letter), {"R", "P", "H", "S", "C", "E", "U"});
   }

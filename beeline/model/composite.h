@@ -7,15 +7,17 @@
 
 namespace beeline {
 
-/// The joints that a letter of the chapter's Figures 1.1 and 1.2 stands for, as one-degree-of-
-/// freedom joints at one place, to be actuated in this order:
-///   R  rotation about z              P  slide along x (the link's direction)
-///   H  rotation about z with travel along z, `pitch` metres per radian
-///   S  spherical: rotations about z, y, x      U  universal: rotations about z, y
-///   C  cylindrical: rotation about z, slide along z
-///   E  planar: slides along x and y, rotation about z
-/// One joint is called `name`; several are `name_z`, `name_y`, ... by axis, a slide `name_slide_x`.
-/// Throws Error for another letter, naming these.
+/// Expands a joint type (Dellaert, *Serial Link Manipulators*, Figures 1.1 and 1.2) into
+/// one-degree-of-freedom joints with coincident frames, in this order:
+///   R  revolute: rotation about z
+///   P  prismatic: translation along x, the link's direction
+///   H  helical: rotation about z with translation along z, `pitch` metres per radian
+///   S  spherical: rotations about z, y, x
+///   U  universal: rotations about z, y
+///   C  cylindrical: rotation about z, translation along z
+///   E  planar: translations along x and y, rotation about z
+/// A single joint has the name `name`; several are named after their axes, `name_z` for a rotation
+/// and `name_slide_x` for a translation. Throws Error for another letter.
 std::vector<Joint> composite_joint(char letter, const std::string& name, double pitch = 0);
 
 }  // namespace beeline

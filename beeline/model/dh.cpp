@@ -5,7 +5,7 @@
 namespace beeline {
 namespace {
 
-Pose about_and_along(const Vector3& axis, double angle, double distance) {
+Pose screw_transform(const Vector3& axis, double angle, double distance) {
   return make_pose(distance * axis, Eigen::AngleAxisd(angle, axis).toRotationMatrix());
 }
 
@@ -18,10 +18,10 @@ Joint dh_joint(const DhRow& row, DhConvention convention) {
   Joint joint;
   joint.screw = row.kind == JointKind::revolute ? rotation_screw(Vector3::UnitZ())
                                                 : translation_screw(Vector3::UnitZ());
-  const Pose along_z = about_and_along(Vector3::UnitZ(), row.theta, row.d);
-  const Pose along_x = about_and_along(Vector3::UnitX(), row.alpha, row.a);
+  const Pose along_z = screw_transform(Vector3::UnitZ(), row.theta, row.d);
+  const Pose along_x = screw_transform(Vector3::UnitX(), row.alpha, row.a);
   if (convention == DhConvention::modified) {
-    joint.offset = along_x * along_z;  // the motion commutes with along_z, so it may come last
+    joint.offset = along_x * along_z;  // the joint's motion commutes with along_z
     return joint;
   }
   joint.offset = along_z;

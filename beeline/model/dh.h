@@ -4,7 +4,8 @@
 
 namespace beeline {
 
-/// Both are in use and their tables look alike: nobody can tell them apart by the numbers.
+/// The two conventions of Denavit-Hartenberg parameters. A table does not show which one it uses,
+/// so it must be stated.
 enum class DhConvention {
   standard,  ///< T = Rz(theta) Tz(d) Tx(a) Rx(alpha): Denavit & Hartenberg 1955, Paul 1981
   modified,  ///< T = Tx(a) Rx(alpha) Rz(theta) Tz(d): Craig 1986, with a and alpha of link i-1
@@ -20,8 +21,8 @@ struct DhRow {
   JointKind kind = JointKind::revolute;
 };
 
-/// The joint of one row; its link frame is the convention's own.
-/// Throws Error for a helical row: neither convention has one.
+/// Returns the joint of one row, with the convention's link frame.
+/// Throws Error for a helical row, which neither convention has.
 Joint dh_joint(const DhRow& row, DhConvention convention);
 
 }  // namespace beeline

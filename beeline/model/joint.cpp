@@ -8,7 +8,7 @@
 namespace beeline {
 namespace {
 
-/// Below this many metres per radian, for each metre of the screw's moment, a pitch is rounding.
+/// Smaller pitches, in metres per radian and per metre of |v| of the screw, are rounding.
 constexpr double smallest_pitch = 1e-12;
 
 Vector3 direction(const Vector3& axis) {
@@ -42,8 +42,8 @@ std::string with_unit(const Joint& joint, double value) {
 
 double pitch(const Joint& joint) {
   const Vector3 v = joint.screw.head<3>();
-  const double travel = v.dot(joint.screw.tail<3>());
-  return std::abs(travel) > smallest_pitch * std::max(1.0, v.norm()) ? travel : 0;
+  const double pitch = v.dot(joint.screw.tail<3>());
+  return std::abs(pitch) > smallest_pitch * std::max(1.0, v.norm()) ? pitch : 0;
 }
 
 Twist rotation_screw(const Vector3& axis, const Vector3& point, double pitch) {
@@ -77,9 +77,9 @@ Pose screw_motion(const Twist& unit_screw, double q) {
   const double sine = std::sin(q);
   const double half = std::sin(q / 2);
   const Eigen::Matrix3d w_hat = hat(w);
-  const Eigen::Matrix3d turn = sine * w_hat + (2 * half * half) * w_hat * w_hat;  // R - I
-  motion.linear() += turn;
-  motion.translation() = -turn * w.cross(v) + (w.dot(v) * q) * w;
+  const Eigen::Matrix3d rotation = sine * w_hat + (2 * half * half) * w_hat * w_hat;  // R - I
+  motion.linear() += rotation;
+  motion.translation() = -rotation * w.cross(v) + (w.dot(v) * q) * w;
   return motion;
 }
 

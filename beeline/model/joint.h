@@ -9,18 +9,23 @@
 
 namespace beeline {
 
-/// R, P and H of the chapter's Figures 1.1 and 1.2.
+/// The one-degree-of-freedom joints R, P and H (Dellaert, *Serial Link Manipulators*, Figures 1.1
+/// and 1.2).
 enum class JointKind { revolute, prismatic, helical };
 
-/// Symmetric bounds except for the position. Radians and seconds; metres where the joint is
-/// prismatic. Infinity where nothing is known.
+/// Limits of one joint, in rad, or m for a prismatic joint, and s. Infinite where there is none, or
+/// none is known.
 struct Limits {
   static constexpr double none = std::numeric_limits<double>::infinity();
-  double lower = -none;
-  double upper = none;
-  double velocity = none;
-  double acceleration = none;
-  double jerk = none;
+  /// The least limit of velocity, acceleration and jerk. An arm at 1e-9 rad/s needs a century for
+  /// one turn; far below, the ratios of limits in time scaling leave the range of a double.
+  static constexpr double least_rate = 1e-9;
+
+  double lower = -none;        ///< of the position
+  double upper = none;         ///< of the position
+  double velocity = none;      ///< |dq/dt|
+  double acceleration = none;  ///< |d2q/dt2|
+  double jerk = none;          ///< |d3q/dt3|
 };
 
 /// The excess over a position limit that counts as rounding, rad or m.
@@ -47,48 +52,49 @@ inline double limit_margin(double q, double lower, double upper) {
   return std::min(q - lower, upper - q) / half;
 }
 
-/// A joint that follows another one of the same arm: value = multiplier * leader + offset.
+/// The coupling of a joint to another one of the same arm: value = multiplier * leader + offset.
 struct Mimic {
-  std::string leader;  ///< the leading joint's name
+  std::string leader;  ///< name of the joint that it follows
   double multiplier = 1;
   double offset = 0;
 };
 
-/// One degree of freedom between two links, as data. Frame i of the chapter's eq. 1.1 is
+/// One degree of freedom between two links. The pose of link i in link i-1 (eq. 1.1 of the chapter)
+/// is
 ///     T_i^{i-1}(q) = offset * exp(screw * q),
-/// so `offset` is the pose of link i in link i-1 at q = 0, and `screw` the unit twist of the
-/// motion, written in the frame of link i.
+/// so `offset` is that pose at q = 0, and `screw` the unit screw axis in the frame of link i.
 struct Joint {
   std::string name;
   Pose offset = Pose::Identity();
   Twist screw = Twist::Zero();  ///< [v w]; |w| = 1 for R and H, w = 0 and |v| = 1 for P
   Limits limits;
   std::optional<Mimic> mimic;
-  std::string link;  ///< the name of the link that the joint moves; empty: none given
+  std::string link;  ///< name of link i; empty where it has none
 };
 
-/// Told by the screw: no rotation is P, rotation with pitch is H, rotation alone is R.
+/// The kind of a joint, from its screw: P without rotation, H with rotation and pitch, else R.
 JointKind kind(const Joint& joint);
 char letter(JointKind kind);       ///< 'R', 'P' or 'H'
 const char* name(JointKind kind);  ///< "revolute", "prismatic" or "helical"
 
-/// The unit of the joint's coordinate, "rad" or "m"; and a value with it for a message:
+/// The unit of the joint's coordinate, "rad" or "m", and a value of it formatted for a message:
 /// `1.5708 rad (90 deg)` or `0.25 m`.
 const char* unit(const Joint& joint);
 std::string with_unit(const Joint& joint, double value);
 
-/// Travel of a helical joint along its axis, metres per radian; 0 for a revolute one.
+/// The pitch of a helical joint: translation along its axis, metres per radian; 0 for the others.
 double pitch(const Joint& joint);
 
-/// The unit screw of a joint whose axis runs along `axis` (any length but zero) through `point`,
-/// with `pitch` metres of travel per radian. Throws Error when the axis is shorter than 1e-9.
+/// The unit screw of a rotation about the line through `point` (metres) along `axis`, with `pitch`
+/// metres per radian (Lynch & Park, section 3.3.2.2); and of a translation along `axis`. The axis
+/// is normalised. Both throw Error when it is shorter than 1e-9.
 Twist rotation_screw(const Vector3& axis, const Vector3& point = Vector3::Zero(), double pitch = 0);
 Twist translation_screw(const Vector3& axis);
 
-/// The same motion seen from a frame `link_T_frame` fixed to the link: used to move link frames.
+/// Returns the joint with the same motion whose link frame is `link_T_frame`, fixed to the link.
 Joint with_link_frame(Joint joint, const Pose& link_T_frame);
 
-/// exp(screw * q) for a unit screw: Rodrigues' formula about the axis, plus the travel along it.
+/// exp(screw * q) for a unit screw.
 Pose screw_motion(const Twist& unit_screw, double q);
 
 /// The velocity [v w] of the point `point` of the link for unit velocity of its joint, all in the

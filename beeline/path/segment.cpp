@@ -56,7 +56,8 @@ SegmentMotion motion(const SplineSegment& segment, double s) {
     value = value * s + segment.terms.col(k);
   }
   const Vector3 r = value.tail<3>();
-  const Turning turning = angular_motion(r, {rate.tail<3>(), 2 * half_second.tail<3>()});
+  const internal::RotationRates turning =
+      internal::angular_motion(r, {rate.tail<3>(), 2 * half_second.tail<3>()});
   SegmentMotion at{segment.centre, joined(rate.head<3>(), turning.velocity),
                    joined(2 * half_second.head<3>(), turning.acceleration)};
   at.pose.translation() += value.head<3>();

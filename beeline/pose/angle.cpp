@@ -8,7 +8,7 @@ namespace beeline {
 double wrap_angle(double radians) { return std::remainder(radians, 2 * std::numbers::pi); }
 
 double angle_difference(double a, double b) {
-  return wrap_angle(wrap_angle(a) - wrap_angle(b));  // a - b could overflow, or round b away
+  return wrap_angle(wrap_angle(a) - wrap_angle(b));  // a - b could overflow, or lose b to rounding
 }
 
 double nearest_turn(double radians, double reference) {

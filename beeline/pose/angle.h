@@ -2,13 +2,14 @@
 
 namespace beeline {
 
-/// The same direction, in [-pi, pi].
+/// Returns the equivalent angle in [-pi, pi], rad.
 double wrap_angle(double radians);
 
-/// The chapter's a ⊖ b (section 1.8): the smallest turn that leads from b to a, in [-pi, pi].
+/// a ⊖ b (Dellaert, *Serial Link Manipulators*, section 1.8): the rotation by the smallest angle
+/// that takes b to a, in [-pi, pi], rad.
 double angle_difference(double a, double b);
 
-/// `radians` plus the whole number of turns that brings it nearest to `reference`.
+/// Returns `radians` plus the multiple of 2 pi that brings it nearest to `reference`.
 double nearest_turn(double radians, double reference);
 
 }  // namespace beeline

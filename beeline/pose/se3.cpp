@@ -1,23 +1,7 @@
-#include <cmath>
-
 #include <beeline/pose/se3.h>
 
 namespace beeline {
 namespace {
-
-/// (t - sin t)/t^3 and, for the inverse, (1 - (t/2) cot(t/2))/t^2: series where the quotients
-/// would cancel (below 0.1 the terms kept leave an error under 1e-16).
-double cubic_term(double t) {
-  const double t2 = t * t;
-  if (t > 0.1) return (t - std::sin(t)) / (t2 * t);
-  return 1.0 / 6 - t2 / 120 * (1 - t2 / 42 * (1 - t2 / 72 * (1 - t2 / 110)));
-}
-
-double inverse_term(double t) {
-  const double t2 = t * t;
-  if (t > 0.1) return (1 - (t / 2) / std::tan(t / 2)) / t2;
-  return 1.0 / 12 + t2 / 720 * (1 + t2 / 42 * (1 + t2 / 40 * (1 + t2 * 5.0 / 198)));
-}
 
 /// The largest element of |R R^T - I|.
 double orthonormality_error(const Rotation& r) {
@@ -56,24 +40,16 @@ Pose checked_pose(const Pose& pose, const std::string& what) {
 
 Pose se3_exp(const Twist& twist) {
   const Vector3 w = twist.tail<3>();
-  const double t = w.norm();
-  const double half = t < 1e-8 ? 1 : std::sin(t / 2) / (t / 2);
-  const Eigen::Matrix3d w_hat = hat(w);
   Pose pose = Pose::Identity();
   pose.linear() = so3_exp(w);
-  pose.translation() =
-      (Eigen::Matrix3d::Identity() + (half * half / 2) * w_hat + cubic_term(t) * w_hat * w_hat) *
-      twist.head<3>();
+  pose.translation() = so3_left_jacobian(w) * twist.head<3>();
   return pose;
 }
 
 Twist se3_log(const Pose& pose) {
   const Vector3 w = so3_log(pose.linear());
-  const Eigen::Matrix3d w_hat = hat(w);
   Twist twist;
-  twist << (Eigen::Matrix3d::Identity() - 0.5 * w_hat + inverse_term(w.norm()) * w_hat * w_hat) *
-               pose.translation(),
-      w;
+  twist << so3_left_jacobian_inverse(w) * pose.translation(), w;
   return twist;
 }
 

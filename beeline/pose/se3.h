@@ -11,7 +11,8 @@ namespace beeline {
 /// Position (metres) and orientation of one frame in another, named `outer_T_inner`.
 using Pose = Eigen::Isometry3d;
 
-/// A motion or velocity, linear part first: [vx vy vz wx wy wz], metres and radians.
+/// A twist, linear part first: [vx vy vz wx wy wz], in metres and radians or, as a velocity, per
+/// second.
 using Twist = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
@@ -25,23 +26,23 @@ std::string rigid_motion_fault(const Pose& pose);
 Pose checked_pose(const Pose& pose, const char* what = "the pose");
 Pose checked_pose(const Pose& pose, const std::string& what);
 
-/// The rigid motion reached by following `twist` for unit time. Lynch & Park, Modern Robotics,
-/// eq. 3.88 (there with the angular part first).
+/// The exponential of SE(3): the motion by constant `twist` for unit time (Lynch & Park, "Modern
+/// Robotics", 2017, eq. 3.88, there with the angular part first).
 Pose se3_exp(const Twist& twist);
 
-/// The twist that reaches `pose` in unit time, by a turn of at most pi: se3_exp(se3_log(T)) == T.
+/// The logarithm of SE(3), whose rotation is by at most pi: se3_exp(se3_log(T)) == T.
 Twist se3_log(const Pose& pose);
 
-/// Ad(a_T_b): turns a twist written in b into the same twist written in a.
+/// The adjoint Ad(a_T_b): maps a twist in frame b to the same twist in frame a.
 Matrix6 adjoint(const Pose& pose);
 Twist adjoint(const Pose& pose, const Twist& twist);
 
-/// The straight line from `from` (s = 0) to `to` (s = 1): the origin moves on the segment at
-/// constant speed while the orientation takes the shortest turn at constant speed.
+/// The straight line from `from` (s = 0) to `to` (s = 1): the position moves at constant velocity,
+/// the orientation about a fixed axis at constant angular velocity, by at most pi.
 Pose interpolate(const Pose& from, const Pose& to, double s);
 
-/// What leads from `from` to `to`, in the axes both are written in: [p_to - p_from; log(R_to
-/// R_from^T)].
+/// The difference of two poses of one frame, in that frame's axes: [p_to - p_from;
+/// log(R_to R_from^T)].
 Twist pose_difference(const Pose& to, const Pose& from);
 
 }  // namespace beeline

@@ -4,6 +4,27 @@
 #include <beeline/pose/so3.h>
 
 namespace beeline {
+namespace {
+
+// Each quotient cancels near zero. Below 0.1 its series stands instead, of as many terms as leave
+// an error under 1e-16.
+constexpr double small_angle = 0.1;
+
+/// (a - sin a) / a^3
+double cubic_quotient(double a) {
+  const double a2 = a * a;
+  if (a > small_angle) return (a - std::sin(a)) / (a2 * a);
+  return 1.0 / 6 - a2 / 120 * (1 - a2 / 42 * (1 - a2 / 72 * (1 - a2 / 110)));
+}
+
+/// (1 - (a/2) cot(a/2)) / a^2
+double cotangent_quotient(double a) {
+  const double a2 = a * a;
+  if (a > small_angle) return (1 - (a / 2) / std::tan(a / 2)) / a2;
+  return 1.0 / 12 + a2 / 720 * (1 + a2 / 42 * (1 + a2 / 40 * (1 + a2 * 5.0 / 198)));
+}
+
+}  // namespace
 
 Eigen::Matrix3d hat(const Vector3& a) {
   Eigen::Matrix3d matrix;
@@ -27,6 +48,19 @@ Vector3 so3_log(const Rotation& rotation) {
   const double length = q.vec().norm();
   if (length < 1e-10) return 2 * q.vec();  // w is 1 here
   return (2 * std::atan2(length, q.w()) / length) * q.vec();
+}
+
+Eigen::Matrix3d so3_left_jacobian(const Vector3& r) {
+  const double a = r.norm();
+  const double half = a < 1e-8 ? 1 : std::sin(a / 2) / (a / 2);
+  const Eigen::Matrix3d r_hat = hat(r);
+  return Eigen::Matrix3d::Identity() + (half * half / 2) * r_hat +
+         cubic_quotient(a) * r_hat * r_hat;
+}
+
+Eigen::Matrix3d so3_left_jacobian_inverse(const Vector3& r) {
+  const Eigen::Matrix3d r_hat = hat(r);
+  return Eigen::Matrix3d::Identity() - 0.5 * r_hat + cotangent_quotient(r.norm()) * r_hat * r_hat;
 }
 
 }  // namespace beeline

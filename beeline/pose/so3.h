@@ -4,18 +4,36 @@
 
 namespace beeline {
 
-/// Rotations in space. A rotation vector is axis times angle, in radians.
+/// An orthonormal, right-handed matrix. A rotation vector is unit axis times angle, rad.
 using Rotation = Eigen::Matrix3d;
 using Vector3 = Eigen::Vector3d;
 
-/// The matrix of the cross product: hat(a) * b == a x b.
+/// The skew-symmetric matrix of the cross product: hat(a) * b == a x b.
 Eigen::Matrix3d hat(const Vector3& a);
 
-/// Rodrigues' formula; accurate to rounding for every length of `rotation_vector`, zero included.
+/// The exponential, by Rodrigues' formula (Lynch & Park, "Modern Robotics", 2017, eq. 3.51).
+/// Accurate to rounding for every length of `rotation_vector`, zero included.
 Rotation so3_exp(const Vector3& rotation_vector);
 
-/// The shortest rotation vector whose exponential is `rotation`: length in [0, pi].
-/// Accurate near 0 and near pi; at pi itself one of the two opposite vectors.
+/// The logarithm: the shortest rotation vector whose exponential is `rotation`, of length in
+/// [0, pi]. Accurate near 0 and near pi; at pi one of the two opposite vectors. Does not check that
+/// the matrix is a rotation.
+///
+/// The kernels have two more versions, of the same definition: rotation_log() for eight rotations
+/// in the lanes of registers (kinematics/task-inl.h), where a branch costs all eight, and the
+/// series near zero alone, on plain numbers (inverse/numerical/descent_near.cpp), where the
+/// quaternion would take a third of an iteration.
 Vector3 so3_log(const Rotation& rotation);
+
+/// The left Jacobian of SO(3): the angular velocity of so3_exp(r), in the axes that r is written
+/// in, is w = J(r) r', with
+///     J(r) = I + (1 - cos a)/a^2 [r] + (a - sin a)/a^3 [r]^2,   a = |r|
+/// (Chirikjian, "Stochastic Models, Information Theory, and Lie Groups", vol. 2, 2011, eq. 10.86).
+/// The right Jacobian, of the angular velocity in the rotated axes, is J(-r), the transpose.
+Eigen::Matrix3d so3_left_jacobian(const Vector3& r);
+
+/// J(r)^-1 = I - [r]/2 + (1 - (a/2) cot(a/2))/a^2 [r]^2 for |r| < 2 pi: the derivative of the
+/// logarithm.
+Eigen::Matrix3d so3_left_jacobian_inverse(const Vector3& r);
 
 }  // namespace beeline

@@ -91,9 +91,9 @@ TEST(Mimic, LeadersAreNarrowedSoThatFollowersKeepTheirLimits) {
 TEST(Mimic, OfLimitsThatCannotBothBeKeptIsRefused) {
   const Limits narrow{.lower = 1, .upper = 2};
   EXPECT_REFUSED(Arm("arm", {turning("a", narrow), follower("b", {"a", 1, 5}, narrow)}),
-                 "mimic joint b with its leader has its limits the wrong way round");
+                 "mimic joint b with its leader: lower limit");
   EXPECT_REFUSED(Arm("arm", {turning("a"), follower("b", {"a", 0, 5}, narrow)}),
-                 "mimic joint b stands at 5, outside its limits 1 to 2");
+                 "mimic joint b is fixed at 5, outside its limits 1 to 2");
   EXPECT_NO_THROW(Arm("arm", {turning("a"), follower("b", {"a", 0, 1.5}, narrow)}));
 }
 
@@ -102,9 +102,9 @@ TEST(Mimic, WithoutALeaderOrInACircleIsRefusedNamingTheCulprit) {
                  "joint b mimics an unknown joint \"elbw\"; did you mean \"elbow\"?");
   EXPECT_REFUSED(Arm("arm", {turning("a"), follower("b", {"b"})}), "joint b mimics itself");
   EXPECT_REFUSED(Arm("arm", {turning("a"), follower("b", {"c"}), follower("c", {"b"})}),
-                 "joint b mimics itself in a circle");
+                 "joint b mimics itself through its leaders");
   EXPECT_REFUSED(Arm("arm", {follower("a", {"b"}), follower("b", {"c"}), follower("c", {"b"})}),
-                 "in a circle");
+                 "through its leaders");
 }
 
 TEST(Mimic, WithNumbersThatAreNotFiniteIsRefusedAlsoWhenTheyArise) {
@@ -114,7 +114,7 @@ TEST(Mimic, WithNumbersThatAreNotFiniteIsRefusedAlsoWhenTheyArise) {
                  "joint b mimics with");
   EXPECT_REFUSED(
       Arm("arm", {turning("a"), follower("b", {"a", 1e200, 0}), follower("c", {"b", 1e200, 0})}),
-      "joint c mimics with a number that is not finite");
+      "joint c: its mimic multiplier or offset is not finite");
 }
 
 TEST(Mimic, ALongChainIsResolvedInOneClimb) {

@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include <beeline/certificate/internal/segment_chord.h>
-#include <beeline/pose/internal/rotation_rates.h>
 
 #include <tests/path/random_segment.h>
 #include <tests/refusal.h>
@@ -23,38 +22,6 @@ using testing::turn_between;
 double size_of(const Segment& segment) {
   const SegmentMotion at = motion_at(segment, 0.5);
   return 1 + at.velocity.norm() + at.acceleration.norm();
-}
-
-TEST(Turning, IsThatOfTheExponentialByDifferences) {
-  Random random;
-  constexpr double h = 1e-4;
-  for (int i = 0; i < 3000; ++i) {
-    const double size = std::pow(10, random.uniform(-6, 0.5));
-    const Vector3 r = random.direction() * size, rate = random.vector(), second = random.vector();
-    const auto at = [&](double t) { return so3_exp(r + t * rate + t * t / 2 * second); };
-    const Vector3 ahead = so3_log(at(h) * at(0).transpose());
-    const Vector3 back = so3_log(at(-h) * at(0).transpose());
-    const Turning motion = angular_motion(r, {rate, second});
-    ASSERT_LT((motion.velocity - (ahead - back) / (2 * h)).norm(), 1e-7) << size;
-    ASSERT_LT((motion.acceleration - (ahead + back) / (h * h)).norm(), 1e-6) << size;
-    const Turning again = rotation_vector_rates(r, motion);
-    ASSERT_LT((again.velocity - rate).norm(), 1e-11) << size;
-    ASSERT_LT((again.acceleration - second).norm(), 1e-10) << size;
-  }
-}
-
-TEST(Turning, ChangesByNoMoreThanTheChordBoundTakesItToDo) {
-  Random random;
-  double most = 0;
-  for (int i = 0; i < 50000; ++i) {
-    const Vector3 r = random.direction() * random.uniform(0, pi), rate = random.vector();
-    const double change = angular_motion(r, {rate, Vector3::Zero()}).acceleration.norm();
-    const double bound = r.cross(rate).norm() * rate.norm() / 6;
-    ASSERT_LE(change, bound * (1 + 1e-9));
-    ASSERT_LE(angular_motion(r, {rate, rate}).velocity.norm(), rate.norm() * (1 + 1e-12));
-    most = std::max(most, change / bound);
-  }
-  EXPECT_GT(most, 0.99);
 }
 
 TEST(Segment, HasTheDerivativesThatDifferencesHave) {

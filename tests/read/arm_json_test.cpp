@@ -193,7 +193,7 @@ TEST(ArmJson, MistakesInLimitsAndMimicsAreNamed) {
     return parse(with_joint(R"({"name": "j", "type": "revolute", "mimic": )" + mimic + "}"));
   };
   EXPECT_REFUSED(mimicking(R"({"joint": "x"})"), "a.json: joint j mimics an unknown joint \"x\"");
-  EXPECT_REFUSED(mimicking(R"({"joint": "j"})"), "joint j mimics itself in a circle");
+  EXPECT_REFUSED(mimicking(R"({"joint": "j"})"), "joint j mimics itself through its leaders");
   EXPECT_REFUSED(mimicking("{}"), "joints[1].mimic needs the key \"joint\"");
 }
 

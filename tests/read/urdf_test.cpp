@@ -142,7 +142,7 @@ TEST(Urdf, MistakesInJointsAreNamedWithTheirLine) {
                  "a.urdf:4: <limit>: lower: \"low\" is not a number");
   EXPECT_REFUSED(parse(single("revolute", "<limit lower=\"${low}\"/>")), "run xacro first");
   EXPECT_REFUSED(parse(single("revolute", "<mimic/>")), "<mimic> needs the attribute joint");
-  EXPECT_REFUSED(parse(single("revolute", "<mimic joint=\"j\"/>")), "mimics itself in a circle");
+  EXPECT_REFUSED(parse(single("revolute", "<mimic joint=\"j\"/>")), "mimics itself through its leaders");
   EXPECT_REFUSED(parse(single("revolute", "\n<mimic joint=\"jj\"/>")),
                  "a.urdf:5: joint j mimics an unknown joint \"jj\"");
   EXPECT_REFUSED(parse(single("")), "which is no joint of a chain");

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <beeline/certificate/internal/chord_bound.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/pose/internal/rotation_rates.h>
 
 namespace beeline {
 namespace {
@@ -71,8 +71,15 @@ ChordBound chord_bound(const Arm& arm, const ConfigurationRef& q_a, const Config
   bound.swing = arm.planar() ? Vector3::Zero() : swing;
   bound.swing_rest = arm.planar() ? 0 : swing_change / 6;
   const double largest = std::min(bound.swing.norm() + bound.swing_rest, swing_size);
-  bound.orientation = swing_bound(arm.planar() ? 0 : largest, bound.turned);
+  bound.orientation = orientation_bound(arm.planar() ? 0 : largest, bound.turned);
   return bound;
+}
+
+double orientation_bound(double acceleration, double rotated) {
+  using std::numbers::pi;
+  if (!(rotated < pi)) return pi;
+  const double k = rotated * std::numbers::inv_sqrtpi;
+  return std::min(pi, acceleration / 8 * (k > 0 ? k / std::sin(k) : 1));
 }
 
 }  // namespace beeline

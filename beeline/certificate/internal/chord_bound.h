@@ -37,4 +37,9 @@ struct ChordBound {
 /// Throws Error when q_a or q_b does not fit the arm.
 ChordBound chord_bound(const Arm& arm, const ConfigurationRef& q_a, const ConfigurationRef& q_b);
 
+/// That bound on f for two rotations that coincide at t = 0 and t = 1: `acceleration` is a + b / 6
+/// where the difference of their angular accelerations is at most a + b |t - 1/2|, and `rotated`
+/// bounds the length of the path of either. Radians; pi where rotated >= pi.
+double orientation_bound(double acceleration, double rotated);
+
 }  // namespace beeline

@@ -6,7 +6,6 @@
 #include <beeline/certificate/internal/line_step.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/nearest_on_line.h>
-#include <beeline/pose/internal/rotation_rates.h>
 
 namespace beeline {
 namespace {
@@ -56,7 +55,7 @@ double orientation_at_nearest(const ChordBound& step, const LineExtent& extent, 
   const double swing =
       (step.swing - pull * extent.turn).norm() + step.swing_rest +
       extent.angle * (8 * step.rest / extent.length + std::abs(pull) * (step.turned + ends));
-  return swing_bound(swing, step.turned);
+  return orientation_bound(swing, step.turned);
 }
 
 /// With one row free, along an axis e of the task's frame, the turn in the other two is at most

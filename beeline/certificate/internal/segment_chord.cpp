@@ -80,11 +80,11 @@ SegmentChordBound off(const SplineSegment& segment, double s_a, double s_b) {
   const double size = r[0] + half * rate;                // |r| and |r x r'|
   const double across = d[0].tail<3>().cross(d[1].tail<3>()).norm() + half * size * second;
   bound.turned = step * rate;
-  bound.orientation = swing_bound(
+  bound.orientation = orientation_bound(
       square * (r[2] + curved(r) + across * rate / 6) + square * step * r[3] / 6, bound.turned);
   const double third = r[3] + half * r[4] + half * half / 2 * r[5];
   bound.swing =
-      square * angular_motion(d[0].tail<3>(), {d[1].tail<3>(), d[2].tail<3>()}).acceleration;
+      square * internal::angular_motion(d[0].tail<3>(), {d[1].tail<3>(), d[2].tail<3>()}).acceleration;
   bound.swing_rest = square * step / 6 * (third + 1.5 * rate * second + rate * rate * rate / 3);
   return bound;
 }

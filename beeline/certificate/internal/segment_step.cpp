@@ -7,7 +7,6 @@
 #include <beeline/certificate/internal/segment_step.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/pose/internal/rotation_rates.h>
 
 namespace beeline {
 namespace {
@@ -31,7 +30,7 @@ double turn_between(const ChordBound& tool, const SegmentChordBound& way, double
   if (most + ends < pi) {
     const double swing = (tool.swing - way.swing).norm() + tool.swing_rest + way.swing_rest;
     const double k = most * std::numbers::inv_sqrtpi;
-    bound = std::min(bound, ends / std::cos(k / 2) + swing_bound(swing, most));
+    bound = std::min(bound, ends / std::cos(k / 2) + orientation_bound(swing, most));
   }
   return std::min(bound, pi);
 }

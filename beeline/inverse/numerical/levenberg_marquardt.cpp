@@ -26,16 +26,6 @@ Eigen::VectorXd coordinate_units(const Arm& arm, double length) {
   return units;
 }
 
-/// d log(exp(e) exp(w)) / dw at w = 0: the inverse of SO(3)'s right Jacobian (Chirikjian 2011, eq.
-/// 10.86). That of the left one is its transpose.
-Eigen::Matrix3d log_derivative(const Vector3& e) {
-  const double t = e.norm();
-  // Below 1e-2 the quotient cancels; the series' next term is under 1e-12.
-  const double c = t < 1e-2 ? 1.0 / 12 + t * t / 720 : (1 - t / 2 / std::tan(t / 2)) / (t * t);
-  const Eigen::Matrix3d e_hat = hat(e);
-  return Eigen::Matrix3d::Identity() + 0.5 * e_hat + c * e_hat * e_hat;
-}
-
 // Found by trial over random poses of the built-in arms; the optimum is flat.
 constexpr double first_factor = 0.2;     // damping over squared error
 constexpr double least_factor = 1e-3;    // the same, where all goes well
@@ -69,7 +59,7 @@ void linearise(const Goal& goal, const Configuration& q, Linearised& at) {
   if (partly(3)) {
     const Vector3 turn = error.tail<3>();
     at.columns.bottomRows<3>() =
-        log_derivative(tool_axes ? -turn : turn) * at.columns.bottomRows<3>();
+        so3_left_jacobian_inverse(tool_axes ? turn : -turn) * at.columns.bottomRows<3>();
   }
   error = masked(goal.task, error);
   mask_rows(goal.task, at.columns);

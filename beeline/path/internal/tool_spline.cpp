@@ -55,8 +55,8 @@ std::vector<Twist> slopes_of(const Steps& steps, const SplineEnds& ends) {
 }
 
 /// The polynomial with these values, first and second derivatives at 0 and 1 (Hermite's).
-Eigen::Matrix<double, 3, 6> quintic(const Vector3& from, const Turning& at_from, const Vector3& to,
-                                    const Turning& at_to) {
+Eigen::Matrix<double, 3, 6> quintic(const Vector3& from, const internal::RotationRates& at_from,
+                                    const Vector3& to, const internal::RotationRates& at_to) {
   const Vector3 half = at_from.acceleration / 2;
   const Vector3 d = to - from - at_from.velocity - half;
   const Vector3 e = at_to.velocity - at_from.velocity - at_from.acceleration;
@@ -78,7 +78,7 @@ SplineSegment segment_of(const Pose& from, const Twist& way, const Twist& at_fro
   segment.terms.col(3) = (second_to - second_from) / 6;
   const Vector3 turn = way.tail<3>() / 2;
   const auto rates = [](const Vector3& r, const Twist& first, const Twist& second) {
-    return rotation_vector_rates(r, {first.tail<3>(), second.tail<3>()});
+    return internal::rotation_vector_rates(r, {first.tail<3>(), second.tail<3>()});
   };
   segment.terms.bottomRows<3>() =
       quintic(-turn, rates(-turn, at_from, second_from), turn, rates(turn, at_to, second_to));
