@@ -23,7 +23,7 @@ HWY_INLINE void store_vector(const Vector& v, double* three_rows) {
   v.z.store(three_rows + 2 * lane_count);
 }
 
-/// A vector that is given along the frame's axes, along the world's; and the other way.
+/// Maps vectors from the frame's axes to the world's, and back.
 HWY_INLINE Vector from_axes(const Space& frame, const Vector& v) {
   return fma(v.x, frame.x, fma(v.y, frame.y, v.z * frame.z));
 }
@@ -31,8 +31,9 @@ HWY_INLINE Vector in_axes(const Space& frame, const Vector& v) {
   return {dot(frame.x, v), dot(frame.y, v), dot(frame.z, v)};
 }
 
-/// The last link's frame in the world at eight configurations: q holds a row of eight for each
-/// coordinate. `axes` gets six rows for each link: its joint's direction, and its frame's origin.
+/// Returns the last link's frame in the world at eight configurations. q has a row of eight values
+/// for each coordinate. Writes six rows to `axes` for each link: the direction of its axis, and its
+/// origin.
 HWY_INLINE Space last_frame(const Chain& chain, const double* q, double* axes) {
   const double* base = chain.base.data();  // four columns of four
   Space frame{{base[0], base[1], base[2]},
@@ -56,17 +57,18 @@ HWY_INLINE Space last_frame(const Chain& chain, const double* q, double* axes) {
   return frame;
 }
 
-/// A point's linear velocity and the angular one.
+/// Linear and angular velocity.
 struct Motion {
   Vector linear, angular;
 };
 
-/// What a unit of its coordinate's speed does through this link, whose six rows are `axes`.
+/// The velocity of `point` for unit velocity of the link's coordinate; `axes` are the link's six
+/// rows. This is joint_velocity() in lanes.
 HWY_INLINE Motion link_motion(const Chain::Link& link, const double* axes, const Vector& point) {
   const Vector direction = load_vector(axes);
-  const Vector turning = Lanes(link.theta_per_q) * direction;
+  const Vector angular = Lanes(link.theta_per_q) * direction;
   const Vector arm = point - load_vector(axes + 3 * lane_count);
-  return {fma(Lanes(link.d_per_q), direction, cross(turning, arm)), turning};
+  return {fma(Lanes(link.d_per_q), direction, cross(angular, arm)), angular};
 }
 
 }  // namespace beeline::HWY_NAMESPACE

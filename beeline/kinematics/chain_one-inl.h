@@ -13,7 +13,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
-/// Four numbers of one configuration: a vector, and one to spare.
+/// A 3-vector of one configuration and an unused fourth number. (Vector in simd/space-inl.h has
+/// eight vectors, one in each lane: the layouts share no operation.)
 struct Four {
   using Tag = hn::CappedTag<double, 4>;
   static constexpr int width = static_cast<int>(hn::MaxLanes(Tag()));
@@ -37,7 +38,7 @@ struct Four {
     for (int i = 0; i < 4 / width; ++i) r.part[i] = hn::Mul(part[i], hn::Set(Tag(), s));
     return r;
   }
-  /// This and s a.
+  /// This + s a.
   HWY_INLINE Four plus(double s, const Four& a) const {
     Four r;
     for (int i = 0; i < 4 / width; ++i) {
@@ -47,18 +48,18 @@ struct Four {
   }
 };
 
-/// The cross product of the first three numbers; the fourth is of no meaning.
+/// The cross product of the first three numbers; the fourth has no meaning.
 HWY_INLINE Four cross(const Four& a, const Four& b) {
 #if HWY_MAX_BYTES >= 32
   const Four::Tag tag;
-  alignas(32) static constexpr int64_t onward[4] = {1, 2, 0, 3};
-  const auto turned = [&](const Four& v) HWY_ATTR {
-    return hn::TableLookupLanes(v.part[0], hn::SetTableIndices(tag, onward));
+  alignas(32) static constexpr int64_t next_axis[4] = {1, 2, 0, 3};
+  const auto rotated = [&](const Four& v) HWY_ATTR {
+    return hn::TableLookupLanes(v.part[0], hn::SetTableIndices(tag, next_axis));
   };
-  // a x b = turned(a turned(b) - turned(a) b)
+  // a x b = turned(a rotated(b) - rotated(a) b)
   Four r;
-  r.part[0] = hn::NegMulAdd(turned(a), b.part[0], hn::Mul(a.part[0], turned(b)));
-  r.part[0] = turned(r);
+  r.part[0] = hn::NegMulAdd(rotated(a), b.part[0], hn::Mul(a.part[0], rotated(b)));
+  r.part[0] = rotated(r);
   return r;
 #else
   double u[4], v[4];
@@ -70,7 +71,7 @@ HWY_INLINE Four cross(const Four& a, const Four& b) {
 #endif
 }
 
-/// A frame in the world: its axes and its origin. The fourth numbers make it a matrix.
+/// A frame in the world: its axes and its origin, the columns of the 4 x 4 matrix.
 struct Columns {
   Four x, y, z, p;
 
@@ -86,24 +87,24 @@ struct Columns {
   }
 };
 
-/// The frame behind one link more, at this sine and cosine of its angle and this way of its slide.
-/// What waits for the link before is kept short: three operations in a row.
-HWY_INLINE Columns behind(const Columns& before, const Chain::Link& link, double s, double c,
-                          double slide) {
+/// Multiplies the frame by L_i, given sin(theta), cos(theta) and d. Written so that only three
+/// operations in sequence depend on the previous link.
+HWY_INLINE Columns times_link(const Columns& before, const Chain::Link& link, double s, double c,
+                              double d) {
   const auto& [x, y, z, p] = before;
   const double* step = link.translation.data();
   Columns next;
   next.x = z.times(s * link.sin_alpha).plus(c, x).plus(s * link.cos_alpha, y);
   next.y = z.times(c * link.sin_alpha).plus(-s, x).plus(c * link.cos_alpha, y);
   next.z = z.times(link.cos_alpha).plus(-link.sin_alpha, y);
-  next.p = p.plus(1, x.times(step[0]).plus(step[1], y).plus(step[2], z)).plus(slide, next.z);
+  next.p = p.plus(1, x.times(step[0]).plus(step[1], y).plus(step[2], z)).plus(d, next.z);
   return next;
 }
 
-/// The last link's frame at one configuration: four columns of four (x, y, z, origin), the fourth
-/// rows of no meaning. `angle`, `sine` and `cosine` have room for a multiple of eight links.
-/// `axes` gets eight numbers for each link: its joint's direction, and from the fifth on its
-/// origin.
+/// Computes the last link's frame at one configuration: four columns of four (x, y, z, origin). The
+/// fourth rows of the axes have no meaning. `angle`, `sine` and `cosine` are buffers for a multiple
+/// of eight links. Writes eight numbers to `axes` for each link: the direction of its axis, and
+/// from the fifth on its origin.
 HWY_INLINE void last_frame_of_one(const Chain& chain, const double* q, double* angle, double* sine,
                                   double* cosine, double* axes, double* frame) {
   const size_t links = chain.links.size();
@@ -117,14 +118,14 @@ HWY_INLINE void last_frame_of_one(const Chain& chain, const double* q, double* a
     s.store(sine + i);
     c.store(cosine + i);
   }
-  Columns at = Columns::load(chain.base.data());
+  Columns current = Columns::load(chain.base.data());
   for (size_t i = 0; i < links; ++i, axes += 8) {
     const Chain::Link& link = chain.links[i];
-    at = behind(at, link, sine[i], cosine[i], link.d_per_q * q[link.coordinate]);
-    at.z.store(axes);
-    at.p.store(axes + 4);
+    current = times_link(current, link, sine[i], cosine[i], link.d_per_q * q[link.coordinate]);
+    current.z.store(axes);
+    current.p.store(axes + 4);
   }
-  at.store(frame);
+  current.store(frame);
 }
 
 }  // namespace beeline::HWY_NAMESPACE

@@ -2,7 +2,7 @@
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/kinematics/forward_kernel.h>
+#include <beeline/kinematics/internal/forward_kernel.h>
 
 namespace beeline {
 namespace {
@@ -17,7 +17,7 @@ Pose link_transform(const Arm& arm, std::size_t i, const ConfigurationRef& q) {
 Pose forward_kinematics(const Arm& arm, const ConfigurationRef& q) {
   if (q.size() != arm.dof()) check_configuration(arm, q);
   Pose world_T_tool;
-  forward_kernel(arm, q.data(), world_T_tool.data());
+  internal::forward_kernel(arm, q.data(), world_T_tool.data());
   if (!std::isfinite(world_T_tool.matrix().sum())) check_configuration(arm, q);
   return world_T_tool;
 }
@@ -25,7 +25,7 @@ Pose forward_kinematics(const Arm& arm, const ConfigurationRef& q) {
 void link_poses(const Arm& arm, const ConfigurationRef& q, std::span<Pose> world_T_link) {
   check_configuration(arm, q);
   if (world_T_link.size() != arm.joints().size() + 1) {
-    throw Error("link_poses needs room for " + std::to_string(arm.joints().size() + 1) +
+    throw Error("link_poses needs a buffer of " + std::to_string(arm.joints().size() + 1) +
                 " poses, not " + std::to_string(world_T_link.size()));
   }
   world_T_link[0] = arm.base();

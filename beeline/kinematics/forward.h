@@ -3,19 +3,23 @@
 #include <span>
 #include <vector>
 
+#include <beeline/error.h>
 #include <beeline/model/arm.h>
 
 namespace beeline {
 
-/// The tool's pose in the world at configuration q: base * T_1(q_1) ... T_n(q_n) * tool, the
-/// chapter's eq. 1.1. Any finite q, also outside limits. Throws Error when q does not fit the arm.
+/// Returns world_T_tool at configuration q: base * T_1(q_1) ... T_n(q_n) * tool (Dellaert, *Serial
+/// Link Manipulators*, eq. 1.1). q may be outside its limits. Throws Error when it does not have
+/// arm.dof() finite values.
 Pose forward_kinematics(const Arm& arm, const ConfigurationRef& q);
 
-/// The pose of every link in the world: link 0 (the base) to link n; n + 1 poses for n joints,
-/// mimic joints counted. The tool's pose is the last one times arm.tool().
+/// Returns the poses of all links in the world, from link 0 (the base) to link n: n + 1 poses for n
+/// joints, mimic joints included. The pose of the tool is the last one times arm.tool().
+/// Throws Error as forward_kinematics() does.
 std::vector<Pose> link_poses(const Arm& arm, const ConfigurationRef& q);
 
-/// The same into the caller's buffer, which must have joints + 1 places. Does not allocate.
+/// The same into the caller's buffer of n + 1 poses, without allocation. Throws Error for another
+/// size.
 void link_poses(const Arm& arm, const ConfigurationRef& q, std::span<Pose> world_T_link);
 
 }  // namespace beeline

@@ -11,28 +11,28 @@
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
-/// A vector given along the frame's axes, along the world's.
-HWY_INLINE Four turned(const Columns& frame, const double* v) {
+/// Maps a vector from the frame to the world, by its rotation.
+HWY_INLINE Four rotated(const Columns& frame, const double* v) {
   return frame.x.times(v[0]).plus(v[1], frame.y).plus(v[2], frame.z);
 }
 
-/// A point given in the frame, in the world.
-HWY_INLINE Four moved(const Columns& frame, const double* v) {
-  return frame.p.plus(1, turned(frame, v));
+/// Maps a point from the frame to the world.
+HWY_INLINE Four transformed(const Columns& frame, const double* v) {
+  return frame.p.plus(1, rotated(frame, v));
 }
 
-/// The frame times a pose, given by four columns that are `stride` numbers apart.
+/// The frame times a pose, whose four columns are `stride` numbers apart.
 HWY_INLINE Columns times(const Columns& frame, const double* pose, int stride = 4) {
-  return {turned(frame, pose), turned(frame, pose + stride), turned(frame, pose + 2 * stride),
-          moved(frame, pose + 3 * stride)};
+  return {rotated(frame, pose), rotated(frame, pose + stride), rotated(frame, pose + 2 * stride),
+          transformed(frame, pose + 3 * stride)};
 }
 
-/// Two frames that go through one half of a chain each: four numbers of the one, then four of the
-/// other, in every column.
+/// The products of the link transforms of two halves of a chain, computed together: every column
+/// has four numbers of the first half, then four of the second.
 struct Halves {
   Lanes x, y, z, p;
 
-  /// One number for the first half, another for the second.
+  /// `first` in the four lanes of the first half, `second` in the others.
   static HWY_INLINE Lanes each(double first, double second) {
     Lanes r;
     constexpr int width = lane_count / register_count;
@@ -57,16 +57,16 @@ struct Halves {
     return r;
   }
 
-  /// The first half starts with the frame, the second with none: where it leads is not known yet.
+  /// The first half starts at the frame, the second at the identity.
   static HWY_INLINE Halves starting_with(const Columns& frame) {
-    alignas(64) static constexpr double none[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-    return {both(frame.x, Four::load(none)), both(frame.y, Four::load(none + 4)),
-            both(frame.z, Four::load(none + 8)), both(frame.p, Four::load(none + 12))};
+    alignas(64) static constexpr double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    return {both(frame.x, Four::load(identity)), both(frame.y, Four::load(identity + 4)),
+            both(frame.z, Four::load(identity + 8)), both(frame.p, Four::load(identity + 12))};
   }
 
-  /// One link more in each.
-  HWY_INLINE void follow(const Chain::Link& a, double sine_a, double cosine_a, double slide_a,
-                         const Chain::Link& b, double sine_b, double cosine_b, double slide_b) {
+  /// Multiplies the first half by the transform of link a, the second by that of b.
+  HWY_INLINE void append(const Chain::Link& a, double sine_a, double cosine_a, double d_a,
+                         const Chain::Link& b, double sine_b, double cosine_b, double d_b) {
     const double *step = a.translation.data(), *other = b.translation.data();
     const Lanes s = each(sine_a, sine_b), c = each(cosine_a, cosine_b);
     const Lanes sa = each(a.sin_alpha, b.sin_alpha), ca = each(a.cos_alpha, b.cos_alpha);
@@ -77,13 +77,13 @@ struct Halves {
     x = fma(s * ca, y, fma(c, x, (s * sa) * z));
     y = fma(c * ca, y, fnma(s, x_before, (c * sa) * z));
     z = fnma(sa, y_before, ca * z);
-    p = fma(each(slide_a, slide_b), z, p);
+    p = fma(each(d_a, d_b), z, p);
   }
 
   HWY_INLINE Columns first() const { return {first_of(x), first_of(y), first_of(z), first_of(p)}; }
 
-  /// The first half's frame times the second's.
-  HWY_INLINE Columns together() const {
+  /// The product of both halves.
+  HWY_INLINE Columns product() const {
     double all[4 * lane_count];
     x.store(all);
     y.store(all + lane_count);

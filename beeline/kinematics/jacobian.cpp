@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include <beeline/error.h>
-#include <beeline/kinematics/forward_kernel.h>
+#include <beeline/kinematics/internal/forward_kernel.h>
 #include <beeline/kinematics/jacobian.h>
 
 namespace beeline {
@@ -11,7 +11,7 @@ namespace {
 Pose joint_by_joint(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> columns) {
   columns.setZero();
   Pose world_T_link = arm.base(), world_T_tool;
-  forward_kernel(arm, q.data(), world_T_tool.data());
+  internal::forward_kernel(arm, q.data(), world_T_tool.data());
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
     const Arm::Drive& drive = arm.drives()[i];
     const Joint& joint = arm.joints()[i];
@@ -47,19 +47,19 @@ Pose jacobian(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> co
                 " columns, not " + std::to_string(columns.cols()));
   }
   Pose world_T_tool;
-  const bool side_by_side = columns.outerStride() == 6;
-  if (arm.chain_angles().in_order && side_by_side) {
-    jacobian_kernel(arm, q.data(), world_T_tool.data(), columns.data());
+  const bool contiguous = columns.outerStride() == 6;
+  if (arm.chain_angles().in_order && contiguous) {
+    internal::jacobian_kernel(arm, q.data(), world_T_tool.data(), columns.data());
     if (!std::isfinite(world_T_tool.matrix().sum())) check_configuration(arm, q);
-    // The axes of a planar arm are parallel: the turn is exactly 1, without the poses' rounding.
+    // The axes of a planar arm are +-z: removes the rounding of the poses.
     if (arm.planar()) columns.bottomRows<3>() = columns.bottomRows<3>().array().round();
   } else {
     check_configuration(arm, q);
     world_T_tool = joint_by_joint(arm, q, columns);
   }
-  const Vector3 place = world_T_tool.translation();
+  const Vector3 tool = world_T_tool.translation();
   for (int k = 0; frame == Frame::space && k < columns.cols(); ++k) {
-    columns.col(k).head<3>() += place.cross(columns.col(k).tail<3>());
+    columns.col(k).head<3>() += tool.cross(columns.col(k).tail<3>());
   }
   for (int k = 0; frame == Frame::tool && k < columns.cols(); ++k) {
     const Vector3 v = columns.col(k).head<3>(), w = columns.col(k).tail<3>();

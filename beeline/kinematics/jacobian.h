@@ -3,32 +3,37 @@
 #include <string>
 #include <string_view>
 
+#include <beeline/error.h>
 #include <beeline/model/arm.h>
 
 namespace beeline {
 
-/// Which velocity a Jacobian gives, and in which axes. All rows are linear first.
+/// The velocity that a Jacobian maps to, and its axes. The linear rows always come first. In
+/// brackets the names of the Robotics Toolbox, of Pinocchio, and of Lynch & Park.
 enum class Frame {
-  base,   ///< of the tool's origin, in the world's axes (jacob0, LOCAL_WORLD_ALIGNED); the default
+  base,   ///< of the tool's origin, in the world's axes (jacob0, LOCAL_WORLD_ALIGNED)
   tool,   ///< of the tool's origin, in the tool's axes (jacobe, LOCAL, body)
-  space,  ///< spatial twist: of the point of the tool that is at the world's origin (WORLD)
+  space,  ///< of the point of the tool at the world's origin, in the world's axes (WORLD, space)
 };
 std::string name(Frame frame);
-Frame frame_named(std::string_view name);  ///< throws Error for another name
+Frame frame_named(std::string_view name);  ///< Throws Error for an unknown name.
 
-/// 6 x dof: rows [vx vy vz wx wy wz], one column for each coordinate (the chapter's eq. 1.4).
+/// 6 x dof: rows [vx vy vz wx wy wz], one column for each coordinate (Dellaert, *Serial Link
+/// Manipulators*, eq. 1.4), in m and rad per unit of the coordinate.
 using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-/// The Jacobian at any finite q. Throws Error when q does not fit the arm.
+/// Returns the Jacobian at q, which may be outside its limits. Throws Error when q does not have
+/// arm.dof() finite values.
 Jacobian jacobian(const Arm& arm, const ConfigurationRef& q, Frame frame = Frame::base);
 
-/// The same into the caller's 6 x dof matrix, with the tool's pose as the result. Does not
-/// allocate.
+/// The same into the caller's 6 x dof matrix, without allocation. Returns world_T_tool. Throws
+/// Error for a matrix of another size.
 Pose jacobian(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> columns,
               Frame frame = Frame::base);
 
-/// The chapter's 3 x n form of a planar arm: rows [x y theta] in the world's axes; the third row is
-/// exactly 1 for a revolute joint about z. Throws Error when the arm is not planar.
+/// The 3 x dof Jacobian of a planar arm as in the chapter: rows [x y theta], in the world's axes.
+/// The third row is exactly 1 for a revolute joint about z. Throws Error when the arm is not
+/// planar.
 Eigen::Matrix3Xd planar_jacobian(const Arm& arm, const ConfigurationRef& q);
 
 }  // namespace beeline

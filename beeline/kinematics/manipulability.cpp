@@ -17,7 +17,7 @@ Dexterity dexterity(const Eigen::Ref<const Eigen::MatrixXd>& jacobian) {
   const double smallest = result.singular_values[result.singular_values.size() - 1];
   const bool enough_joints = jacobian.cols() >= jacobian.rows();
   result.manipulability = enough_joints ? result.singular_values.prod() : 0;
-  // The usual rank tolerance: what rounding leaves of a singular value that is zero.
+  // A singular value below this rank tolerance is zero, to rounding.
   const double rounding = largest * std::numeric_limits<double>::epsilon() *
                           static_cast<double>(std::max(jacobian.rows(), jacobian.cols()));
   result.condition =

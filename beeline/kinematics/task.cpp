@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <ostream>
 
 #include <beeline/error.h>
 #include <beeline/kinematics/task.h>
@@ -7,7 +8,7 @@ namespace beeline {
 
 void check_task(const Task& task) {
   if (task.size() > 0 && task.frame != Frame::space) return;
-  throw Error("the task needs at least one row, and the base or the tool frame");
+  throw Error("the task needs at least one row, in the axes of the base or of the tool");
 }
 
 int Task::size() const { return static_cast<int>(std::count(rows.begin(), rows.end(), true)); }
@@ -34,7 +35,7 @@ Task task_named(std::string_view text) {
     throw Error(
         "unknown task \"" + std::string(text.substr(0, 40)) +
         "\"; known: planar, position, spatial, or six of 0 and 1 for x y z wx wy wz such as "
-        "111110, with :tool behind it for the tool's own axes");
+        "111110, with the suffix :tool for rows in the tool's axes");
   }
   for (std::size_t i = 0; i < 6; ++i) task.rows[i] = mask[i] == '1';
   return task;
@@ -49,6 +50,12 @@ std::string name(const Task& task) {
     for (const bool row : task.rows) text += row ? '1' : '0';
   }
   return text + (task.frame == Frame::tool ? ":tool" : "");
+}
+
+std::ostream& operator<<(std::ostream& out, const Task& task) { return out << name(task); }
+
+std::ostream& operator<<(std::ostream& out, const Deviation& deviation) {
+  return out << number(deviation.position) << " m, " << number(deviation.orientation) << " rad";
 }
 
 Task default_task(const Arm& arm) { return arm.planar() ? Task::planar() : Task::spatial(); }

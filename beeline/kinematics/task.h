@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,8 +11,8 @@
 
 namespace beeline {
 
-/// Which components of the tool's motion matter, in the order [x y z wx wy wz] and in the axes of
-/// `frame` (base or tool).
+/// The components of the tool's motion that a task constrains, in the order [x y z wx wy wz] and in
+/// the axes of `frame` (base or tool).
 struct Task {
   std::array<bool, 6> rows{true, true, true, true, true, true};
   Frame frame = Frame::base;
@@ -21,25 +22,26 @@ struct Task {
   static Task planar() { return {{true, true, false, false, false, true}}; }
   bool operator==(const Task&) const = default;
 
-  int size() const;                                                 ///< how many rows matter
-  int positions() const { return rows[0] + rows[1] + rows[2]; }     ///< of them
-  int orientations() const { return rows[3] + rows[4] + rows[5]; }  ///< of them
+  int size() const;                                                 ///< number of rows
+  int positions() const { return rows[0] + rows[1] + rows[2]; }     ///< linear rows
+  int orientations() const { return rows[3] + rows[4] + rows[5]; }  ///< angular rows
 };
 
-/// Throws Error unless poses can be compared by the task: it has a row, in the axes of the base or
-/// of the tool.
+/// Throws Error for a task without rows, or in Frame::space.
 void check_task(const Task& task);
 
-/// `spatial`, `position`, `planar`, or a mask such as `111110`; with `:tool` behind it the rows are
-/// those of the tool's axes (`111110:tool` leaves the turn about the tool's own z free).
-/// Throws Error for anything else and for a mask without a row.
+/// Returns the task of a name: `spatial`, `position`, `planar`, or a mask such as `111110`. The
+/// suffix `:tool` selects the tool's axes: `111110:tool` leaves rotation about the tool's z free.
+/// Throws Error for another name and for a mask without rows. name() is the inverse.
 Task task_named(std::string_view name);
 std::string name(const Task& task);
+std::ostream& operator<<(std::ostream& out, const Task& task);  ///< prints name()
 
-/// planar for a planar arm, spatial for all others.
+/// The planar task for a planar arm, the spatial one for all others.
 Task default_task(const Arm& arm);
 
-/// The names of the task's Jacobian rows: `x, y, theta` for planar, else of `vx vy vz wx wy wz`.
+/// The names of the task's rows: `x, y, theta` for the planar task, else some of `vx vy vz wx wy
+/// wz`.
 std::vector<std::string> row_names(const Task& task);
 
 /// The task's rows of the Jacobian in the task's frame, its linear rows divided by `length_unit`
@@ -47,36 +49,39 @@ std::vector<std::string> row_names(const Task& task);
 Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const Task& task,
                               double length_unit = 1);
 
-/// What leads from `current` to `desired`, linear first, in the axes of `frame`: base, or tool for
-/// those of `current`.
+/// pose_difference(desired, current) in the axes of `frame`: base, or tool for those of `current`.
 Twist pose_error(const Pose& desired, const Pose& current, Frame frame);
 
-/// The task's rows of what leads from `current` to `desired`: the chapter's E (section 1.8), with
-/// the orientation's part the shortest rotation vector, of length at most pi.
+/// The task's rows of pose_error(), the error E of the chapter's section 1.8. Its angular part is a
+/// rotation vector of length at most pi.
 Eigen::VectorXd task_error(const Task& task, const Pose& desired, const Pose& current);
 
-/// The rows of a twist that the task has, in its order.
+/// The task's rows of a twist.
 Eigen::VectorXd task_rows(const Task& task, const Twist& twist);
 
-/// All six rows, those that the task does not have set to zero; of a position its three.
+/// All rows of a twist, a position or a Jacobian, with those that the task does not have set to
+/// zero. The rows are in the task's axes.
 Twist masked(const Task& task, Twist twist);
 Vector3 masked_position(const Task& task, Vector3 position);
 void mask_rows(const Task& task, Eigen::Ref<Jacobian> columns);
 
-/// The lengths of the linear and the angular part of what matters, metres and radians.
+/// Norms of the linear and the angular part of a task error.
 struct Deviation {
-  double position = 0;
-  double orientation = 0;
+  double position = 0;     ///< metres
+  double orientation = 0;  ///< radians
 };
+std::ostream& operator<<(std::ostream& out, const Deviation& deviation);  ///< `1e-05 m, 0.002 rad`
+
+/// The norms of task_error()'s two parts.
 Deviation task_deviation(const Task& task, const Pose& desired, const Pose& current);
 
-/// Makes `largest` no less than what was met.
-inline void grow(Deviation& largest, const Deviation& met) {
-  largest.position = std::max(largest.position, met.position);
-  largest.orientation = std::max(largest.orientation, met.orientation);
+/// Replaces each part of `largest` by the larger of both.
+inline void grow(Deviation& largest, const Deviation& other) {
+  largest.position = std::max(largest.position, other.position);
+  largest.orientation = std::max(largest.orientation, other.orientation);
 }
 
-/// Neither part is above that of the tolerance.
+/// Whether neither part exceeds that of the tolerance.
 inline bool within(const Deviation& deviation, const Deviation& tolerance) {
   return deviation.position <= tolerance.position && deviation.orientation <= tolerance.orientation;
 }

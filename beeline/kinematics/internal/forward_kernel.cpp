@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include <beeline/kinematics/forward_kernel.h>
+#include <beeline/kinematics/internal/forward_kernel.h>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "beeline/kinematics/forward_kernel.cpp"
+#define HWY_TARGET_INCLUDE "beeline/kinematics/internal/forward_kernel.cpp"
 #include <hwy/foreach_target.h>
 
 #include <beeline/kinematics/halves-inl.h>
@@ -12,9 +12,9 @@ HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 namespace {
 
-constexpr std::size_t block = lane_count;  // links whose sines are taken together
+constexpr std::size_t block = lane_count;  // links whose sines are computed together
 
-/// Sines and cosines of the links from `first` on, eight of them; behind the last 0 and 1.
+/// Sines and cosines of theta of eight links from `first` on; 0 and 1 after the last link.
 HWY_INLINE void sines(const Arm& arm, const double* q, std::size_t first, double* sine,
                       double* cosine) {
   const ChainAngles& angles = arm.chain_angles();
@@ -30,19 +30,20 @@ HWY_INLINE void sines(const Arm& arm, const double* q, std::size_t first, double
   }
   Lanes s, c;
   sine_cosine(value * Lanes::load(&angles.theta_per_q[first]), s, c);
-  const Lanes rest_c = Lanes::load(&angles.cos_offset[first]),
-              rest_s = Lanes::load(&angles.sin_offset[first]);
-  fma(s, rest_c, c * rest_s).store(sine);
-  fnma(s, rest_s, c * rest_c).store(cosine);
+  const Lanes offset_c = Lanes::load(&angles.cos_offset[first]),
+              offset_s = Lanes::load(&angles.sin_offset[first]);
+  fma(s, offset_c, c * offset_s).store(sine);
+  fnma(s, offset_s, c * offset_c).store(cosine);
 }
 
-/// From the frame through a block's links, in two halves side by side, which are then put together:
-/// that takes half as long as one link after the other. `axes`, if kept, gets eight numbers for
-/// each link: its joint's direction, and from the fifth on its place.
+/// Multiplies `frame` by a block's link transforms: by two halves of them in the lanes of one
+/// register, then by the product of the halves, which takes half the time of one link after the
+/// other. With `keep`, writes eight numbers to `axes` for each link: the direction of its axis, and
+/// from the fifth on its origin.
 template <bool keep>
-HWY_INLINE Columns go_through(const Arm& arm, const double* q, std::size_t first,
-                              const Columns& frame, double* axes) {
-  static const Chain::Link nothing;
+HWY_INLINE Columns through_links(const Arm& arm, const double* q, std::size_t first,
+                                 const Columns& frame, double* axes) {
+  static const Chain::Link identity;
   const std::vector<Chain::Link>& links = arm.chain().links;
   const std::size_t count = std::min(block, links.size() - first), half = (count + 1) / 2;
   double sine[block], cosine[block], z[block / 2][lane_count], p[block / 2][lane_count];
@@ -51,9 +52,9 @@ HWY_INLINE Columns go_through(const Arm& arm, const double* q, std::size_t first
   for (std::size_t i = 0; i < half; ++i) {
     const std::size_t j = half + i;
     const Chain::Link& a = links[first + i];
-    const Chain::Link& b = j < count ? links[first + j] : nothing;
-    const double slide_a = a.d_per_q * q[a.coordinate], slide_b = b.d_per_q * q[b.coordinate];
-    halves.follow(a, sine[i], cosine[i], slide_a, b, sine[j % block], cosine[j % block], slide_b);
+    const Chain::Link& b = j < count ? links[first + j] : identity;
+    const double d_a = a.d_per_q * q[a.coordinate], d_b = b.d_per_q * q[b.coordinate];
+    halves.append(a, sine[i], cosine[i], d_a, b, sine[j % block], cosine[j % block], d_b);
     if (keep) {
       halves.z.store(z[i]);
       halves.p.store(p[i]);
@@ -65,32 +66,33 @@ HWY_INLINE Columns go_through(const Arm& arm, const double* q, std::size_t first
     Four::load(p[i]).store(axes + 8 * i + 4);
   }
   for (std::size_t i = half; keep && i < count; ++i) {
-    turned(middle, z[i - half] + 4).store(axes + 8 * i);
-    moved(middle, p[i - half] + 4).store(axes + 8 * i + 4);
+    rotated(middle, z[i - half] + 4).store(axes + 8 * i);
+    transformed(middle, p[i - half] + 4).store(axes + 8 * i + 4);
   }
-  return halves.together();
+  return halves.product();
 }
 
-/// The chain's frame behind the tool.
 void forward(const Arm& arm, const double* q, double* world_T_tool) {
   Columns frame = Columns::load(arm.chain().base.data());
   for (std::size_t first = 0; first < arm.chain().links.size(); first += block) {
-    frame = go_through<false>(arm, q, first, frame, nullptr);
+    frame = through_links<false>(arm, q, first, frame, nullptr);
   }
   times(frame, arm.chain().tool.data()).store(world_T_tool);
 }
 
-/// Columns of the Jacobian from their axes and the tool's place.
+/// The Jacobian's columns [theta' z x (tool - p) + d' z; theta' z] of links with axis z and origin
+/// p. This is joint_velocity() for one configuration in registers of four; chain-inl.h and batch/
+/// have it for one configuration in each lane, which is another layout of the same numbers.
 HWY_INLINE void write_columns(const Chain::Link* links, std::size_t count, const double* axes,
                               const Four& tool, double* columns) {
   for (std::size_t i = 0; i < count; ++i, axes += 8, columns += 6) {
-    const Four z = Four::load(axes), turning = z.times(links[i].theta_per_q);
+    const Four z = Four::load(axes), angular = z.times(links[i].theta_per_q);
     const Four arm = tool.plus(-1, Four::load(axes + 4));
-    cross(turning, arm).plus(links[i].d_per_q, z).store(columns);
+    cross(angular, arm).plus(links[i].d_per_q, z).store(columns);
     if (i + 1 < count) {
-      turning.store(columns + 3);  // the fourth number is where the next column comes
+      angular.store(columns + 3);  // the next column overwrites the fourth number
     } else {
-      turning.store_three(columns + 3);
+      angular.store_three(columns + 3);
     }
   }
 }
@@ -101,14 +103,14 @@ void jacobian(const Arm& arm, const double* q, double* world_T_tool, double* col
   double axes[8 * block];
   Columns frame = Columns::load(arm.chain().base.data());
   if (count <= block) {
-    frame = times(go_through<true>(arm, q, 0, frame, axes), arm.chain().tool.data());
+    frame = times(through_links<true>(arm, q, 0, frame, axes), arm.chain().tool.data());
     frame.store(world_T_tool);
     return write_columns(links.data(), count, axes, frame.p, columns);
   }
-  // Where the tool is must be known before the first column can be: a second round.
+  // The first column already needs the tool's position: a second pass over the links.
   forward(arm, q, world_T_tool);
   for (std::size_t first = 0; first < count; first += block) {
-    frame = go_through<true>(arm, q, first, frame, axes);
+    frame = through_links<true>(arm, q, first, frame, axes);
     write_columns(&links[first], std::min(block, count - first), axes,
                   Four::load(world_T_tool + 12), columns + 6 * first);
   }
@@ -120,9 +122,11 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace beeline {
-
 HWY_EXPORT(forward);
 HWY_EXPORT(jacobian);
+}  // namespace beeline
+
+namespace beeline::internal {
 
 void forward_kernel(const Arm& arm, const double* q, double* world_T_tool) {
   HWY_DYNAMIC_DISPATCH(forward)(arm, q, world_T_tool);
@@ -132,5 +136,5 @@ void jacobian_kernel(const Arm& arm, const double* q, double* world_T_tool, doub
   HWY_DYNAMIC_DISPATCH(jacobian)(arm, q, world_T_tool, columns);
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal
 #endif
