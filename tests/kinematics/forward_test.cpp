@@ -179,5 +179,19 @@ TEST(LinkPoses, RefusesABufferOfTheWrongSize) {
   }
 }
 
+TEST(ConfigurationRef, TakesListsVectorsAndSpans) {
+  const Arm arm = built_in("rrr");
+  const Configuration q = Eigen::Vector3d(0.3, -0.8, 1.2);
+  const std::vector<double> numbers{0.3, -0.8, 1.2};
+  const Eigen::Matrix4d expected = forward_kinematics(arm, q).matrix();
+  EXPECT_EQ(forward_kinematics(arm, {0.3, -0.8, 1.2}).matrix(), expected);
+  EXPECT_EQ(forward_kinematics(arm, numbers).matrix(), expected);
+  EXPECT_EQ(forward_kinematics(arm, std::span(numbers)).matrix(), expected);
+  EXPECT_EQ(forward_kinematics(arm, q / 2 + q / 2).matrix(), expected);
+  EXPECT_EQ(link_poses(arm, {0.3, -0.8, 1.2}).size(), 4);
+  EXPECT_REFUSED(forward_kinematics(arm, {0.3, -0.8}), "takes 3 joint values");
+  EXPECT_REFUSED(forward_kinematics(arm, std::vector<double>()), "not 0");
+}
+
 }  // namespace
 }  // namespace beeline

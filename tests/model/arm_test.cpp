@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <limits>
+#include <sstream>
 
 #include <beeline/model/arm.h>
 #include <beeline/model/catalog.h>
@@ -168,6 +169,39 @@ TEST(MiddleConfiguration, IsTheMiddleOrElseTheValueNearestToZero) {
     const Arm arm = built_in(name);
     EXPECT_TRUE(limit_violations(arm, middle_configuration(arm), 0).empty()) << name;
   }
+}
+
+TEST(OutsideLimits, ListsTheCoordinatesBeyondTheSlack) {
+  const Arm arm = built_in("panda");
+  Configuration q = middle_configuration(arm);
+  EXPECT_TRUE(outside_limits(arm, q).empty());
+  q[1] = arm.limits(1).upper + 1e-8;
+  q[3] = arm.limits(3).lower - 1e-10;
+  EXPECT_EQ(outside_limits(arm, q), std::vector<int>{1});
+  EXPECT_EQ(outside_limits(arm, q, 0), (std::vector<int>{1, 3}));
+}
+
+TEST(LimitMargin, IsOneInTheMiddleAndZeroAtTheLimits) {
+  EXPECT_EQ(limit_margin(2, 1, 3), 1);
+  EXPECT_EQ(limit_margin(1.5, 1, 3), 0.5);
+  EXPECT_EQ(limit_margin(3, 1, 3), 0);
+  EXPECT_EQ(limit_margin(4, 1, 3), -1);
+  EXPECT_EQ(limit_margin(0, -inf, 3), inf);
+  EXPECT_EQ(limit_margin(1, 1, 1), inf);
+  EXPECT_EQ(position_in_range(1.5, 1, 3), -0.5);
+  EXPECT_EQ(position_in_range(1.5, 1, inf), 0);
+}
+
+TEST(Arm, PrintsItsJointsLimitsAndTool) {
+  std::ostringstream out;
+  out << arm_with_elbow(
+      [](Joint& joint) { joint.limits = {.lower = -1, .upper = 2, .velocity = 3}; });
+  EXPECT_NE(out.str().find("  elbow, revolute, -1 to 2 rad, 3 rad/s\n"), std::string::npos)
+      << out.str();
+  EXPECT_NE(out.str().find("tool at x "), std::string::npos) << out.str();
+  out.str("");
+  out << JointKind::prismatic;
+  EXPECT_EQ(out.str(), "prismatic");
 }
 
 }  // namespace

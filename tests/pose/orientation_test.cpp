@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
+#include <sstream>
 
 #include <beeline/pose/angle.h>
 #include <beeline/pose/orientation.h>
@@ -128,6 +129,12 @@ TEST(MakePose, PutsThePartsWhereTheyBelong) {
   EXPECT_EQ(pose.linear(), about_z(0.5));
   EXPECT_EQ(pose.matrix().row(3), Eigen::RowVector4d(0, 0, 0, 1));
   EXPECT_EQ(make_pose({1, 2, 3}).linear(), Rotation::Identity());
+}
+
+TEST(Pose, PrintsPositionAndRollPitchYaw) {
+  std::ostringstream out;
+  out << make_pose({0.3, -0.25, 1e-17}, rotation(RollPitchYaw{0, 1.25, -0.5}));
+  EXPECT_EQ(out.str(), "x 0.3, y -0.25, z 0 m, roll 0, pitch 1.25, yaw -0.5 rad");
 }
 
 }  // namespace

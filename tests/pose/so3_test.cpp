@@ -125,5 +125,20 @@ TEST(So3Log, OfTheInverseIsTheOppositeVector) {
   }
 }
 
+TEST(So3LeftJacobian, IsTheDerivativeOfTheExponentialAndOfTheLogarithm) {
+  testing::Random random;
+  constexpr double h = 1e-5;
+  for (int i = 0; i < 5000; ++i) {
+    const Vector3 r = random.direction() * any_angle(random), rate = random.vector();
+    const Rotation back = so3_exp(r).transpose();
+    const Vector3 w =
+        (so3_log(so3_exp(r + h * rate) * back) - so3_log(so3_exp(r - h * rate) * back)) / (2 * h);
+    ASSERT_LT((so3_left_jacobian(r) * rate - w).norm(), 1e-8) << r.norm();
+    const Eigen::Matrix3d product = so3_left_jacobian_inverse(r) * so3_left_jacobian(r);
+    ASSERT_LT((product - Eigen::Matrix3d::Identity()).norm(), 1e-14) << r.norm();
+    ASSERT_LT((so3_left_jacobian(-r) - so3_left_jacobian(r).transpose()).norm(), 1e-15);
+  }
+}
+
 }  // namespace
 }  // namespace beeline
