@@ -8,50 +8,40 @@
 
 #include <beeline/model/chain.h>
 
-#include <beeline/simd/space-inl.h>
+#include <beeline/simd/geometry-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
-HWY_INLINE Vector load_vector(const double* three_rows) {
-  return {Lanes::load(three_rows), Lanes::load(three_rows + lane_count),
-          Lanes::load(three_rows + 2 * lane_count)};
-}
-HWY_INLINE void store_vector(const Vector& v, double* three_rows) {
-  v.x.store(three_rows);
-  v.y.store(three_rows + lane_count);
-  v.z.store(three_rows + 2 * lane_count);
-}
-
 /// Maps vectors from the frame's axes to the world's, and back.
-HWY_INLINE Vector from_axes(const Space& frame, const Vector& v) {
+HWY_INLINE Vector from_axes(const LanePose& frame, const Vector& v) {
   return fma(v.x, frame.x, fma(v.y, frame.y, v.z * frame.z));
 }
-HWY_INLINE Vector in_axes(const Space& frame, const Vector& v) {
+HWY_INLINE Vector in_axes(const LanePose& frame, const Vector& v) {
   return {dot(frame.x, v), dot(frame.y, v), dot(frame.z, v)};
 }
 
 /// Returns the last link's frame in the world at eight configurations. q has a row of eight values
 /// for each coordinate. Writes six rows to `axes` for each link: the direction of its axis, and its
 /// origin.
-HWY_INLINE Space last_frame(const Chain& chain, const double* q, double* axes) {
+HWY_INLINE LanePose last_frame(const Chain& chain, const double* q, double* axes) {
   const double* base = chain.base.data();  // four columns of four
-  Space frame{{base[0], base[1], base[2]},
-              {base[4], base[5], base[6]},
-              {base[8], base[9], base[10]},
-              {base[12], base[13], base[14]}};
+  LanePose frame{{base[0], base[1], base[2]},
+                 {base[4], base[5], base[6]},
+                 {base[8], base[9], base[10]},
+                 {base[12], base[13], base[14]}};
   for (const Chain::Link& link : chain.links) {
     const double* step = link.translation.data();
     const Lanes coordinate = Lanes::load(q + lane_count * link.coordinate);
-    Turn turn;
+    CosSine turn;
     sine_cosine(fma(coordinate, Lanes(link.theta_per_q), Lanes(link.theta_offset)), turn.s, turn.c);
     frame.origin = fma(Lanes(step[0]), frame.x, frame.origin);
     frame.origin = fma(Lanes(step[1]), frame.y, frame.origin);
     frame.origin = fma(Lanes(step[2]), frame.z, frame.origin);
-    frame = turned_x(frame, Lanes(link.cos_alpha), Lanes(link.sin_alpha));
-    frame = moved_z(turned_z(frame, turn), coordinate * Lanes(link.d_per_q));
-    store_vector(frame.z, axes);
-    store_vector(frame.origin, axes + 3 * lane_count);
+    frame = rotated_x(frame, Lanes(link.cos_alpha), Lanes(link.sin_alpha));
+    frame = translated_z(rotated_z(frame, turn), coordinate * Lanes(link.d_per_q));
+    frame.z.store(axes);
+    frame.origin.store(axes + 3 * lane_count);
     axes += 6 * lane_count;
   }
   return frame;
@@ -65,9 +55,9 @@ struct Motion {
 /// The velocity of `point` for unit velocity of the link's coordinate; `axes` are the link's six
 /// rows. This is joint_velocity() in lanes.
 HWY_INLINE Motion link_motion(const Chain::Link& link, const double* axes, const Vector& point) {
-  const Vector direction = load_vector(axes);
+  const Vector direction = Vector::load(axes);
   const Vector angular = Lanes(link.theta_per_q) * direction;
-  const Vector arm = point - load_vector(axes + 3 * lane_count);
+  const Vector arm = point - Vector::load(axes + 3 * lane_count);
   return {fma(Lanes(link.d_per_q), direction, cross(angular, arm)), angular};
 }
 

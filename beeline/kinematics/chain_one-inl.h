@@ -13,8 +13,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
-/// A 3-vector of one configuration and an unused fourth number. (Vector in simd/space-inl.h has
-/// eight vectors, one in each lane: the layouts share no operation.)
+/// A 3-vector of one configuration and an unused fourth number. VectorOf has
+/// one vector in each lane instead: the two layouts share no operation.
 struct Four {
   using Tag = hn::CappedTag<double, 4>;
   static constexpr int width = static_cast<int>(hn::MaxLanes(Tag()));

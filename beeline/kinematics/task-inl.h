@@ -62,7 +62,7 @@ HWY_INLINE Vector rotation_log(const Vector& r0, const Vector& r1, const Vector&
 /// its rows of the error zero. The other rows stay, and enter the derivatives of the former.
 struct PartialTask {
   bool tool_axes = false, partial_position = false, partial_orientation = false;
-  Space tool;
+  LanePose tool;
   Motion error;          ///< all six rows
   Lanes squared_factor;  ///< of [r]^2 in the inverse left Jacobian of SO(3), r = error.angular
   Lanes weight[6];       ///< 1 for the task's rows, 0 for the others
@@ -74,7 +74,7 @@ HWY_INLINE Motion weighted(const Lanes (&weight)[6], const Motion& a) {
 }
 
 /// `world_T_tool` is the tool's pose, `error` in the world's axes.
-HWY_INLINE PartialTask partial_task(const Task& task, const Space& world_T_tool,
+HWY_INLINE PartialTask partial_task(const Task& task, const LanePose& world_T_tool,
                                     const Motion& error) {
   const auto& rows = task.rows;
   PartialTask part;

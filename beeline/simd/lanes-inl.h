@@ -13,20 +13,21 @@ namespace beeline::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// How many numbers go through the arithmetic together, on every machine: the branches of a
-/// six-axis arm. One register of AVX-512, two of AVX2, four of SSE2 or NEON.
+/// The number of lanes, the same on every machine: the branches of a six-axis arm. They are one
+/// register of AVX-512, two of AVX2, four of SSE4 or NEON.
 inline constexpr int lane_count = 8;
 
 using RegisterTag = hn::CappedTag<double, lane_count>;
 inline constexpr int register_count = lane_count / static_cast<int>(hn::MaxLanes(RegisterTag()));
 
-/// Whether something holds, lane by lane.
+/// The result of a comparison, for each lane.
 struct LaneMask {
   hn::Mask<RegisterTag> part[register_count];
 };
 
-/// Eight numbers that undergo the same arithmetic.
+/// Eight numbers, on which every operation acts lane by lane.
 struct Lanes {
+  static constexpr int width = lane_count;
   hn::Vec<RegisterTag> part[register_count];
 
   Lanes() = default;
@@ -40,20 +41,20 @@ struct Lanes {
     }
     return r;
   }
-  /// The first few of eight; zero for the others.
-  static HWY_INLINE Lanes load_first(const double* some, int count) {
-#if HWY_TARGET <= HWY_AVX2  // others read what is masked
+  /// Loads the first `count` of eight; zero in the other lanes.
+  static HWY_INLINE Lanes load_first(const double* first, int count) {
+#if HWY_TARGET <= HWY_AVX2  // the others read the masked lanes too
     constexpr int width = lane_count / register_count;
     Lanes r;
     for (int i = 0; i < register_count; ++i) {
-      const int here = count - i * width;
-      const auto mask = hn::FirstN(RegisterTag(), static_cast<size_t>(here > 0 ? here : 0));
-      r.part[i] = hn::MaskedLoad(mask, RegisterTag(), some + i * width);
+      const int left = count - i * width;
+      const auto mask = hn::FirstN(RegisterTag(), static_cast<size_t>(left > 0 ? left : 0));
+      r.part[i] = hn::MaskedLoad(mask, RegisterTag(), first + i * width);
     }
     return r;
 #else
     double eight[lane_count] = {};
-    for (int k = 0; k < count; ++k) eight[k] = some[k];
+    for (int k = 0; k < count; ++k) eight[k] = first[k];
     return load(eight);
 #endif
   }
@@ -64,7 +65,7 @@ struct Lanes {
   }
 };
 
-// One line for each operation: applied to each register in turn.
+// One line for each operation, which acts on each register.
 #define BEELINE_LANES(RESULT, SIGNATURE, EXPRESSION)                     \
   HWY_INLINE RESULT SIGNATURE {                                          \
     RESULT r;                                                            \
@@ -101,7 +102,7 @@ HWY_INLINE Lanes& operator+=(Lanes& a, Lanes b) { return a = a + b; }
 HWY_INLINE Lanes& operator-=(Lanes& a, Lanes b) { return a = a - b; }
 HWY_INLINE Lanes& operator*=(Lanes& a, Lanes b) { return a = a * b; }
 
-/// c - a * b, rounded once where the machine can.
+/// c - a * b; rounded once where the machine has fused multiply-add.
 HWY_INLINE Lanes fnma(Lanes a, Lanes b, Lanes c) {
   Lanes r;
   for (int i = 0; i < register_count; ++i) {

@@ -15,10 +15,15 @@ namespace beeline::HWY_NAMESPACE {
 
 // The coefficients of sine and cosine are those of Moshier's Cephes library (sin.c; 1984-2000).
 
-/// Sine and cosine to about 1.5 units in the last place of 1, for every finite angle. Beyond 1e6
-/// rad, where three words of pi no longer reach, each lane goes to the C library.
+/// Computes sine and cosine of every finite angle, with an error of about 1.5 units in the last
+/// place of 1. Beyond 1e6 rad, where three words of pi are too few, it calls the C library.
+///
+/// batch/internal/sines-inl.h has another version. It is for float too, takes the offset of the
+/// joint's angle into the argument reduction, by pi, and interleaves the polynomials of several
+/// links; this one has one angle in each lane.
 HWY_INLINE void sine_cosine(Lanes angle, Lanes& sine, Lanes& cosine) {
-  // Cody & Waite: x = k pi/2 + r. The words have 33 bits each, so that their products are exact.
+  // x = k pi/2 + r (Cody & Waite, "Software Manual for the Elementary Functions", 1980). Each word
+  // of pi/2 has 33 bits, so its product with k is exact.
   const Lanes k = round(angle * Lanes(0x1.45f306dc9c883p-1));
   Lanes r = fnma(k, Lanes(0x1.921fb544p+0), angle);
   r = fnma(k, Lanes(0x1.0b4611a6p-34), r);
@@ -39,7 +44,7 @@ HWY_INLINE void sine_cosine(Lanes angle, Lanes& sine, Lanes& cosine) {
   c = fma(z, c, Lanes(4.16666666666665929218e-2));
   c = fma(z * z, c, fnma(z, Lanes(0.5), Lanes(1)));
 
-  // k modulo 4, as 0, 1, 2, 3: odd quarters swap the two, and each has its sign.
+  // k modulo 4: odd quarters exchange sine and cosine, and each quarter has its signs.
   const Lanes quarter = fnma(floor(k * Lanes(0.25)), Lanes(4), k);
   const LaneMask swap = (quarter == Lanes(1)) | (quarter == Lanes(3));
   const Lanes a = choose(swap, c, s), b = choose(swap, s, c);
@@ -69,7 +74,8 @@ HWY_INLINE Lanes arc_tangent(Lanes y, Lanes x) {
   const Lanes under = choose(steep, low + high, high);
   const Lanes t = over / choose(under == Lanes(0), Lanes(1), under);
   const Lanes z = t * t, zz = z * z;
-  // (atan(t) / t - 1) / z by Chebyshev's points, to 3e-17; even and odd powers side by side.
+  // (atan(t) / t - 1) / z, interpolated at Chebyshev points to 3e-17; even and odd powers are
+  // summed apart, which shortens the dependency chain.
   Lanes even = fma(zz, Lanes(-0.01917540471101196), Lanes(-0.050854078345862384));
   Lanes odd = fma(zz, Lanes(0.039230447784709195), Lanes(0.058581409048656254));
   even = fma(zz, even, Lanes(-0.06664510525508843));

@@ -4,45 +4,35 @@
 #define HWY_TARGET_INCLUDE "beeline/inverse/analytic/general_newton_lanes.cpp"
 #include <hwy/foreach_target.h>  // must come before the -inl headers
 
-#include <beeline/simd/trigonometry-inl.h>
+#include <beeline/simd/geometry-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 namespace {
 
-struct V3 {
-  Lanes x, y, z;
-};
-HWY_INLINE V3 operator-(const V3& a, const V3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-HWY_INLINE Lanes dot(const V3& a, const V3& b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
-HWY_INLINE V3 cross(const V3& a, const V3& b) {
-  return {fnma(a.z, b.y, a.y * b.z), fnma(a.x, b.z, a.z * b.x), fnma(a.y, b.x, a.x * b.y)};
+HWY_INLINE Vector combined(Lanes s, const Vector& a, Lanes t, const Vector& b) {
+  return fma(s, a, t * b);
 }
-HWY_INLINE V3 combined(Lanes s, const V3& a, Lanes t, const V3& b) {
-  return {fma(s, a.x, t * b.x), fma(s, a.y, t * b.y), fma(s, a.z, t * b.z)};
-}
-HWY_INLINE void add(V3& sum, Lanes s, const V3& a) {
-  sum = {fma(s, a.x, sum.x), fma(s, a.y, sum.y), fma(s, a.z, sum.z)};
-}
+HWY_INLINE void add(Vector& sum, Lanes s, const Vector& a) { sum = fma(s, a, sum); }
 
 /// The axes and the last frame of eight configurations.
 struct Stance {
-  V3 axis[6], origin[6];
-  V3 x, y, z;
+  Vector axis[6], origin[6];
+  Vector x, y, z;
 };
 
 HWY_INLINE void stand(const SixLinks& six, const Lanes* q, Stance& stance) {
-  V3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, p{0, 0, 0};
+  Vector x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, p{0, 0, 0};
   for (int i = 0; i < 6; ++i) {
     add(p, six.step[i][0], x);
     add(p, six.step[i][1], y);
     add(p, six.step[i][2], z);
-    const V3 y_before = y;
+    const Vector y_before = y;
     y = combined(six.cos_alpha[i], y_before, six.sin_alpha[i], z);
     z = combined(-six.sin_alpha[i], y_before, six.cos_alpha[i], z);
     Lanes s, c;
     sine_cosine(q[i] + Lanes(six.rest[i]), s, c);
-    const V3 x_before = x;
+    const Vector x_before = x;
     x = combined(c, x_before, s, y);
     y = combined(-s, x_before, c, y);
     stance.axis[i] = z;
@@ -88,15 +78,15 @@ unsigned newton_lanes(const SixLinks& six, const Motion& goal, int last, double 
   Lanes q[6];
   for (int i = 0; i < 6; ++i) q[i] = Lanes::load(eight.q[i]);
   const auto& r = goal.rotation;
-  const V3 goal_x{r[0][0], r[1][0], r[2][0]}, goal_y{r[0][1], r[1][1], r[2][1]},
+  const Vector goal_x{r[0][0], r[1][0], r[2][0]}, goal_y{r[0][1], r[1][1], r[2][1]},
       goal_z{r[0][2], r[1][2], r[2][2]};
-  const V3 goal_p{goal.translation[0], goal.translation[1], goal.translation[2]};
+  const Vector goal_p{goal.translation[0], goal.translation[1], goal.translation[2]};
 
   Stance at;
   q[last] = Lanes(0);
   stand(six, q, at);
   // What remains is a turn about the axis by this angle: trace = 1 + 2 cos.
-  V3 skew = cross(at.x, goal_x);
+  Vector skew = cross(at.x, goal_x);
   add(skew, 1, cross(at.y, goal_y));
   add(skew, 1, cross(at.z, goal_z));
   const Lanes trace = dot(at.x, goal_x) + dot(at.y, goal_y) + dot(at.z, goal_z);
@@ -104,8 +94,8 @@ unsigned newton_lanes(const SixLinks& six, const Motion& goal, int last, double 
 
   for (int step = 0;; ++step) {
     stand(six, q, at);
-    const V3 p = goal_p - at.origin[5];
-    V3 w = cross(at.x, goal_x);
+    const Vector p = goal_p - at.origin[5];
+    Vector w = cross(at.x, goal_x);
     add(w, 1, cross(at.y, goal_y));
     add(w, 1, cross(at.z, goal_z));
     Lanes e[6] = {p.x, p.y, p.z, Lanes(0.5) * w.x, Lanes(0.5) * w.y, Lanes(0.5) * w.z};
@@ -121,7 +111,7 @@ unsigned newton_lanes(const SixLinks& six, const Motion& goal, int last, double 
     }
     Lanes J[6][6];
     for (int i = 0; i < 6; ++i) {
-      const V3 linear = cross(at.axis[i], at.origin[5] - at.origin[i]);
+      const Vector linear = cross(at.axis[i], at.origin[5] - at.origin[i]);
       const Lanes column[6] = {linear.x,     linear.y,     linear.z,
                                at.axis[i].x, at.axis[i].y, at.axis[i].z};
       for (int k = 0; k < 6; ++k) J[i][k] = column[k];

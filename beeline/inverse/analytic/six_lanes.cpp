@@ -31,8 +31,8 @@ struct Standing {
 
 /// The turn that takes (ax, ay) to (bx, by) in direction. Where either has no length any turn will
 /// do, and `free` is set; `weak` where they are so short that the turn is known badly.
-HWY_INLINE Turn turn_between(Lanes ax, Lanes ay, Lanes bx, Lanes by, double nothing, LaneMask& free,
-                             double little = 0, LaneMask* weak = nullptr) {
+HWY_INLINE CosSine turn_between(Lanes ax, Lanes ay, Lanes bx, Lanes by, double nothing,
+                                LaneMask& free, double little = 0, LaneMask* weak = nullptr) {
   const Lanes c = fma(ax, bx, ay * by), s = fma(ax, by, -(ay * bx));
   const Lanes square = fma(c, c, s * s);
   free = square <= Lanes(nothing * nothing);
@@ -57,8 +57,8 @@ HWY_INLINE Rigid closing_motion(const SixLoop& loop, const double* goal) {
 /// about the same point: `to` is R_a R_b R_c. With alpha and gamma the angles between the axes, the
 /// z axis of `to` has the height cos(alpha) cos(gamma) - sin(alpha) sin(gamma) cos(b). Where the
 /// outer axes are nearly in line that says little about b, and the z axis's way aside says it well.
-HWY_INLINE void solve_meeting(const SixLoop& loop, const Space& to, Lanes sign,
-                              const Turn& preferred, Turn* turn, Standing& standing) {
+HWY_INLINE void solve_meeting(const SixLoop& loop, const LanePose& to, Lanes sign,
+                              const CosSine& preferred, CosSine* turn, Standing& standing) {
   const double sa = loop.sin_alpha[0], ca = loop.cos_alpha[0];
   const double sc = loop.sin_alpha[1], cc = loop.cos_alpha[1];
   const double sum = ca * cc - sa * sc, difference = ca * cc + sa * sc;
@@ -85,20 +85,20 @@ HWY_INLINE void solve_meeting(const SixLoop& loop, const Space& to, Lanes sign,
   turn[0] = {choose(free, preferred.c, turn[0].c), choose(free, preferred.s, turn[0].s)};
   standing.continuum = standing.continuum | (free & standing.found);
 
-  Space got = turned_z(Space::identity(), turn[0]);
-  got = turned_z(turned_x(got, ca, sa), turn[1]);
-  got = turned_x(got, cc, sc);
+  LanePose got = rotated_z(LanePose::identity(), turn[0]);
+  got = rotated_z(rotated_x(got, ca, sa), turn[1]);
+  got = rotated_x(got, cc, sc);
   // What is left for c, from the whole rotation: right however near a and c are to being in line.
   Lanes c = dot(got.x, to.x) + dot(got.y, to.y), s = dot(got.y, to.x) - dot(got.x, to.y);
-  turn[2] = made_unit(c * Lanes(0.5), s * Lanes(0.5));
-  got = turned_z(got, turn[2]);
+  turn[2] = normalised(c * Lanes(0.5), s * Lanes(0.5));
+  got = rotated_z(got, turn[2]);
   standing.residual = norm1(got.x - to.x) + norm1(got.z - to.z) + norm1(to.origin);
 }
 
 /// Joints a, b, c with parallel axes: a planar arm of three joints, and the motion `to` that they
 /// have to make together.
-HWY_INLINE void solve_parallel(const SixLoop& loop, const Space& to, Lanes sign,
-                               const Turn& preferred, Turn* turn, Standing& standing) {
+HWY_INLINE void solve_parallel(const SixLoop& loop, const LanePose& to, Lanes sign,
+                               const CosSine& preferred, CosSine* turn, Standing& standing) {
   const double* ab = loop.before[4].translation;
   const double* bc = loop.before[5].translation;
   const Lanes x = to.origin.x, y = to.origin.y;
@@ -116,16 +116,16 @@ HWY_INLINE void solve_parallel(const SixLoop& loop, const Space& to, Lanes sign,
   turn[0] = turn_between(reach_x, reach_y, x, y, 1e-14 * loop.size * loop.size, free);
   turn[0] = {choose(free, preferred.c, turn[0].c), choose(free, preferred.s, turn[0].s)};
   standing.continuum = standing.continuum | (free & standing.found);
-  turn[2] = less(less({to.x.x, to.x.y}, turn[0]), turn[1]);
-  turn[2] = made_unit(turn[2].c, turn[2].s);
+  turn[2] = difference(difference({to.x.x, to.x.y}, turn[0]), turn[1]);
+  turn[2] = normalised(turn[2].c, turn[2].s);
   standing.residual = abs(x - fma(turn[0].c, reach_x, -(turn[0].s * reach_y))) +
                       abs(y - fma(turn[0].s, reach_x, turn[0].c * reach_y)) +
                       abs(to.origin.z - Lanes(loop.height)) + abs(to.z.x) + abs(to.z.y);
 }
 
 /// Turns to coordinates, by the whole turns that bring them nearest to the seed within limits.
-HWY_INLINE void to_coordinates(const SixLoop& loop, const SixQuestion& question, const Turn* turn,
-                               SixBranches& branches) {
+HWY_INLINE void to_coordinates(const SixLoop& loop, const SixQuestion& question,
+                               const CosSine* turn, SixBranches& branches) {
   Lanes distance(0), excess(0);
   for (int i = 0; i < 6; ++i) {
     const int k = loop.order[i];
@@ -162,7 +162,7 @@ void six_branches_kernel(const SixLoop& loop, const SixQuestion& question, SixBr
   k[loop.goal_place] = closing_motion(loop, question.world_T_tool);
   const SixPair pair = six_pair(loop, k);
 
-  Turn preferred[6];
+  CosSine preferred[6];
   for (std::size_t i = 0; i < 6; ++i) preferred[i] = {Lanes(1), Lanes(0)};
   const auto prefer = [&] HWY_ATTR {  // costs six sines, and is rarely needed
     for (std::size_t i = 0; i < 6; ++i) {
@@ -170,7 +170,7 @@ void six_branches_kernel(const SixLoop& loop, const SixQuestion& question, SixBr
       preferred[i] = {Lanes(std::cos(angle)), Lanes(std::sin(angle))};
     }
   };
-  Turn turn[6];
+  CosSine turn[6];
   Standing standing;
   for (int pass = 0; pass < 2; ++pass) {
     standing.continuum = standing.twin = Lanes(1) < Lanes(0);
@@ -190,10 +190,10 @@ void six_branches_kernel(const SixLoop& loop, const SixQuestion& question, SixBr
     turn[1] = {choose(free, preferred[1].c, turn[1].c), choose(free, preferred[1].s, turn[1].s)};
     standing.continuum = standing.continuum | (free & standing.found);
 
-    Space whole = after(space(k[0]), turn[0], loop.slides[0]);
+    LanePose whole = after(space(k[0]), turn[0], loop.slides[0]);
     whole = after(times(whole, k[1]), turn[1], false);
     whole = after(times(whole, k[2]), turn[2], loop.slides[2]);
-    const Space to = inverse(times(whole, k[3]));
+    const LanePose to = inverse(times(whole, k[3]));
     const Lanes sign = Lanes::load(third_sign);
     if (points) {
       solve_meeting(loop, to, sign, preferred[3], turn + 3, standing);

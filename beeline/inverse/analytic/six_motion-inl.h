@@ -8,7 +8,7 @@
 
 #include <beeline/inverse/analytic/six_loop.h>
 
-#include <beeline/simd/space-inl.h>
+#include <beeline/simd/geometry-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
@@ -25,7 +25,7 @@ HWY_INLINE void multiply(const Rigid& a, const Rigid& b, Rigid& product) {
   }
 }
 
-HWY_INLINE Space space(const Rigid& k) {
+HWY_INLINE LanePose space(const Rigid& k) {
   const auto& r = k.rotation;
   const double* t = k.translation;
   return {{Lanes(r[0][0]), Lanes(r[1][0]), Lanes(r[2][0])},
@@ -34,11 +34,11 @@ HWY_INLINE Space space(const Rigid& k) {
           {Lanes(t[0]), Lanes(t[1]), Lanes(t[2])}};
 }
 
-HWY_INLINE Vector combined(const Space& a, double x, double y, double z) {
+HWY_INLINE Vector combined(const LanePose& a, double x, double y, double z) {
   return fma(Lanes(x), a.x, fma(Lanes(y), a.y, Lanes(z) * a.z));
 }
 
-HWY_INLINE Space times(const Space& a, const Rigid& k) {
+HWY_INLINE LanePose times(const LanePose& a, const Rigid& k) {
   const auto& r = k.rotation;
   const double* t = k.translation;
   return {combined(a, r[0][0], r[1][0], r[2][0]), combined(a, r[0][1], r[1][1], r[2][1]),
@@ -46,28 +46,29 @@ HWY_INLINE Space times(const Space& a, const Rigid& k) {
 }
 
 /// The frame a after a joint's motion along or about its z axis.
-HWY_INLINE Space after(const Space& a, const Turn& joint, bool slides) {
-  return slides ? moved_z(a, joint.c) : turned_z(a, joint);
+HWY_INLINE LanePose after(const LanePose& a, const CosSine& joint, bool slides) {
+  return slides ? translated_z(a, joint.c) : rotated_z(a, joint);
 }
 
 /// A point (or a direction) v that a joint carries, and v seen from behind a joint.
-HWY_INLINE Vector after_joint(const double* v, const Turn& joint, bool slides, bool point) {
+HWY_INLINE Vector after_joint(const double* v, const CosSine& joint, bool slides, bool point) {
   if (slides) return {Lanes(v[0]), Lanes(v[1]), point ? Lanes(v[2]) + joint.c : Lanes(v[2])};
   return {fma(joint.c, Lanes(v[0]), -(joint.s * Lanes(v[1]))),
           fma(joint.s, Lanes(v[0]), joint.c * Lanes(v[1])), Lanes(v[2])};
 }
-HWY_INLINE Vector before_joint(const double* v, const Turn& joint, bool slides, bool point) {
-  return after_joint(v, slides ? Turn{-joint.c, joint.s} : Turn{joint.c, -joint.s}, slides, point);
+HWY_INLINE Vector before_joint(const double* v, const CosSine& joint, bool slides, bool point) {
+  return after_joint(v, slides ? CosSine{-joint.c, joint.s} : CosSine{joint.c, -joint.s}, slides,
+                     point);
 }
 
 /// A point (or a direction) by the motion k, and by its inverse.
 HWY_INLINE Vector moved(const Rigid& k, const Vector& v, bool point) {
-  const Space a = space(k);
+  const LanePose a = space(k);
   const Vector turned = fma(v.x, a.x, fma(v.y, a.y, v.z * a.z));
   return point ? turned + a.origin : turned;
 }
 HWY_INLINE Vector moved_back(const Rigid& k, const Vector& v, bool point) {
-  const Space a = space(k);
+  const LanePose a = space(k);
   const Vector way = point ? v - a.origin : v;
   return {dot(a.x, way), dot(a.y, way), dot(a.z, way)};
 }

@@ -12,7 +12,7 @@
 #include <beeline/inverse/analytic/quartic.h>
 
 #include <beeline/inverse/analytic/six_pair-inl.h>
-#include <beeline/simd/space-inl.h>
+#include <beeline/simd/geometry-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
@@ -29,7 +29,8 @@ inline constexpr double nearly_double = 1e-9;
 /// turn will do: then the preferred one is taken, and `free` is set. `unit` is what n counts
 /// against. `twin` is set where the other sign gives nearly the same.
 HWY_INLINE LaneMask solve_turn(Lanes nx, Lanes ny, Lanes k, Lanes sign, double unit,
-                               const Turn& preferred, Turn& turn, LaneMask& free, LaneMask& twin) {
+                               const CosSine& preferred, CosSine& turn, LaneMask& free,
+                               LaneMask& twin) {
   const Lanes nn = fma(nx, nx, ny * ny), kk = k * k;
   const Lanes under = nn - kk;
   // A root that rounding alone would make is none, so that what is singular there is seen to be.
@@ -42,13 +43,13 @@ HWY_INLINE LaneMask solve_turn(Lanes nx, Lanes ny, Lanes k, Lanes sign, double u
   const LaneMask vanishes = nn <= Lanes(0);
   const Lanes scale = Lanes(1) / choose(vanishes, Lanes(1), nn);
   const Lanes signed_root = sign * root;
-  turn = made_unit(-fma(k, nx, signed_root * ny) * scale, fma(signed_root, nx, -(k * ny)) * scale);
+  turn = normalised(-fma(k, nx, signed_root * ny) * scale, fma(signed_root, nx, -(k * ny)) * scale);
   turn = {choose(free, preferred.c, turn.c), choose(free, preferred.s, turn.s)};
   return free | ((under >= Lanes(-root_slack) * nn) & !vanishes);
 }
 
 /// The travel t with n1 t + n2 t^2 + k = 0, as (t, t^2). Where n2 vanishes there is one, of sign 1.
-HWY_INLINE LaneMask solve_slide(Lanes n1, Lanes n2, Lanes k, Lanes sign, Turn& turn,
+HWY_INLINE LaneMask solve_slide(Lanes n1, Lanes n2, Lanes k, Lanes sign, CosSine& turn,
                                 LaneMask& twin) {
   const Lanes under = fma(n1, n1, Lanes(-4) * n2 * k);
   twin = twin | (under <= Lanes(nearly_double) * fma(n1, n1, abs(Lanes(4) * n2 * k)));
@@ -69,7 +70,8 @@ HWY_INLINE LaneMask solve_slide(Lanes n1, Lanes n2, Lanes k, Lanes sign, Turn& t
 /// The two equations where neither is free of an unknown: the turn `second` is linear in `first`,
 /// and has length one. That is a quartic, of the half angle's tangent or of the travel.
 HWY_INLINE LaneMask solve_quartic(const double (*first)[2], bool slides, const double (*second)[2],
-                                  const double* rest, Turn& one, Turn& other, LaneMask& twin) {
+                                  const double* rest, CosSine& one, CosSine& other,
+                                  LaneMask& twin) {
   const double det = second[0][0] * second[1][1] - second[0][1] * second[1][0];
   // |det| (second turn) = |m (first) + n|: each row is a combination of the two equations.
   double m[2][2], n[2];
@@ -156,8 +158,8 @@ HWY_INLINE LaneMask solve_quartic(const double (*first)[2], bool slides, const d
 }
 
 HWY_INLINE LaneMask solve_one(Lanes nx, Lanes ny, Lanes k, bool slides, const double* signs,
-                              double unit, const Turn& preferred, Turn& turn, LaneMask& continuum,
-                              LaneMask& twin) {
+                              double unit, const CosSine& preferred, CosSine& turn,
+                              LaneMask& continuum, LaneMask& twin) {
   const Lanes sign = Lanes::load(signs);
   if (slides) return solve_slide(nx, ny, k, sign, turn, twin);
   LaneMask free;
@@ -168,8 +170,8 @@ HWY_INLINE LaneMask solve_one(Lanes nx, Lanes ny, Lanes k, bool slides, const do
 
 /// All pairs of joint f (w) and joint d (u) that satisfy both equations, two lanes for each: the
 /// lanes' numbers in binary are the branches.
-HWY_INLINE LaneMask six_roots(const SixLoop& loop, const SixPair& pair, const Turn* preferred,
-                              Turn& w, Turn& u, LaneMask& continuum, LaneMask& twin) {
+HWY_INLINE LaneMask six_roots(const SixLoop& loop, const SixPair& pair, const CosSine* preferred,
+                              CosSine& w, CosSine& u, LaneMask& continuum, LaneMask& twin) {
   alignas(64) static constexpr double first_sign[8] = {1, 1, 1, 1, -1, -1, -1, -1};
   alignas(64) static constexpr double second_sign[8] = {1, 1, -1, -1, 1, 1, -1, -1};
   if (loop.first == SixLoop::First::neither) {
@@ -180,8 +182,8 @@ HWY_INLINE LaneMask six_roots(const SixLoop& loop, const SixPair& pair, const Tu
   const double(*first)[2] = w_first ? pair.w : pair.u;
   const double(*second)[2] = w_first ? pair.u : pair.w;
   const std::size_t joint_one = w_first ? 2 : 0, joint_other = w_first ? 0 : 2;
-  Turn& one = w_first ? w : u;
-  Turn& other = w_first ? u : w;
+  CosSine& one = w_first ? w : u;
+  CosSine& other = w_first ? u : w;
   const double length = loop.family == SixLoop::Family::meeting ? loop.size : 1;
   const double unit[2] = {length, length * loop.size};  // what the equations count in
   const double l0 = loop.weight[0], l1 = loop.weight[1];

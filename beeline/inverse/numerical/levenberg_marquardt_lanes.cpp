@@ -44,7 +44,7 @@ HWY_INLINE bool whole(const Task& task) {
 /// `goal`: four columns of four, the tool's place and the last link's orientation.
 HWY_INLINE void look(const NumericalProblem& problem, const double* goal,
                      LevenbergMarquardtLanes& lanes, Look& at) {
-  const Space frame = last_frame(problem.chain, lanes.trial[0].lane, lanes.axes[0].lane);
+  const LanePose frame = last_frame(problem.chain, lanes.trial[0].lane, lanes.axes[0].lane);
   const double* tool = problem.chain.tool.data();
   at.tool = frame.origin + from_axes(frame, {tool[12], tool[13], tool[14]});
   at.error.linear = Vector{goal[12], goal[13], goal[14]} - at.tool;
@@ -56,9 +56,9 @@ HWY_INLINE void look(const NumericalProblem& problem, const double* goal,
   const Vector row2 = from_axes(frame, {x.z, y.z, z.z});
   at.error.angular = rotation_log(row0, row1, row2, lanes.active);
   if (whole(problem.task)) return;
-  const Space world_T_tool{from_axes(frame, {tool[0], tool[1], tool[2]}),
-                           from_axes(frame, {tool[4], tool[5], tool[6]}),
-                           from_axes(frame, {tool[8], tool[9], tool[10]}), at.tool};
+  const LanePose world_T_tool{from_axes(frame, {tool[0], tool[1], tool[2]}),
+                              from_axes(frame, {tool[4], tool[5], tool[6]}),
+                              from_axes(frame, {tool[8], tool[9], tool[10]}), at.tool};
   at.part = partial_task(problem.task, world_T_tool, at.error);
   at.error = weighted(at.part.weight, at.part.error);
 }

@@ -14,12 +14,12 @@ using namespace internal;
 
 /// Where eight configurations, rows of q in units, bring the tool: 12 rows.
 void tools(const Chain& chain, const double* q, double* axes, double* tool) {
-  const Space frame = last_frame(chain, q, axes);
+  const LanePose frame = last_frame(chain, q, axes);
   const double* t = chain.tool.data();
   for (int column = 0; column < 4; ++column) {
     const double* c = t + 4 * column;
     const Vector v = from_axes(frame, {c[0], c[1], c[2]});
-    store_vector(column == 3 ? frame.origin + v : v, tool + 3 * column * lane_count);
+    (column == 3 ? frame.origin + v : v).store(tool + 3 * column * lane_count);
   }
 }
 
