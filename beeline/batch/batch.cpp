@@ -1,33 +1,63 @@
 #include <algorithm>
-#include <array>
+#include <atomic>
+#include <limits>
+#include <string>
+#include <vector>
 
-#include <beeline/batch/parallel.h>
-#include <beeline/batch/plan.h>
-#include <beeline/batch/shape.h>
+#include <beeline/batch/batch.h>
+#include <beeline/batch/internal/kernel.h>
+#include <beeline/batch/internal/parallel.h>
+#include <beeline/pose/orientation.h>
 
 #include <hwy/aligned_allocator.h>
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
 
 namespace beeline {
 namespace {
 
-/// Configurations that one thread takes at a time; and those that go through buffers together.
-constexpr Eigen::Index block = 1024, chunk = batch_width;
-/// Results of more bytes leave the nearest cache; and all caches.
-constexpr double max_near = 24e3, max_cached = 16e6;
+using internal::batch_kernel;
+using internal::batch_width;
+using internal::BatchJob;
+using internal::BatchPlan;
+using internal::BatchWrite;
+using internal::in_parallel;
 
-/// One kind of result: the caller's matrix, and where the job has its pointer to it.
+constexpr Eigen::Index block = 1024;         // configurations that a thread takes at a time
+constexpr Eigen::Index chunk = batch_width;  // configurations copied through a buffer at a time
+// Bytes of results that a level-1 cache of 32 KiB holds beside its other contents; and those that
+// stay in a last-level cache. Timed: see bench/kinematics.
+constexpr double near_bytes = 24e3, cached_bytes = 16e6;
+
+template <class Matrix>
+void check_rows(const Arm& arm, const std::string& name, const Matrix& matrix, Eigen::Index rows) {
+  if (matrix.rows() == rows) return;
+  throw Error(name + " has " + std::to_string(matrix.rows()) + " rows; arm " + arm.name() +
+              " needs " + std::to_string(rows));
+}
+
+template <class Matrix>
+void check_shape(const Arm& arm, const std::string& name, const Matrix& matrix, Eigen::Index rows,
+                 Eigen::Index columns) {
+  check_rows(arm, name, matrix, rows);
+  if (matrix.cols() == columns) return;
+  throw Error(name + " has " + std::to_string(matrix.cols()) + " columns, not " +
+              std::to_string(columns) + ", one for each configuration");
+}
+
+/// One kind of result: the caller's matrix, and the job's pointer to it.
 template <class Real>
-struct Sheet {
-  Real* BatchJob<Real>::*place;
+struct Output {
+  Real* BatchJob<Real>::*member;
   ColumnsRef<Real>* matrix;
 
   Eigen::Index rows() const { return matrix->rows(); }
 };
 
 template <class Real>
-using Sheets = std::vector<Sheet<Real>>;
+using Outputs = std::vector<Output<Real>>;
 
-/// Numbers at a multiple of 64 bytes.
+/// Memory at a multiple of 64 bytes.
 template <class Real>
 using Buffer = hwy::AlignedFreeUniquePtr<Real[]>;
 template <class Real>
@@ -35,26 +65,26 @@ Buffer<Real> allocated(Eigen::Index numbers) {
   return hwy::AllocateAligned<Real>(static_cast<size_t>(numbers));
 }
 
-/// The columns from `first` to `last` by the kernel: side by side, a multiple of batch_width.
+/// Computes the columns from `first` to `last`, contiguous and a multiple of batch_width.
 template <class Real>
-void compute(BatchJob<Real>& job, const ConstColumnsRef<Real>& q, const Sheets<Real>& sheets,
+void compute(BatchJob<Real>& job, const ConstColumnsRef<Real>& q, const Outputs<Real>& outputs,
              Eigen::Index first, Eigen::Index last) {
   job.q = q.data() + first * q.rows();
   job.count = last - first;
-  for (const Sheet<Real>& sheet : sheets) {
-    job.*sheet.place = sheet.matrix->data() + first * sheet.rows();
+  for (const Output<Real>& output : outputs) {
+    job.*output.member = output.matrix->data() + first * output.rows();
   }
   batch_kernel(job);
 }
 
-/// Through buffers where they are too few, or not side by side.
+/// Computes them through a buffer, where they are fewer or not contiguous.
 template <class Real>
-void compute_apart(BatchJob<Real>& job, const ConstColumnsRef<Real>& q, const Sheets<Real>& sheets,
-                   Eigen::Index first, Eigen::Index last) {
-  Eigen::Index room = q.rows();
-  for (const Sheet<Real>& sheet : sheets) room += sheet.rows();
-  const Buffer<Real> buffer = allocated<Real>(chunk * room);
-  job.write = BatchWrite::at_once;
+void compute_buffered(BatchJob<Real>& job, const ConstColumnsRef<Real>& q,
+                      const Outputs<Real>& outputs, Eigen::Index first, Eigen::Index last) {
+  Eigen::Index numbers = q.rows();
+  for (const Output<Real>& output : outputs) numbers += output.rows();
+  const Buffer<Real> buffer = allocated<Real>(chunk * numbers);
+  job.write = BatchWrite::directly;
   job.count = chunk;
   job.q = buffer.get();
   for (; first < last; first += chunk) {
@@ -64,46 +94,56 @@ void compute_apart(BatchJob<Real>& job, const ConstColumnsRef<Real>& q, const Sh
     padded.leftCols(count) = q.middleCols(first, count);
     padded.rightCols(chunk - count).setZero();
     Real* free = buffer.get() + chunk * q.rows();
-    for (const Sheet<Real>& sheet : sheets) {
-      job.*sheet.place = free;
-      free += chunk * sheet.rows();
+    for (const Output<Real>& output : outputs) {
+      job.*output.member = free;
+      free += chunk * output.rows();
     }
     batch_kernel(job);
-    for (const Sheet<Real>& sheet : sheets) {
-      sheet.matrix->middleCols(first, count) =
-          Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>>(job.*sheet.place,
-                                                                          sheet.rows(), count);
+    for (const Output<Real>& output : outputs) {
+      output.matrix->middleCols(first, count) =
+          Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>>(job.*output.member,
+                                                                          output.rows(), count);
     }
   }
 }
 
 template <class Real>
-void run(const Arm& arm, const ConstColumnsRef<Real>& q, const Sheets<Real>& sheets,
+void run(const Arm& arm, const ConstColumnsRef<Real>& q, const Outputs<Real>& outputs,
          const BatchOptions& options) {
   check_rows(arm, "q", q, arm.dof());
   double bytes = 0;
-  bool side_by_side = q.outerStride() == q.rows();
-  for (const Sheet<Real>& sheet : sheets) {
-    bytes += static_cast<double>(sheet.rows()) * static_cast<double>(q.cols()) * sizeof(Real);
-    side_by_side = side_by_side && sheet.matrix->outerStride() == sheet.rows();
+  bool contiguous = q.outerStride() == q.rows();
+  for (const Output<Real>& output : outputs) {
+    bytes += static_cast<double>(output.rows()) * static_cast<double>(q.cols()) * sizeof(Real);
+    contiguous = contiguous && output.matrix->outerStride() == output.rows();
   }
   const BatchPlan<Real> plan(arm);
   BatchJob<Real> all{};
   all.plan = &plan;
   all.layout = options.layout;
   all.frame = options.frame;
-  all.write = bytes > max_cached ? BatchWrite::past_caches
-              : bytes > max_near ? BatchWrite::by_lines
-                                 : BatchWrite::at_once;
+  all.write = bytes > cached_bytes ? BatchWrite::past_caches
+              : bytes > near_bytes ? BatchWrite::by_lines
+                                   : BatchWrite::directly;
   in_parallel(q.cols(), block, options.threads, [&](Eigen::Index first, Eigen::Index last) {
     BatchJob<Real> job = all;
-    const Buffer<Real> work = allocated<Real>(batch_work(plan));
+    const Buffer<Real> work = allocated<Real>(batch_work_size(plan));
     job.work = work.get();
     const Eigen::Index whole =
-        side_by_side ? first + (last - first) / batch_width * batch_width : first;
-    if (whole != first) compute(job, q, sheets, first, whole);
-    if (whole != last) compute_apart(job, q, sheets, whole, last);
+        contiguous ? first + (last - first) / batch_width * batch_width : first;
+    if (whole != first) compute(job, q, outputs, first, whole);
+    if (whole != last) compute_buffered(job, q, outputs, whole, last);
   });
+}
+
+Pose pose_of(const double* number, PoseLayout layout) {
+  if (layout == PoseLayout::matrix) {
+    Pose pose;
+    pose.matrix() = Eigen::Map<const Eigen::Matrix4d>(number);
+    return pose;
+  }
+  return make_pose({number[0], number[1], number[2]},
+                   rotation_from_quaternion(number[3], number[4], number[5], number[6]));
 }
 
 }  // namespace
@@ -129,12 +169,12 @@ template <class Real>
 void batch_jacobian(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> jacobians,
                     ColumnsRef<Real> world_T_tool, const BatchOptions& options) {
   check_shape(arm, "jacobians", jacobians, 6 * arm.dof(), q.cols());
-  Sheets<Real> sheets{{&BatchJob<Real>::columns, &jacobians}};
+  Outputs<Real> outputs{{&BatchJob<Real>::columns, &jacobians}};
   if (world_T_tool.cols() != 0) {
     check_shape(arm, "world_T_tool", world_T_tool, size(options.layout), q.cols());
-    sheets.push_back({&BatchJob<Real>::world_T_tool, &world_T_tool});
+    outputs.push_back({&BatchJob<Real>::world_T_tool, &world_T_tool});
   }
-  run<Real>(arm, q, sheets, options);
+  run<Real>(arm, q, outputs, options);
 }
 
 template <class Real>
@@ -142,7 +182,7 @@ void batch_manipulability(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Re
                           const BatchOptions& options) {
   check_shape(arm, "values", values, 1, q.cols());
   BatchOptions in_base = options;
-  in_base.frame = Frame::base;  // in which planar arms' directions are exact
+  in_base.frame = Frame::base;  // there the axes of planar arms are exact
   run<Real>(arm, q, {{&BatchJob<Real>::manipulability, &values}}, in_base);
 }
 
@@ -158,5 +198,37 @@ void batch_manipulability(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Re
 BEELINE_BATCH(double)
 BEELINE_BATCH(float)
 #undef BEELINE_BATCH
+
+Eigen::Index batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
+                           ConstColumnsRef<double> seeds, ColumnsRef<double> q,
+                           const InverseOptions& inverse, const BatchOptions& options) {
+  const Eigen::Index count = world_T_tool.cols();
+  check_rows(arm, "world_T_tool", world_T_tool, size(options.layout));
+  check_shape(arm, "q", q, arm.dof(), count);
+  check_rows(arm, "seeds", seeds, arm.dof());
+  if (seeds.cols() != 1) check_shape(arm, "seeds", seeds, arm.dof(), count);
+
+  InverseOptions one = inverse;
+  one.all = false;
+  one.every_turn = false;
+  const InverseSolver original(arm, one);
+  tbb::enumerable_thread_specific<InverseSolver> solvers(original);
+  std::atomic<Eigen::Index> solved = 0;
+  constexpr Eigen::Index block = 32;
+  in_parallel(count, block, options.threads, [&](Eigen::Index first, Eigen::Index last) {
+    InverseSolver& solver = solvers.local();
+    Eigen::MatrixXd solution(arm.dof(), 1);
+    for (Eigen::Index i = first; i < last; ++i) {
+      const auto seed = seeds.col(seeds.cols() == 1 ? 0 : i);
+      const double* pose = world_T_tool.data() + i * world_T_tool.outerStride();
+      const bool finite = world_T_tool.col(i).allFinite() && seed.allFinite();
+      const int found = finite ? solver.solve(pose_of(pose, options.layout), seed, solution) : 0;
+      if (found == 0) solution.setConstant(std::numeric_limits<double>::quiet_NaN());
+      q.col(i) = solution;
+      if (found != 0) ++solved;
+    }
+  });
+  return solved;
+}
 
 }  // namespace beeline

@@ -1,60 +1,61 @@
 #pragma once
 
+#include <beeline/error.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/jacobian.h>
 
 namespace beeline {
 
-/// How a pose is written as numbers of one column.
+/// The layout of a pose in a column.
 enum class PoseLayout {
   matrix,               ///< 16: the 4 x 4 matrix, column by column
   position_quaternion,  ///< 7: x y z qw qx qy qz, qw >= 0
 };
-/// Numbers of a pose: 16 or 7.
+/// The number of values of a pose: 16 or 7.
 int size(PoseLayout layout);
 
 struct BatchOptions {
   PoseLayout layout = PoseLayout::matrix;
   Frame frame = Frame::base;  ///< of Jacobians
-  int threads = 0;  ///< 0: as many as the machine has. The results are the same for any number
+  int threads = 0;            ///< 0: one for each core. The results do not depend on it.
 };
 
-// The kinematics of many configurations, one in each column: `q` is dof x N, radians and metres. A
-// numpy array of N rows of dof numbers is the same memory. Real is float or double; with float the
-// arithmetic is float too. Eight configurations (sixteen in float) go through the registers
-// together, and blocks of them to the threads. The results go into the caller's matrices of N
-// columns. Where a number of a column of q is not finite those of its results are not.
-// All throw Error when a size does not fit.
+// Kinematics of N configurations, one in each column of q: dof x N, rad and m. A row-major numpy
+// array of shape (N, dof) has the same memory layout. Real is float or double; with float all
+// arithmetic is in float. The results are written into the caller's matrices of N columns; where a
+// value in a column of q is not finite, neither are its results. The work is divided among threads.
+// All functions throw Error when the size of a matrix does not fit.
 
 template <class Real>
 using ColumnsRef = Eigen::Ref<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>>;
 template <class Real>
 using ConstColumnsRef = Eigen::Ref<const Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>>;
 
-/// The tool's poses: size(layout) x N.
+/// Computes the poses of the tool, size(layout) x N.
 template <class Real>
 void batch_forward(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> world_T_tool,
                    const BatchOptions& options = {});
 
-/// The poses of links 0 to n, one below the other: (joints + 1) size(layout) x N.
+/// Computes the poses of links 0 to n, one below the other: (n + 1) size(layout) x N.
 template <class Real>
 void batch_link_poses(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> world_T_link,
                       const BatchOptions& options = {});
 
-/// The Jacobians, column by column: 6 dof x N; and the tool's poses, unless `world_T_tool` has no
-/// columns.
+/// Computes the Jacobians, column by column, 6 dof x N; and the poses of the tool, unless
+/// `world_T_tool` has no columns.
 template <class Real>
 void batch_jacobian(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> jacobians,
                     ColumnsRef<Real> world_T_tool, const BatchOptions& options = {});
 
-/// sqrt(det(J J^T)) of the whole Jacobian, as manipulability(): 1 x N.
+/// Computes the manipulability sqrt(det(J J^T)) of all six rows of the Jacobian, as dexterity()
+/// does: 1 x N.
 template <class Real>
 void batch_manipulability(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> values,
                           const BatchOptions& options = {});
 
-/// One solution for each pose (size(layout) x N) into `q` (dof x N), from the seeds: dof x N, or
-/// dof x 1 for all. Where there is none the column of q is NaN. Returns how many were solved.
-/// `inverse.all` and `inverse.every_turn` do not count.
+/// Computes one solution for each pose: `world_T_tool` is size(layout) x N, `q` dof x N, `seeds`
+/// dof x N, or dof x 1 for all. Where no solution is found the column of q is NaN. Returns the
+/// number of solutions. `inverse.all` and `inverse.every_turn` are ignored.
 Eigen::Index batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
                            ConstColumnsRef<double> seeds, ColumnsRef<double> q,
                            const InverseOptions& inverse = {}, const BatchOptions& options = {});

@@ -47,6 +47,10 @@ struct VectorOf {
   friend HWY_INLINE VectorOf fnma(Number s, const VectorOf& a, const VectorOf& b) {
     return {fnma(s, a.x, b.x), fnma(s, a.y, b.y), fnma(s, a.z, b.z)};
   }
+  /// -s a - b
+  friend HWY_INLINE VectorOf fnms(Number s, const VectorOf& a, const VectorOf& b) {
+    return {fnms(s, a.x, b.x), fnms(s, a.y, b.y), fnms(s, a.z, b.z)};
+  }
   friend HWY_INLINE Number dot(const VectorOf& a, const VectorOf& b) {
     return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z));
   }

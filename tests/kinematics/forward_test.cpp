@@ -175,7 +175,7 @@ TEST(LinkPoses, RefusesABufferOfTheWrongSize) {
   const Configuration q = Configuration::Zero(3);
   for (const std::size_t size : {0, 3, 5}) {
     std::vector<Pose> buffer(size);
-    EXPECT_REFUSED(link_poses(rrr, q, buffer), "room for 4 poses, not " + std::to_string(size));
+    EXPECT_REFUSED(link_poses(rrr, q, buffer), "a buffer of 4 poses, not " + std::to_string(size));
   }
 }
 

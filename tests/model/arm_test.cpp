@@ -85,7 +85,7 @@ TEST(Arm, RefusesOffsetsThatAreNoRigidMotion) {
     Pose stretched = random.pose(), mirrored = random.pose(), sheared = random.pose();
     stretched.linear() *= random.uniform(1.00001, 2);
     mirrored.linear().col(i % 3) *= -1;
-    sheared.linear().col(i % 3) += 1e-6 * sheared.linear().col((i + 1) % 3);
+    sheared.linear().col(i % 3) += 2e-6 * sheared.linear().col((i + 1) % 3);
     for (const Pose& bad : {stretched, mirrored, sheared}) {
       EXPECT_REFUSED(arm_with_elbow([&](Joint& j) { j.offset = bad; }),
                      "joint 2 (elbow): the offset is not a rigid motion");

@@ -109,9 +109,10 @@ TEST(Mimic, WithoutALeaderOrInACircleIsRefusedNamingTheCulprit) {
 
 TEST(Mimic, WithNumbersThatAreNotFiniteIsRefusedAlsoWhenTheyArise) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_REFUSED(Arm("arm", {turning("a"), follower("b", {"a", nan, 0})}), "joint b mimics with");
+  EXPECT_REFUSED(Arm("arm", {turning("a"), follower("b", {"a", nan, 0})}),
+                 "joint b: its mimic multiplier or offset");
   EXPECT_REFUSED(Arm("arm", {turning("a"), follower("b", {"a", 1, -Limits::none})}),
-                 "joint b mimics with");
+                 "joint b: its mimic multiplier or offset");
   EXPECT_REFUSED(
       Arm("arm", {turning("a"), follower("b", {"a", 1e200, 0}), follower("c", {"b", 1e200, 0})}),
       "joint c: its mimic multiplier or offset is not finite");

@@ -1,29 +1,30 @@
 // Compiled once for each instruction set (Highway's foreach_target.h), so there is no #pragma once.
-#if defined(BEELINE_BATCH_TRANSPOSE_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef BEELINE_BATCH_TRANSPOSE_INL_H
-#undef BEELINE_BATCH_TRANSPOSE_INL_H
+#if defined(BEELINE_BATCH_INTERNAL_TRANSPOSE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BEELINE_BATCH_INTERNAL_TRANSPOSE_INL_H
+#undef BEELINE_BATCH_INTERNAL_TRANSPOSE_INL_H
 #else
-#define BEELINE_BATCH_TRANSPOSE_INL_H
+#define BEELINE_BATCH_INTERNAL_TRANSPOSE_INL_H
 #endif
 
 #include <algorithm>
 
-#include <beeline/batch/wide-inl.h>
+#include <beeline/batch/internal/packet-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
-// Between rows, one register for each number, and columns, one for each configuration: four numbers
-// at a time, by shuffles within blocks of 128 bits and then of whole blocks.
+// Transposition between rows, with one register for each number, and columns, with one
+// configuration each: four numbers at a time, by shuffles within blocks of 128 bits and then of
+// whole blocks.
 
 template <class Real>
-using WideVec = hn::Vec<typename Wide<Real>::Tag>;
+using PacketRegister = hn::Vec<typename Packet<Real>::Tag>;
 
 #if HWY_TARGET != HWY_SCALAR
 
-/// Four configurations' four numbers in each block of floats; the other way as well.
+/// Transposes the 4 x 4 floats in each block of 128 bits of four registers. Its own inverse.
 template <class V>
-HWY_INLINE void turn_blocks(V (&v)[4]) {
+HWY_INLINE void transpose_blocks(V (&v)[4]) {
   const hn::DFromV<V> d;
   const hn::Repartition<double, decltype(d)> pairs;
   const auto a = hn::BitCast(pairs, hn::InterleaveLower(d, v[0], v[1]));
@@ -36,7 +37,7 @@ HWY_INLINE void turn_blocks(V (&v)[4]) {
   v[3] = hn::BitCast(d, hn::InterleaveUpper(pairs, e, f));
 }
 
-/// In pairs of blocks, the first of a and the first of b; the second of a and the second of b.
+/// In each pair of blocks: a becomes the first blocks of a and b, b the second blocks.
 template <class V>
 HWY_INLINE void pair_blocks(V& a, V& b) {
   const V first = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(b), a);
@@ -45,7 +46,7 @@ HWY_INLINE void pair_blocks(V& a, V& b) {
 }
 
 #if HWY_TARGET <= HWY_AVX3
-/// The same in one step each, for which Highway has no name.
+/// The same by one instruction each, which Highway does not offer.
 HWY_INLINE void pair_blocks(hn::Vec512<double>& a, hn::Vec512<double>& b) {
   const __m512i firsts = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
   const __m512i seconds = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
@@ -55,54 +56,55 @@ HWY_INLINE void pair_blocks(hn::Vec512<double>& a, hn::Vec512<double>& b) {
 }
 #endif
 
-/// Pieces of `D`'s length, `apart` numbers from each other, side by side in V.
+/// Loads blocks of `piece` numbers that are `apart` numbers from each other into one register; and
+/// stores them.
 template <class D, class Real>
-HWY_INLINE hn::Vec<D> gather_pieces(D d, int piece, const Real* from, Eigen::Index apart) {
+HWY_INLINE hn::Vec<D> gather_blocks(D d, int piece, const Real* from, Eigen::Index apart) {
   if constexpr (hn::MaxLanes(D()) * sizeof(Real) <= 16) {
     return hn::LoadU(d, from);
   } else {
     const int lanes = static_cast<int>(hn::MaxLanes(d));
     const hn::Half<D> half;
     if (lanes == piece) return hn::LoadU(d, from);
-    const auto low = gather_pieces(half, piece, from, apart);
-    const auto high = gather_pieces(half, piece, from + apart * (lanes / piece / 2), apart);
+    const auto low = gather_blocks(half, piece, from, apart);
+    const auto high = gather_blocks(half, piece, from + apart * (lanes / piece / 2), apart);
     return hn::Combine(d, high, low);
   }
 }
 template <class D, class Real>
-HWY_INLINE void scatter_pieces(D d, hn::Vec<D> v, int piece, Real* to, Eigen::Index apart) {
+HWY_INLINE void scatter_blocks(D d, hn::Vec<D> v, int piece, Real* to, Eigen::Index apart) {
   if constexpr (hn::MaxLanes(D()) * sizeof(Real) <= 16) {
     hn::StoreU(v, d, to);
   } else {
     const int lanes = static_cast<int>(hn::MaxLanes(d));
     const hn::Half<D> half;
     if (lanes == piece) return hn::StoreU(v, d, to);
-    scatter_pieces(half, hn::LowerHalf(half, v), piece, to, apart);
-    scatter_pieces(half, hn::UpperHalf(half, v), piece, to + apart * (lanes / piece / 2), apart);
+    scatter_blocks(half, hn::LowerHalf(half, v), piece, to, apart);
+    scatter_blocks(half, hn::UpperHalf(half, v), piece, to + apart * (lanes / piece / 2), apart);
   }
 }
 
-/// Four rows from four numbers of each configuration, which are `stride` apart.
+/// Loads four numbers of each configuration, `stride` numbers apart, as four rows.
 template <class Real>
 HWY_INLINE void load_four(const Real* from, Eigen::Index stride, Real* rows) {
-  const typename Wide<Real>::Tag d;
-  constexpr int width = Wide<Real>::width;
-  WideVec<Real> v[4];
+  const typename Packet<Real>::Tag d;
+  constexpr int width = Packet<Real>::width;
+  PacketRegister<Real> v[4];
   if constexpr (sizeof(Real) == 4) {
-    for (int c = 0; c < 4; ++c) v[c] = gather_pieces(d, 4, from + c * stride, 4 * stride);
-    turn_blocks(v);
+    for (int c = 0; c < 4; ++c) v[c] = gather_blocks(d, 4, from + c * stride, 4 * stride);
+    transpose_blocks(v);
   } else {
     if constexpr (width == 2) {
       for (int c = 0; c < 4; ++c) v[c] = hn::LoadU(d, from + (c % 2) * stride + c / 2 * 2);
     } else {
       // Configurations 0 and 4, 2 and 6 beside them; 1 and 5, 3 and 7.
       for (int c = 0; c < 2; ++c) {
-        v[c] = gather_pieces(d, 4, from + c * stride, 4 * stride);
-        v[c + 2] = gather_pieces(d, 4, from + (c + 2) * stride, 4 * stride);
+        v[c] = gather_blocks(d, 4, from + c * stride, 4 * stride);
+        v[c + 2] = gather_blocks(d, 4, from + (c + 2) * stride, 4 * stride);
         pair_blocks(v[c], v[c + 2]);
       }
     }
-    const WideVec<Real> a = v[0], b = v[1], e = v[2], f = v[3];
+    const PacketRegister<Real> a = v[0], b = v[1], e = v[2], f = v[3];
     v[0] = hn::InterleaveLower(d, a, b);
     v[1] = hn::InterleaveUpper(d, a, b);
     v[2] = hn::InterleaveLower(d, e, f);
@@ -112,15 +114,15 @@ HWY_INLINE void load_four(const Real* from, Eigen::Index stride, Real* rows) {
 }
 
 #if HWY_MAX_BYTES >= 32
-/// From four rows the pieces of configurations: those of 0 to 3, and behind each that of the fourth
-/// configuration after it, and so on.
+/// Transposes four rows into blocks of four numbers: register c has those of the configurations c,
+/// c + 4 and so on.
 template <class Real>
-HWY_INLINE void pieces_of(WideVec<Real> (&v)[4]) {
-  const typename Wide<Real>::Tag d;
+HWY_INLINE void transpose_rows(PacketRegister<Real> (&v)[4]) {
+  const typename Packet<Real>::Tag d;
   if constexpr (sizeof(Real) == 4) {
-    turn_blocks(v);
+    transpose_blocks(v);
   } else {
-    const WideVec<Real> a = v[0], b = v[1], e = v[2], f = v[3];
+    const PacketRegister<Real> a = v[0], b = v[1], e = v[2], f = v[3];
     v[0] = hn::InterleaveLower(d, a, b);
     v[1] = hn::InterleaveUpper(d, a, b);
     v[2] = hn::InterleaveLower(d, e, f);
@@ -131,18 +133,18 @@ HWY_INLINE void pieces_of(WideVec<Real> (&v)[4]) {
 }
 #endif
 
-/// The other way.
+/// Stores four rows, the inverse of load_four().
 template <class Real>
-HWY_INLINE void store_four(Wide<Real> a, Wide<Real> b, Wide<Real> e, Wide<Real> f, Real* to,
+HWY_INLINE void store_four(Packet<Real> a, Packet<Real> b, Packet<Real> e, Packet<Real> f, Real* to,
                            Eigen::Index stride) {
-  const typename Wide<Real>::Tag d;
-  WideVec<Real> v[4] = {a.v, b.v, e.v, f.v};
+  const typename Packet<Real>::Tag d;
+  PacketRegister<Real> v[4] = {a.v, b.v, e.v, f.v};
 #if HWY_MAX_BYTES >= 32
-  pieces_of<Real>(v);
-  for (int c = 0; c < 4; ++c) scatter_pieces(d, v[c], 4, to + c * stride, 4 * stride);
+  transpose_rows<Real>(v);
+  for (int c = 0; c < 4; ++c) scatter_blocks(d, v[c], 4, to + c * stride, 4 * stride);
 #else
   if constexpr (sizeof(Real) == 4) {
-    turn_blocks(v);
+    transpose_blocks(v);
     for (int c = 0; c < 4; ++c) hn::StoreU(v[c], d, to + c * stride);
   } else {
     for (int i = 0; i < 2; ++i) {
@@ -153,17 +155,18 @@ HWY_INLINE void store_four(Wide<Real> a, Wide<Real> b, Wide<Real> e, Wide<Real> 
 #endif
 }
 
-/// Eight rows: what goes side by side is stored side by side, which the machine does in one step.
+/// Stores eight rows. Adjacent numbers are stored one right after the other, which lets the machine
+/// combine the stores.
 template <class Real>
-HWY_INLINE void store_eight(const Wide<Real> (&row)[8], Real* to, Eigen::Index stride) {
+HWY_INLINE void store_eight(const Packet<Real> (&row)[8], Real* to, Eigen::Index stride) {
 #if HWY_MAX_BYTES >= 64
   if constexpr (sizeof(Real) == 8) {
-    const typename Wide<Real>::Tag d;
+    const typename Packet<Real>::Tag d;
     const hn::Half<decltype(d)> half;
-    WideVec<Real> v[4] = {row[0].v, row[1].v, row[2].v, row[3].v};
-    WideVec<Real> w[4] = {row[4].v, row[5].v, row[6].v, row[7].v};
-    pieces_of<Real>(v);
-    pieces_of<Real>(w);
+    PacketRegister<Real> v[4] = {row[0].v, row[1].v, row[2].v, row[3].v};
+    PacketRegister<Real> w[4] = {row[4].v, row[5].v, row[6].v, row[7].v};
+    transpose_rows<Real>(v);
+    transpose_rows<Real>(w);
     for (int c = 0; c < 4; ++c, to += stride) {
       hn::StoreU(hn::LowerHalf(half, v[c]), half, to);
       hn::StoreU(hn::LowerHalf(half, w[c]), half, to + 4);
@@ -180,7 +183,7 @@ HWY_INLINE void store_eight(const Wide<Real> (&row)[8], Real* to, Eigen::Index s
 #else
 
 template <class Real>
-HWY_INLINE void store_four(Wide<Real> a, Wide<Real> b, Wide<Real> e, Wide<Real> f, Real* to,
+HWY_INLINE void store_four(Packet<Real> a, Packet<Real> b, Packet<Real> e, Packet<Real> f, Real* to,
                            Eigen::Index) {
   a.store(to);
   b.store(to + 1);
@@ -189,17 +192,17 @@ HWY_INLINE void store_four(Wide<Real> a, Wide<Real> b, Wide<Real> e, Wide<Real> 
 }
 
 template <class Real>
-HWY_INLINE void store_eight(const Wide<Real> (&row)[8], Real* to, Eigen::Index) {
+HWY_INLINE void store_eight(const Packet<Real> (&row)[8], Real* to, Eigen::Index) {
   for (int i = 0; i < 8; ++i) row[i].store(to + i);
 }
 
 #endif  // HWY_TARGET != HWY_SCALAR
 
-/// `count` rows from as many numbers of each configuration. The last four overlap with those
-/// before them where the count is no multiple of four.
+/// Loads `count` numbers of each configuration as rows. The last four overlap the previous ones
+/// where the count is not a multiple of four.
 template <class Real>
 HWY_INLINE void load_rows(const Real* from, int count, Real* rows) {
-  constexpr int width = Wide<Real>::width;
+  constexpr int width = Packet<Real>::width;
 #if HWY_TARGET != HWY_SCALAR
   for (int i = 0; count >= 4 && i < count; i += 4) {
     const int first = std::min(i, count - 4);
@@ -212,16 +215,16 @@ HWY_INLINE void load_rows(const Real* from, int count, Real* rows) {
   }
 }
 
-/// The other way; each configuration's numbers are `stride` apart.
+/// Stores `count` rows; the numbers of the configurations are `stride` apart.
 template <class Real>
 HWY_INLINE void store_rows(const Real* rows, int count, Real* to, Eigen::Index stride) {
-  constexpr int width = Wide<Real>::width;
+  constexpr int width = Packet<Real>::width;
 #if HWY_TARGET != HWY_SCALAR
   for (int i = 0; count >= 4 && i < count; i += 4) {
     const int first = std::min(i, count - 4);
     const Real* row = rows + first * width;
-    store_four(Wide<Real>::load(row), Wide<Real>::load(row + width),
-               Wide<Real>::load(row + 2 * width), Wide<Real>::load(row + 3 * width), to + first,
+    store_four(Packet<Real>::load(row), Packet<Real>::load(row + width),
+               Packet<Real>::load(row + 2 * width), Packet<Real>::load(row + 3 * width), to + first,
                stride);
   }
   if (count >= 4) return;

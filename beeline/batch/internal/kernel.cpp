@@ -3,38 +3,40 @@
 #include <cstring>
 #include <limits>
 
-#include <beeline/batch/plan.h>
+#include <beeline/batch/internal/kernel.h>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "beeline/batch/kernel.cpp"
+#define HWY_TARGET_INCLUDE "beeline/batch/internal/kernel.cpp"
 #include <hwy/foreach_target.h>
 
-#include <beeline/batch/drain-inl.h>
-#include <beeline/batch/passes-inl.h>
-#include <beeline/batch/transpose-inl.h>
+#include <beeline/batch/internal/frames-inl.h>
+#include <beeline/batch/internal/line_writer-inl.h>
+#include <beeline/batch/internal/transpose-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 namespace {
 
-/// Results of configurations that have a coordinate which is not finite are no numbers.
+using internal::BatchJob;
+
+/// Sets the results of configurations with a coordinate that is not finite to NaN.
 template <class Real>
-HWY_NOINLINE void spoil(const BatchPlan<Real>& plan, const Real* q, int count, Real* rows) {
-  constexpr int width = Wide<Real>::width;
+HWY_NOINLINE void set_nan(const BatchPlan<Real>& plan, const Real* q, int count, Real* rows) {
+  constexpr int width = Packet<Real>::width;
   for (int lane = 0; lane < width; ++lane) {
-    Real nothing = 0;
-    for (int k = 0; k < plan.dof; ++k) nothing += 0 * q[k * width + lane];
-    for (int i = 0; nothing != 0 && i < count; ++i) rows[i * width + lane] = nothing;
+    Real nan_or_zero = 0;
+    for (int k = 0; k < plan.dof; ++k) nan_or_zero += 0 * q[k * width + lane];
+    for (int i = 0; nan_or_zero != 0 && i < count; ++i) rows[i * width + lane] = nan_or_zero;
   }
 }
 
-/// One register's configurations between the passes.
+/// The buffers for the intermediate results of one packet of configurations.
 template <class Real>
 struct Rows {
   Real *q, *sines, *cosines, *axes, *results, *columns, *poses;
 
   explicit HWY_INLINE Rows(const BatchJob<Real>& job) {
-    constexpr int width = Wide<Real>::width;
+    constexpr int width = Packet<Real>::width;
     const int links = static_cast<int>(job.plan->links.size());
     q = job.work;
     sines = q + job.plan->dof * width;
@@ -49,41 +51,41 @@ struct Rows {
 template <class Real>
 HWY_INLINE void write(const BatchJob<Real>& job, bool near, const Rows<Real>& rows, int count,
                       Real* to, Eigen::Index stride) {
-  if (HWY_UNLIKELY(!near)) spoil(*job.plan, rows.q, count, rows.results);
+  if (HWY_UNLIKELY(!near)) set_nan(*job.plan, rows.q, count, rows.results);
   store_rows(rows.results, count, to, stride);
 }
 
 enum class Wanted { tool, columns, links };
 
 template <Wanted wanted, class Real, bool buffered>
-HWY_INLINE void run_one(const BatchJob<Real>& job, const Rows<Real>& rows, Eigen::Index first,
-                        Drain<Real, buffered>& columns, Drain<Real, buffered>& poses) {
-  constexpr int width = Wide<Real>::width;
+HWY_INLINE void run_packet(const BatchJob<Real>& job, const Rows<Real>& rows, Eigen::Index first,
+                           LineWriter<Real, buffered>& columns, LineWriter<Real, buffered>& poses) {
+  constexpr int width = Packet<Real>::width;
   const BatchPlan<Real>& plan = *job.plan;
   const int dof = plan.dof, links = static_cast<int>(plan.links.size());
   const int pose_size = job.layout == PoseLayout::matrix ? 16 : 7;
-  const auto flow = [&]() HWY_ATTR {
-    columns.flow();
-    poses.flow();
+  const auto write_some = [&]() HWY_ATTR {
+    columns.write_some();
+    poses.write_some();
   };
   load_rows(job.q + first * dof, dof, rows.q);
-  const bool near = take_sines(plan, rows.q, rows.sines, rows.cosines, flow);
-  if (HWY_UNLIKELY(!near)) take_far_sines(plan, rows.q, rows.sines, rows.cosines);
+  const bool near = store_sines(plan, rows.q, rows.sines, rows.cosines, write_some);
+  if (HWY_UNLIKELY(!near)) store_far_sines(plan, rows.q, rows.sines, rows.cosines);
 
   const Eigen::Index link_stride = Eigen::Index(links + 1) * pose_size;
   if constexpr (wanted == Wanted::links) {
-    write_pose(WideFrame<Real>::same(plan.base_link.number), job.layout, rows.results);
+    write_pose(PacketFrame<Real>::broadcast_from(plan.base_link.number), job.layout, rows.results);
     write(job, near, rows, pose_size, poses.next(), link_stride);
   }
-  auto frame = WideFrame<Real>::same(plan.base.number);
+  auto frame = PacketFrame<Real>::broadcast_from(plan.base.number);
   Real* axes = rows.axes;
   for (int i = 0; i < links; ++i) {
-    flow();
-    follow(frame, plan.links[i], rows.q, rows.sines + i * width, rows.cosines + i * width);
+    write_some();
+    multiply(frame, plan.links[i], rows.q, rows.sines + i * width, rows.cosines + i * width);
     if constexpr (wanted == Wanted::columns) {
       frame.origin.store(axes);
-      Triple<Real> direction = frame.z;
-      if (plan.planar && plan.links[i].turns) {  // exactly so
+      PacketVector<Real> direction = frame.z;
+      if (plan.planar && plan.links[i].rotates) {  // exactly +-z
         direction = {round(direction.x), round(direction.y), round(direction.z)};
       }
       direction.store(axes + 3 * width);
@@ -95,7 +97,7 @@ HWY_INLINE void run_one(const BatchJob<Real>& job, const Rows<Real>& rows, Eigen
     }
   }
   if constexpr (wanted == Wanted::links) return poses.push();
-  move_to_tool(frame, plan);
+  multiply_by_tool(frame, plan);
   if constexpr (wanted == Wanted::columns) {
     if (near && plan.in_order && !job.manipulability) {
       store_columns(plan, job.frame, frame, rows.axes, columns.next());
@@ -125,12 +127,13 @@ HWY_NOINLINE void run_all(const BatchJob<Real>& job) {
   const Rows<Real> rows(job);
   constexpr bool every_link = wanted == Wanted::links;
   const auto links = static_cast<Eigen::Index>(job.plan->links.size());
-  Drain<Real, buffered> columns(job.columns, 6 * job.plan->dof, rows.columns, links, job.write);
-  Drain<Real, buffered> poses(every_link ? job.world_T_link : job.world_T_tool,
-                              size(job.layout) * (every_link ? links + 1 : 1), rows.poses, links,
-                              job.write);
-  for (Eigen::Index i = 0; i < job.count; i += Wide<Real>::width) {
-    run_one<wanted>(job, rows, i, columns, poses);
+  LineWriter<Real, buffered> columns(job.columns, 6 * job.plan->dof, rows.columns, links,
+                                     job.write);
+  LineWriter<Real, buffered> poses(every_link ? job.world_T_link : job.world_T_tool,
+                                   size(job.layout) * (every_link ? links + 1 : 1), rows.poses,
+                                   links, job.write);
+  for (Eigen::Index i = 0; i < job.count; i += Packet<Real>::width) {
+    run_packet<wanted>(job, rows, i, columns, poses);
   }
   columns.finish();
   poses.finish();
@@ -149,7 +152,7 @@ HWY_INLINE void run(const BatchJob<Real>& job) {
 
 template <class Real>
 HWY_INLINE void run(const BatchJob<Real>& job) {
-  if (job.write == BatchWrite::at_once) {
+  if (job.write == BatchWrite::directly) {
     run<false>(job);
   } else {
     run<true>(job);
@@ -165,9 +168,11 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace beeline {
-
 HWY_EXPORT(run_double);
 HWY_EXPORT(run_float);
+}  // namespace beeline
+
+namespace beeline::internal {
 
 template <>
 void batch_kernel(const BatchJob<double>& job) {
@@ -178,5 +183,17 @@ void batch_kernel(const BatchJob<float>& job) {
   HWY_DYNAMIC_DISPATCH(run_float)(job);
 }
 
-}  // namespace beeline
+template <class Real>
+Eigen::Index batch_work_size(const BatchPlan<Real>& plan) {
+  const auto links = static_cast<Eigen::Index>(plan.links.size());
+  // Rows: coordinates, sines, cosines, axes, results. Then two line buffers for each kind of
+  // result.
+  const Eigen::Index columns = 6 * plan.dof, poses = 16 * (links + 1);
+  return batch_width *
+         (plan.dof + 8 * links + std::max<Eigen::Index>(16, columns) + 2 * (columns + poses + 2));
+}
+template Eigen::Index batch_work_size(const BatchPlan<double>&);
+template Eigen::Index batch_work_size(const BatchPlan<float>&);
+
+}  // namespace beeline::internal
 #endif

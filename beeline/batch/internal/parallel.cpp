@@ -1,12 +1,12 @@
 #include <algorithm>
 
-#include <beeline/batch/parallel.h>
+#include <beeline/batch/internal/parallel.h>
 
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
-namespace beeline {
+namespace beeline::internal {
 
 void in_parallel(Eigen::Index count, Eigen::Index block, int threads,
                  const std::function<void(Eigen::Index, Eigen::Index)>& work) {
@@ -24,4 +24,4 @@ void in_parallel(Eigen::Index count, Eigen::Index block, int threads,
   }
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

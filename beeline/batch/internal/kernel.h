@@ -1,0 +1,42 @@
+#pragma once
+
+#include <beeline/batch/batch.h>
+#include <beeline/batch/internal/plan.h>
+
+namespace beeline::internal {
+
+/// The number of configurations of a job is a multiple of this.
+inline constexpr Eigen::Index batch_width = 16;
+
+/// How results reach the memory.
+enum class BatchWrite {
+  directly,     ///< for results that fit into the level-1 cache
+  by_lines,     ///< through a buffer in it, by whole cache lines
+  past_caches,  ///< by non-temporal stores of whole lines, for results larger than the caches
+};
+
+/// The results wanted for `count` contiguous configurations. Null: not wanted.
+template <class Real>
+struct BatchJob {
+  const BatchPlan<Real>* plan;
+  PoseLayout layout;
+  Frame frame;
+  const Real* q;         ///< dof numbers each
+  Eigen::Index count;    ///< a multiple of batch_width
+  Real* world_T_tool;    ///< size(layout) numbers each
+  Real* world_T_link;    ///< (links + 1) size(layout) numbers each
+  Real* columns;         ///< the Jacobian, 6 dof numbers each
+  Real* manipulability;  ///< one each
+  BatchWrite write;
+  Real* work;  ///< batch_work_size() numbers, at a multiple of 64 bytes
+};
+
+/// The size of a job's work buffer.
+template <class Real>
+Eigen::Index batch_work_size(const BatchPlan<Real>& plan);
+
+/// Computes the job's results.
+template <class Real>
+void batch_kernel(const BatchJob<Real>& job);
+
+}  // namespace beeline::internal
