@@ -31,7 +31,10 @@ Limits limits_from_json(const JsonDocument& document, const Json& json) {
   const auto rate = [&](const char* key) {
     const Json* found = document.find(json, key);
     const double value = number_or(document, json, key, Limits::none);
-    if (!(value > 0)) document.refuse(*found, "must be above zero; leave it out when not known");
+    if (!(value >= Limits::least_rate)) {
+      document.refuse(*found, "must be at least " + number(Limits::least_rate) +
+                                  "; leave it out when not known");
+    }
     return value;
   };
   const Limits limits{.lower = number_or(document, json, "lower", -Limits::none),
@@ -40,8 +43,8 @@ Limits limits_from_json(const JsonDocument& document, const Json& json) {
                       .acceleration = rate("acceleration"),
                       .jerk = rate("jerk")};
   if (limits.lower > limits.upper) {
-    document.refuse(json, "are the wrong way round: lower " + number(limits.lower) +
-                              " is above upper " + number(limits.upper));
+    document.refuse(json, "are inconsistent: lower " + number(limits.lower) + " exceeds upper " +
+                              number(limits.upper));
   }
   return limits;
 }

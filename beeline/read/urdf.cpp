@@ -26,8 +26,13 @@ Joint moving_joint(const UrdfFile& file, const UrdfFile::Joint& urdf, const Pose
   }
   if (urdf.limits.lower > urdf.limits.upper) {
     throw FileError(file.path, urdf.limit_line,
-                    "joint " + urdf.name + " has its limits the wrong way round: lower " +
-                        number(urdf.limits.lower) + " is above upper " + number(urdf.limits.upper));
+                    "joint " + urdf.name + ": lower limit " + number(urdf.limits.lower) +
+                        " exceeds upper limit " + number(urdf.limits.upper));
+  }
+  if (urdf.limits.velocity < Limits::least_rate) {
+    throw FileError(file.path, urdf.limit_line,
+                    "joint " + urdf.name + ": velocity limit " + number(urdf.limits.velocity) +
+                        " is below " + number(Limits::least_rate) + "; 0 stands for none");
   }
   return joint;
 }

@@ -184,11 +184,12 @@ TEST(ArmJson, MistakesInLimitsAndMimicsAreNamed) {
     return parse(with_joint(R"({"name": "j", "type": "revolute", "limits": )" + limits + "}"));
   };
   EXPECT_REFUSED(limited(R"({"lower": 1, "upper": -1})"),
-                 "joints[1].limits are the wrong way round: lower 1 is above upper -1");
+                 "joints[1].limits are inconsistent: lower 1 exceeds upper -1");
   EXPECT_REFUSED(limited(R"({"lower": "1"})"), "joints[1].limits.lower must be a number, not text");
   EXPECT_REFUSED(limited(R"({"min": 1})"), "unknown key \"min\"");
-  EXPECT_REFUSED(limited(R"({"velocity": 0})"), "joints[1].limits.velocity must be above zero");
-  EXPECT_REFUSED(limited(R"({"jerk": -1})"), "joints[1].limits.jerk must be above zero");
+  EXPECT_REFUSED(limited(R"({"velocity": 0})"), "joints[1].limits.velocity must be at least 1e-09");
+  EXPECT_REFUSED(limited(R"({"jerk": -1})"), "joints[1].limits.jerk must be at least 1e-09");
+  EXPECT_REFUSED(limited(R"({"acceleration": 1e-310})"), "joints[1].limits.acceleration must be");
   const auto mimicking = [](const std::string& mimic) {
     return parse(with_joint(R"({"name": "j", "type": "revolute", "mimic": )" + mimic + "}"));
   };

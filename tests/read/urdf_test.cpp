@@ -131,7 +131,9 @@ TEST(Urdf, MistakesInJointsAreNamedWithTheirLine) {
   EXPECT_REFUSED(parse(single("revolute", "\n<axis xyz=\"0 0 0\"/>")),
                  "a.urdf:5: joint j: axis 0 0 0 has no direction");
   EXPECT_REFUSED(parse(single("revolute", "\n\n<limit lower=\"1\" upper=\"-1\"/>")),
-                 "a.urdf:6: joint j has its limits the wrong way round: lower 1 is above upper -1");
+                 "a.urdf:6: joint j: lower limit 1 exceeds upper limit -1");
+  EXPECT_REFUSED(parse(single("revolute", "<limit lower=\"0\" upper=\"1\" velocity=\"1e-310\"/>")),
+                 "a.urdf:4: joint j: velocity limit 1e-310 is below 1e-09");
   EXPECT_REFUSED(parse(single("revolute", "<axis xyz=\"0 1\"/>")),
                  "a.urdf:4: <axis>: xyz has 2 numbers; it must have three");
   EXPECT_REFUSED(parse(single("revolute", "<origin xyz=\"0 1 2 3\"/>")), "xyz has 4 numbers");
@@ -142,7 +144,8 @@ TEST(Urdf, MistakesInJointsAreNamedWithTheirLine) {
                  "a.urdf:4: <limit>: lower: \"low\" is not a number");
   EXPECT_REFUSED(parse(single("revolute", "<limit lower=\"${low}\"/>")), "run xacro first");
   EXPECT_REFUSED(parse(single("revolute", "<mimic/>")), "<mimic> needs the attribute joint");
-  EXPECT_REFUSED(parse(single("revolute", "<mimic joint=\"j\"/>")), "mimics itself through its leaders");
+  EXPECT_REFUSED(parse(single("revolute", "<mimic joint=\"j\"/>")),
+                 "mimics itself through its leaders");
   EXPECT_REFUSED(parse(single("revolute", "\n<mimic joint=\"jj\"/>")),
                  "a.urdf:5: joint j mimics an unknown joint \"jj\"");
   EXPECT_REFUSED(parse(single("")), "which is no joint of a chain");
