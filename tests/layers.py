@@ -23,6 +23,9 @@ LIBRARIES = {  # the first part of the include: the folders that may use it, in 
     "tbb": {"batch"},
     "tinyxml2": {"read"},
 }
+UMBRELLA = "beeline/beeline.h"  # includes the public headers of the library core, all of them
+NOT_CORE = {"batch", "draw", "read", "record"}
+PRIVATE = re.compile(r"-inl\.h$|/internal/|^beeline/(math|inverse/analytic|inverse/numerical)/")
 SYSTEM = {"fcntl", "sys", "unistd"}  # C headers that any .cpp may use
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -58,7 +61,21 @@ def violations(root):
             if reason:
                 place = f"{path.relative_to(root)}:{number}"
                 found.append(f"{place}: {include.group(2)}: {reason}")
-    return sorted(found)
+    return sorted(found + missing_in_umbrella(root))
+
+
+def missing_in_umbrella(root):
+    umbrella = root / UMBRELLA
+    if not umbrella.is_file():
+        return []
+    included = set(re.findall("#include <(.*)>", umbrella.read_text()))
+    headers = {path.relative_to(root) for path in sources(root / "beeline") if path.suffix == ".h"}
+    public = {
+        path.as_posix()
+        for path in headers
+        if not PRIVATE.search(path.as_posix()) and path.parts[1] not in NOT_CORE
+    }
+    return [f"{UMBRELLA} does not include {name}" for name in public - included - {UMBRELLA}]
 
 
 def sources(house):
@@ -80,6 +97,10 @@ def objection(root, layers, path, quote, name):
         target = folder_of(Path(name).relative_to("beeline"))
         if not (root / name).is_file():
             return "there is no such file"
+        if name == UMBRELLA:
+            return "it is for users of the library"
+        if path == root / UMBRELLA:
+            return "it is not in the library core" if target in NOT_CORE else None
         if target not in {".", folder} | layers.get(folder, set()):
             return f"{folder} may not include {target}"
     elif first in LIBRARIES:

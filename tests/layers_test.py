@@ -30,6 +30,18 @@ def test_a_house_in_order_passes(house):
     assert violations(house) == []
 
 
+def test_the_umbrella_includes_the_public_headers_of_the_core(house):
+    umbrella = house / "beeline/beeline.h"
+    umbrella.write_text("#include <beeline/error.h>\n#include <beeline/model/arm.h>\n")
+    assert violations(house) == ["beeline/beeline.h does not include beeline/pose/pose.h"]
+    umbrella.write_text(umbrella.read_text() + "#include <beeline/pose/pose.h>\n")
+    assert violations(house) == []
+    (house / "beeline/model/arm.h").write_text("#include <beeline/beeline.h>\n")
+    assert violations(house) == [
+        "beeline/model/arm.h:1: beeline/beeline.h: it is for users of the library"
+    ]
+
+
 @pytest.mark.parametrize(
     "file, line, reason",
     [

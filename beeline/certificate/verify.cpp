@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 #include <beeline/certificate/verify.h>
 #include <beeline/error.h>
@@ -254,6 +255,13 @@ Verification verify(const Arm& arm, const Trajectory& given, std::span<const Pos
   if (trajectory.size() == 0) throw Error("the trajectory has no samples");
   poses.insert(poses.begin(), forward_kinematics(arm, trajectory.positions.front()));
   return verify(arm, trajectory, route_of(lines_through(poses), PathKind::line), options);
+}
+
+std::ostream& operator<<(std::ostream& out, const Verification& verification) {
+  if (verification.fault != Fault::none) {
+    return out << name(verification.fault) << ": " << verification.reason;
+  }
+  return out << "verified, deviation at most " << verification.deviation.bound;
 }
 
 }  // namespace beeline

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iosfwd>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +26,8 @@ struct Verification {
   std::vector<double> path_parameters;  ///< on it, of the samples, as far as it is followed
   std::vector<std::size_t> arrivals;    ///< the sample at each waypoint, as far as they are reached
 };
+/// Prints the fault with the reason, or the proved deviation.
+std::ostream& operator<<(std::ostream& out, const Verification& verification);
 
 /// Whether a trajectory, whoever made it, moves the tool all along the route and keeps the arm's
 /// limits, joints in proportion between samples: proved from its numbers alone. Which sample is

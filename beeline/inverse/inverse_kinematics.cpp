@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <ostream>
 
 #include <beeline/error.h>
 #include <beeline/inverse/internal/methods.h>
@@ -32,6 +33,17 @@ Redundancy redundancy_named(std::string_view name) {
 std::string name(Redundancy redundancy) { return redundancy_names[static_cast<int>(redundancy)]; }
 
 std::string name(InverseStatus status) { return status_names[static_cast<int>(status)]; }
+
+std::ostream& operator<<(std::ostream& out, const InverseResult& result) {
+  out << name(result.status);
+  if (result.status != InverseStatus::solved) return out << ": " << result.reason;
+  out << ", " << result.solutions.size() << " solution(s), " << result.method;
+  for (const Configuration& q : result.solutions) {
+    out << '\n';
+    for (const double value : q) out << "  " << number(value);
+  }
+  return out;
+}
 
 InverseSolver::InverseSolver(const Arm& arm, const InverseOptions& options)
     : methods_(

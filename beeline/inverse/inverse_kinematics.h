@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
 #include <memory>
 #include <optional>
 #include <string>
@@ -99,6 +100,8 @@ struct InverseResult {
   int iterations = 0;                  ///< of the numerical solver, over all descents
   int restarts = 0;                    ///< descents from random configurations
 };
+/// Prints the status with the reason, or with the number of solutions and a line for each.
+std::ostream& operator<<(std::ostream& out, const InverseResult& result);
 
 /// The joint configurations that bring the tool to `world_T_tool`, as far as the task asks.
 /// Chooses the method from the arm's geometry: see InverseSolver::method(). Every q returned has

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 #include <beeline/certificate/internal/line_step.h>
 #include <beeline/certificate/joint_faults.h>
@@ -161,6 +162,14 @@ PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const
 }
 
 }  // namespace
+
+std::ostream& operator<<(std::ostream& out, const PathMotion& motion) {
+  out << name(motion.status);
+  if (motion.status != MotionStatus::reached) return out << ": " << motion.reason;
+  return out << " in " << number(motion.trajectory.times.back()) << " s, "
+             << motion.trajectory.size() << " samples, deviation at most "
+             << motion.deviation.bound;
+}
 
 PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
                       const PathMotionOptions& options) {

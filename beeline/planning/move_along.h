@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <iosfwd>
 #include <optional>
 #include <span>
 
@@ -37,6 +38,8 @@ struct PathMotion {
   double limit_margin = 0;              ///< see Branch
   double dexterity = 0;
 };
+/// Prints the status with the reason, or with the duration and the proved deviation.
+std::ostream& operator<<(std::ostream& out, const PathMotion& motion);
 
 /// Moves the tool along a path, at rest where the route stops.
 /// Every sample is solved to rounding, within joint limits, and it is proved that between samples,
