@@ -11,14 +11,16 @@ strict := -DCMAKE_COMPILE_WARNING_AS_ERROR=ON
 endif
 
 .NOTPARALLEL:
-.PHONY: help build demo bench test asan lint format install clean
+.PHONY: help build demo bench test test-peers test-all asan lint format install clean
 
 help:
 	@echo "make build     the command, in build/beeline"
 	@echo "make demo      an arm moves in straight lines: report and pictures in build/demo"
 	@echo "make bench     Beeline beside other solvers on the same poses: tables, build/bench/results.json"
-	@echo "make test      builds and runs every test"
-	@echo "make asan      the same under the address and undefined behaviour sanitizers"
+	@echo "make test      builds and runs every test but the next"
+	@echo "make test-peers   comparisons with Pinocchio, Ruckig, toppra: packages from PyPI"
+	@echo "make test-all  both"
+	@echo "make asan      make test under the address and undefined behaviour sanitizers"
 	@echo "make lint      formatting, static analysis, the house's rules"
 	@echo "make format    formats the sources"
 	@echo "make install   installs the command and the library; PREFIX=$(PREFIX)"
@@ -41,14 +43,21 @@ bench:
 
 test:
 	@scripts/install_packages.sh build test
-	@scripts/venv.sh
 	@cmake --preset release -DBEELINE_TESTS=ON $(strict)
 	@cmake --build --preset release --parallel $(JOBS)
-	@ctest --preset release --parallel $(JOBS)
+	@ctest --preset release --parallel $(JOBS) --label-exclude peers
+
+test-peers:
+	@scripts/install_packages.sh build test peers
+	@scripts/venv.sh
+	@cmake --preset release -DBEELINE_TESTS=ON -DBEELINE_PEERS=ON $(strict)
+	@cmake --build --preset release --parallel $(JOBS) --target peers
+	@ctest --preset release --label-regex peers
+
+test-all: test test-peers
 
 asan:
 	@scripts/install_packages.sh build test
-	@scripts/venv.sh
 	@cmake --preset asan
 	@cmake --build --preset asan --parallel $(JOBS)
 	@ctest --preset asan --parallel $(JOBS)

@@ -32,3 +32,10 @@ function(beeline_quick target)
   endforeach()
   target_precompile_headers(${target} REUSE_FROM beeline_precompiled)
 endfunction()
+
+# beeline_optimise(target -O1): instead of -O3, where -O3 takes long and gains nothing.
+function(beeline_optimise target level)
+  if(CMAKE_CXX_FLAGS_RELEASE MATCHES "-O3")
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level}>)
+  endif()
+endfunction()

@@ -21,7 +21,7 @@ if ! cmp --silent bench/requirements.txt "$stamp"; then
 fi
 
 # Ruckig is measured from C++, which only its source package has.
-ruckig=$(grep '^ruckig==' tests/requirements.txt)
+ruckig=$(grep '^ruckig==' tests/peers/requirements.txt)
 sources=.venv-bench/${ruckig/==/-}
 if [[ ! -d $sources ]]; then
   if .venv-bench/bin/python -m pip download --quiet --disable-pip-version-check --no-deps \

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of the named groups that are not there yet.
-# Usage: install_packages.sh build|test|bench|lint...
+# Usage: install_packages.sh build|test|peers|bench|lint...
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config
        libeigen3-dev libhwy-dev libtbb-dev libtinyxml2-dev nlohmann-json3-dev libcli11-dev libfmt-dev libcairo2-dev)
-test=(libgtest-dev python3 python3-venv)
+test=(libgtest-dev python3 python3-pytest python3-numpy python3-jsonschema)
+peers=(python3 python3-venv)
 bench=(libbenchmark-dev liborocos-kdl-dev python3 python3-venv valgrind)
 lint=(clang-format-14 clang-tidy-14 shellcheck python3)
 
@@ -14,9 +15,10 @@ for group in "$@"; do
   case $group in
     build) wanted+=("${build[@]}") ;;
     test) wanted+=("${test[@]}") ;;
+    peers) wanted+=("${peers[@]}") ;;
     bench) wanted+=("${bench[@]}") ;;
     lint) wanted+=("${lint[@]}") ;;
-    *) echo "$0: no group '$group': build, test, bench, lint" >&2; exit 2 ;;
+    *) echo "$0: no group '$group': build, test, peers, bench, lint" >&2; exit 2 ;;
   esac
 done
 
