@@ -35,7 +35,7 @@ HWY_INLINE Motion motion_of(const GeneralElimination& e, const Motion& goal) {
 }
 
 /// The right side's features at three times three angles of u and v, one number a row.
-HWY_INLINE void right_values(const GeneralElimination& e, const Motion& m, double (*values)[16]) {
+HWY_NOINLINE void right_values(const GeneralElimination& e, const Motion& m, double (*values)[16]) {
   for (int k = 0; k < 9; k += lane_count) {
     Lanes line[6], half[6], moved[6];
     for (int i = 0; i < 6; ++i) line[i] = Lanes::load(e.line[i] + k);
@@ -80,7 +80,7 @@ HWY_INLINE void to_circle(double& a, double& b, double& c) {
 }
 
 /// Columns 0 to 7: cos u cos v, cos u sin v, sin u cos v, sin u sin v, cos u, sin u, cos v, sin v.
-HWY_INLINE void fill_rows(const GeneralElimination& e, double (*values)[16], Reduced& reduced) {
+HWY_NOINLINE void fill_rows(const GeneralElimination& e, double (*values)[16], Reduced& reduced) {
   for (int r = 0; r < 14; ++r) {
     double* x = values[r];
     for (int i = 0; i < 3; ++i) to_circle(x[3 * i], x[3 * i + 1], x[3 * i + 2]);
@@ -95,7 +95,7 @@ HWY_INLINE void fill_rows(const GeneralElimination& e, double (*values)[16], Red
 }
 
 /// Householder reflections that make columns 0 to 7 triangular: rows 8 to 13 are free of them.
-HWY_INLINE void eliminate(Reduced& reduced) {
+HWY_NOINLINE void eliminate(Reduced& reduced) {
   constexpr int blocks = 40 / lane_count;
   for (int k = 0; k < 8; ++k) {
     double v[14], square = 0;
@@ -173,9 +173,9 @@ HWY_INLINE void read_angles(const Reduced& reduced, Lanes cosine, Lanes sine, co
 }
 
 /// Reads the configurations of eight null vectors into places from `place` on.
-HWY_INLINE void write(const GeneralElimination& e, const Reduced& reduced, Lanes angle,
-                      Lanes cosine, Lanes sine, const Lanes* x, int place,
-                      GeneralCandidates& candidates) {
+HWY_NOINLINE void write(const GeneralElimination& e, const Reduced& reduced, Lanes angle,
+                        Lanes cosine, Lanes sine, const Lanes* x, int place,
+                        GeneralCandidates& candidates) {
   Lanes first, second, u, v;
   read_angles(reduced, cosine, sine, x, first, second, u, v);
   const Lanes sign(e.reversed ? -1 : 1);
@@ -190,8 +190,8 @@ HWY_INLINE void write(const GeneralElimination& e, const Reduced& reduced, Lanes
 constexpr double small_correction = 1e-5;
 constexpr int max_corrections = 3;
 
-HWY_INLINE void write_roots(const GeneralElimination& e, const Reduced& reduced, CircleRoots& roots,
-                            GeneralCandidates& candidates) {
+HWY_NOINLINE void write_roots(const GeneralElimination& e, const Reduced& reduced,
+                              CircleRoots& roots, GeneralCandidates& candidates) {
   Lanes M[6][9], x[12], y[12], s, c;
   Triangle triangle;
   for (int k = 0; k < roots.count; k += lane_count) {

@@ -31,7 +31,7 @@ struct CircleRoots {
 };
 
 /// Value and two derivatives.
-HWY_INLINE void evaluate(const CirclePolynomial& f, Lanes angle, Lanes* value) {
+HWY_NOINLINE static void evaluate(const CirclePolynomial& f, Lanes angle, Lanes* value) {
   Lanes s1, c1;
   sine_cosine(angle, s1, c1);
   Lanes s = s1, c = c1;
@@ -86,7 +86,8 @@ struct CircleGrid {
   alignas(64) double of[3][points + lane_count];
 };
 
-HWY_INLINE void fill(const CircleTables& tables, const CirclePolynomial& f, CircleGrid& grid) {
+HWY_NOINLINE static void fill(const CircleTables& tables, const CirclePolynomial& f,
+                              CircleGrid& grid) {
   constexpr int half = CircleGrid::points / 2;
   for (int j = 0; j < half; j += lane_count) {
     // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): degree is never negative
@@ -105,7 +106,7 @@ HWY_INLINE void fill(const CircleTables& tables, const CirclePolynomial& f, Circ
       (even[order] - odd[order]).store(grid.of[order] + half + j);  // odd ones change their sign
     }
   }
-  for (auto& values : grid.of) std::copy(values, values + lane_count, values + 2 * half);
+  for (auto& values : grid.of) Lanes::load(values).store(values + 2 * half);
 }
 
 constexpr double cell = 6.283185307179586477 / CircleGrid::points;
@@ -187,8 +188,8 @@ inline void sort_parts(const CirclePolynomial& f, double begin, double width, in
   }
 }
 
-HWY_INLINE void sort_cells(const CirclePolynomial& f, const CircleGrid& grid, Cells& crossing,
-                           Cells& turning) {
+HWY_NOINLINE static void sort_cells(const CirclePolynomial& f, const CircleGrid& grid,
+                                    Cells& crossing, Cells& turning) {
   for (int j = 0; j < CircleGrid::points; j += lane_count) {
     Lanes here[3], next[3];
     for (int order = 0; order < 3; ++order) {
@@ -212,8 +213,8 @@ HWY_INLINE void sort_cells(const CirclePolynomial& f, const CircleGrid& grid, Ce
 
 /// Zeros of the polynomial (order 0) or of its slope (1), one in each cell, by Newton's method with
 /// bisection where it would leave the cell.
-HWY_INLINE Lanes find_zeros(const CirclePolynomial& f, const Cells& cells, int k, int order,
-                            int steps, Lanes* value) {
+HWY_NOINLINE static Lanes find_zeros(const CirclePolynomial& f, const Cells& cells, int k,
+                                     int order, int steps, Lanes* value) {
   Lanes low = Lanes::load(cells.begin + k), high = Lanes::load(cells.end + k);
   double signs[lane_count];
   for (int i = 0; i < lane_count; ++i) signs[i] = cells.rising[k + i] ? 1 : -1;

@@ -22,7 +22,7 @@ constexpr int from_left = 8;  ///< the column where the left side's begin
 constexpr int first_of_six = 8;
 
 /// Moves the six equations to the angle of the hidden joint: row r of M, M w = 0.
-HWY_INLINE void at_angle(const Reduced& reduced, Lanes cosine, Lanes sine, Lanes (*M)[9]) {
+HWY_NOINLINE static void at_angle(const Reduced& reduced, Lanes cosine, Lanes sine, Lanes (*M)[9]) {
   for (int r = 0; r < 6; ++r) {
     const double* k = reduced.row[first_of_six + r] + from_left;
     for (int i = 0; i < 9; ++i) {
@@ -60,7 +60,7 @@ HWY_INLINE void reflect(Triangle& t) {
   }
 }
 
-HWY_INLINE void make_triangular(const Lanes (*M)[9], Triangle& t) {
+HWY_NOINLINE static void make_triangular(const Lanes (*M)[9], Triangle& t) {
   for (int r = 0; r < 6; ++r) {
     for (int c = 0; c < 9; ++c) t.a[r][c] = t.a[6 + r][3 + c] = M[r][c];
   }
@@ -84,7 +84,7 @@ HWY_INLINE void make_triangular(const Lanes (*M)[9], Triangle& t) {
 
 /// The vector that the triangle shortens most, by inverse iteration: x of length 1. With `known`,
 /// which is that vector, the next one, at right angles to it.
-HWY_INLINE void null_vector(const Triangle& t, const Lanes* known, Lanes* x) {
+HWY_NOINLINE static void null_vector(const Triangle& t, const Lanes* known, Lanes* x) {
   Lanes inverse[12];
   Lanes largest(0);
   for (int k = 0; k < 12; ++k) largest = max(largest, abs(t.a[k][k]));
@@ -124,7 +124,7 @@ HWY_INLINE void null_vector(const Triangle& t, const Lanes* known, Lanes* x) {
 /// Where x and y both are null vectors, two solutions share the hidden angle. They are those
 /// combinations whose neighbours (one power of the first joint's half angle apart) are in
 /// proportion: the eigenvectors of a pencil of two by two. They take the place of x and y.
-HWY_INLINE void separate(Lanes* x, Lanes* y) {
+HWY_NOINLINE static void separate(Lanes* x, Lanes* y) {
   const Lanes c(0.8), s(0.6);  // any turn of the zero of angle, so that pi is nothing special
   Lanes A[2][2] = {{0, 0}, {0, 0}}, B[2][2] = {{0, 0}, {0, 0}};
   for (int i = 0; i < 9; ++i) {
@@ -163,8 +163,8 @@ HWY_INLINE void separate(Lanes* x, Lanes* y) {
 }
 
 /// How far the angle is from where M's matrix of twelve becomes singular, to first order along x.
-HWY_INLINE Lanes correction(const Reduced& reduced, const Lanes (*M)[9], Lanes cosine, Lanes sine,
-                            const Lanes* x) {
+HWY_NOINLINE static Lanes correction(const Reduced& reduced, const Lanes (*M)[9], Lanes cosine,
+                                     Lanes sine, const Lanes* x) {
   Lanes value_slope(0), value_value(0);
   for (int r = 0; r < 6; ++r) {
     const double* k = reduced.row[first_of_six + r] + from_left;

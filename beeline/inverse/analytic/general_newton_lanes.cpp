@@ -21,7 +21,7 @@ struct Stance {
   Vector x, y, z;
 };
 
-HWY_INLINE void stand(const SixLinks& six, const Lanes* q, Stance& stance) {
+HWY_NOINLINE void stand(const SixLinks& six, const Lanes* q, Stance& stance) {
   Vector x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, p{0, 0, 0};
   for (int i = 0; i < 6; ++i) {
     add(p, six.step[i][0], x);
@@ -44,7 +44,7 @@ HWY_INLINE void stand(const SixLinks& six, const Lanes* q, Stance& stance) {
 }
 
 /// J dq = e by Householder reflections: needs no pivots, hence no branches. Gives dq in e.
-HWY_INLINE void solve(Lanes (*J)[6], Lanes* e) {  // J[column][row]
+HWY_NOINLINE void solve(Lanes (*J)[6], Lanes* e) {  // J[column][row]
   Lanes diagonal[6];
   for (int k = 0; k < 6; ++k) {
     Lanes square(0);

@@ -57,8 +57,8 @@ HWY_INLINE Rigid closing_motion(const SixLoop& loop, const double* goal) {
 /// about the same point: `to` is R_a R_b R_c. With alpha and gamma the angles between the axes, the
 /// z axis of `to` has the height cos(alpha) cos(gamma) - sin(alpha) sin(gamma) cos(b). Where the
 /// outer axes are nearly in line that says little about b, and the z axis's way aside says it well.
-HWY_INLINE void solve_meeting(const SixLoop& loop, const LanePose& to, Lanes sign,
-                              const CosSine& preferred, CosSine* turn, Standing& standing) {
+HWY_NOINLINE void solve_meeting(const SixLoop& loop, const LanePose& to, Lanes sign,
+                                const CosSine& preferred, CosSine* turn, Standing& standing) {
   const double sa = loop.sin_alpha[0], ca = loop.cos_alpha[0];
   const double sc = loop.sin_alpha[1], cc = loop.cos_alpha[1];
   const double sum = ca * cc - sa * sc, difference = ca * cc + sa * sc;
@@ -97,8 +97,8 @@ HWY_INLINE void solve_meeting(const SixLoop& loop, const LanePose& to, Lanes sig
 
 /// Joints a, b, c with parallel axes: a planar arm of three joints, and the motion `to` that they
 /// have to make together.
-HWY_INLINE void solve_parallel(const SixLoop& loop, const LanePose& to, Lanes sign,
-                               const CosSine& preferred, CosSine* turn, Standing& standing) {
+HWY_NOINLINE void solve_parallel(const SixLoop& loop, const LanePose& to, Lanes sign,
+                                 const CosSine& preferred, CosSine* turn, Standing& standing) {
   const double* ab = loop.before[4].translation;
   const double* bc = loop.before[5].translation;
   const Lanes x = to.origin.x, y = to.origin.y;
@@ -124,8 +124,8 @@ HWY_INLINE void solve_parallel(const SixLoop& loop, const LanePose& to, Lanes si
 }
 
 /// Turns to coordinates, by the whole turns that bring them nearest to the seed within limits.
-HWY_INLINE void to_coordinates(const SixLoop& loop, const SixQuestion& question,
-                               const CosSine* turn, SixBranches& branches) {
+HWY_NOINLINE void to_coordinates(const SixLoop& loop, const SixQuestion& question,
+                                 const CosSine* turn, SixBranches& branches) {
   Lanes distance(0), excess(0);
   for (int i = 0; i < 6; ++i) {
     const int k = loop.order[i];

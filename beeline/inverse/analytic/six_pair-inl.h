@@ -26,7 +26,7 @@ HWY_INLINE double dot(const double* a, const double* b) {
 }
 
 /// k[0] to k[3]: the motions before joints d, e, f and a.
-HWY_INLINE SixPair six_pair(const SixLoop& loop, const Rigid* k) {
+HWY_NOINLINE static SixPair six_pair(const SixLoop& loop, const Rigid* k) {
   SixPair pair;
   const bool points = loop.family == SixLoop::Family::meeting;
   const Rigid &d = k[0], &e = k[1], &f = k[2], &a = k[3];

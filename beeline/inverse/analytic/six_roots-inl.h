@@ -28,9 +28,9 @@ inline constexpr double nearly_double = 1e-9;
 /// The turn with n . (cos, sin) + k = 0 of the sign that is asked for. Where n and k vanish any
 /// turn will do: then the preferred one is taken, and `free` is set. `unit` is what n counts
 /// against. `twin` is set where the other sign gives nearly the same.
-HWY_INLINE LaneMask solve_turn(Lanes nx, Lanes ny, Lanes k, Lanes sign, double unit,
-                               const CosSine& preferred, CosSine& turn, LaneMask& free,
-                               LaneMask& twin) {
+HWY_NOINLINE static LaneMask solve_turn(Lanes nx, Lanes ny, Lanes k, Lanes sign, double unit,
+                                        const CosSine& preferred, CosSine& turn, LaneMask& free,
+                                        LaneMask& twin) {
   const Lanes nn = fma(nx, nx, ny * ny), kk = k * k;
   const Lanes under = nn - kk;
   // A root that rounding alone would make is none, so that what is singular there is seen to be.
@@ -69,9 +69,9 @@ HWY_INLINE LaneMask solve_slide(Lanes n1, Lanes n2, Lanes k, Lanes sign, CosSine
 
 /// The two equations where neither is free of an unknown: the turn `second` is linear in `first`,
 /// and has length one. That is a quartic, of the half angle's tangent or of the travel.
-HWY_INLINE LaneMask solve_quartic(const double (*first)[2], bool slides, const double (*second)[2],
-                                  const double* rest, CosSine& one, CosSine& other,
-                                  LaneMask& twin) {
+HWY_NOINLINE static LaneMask solve_quartic(const double (*first)[2], bool slides,
+                                           const double (*second)[2], const double* rest,
+                                           CosSine& one, CosSine& other, LaneMask& twin) {
   const double det = second[0][0] * second[1][1] - second[0][1] * second[1][0];
   // |det| (second turn) = |m (first) + n|: each row is a combination of the two equations.
   double m[2][2], n[2];
@@ -157,9 +157,9 @@ HWY_INLINE LaneMask solve_quartic(const double (*first)[2], bool slides, const d
   return mask_of(found) & !vanishes;
 }
 
-HWY_INLINE LaneMask solve_one(Lanes nx, Lanes ny, Lanes k, bool slides, const double* signs,
-                              double unit, const CosSine& preferred, CosSine& turn,
-                              LaneMask& continuum, LaneMask& twin) {
+HWY_NOINLINE static LaneMask solve_one(Lanes nx, Lanes ny, Lanes k, bool slides,
+                                       const double* signs, double unit, const CosSine& preferred,
+                                       CosSine& turn, LaneMask& continuum, LaneMask& twin) {
   const Lanes sign = Lanes::load(signs);
   if (slides) return solve_slide(nx, ny, k, sign, turn, twin);
   LaneMask free;

@@ -42,8 +42,8 @@ HWY_INLINE bool whole(const Task& task) {
 }
 
 /// `goal`: four columns of four, the tool's place and the last link's orientation.
-HWY_INLINE void look(const NumericalProblem& problem, const double* goal,
-                     LevenbergMarquardtLanes& lanes, Look& at) {
+HWY_NOINLINE void look(const NumericalProblem& problem, const double* goal,
+                       LevenbergMarquardtLanes& lanes, Look& at) {
   const LanePose frame = last_frame(problem.chain, lanes.trial[0].lane, lanes.axes[0].lane);
   const double* tool = problem.chain.tool.data();
   at.tool = frame.origin + from_axes(frame, {tool[12], tool[13], tool[14]});
@@ -65,8 +65,8 @@ HWY_INLINE void look(const NumericalProblem& problem, const double* goal,
 
 /// Takes the trial's error over in the lanes in which it is less, sees which lanes end, and says
 /// in which it is less.
-HWY_INLINE LaneMask judge(const NumericalProblem& problem, const Look& at,
-                          const LaneOptions& options, LevenbergMarquardtLanes& lanes) {
+HWY_NOINLINE LaneMask judge(const NumericalProblem& problem, const Look& at,
+                            const LaneOptions& options, LevenbergMarquardtLanes& lanes) {
   const LaneMask active = mask_of(lanes.active);
   const Vector &linear = at.error.linear, &angular = at.error.angular;
   const Lanes position = dot(linear, linear), orientation = dot(angular, angular);
@@ -124,9 +124,9 @@ HWY_INLINE void load_column(const LevenbergMarquardtLanes& lanes, size_t k, Lane
 
 /// Takes the trial's Jacobian over in the lanes in which it is better, holds the joints at a bound
 /// that the error pulls through it, and returns J J^T of the others.
-HWY_INLINE void linearise(const NumericalProblem& problem, const Look& at, LaneMask better,
-                          const Lanes (&error)[6], LevenbergMarquardtLanes& lanes,
-                          Symmetric6& normal) {
+HWY_NOINLINE void linearise(const NumericalProblem& problem, const Look& at, LaneMask better,
+                            const Lanes (&error)[6], LevenbergMarquardtLanes& lanes,
+                            Symmetric6& normal) {
   const bool partial = !whole(problem.task);
   const bool all_better = (lanes.active & ~bits(better)) == 0;
   const int* links = problem.links.data();
@@ -156,7 +156,7 @@ HWY_INLINE void linearise(const NumericalProblem& problem, const Look& at, LaneM
   }
 }
 
-HWY_INLINE void normal_equations(const LevenbergMarquardtLanes& lanes, Symmetric6& normal) {
+HWY_NOINLINE void normal_equations(const LevenbergMarquardtLanes& lanes, Symmetric6& normal) {
   for (Lanes& entry : normal.entry) entry = Lanes(0);
   for (size_t k = 0; k < lanes.q.size(); ++k) {
     const Lanes free = load(lanes.free[k]);
@@ -170,8 +170,8 @@ HWY_INLINE void normal_equations(const LevenbergMarquardtLanes& lanes, Symmetric
 /// The damped step of the free joints, where what they are to do is `left`. Joints that it would
 /// carry through a bound stop there. Near the goal they are no longer free then, and what they do
 /// is taken off `left`; says in which lanes.
-HWY_INLINE unsigned step(const NumericalProblem& problem, Symmetric6& normal, Lanes (&left)[6],
-                         bool again, LevenbergMarquardtLanes& lanes) {
+HWY_NOINLINE unsigned step(const NumericalProblem& problem, Symmetric6& normal, Lanes (&left)[6],
+                           bool again, LevenbergMarquardtLanes& lanes) {
   const Lanes damping = fma(load(lanes.factor), load(lanes.cost), Lanes(least_damping));
   const LaneMask near = load(lanes.cost) < Lanes(near_goal);
   Lanes dual[6];
@@ -197,7 +197,7 @@ HWY_INLINE unsigned step(const NumericalProblem& problem, Symmetric6& normal, La
   return stopped;
 }
 
-HWY_INLINE void set_trial(const NumericalProblem& problem, LevenbergMarquardtLanes& lanes) {
+HWY_NOINLINE void set_trial(const NumericalProblem& problem, LevenbergMarquardtLanes& lanes) {
   Lanes longest(largest_step);
   for (const EightNumbers& one : lanes.step) longest = max(longest, abs(load(one)));
   const Lanes scale = Lanes(largest_step) / longest;
