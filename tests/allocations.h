@@ -9,7 +9,7 @@
 /// malloc itself, so that counting operator new would miss its own.
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define BEELINE_COUNTS_ALLOCATIONS 0  // they have their own
+#define BEELINE_COUNTS_ALLOCATIONS 0  // sanitizers replace malloc
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define BEELINE_COUNTS_ALLOCATIONS 0

@@ -7,7 +7,7 @@
 namespace beeline {
 namespace {
 
-TEST(Error, IsOneLineWhateverItQuotes) {
+TEST(Error, IsOneLineForAnyQuotedText) {
   const std::string hostile = "a\nb\rc\td\x1b[2Je\x7f";
   EXPECT_STREQ(Error(hostile).what(), "a b c d [2Je ");
   EXPECT_STREQ(FileError("dir\n/arm.urdf", 3, "no\nlink").what(), "dir /arm.urdf:3: no link");
@@ -36,7 +36,7 @@ TEST(UnknownName, SuggestsTheNearestIgnoringCaseAndListsAll) {
   EXPECT_EQ(std::string(unknown_name("arm", "x", {}).what()), "unknown arm \"x\"");
 }
 
-TEST(UnknownName, SuggestsNothingThatHasNoLetterInCommon) {
+TEST(UnknownName, SuggestsNoNameWithoutACommonLetter) {
   EXPECT_STREQ(unknown_name("joint type", "Q", {"R", "P"}).what(),
                "unknown joint type \"Q\" (known: R, P)");
   EXPECT_STREQ(unknown_name("joint type", "p", {"R", "P"}).what(),
@@ -52,7 +52,7 @@ TEST(UnknownName, CutsLongNamesBetweenCharactersAndStaysShort) {
   EXPECT_NE(said.find("\xc3\xa4\" (known"), std::string::npos) << said;
 }
 
-TEST(Listed, JoinsAndCutsWithTheCountOfWhatIsLeftOut) {
+TEST(Listed, JoinsAndCountsWhatItLeavesOut) {
   EXPECT_EQ(listed({}), "");
   EXPECT_EQ(listed({"a"}), "a");
   EXPECT_EQ(listed({"a", "b", "c"}), "a, b, c");
@@ -69,12 +69,12 @@ TEST(Number, HasSixDigitsAndNoLocale) {
   EXPECT_EQ(number(-1.7976931348623157e308), "-1.79769e+308");
   EXPECT_EQ(number(INFINITY), "inf");
   EXPECT_EQ(number(NAN), "nan");
-  std::setlocale(LC_ALL, "de_DE.UTF-8");  // where there is one
+  std::setlocale(LC_ALL, "de_DE.UTF-8");  // if installed
   EXPECT_EQ(number(0.5), "0.5");
   std::setlocale(LC_ALL, "C");
 }
 
-TEST(Angle, SpeaksBothUnits) {
+TEST(Angle, HasBothUnits) {
   EXPECT_EQ(angle(std::acos(0.0)), "1.5708 rad (90 deg)");
   EXPECT_EQ(angle(0), "0 rad (0 deg)");
 }

@@ -38,7 +38,7 @@ class Random {
     return v.normalized();
   }
 
-  /// A turn about a random axis by up to `angle`.
+  /// A rotation about a random axis by up to `angle`.
   Rotation rotation(double angle = 3.14159265358979) {
     return so3_exp(direction() * uniform(0, angle));
   }

@@ -7,7 +7,7 @@
 
 namespace beeline::testing {
 
-/// The message with which `call` refuses, or "accepted" when it does not. Other exceptions pass.
+/// The message of the Error that `call` throws, or "accepted". Other exceptions pass through.
 template <class Call>
 std::string refusal(Call&& call) {
   try {
@@ -20,7 +20,7 @@ std::string refusal(Call&& call) {
 
 }  // namespace beeline::testing
 
-/// The call throws beeline::Error with one line that holds `culprit`.
+/// Expects that the call throws beeline::Error with one line that contains `culprit`.
 #define EXPECT_REFUSED(call, culprit)                                                     \
   do {                                                                                    \
     const std::string refused = beeline::testing::refusal([&] { (void)(call); });         \

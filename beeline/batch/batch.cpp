@@ -26,7 +26,7 @@ using internal::in_parallel;
 constexpr Eigen::Index block = 1024;         // configurations that a thread takes at a time
 constexpr Eigen::Index chunk = batch_width;  // configurations copied through a buffer at a time
 // Bytes of results that a level-1 cache of 32 KiB holds beside its other contents; and those that
-// stay in a last-level cache. Timed: see bench/kinematics.
+// stay in a last-level cache of a common machine.
 constexpr double near_bytes = 24e3, cached_bytes = 16e6;
 
 template <class Matrix>

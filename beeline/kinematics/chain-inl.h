@@ -33,13 +33,14 @@ HWY_INLINE LanePose last_frame(const Chain& chain, const double* q, double* axes
   for (const Chain::Link& link : chain.links) {
     const double* step = link.translation.data();
     const Lanes coordinate = Lanes::load(q + lane_count * link.coordinate);
-    CosSine turn;
-    sine_cosine(fma(coordinate, Lanes(link.theta_per_q), Lanes(link.theta_offset)), turn.s, turn.c);
+    CosSine theta;
+    sine_cosine(fma(coordinate, Lanes(link.theta_per_q), Lanes(link.theta_offset)), theta.s,
+                theta.c);
     frame.origin = fma(Lanes(step[0]), frame.x, frame.origin);
     frame.origin = fma(Lanes(step[1]), frame.y, frame.origin);
     frame.origin = fma(Lanes(step[2]), frame.z, frame.origin);
     frame = rotated_x(frame, Lanes(link.cos_alpha), Lanes(link.sin_alpha));
-    frame = translated_z(rotated_z(frame, turn), coordinate * Lanes(link.d_per_q));
+    frame = translated_z(rotated_z(frame, theta), coordinate * Lanes(link.d_per_q));
     frame.z.store(axes);
     frame.origin.store(axes + 3 * lane_count);
     axes += 6 * lane_count;

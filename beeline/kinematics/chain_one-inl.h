@@ -56,7 +56,7 @@ HWY_INLINE Four cross(const Four& a, const Four& b) {
   const auto rotated = [&](const Four& v) HWY_ATTR {
     return hn::TableLookupLanes(v.part[0], hn::SetTableIndices(tag, next_axis));
   };
-  // a x b = turned(a rotated(b) - rotated(a) b)
+  // a x b = rotated(a rotated(b) - rotated(a) b)
   Four r;
   r.part[0] = hn::NegMulAdd(rotated(a), b.part[0], hn::Mul(a.part[0], rotated(b)));
   r.part[0] = rotated(r);

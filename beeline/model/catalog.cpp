@@ -63,14 +63,14 @@ Arm puma560() {
 // Universal Robots, "DH parameters for calculations of kinematics and dynamics" (maker's support
 // page). The e-series differs in every length.
 Arm universal_robot(const std::string& name, const std::array<double, 4>& d, double a2, double a3) {
-  const Limits turn = within(-2 * pi, 2 * pi);
+  const Limits range = within(-2 * pi, 2 * pi);
   return dh_arm(name, DhConvention::standard,
-                {{{.alpha = pi / 2, .d = d[0]}, turn},
-                 {{.a = a2}, turn},
-                 {{.a = a3}, turn},
-                 {{.alpha = pi / 2, .d = d[1]}, turn},
-                 {{.alpha = -pi / 2, .d = d[2]}, turn},
-                 {{.d = d[3]}, turn}});
+                {{{.alpha = pi / 2, .d = d[0]}, range},
+                 {{.a = a2}, range},
+                 {{.a = a3}, range},
+                 {{.alpha = pi / 2, .d = d[1]}, range},
+                 {{.alpha = -pi / 2, .d = d[2]}, range},
+                 {{.d = d[3]}, range}});
 }
 Arm ur5() { return universal_robot("ur5", {0.089159, 0.10915, 0.09465, 0.0823}, -0.425, -0.39225); }
 Arm ur5e() { return universal_robot("ur5e", {0.1625, 0.1333, 0.0997, 0.0996}, -0.425, -0.3922); }
@@ -102,7 +102,7 @@ Arm iiwa14() {
 }
 
 // Adept Cobra s600 (user's guide: inner link 325 mm, outer link 275 mm, ranges of the axes), the
-// quill turned before it slides, as in the chapter's RRRP; z of the tool points down.
+// quill rotates before it translates, as in the chapter's RRRP; z of the tool points down.
 Arm scara() {
   return dh_arm("scara", DhConvention::standard,
                 {{{.a = 0.325, .d = 0.387}, within(-105 * deg, 105 * deg)},
@@ -114,14 +114,14 @@ Arm scara() {
 // Scheinman's Stanford arm: lengths after Paul, "Modelling, trajectory calculation and servoing of
 // a computer controlled arm", Stanford AIM-177, 1972, Figure 2.3.
 Arm stanford() {
-  const Limits turn = within(-170 * deg, 170 * deg);
+  const Limits range = within(-170 * deg, 170 * deg);
   return dh_arm("stanford", DhConvention::standard,
-                {{{.alpha = -pi / 2, .d = 0.412}, turn},
-                 {{.alpha = pi / 2, .d = 0.154}, turn},
+                {{{.alpha = -pi / 2, .d = 0.412}, range},
+                 {{.alpha = pi / 2, .d = 0.154}, range},
                  {{.theta = -pi / 2, .kind = JointKind::prismatic}, within(12 * inch, 50 * inch)},
-                 {{.alpha = -pi / 2}, turn},
+                 {{.alpha = -pi / 2}, range},
                  {{.alpha = pi / 2}, within(-90 * deg, 90 * deg)},
-                 {{.d = 0.263}, turn}});
+                 {{.d = 0.263}, range}});
 }
 
 struct Entry {

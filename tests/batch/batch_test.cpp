@@ -18,7 +18,7 @@ using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// With right angles, rests and tools that are so but for a little, as text spells them.
+/// Offsets and tools whose right angles have the rounding of decimal text.
 Arm nearly_square(double off) {
   std::vector<Joint> joints;
   for (int i = 0; i < 5; ++i) {
@@ -34,7 +34,7 @@ Arm nearly_square(double off) {
   return {"square", joints, Pose(Eigen::AngleAxisd(off, Vector3(1, 1, 1).normalized()))};
 }
 
-/// Built-in arms, and arms of all kinds of joints, from one joint to more than go into a register.
+/// Built-in arms, and random arms from one joint to more joints than a register has lanes.
 std::vector<Arm> arms(testing::Random& random) {
   std::vector<Arm> all;
   for (const std::string& name : built_in_names()) all.push_back(built_in(name));
@@ -57,7 +57,7 @@ double size_of(const Arm& arm, const Eigen::VectorXd& q) {
   return size + arm.tool().translation().norm();
 }
 
-/// As the batch writes it.
+/// A pose in the layout of the batch.
 Eigen::VectorXd numbers(const Pose& pose, PoseLayout layout) {
   if (layout == PoseLayout::matrix) return pose.matrix().reshaped();
   const Quaternion r = quaternion(pose.linear());
@@ -142,7 +142,7 @@ TEST(Batch, ManipulabilityIsTheSingleCalls) {
   testing::Random random;
   for (const Arm& arm : arms(random)) {
     MatrixXd q = configurations(random, arm, 100);
-    q.col(3).setZero();  // where many arms are singular
+    q.col(3).setZero();  // many arms are singular there
     MatrixXd values(1, q.cols());
     batch_manipulability<double>(arm, q, values);
     for (Eigen::Index i = 0; i < q.cols(); ++i) {
@@ -177,7 +177,7 @@ TEST(Batch, FloatIsNearlyTheSame) {
       for (int k = 0; k < arm.dof(); ++k) {
         if (kind(arm.joint_of(k)) == JointKind::revolute) q.row(k) *= static_cast<float>(angle);
       }
-      // A coordinate that drives followers through a ratio has rounding of its own.
+      // The ratio of a mimic joint adds its own rounding.
       if (angle > 1 && !arm.chain_angles().in_order) continue;
       MatrixXf poses(16, q.cols()), jacobians(6 * arm.dof(), q.cols());
       batch_jacobian<float>(arm, q, jacobians, poses);
@@ -194,7 +194,7 @@ TEST(Batch, FloatIsNearlyTheSame) {
   }
 }
 
-TEST(Batch, WhatIsNotFiniteSpoilsItsOwnColumn) {
+TEST(Batch, NonFiniteValuesAffectOnlyTheirColumn) {
   testing::Random random;
   for (const Arm& arm : arms(random)) {
     MatrixXd q = configurations(random, arm, 40);
@@ -223,7 +223,7 @@ TEST(Batch, WhatIsNotFiniteSpoilsItsOwnColumn) {
 TEST(Batch, IsTheSameForAnyNumberOfThreadsAndAnywhereInTheBatch) {
   testing::Random random;
   const Arm arm = built_in("panda");
-  const Eigen::Index count = 30011;  // results are too many for the caches
+  const Eigen::Index count = 30011;  // the results exceed the caches
   MatrixXd q = configurations(random, arm, count);
   q(2, 17) = 1e7;
   MatrixXd jacobians(42, count), poses(16, count);

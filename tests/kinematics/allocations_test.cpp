@@ -12,7 +12,7 @@ namespace {
 
 TEST(Kinematics, DoesNotAllocateIntoTheCallersBuffers) {
 #if !BEELINE_COUNTS_ALLOCATIONS
-  GTEST_SKIP() << "allocations cannot be counted here";
+  GTEST_SKIP() << "allocations cannot be counted on this platform";
 #endif
   testing::Random random;
   std::vector<Arm> arms;
@@ -32,7 +32,7 @@ TEST(Kinematics, DoesNotAllocateIntoTheCallersBuffers) {
   }
   const long before = allocations;
   std::free(std::malloc(8));
-  EXPECT_EQ(allocations, before + 1);  // they are counted
+  EXPECT_EQ(allocations, before + 1);  // the counter works
 }
 
 }  // namespace

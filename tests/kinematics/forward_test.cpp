@@ -114,7 +114,7 @@ TEST(ForwardKinematics, MovesWithTheBaseAndTheTool) {
   }
 }
 
-TEST(ForwardKinematics, DoesNotChangeWhenLinkFramesMove) {
+TEST(ForwardKinematics, DoesNotDependOnTheLinkFrames) {
   testing::Random random;
   for (int i = 0; i < 500; ++i) {
     const Arm arm = testing::random_arm(random, 5);

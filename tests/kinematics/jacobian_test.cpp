@@ -19,7 +19,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double deg = pi / 180;
 constexpr Frame frames[] = {Frame::base, Frame::tool, Frame::space};
 
-/// Column k by central differences of forward kinematics, straight from each frame's definition.
+/// Column k by central differences of forward kinematics, from the definition of each frame.
 Twist difference(const Arm& arm, const Configuration& q, int k, Frame frame) {
   constexpr double h = 1e-5;
   Configuration ahead = q, behind = q;
@@ -85,7 +85,7 @@ TEST(Jacobian, IsTheDifferenceQuotientForEveryBuiltInArm) {
   }
 }
 
-TEST(Jacobian, GoesFromFrameToFrameByTheAdjoint) {
+TEST(Jacobian, IsMappedBetweenFramesByTheAdjoint) {
   testing::Random random;
   for (int i = 0; i < 500; ++i) {
     const Arm arm = testing::random_arm(random, 6, 4);
@@ -99,14 +99,14 @@ TEST(Jacobian, GoesFromFrameToFrameByTheAdjoint) {
   }
 }
 
-TEST(Jacobian, IsInBaseAxesUnlessAskedOtherwiseAndReturnsTheToolsPose) {
+TEST(Jacobian, IsInTheBaseFrameByDefaultAndReturnsTheToolsPose) {
   testing::Random random;
   for (int i = 0; i < 300; ++i) {
     const Arm arm = testing::random_arm(random, 5, 4);
     const Configuration q = random.configuration(arm);
     ASSERT_EQ(jacobian(arm, q), jacobian(arm, q, Frame::base));
     for (const Frame frame : frames) {
-      Jacobian columns = Jacobian::Constant(6, arm.dof(), 7);  // what stood there does not matter
+      Jacobian columns = Jacobian::Constant(6, arm.dof(), 7);  // previous content does not matter
       const Pose pose = jacobian(arm, q, columns, frame);
       ASSERT_EQ(columns, jacobian(arm, q, frame));
       ASSERT_LT((pose.matrix() - forward_kinematics(arm, q).matrix()).norm(), 3e-14);
@@ -158,7 +158,7 @@ Arm random_planar_arm(testing::Random& random, int joints, bool upside_down) {
   return {"planar", chain, over * level, level * over};
 }
 
-TEST(PlanarJacobian, HasExactlyOneInTheThirdRowOfARevoluteJointAndZeroOfASlide) {
+TEST(PlanarJacobian, HasExactlyOneInTheThirdRowForARevoluteJointAndZeroForAPrismaticOne) {
   testing::Random random;
   for (int i = 0; i < 2000; ++i) {
     const bool upside_down = i % 2 == 1;
@@ -173,7 +173,7 @@ TEST(PlanarJacobian, HasExactlyOneInTheThirdRowOfARevoluteJointAndZeroOfASlide) 
     }
     const Jacobian spatial = jacobian(arm, q);
     ASSERT_EQ(planar.topRows<2>(), spatial.topRows<2>());
-    ASSERT_LT(spatial.middleRows<3>(2).norm(), 3e-13) << "nothing leaves the plane";
+    ASSERT_LT(spatial.middleRows<3>(2).norm(), 3e-13) << "the out-of-plane rows are zero";
   }
 }
 
@@ -181,7 +181,7 @@ TEST(PlanarJacobian, RefusesAnArmThatIsNotPlanar) {
   EXPECT_REFUSED(planar_jacobian(built_in("ur5"), Configuration::Zero(6)), "arm ur5 is not planar");
 }
 
-TEST(Jacobian, OfAPlanarChainOfUpToAThousandJointsIsTheSumOfWhatFollows) {
+TEST(Jacobian, OfAPlanarChainOfUpToAThousandJointsIsTheSumOfTheLaterLinks) {
   testing::Random random;
   for (const int joints : {1, 10, 100, 1000}) {
     std::vector<Joint> chain;

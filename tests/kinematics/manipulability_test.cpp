@@ -45,7 +45,7 @@ TEST(Dexterity, OfATwoLinkArmIsItsClosedForm) {
   }
 }
 
-TEST(Dexterity, AtASingularityHasNoEndOfConditionWhereverTheArmPoints) {
+TEST(Dexterity, HasInfiniteConditionAtASingularity) {
   testing::Random random;
   for (int i = 0; i < 2000; ++i) {
     const double q1 = random.uniform(-pi, pi);
@@ -57,7 +57,7 @@ TEST(Dexterity, AtASingularityHasNoEndOfConditionWhereverTheArmPoints) {
   }
 }
 
-TEST(Dexterity, OfAWristInLineIsSingularAndAwayFromItIsNot) {
+TEST(Dexterity, IsSingularForAnAlignedWristOnly) {
   testing::Random random;
   const Arm puma = built_in("puma560");
   for (int i = 0; i < 500; ++i) {
@@ -82,7 +82,7 @@ TEST(Dexterity, IsYoshikawasMeasure) {
   }
 }
 
-TEST(Dexterity, HasTheRootsOfTheEigenvaluesLargestFirst) {
+TEST(Dexterity, HasTheRootsOfTheEigenvaluesInDecreasingOrder) {
   testing::Random random;
   for (int i = 0; i < 500; ++i) {
     const Arm arm = testing::random_arm(random, 8);

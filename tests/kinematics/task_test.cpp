@@ -49,7 +49,7 @@ TEST(Task, NamedTasksAreTheirMasks) {
   EXPECT_EQ(task_named("111110:tool").frame, Frame::tool);
 }
 
-TEST(Task, RefusesEverythingElseNamingWhatIsKnown) {
+TEST(Task, RefusesOtherNamesAndListsTheKnownOnes) {
   for (const char* text : {"", "spatail", "000000", "000000:tool", "11111", "1111111", "11111x",
                            "11112 ", ":tool", "spatial:tool:tool", "spatial:base", "Spatial"}) {
     EXPECT_REFUSED(task_named(text), "unknown task \"" + std::string(text) + "\"");
@@ -93,7 +93,7 @@ TEST(Task, KeepsItsRowsOfTwistsAndJacobians) {
             planar_jacobian(built_in("rrr"), Eigen::Vector3d(1, 2, 3)));
 }
 
-TEST(TaskError, LeadsFromCurrentToDesired) {
+TEST(TaskError, IsTheDifferenceFromCurrentToDesired) {
   testing::Random random;
   for (int i = 0; i < 2000; ++i) {
     const Pose current = random.pose(2), desired = random.pose(2);
@@ -128,18 +128,18 @@ TEST(TaskError, IsTheJacobianTimesAShortStep) {
   }
 }
 
-TEST(TaskError, TakesTheSmallestAngleOnBothSidesOfAHalfTurn) {
+TEST(TaskError, HasTheSmallestAngleOnBothSidesOfPi) {
   testing::Random random;
   for (int i = 0; i < 3000; ++i) {
     const double from = random.uniform(-pi, pi);
     const double off = random.uniform(-1, 1) * std::pow(10, random.uniform(-9, 0));
-    const double to = from + pi + off;  // a little more or less than half a turn away
+    const double to = from + pi + off;  // slightly more or less than pi away
     const Eigen::VectorXd error =
         task_error(Task::planar(), to_space({1, 2, to}), to_space({0, 0, from}));
     ASSERT_LE(std::abs(error[2]), pi + 4e-15);
-    if (std::abs(off) < 1e-14) continue;  // there both ways round are the shortest
+    if (std::abs(off) < 1e-14) continue;  // there both rotations are equally short
     ASSERT_NEAR(error[2], angle_difference(to, from), 1e-14);
-    ASSERT_EQ(error[2]<0, off> 0) << "past the half turn the other way round is shorter";
+    ASSERT_EQ(error[2]<0, off> 0) << "beyond pi the opposite rotation is shorter";
   }
   for (const double turn : {pi, -pi}) {
     const Eigen::VectorXd error = task_error(Task::planar(), to_space({0, 0, turn}), to_space({}));
@@ -147,7 +147,7 @@ TEST(TaskError, TakesTheSmallestAngleOnBothSidesOfAHalfTurn) {
   }
 }
 
-TEST(TaskError, IsFreeOfATurnAboutTheToolsAxisWhenThatRowIsFree) {
+TEST(TaskError, IgnoresRotationAboutTheToolsAxisWhenTheTaskDoes) {
   testing::Random random;
   const Task pointing = task_named("111110:tool");
   for (int i = 0; i < 1000; ++i) {
@@ -160,7 +160,7 @@ TEST(TaskError, IsFreeOfATurnAboutTheToolsAxisWhenThatRowIsFree) {
   }
 }
 
-TEST(TaskDeviation, IsTheLengthsOfTheRowsThatMatter) {
+TEST(TaskDeviation, IsTheNormsOfTheTasksRows) {
   testing::Random random;
   for (int i = 0; i < 500; ++i) {
     const Pose current = random.pose(2), desired = random.pose(2);
@@ -169,7 +169,7 @@ TEST(TaskDeviation, IsTheLengthsOfTheRowsThatMatter) {
     const Rotation turn = desired.linear() * current.linear().transpose();
     ASSERT_NEAR(all.orientation, Eigen::AngleAxisd(turn).angle(), 3e-14);
     const Deviation tool = task_deviation(task_named("spatial:tool"), desired, current);
-    ASSERT_NEAR(tool.position, all.position, 3e-14) << "axes do not change lengths";
+    ASSERT_NEAR(tool.position, all.position, 3e-14) << "the norms do not depend on the axes";
     ASSERT_NEAR(tool.orientation, all.orientation, 3e-14);
     ASSERT_EQ(task_deviation(Task::position(), desired, current).orientation, 0);
     for (const Task& task : all_tasks()) {

@@ -21,7 +21,7 @@ Joint turning(const std::string& name) {
   return joint;
 }
 
-/// shoulder, elbow and wrist, with a change to the elbow.
+/// An arm of shoulder, elbow and wrist, with `change` applied to the elbow.
 template <class Change>
 Arm arm_with_elbow(Change change) {
   std::vector<Joint> joints{turning("shoulder"), turning("elbow"), turning("wrist")};
@@ -29,7 +29,7 @@ Arm arm_with_elbow(Change change) {
   return {"arm", joints};
 }
 
-TEST(Arm, KeepsWhatItIsGiven) {
+TEST(Arm, HasTheGivenParts) {
   testing::Random random;
   const Pose tool = random.pose(), base = random.pose();
   const Arm arm("mine", {turning("a"), turning("b")}, tool, base);
@@ -44,7 +44,7 @@ TEST(Arm, KeepsWhatItIsGiven) {
   EXPECT_EQ(with_tool(arm, base).base().matrix(), base.matrix());
 }
 
-TEST(Arm, RefusesNoJointsAndJointsWithoutANameOfTheirOwn) {
+TEST(Arm, RefusesNoJointsAndDuplicateOrMissingNames) {
   EXPECT_REFUSED(Arm("empty", {}), "arm empty has no joints");
   EXPECT_REFUSED(arm_with_elbow([](Joint& j) { j.name = "wrist"; }), "two joints are called wrist");
   EXPECT_REFUSED(arm_with_elbow([](Joint& j) { j.name = ""; }), "joint 2 has no name");
@@ -79,7 +79,7 @@ TEST(Arm, RefusesScrewsThatAreNotOfUnitLength) {
   EXPECT_REFUSED(arm_with_elbow([](Joint& j) { j.screw.setZero(); }), "length 0; it must be 1");
 }
 
-TEST(Arm, RefusesOffsetsThatAreNoRigidMotion) {
+TEST(Arm, RefusesOffsetsThatAreNotRigidMotions) {
   testing::Random random;
   for (int i = 0; i < 300; ++i) {
     Pose stretched = random.pose(), mirrored = random.pose(), sheared = random.pose();
@@ -99,7 +99,7 @@ TEST(Arm, RefusesOffsetsThatAreNoRigidMotion) {
   EXPECT_REFUSED(Arm("arm", {turning("a")}, projective), "last row");
 }
 
-TEST(Arm, RefusesLimitsThatNoValueOrMotionCanKeep) {
+TEST(Arm, RefusesInconsistentAndTooSmallLimits) {
   const auto with = [](Limits limits) {
     return arm_with_elbow([&](Joint& j) { j.limits = limits; });
   };
@@ -133,7 +133,7 @@ TEST(CheckConfiguration, RefusesWrongCountsAndNumbersThatAreNotFinite) {
   EXPECT_NO_THROW(check_configuration(arm, Configuration::Constant(3, 1e300)));
 }
 
-TEST(LimitViolations, SayWhichJointIsWhereAndWhatIsAllowed) {
+TEST(LimitViolations, NameTheJointItsValueAndItsLimits) {
   Joint slide;
   slide.name = "slide";
   slide.screw = translation_screw(Vector3::UnitX());

@@ -116,7 +116,7 @@ TEST(Iiwa14, IsTheChainOfItsTable) {
   EXPECT_LT((position_at_zero("iiwa14") - Vector3(0, 0, 1.306)).norm(), 1e-15);
 }
 
-TEST(Scara, TurnsThreeTimesAndThenLowersTheQuill) {
+TEST(Scara, RotatesThreeTimesAndThenTranslatesTheQuill) {
   expect_chain("scara", [](const Configuration& q) {
     Matrix4 pose = Matrix4::Identity();
     const double heading = q[0] + q[1] - q[2];  // the quill's z points down

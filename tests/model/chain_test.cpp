@@ -37,7 +37,7 @@ TEST(Chain, MovesAsTheArmDoes) {
   }
 }
 
-TEST(Chain, KeepsItsDigitsManyTurnsAway) {
+TEST(Chain, KeepsItsDigitsAtLargeAngles) {
   testing::Random random;
   for (const std::string& name : built_in_names()) {
     const Arm arm = built_in(name);
@@ -54,7 +54,7 @@ TEST(Chain, KeepsItsDigitsManyTurnsAway) {
   }
 }
 
-TEST(Chain, MovesTheSameWithFramesElsewhereOnTheAxes) {
+TEST(Chain, IsTheSameMotionWithOtherFramesOnTheAxes) {
   testing::Random random;
   for (int trial = 0; trial < 200; ++trial) {
     const Arm arm = testing::random_arm(random, random.integer(1, 8), trial % 3);
@@ -71,7 +71,7 @@ TEST(Chain, MovesTheSameWithFramesElsewhereOnTheAxes) {
   }
 }
 
-TEST(Chain, IsExactForAxesThatAreParallelButForALittle) {
+TEST(Chain, IsExactForNearlyParallelAxes) {
   testing::Random random;
   for (double tilt = 1e-16; tilt < 1e-2; tilt *= 10) {
     std::vector<Joint> joints;

@@ -36,7 +36,7 @@ void expect_pose(const Pose& pose, const Vector3& position, const Rotation& turn
   ASSERT_LT((pose.matrix() - make_pose(position, turn).matrix()).norm(), 9e-15);
 }
 
-TEST(CompositeJoint, ExpandsIntoOneDegreeOfFreedomJointsAtOnePlace) {
+TEST(CompositeJoint, ExpandsIntoOneDegreeOfFreedomJointsWithCoincidentFrames) {
   EXPECT_EQ(letters(composite_joint('R', "j")), "R");
   EXPECT_EQ(letters(composite_joint('P', "j")), "P");
   EXPECT_EQ(letters(composite_joint('H', "j", 0.1)), "H");
@@ -51,7 +51,7 @@ TEST(CompositeJoint, ExpandsIntoOneDegreeOfFreedomJointsAtOnePlace) {
   }
 }
 
-TEST(CompositeJoint, NamesItsJointsByAxisAndSlide) {
+TEST(CompositeJoint, NamesItsJointsByAxis) {
   using Names = std::vector<std::string>;
   EXPECT_EQ(names('R'), (Names{"j"}));
   EXPECT_EQ(names('P'), (Names{"j"}));

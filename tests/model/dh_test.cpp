@@ -34,7 +34,7 @@ DhRow random_row(testing::Random& random, JointKind kind) {
           .kind = kind};
 }
 
-TEST(DhJoint, StandardIsTurnAndSlideAlongZThenAlongX) {
+TEST(DhJoint, StandardIsAScrewAlongZThenAlongX) {
   testing::Random random;
   for (int i = 0; i < 2000; ++i) {
     const double q = random.uniform(-3, 3);
@@ -52,7 +52,7 @@ TEST(DhJoint, StandardIsTurnAndSlideAlongZThenAlongX) {
   }
 }
 
-TEST(DhJoint, ModifiedIsTurnAndSlideAlongXThenAlongZ) {
+TEST(DhJoint, ModifiedIsAScrewAlongXThenAlongZ) {
   testing::Random random;
   for (int i = 0; i < 2000; ++i) {
     const double q = random.uniform(-3, 3);
@@ -68,13 +68,13 @@ TEST(DhJoint, ModifiedIsTurnAndSlideAlongXThenAlongZ) {
   }
 }
 
-TEST(DhJoint, TurnsAboutTheConventionsOwnAxis) {
+TEST(DhJoint, RotatesAboutTheConventionsAxis) {
   const DhRow row{.a = 0.5, .alpha = 0.3, .d = 0.2, .theta = 0.1};
   Twist about_own_z = Twist::Zero();
   about_own_z[5] = 1;
   EXPECT_EQ(dh_joint(row, DhConvention::modified).screw, about_own_z);
   EXPECT_GT((dh_joint(row, DhConvention::standard).screw - about_own_z).norm(), 0.1)
-      << "standard: joint i turns about z of frame i-1";
+      << "standard: joint i rotates about z of frame i-1";
 }
 
 TEST(DhJoint, RefusesHelicalRows) {

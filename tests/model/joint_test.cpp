@@ -29,7 +29,7 @@ TEST(ScrewMotion, IsTheMatrixExponentialForEveryKindAndPlace) {
   }
 }
 
-TEST(ScrewMotion, KeepsTheAxisAndTravelsThePitchAlongIt) {
+TEST(ScrewMotion, KeepsTheAxisAndTranslatesByThePitch) {
   testing::Random random;
   for (int i = 0; i < 2000; ++i) {
     const Vector3 axis = random.direction(), point = random.vector(2);
@@ -47,7 +47,7 @@ TEST(ScrewMotion, KeepsTheAxisAndTravelsThePitchAlongIt) {
   }
 }
 
-TEST(ScrewMotion, AtZeroIsExactlyNoMotion) {
+TEST(ScrewMotion, AtZeroIsExactlyTheIdentity) {
   testing::Random random;
   for (int i = 0; i < 300; ++i) {
     const Joint joint = testing::random_joint(random, kinds[i % 3], "j");
@@ -55,14 +55,14 @@ TEST(ScrewMotion, AtZeroIsExactlyNoMotion) {
   }
 }
 
-TEST(Kind, IsToldByTheScrewWhateverTheAxisAndItsPlace) {
+TEST(Kind, FollowsFromTheScrewForAnyAxis) {
   testing::Random random;
   for (int i = 0; i < 20000; ++i) {
     const double far = std::pow(10, random.uniform(-2, 4));
     Joint joint;
     joint.screw = rotation_screw(random.direction() * random.uniform(0.1, 5), random.vector(far));
     ASSERT_EQ(kind(joint), JointKind::revolute) << joint.screw.transpose();
-    ASSERT_EQ(pitch(joint), 0) << "rounding is no pitch";
+    ASSERT_EQ(pitch(joint), 0) << "rounding does not count as pitch";
     ASSERT_EQ(kind(with_link_frame(joint, random.pose(far))), JointKind::revolute);
     joint.screw = translation_screw(random.direction());
     ASSERT_EQ(kind(joint), JointKind::prismatic);
@@ -85,7 +85,7 @@ TEST(Kind, HasTheChaptersLetterAndAName) {
   EXPECT_STREQ(name(JointKind::helical), "helical");
 }
 
-TEST(Screws, AreUnitForAnAxisOfAnyLengthAndRefuseNone) {
+TEST(Screws, AreUnitForAnAxisOfAnyLengthAndRefuseZero) {
   testing::Random random;
   for (int i = 0; i < 1000; ++i) {
     const Vector3 axis = random.direction() * std::pow(10, random.uniform(-8, 300));
@@ -112,7 +112,7 @@ TEST(JointTransform, IsTheOffsetAndThenTheMotion) {
   }
 }
 
-TEST(WithLinkFrame, IsTheSameMotionSeenFromAnotherFrameOfTheLink) {
+TEST(WithLinkFrame, IsTheSameMotionInAnotherFrameOfTheLink) {
   testing::Random random;
   for (int i = 0; i < 3000; ++i) {
     Joint joint = testing::random_joint(random, kinds[i % 3], "elbow");

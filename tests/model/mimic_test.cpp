@@ -62,7 +62,7 @@ TEST(Mimic, MovesAsTheSameArmWithoutMimicMovesAtTheFollowersValues) {
   }
 }
 
-TEST(Mimic, LeadersAreNarrowedSoThatFollowersKeepTheirLimits) {
+TEST(Mimic, LimitsOfLeadersAreTightenedToThoseOfFollowers) {
   testing::Random random;
   for (int i = 0; i < 3000; ++i) {
     const double ratio = random.uniform(-3, 3), shift = random.uniform(-5, 5);
@@ -80,7 +80,7 @@ TEST(Mimic, LeadersAreNarrowedSoThatFollowersKeepTheirLimits) {
       const bool own = q == mine.lower || q == mine.upper;
       const double value = ratio * q + shift;
       ASSERT_TRUE(own || std::min(std::abs(value - its.lower), std::abs(value - its.upper)) < 1e-14)
-          << "no more than needed";
+          << "not tighter than necessary";
     }
     ASSERT_EQ(both.velocity, std::min(1.0, 1.5 / std::abs(ratio)));
     ASSERT_EQ(both.acceleration, std::min(2.0, 1.5 / std::abs(ratio)));
@@ -88,7 +88,7 @@ TEST(Mimic, LeadersAreNarrowedSoThatFollowersKeepTheirLimits) {
   }
 }
 
-TEST(Mimic, OfLimitsThatCannotBothBeKeptIsRefused) {
+TEST(Mimic, WithIncompatibleLimitsIsRefused) {
   const Limits narrow{.lower = 1, .upper = 2};
   EXPECT_REFUSED(Arm("arm", {turning("a", narrow), follower("b", {"a", 1, 5}, narrow)}),
                  "mimic joint b with its leader: lower limit");
@@ -118,7 +118,7 @@ TEST(Mimic, WithNumbersThatAreNotFiniteIsRefusedAlsoWhenTheyArise) {
       "joint c: its mimic multiplier or offset is not finite");
 }
 
-TEST(Mimic, ALongChainIsResolvedInOneClimb) {
+TEST(Mimic, ALongChainOfLeadersIsResolvedInLinearTime) {
   constexpr int count = 20000;
   std::vector<Joint> joints;
   for (int i = 0; i < count; ++i) {
@@ -127,7 +127,7 @@ TEST(Mimic, ALongChainIsResolvedInOneClimb) {
   joints.push_back(turning("j" + std::to_string(count)));
   const Arm arm("arm", joints);
   EXPECT_EQ(arm.dof(), 1);
-  EXPECT_EQ(arm.drives()[0].ratio, 1) << "an even number of changes of sign";
+  EXPECT_EQ(arm.drives()[0].ratio, 1) << "an even number of sign changes";
   EXPECT_EQ(arm.drives()[0].shift, 0);
   EXPECT_EQ(arm.drives()[1].ratio, -1);
   EXPECT_EQ(arm.drives()[1].shift, 1);

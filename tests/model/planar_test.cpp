@@ -26,7 +26,7 @@ Arm chain(const std::string& letters, const Pose& tool = Pose::Identity(),
   return {letters, joints, tool, base};
 }
 
-TEST(Planar, AreChainsOfTurnsAboutZAndSlidesInThePlane) {
+TEST(Planar, AreChainsOfRotationsAboutZAndTranslationsInThePlane) {
   for (const char* letters : {"R", "P", "RRR", "RP", "PP", "RPRPR", "E", "REP", "RRRRRRRR"}) {
     EXPECT_TRUE(chain(letters).planar()) << letters;
   }
@@ -47,7 +47,7 @@ TEST(Planar, BuiltInArmsAreAsTheirSummariesSay) {
   }
 }
 
-TEST(Planar, SurvivesABaseMovedAndTurnedAboutZButNotATiltedOne) {
+TEST(Planar, HoldsForABaseRotatedAboutZButNotForATiltedOne) {
   testing::Random random;
   for (int i = 0; i < 500; ++i) {
     const Pose level = make_pose(random.vector(3), rotation({0, 0, random.uniform(-pi, pi)}));
@@ -61,13 +61,13 @@ TEST(Planar, SurvivesABaseMovedAndTurnedAboutZButNotATiltedOne) {
   }
 }
 
-TEST(Planar, AnArmThatTurnsAboutMinusZIsPlanarWhileItsToolStandsUpright) {
+TEST(Planar, HoldsForAxesAlongMinusZWithTheToolsZUp) {
   const Pose over = make_pose({0, 0, 0}, rotation({pi, 0, 0}));
   EXPECT_TRUE(chain("RR", over, over).planar());
   EXPECT_FALSE(chain("RR", Pose::Identity(), over).planar()) << "the tool's z points down";
 }
 
-TEST(Planar, MeansThatTheToolStaysInItsPlaneAndUpright) {
+TEST(Planar, MeansThatTheToolStaysInItsPlaneWithZUp) {
   testing::Random random;
   for (int i = 0; i < 300; ++i) {
     const Pose level = make_pose(random.vector(3), rotation({0, 0, random.uniform(-pi, pi)}));

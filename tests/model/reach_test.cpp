@@ -19,18 +19,18 @@ void expect_never_left(const Arm& arm, testing::Random& random, int configuratio
   }
 }
 
-TEST(Reach, BuiltInArmsNeverLeaveTheBall) {
+TEST(Reach, ContainsTheToolsOfBuiltInArms) {
   testing::Random random;
   for (const std::string& name : built_in_names()) {
     expect_never_left(built_in(name), random, 10000);
   }
 }
 
-TEST(Reach, RandomArmsWithSlidesScrewsFollowersAndABaseNeverLeaveTheBall) {
+TEST(Reach, ContainsTheToolsOfRandomArms) {
   testing::Random random;
   for (int i = 0; i < 400; ++i) {
     const Arm arm = testing::random_arm(random, random.integer(1, 8), i % 2 == 0 ? 0 : 3);
-    ASSERT_TRUE(std::isfinite(arm.reach().radius)) << "every slide has limits here";
+    ASSERT_TRUE(std::isfinite(arm.reach().radius)) << "every translation has limits here";
     expect_never_left(arm, random, 50);
   }
 }
@@ -64,7 +64,7 @@ TEST(Reach, IsTightForAStretchedChain) {
   }
 }
 
-TEST(Reach, IsInfiniteOnlyWhenSomethingSlidesWithoutLimits) {
+TEST(Reach, IsInfiniteOnlyForTranslationsWithoutLimits) {
   EXPECT_EQ(built_in("gantry").reach().radius, Limits::none);
   EXPECT_EQ(built_in("rp").reach().radius, Limits::none);
   testing::Random random;
@@ -72,7 +72,8 @@ TEST(Reach, IsInfiniteOnlyWhenSomethingSlidesWithoutLimits) {
     Joint joint = testing::random_joint(random, JointKind::revolute, "turning");
     joint.limits = {};
     const Arm turning("turning", {joint}, random.pose());
-    ASSERT_TRUE(std::isfinite(turning.reach().radius)) << "it turns without end, yet on a circle";
+    ASSERT_TRUE(std::isfinite(turning.reach().radius))
+        << "a rotation without limits stays on a circle";
     joint = testing::random_joint(random, JointKind::helical, "screwing");
     joint.limits = {};
     ASSERT_EQ(Arm("screwing", {joint}).reach().radius, Limits::none);

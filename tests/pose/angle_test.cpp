@@ -15,7 +15,7 @@ double any_magnitude(testing::Random& random) {
   return random.uniform(-1, 1) * std::pow(10, random.uniform(-300, 308));
 }
 
-TEST(WrapAngle, KeepsTheDirectionAndLandsWithinAHalfTurn) {
+TEST(WrapAngle, IsEquivalentAndWithinPi) {
   testing::Random random;
   for (int i = 0; i < 20000; ++i) {
     const double a = random.uniform(-1000, 1000);
@@ -27,7 +27,7 @@ TEST(WrapAngle, KeepsTheDirectionAndLandsWithinAHalfTurn) {
   }
 }
 
-TEST(AngleDifference, IsWithinAHalfTurnAndAntisymmetricAtAnyMagnitude) {
+TEST(AngleDifference, IsWithinPiAndAntisymmetricAtAnyMagnitude) {
   testing::Random random;
   for (int i = 0; i < 20000; ++i) {
     const double a = any_magnitude(random), b = any_magnitude(random);
@@ -38,7 +38,7 @@ TEST(AngleDifference, IsWithinAHalfTurnAndAntisymmetricAtAnyMagnitude) {
   EXPECT_LE(std::abs(angle_difference(1.7e308, -1.7e308)), pi);
 }
 
-TEST(AngleDifference, LeadsFromTheOneToTheOther) {
+TEST(AngleDifference, AddedToTheSecondAngleGivesTheFirst) {
   testing::Random random;
   for (int i = 0; i < 20000; ++i) {
     const double a = random.uniform(-20, 20), b = random.uniform(-20, 20);
@@ -47,7 +47,7 @@ TEST(AngleDifference, LeadsFromTheOneToTheOther) {
   }
 }
 
-TEST(AngleDifference, IgnoresWholeTurns) {
+TEST(AngleDifference, IgnoresMultiplesOfTwoPi) {
   testing::Random random;
   for (int i = 0; i < 5000; ++i) {
     const double b = random.uniform(-10, 10), turn = random.uniform(-3.1, 3.1);
@@ -56,7 +56,7 @@ TEST(AngleDifference, IgnoresWholeTurns) {
   }
 }
 
-TEST(AngleDifference, IsAFullHalfTurnAtPiAndNothingBetweenItsTwoSigns) {
+TEST(AngleDifference, IsPiAtPiAndZeroBetweenPiAndMinusPi) {
   EXPECT_EQ(angle_difference(pi, 0), pi);
   EXPECT_EQ(angle_difference(-pi, 0), -pi);
   EXPECT_EQ(std::abs(angle_difference(0, pi)), pi);
@@ -66,7 +66,7 @@ TEST(AngleDifference, IsAFullHalfTurnAtPiAndNothingBetweenItsTwoSigns) {
   EXPECT_NEAR(angle_difference(350 * pi / 180, 10 * pi / 180), -20 * pi / 180, 1e-15);
 }
 
-TEST(NearestTurn, IsTheSameDirectionWithinAHalfTurnOfTheReference) {
+TEST(NearestTurn, IsEquivalentAndWithinPiOfTheReference) {
   testing::Random random;
   for (int i = 0; i < 20000; ++i) {
     const double a = random.uniform(-50, 50), reference = random.uniform(-50, 50);
@@ -74,9 +74,10 @@ TEST(NearestTurn, IsTheSameDirectionWithinAHalfTurnOfTheReference) {
     ASSERT_LE(std::abs(near - reference), pi + 1e-13);
     const double turns = (near - a) / (2 * pi);
     ASSERT_NEAR(turns, std::round(turns), 3e-13);
-    ASSERT_EQ(nearest_turn(near, reference), near) << "a value that is near already";
+    ASSERT_EQ(nearest_turn(near, reference), near)
+        << "a value within pi of the reference is unchanged";
   }
-  EXPECT_EQ(nearest_turn(1e-20, 3), 1e-20) << "no digit is lost to the reference";
+  EXPECT_EQ(nearest_turn(1e-20, 3), 1e-20) << "the reference does not enter the sum";
   EXPECT_EQ(nearest_turn(pi, 0), pi);
 }
 

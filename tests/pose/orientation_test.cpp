@@ -28,7 +28,7 @@ Rotation about_z(double a) {
       .finished();
 }
 
-TEST(RollPitchYaw, TurnsAboutTheFixedAxesXThenYThenZ) {
+TEST(RollPitchYaw, RotatesAboutTheFixedAxesXThenYThenZ) {
   testing::Random random;
   for (int i = 0; i < 3000; ++i) {
     const RollPitchYaw rpy{random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-4, 4)};
@@ -51,7 +51,7 @@ TEST(RollPitchYaw, ReadsBackTheAnglesAndTheRotation) {
   }
 }
 
-TEST(RollPitchYaw, LosesNothingOnTheWayIntoGimbalLock) {
+TEST(RollPitchYaw, KeepsItsDigitsNearGimbalLock) {
   testing::Random random;
   for (int i = 0; i < 5000; ++i) {
     const double off = std::pow(10, random.uniform(-17, -1));
@@ -64,7 +64,7 @@ TEST(RollPitchYaw, LosesNothingOnTheWayIntoGimbalLock) {
   }
 }
 
-TEST(RollPitchYaw, GivesAllToYawInGimbalLock) {
+TEST(RollPitchYaw, HasZeroRollInGimbalLock) {
   testing::Random random;
   for (int i = 0; i < 1000; ++i) {
     const double roll = random.uniform(-pi, pi), yaw = random.uniform(-pi, pi);
@@ -83,7 +83,7 @@ TEST(Quaternion, ReadsBackWithUnitLengthAndPositiveW) {
   testing::Random random;
   for (int i = 0; i < 10000; ++i) {
     Rotation r = random.rotation();
-    if (i % 4 == 0) {  // half turns, where w is 0
+    if (i % 4 == 0) {  // rotations by pi, where w is 0
       const Vector3 a = random.direction();
       r = 2 * a * a.transpose() - Rotation::Identity();
     }
@@ -92,7 +92,7 @@ TEST(Quaternion, ReadsBackWithUnitLengthAndPositiveW) {
     ASSERT_NEAR(q.qw * q.qw + q.qx * q.qx + q.qy * q.qy + q.qz * q.qz, 1, 3e-15);
     ASSERT_LT((rotation_from_quaternion(q.qw, q.qx, q.qy, q.qz) - r).norm(), 9e-15);
     ASSERT_LT((rotation_from_quaternion(-q.qw, -q.qx, -q.qy, -q.qz) - r).norm(), 9e-15)
-        << "q and -q are one rotation";
+        << "q and -q are the same rotation";
   }
 }
 

@@ -49,7 +49,7 @@ TEST(Se2, IsAGroup) {
   }
 }
 
-TEST(Se2, IsTheGroupOfSpaceSeenFromAbove) {
+TEST(Se2, IsASubgroupOfSe3) {
   testing::Random random;
   for (int i = 0; i < 5000; ++i) {
     const Pose2 a = random_pose(random), b = random_pose(random);
@@ -62,7 +62,7 @@ TEST(Se2, IsTheGroupOfSpaceSeenFromAbove) {
   }
 }
 
-TEST(ToSpace, StandsInThePlaneOfItsHeight) {
+TEST(ToSpace, IsInThePlaneOfItsHeight) {
   const Pose pose = to_space({1, 2, pi / 2}, 0.7);
   EXPECT_EQ(pose.translation(), Vector3(1, 2, 0.7));
   EXPECT_EQ(pose.linear().col(2), Vector3::UnitZ());
@@ -88,7 +88,7 @@ TEST(Se2Exp, EqualsItsPowerSeriesInExtendedPrecision) {
   }
 }
 
-TEST(Se2Log, UndoesExpFromTinyTurnsUpToAlmostPi) {
+TEST(Se2Log, IsTheInverseOfExpUpToAlmostPi) {
   testing::Random random;
   for (int i = 0; i < 10000; ++i) {
     const Twist2 twist = any_twist(random);
@@ -98,7 +98,7 @@ TEST(Se2Log, UndoesExpFromTinyTurnsUpToAlmostPi) {
   }
 }
 
-TEST(Se2Log, IsUndoneByExpAlsoAtExactlyPiAndBeyond) {
+TEST(Se2Log, IsInvertedByExpAlsoAtExactlyPiAndBeyond) {
   testing::Random random;
   for (int i = 0; i < 5000; ++i) {
     Pose2 pose = random_pose(random);
@@ -120,7 +120,7 @@ TEST(PoseDifferenceInThePlane, IsTheChaptersErrorWithTheSmallestAngle) {
     const Pose2 to = random_pose(random), from = random_pose(random);
     const Twist spatial = pose_difference(to_space(to), to_space(from));
     const Twist2 planar = pose_difference(to, from);
-    if (std::abs(planar.z()) > pi - 1e-6) continue;  // there the sign is free
+    if (std::abs(planar.z()) > pi - 1e-6) continue;  // there the sign is arbitrary
     ASSERT_LT((spatial - in_space(planar)).norm(), 3e-14);
   }
 }

@@ -59,7 +59,7 @@ TEST(Se3Exp, EqualsItsPowerSeriesInExtendedPrecision) {
   }
 }
 
-TEST(Se3Exp, AddsAlongOneTwistAndSlidesStraightWithoutATurn) {
+TEST(Se3Exp, AddsAlongOneTwistAndTranslatesStraightWithoutRotation) {
   testing::Random random;
   for (int i = 0; i < 3000; ++i) {
     const Twist twist = any_twist(random);
@@ -73,7 +73,7 @@ TEST(Se3Exp, AddsAlongOneTwistAndSlidesStraightWithoutATurn) {
   }
 }
 
-TEST(Se3Log, UndoesExpFromTinyTurnsUpToAlmostPi) {
+TEST(Se3Log, IsTheInverseOfExpUpToAlmostPi) {
   testing::Random random;
   for (int i = 0; i < 10000; ++i) {
     const Twist twist = any_twist(random);
@@ -83,7 +83,7 @@ TEST(Se3Log, UndoesExpFromTinyTurnsUpToAlmostPi) {
   }
 }
 
-TEST(Se3Log, LosesNothingWhereItsSeriesGivesWayToTheQuotient) {
+TEST(Se3Log, KeepsItsDigitsBetweenSeriesAndQuotient) {
   testing::Random random;
   for (int i = 0; i < 10000; ++i) {
     Twist twist;
@@ -92,7 +92,7 @@ TEST(Se3Log, LosesNothingWhereItsSeriesGivesWayToTheQuotient) {
   }
 }
 
-TEST(Se3Log, IsUndoneByExpAlsoAtExactlyPi) {
+TEST(Se3Log, IsInvertedByExpAlsoAtExactlyPi) {
   testing::Random random;
   for (int i = 0; i < 5000; ++i) {
     Pose pose = random.pose(5);
@@ -136,11 +136,11 @@ TEST(Interpolate, BeginsAtFromAndEndsAtTo) {
     ASSERT_EQ(distance(interpolate(from, to, 0), from), 0);
     ASSERT_LT(distance(interpolate(from, to, 1), to), 3e-14);
     ASSERT_LT(distance(interpolate(from, from, random.uniform(0, 1)), from), 3e-15)
-        << "no way is no motion";
+        << "no motion between equal poses";
   }
 }
 
-TEST(Interpolate, GoesStraightAtConstantSpeedByTheShortestTurn) {
+TEST(Interpolate, MovesStraightAtConstantSpeedByTheShortestRotation) {
   testing::Random random;
   for (int i = 0; i < 3000; ++i) {
     const Pose from = random.pose(3), to = random.pose(3);
@@ -151,12 +151,13 @@ TEST(Interpolate, GoesStraightAtConstantSpeedByTheShortestTurn) {
     const double whole = Eigen::AngleAxisd(from.linear().transpose() * to.linear()).angle();
     const double part = so3_log(a.linear().transpose() * b.linear()).norm();
     ASSERT_NEAR(part, h * whole, 3e-14);
-    if (whole > pi - 1e-3) continue;  // at pi the two ways round are equally short
-    ASSERT_LT(distance(interpolate(to, from, 1 - s), a), 1e-11) << "there and back is one line";
+    if (whole > pi - 1e-3) continue;  // at pi both rotations are equally short
+    ASSERT_LT(distance(interpolate(to, from, 1 - s), a), 1e-11)
+        << "the reversed line is the same line";
   }
 }
 
-TEST(PoseDifference, LeadsFromTheOneToTheOtherInTheirCommonAxes) {
+TEST(PoseDifference, IsThePositionDifferenceAndTheRotationVectorInCommonAxes) {
   testing::Random random;
   for (int i = 0; i < 3000; ++i) {
     const Pose from = random.pose(3), to = random.pose(3);

@@ -50,8 +50,8 @@ TEST(So3Exp, IsARotationForEveryLength) {
     const Rotation r = so3_exp(w);
     ASSERT_LT((r * r.transpose() - Rotation::Identity()).norm(), 2e-14) << w.norm();
     ASSERT_NEAR(r.determinant(), 1, 2e-14);
-    ASSERT_LT((so3_exp(-w) - r.transpose()).norm(), 3e-15) << "the inverse is the way back";
-    ASSERT_LT((r * axis - axis).norm(), 2e-14) << "the axis stays";
+    ASSERT_LT((so3_exp(-w) - r.transpose()).norm(), 3e-15) << "exp(-w) is the inverse";
+    ASSERT_LT((r * axis - axis).norm(), 2e-14) << "the axis is invariant";
   }
 }
 
@@ -69,7 +69,7 @@ TEST(So3Exp, EqualsItsPowerSeriesInExtendedPrecision) {
   }
 }
 
-TEST(So3Exp, AddsAnglesAboutOneAxisAndTurnsItsAxisWhenConjugated) {
+TEST(So3Exp, AddsAnglesAboutOneAxisAndRotatesTheAxisWhenConjugated) {
   testing::Random random;
   for (int i = 0; i < 5000; ++i) {
     const Vector3 axis = random.direction();
@@ -80,7 +80,7 @@ TEST(So3Exp, AddsAnglesAboutOneAxisAndTurnsItsAxisWhenConjugated) {
   }
 }
 
-TEST(So3Log, UndoesExpFromTinyAnglesUpToAlmostPi) {
+TEST(So3Log, IsTheInverseOfExpUpToAlmostPi) {
   testing::Random random;
   for (int i = 0; i < 20000; ++i) {
     const Vector3 w = random.direction() * any_angle(random);
@@ -93,7 +93,7 @@ TEST(So3Log, UndoesExpFromTinyAnglesUpToAlmostPi) {
   }
 }
 
-TEST(So3Log, IsUndoneByExpAndNeverLongerThanPi) {
+TEST(So3Log, IsInvertedByExpAndNeverLongerThanPi) {
   testing::Random random;
   for (int i = 0; i < 10000; ++i) {
     const Rotation r = so3_exp(random.vector(10)) * random.rotation();

@@ -24,7 +24,7 @@ void arc_tangents(const double* y, const double* x, double* angle) {
   arc_tangent(Lanes::load(y), Lanes::load(x)).store(angle);
 }
 
-/// Each operation's results, a row of eight after another.
+/// The results of each operation, one row of eight after the other.
 void operations(const double* three_rows, double* out) {
   const Lanes a = Lanes::load(three_rows), b = Lanes::load(three_rows + lane_count),
               c = Lanes::load(three_rows + 2 * lane_count);
@@ -92,7 +92,7 @@ namespace {
 constexpr std::size_t eight = 8;
 constexpr double ulp = 0x1p-53;  // of a number just below one
 
-/// Does the same on every instruction set that this machine has.
+/// Runs on every instruction set that this machine has.
 template <class Check>
 void on_every_target(const Check& check) {
   for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
@@ -177,11 +177,11 @@ void expect_sines(const double (&x)[eight]) {
   for (std::size_t lane = 0; lane < eight; ++lane) {
     EXPECT_NEAR(sine[lane], std::sin(x[lane]), 2 * ulp) << x[lane];
     EXPECT_NEAR(cosine[lane], std::cos(x[lane]), 2 * ulp) << x[lane];
-    // Near zero the digits are the sine's own.
+    // Near zero the error is relative to the sine.
     if (std::abs(x[lane]) < 0.5) {
       EXPECT_NEAR(sine[lane], std::sin(x[lane]), 2 * ulp * std::abs(x[lane]) * 2) << x[lane];
     }
-    if (x[lane] != 0) {  // of the sine of a negative zero no sign is promised
+    if (x[lane] != 0) {  // the sign of sin(-0) is not specified
       EXPECT_EQ(std::signbit(sine[lane]), std::signbit(std::sin(x[lane]))) << x[lane];
     }
   }
@@ -219,7 +219,7 @@ TEST(Trigonometry, SinesAreTheLibrarysNextToEveryQuarterTurn) {
   });
 }
 
-TEST(Trigonometry, SinesOfWhatIsNoAngleAreNoNumbers) {
+TEST(Trigonometry, SinesOfInfinityAndNanAreNan) {
   on_every_target([] {
     const double infinity = std::numeric_limits<double>::infinity();
     const double x[eight] = {infinity, -infinity, NAN, 1, -1, 1e300, 0.0, -0.0};
@@ -245,7 +245,7 @@ TEST(Trigonometry, ArcTangentsAreTheLibrarysInAllQuadrants) {
       for (std::size_t lane = 0; lane < eight; ++lane) {
         y[lane] = trial % 2 == 0 ? random.uniform(-1, 1) : any(random, -150, 150);
         x[lane] = trial % 2 == 0 ? random.uniform(-1, 1) : any(random, -150, 150);
-        if (x[lane] == 0) x[lane] = 0;  // of the sign of a zero x nothing is promised
+        if (x[lane] == 0) x[lane] = 0;  // the sign for x = -0 is not specified
       }
       HWY_DYNAMIC_DISPATCH(arc_tangents)(y, x, angle);
       for (std::size_t lane = 0; lane < eight; ++lane) {
