@@ -2,15 +2,17 @@
 #include <cmath>
 #include <ostream>
 
+#include <beeline/certificate/internal/path_checks.h>
+#include <beeline/certificate/internal/path_step.h>
 #include <beeline/certificate/verify.h>
-#include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/nearest_parameter.h>
 
 namespace beeline {
-namespace {
 
-constexpr int looks = 64;  // between two samples, for where the tool is farthest off
+using namespace internal;
+
+namespace {
 
 std::string metres_and_radians(const Deviation& deviation) {
   return number(deviation.position) + " m and " + angle(deviation.orientation);
@@ -27,25 +29,27 @@ struct Verifier {
 
   bool near(const Deviation& deviation) const { return within(deviation, tolerance); }
 
-  /// All of the segment is near its end.
-  bool hardly_moves(const Segment& segment) const {
-    const auto there = [&](double s) {
+  /// Whether the whole segment is within tolerance of its end.
+  bool near_its_end(const Segment& segment) const {
+    const auto at_end = [&](double s) {
       return near(task_deviation(task, pose_at(segment, s), pose_at(segment, 1)));
     };
-    return there(0) && there(0.25) && there(0.5) && there(0.75);
+    return at_end(0) && at_end(0.25) && at_end(0.5) && at_end(0.75);
   }
+
+  bool is_line(std::size_t i) const { return std::holds_alternative<Line>(route.path.segments[i]); }
 
   /// "line 2", "segment 2".
   std::string name_of(std::size_t i) const {
-    const bool line = std::holds_alternative<Line>(route.path.segments[i]);
-    return (line ? "line " : "segment ") + std::to_string(i + 1);
+    return (is_line(i) ? "line " : "segment ") + std::to_string(i + 1);
   }
 
+  /// Records a fault, unless an earlier one is recorded.
   void fail(Fault fault, std::size_t k, const std::string& reason) {
-    if (result.fault == Fault::none || k < result.sample) tell(fault, k, reason);
+    if (result.fault == Fault::none || k < result.sample) record(fault, k, reason);
   }
 
-  void tell(Fault fault, std::size_t k, const std::string& reason) {
+  void record(Fault fault, std::size_t k, const std::string& reason) {
     result.fault = fault;
     result.sample = k;
     result.time = trajectory.times[k];
@@ -53,106 +57,114 @@ struct Verifier {
         "at " + number(result.time) + " s, sample " + std::to_string(k + 1) + ": " + reason;
   }
 
-  /// The path parameters of the samples from `first` on, up to the one at which the end of the
-  /// stretch is reached, or a sample is off its path: of the first ones in a row that are near it
-  /// the nearest; of the last ones where it is the end of the motion, which may pass near it
-  /// before, as far as the rows that matter tell. All the others', and `reached` false, where there
-  /// is none.
-  std::vector<double> path_parameters_from(std::size_t first, double begin, std::size_t segment,
-                                           bool& reached) const {
+  /// The samples between two stops: path parameters, and the deviation of each from the end as a
+  /// fraction of the tolerance, or -1 where the sample is not at the end.
+  struct Located {
+    std::vector<double> path_parameters, from_end;
+    bool reached = false;  ///< the end, by some sample
+  };
+
+  /// Finds the path parameters of the samples from `first` on, from `begin` to the end of
+  /// `segment`. Stops at a sample that leaves the end again, except at the route's end, where the
+  /// tool may pass near it before; and at one that is off the path.
+  Located locate(std::size_t first, double begin, std::size_t segment) const {
     const auto end = static_cast<double>(segment + 1);
     const bool last = segment + 1 == route.path.segments.size();
     const Pose goal = pose_at(route.path.segments[segment], 1);
-    const bool line =
-        begin == end - 1 && std::holds_alternative<Line>(route.path.segments[segment]);
-    double closing = end - 0.5;  // a way may close: its end counts from here on
-    for (std::size_t i = segment + 1; i-- > 0 && hardly_moves(route.path.segments[i]);)
+    const bool line = begin == end - 1 && is_line(segment);
+    // On a closed path the begin is near the end too: only its last half segment counts as the end.
+    double closing = end - 0.5;
+    for (std::size_t i = segment + 1; i-- > 0 && near_its_end(route.path.segments[i]);) {
       closing -= 1;
-    std::vector<double> path_parameters, sizes;  // of the deviation from the goal; -1: not there
-    std::size_t next = 0;
-    bool met = false;
-    for (; first + next < trajectory.size() && (last || !met || sizes.back() >= 0); ++next) {
-      const Pose& tool = world_T_tool[first + next];
-      const double from = path_parameters.empty() ? begin : path_parameters.back();
-      path_parameters.push_back(
-          line ? nearest_parameter(route.path, task, tool, from, end)
-               : fitting_parameter(route.path, task, tool, from, end, tolerance));
-      const Deviation off = task_deviation(task, goal, tool);
-      const bool there = near(off) && (line || path_parameters.back() > closing);
-      sizes.push_back(there ? std::max(off.position / tolerance.position,
-                                       off.orientation / tolerance.orientation)
-                            : -1);
-      met = met || there;
-      if (!line && !near(deviation_from(route.path, path_parameters.back(), tool, task)))
-        break;  // a fault
     }
-    reached = met;
-    if (!met) return path_parameters;
+    Located found;
+    for (std::size_t k = first; k < trajectory.size(); ++k) {
+      if (!last && found.reached && found.from_end.back() < 0) break;
+      const Pose& tool = world_T_tool[k];
+      const double from = found.path_parameters.empty() ? begin : found.path_parameters.back();
+      const double s = line ? nearest_parameter(route.path, task, tool, from, end)
+                            : fitting_parameter(route.path, task, tool, from, end, tolerance);
+      found.path_parameters.push_back(s);
+      const Deviation left = task_deviation(task, goal, tool);
+      const bool at_end = near(left) && (line || s > closing);
+      found.from_end.push_back(at_end ? std::max(left.position / tolerance.position,
+                                                 left.orientation / tolerance.orientation)
+                                      : -1);
+      found.reached = found.reached || at_end;
+      if (!line && !near(deviation_from(route.path, s, tool, task))) break;
+    }
+    return found;
+  }
+
+  /// Cuts the samples off at the one that arrives: the nearest to the end among the first ones in a
+  /// row that are at it, or among the last ones at the end of the route.
+  static void cut_at_arrival(Located& found, bool last) {
+    const std::vector<double>& from_end = found.from_end;
     std::size_t k = 0;
-    if (last && sizes.back() >= 0) {
-      for (k = sizes.size() - 1; k > 0 && sizes[k - 1] >= 0;) --k;
+    if (last && from_end.back() >= 0) {
+      for (k = from_end.size() - 1; k > 0 && from_end[k - 1] >= 0;) --k;
     }
-    while (sizes[k] < 0) ++k;
-    std::size_t best = k;
-    for (; k < sizes.size() && sizes[k] >= 0; ++k) {
-      if (sizes[k] < sizes[best]) best = k;
+    while (from_end[k] < 0) ++k;
+    std::size_t nearest = k;
+    for (; k < from_end.size() && from_end[k] >= 0; ++k) {
+      if (from_end[k] < from_end[nearest]) nearest = k;
     }
-    path_parameters.resize(best + 1);
-    path_parameters.back() = end;
-    return path_parameters;
+    found.path_parameters.resize(nearest + 1);
   }
 
-  /// Whether sample k, which is so far off, is near where it should be.
-  bool check_sample(std::size_t k, const Deviation& off, const std::string& where) {
-    grow(result.deviation.sampled, off);
-    if (near(off)) return true;
-    grow(result.deviation.measured, off);
-    grow(result.deviation.bound, off);
-    fail(Fault::deviation, k, "the tool is off " + where + " by " + metres_and_radians(off));
+  /// Returns whether sample k, with this deviation, is within tolerance; records a fault if not.
+  bool check_sample(std::size_t k, const Deviation& deviation, const std::string& where) {
+    grow(result.deviation.sampled, deviation);
+    if (near(deviation)) return true;
+    grow(result.deviation.measured, deviation);
+    grow(result.deviation.bound, deviation);
+    fail(Fault::deviation, k, "the tool is off " + where + " by " + metres_and_radians(deviation));
     return false;
   }
 
-  bool check_sample(std::size_t k, double place) {
-    const std::size_t i = segment_at(route.path, place);
-    const Deviation off = deviation_from(route.path, place, world_T_tool[k], task);
-    if (!check_sample(k, off, name_of(i))) return false;
-    const Deviation back = task_deviation(task, pose_at(route.path, place), world_T_tool[k]);
-    if (near(back)) return true;  // else it is on the line, but not so far as it has been
+  bool check_sample(std::size_t k, double s) {
+    const std::size_t i = segment_at(route.path, s);
+    const Deviation deviation = deviation_from(route.path, s, world_T_tool[k], task);
+    if (!check_sample(k, deviation, name_of(i))) return false;
+    // Path parameters do not decrease: on a line, the nearest point may lie before s.
+    const Deviation back = task_deviation(task, pose_at(route.path, s), world_T_tool[k]);
+    if (near(back)) return true;
     fail(Fault::deviation, k,
-         "the tool goes back on " + name_of(i) + " by " + metres_and_radians(back));
+         "the tool moves backwards on " + name_of(i) + " by " + metres_and_radians(back));
     return false;
   }
 
-  /// The step from sample k to the next, or the part of it that is on one segment.
+  /// Checks the step from sample k to the next, or the part of it that is on one segment.
   void check_step(std::size_t k, const ToolPath& path, const SegmentStep& step) {
-    const MeasuredStep met = measured(arm, path, task, step);
-    Deviation seen = met.begin;
-    grow(seen, met.middle);
-    grow(seen, met.end);
-    for (int i = 1; i < looks && !near(met.bound); ++i) {
-      const double share = static_cast<double>(i) / looks;
-      const Pose pose = forward_kinematics(arm, step.q_a + share * (step.q_b - step.q_a));
-      grow(seen, deviation_from(path.segments[step.segment], std::lerp(step.s_a, step.s_b, share),
-                                pose, task));
+    constexpr int probes = 64;  // of a step that fails, to find its largest deviation
+    const MeasuredStep ends = measure_step(arm, path, task, step);
+    Deviation measured = ends.begin;
+    grow(measured, ends.middle);
+    grow(measured, ends.end);
+    for (int i = 1; i < probes && !near(ends.bound); ++i) {
+      const double t = static_cast<double>(i) / probes;
+      const Pose pose = forward_kinematics(arm, step.q_a + t * (step.q_b - step.q_a));
+      const double s = std::lerp(step.s_a, step.s_b, t);
+      grow(measured, deviation_from(path.segments[step.segment], s, pose, task));
     }
-    grow(result.deviation.measured, seen);
-    grow(result.deviation.bound, met.bound);
-    if (near(met.bound)) return;
-    const double turn =
+    grow(result.deviation.measured, measured);
+    grow(result.deviation.bound, ends.bound);
+    if (near(ends.bound)) return;
+    const double change =
         (trajectory.positions[k + 1] - trajectory.positions[k]).lpNorm<Eigen::Infinity>();
     const std::string jump =
-        turn > 0.5 ? "; a joint moves by " + number(turn) + ", as where the branch changes" : "";
-    const std::string way =
+        change > 0.5 ? "; a joint moves by " + number(change) + ", as at a change of branch" : "";
+    const std::string path_name =
         std::holds_alternative<Line>(path.segments[step.segment]) ? "line" : "path";
     fail(Fault::deviation, k,
-         near(seen) ? "up to the next sample the tool is only proved to stay within " +
-                          metres_and_radians(met.bound) + " of the " + way + jump
-                    : "up to the next sample the tool leaves the " + way + " by " +
-                          metres_and_radians(seen) + jump);
+         near(measured) ? "up to the next sample the tool is only proved to stay within " +
+                              metres_and_radians(ends.bound) + " of the " + path_name + jump
+                        : "up to the next sample the tool leaves the " + path_name + " by " +
+                              metres_and_radians(measured) + jump);
   }
 
-  /// Samples from `first` on, as many as have path parameters, along the route.
-  void check_stretch(std::size_t first, const std::vector<double>& path_parameters) {
+  /// Checks the samples from `first` on that have path parameters, and the steps between them.
+  void check_samples(std::size_t first, const std::vector<double>& path_parameters) {
     for (std::size_t i = 0; i < path_parameters.size(); ++i) {
       if (!check_sample(first + i, path_parameters[i])) return;
       if (i > 0) result.path_parameters.push_back(path_parameters[i]);
@@ -160,33 +172,41 @@ struct Verifier {
       const std::size_t k = first + i;
       const Deviation next =
           deviation_from(route.path, path_parameters[i + 1], world_T_tool[k + 1], task);
-      if (!near(next)) continue;  // told as the sample's own fault
+      if (!near(next)) continue;  // the next sample's own fault
       for (const SegmentStep& step :
-           cut_at_segments(route.path, task, trajectory.positions[k], path_parameters[i],
-                           trajectory.positions[k + 1], path_parameters[i + 1])) {
+           split_at_segments(route.path, task, trajectory.positions[k], path_parameters[i],
+                             trajectory.positions[k + 1], path_parameters[i + 1])) {
         check_step(k, route.path, step);
       }
       if (result.fault != Fault::none) return;
     }
   }
 
-  /// After the route's end the tool stays there.
-  void check_rest(std::size_t first) {
+  /// Checks that the tool stays at the route's end after sample `first`.
+  void check_after_end(std::size_t first) {
     const Pose goal = pose_at(route.path.segments.back(), 1);
     const ToolPath stay = lines_through(std::vector{goal, goal});
     for (std::size_t k = first + 1; k < trajectory.size() && result.fault == Fault::none; ++k) {
-      const Deviation off = task_deviation(task, goal, world_T_tool[k]);
-      if (!near(off)) {
-        fail(Fault::deviation, k,
-             "the tool moves on from the last waypoint, by " + metres_and_radians(off));
-      } else {
+      const Deviation left = task_deviation(task, goal, world_T_tool[k]);
+      if (near(left)) {
         check_step(k - 1, stay, {0, trajectory.positions[k - 1], trajectory.positions[k], 1, 1});
+      } else {
+        fail(Fault::deviation, k,
+             "the tool leaves the last waypoint by " + metres_and_radians(left));
       }
     }
   }
 
-  /// Finds where the samples are, from stop to stop, and checks the ways between them.
-  void follow_route() {
+  void fail_to_reach(std::size_t i) {
+    const Deviation left =
+        task_deviation(task, pose_at(route.path.segments[i], 1), world_T_tool.back());
+    fail(Fault::not_through, trajectory.size() - 1,
+         (is_line(i) ? "waypoint " : "the end of segment ") + std::to_string(i + 1) +
+             " is not reached; at the end the tool is " + metres_and_radians(left) + " from it");
+  }
+
+  /// Locates and checks all samples, from stop to stop.
+  void check_route() {
     const std::size_t segments = route.path.segments.size();
     result.path = route.path;
     result.path_parameters = {0};
@@ -195,28 +215,43 @@ struct Verifier {
                  "the path's begin");
     for (std::size_t i = 0; i < segments && result.fault == Fault::none; ++i) {
       if (i + 1 < segments && !route.stops[i]) continue;
-      bool reached = false;
-      const std::vector<double> path_parameters =
-          path_parameters_from(first, static_cast<double>(begin), i, reached);
-      check_stretch(first, path_parameters);
-      if (!reached) {
-        const Deviation left =
-            task_deviation(task, pose_at(route.path.segments[i], 1), world_T_tool.back());
-        const bool line = std::holds_alternative<Line>(route.path.segments[i]);
-        fail(Fault::not_through, trajectory.size() - 1,
-             (line ? "waypoint " : "the end of segment ") + std::to_string(i + 1) +
-                 " is not reached; at the end the tool is " + metres_and_radians(left) +
-                 " from it");
+      Located found = locate(first, static_cast<double>(begin), i);
+      if (found.reached) {
+        cut_at_arrival(found, i + 1 == segments);
+        found.path_parameters.back() = static_cast<double>(i + 1);
+      }
+      check_samples(first, found.path_parameters);
+      if (!found.reached) {
+        fail_to_reach(i);
         break;
       }
-      if (result.fault == Fault::none) result.path_parameters.back() = path_parameters.back();
-      first += path_parameters.size() - 1;
+      if (result.fault == Fault::none) result.path_parameters.back() = found.path_parameters.back();
+      first += found.path_parameters.size() - 1;
       begin = i + 1;
     }
-    if (result.fault == Fault::none) check_rest(first);
-    result.arrivals = beeline::arrivals(result.path_parameters);
+    if (result.fault == Fault::none) check_after_end(first);
+    result.arrivals = arrivals(result.path_parameters);
+  }
+
+  /// A joint's fault is reported in place of a deviation at the same time or later.
+  void check_joints() {
+    constexpr std::size_t stencil = 3;  // samples by which a difference may precede its cause
+    const auto fault = first_joint_fault(arm, trajectory);
+    if (!fault) return;
+    const bool position = fault->kind == Fault::limits || fault->kind == Fault::flip;
+    if (result.fault == Fault::none ||
+        fault->sample + (position ? 0 : stencil + 1) <= result.sample) {
+      record(fault->kind, fault->sample, fault->reason);
+    }
   }
 };
+
+/// The trajectory with its joints in the arm's order.
+Trajectory checked_trajectory(const Arm& arm, const Trajectory& given) {
+  Trajectory trajectory = matched_to(arm, given);
+  if (trajectory.size() == 0) throw Error("the trajectory has no samples");
+  return trajectory;
+}
 
 }  // namespace
 
@@ -226,8 +261,7 @@ Verification verify(const Arm& arm, const Trajectory& given, const Route& route,
     throw Error("the tolerances must be above zero, not " + number(options.tolerance) + " m and " +
                 number(options.orientation_tolerance) + " rad");
   }
-  const Trajectory trajectory = matched_to(arm, given);
-  if (trajectory.size() == 0) throw Error("the trajectory has no samples");
+  const Trajectory trajectory = checked_trajectory(arm, given);
   const Task task = options.task.value_or(default_task(arm));
   check_route(arm, route, task);
   Verifier verifier{
@@ -235,32 +269,27 @@ Verification verify(const Arm& arm, const Trajectory& given, const Route& route,
   for (const Configuration& q : trajectory.positions) {
     verifier.world_T_tool.push_back(forward_kinematics(arm, q));
   }
-  verifier.follow_route();
-  constexpr std::size_t stencil = 3;  // samples by which a jerk is told before its cause
-  const auto fault = first_joint_fault(arm, trajectory);
-  if (fault) {
-    const bool leap = fault->kind == Fault::limits || fault->kind == Fault::flip;
-    const Verification& seen = verifier.result;
-    if (seen.fault == Fault::none || fault->sample + (leap ? 0 : stencil + 1) <= seen.sample) {
-      verifier.tell(fault->kind, fault->sample, fault->reason);
-    }
-  }
+  verifier.check_route();
+  verifier.check_joints();
   return verifier.result;
 }
 
 Verification verify(const Arm& arm, const Trajectory& given, std::span<const Pose> waypoints,
                     const VerifyOptions& options) {
   std::vector<Pose> poses = checked_waypoints(waypoints);
-  const Trajectory trajectory = matched_to(arm, given);
-  if (trajectory.size() == 0) throw Error("the trajectory has no samples");
+  const Trajectory trajectory = checked_trajectory(arm, given);
   poses.insert(poses.begin(), forward_kinematics(arm, trajectory.positions.front()));
   return verify(arm, trajectory, route_of(lines_through(poses), PathKind::line), options);
 }
 
+Verification verify(const Arm& arm, const Trajectory& trajectory,
+                    std::initializer_list<Pose> waypoints, const VerifyOptions& options) {
+  return verify(arm, trajectory, std::span<const Pose>(waypoints.begin(), waypoints.size()),
+                options);
+}
+
 std::ostream& operator<<(std::ostream& out, const Verification& verification) {
-  if (verification.fault != Fault::none) {
-    return out << name(verification.fault) << ": " << verification.reason;
-  }
+  if (!verification) return out << verification.fault << ": " << verification.reason;
   return out << "verified, deviation at most " << verification.deviation.bound;
 }
 

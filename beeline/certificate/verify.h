@@ -1,9 +1,11 @@
 #pragma once
 
+#include <initializer_list>
 #include <iosfwd>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <beeline/certificate/joint_faults.h>
 #include <beeline/certificate/path_deviation.h>
@@ -17,32 +19,41 @@ struct VerifyOptions {
 };
 
 struct Verification {
-  Fault fault = Fault::none;
-  std::string reason;       ///< one sentence: what, where, by how much; empty when all is well
-  std::size_t sample = 0;   ///< of the first fault: at it, or between it and the next
-  double time = 0;          ///< of that sample, seconds
-  PathDeviation deviation;  ///< on all the way; of the first fault alone when there is one
-  ToolPath path;            ///< that was to be followed
-  std::vector<double> path_parameters;  ///< on it, of the samples, as far as it is followed
-  std::vector<std::size_t> arrivals;    ///< the sample at each waypoint, as far as they are reached
+  Fault fault = Fault::none;  ///< the first in time
+  std::string reason;         ///< one sentence: time, sample, what, by how much; empty if no fault
+  std::size_t sample = 0;     ///< the fault is at this sample, or between it and the next
+  double time = 0;            ///< of that sample, seconds
+  PathDeviation deviation;    ///< over the whole trajectory, or up to the fault
+  ToolPath path;              ///< of the route
+  std::vector<double> path_parameters;  ///< of the samples, as far as they are on the path
+  std::vector<std::size_t> arrivals;    ///< the sample at each waypoint that is reached
+
+  explicit operator bool() const { return fault == Fault::none; }
 };
-/// Prints the fault with the reason, or the proved deviation.
+
+/// Prints the fault with its reason, or the proved deviation.
 std::ostream& operator<<(std::ostream& out, const Verification& verification);
 
-/// Whether a trajectory, whoever made it, moves the tool all along the route and keeps the arm's
-/// limits, joints in proportion between samples: proved from its numbers alone. Which sample is
-/// where on the route is found out; the tool may not go back on its way. The first
-/// fault in time is told. Velocities, accelerations and jerks are told by the positions' divided
-/// differences: a smooth motion through the samples that keeps a limit passes, whatever its rate.
-/// Between samples with velocities the cubic that these make must stay within the position limits
-/// too. Limits that are not known are none here. Throws Error when the trajectory does not fit the
-/// arm or is none (see check_trajectory()), for a route without segments, what check_task()
-/// refuses, and options that make no sense.
+/// Proves from the samples alone, or refutes, that a trajectory moves the tool along the whole
+/// route and keeps the arm's limits, whatever made it. The joints move linearly between samples.
+///
+/// - Deviation: finds the path parameter of each sample; these do not decrease, so the tool may not
+///   move backwards. path_deviation() bounds the deviation between samples.
+/// - Position limits hold at the samples and, where there are velocities, for the cubic Hermite
+///   polynomial between them.
+/// - Velocity, acceleration and jerk: divided differences of the positions times the factorial of
+///   the order are weighted means of these derivatives. A smooth motion through the samples that
+///   keeps a limit passes, whatever its sampling rate. Unknown limits are not checked.
+///
+/// Throws Error when the trajectory is empty or does not fit the arm, for a route without segments,
+/// a task that its segments do not allow, and tolerances that are not above zero.
 Verification verify(const Arm& arm, const Trajectory& trajectory, const Route& route,
                     const VerifyOptions& options = {});
 
-/// The same for straight lines from the trajectory's own first pose through the waypoints.
+/// The same for straight lines from the trajectory's first pose through the waypoints.
 Verification verify(const Arm& arm, const Trajectory& trajectory, std::span<const Pose> waypoints,
                     const VerifyOptions& options = {});
+Verification verify(const Arm& arm, const Trajectory& trajectory,
+                    std::initializer_list<Pose> waypoints, const VerifyOptions& options = {});
 
 }  // namespace beeline

@@ -88,7 +88,7 @@ bool by_jacobian(const Arm& arm, const Pose& goal, const Task& task,
   const Configuration& q = motion.trajectory.positions.back();
   const InverseResult answer = inverse_kinematics(arm, goal, {.seed = q, .task = task});
   if (answer.status != InverseStatus::solved) {
-    motion.status = status_of(answer.status);
+    motion.status = motion_status(answer.status);
     motion.reason = answer.reason;
   } else if (law_at(q).damped && motion.steps < options.simulation.max_steps) {
     motion.status = MotionStatus::singular;
@@ -110,7 +110,7 @@ bool by_solutions(const Arm& arm, const Pose& goal, const Task& task,
         arm, pose,
         {.seed = q, .task = task, .tolerance = std::min(1e-9, options.simulation.tolerance)});
     if (answer.status != InverseStatus::solved) {
-      motion.status = status_of(answer.status);
+      motion.status = motion_status(answer.status);
       motion.reason = where + answer.reason;
       return false;
     }

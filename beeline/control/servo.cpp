@@ -98,7 +98,7 @@ void Servo::fill_spare_motion(const ConfigurationRef& q, const Rates& rates, dou
       share * rates.velocity.cwiseQuotient(solver_.weight).lpNorm<Eigen::Infinity>();
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     spare_[k] = urge * pace * solver_.weight[k] *
-                push_from_limits(q[k], bounds_.lower[k], bounds_.upper[k]);
+                internal::push_from_limits(q[k], bounds_.lower[k], bounds_.upper[k]);
   }
   drift_ = before_;
   solver_.keep_tool(drift_);

@@ -1,74 +1,68 @@
 #pragma once
 
-#include <algorithm>
+#include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include <beeline/planning/internal/track_segment.h>
+#include <beeline/certificate/path_deviation.h>
 #include <beeline/planning/status.h>
 
 namespace beeline {
 
-/// How near a motion comes to what it should stay away from.
-struct Margins {
-  /// The least way that a joint has left to a limit, as a share of half its range; 1 where no joint
-  /// has limits.
-  double limit = 1;
-  /// The least inverse condition of the task's Jacobian, lengths in units of the arm's reach: 0 at
-  /// a singularity.
-  double dexterity = 1;
-  double least() const { return std::min(limit, dexterity); }
+/// The samples of an arm along one segment of a path, as far as it can track it.
+struct TrackedSegment {
+  std::vector<Configuration> samples;  ///< the first is at the segment's begin
+  std::vector<double> fractions;       ///< of the segment, at each sample: 0 first
+  PathDeviation deviation;
+  bool complete() const { return fractions.back() == 1; }
 };
 
-/// Takes in one more configuration of the motion.
-void narrow(Margins& margins, const Arm& arm, const Task& task, const Configuration& q);
-
-/// One way of the arm along a path: what becomes of a solution at its begin that is followed
-/// continuously.
+/// One continuous motion of the arm along a path, without times: a solution of inverse kinematics
+/// at its begin, tracked as far as possible.
 struct Branch {
   Configuration start = {};
   MotionStatus status = MotionStatus::reached;
-  std::string reason = {};  ///< where and why it ends; empty when it goes all the way, or not asked
-  double path_parameter = 0;  ///< segments completed, the last one in part
-  double limit_margin = 1;    ///< see Margins
+  std::string reason = {};    ///< where and why it ends before the path does
+  double path_parameter = 0;  ///< that it reaches: whole segments, with a fraction of the next
+  /// Smallest distance of a joint to a position limit, as a fraction of half its range; 1 where no
+  /// joint has limits.
+  double limit_margin = 1;
+  /// Smallest inverse condition number of the task's Jacobian, lengths in units of the arm's reach;
+  /// 0 at a singularity.
   double dexterity = 1;
-  std::vector<TrackedSegment> segments = {};  ///< a single sample where what matters stands still
+  std::vector<TrackedSegment> segments = {};  ///< one sample where the task's rows stand still
+
+  explicit operator bool() const { return status == MotionStatus::reached; }
 };
-
-/// Fills in the margins of the branch's samples, to the arm's limits and singularities.
-void measure(const Arm& arm, const Task& task, Branch& branch);
-
-/// Whether `a` is to be preferred: it goes farther, or stays farther from limits and singularities.
-bool better(const Branch& a, const Branch& b);
 
 struct BranchOptions {
   Task task;
-  Deviation tolerance = {1e-4, 1e-4};
-  std::size_t max_samples = 200'000;  ///< of one branch
-  int finest_grid = 256;  ///< of plan_path(), for joints to spare: see LayeredGraphOptions::grid
-  /// Whose end is explained, which takes milliseconds: all branches', or that of the one which goes
-  /// farthest, or none's.
+  Deviation tolerance = {1e-4, 1e-4};  ///< metres and radians, between samples too
+  std::size_t max_samples = 200'000;   ///< of one branch
+  int finest_grid = 256;  ///< for redundant arms: most solutions per pose in the layered graph
+  /// For which branches to find the reason why they end, which takes milliseconds each: all, the
+  /// best one, or none.
   enum class Reasons { all, best, none } reasons = Reasons::best;
-  /// Where there is a choice, the configuration at a place (whole segments and a fraction) is taken
-  /// next to this one; see TrackOptions::guide.
+  /// Where inverse kinematics has a choice, as for redundant arms: the preferred configuration at a
+  /// path parameter.
   std::function<Configuration(double)> guide = {};
-  std::function<void(double)> progress = {};  ///< told the share done, in [0, 1], now and then
+  std::function<void(double)> progress = {};  ///< called now and then with the fraction computed
 };
 
-/// Every branch of the arm along the path, those that go all the way first, and of these the one
-/// farthest from limits and singularities first. Each is followed without the limits of joints that
-/// turn around; then every such joint gets the turn at which it stays farthest within its limits.
-/// For arms without joints to spare, where inverse kinematics finds all solutions. Empty when it
-/// finds none for the path's begin. Throws Error for a path without segments, and what check_task()
-/// refuses.
-std::vector<Branch> track_branches(const Arm& arm, const ToolPath& path,
-                                   const BranchOptions& options);
+/// Plans the arm's motion along a path, without times, from `start` or else from the best
+/// configuration for the path's begin. Arms that are redundant for the task: the shortest path
+/// through a layered graph of configurations (Ferrentino & Chiacchio 2020), on grids that are
+/// refined until a motion is complete. Other arms: the best of all branches. When none is complete,
+/// returns the one that reaches farthest, with its reason.
+/// Throws Error for a path without segments, a task that its segments do not allow, and a start
+/// that does not fit the arm or whose tool is not at the path's begin.
+Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, const ToolPath& path,
+                 const BranchOptions& options);
 
-/// The same for the one branch that begins at `start`, within the limits as they are.
-Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& path,
-                    const BranchOptions& options);
-
-/// Says why the branch ends before the path does: its status and reason. Does nothing where that
-/// has been said, or where it goes all the way.
-void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options, Branch& branch);
+/// Computes all branches along a path with their reasons, best first: one for each solution of
+/// inverse kinematics at the path's begin, on a coarse grid of them where the arm is redundant.
+/// Throws Error as plan_path() does.
+std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, BranchOptions options);
 
 }  // namespace beeline

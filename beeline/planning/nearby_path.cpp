@@ -1,22 +1,22 @@
-
-#include <beeline/error.h>
+#include <beeline/certificate/internal/path_checks.h>
 #include <beeline/planning/nearby_path.h>
 
 namespace beeline {
 namespace {
 
-constexpr double least_shift = 1e-3, max_shift = 0.26;  // metres
-constexpr double least_turn = 1e-2, max_turn = 0.64;    // radians
-constexpr int halvings = 5;
+// From what is hardly visible to what is no longer the same task; doubled sizes meet the ends.
+constexpr double min_translation = 1e-3, max_translation = 0.26;  // metres
+constexpr double min_rotation = 1e-2, max_rotation = 0.64;        // radians
+constexpr int bisections = 5;                                     // to 1/64 of the size found
 
-/// What is done to a path: a shift in the world's axes, and a turn in the tool's.
+/// A translation in world axes and a rotation in tool axes, applied to poses and segments.
 struct Change {
-  Vector3 shift = Vector3::Zero();
-  Rotation turn = Rotation::Identity();
+  Vector3 translation = Vector3::Zero();
+  Rotation rotation = Rotation::Identity();
 
   Pose operator()(Pose pose) const {
-    pose.translation() += shift;
-    pose.linear() = pose.linear() * turn;
+    pose.translation() += translation;
+    pose.linear() = pose.linear() * rotation;
     return pose;
   }
   Segment operator()(const Line& line) const { return Line{(*this)(line.from), (*this)(line.to)}; }
@@ -24,18 +24,18 @@ struct Change {
     return ScrewLine{(*this)(screw.from), (*this)(screw.to)};
   }
   Segment operator()(const Arc& arc) const {
-    return Arc{(*this)(arc.from), (*this)(arc.to), arc.centre + shift, arc.turn};
+    return Arc{(*this)(arc.from), (*this)(arc.to), arc.centre + translation, arc.turn};
   }
   Segment operator()(const SplineSegment& segment) const {
     return SplineSegment{(*this)(segment.centre), segment.terms};
   }
 };
 
-ToolPath changed(const ToolPath& path, bool first_stays, const Vector3& step, bool turns) {
-  const Change change = turns ? Change{.turn = so3_exp(step)} : Change{.shift = step};
+ToolPath changed(const ToolPath& path, bool keep_first_pose, const Vector3& step, bool rotate) {
+  const Change change = rotate ? Change{.rotation = so3_exp(step)} : Change{.translation = step};
   ToolPath result = path;
   for (Segment& segment : result.segments) segment = std::visit(change, segment);
-  if (first_stays) {
+  if (keep_first_pose) {
     Line& first = std::get<Line>(result.segments.front());
     first.from = pose_at(path, 0);
     result.spans.front() = span_of(first);
@@ -43,48 +43,64 @@ ToolPath changed(const ToolPath& path, bool first_stays, const Vector3& step, bo
   return result;
 }
 
-std::string described(const Vector3& step, int axis, bool turns) {
-  const std::string sign = step[axis] < 0 ? "-" : "";
-  const std::string letter(1, "xyz"[axis]);
-  if (turns) return "with the tool turned by " + angle(step.norm()) + " about its " + sign + letter;
-  return "moved by " + number(step.norm()) + " m along " + sign + letter;
+std::string described(const Vector3& step, int axis, bool rotate) {
+  const std::string letter = (step[axis] < 0 ? "-" : "") + std::string(1, "xyz"[axis]);
+  if (rotate) return "with the tool turned by " + angle(step.norm()) + " about its " + letter;
+  return "moved by " + number(step.norm()) + " m along " + letter;
 }
+
+/// plan_path() along changed paths.
+struct Trial {
+  const Arm& arm;
+  const std::optional<Configuration>& start;
+  const ToolPath& path;
+  bool rotate;
+  BranchOptions exact;
+  BranchOptions coarse;  ///< for the search; its result is planned again
+
+  bool works(const Vector3& step, const BranchOptions& options) const {
+    const ToolPath other = changed(path, start.has_value(), step, rotate);
+    return static_cast<bool>(plan_path(arm, start, other, options));
+  }
+
+  /// The smallest step along `unit` that works, given that `size` does and half of it does not.
+  Vector3 refined(const Vector3& unit, double size) const {
+    double fails = size / 2, succeeds = size;
+    for (int i = 0; i < bisections; ++i) {
+      const double middle = (fails + succeeds) / 2;
+      (works(middle * unit, coarse) ? succeeds : fails) = middle;
+    }
+    return works(succeeds * unit, exact) ? succeeds * unit : size * unit;
+  }
+};
 
 }  // namespace
 
 std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Configuration>& start,
                                       const ToolPath& path, const BranchOptions& options,
-                                      bool turns) {
-  const bool first_stays = start.has_value();
-  if (first_stays && !all_lines(path))
-    return {};  // the next segment would no longer go on smoothly
-  BranchOptions exact = options;
-  exact.reasons = BranchOptions::Reasons::none;
-  exact.progress = {};
-  exact.finest_grid = 64;
-  BranchOptions quick = exact;  // for the search; what it finds is planned again
-  quick.tolerance = {10 * options.tolerance.position, 10 * options.tolerance.orientation};
-  const auto works = [&](const Vector3& step, const BranchOptions& planning) {
-    const ToolPath other = changed(path, first_stays, step, turns);
-    return plan_path(arm, start, other, planning).status == MotionStatus::reached;
-  };
-  for (double size = turns ? least_turn : least_shift; size <= (turns ? max_turn : max_shift);
-       size *= 2) {
+                                      bool rotate) {
+  // Other segments would no longer join the first one smoothly.
+  if (start && !internal::all_lines(path)) return {};
+  Trial trial{arm, start, path, rotate, options, options};
+  trial.exact.reasons = BranchOptions::Reasons::none;
+  trial.exact.progress = {};
+  trial.exact.finest_grid = 64;
+  trial.coarse = trial.exact;
+  trial.coarse.tolerance = {10 * options.tolerance.position, 10 * options.tolerance.orientation};
+  const double largest = rotate ? max_rotation : max_translation;
+  for (double size = rotate ? min_rotation : min_translation; size <= largest; size *= 2) {
     for (int axis = 0; axis < 3; ++axis) {
-      if (arm.planar() && turns != (axis == 2)) continue;
+      if (arm.planar() && rotate != (axis == 2)) continue;
       for (const double sign : {1.0, -1.0}) {
         const Vector3 unit = sign * Vector3::Unit(axis);
-        if (!works(size * unit, quick) || !works(size * unit, exact)) continue;
-        double fails = size / 2, goes = size;
-        for (int i = 0; i < halvings; ++i) {
-          const double middle = (fails + goes) / 2;
-          (works(middle * unit, quick) ? goes : fails) = middle;
+        if (!trial.works(size * unit, trial.coarse) || !trial.works(size * unit, trial.exact)) {
+          continue;
         }
-        const Vector3 step = works(goes * unit, exact) ? goes * unit : size * unit;
+        const Vector3 step = trial.refined(unit, size);
         NearbyPath found;
-        (turns ? found.turned : found.moved) = step;
-        found.path = changed(path, first_stays, step, turns);
-        found.description = described(step, axis, turns);
+        (rotate ? found.turned : found.moved) = step;
+        found.path = changed(path, start.has_value(), step, rotate);
+        found.description = described(step, axis, rotate);
         return found;
       }
     }

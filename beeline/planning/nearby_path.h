@@ -3,25 +3,25 @@
 #include <optional>
 #include <string>
 
-#include <beeline/planning/plan.h>
+#include <beeline/planning/branch.h>
 
 namespace beeline {
 
-/// A path near another, which the arm can follow where it cannot follow that one.
+/// A rigidly moved path that the arm can follow where it cannot follow the original one.
 struct NearbyPath {
-  Vector3 moved = Vector3::Zero();   ///< all of it by this, metres, in the world's axes ...
-  Vector3 turned = Vector3::Zero();  ///< ... or the tool by this rotation vector, in its own axes
+  Vector3 moved = Vector3::Zero();   ///< translation of the path, metres, in world axes; or
+  Vector3 turned = Vector3::Zero();  ///< rotation vector of all its poses, radians, in tool axes
   ToolPath path;
   std::string description;  ///< "moved by 0.012 m along -z", "with the tool turned by ..."
 };
 
-/// The least shift along one of the world's axes, or, if `turns`, the least turn of the tool about
-/// one of its own, with which plan_path() goes through: of steps that double, up to 0.26 m and 0.64
-/// rad, and then made smaller by halving. Nothing where none of them works. With a start the arm's
-/// own first pose stays, and the first line leads on from there; nothing then for a path of other
-/// segments. Planar arms move in their plane.
+/// Searches for the shortest translation along one of the world's axes, or, if `rotate`, the
+/// smallest rotation of the tool about one of its own axes, with which plan_path() succeeds. Sizes
+/// double from 1 mm to 0.26 m, or from 0.01 to 0.64 rad; the first that works is refined by
+/// bisection. Planar arms move in their plane. With a start, the path's first pose stays and its
+/// first line leads to the moved path; paths with other segments then have no result.
 std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Configuration>& start,
                                       const ToolPath& path, const BranchOptions& options,
-                                      bool turns);
+                                      bool rotate);
 
 }  // namespace beeline

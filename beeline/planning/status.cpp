@@ -1,14 +1,18 @@
+#include <ostream>
+
 #include <beeline/planning/status.h>
 
 namespace beeline {
 
 std::string name(MotionStatus status) {
-  constexpr const char* names[] = {"reached",        "unreachable", "not_found",
-                                   "outside_limits", "singular",    "not_converged"};
+  constexpr const char* names[] = {"reached",  "unreachable", "not_found",        "outside_limits",
+                                   "singular", "not_proved",  "too_many_samples", "not_converged"};
   return names[static_cast<int>(status)];
 }
 
-MotionStatus status_of(InverseStatus status) {
+std::ostream& operator<<(std::ostream& out, MotionStatus status) { return out << name(status); }
+
+MotionStatus motion_status(InverseStatus status) {
   switch (status) {
     case InverseStatus::outside_limits:
       return MotionStatus::outside_limits;

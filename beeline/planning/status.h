@@ -1,23 +1,27 @@
 #pragma once
 
+#include <iosfwd>
 #include <string>
 
 #include <beeline/inverse/inverse_kinematics.h>
 
 namespace beeline {
 
-/// How a motion ended. Every status but `reached` comes with a reason of one sentence.
+/// How a motion ended. Every status other than `reached` comes with a reason of one sentence.
 enum class MotionStatus {
-  reached,      ///< the goal, within tolerance
-  unreachable,  ///< no configuration of the arm reaches a pose on the way
-  not_found,  ///< no configuration was found for a pose on the way; that none exists is not proved
-  outside_limits,  ///< a joint would have to leave its limits
-  singular,        ///< the arm cannot move on continuously: it would have to jump to another branch
-  not_converged,   ///< the controller did not arrive: gain too large or too small, or stuck
+  reached,           ///< the goal is reached, within tolerance
+  unreachable,       ///< no configuration of the arm reaches a pose of the path: proved
+  not_found,         ///< no configuration was found for a pose of the path; one may exist
+  outside_limits,    ///< a joint would have to leave its limits
+  singular,          ///< at a singularity, where only a jump to another branch would lead on
+  not_proved,        ///< the deviation between samples is not proved to be within tolerance
+  too_many_samples,  ///< the tolerance needs more than the option max_samples
+  not_converged,     ///< a feedback controller did not settle at the goal, see simulate.h
 };
 std::string name(MotionStatus status);
+std::ostream& operator<<(std::ostream& out, MotionStatus status);  ///< name(status)
 
-/// What a pose on the way makes of the motion, when inverse kinematics finds no solution for it.
-MotionStatus status_of(InverseStatus status);
+/// The status of a motion through a pose for which inverse kinematics has this status.
+MotionStatus motion_status(InverseStatus status);
 
 }  // namespace beeline

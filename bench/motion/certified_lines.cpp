@@ -17,6 +17,7 @@
 #include <tests/planning/dense_search.h>
 
 using namespace beeline;
+using namespace beeline::internal;
 using namespace beeline::testing;
 
 namespace {
@@ -120,11 +121,11 @@ void judge_refusal(const Arm& arm, const Line& line, const PathMotion& motion, i
     }
     const KnotSpline spline(knots, lines_through(std::vector{line.from, line.to}));
     const TrackedSegment way =
-        track_segment(arm, line, Task::spatial(), internal::bounds_of(arm), dense.way.front(),
+        track_segment(arm, line, Task::spatial(), bounds_of(arm), dense.way.front(),
                       {.tolerance = {1e-4, 1e-4}, .max_samples = 100'000, .guide = [&](double s) {
                          return spline.at(s);
                        }});
-    if (way.through()) {
+    if (way.complete()) {
       ++tally.missed;
       return print("MISSED");
     }

@@ -4,7 +4,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/planning/move_along.h>
-#include <beeline/planning/plan.h>
+#include <beeline/planning/branch.h>
 
 #include <benchmark/benchmark.h>
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <beeline/certificate/internal/path_step.h>
+#include <beeline/certificate/path_deviation.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/path/internal/nearest_parameter.h>
@@ -11,6 +13,9 @@
 #include <tests/refusal.h>
 
 namespace beeline {
+
+using namespace internal;
+
 namespace {
 
 using testing::Random;
@@ -51,7 +56,7 @@ TEST(PathDeviation, RefusesWhatDoesNotFit) {
     return path_deviation(arm, samples, path_parameters, on, Task::planar());
   };
   EXPECT_NO_THROW(told({0.2, 1}, path));
-  EXPECT_REFUSED(told({0}, path), "a place");
+  EXPECT_REFUSED(told({0}, path), "2 samples and 1 path parameters");
   EXPECT_REFUSED(told({0.5, 0.4}, path), "sample 2");
   EXPECT_REFUSED(told({-0.1, 1}, path), "sample 1");
   EXPECT_REFUSED(told({0, 1.5}, path), "sample 2");
@@ -79,16 +84,16 @@ Coarse coarse(const Arm& arm, const ToolPath& path, Configuration q) {
   Coarse way{{q}, {0}};
   for (std::size_t i = 0; i < path.segments.size(); ++i) {
     const TrackedSegment segment =
-        track_segment(arm, path.segments[i], Task::spatial(), internal::bounds_of(arm), q,
+        track_segment(arm, path.segments[i], Task::spatial(), bounds_of(arm), q,
                       {.tolerance = {1e-4, 1e-4}, .max_samples = 2000});
-    const bool last = i + 1 == path.segments.size() || !segment.through();
+    const bool last = i + 1 == path.segments.size() || !segment.complete();
     for (std::size_t k = 1; k < segment.samples.size(); ++k) {
       const bool end = k + 1 == segment.samples.size();
       if (k % 2 == 0 && !(end && last)) continue;
       way.samples.push_back(segment.samples[k]);
       way.path_parameters.push_back(static_cast<double>(i) + segment.fractions[k]);
     }
-    if (!segment.through()) break;
+    if (!segment.complete()) break;
     q = segment.samples.back();
   }
   return way;
@@ -108,8 +113,8 @@ TEST(PathDeviation, BoundsWhatIsBetweenSamplesAlsoOverTheEndsOfSegments) {
     ASSERT_LE(told.sampled.position, 1e-9);
     for (std::size_t k = 1; k < way.samples.size(); ++k) {
       const auto steps =
-          cut_at_segments(path, Task::spatial(), way.samples[k - 1], way.path_parameters[k - 1],
-                          way.samples[k], way.path_parameters[k]);
+          split_at_segments(path, Task::spatial(), way.samples[k - 1], way.path_parameters[k - 1],
+                            way.samples[k], way.path_parameters[k]);
       cut += steps.size() > 1;
       for (const SegmentStep& step : steps) {
         for (int j = 0; j <= 10; ++j) {

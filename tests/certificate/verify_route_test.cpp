@@ -162,7 +162,7 @@ TEST(Verify, TellsAMotionThatGoesBack) {
   const Verification found = verify(arm, there, waypoints);
   EXPECT_EQ(found.fault, Fault::deviation);
   EXPECT_EQ(found.sample, turn + 1);
-  EXPECT_NE(found.reason.find("goes back on line 1"), std::string::npos) << found.reason;
+  EXPECT_NE(found.reason.find("moves backwards on line 1"), std::string::npos) << found.reason;
 }
 
 }  // namespace

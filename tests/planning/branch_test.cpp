@@ -1,155 +1,134 @@
-#include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/certificate/verify.h>
 #include <beeline/planning/branch.h>
 
 #include <tests/planning/dense_search.h>
 #include <tests/planning/motion_promises.h>
+#include <tests/random_arm.h>
 
 namespace beeline {
 namespace {
 
 using namespace testing;
 
-Configuration joints(std::initializer_list<double> values) {
-  Configuration q(static_cast<Eigen::Index>(values.size()));
-  std::copy(values.begin(), values.end(), q.begin());
-  return q;
-}
-
-std::vector<Branch> branches(const Arm& arm, const std::vector<Pose>& poses, bool reasons = false) {
-  return track_branches(
-      arm, lines_through(poses),
-      {.task = default_task(arm),
-       .reasons = reasons ? BranchOptions::Reasons::all : BranchOptions::Reasons::best});
-}
-
-Arm with_limits(const char* name, double lower, double upper) {
-  std::vector<Joint> links = built_in(name).joints();
-  for (Joint& joint : links) joint.limits = {.lower = lower, .upper = upper};
-  return {name, links};
-}
-
-TEST(FollowBranches, GivesOneForEachSolutionOfTheFirstPoseTheBestFirst) {
-  const Arm arm = built_in("ur5");
-  const Pose from = forward_kinematics(arm, joints({0.2, -1.2, 1.5, -0.5, 1.2, 0}));
-  Pose to = from;
-  to.translation() += Vector3(0.05, 0.1, -0.08);
-  const std::vector<Branch> all = branches(arm, {from, to, from}, true);
-  const auto starts = inverse_kinematics(arm, from, {.all = true, .ignore_limits = true});
-  ASSERT_EQ(all.size(), starts.solutions.size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const Branch& branch = all[i];
-    EXPECT_EQ(branch.reason.empty(), branch.status == MotionStatus::reached);
-    EXPECT_LE(branch.path_parameter, all.front().path_parameter);
-    if (branch.status != MotionStatus::reached) continue;
-    EXPECT_EQ(branch.path_parameter, 2);
-    ASSERT_EQ(branch.segments.size(), 2);
-    EXPECT_EQ(branch.segments[0].samples.back(), branch.segments[1].samples.front());
-    const Configuration& end = branch.segments[1].samples.back();
-    EXPECT_LT((end - branch.start).lpNorm<Eigen::Infinity>(), 1e-7) << "there and back again";
+// These lines are feasible only with a joint that goes along its limit, or next to it.
+TEST(PlanPath, GoesAlongLimits) {
+  const Arm arm = built_in("panda");
+  Random random(20);
+  for (int i = 0; i < 500; ++i) {
+    const Line line = random_certified_line(random, arm);
+    if (i != 29 && i != 224 && i != 426 && i != 439 && i != 495) continue;
+    const std::vector<Pose> poses{line.from, line.to};
+    const PathMotion motion = move_in_lines(arm, poses, {.profile = Profile::quintic});
+    ASSERT_EQ(motion.status, MotionStatus::reached) << i << ": " << motion.reason;
+    EXPECT_EQ(verify(arm, motion.trajectory, poses).reason, "");
   }
 }
 
-TEST(FollowBranches, ComesToAnEndWithoutLimitsAndWithFarOnes) {
-  const double none = Limits::none;
-  for (const auto& [lower, upper] :
-       {std::pair{-none, none}, {-3.0, none}, {-none, 3.0}, {-1e9, 1e9}, {20.0, none}}) {
-    const Arm arm = with_limits("ur5", lower, upper);
-    const double turns = lower > 0 ? 8 * pi : 0;
-    const Configuration q =
-        joints({0.2, -1.2, 1.5, -0.5, 1.2, 0}) + Configuration::Constant(6, turns);
-    const Pose from = forward_kinematics(arm, q);
-    Pose to = from;
-    to.translation().z() += 0.1;
-    const std::vector<Branch> all = branches(arm, {from, to});
-    ASSERT_FALSE(all.empty());
-    EXPECT_EQ(all.front().status, MotionStatus::reached) << all.front().reason;
+// On the way the joint to spare has hardly any room.
+TEST(PlanPath, FindsAWayThatAFineGridShows) {
+  const Arm arm = built_in("iiwa14");
+  Random random(20240229);
+  Line line;
+  for (int i = 0; i <= 562; ++i) line = random_certified_line(random, arm);
+  const ToolPath path = lines_through(std::vector{line.from, line.to});
+  const BranchOptions options{.task = Task::spatial()};
+  EXPECT_EQ(plan_path(arm, {}, path, options).status, MotionStatus::reached);
+  BranchOptions coarse = options;
+  coarse.finest_grid = 64;
+  EXPECT_EQ(plan_path(arm, {}, path, coarse).status, MotionStatus::outside_limits);
+}
+
+TEST(PlanPath, AlwaysSaysWhyAndWhere) {
+  const Arm arm = built_in("panda");
+  Random random;
+  for (int i = 0; i < 40; ++i) {
+    const Line line = random_certified_line(random, arm);
+    const Branch plan = plan_path(arm, {}, lines_through(std::vector{line.from, line.to}),
+                                  {.task = Task::spatial()});
+    if (plan.status == MotionStatus::reached) {
+      EXPECT_EQ(plan.reason, "");
+      EXPECT_EQ(plan.path_parameter, 1);
+      continue;
+    }
+    EXPECT_EQ(plan.reason.rfind("line 1 of 1 stops after ", 0), 0) << plan.reason;
+    EXPECT_LT(plan.path_parameter, 1);
   }
 }
 
-// A joint that turns by 400 degrees on the way needs the right turn to begin with.
-TEST(FollowBranches, BeginsAJointAtTheTurnThatLastsLongest) {
-  const Arm arm = built_in("ur5");  // +- 360 degrees
-  const Pose first = forward_kinematics(arm, joints({0.2, -1.2, 1.5, -0.5, 1.2, 3.0}));
-  std::vector<Pose> poses{first};
-  for (int i = 1; i <= 4; ++i) {
-    poses.push_back(first);
-    poses.back().linear() = first.linear() * so3_exp(Vector3(0, 0, i * 100 * deg));
-  }
-  const std::vector<Branch> all = branches(arm, poses);
-  ASSERT_EQ(all.front().status, MotionStatus::reached) << all.front().reason;
-  const double turned = all.front().segments.back().samples.back()[5] - all.front().start[5];
-  EXPECT_NEAR(turned, 400 * deg, 1e-6);
-  EXPECT_LT(all.front().start[5], 0);
-  EXPECT_GT(all.front().limit_margin, 0);
-}
-
-struct Singular {
-  const char* name;
-  std::vector<double> q;
-};
-
-// Through the wrist stretched straight, turning so that joint 5 has to change its sign; and by it.
-TEST(FollowBranches, PassesTheWristsSingularity) {
-  const std::vector<Singular> places{{"puma560", {0.2, -0.6, 0.3, 0, 0, 0}},
-                                     {"ur5", {0.3, -1.2, 1.5, -0.5, 0, 0.4}}};
-  for (const auto& [name, values] : places) {
+TEST(PlanPath, TellsABeginningThatCannotBe) {
+  for (const char* name : {"puma560", "ur5", "panda", "rrr", "scara", "gantry"}) {
     const Arm arm = built_in(name);
-    for (const double off : {0.0, 1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) {
-      const Configuration q = Eigen::Map<const Configuration>(values.data(), 6);
-      Pose middle = forward_kinematics(arm, q);
-      middle.linear() = so3_exp(off * middle.linear().col(0)) * middle.linear();
-      Line line{middle, middle};
-      const Vector3 turn(0.2, 0.3, 0.1), way(0.03, -0.05, 0.04);
-      line.from.translation() -= way;
-      line.from.linear() = so3_exp(turn) * middle.linear();
-      line.to.translation() += way;
-      line.to.linear() = so3_exp(-turn) * middle.linear();
-      const PathMotion motion = move_in_lines(arm, std::vector<Pose>{line.from, line.to});
-      ASSERT_EQ(motion.status, MotionStatus::reached) << name << ' ' << off << motion.reason;
-      expect_straight(arm, motion.trajectory.positions.front(), {line.to}, [&] {
-        PathMotion one = motion;
-        one.arrivals = {one.arrivals.back()};
-        return one;
-      }());
+    Pose far = forward_kinematics(arm, Configuration::Zero(arm.dof()));
+    Pose near = far;
+    far.translation().x() += 50;
+    const PathMotion motion = move_in_lines(arm, std::vector<Pose>{far, near});
+    if (motion.status == MotionStatus::reached) continue;  // a slide without end
+    expect_nothing_made(motion, MotionStatus::unreachable);
+    EXPECT_NE(motion.reason.find("beginning"), std::string::npos) << motion.reason;
+  }
+}
+
+// The elbow stretched out as far as it goes, short of that and beyond it.
+TEST(PlanPath, ComesToTheElbowsLimitAndNotBeyond) {
+  const Arm arm = built_in("panda");
+  constexpr double stretched = -0.46671;  // of joint 4: both parts of the arm in one line
+  for (const double off : {0.0, 1e-6, 1e-3, 0.1}) {
+    Configuration q(7);
+    q << 0.1, 0.6, 0.1, stretched - off, 0.1, 1.4, 0.785;
+    const Pose far = forward_kinematics(arm, q);
+    const Vector3 out = (far.translation() - Vector3(0, 0, 0.333)).normalized();
+    Pose near = far, beyond = far;
+    near.translation() -= 0.3 * out;
+    beyond.translation() += 0.3 * out;
+    for (const auto& poses : {std::vector<Pose>{near, far}, {far, near}}) {
+      const PathMotion motion = move_in_lines(arm, poses, {.profile = Profile::quintic});
+      ASSERT_EQ(motion.status, MotionStatus::reached) << off << ' ' << motion.reason;
+      EXPECT_EQ(verify(arm, motion.trajectory, poses).reason, "");
       EXPECT_LT(motion.trajectory.times.back(), 20);
     }
+    const PathMotion refused = move_in_lines(arm, std::vector<Pose>{near, beyond});
+    expect_nothing_made(refused, MotionStatus::unreachable);
   }
 }
 
-// At a singular begin one solution stands for infinitely many: the right one is found backwards.
-TEST(FollowBranches, LeavesASingularBeginning) {
+// Rows that do not matter: the finished motion is proved on the very line that was planned.
+TEST(PlanPath, LeavesRowsFree) {
   Random random;
-  for (const auto& [name, values] : std::vector<Singular>{
-           {"puma560", {0.2, -0.6, 0.3, 0, 0, 0}}, {"ur5", {0.3, -1.2, 1.5, -0.5, 0, 0.4}}}) {
-    const Arm arm = built_in(name);
-    const Pose from = forward_kinematics(arm, Eigen::Map<const Configuration>(values.data(), 6));
-    int solved = 0, possible = 0;
-    for (int i = 0; i < 20; ++i) {
-      Pose to = nearby_pose(random, arm, from);
-      const PathMotion motion = move_in_lines(arm, std::vector<Pose>{from, to});
-      solved += motion.status == MotionStatus::reached;
-      possible += dense_branches(arm, to, from).feasible();
+  int reached = 0;
+  for (const char* task : {"111000", "111110:tool", "000111", "001000", "111000:tool"}) {
+    for (const char* name : {"ur5", "panda"}) {
+      const Arm arm = built_in(name);
+      const Pose from = forward_kinematics(arm, inner_configuration(random, arm));
+      Pose to = from;
+      to.translation() += 0.05 * random.direction();
+      to.linear() = so3_exp(0.05 * random.direction()) * from.linear();
+      const PathMotionOptions options{.task = task_named(task), .profile = Profile::quintic};
+      const std::vector<Pose> poses{from, to};
+      const PathMotion motion = move_in_lines(arm, poses, options);
+      ASSERT_NE(motion.status, MotionStatus::not_proved) << name << task << motion.reason;
+      ASSERT_NE(motion.status, MotionStatus::too_many_samples) << name << task << motion.reason;
+      if (motion.status != MotionStatus::reached) continue;
+      ++reached;
+      EXPECT_LT(motion.trajectory.size(), 5'000) << name << task;
+      EXPECT_EQ(verify(arm, motion.trajectory, poses, {.task = options.task}).reason, "");
     }
-    EXPECT_GE(solved, possible) << name;
-    EXPECT_GT(solved, 0) << name;
   }
+  EXPECT_GE(reached, 5);
 }
 
-// The wrist's centre comes no nearer to axis 1 of ur5 than the shoulder's offset: a line that leads
-// past it at that distance is followed, one that leads nearer is refused.
-TEST(FollowBranches, PassesTheShoulderButNotThroughIt) {
-  const Arm arm = built_in("ur5");
-  const double offset = 0.10915, hand = 0.0823;
-  for (const double off : {0.0, 1e-6, 1e-4, 1e-3, 1e-2, -1e-3, -0.1}) {
-    Pose from = Pose::Identity();
-    from.linear() = so3_exp(Vector3(0, pi, 0)) * so3_exp(Vector3(0.2, 0.1, 0));
-    from.translation() = Vector3(offset + off, -0.15, 0.4) + hand * from.linear().col(2);
-    Pose to = from;
-    to.translation().y() += 0.3;
-    const PathMotion motion = move_in_lines(arm, std::vector<Pose>{from, to});
-    const auto expected = off >= 0 ? MotionStatus::reached : MotionStatus::unreachable;
-    EXPECT_EQ(motion.status, expected) << off << ' ' << motion.reason;
-    if (off >= 0) expect_within_limits(arm, motion.trajectory);
+// Any arm of 1 to 10 joints of any kind, some of them driven together: an answer, with a reason.
+TEST(PlanPath, AnswersForAnyArm) {
+  Random random;
+  for (int i = 0; i < 60; ++i) {
+    const Arm arm = random_arm(random, 1 + i % 10, i % 3 == 0 ? 3 : 0);
+    const Configuration a = random.configuration(arm), b = random.configuration(arm);
+    const Pose from = forward_kinematics(arm, a);
+    const Pose to =
+        i % 2 == 0 ? forward_kinematics(arm, a + 0.02 * (b - a)) : nearby_pose(random, arm, from);
+    const PathMotion motion = i % 4 < 2 ? move_in_lines(arm, a, std::vector<Pose>{to})
+                                        : move_in_lines(arm, std::vector<Pose>{from, to});
+    EXPECT_EQ(motion.reason.empty(), motion.status == MotionStatus::reached);
+    EXPECT_EQ(motion.trajectory.size() > 0, motion.status == MotionStatus::reached);
   }
 }
 

@@ -131,7 +131,7 @@ TEST(MoveInLines, StopsAtTheSamplesAllowed) {
   EXPECT_EQ(move_in_lines(arm, start, waypoints, {.max_samples = all}).trajectory.size(), all);
   for (const int most : {2, 10, all / 2, all - 1}) {
     const PathMotion motion = move_in_lines(arm, start, waypoints, {.max_samples = most});
-    expect_nothing_made(motion, MotionStatus::not_converged);
+    expect_nothing_made(motion, MotionStatus::too_many_samples);
     EXPECT_NE(motion.reason.find("more than " + std::to_string(most)), std::string::npos)
         << motion.reason;
   }

@@ -35,7 +35,8 @@ TEST(MoveInLines, KeepsEveryPromiseOnRandomLinesOfBuiltInArms) {
         expect_straight(arm, start, waypoints, motion);
       } else {
         expect_nothing_made(motion, motion.status);
-        ASSERT_NE(motion.status, MotionStatus::not_converged) << motion.reason;
+        ASSERT_NE(motion.status, MotionStatus::not_proved) << motion.reason;
+        ASSERT_NE(motion.status, MotionStatus::too_many_samples) << motion.reason;
         ASSERT_GE(told_fraction(motion), 0) << motion.reason;
       }
     }

@@ -1,17 +1,39 @@
 #include <gtest/gtest.h>
+#include <set>
+#include <sstream>
 
 #include <beeline/planning/status.h>
 
 namespace beeline {
 namespace {
 
-TEST(MotionStatus, IsNamedAsInOutputs) {
-  EXPECT_EQ(name(MotionStatus::reached), "reached");
-  EXPECT_EQ(name(MotionStatus::unreachable), "unreachable");
-  EXPECT_EQ(name(MotionStatus::not_found), "not_found");
-  EXPECT_EQ(name(MotionStatus::outside_limits), "outside_limits");
-  EXPECT_EQ(name(MotionStatus::singular), "singular");
-  EXPECT_EQ(name(MotionStatus::not_converged), "not_converged");
+constexpr std::pair<MotionStatus, const char*> names[] = {
+    {MotionStatus::reached, "reached"},
+    {MotionStatus::unreachable, "unreachable"},
+    {MotionStatus::not_found, "not_found"},
+    {MotionStatus::outside_limits, "outside_limits"},
+    {MotionStatus::singular, "singular"},
+    {MotionStatus::not_proved, "not_proved"},
+    {MotionStatus::too_many_samples, "too_many_samples"},
+    {MotionStatus::not_converged, "not_converged"}};
+
+TEST(MotionStatus, HasANameOfItsOwnThatIsPrinted) {
+  std::set<std::string> seen;
+  for (const auto& [status, expected] : names) {
+    EXPECT_EQ(name(status), expected);
+    std::ostringstream out;
+    out << status;
+    EXPECT_EQ(out.str(), expected);
+    EXPECT_TRUE(seen.insert(name(status)).second) << expected;
+  }
+}
+
+// What is proved of a pose is proved of the motion; what was only not found is not.
+TEST(MotionStatus, FollowsFromTheStatusOfAPose) {
+  EXPECT_EQ(motion_status(InverseStatus::unreachable), MotionStatus::unreachable);
+  EXPECT_EQ(motion_status(InverseStatus::orientation_unreachable), MotionStatus::unreachable);
+  EXPECT_EQ(motion_status(InverseStatus::outside_limits), MotionStatus::outside_limits);
+  EXPECT_EQ(motion_status(InverseStatus::not_found), MotionStatus::not_found);
 }
 
 }  // namespace

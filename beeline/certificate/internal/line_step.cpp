@@ -4,153 +4,183 @@
 
 #include <beeline/certificate/internal/chord_bound.h>
 #include <beeline/certificate/internal/line_step.h>
+#include <beeline/certificate/internal/orientation_gap.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/nearest_on_line.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The position rows turn with the tool, and some of them do not matter.
-bool turning_rows(const Task& task) {
+/// Whether the task's position rows rotate with the tool: tool axes, with some position rows free.
+bool rotating_rows(const Task& task) {
   return task.frame == Frame::tool && task.positions() > 0 && task.positions() < 3;
 }
 
-/// All of the arm's turns, and the line's, are in rows that matter, or none is: then their angles
-/// are distances.
-bool whole_turns(const Arm& arm, const Line& line, const LineExtent& extent, const Task& task,
-                 const ConfigurationRef& q) {
+/// Whether all rotations of the arm and the line lie in rows of the task, or the task has no
+/// orientation rows. Then the angle between orientations is a metric.
+bool whole_rotations(const Arm& arm, const Line& line, const LineExtent& extent, const Task& task,
+                     const ConfigurationRef& q) {
   if (task.orientations() % 3 == 0) return true;
   return arm.planar() && turns_within_rows(task, Vector3::UnitZ()) &&
          turns_within_rows(task, extent.turn) &&
          turns_within_rows(task, pose_difference(forward_kinematics(arm, q), line.from).tail<3>());
 }
 
-/// The step's bend has a part along its chord `way`, which moves the tool on the line but not off
-/// it, unless it is enough to lead back beyond an end of the chord.
-bool stays_on_chord(const ChordBound& step, const Vector3& bend, const Vector3& way) {
-  const double length = way.norm();
-  return length > LineExtent::nothing &&
-         4 * std::abs(bend.dot(way)) / length + 6 * step.rest <= length;
-}
+/// A step of the arm along a line, and what its bounds are made of.
+struct LineStep {
+  LineExtent extent;
+  ChordBound chord;
+  Deviation ends = {};         ///< the larger deviation at both ends
+  bool fixed_rows = true;      ///< the position rows do not rotate with the tool
+  bool whole_rotation = true;  ///< see whole_rotations()
+  /// Whether the nearest point stays inside the line: then the component of curvature_term along
+  /// the step moves the tool along the line, not away from it.
+  bool inside_line = false;
+  Vector3 step = Vector3::Zero();       ///< of the tool's origin, in the position rows
+  Vector3 curvature = Vector3::Zero();  ///< chord.curvature_term in the position rows
+  double beyond = 0;      ///< how far, in lengths of the line, the ends project beyond it
+  double change = 0;      ///< |s_b - s_a|
+  double distance = 0;    ///< between the origins of tool and line at s_a or s_b, the larger
+  double full_angle = 0;  ///< between the orientations there, free rows included
+  double length = 0;      ///< least length of the line in the position rows, metres
+};
 
-/// How far beyond the line's ends the tool is by its nearest fraction, which is none there.
+/// By how much of its length the projection of the tool on the line lies beyond the line's ends.
 double beyond_ends(const Line& line, const LineExtent& extent, const Pose& pose, const Task& task) {
-  const Vector3 done = in_position_rows(task, pose, pose.translation() - line.from.translation());
-  const double s = done.dot(extent.way) / extent.way.squaredNorm();
+  const Vector3 moved = in_position_rows(task, pose, pose.translation() - line.from.translation());
+  const double s = moved.dot(extent.way) / extent.way.squaredNorm();
   return std::max({0.0, -s, s - 1});
 }
 
-double part_across(const Vector3& v, const Vector3& way) {
-  return (v - v.dot(way) / way.squaredNorm() * way).norm();
+/// Fills in the members for tasks whose rows rotate with the tool or leave rotations free.
+void measure_ends(LineStep& step, const Line& line, const Task& task, const Pose& at_a,
+                  const Pose& at_b) {
+  const double s_a = nearest_fraction(line, at_a, task), s_b = nearest_fraction(line, at_b, task);
+  step.change = std::abs(s_b - s_a);
+  for (const auto& [pose, s] : {std::pair{at_a, s_a}, {at_b, s_b}}) {
+    const Pose nearest = interpolate(line.from, line.to, s);
+    step.distance = std::max(step.distance, (nearest.translation() - pose.translation()).norm());
+    step.full_angle = std::max(step.full_angle, pose_difference(nearest, pose).tail<3>().norm());
+  }
+  if (step.fixed_rows) return;
+  const double length = in_position_rows(task, at_a, step.extent.way).norm();
+  step.length = length - step.extent.length * step.chord.rotation;
 }
 
-/// As ChordBound::orientation, but measured from the line's orientation at the point nearest by
-/// position, of which the fraction s of the line has s'' = p''.way / length^2. The change of the
-/// line's angular velocity is compared in the axes of the other: they differ by `turned` at most.
-double orientation_at_nearest(const ChordBound& step, const LineExtent& extent, double ends) {
+LineStep line_step(const Arm& arm, const Line& line, const Task& task, const ConfigurationRef& q_a,
+                   const ConfigurationRef& q_b) {
+  LineStep step{.extent = extent_of(line, task), .chord = chord_bound(arm, q_a, q_b)};
+  step.fixed_rows = !rotating_rows(task);
+  step.whole_rotation = whole_rotations(arm, line, step.extent, task, q_a);
+  step.length = step.extent.length;
+  const Pose at_a = forward_kinematics(arm, q_a), at_b = forward_kinematics(arm, q_b);
+  step.step = in_position_rows(task, at_a, at_b.translation() - at_a.translation());
+  step.curvature = in_position_rows(task, at_a, step.chord.curvature_term);
+  if (step.extent.told_by_way()) {
+    const double moved = step.step.norm();
+    step.inside_line =
+        step.fixed_rows && moved > LineExtent::nothing &&
+        4 * std::abs(step.curvature.dot(step.step)) / moved + 6 * step.chord.remainder <= moved;
+    step.beyond = std::max(beyond_ends(line, step.extent, at_a, task),
+                           beyond_ends(line, step.extent, at_b, task));
+  }
+  if (!step.fixed_rows || !step.whole_rotation) measure_ends(step, line, task, at_a, at_b);
+  return step;
+}
+
+/// Deviation in position from the line's point at s'.
+double position_bound(const LineStep& step, const Task& task) {
+  if (!step.fixed_rows) {  // at most half of all motion away from the nearer end
+    return step.ends.position + (step.chord.path_length + step.extent.length * step.change +
+                                 step.distance * step.chord.rotation) /
+                                    2;
+  }
+  if (task.positions() == 0) return step.ends.position;
+  // The distance from a straight segment is convex.
+  if (!step.inside_line) return step.ends.position + step.chord.position;
+  const Vector3 across =
+      step.curvature - step.curvature.dot(step.step) / step.step.squaredNorm() * step.step;
+  return step.ends.position + std::min(step.chord.position, across.norm() + step.chord.remainder);
+}
+
+/// ChordBound::orientation, but relative to the line's orientation at the point nearest by
+/// position, whose parameter s has s'' = p''.way / length^2. The line's angular acceleration is
+/// compared in the axes of the tool's, which differ by at most ChordBound::rotation.
+double orientation_at_nearest(const LineStep& step) {
+  const LineExtent& extent = step.extent;
+  const ChordBound& chord = step.chord;
   const double square = extent.length * extent.length;
-  const double pull = 8 * step.bend.dot(extent.way) / square;
-  const double swing =
-      (step.swing - pull * extent.turn).norm() + step.swing_rest +
-      extent.angle * (8 * step.rest / extent.length + std::abs(pull) * (step.turned + ends));
-  return orientation_bound(swing, step.turned);
+  const double acceleration = 8 * chord.curvature_term.dot(extent.way) / square;  // s''
+  const double angular_acceleration =
+      (chord.angular_acceleration - acceleration * extent.turn).norm() + chord.angular_remainder +
+      extent.angle * (8 * chord.remainder / extent.length +
+                      std::abs(acceleration) * (chord.rotation + step.ends.orientation));
+  return orientation_gap(angular_acceleration, chord.rotation);
 }
 
-/// With one row free, along an axis e of the task's frame, the turn in the other two is at most
-/// f / (2 sin(f/2)) times the distance of the tool's e from the line's, f being the whole angle.
-/// As for positions |e''| counts: |w'| + |w|^2 <= 3/2 `turned`^2, and `line_turned`^2 of the
-/// line's.
-double with_row_free(double ends, double turned, double line_turned, double angle_at_ends) {
-  const double f = std::min(pi, angle_at_ends + turned + line_turned);
+/// For a task with one free orientation row, along an axis e of its frame: the rotation in the
+/// other two is at most f / (2 sin(f/2)) times the distance of the tool's e from the line's e, f
+/// being the whole angle. As for positions |e''| counts: |w'| + |w|^2 <= 3/2 rotation^2 for the
+/// tool, and `line_rotation`^2 for the line.
+double bound_with_free_row(const LineStep& step, double line_rotation) {
+  const double rotation = step.chord.rotation;
+  const double f = std::min(pi, step.full_angle + rotation + line_rotation);
   const double ratio = f > LineExtent::nothing ? f / (2 * std::sin(f / 2)) : 1;
-  return ratio * (ends + (1.5 * turned * turned + line_turned * line_turned) / 8);
+  return ratio *
+         (step.ends.orientation + (1.5 * rotation * rotation + line_rotation * line_rotation) / 8);
+}
+
+/// Deviation in orientation from the line's at s', or at the nearest point where inside_line.
+double orientation_bound(const LineStep& step, const Task& task, const Deviation& a,
+                         const Deviation& b) {
+  const double ends = step.ends.orientation;
+  const double beyond = std::min(1.0, step.beyond);
+  if (task.orientations() == 0) return ends;
+  if (step.whole_rotation) {
+    // Between two shortest rotations in SO(3), locally a sphere of radius 2, the distance exceeds
+    // that of their ends by at most the factor 1 / cos(angle/4) (Jacobi's equation).
+    const double angle = step.chord.rotation + a.orientation + b.orientation;
+    const double between = angle < pi ? ends / std::cos(angle / 4) : pi;
+    if (!step.inside_line) return between + step.chord.orientation;
+    return between + (orientation_at_nearest(step) + 2 * step.extent.angle * beyond);
+  }
+  // |d log| <= pi/2 |d angle|, whatever the orientation of the free rows.
+  const double line_rotation = step.extent.angle * step.change;
+  const double linear = ends + pi / 4 * (step.chord.rotation + line_rotation);
+  if (task.orientations() != 2) return std::min(linear, pi);
+  if (!step.fixed_rows && step.extent.told_by_way()) return std::min(linear, pi);
+  return std::min(linear,
+                  pi / 2 * step.extent.angle * beyond + bound_with_free_row(step, line_rotation));
 }
 
 }  // namespace
 
 bool bound_is_linear(const Arm& arm, const Task& task) {
-  const bool flat = arm.planar() && turns_within_rows(task, Vector3::UnitZ());
-  return turning_rows(task) || (task.orientations() == 1 && !flat);
+  const bool planar = arm.planar() && turns_within_rows(task, Vector3::UnitZ());
+  return rotating_rows(task) || (task.orientations() == 1 && !planar);
 }
 
-// Let s_a and s_b be the nearest fractions at the ends, s' the one in proportion between them.
-// First comes a bound on the deviation from the line's point at s', then one on how far s' is from
-// nearest.
 Deviation line_step_bound(const Arm& arm, const Line& line, const Task& task,
                           const ConfigurationRef& q_a, const ConfigurationRef& q_b,
                           const Deviation& a, const Deviation& b) {
-  const LineExtent extent = extent_of(line, task);
-  const ChordBound step = chord_bound(arm, q_a, q_b);
-  const bool still = !turning_rows(task);
-  const bool whole = whole_turns(arm, line, extent, task, q_a);
-  Deviation bound{std::max(a.position, b.position), std::max(a.orientation, b.orientation)};
-
-  const Pose at_a = forward_kinematics(arm, q_a), at_b = forward_kinematics(arm, q_b);
-  const Vector3 way = in_position_rows(task, at_a, at_b.translation() - at_a.translation());
-  const Vector3 bend = in_position_rows(task, at_a, step.bend);
-  const bool on_chord = still && extent.told_by_way() && stays_on_chord(step, bend, way);
-  const double beyond = extent.told_by_way() ? std::max(beyond_ends(line, extent, at_a, task),
-                                                        beyond_ends(line, extent, at_b, task))
-                                             : 0;
-  double apart = 0, off = 0, length = extent.length, full_angle = 0;
-  if (!still || !whole) {
-    const double s_a = nearest_fraction(line, at_a, task);
-    const double s_b = nearest_fraction(line, at_b, task);
-    const auto distance = [&line](const Pose& pose, double s) {
-      return (interpolate(line.from, line.to, s).translation() - pose.translation()).norm();
-    };
-    apart = std::abs(s_b - s_a);
-    off = std::max(distance(at_a, s_a), distance(at_b, s_b));
-    for (const auto& [pose, s] : {std::pair{at_a, s_a}, {at_b, s_b}}) {
-      const Pose there = interpolate(line.from, line.to, s);
-      full_angle = std::max(full_angle, pose_difference(there, pose).tail<3>().norm());
-    }
-    const double shown = in_position_rows(task, at_a, extent.way).norm();
-    if (!still) length = shown - extent.length * step.turned;  // the least that the rows may show
-  }
-  if (still) {  // distance from a straight segment is convex
-    if (task.positions() > 0) {
-      bound.position +=
-          std::min(step.position, on_chord ? part_across(bend, way) + step.rest : step.position);
-    }
-  } else {  // from the nearer end, at most half of all motion
-    bound.position += (step.moved + extent.length * apart + off * step.turned) / 2;
-  }
-  if (task.orientations() > 0 && whole) {
-    // Between two shortest turns in SO(3), a sphere of radius 2, the distance exceeds that of their
-    // ends by 1 / cos(angle/4) at most (Jacobi's equation).
-    const double angle = step.turned + a.orientation + b.orientation;
-    const double ends = bound.orientation;
-    bound.orientation = angle < pi ? ends / std::cos(angle / 4) : pi;
-    if (on_chord) {
-      bound.orientation +=
-          orientation_at_nearest(step, extent, ends) + 2 * extent.angle * std::min(1.0, beyond);
-    } else {
-      bound.orientation += step.orientation;
-    }
-  } else if (task.orientations() > 0) {  // |d log| <= pi/2 |d angle| wherever the free rows stand
-    double by_curve = pi;
-    if (task.orientations() == 2 && (still || !extent.told_by_way())) {
-      by_curve = pi / 2 * extent.angle * std::min(1.0, beyond) +
-                 with_row_free(bound.orientation, step.turned, extent.angle * apart, full_angle);
-    }
-    bound.orientation += pi / 4 * (step.turned + extent.angle * apart);
-    bound.orientation = std::min(bound.orientation, by_curve);
-  }
-
-  if (extent.told_by_way() && !(whole && on_chord)) {
+  LineStep step = line_step(arm, line, task, q_a, q_b);
+  step.ends = {std::max(a.position, b.position), std::max(a.orientation, b.orientation)};
+  Deviation bound{position_bound(step, task), orientation_bound(step, task, a, b)};
+  // From s' to the nearest point: the line's change of pose over the difference of parameters.
+  if (step.extent.told_by_way() && !(step.whole_rotation && step.inside_line)) {
     const double shift =
-        still ? std::max(a.position, b.position) + step.position : 2 * bound.position;
-    const double drift = shift < length ? shift / length : 1;
-    bound.orientation += (whole ? 1 : pi / 2) * extent.angle * drift;
-  } else if (extent.told_by_turn() && task.positions() > 0) {
-    const double drift = whole ? std::min(1.0, 2 * bound.orientation / extent.angle) : 1;
-    bound.position += extent.length * drift;
+        step.fixed_rows ? step.ends.position + step.chord.position : 2 * bound.position;
+    const double change = shift < step.length ? shift / step.length : 1;
+    bound.orientation += (step.whole_rotation ? 1 : pi / 2) * step.extent.angle * change;
+  } else if (step.extent.told_by_turn() && task.positions() > 0) {
+    const double change =
+        step.whole_rotation ? std::min(1.0, 2 * bound.orientation / step.extent.angle) : 1;
+    bound.position += step.extent.length * change;
   }
   bound.orientation = std::min(bound.orientation, pi);
   return bound;
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -3,18 +3,22 @@
 #include <beeline/kinematics/task.h>
 #include <beeline/path/segment.h>
 
-namespace beeline {
+namespace beeline::internal {
 
-/// Whether line_step_bound() falls only with the step itself, not with its square: where the task
-/// leaves two of the orientation rows free, or some position rows in the tool's axes.
+/// Whether line_step_bound() is of first order in the step only, not of second: for a task that
+/// leaves two of the orientation rows free, or some position rows in tool axes.
 bool bound_is_linear(const Arm& arm, const Task& task);
 
-/// A bound on deviation_from(line, ..., task) while every joint moves in proportion from q_a to
-/// q_b, at whose ends it was measured to be `a` and `b`. From chord_bound(), so it falls with the
-/// square of the step; but see bound_is_linear(): there the rows that matter turn. Throws Error
-/// when q_a or q_b does not fit the arm.
+/// Bounds deviation_from(line, ..., task), the deviation from the nearest point of the line, while
+/// the configuration moves linearly from q_a to q_b; `a` and `b` are the deviations there.
+///
+/// Let s_a and s_b be the parameters of the nearest points at the ends, and s' linear between them.
+/// The bound is the sum of a bound on the deviation from the line's pose at s', by chord_bound(),
+/// and one on the change from s' to the nearest point's parameter. It falls with the square of the
+/// step, except where bound_is_linear(): there the task's rows rotate with the tool.
+/// Throws Error when q_a or q_b does not fit the arm.
 Deviation line_step_bound(const Arm& arm, const Line& line, const Task& task,
                           const ConfigurationRef& q_a, const ConfigurationRef& q_b,
                           const Deviation& a, const Deviation& b);
 
-}  // namespace beeline
+}  // namespace beeline::internal

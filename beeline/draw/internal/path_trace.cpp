@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/certificate/internal/path_checks.h>
+#include <beeline/certificate/internal/path_step.h>
 #include <beeline/draw/internal/path_trace.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
@@ -73,7 +75,7 @@ PathTrace trace_path(const Arm& arm, std::span<const Configuration> samples,
   std::size_t on = path.segments.size();  // the segment before
   for (std::size_t k = 1; k < places.size(); ++k) {
     for (const SegmentStep& step :
-         cut_at_segments(path, task, samples[k - 1], places[k - 1], samples[k], places[k])) {
+         split_at_segments(path, task, samples[k - 1], places[k - 1], samples[k], places[k])) {
       const Interval& interval = intervals[step.segment];
       const auto at = [&](double fraction, std::size_t number) {
         return measure(arm, step.q_a + fraction * (step.q_b - step.q_a),
@@ -86,7 +88,7 @@ PathTrace trace_path(const Arm& arm, std::span<const Configuration> samples,
         trace.points.push_back(at(static_cast<double>(part) / static_cast<double>(parts), k));
       }
       trace.steps.push_back(
-          {from, trace.points.back().arc_length, measured(arm, path, task, step).bound});
+          {from, trace.points.back().arc_length, measure_step(arm, path, task, step).bound});
     }
   }
   if (trace.points.empty()) {

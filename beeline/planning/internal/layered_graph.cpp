@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <beeline/certificate/path_deviation.h>
+#include <beeline/certificate/internal/path_checks.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/inverse/numerical/representative.h>
@@ -10,172 +10,104 @@
 #include <beeline/planning/internal/null_space.h>
 #include <beeline/trajectory/trajectory.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
-constexpr double longest_edge = 1.2;  // radians or metres of one joint between neighbours
-constexpr int max_repairs = 60;       // edges that turn out not to lead on
-constexpr int smoothings = 12;
-constexpr double limit_weight = 0.003;  // of nearness to limits, against the square of seconds
+// Largest change of one joint over an edge, radians or metres. Regular arms change by a tenth of
+// that over a layer's spacing; other branches are mostly farther away, and the test at the midpoint
+// refuses the others. It only saves time.
+constexpr double longest_edge = 1.2;
+// Most edges that the test at the midpoint may remove; each costs a relaxation of the layers
+// behind it. A bound on time: what is found by then is used.
+constexpr std::size_t max_removed_edges = 60;
+// Layers of one segment: enough for a cubic spline on the shortest, a bound on time for the
+// longest.
+constexpr double min_layers = 4, max_layers = 400;
+// w and the summand of c(q), see the header: in the inner half of its range a joint costs below
+// 0.006 s^2 per layer, less than a step of a tenth of a second; on a limit 0.15 s^2.
+constexpr double limit_weight = 0.003;  // seconds squared
+constexpr double limit_offset = 0.02;
+// Caps seconds per radian or metre, so that their squares are finite for any velocity limit.
+constexpr double max_pace = 1e100;
 
-/// One place on the path and the solutions there.
-struct Rung {
-  double place = 0;
+/// A pose of the path and its solutions.
+struct Layer {
+  double s = 0;
   Pose pose;
   std::vector<Configuration> solutions;
-  std::vector<double> cost;  ///< of the best chain from the first rung
-  std::vector<int> before;   ///< its solution on the rung before; -1: none
+  std::vector<double> cost;      ///< of the shortest path to each solution from the first layer
+  std::vector<int> predecessor;  ///< of each solution, in the layer before; -1: none
 };
 
-/// About how far the tool moves on a segment, turns too.
+struct Edge {
+  std::size_t layer;  ///< in which it ends
+  int from, to;       ///< solutions
+  bool operator==(const Edge&) const = default;
+};
+
+/// The length of the tool's path along a segment, by chords, rotations included; metres.
 double size_of(const Segment& segment) {
   constexpr int chords = 8;
   double size = 0;
   Pose before = pose_at(segment, 0);
   for (int i = 1; i <= chords; ++i) {
-    const Pose now = pose_at(segment, static_cast<double>(i) / chords);
-    const Twist way = pose_difference(now, before);
-    size += way.head<3>().norm() + metres_per_radian * way.tail<3>().norm();
-    before = now;
+    const Pose here = pose_at(segment, static_cast<double>(i) / chords);
+    const Twist chord = pose_difference(here, before);
+    size += chord.head<3>().norm() + metres_per_radian * chord.tail<3>().norm();
+    before = here;
   }
   return size;
 }
 
-/// None where what matters stands still.
-std::vector<Rung> rungs(const ToolPath& path, const Task& task, double spacing) {
-  std::vector<Rung> all{{0, pose_at(path, 0), {}, {}, {}}};
+/// Layers without solutions. None on segments that stand still in the rows of the task.
+std::vector<Layer> empty_layers(const ToolPath& path, const Task& task, double spacing) {
+  std::vector<Layer> layers{{0, pose_at(path, 0), {}, {}, {}}};
   for (std::size_t w = 0; w < path.segments.size(); ++w) {
     if (stands_still(path.segments[w], task)) continue;
     const double wanted = std::ceil(size_of(path.segments[w]) / spacing);
-    const int parts = static_cast<int>(std::clamp(wanted, 4.0, 400.0));
-    for (int i = 1; i <= parts; ++i) {
-      const double s = static_cast<double>(i) / parts;
-      all.push_back({static_cast<double>(w) + s, pose_at(path.segments[w], s), {}, {}, {}});
+    const int count = static_cast<int>(std::min(std::max(min_layers, wanted), max_layers));
+    for (int i = 1; i <= count; ++i) {
+      const double s = static_cast<double>(i) / count;
+      layers.push_back({static_cast<double>(w) + s, pose_at(path.segments[w], s), {}, {}, {}});
     }
   }
-  return all;
+  return layers;
 }
 
-/// The graph's costs, in seconds squared.
+/// The costs of nodes and edges, seconds squared.
 struct Costs {
-  Eigen::VectorXd pace;  ///< seconds a radian or metre
-  internal::Bounds bounds;
+  Eigen::VectorXd pace;  ///< 1 / v_k: seconds per radian or metre
+  Bounds bounds;
 
-  explicit Costs(const Arm& arm) : pace(arm.dof()), bounds(internal::bounds_of(arm)) {
+  explicit Costs(const Arm& arm) : pace(arm.dof()), bounds(bounds_of(arm)) {
     for (int k = 0; k < arm.dof(); ++k) {
-      pace[k] = 1 / held_velocity(arm.limits(k));
+      pace[k] = std::min(1 / held_velocity(arm.limits(k)), max_pace);
     }
   }
-  double near_limits(const Configuration& q) const {
+  double node(const Configuration& q) const {
     double sum = 0;
     for (Eigen::Index k = 0; k < q.size(); ++k) {
-      sum += limit_weight /
-             (std::max(0.0, limit_margin(q[k], bounds.lower[k], bounds.upper[k])) + 0.02);
+      const double margin = std::max(0.0, limit_margin(q[k], bounds.lower[k], bounds.upper[k]));
+      sum += limit_weight / (margin + limit_offset);
     }
     return sum;
   }
-  double step(const Configuration& a, const Configuration& b) const {
+  double edge(const Configuration& a, const Configuration& b) const {
     return (b - a).cwiseProduct(pace).squaredNorm();
   }
 };
 
-struct Edge {
-  std::size_t rung;
-  int from, to;
-  bool operator==(const Edge&) const = default;
-};
-
-/// Fills in costs from the rung `first` on; returns how many rungs can be reached.
-std::size_t relax(std::vector<Rung>& all, const Costs& costs, const std::vector<Edge>& closed,
-                  std::size_t first) {
-  for (std::size_t r = first; r < all.size(); ++r) {
-    Rung& rung = all[r];
-    rung.cost.assign(rung.solutions.size(), Limits::none);
-    rung.before.assign(rung.solutions.size(), -1);
-    bool reached = false;
-    for (std::size_t j = 0; j < rung.solutions.size(); ++j) {
-      const Configuration& q = rung.solutions[j];
-      if (r == 0) {
-        rung.cost[j] = costs.near_limits(q);
-        reached = true;
-        continue;
-      }
-      const Rung& last = all[r - 1];
-      for (std::size_t i = 0; i < last.solutions.size(); ++i) {
-        if (!(last.cost[i] < rung.cost[j])) continue;
-        const Configuration& p = last.solutions[i];
-        if ((q - p).lpNorm<Eigen::Infinity>() > longest_edge) continue;
-        const double cost = last.cost[i] + costs.step(p, q);
-        if (cost >= rung.cost[j]) continue;
-        const Edge edge{r, static_cast<int>(i), static_cast<int>(j)};
-        if (std::find(closed.begin(), closed.end(), edge) != closed.end()) continue;
-        rung.cost[j] = cost;
-        rung.before[j] = static_cast<int>(i);
-      }
-      if (rung.before[j] < 0) continue;
-      rung.cost[j] += costs.near_limits(q);
-      reached = true;
-    }
-    if (!reached) return r;
-  }
-  return all.size();
+/// The configuration nearest to `guess` with the tool at `pose`, by damped least squares.
+std::optional<Configuration> solved_near(const Arm& arm, const Pose& pose, const Task& task,
+                                         const Bounds& bounds, const Configuration& guess) {
+  const NumericalResult found =
+      levenberg_marquardt(arm, pose, task, bounds, guess, {.tolerance = 1e-9, .iterations = 20});
+  return found.converged ? std::optional(found.q) : std::nullopt;
 }
 
-/// The best chain to the rung before `end`: its solutions' numbers.
-std::vector<int> chain_to(const std::vector<Rung>& all, std::size_t end) {
-  std::vector<int> chain(end);
-  const auto& costs = all[end - 1].cost;
-  chain[end - 1] = static_cast<int>(std::min_element(costs.begin(), costs.end()) - costs.begin());
-  for (std::size_t r = end - 1; r > 0; --r) {
-    chain[r - 1] = all[r].before[chain[r]];
-  }
-  return chain;
-}
-
-/// Whether half-way between two solutions there is one near their middle.
-bool leads_on(const Arm& arm, const ToolPath& path, const Task& task,
-              const internal::Bounds& bounds, const Knot& a, const Knot& b) {
-  const Configuration middle = (a.q + b.q) / 2;
-  const double begin = std::max(a.place, static_cast<double>(segment_at(path, b.place)));
-  const internal::NumericalResult found =
-      internal::levenberg_marquardt(arm, pose_at(path, (begin + b.place) / 2), task, bounds, middle,
-                                    {.tolerance = 1e-9, .iterations = 20});
-  const double way = (b.q - a.q).lpNorm<Eigen::Infinity>();
-  return found.converged && (found.q - middle).lpNorm<Eigen::Infinity>() < 0.3 * way + 0.02;
-}
-
-/// Draws the chain taut: each knot towards its neighbours' middle and away from limits, as far as
-/// the tool's pose leaves it free.
-void smooth(const Arm& arm, const ToolPath& path, const Task& task, const Costs& costs,
-            const std::vector<Rung>& all, bool first_is_fixed, std::vector<Knot>& knots) {
-  constexpr double pull = 0.5, push = 0.02;
-  std::vector<double> ways;
-  for (const Knot& knot : knots) ways.push_back(span_to(path, knot.place));
-  for (int pass = 0; pass < smoothings; ++pass) {
-    for (std::size_t r = first_is_fixed ? 1 : 0; r < knots.size(); ++r) {
-      const Configuration& q = knots[r].q;
-      const Configuration& before = knots[r == 0 ? 0 : r - 1].q;
-      const Configuration& after = knots[std::min(r + 1, knots.size() - 1)].q;
-      const bool end = r == 0 || r + 1 == knots.size();
-      const double share = end ? 0.5 : (ways[r] - ways[r - 1]) / (ways[r + 1] - ways[r - 1]);
-      Configuration wanted = q + pull * (before + share * (after - before) - q);
-      for (Eigen::Index k = 0; k < q.size(); ++k) {
-        wanted[k] += push * push_from_limits(q[k], costs.bounds.lower[k], costs.bounds.upper[k]);
-      }
-      const internal::NumericalResult found = internal::levenberg_marquardt(
-          arm, all[r].pose, task, costs.bounds, wanted, {.tolerance = 1e-9, .iterations = 20});
-      if (found.converged && (found.q - q).lpNorm<Eigen::Infinity>() < 0.3) knots[r].q = found.q;
-    }
-  }
-}
-
-}  // namespace
-
-KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
-                                  const LayeredGraphOptions& options) {
-  std::vector<Rung> all = rungs(path, options.task, options.spacing);
-  const std::size_t wanted = all.size();
-  const Costs costs(arm);
+/// Fills in the solutions of the layers, and drops them from the first on that has none.
+void solve(std::vector<Layer>& layers, const Arm& arm, const Costs& costs,
+           const LayeredGraphOptions& options) {
   InverseSolver solver(arm, {.task = options.task,
                              .all = true,
                              .every_turn = false,
@@ -184,83 +116,184 @@ KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
                              .restarts = 4 * options.grid});
   const Configuration middle = middle_configuration(arm);
   Eigen::MatrixXd columns(arm.dof(), 16 * options.grid);
-  Configuration own = options.start.value_or(Configuration());  // the start, led on: off the grid
-  for (std::size_t r = 0; r < all.size(); ++r) {
+  // The start is not on the grid: its continuation is a solution of each layer too.
+  std::optional<Configuration> continuation = options.start;
+  for (std::size_t r = 0; r < layers.size(); ++r) {
+    std::vector<Configuration>& solutions = layers[r].solutions;
     if (r == 0 && options.start) {
-      all[r].solutions = {*options.start};
+      solutions = {*options.start};
     } else {
-      const int count = solver.solve(all[r].pose, middle, columns);
-      for (int i = 0; i < count; ++i) all[r].solutions.emplace_back(columns.col(i));
+      const int count = solver.solve(layers[r].pose, middle, columns);
+      for (int i = 0; i < count; ++i) solutions.emplace_back(columns.col(i));
     }
-    if (r > 0 && own.size() > 0) {
-      const internal::NumericalResult on = internal::levenberg_marquardt(
-          arm, all[r].pose, options.task, costs.bounds, own, {.tolerance = 1e-9, .iterations = 20});
-      own = on.converged ? on.q : Configuration();
-      if (on.converged) all[r].solutions.push_back(own);
+    if (r > 0 && continuation) {
+      continuation = solved_near(arm, layers[r].pose, options.task, costs.bounds, *continuation);
+      if (continuation) solutions.push_back(*continuation);
     }
-    if (all[r].solutions.empty()) {
-      all.resize(r);
+    if (solutions.empty()) {
+      layers.resize(r);
       break;
     }
   }
-  if (all.empty()) return {};
+}
 
-  std::vector<Edge> closed;
+/// The shortest paths to the solutions of one layer; returns whether any can be reached.
+bool relax(const Layer& before, Layer& layer, std::size_t r, const Costs& costs,
+           const std::vector<Edge>& removed) {
+  bool reached = false;
+  for (std::size_t j = 0; j < layer.solutions.size(); ++j) {
+    const Configuration& q = layer.solutions[j];
+    for (std::size_t i = 0; i < before.solutions.size(); ++i) {
+      if (!(before.cost[i] < layer.cost[j])) continue;
+      const Configuration& p = before.solutions[i];
+      if ((q - p).lpNorm<Eigen::Infinity>() > longest_edge) continue;
+      const double cost = before.cost[i] + costs.edge(p, q);
+      if (!(cost < layer.cost[j])) continue;
+      const Edge edge{r, static_cast<int>(i), static_cast<int>(j)};
+      if (std::find(removed.begin(), removed.end(), edge) != removed.end()) continue;
+      layer.cost[j] = cost;
+      layer.predecessor[j] = edge.from;
+    }
+    if (layer.predecessor[j] < 0) continue;
+    layer.cost[j] += costs.node(q);
+    reached = true;
+  }
+  return reached;
+}
+
+/// The same for all layers from `first` on; returns how many of all layers can be reached.
+std::size_t relax(std::vector<Layer>& layers, const Costs& costs, const std::vector<Edge>& removed,
+                  std::size_t first) {
+  for (std::size_t r = first; r < layers.size(); ++r) {
+    Layer& layer = layers[r];
+    layer.cost.assign(layer.solutions.size(), Limits::none);
+    layer.predecessor.assign(layer.solutions.size(), -1);
+    if (r > 0) {
+      if (!relax(layers[r - 1], layer, r, costs, removed)) return r;
+      continue;
+    }
+    for (std::size_t j = 0; j < layer.solutions.size(); ++j) {
+      layer.cost[j] = costs.node(layer.solutions[j]);
+    }
+  }
+  return layers.size();
+}
+
+/// The shortest path to the layer before `end`: the index of its solution in each layer.
+std::vector<int> shortest_path(const std::vector<Layer>& layers, std::size_t end) {
+  std::vector<int> chosen(end);
+  const auto& costs = layers[end - 1].cost;
+  chosen[end - 1] = static_cast<int>(std::min_element(costs.begin(), costs.end()) - costs.begin());
+  for (std::size_t r = end - 1; r > 0; --r) {
+    chosen[r - 1] = layers[r].predecessor[static_cast<std::size_t>(chosen[r])];
+  }
+  return chosen;
+}
+
+/// Whether a continuous motion is likely to join two knots: at the path's pose half-way there is a
+/// solution near their midpoint, within a third of the edge. The offset is for short edges.
+bool is_continuous(const Arm& arm, const ToolPath& path, const Task& task, const Bounds& bounds,
+                   const Knot& a, const Knot& b) {
+  constexpr double fraction = 0.3, offset = 0.02;  // of the edge; radians or metres
+  const Configuration middle = (a.q + b.q) / 2;
+  const double begin = std::max(a.s, static_cast<double>(segment_at(path, b.s)));
+  const auto q = solved_near(arm, pose_at(path, (begin + b.s) / 2), task, bounds, middle);
+  const double length = (b.q - a.q).lpNorm<Eigen::Infinity>();
+  return q && (*q - middle).lpNorm<Eigen::Infinity>() < fraction * length + offset;
+}
+
+/// Smooths the knots in the null space: moves each towards its neighbours' line and away from the
+/// joint limits, and back to the tool's pose by damped least squares.
+void smooth(const Arm& arm, const ToolPath& path, const Task& task, const Costs& costs,
+            const std::vector<Layer>& layers, bool keep_first, std::vector<Knot>& knots) {
+  // Gauss-Seidel with relaxation 1/2: 12 passes remove the steps of the grid, which alternate from
+  // knot to knot; longer waves cost little time. The push is small beside the steps of the grid.
+  constexpr int passes = 12;
+  constexpr double relaxation = 0.5, push = 0.02;
+  constexpr double largest_move = 0.3;  // of a joint: beyond, the solution is on another branch
+  std::vector<double> spans;
+  for (const Knot& knot : knots) spans.push_back(span_to(path, knot.s));
+  for (int pass = 0; pass < passes; ++pass) {
+    for (std::size_t r = keep_first ? 1 : 0; r < knots.size(); ++r) {
+      const Configuration& q = knots[r].q;
+      const Configuration& before = knots[r == 0 ? 0 : r - 1].q;
+      const Configuration& after = knots[std::min(r + 1, knots.size() - 1)].q;
+      const bool end = r == 0 || r + 1 == knots.size();
+      const double t = end ? 0.5 : (spans[r] - spans[r - 1]) / (spans[r + 1] - spans[r - 1]);
+      Configuration wanted = q + relaxation * (before + t * (after - before) - q);
+      for (Eigen::Index k = 0; k < q.size(); ++k) {
+        wanted[k] += push * push_from_limits(q[k], costs.bounds.lower[k], costs.bounds.upper[k]);
+      }
+      const auto found = solved_near(arm, layers[r].pose, task, costs.bounds, wanted);
+      if (found && (*found - q).lpNorm<Eigen::Infinity>() < largest_move) knots[r].q = *found;
+    }
+  }
+}
+
+}  // namespace
+
+KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
+                                  const LayeredGraphOptions& options) {
+  const Costs costs(arm);
+  std::vector<Layer> layers = empty_layers(path, options.task, options.spacing);
+  const std::size_t wanted = layers.size();
+  solve(layers, arm, costs, options);
+  if (layers.empty()) return {};
+  std::vector<Edge> removed;
   KnotSequence result;
   std::size_t first = 0;
-  for (int repair = 0; repair <= max_repairs; ++repair) {
-    const std::size_t end = relax(all, costs, closed, first);
-    if (end == 0) return result;
-    const std::vector<int> chain = chain_to(all, end);
+  while (removed.size() <= max_removed_edges) {
+    const std::size_t end = relax(layers, costs, removed, first);
+    const std::vector<int> chosen = shortest_path(layers, end);
     std::vector<Knot> knots;
     std::size_t r = 0;
     for (; r < end; ++r) {
-      const Knot next{all[r].place, all[r].solutions[chain[r]]};
-      if (r > 0 && !leads_on(arm, path, options.task, costs.bounds, knots.back(), next)) {
-        closed.push_back({r, chain[r - 1], chain[r]});
+      const Knot next{layers[r].s, layers[r].solutions[static_cast<std::size_t>(chosen[r])]};
+      if (r > 0 && !is_continuous(arm, path, options.task, costs.bounds, knots.back(), next)) {
+        removed.push_back({r, chosen[r - 1], chosen[r]});
         break;
       }
       knots.push_back(next);
     }
     if (knots.size() > result.knots.size()) result.knots = knots;
-    result.through = knots.size() == wanted;
-    if (r == end) break;  // as far as there are solutions
+    result.complete = knots.size() == wanted;
+    if (r == end) break;
     first = r;
   }
   if (result.knots.size() > 1) {
-    smooth(arm, path, options.task, costs, all, options.start.has_value(), result.knots);
+    smooth(arm, path, options.task, costs, layers, options.start.has_value(), result.knots);
   }
   return result;
 }
 
 KnotSpline::KnotSpline(const std::vector<Knot>& knots, const ToolPath& path)
     : path_(path), first_(knots.front().q) {
-  std::vector<double> ways;
+  std::vector<double> spans;
   std::vector<Configuration> q;
   const auto end_part = [&] {
-    if (ways.size() > 1) parts_.push_back(joint_spline(q, ways));
-    ways = {ways.back()};
+    if (spans.size() > 1) parts_.push_back(joint_spline(q, spans));
+    spans = {spans.back()};
     q = {q.back()};
   };
   for (const Knot& knot : knots) {
-    const double way = span_to(path, knot.place);
-    if (!ways.empty() && !(way > ways.back())) continue;
-    ways.push_back(way);
+    const double span = span_to(path, knot.s);
+    if (!spans.empty() && !(span > spans.back())) continue;
+    spans.push_back(span);
     q.push_back(knot.q);
-    if (corner_at(path, knot.place)) end_part();
+    if (corner_at(path, knot.s)) end_part();
   }
   end_part();
 }
 
-Configuration KnotSpline::at(double place) const {
+Configuration KnotSpline::at(double s) const {
   if (parts_.empty()) return first_;
-  const double way = span_to(path_, place);
-  const auto begins_after = [](double w, const JointPath& part) { return w < part.s.front(); };
-  auto part = std::upper_bound(parts_.begin() + 1, parts_.end(), way, begins_after) - 1;
-  const auto next = std::upper_bound(part->s.begin() + 1, part->s.end() - 1, way);
+  const double span = span_to(path_, s);
+  const auto begins_after = [](double x, const JointPath& part) { return x < part.s.front(); };
+  const auto part = std::upper_bound(parts_.begin() + 1, parts_.end(), span, begins_after) - 1;
+  const auto next = std::upper_bound(part->s.begin() + 1, part->s.end() - 1, span);
   const auto k = static_cast<std::size_t>(next - part->s.begin()) - 1;
-  const double share = (way - part->s[k]) / (part->s[k + 1] - part->s[k]);
-  return path_point(*part, k, std::clamp(share, 0.0, 1.0)).q;
+  const double t = (span - part->s[k]) / (part->s[k + 1] - part->s[k]);
+  return path_point(*part, k, std::clamp(t, 0.0, 1.0)).q;
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

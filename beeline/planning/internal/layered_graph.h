@@ -7,46 +7,49 @@
 #include <beeline/path/joint_path.h>
 #include <beeline/path/tool_path.h>
 
-namespace beeline {
+namespace beeline::internal {
 
-/// A configuration at a place on a path: `place` whole segments, with a fraction of the next.
+/// A configuration at a path parameter s: whole segments, with a fraction of the next.
 struct Knot {
-  double place = 0;
+  double s = 0;
   Configuration q;
 };
 
 struct LayeredGraphOptions {
   Task task;
   std::optional<Configuration> start = std::nullopt;  ///< the first knot; default: any
-  int grid = 16;          ///< solutions of each pose: values of the joint to spare, all branches
-  double spacing = 0.06;  ///< between knots, metres; turns by metres_per_radian
+  int grid = 16;          ///< solutions per pose, roughly: values of the redundant joint x branches
+  double spacing = 0.06;  ///< of the layers, metres; rotations count by metres_per_radian
 };
 
 struct KnotSequence {
-  std::vector<Knot> knots;  ///< all the way, or as far as it goes
-  bool through = false;
+  std::vector<Knot> knots;  ///< one per layer, as far as the path can be reached
+  bool complete = false;
 };
 
-/// What joints to spare do along a path, decided for the whole way at once: solutions of inverse
-/// kinematics within limits at path parameters along it, of which a chain is chosen whose joints
-/// move least and stay away from their limits (dynamic programming over a ladder graph, as in
-/// Descartes and in Ferrentino & Chiacchio 2020). Neighbours in the chain can be joined without
-/// leaving the path by more than the joints move; it is then drawn taut in the joints' self-motion.
-/// That the arm can follow is not proved by this: see track_segment().
+/// Resolves redundancy along a whole path at once, by dynamic programming over a layered graph (as
+/// in Descartes, and in Ferrentino & Chiacchio 2020). Layer r holds solutions Q_r of inverse
+/// kinematics within limits for the pose at path parameter s_r. The chosen knots solve
+///     min  sum_r c(q_r) + sum_{r>0} sum_k ((q_{r,k} - q_{r-1,k}) / v_k)^2   over q_r in Q_r,
+///     c(q) = w sum_k 1 / (margin of joint k to its limits + 0.02),
+/// v_k being velocity limits, over edges that a continuous motion is likely to join: whose ends are
+/// near each other, with a solution near their midpoint. The knots are then smoothed in the null
+/// space, at constant tool pose.
+/// That the arm can move from knot to knot is not proved by this: see track_segment().
 KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
                                   const LayeredGraphOptions& options);
 
-/// The knots' spline at a place, for track_segment() to keep near: cubic by the way (span_to()),
-/// with continuous curvature (joint_spline()) but where the path has a corner.
+/// Interpolates knots, as a guide for track_segment(): cubic splines in span_to() (joint_spline()),
+/// from corner to corner of the path.
 class KnotSpline {
  public:
   KnotSpline(const std::vector<Knot>& knots, const ToolPath& path);
-  Configuration at(double place) const;
+  Configuration at(double s) const;
 
  private:
   ToolPath path_;
   Configuration first_;
-  std::vector<JointPath> parts_;  ///< from corner to corner
+  std::vector<JointPath> parts_;
 };
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -5,21 +5,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/internal/null_space.h>
 
-namespace beeline {
-namespace {
-
-constexpr double damping = 1e-4;  // far below the singular values of an arm that can move on
-constexpr double urge = 5;        // push at a limit, over the step; more lengthens motions
-
-Configuration away_from_limits(const Configuration& q, const internal::Bounds& bounds) {
-  Configuration push(q.size());
-  for (Eigen::Index k = 0; k < q.size(); ++k) {
-    push[k] = push_from_limits(q[k], bounds.lower[k], bounds.upper[k]);
-  }
-  return push;
-}
-
-}  // namespace
+namespace beeline::internal {
 
 double push_from_limits(double q, double lower, double upper) {
   const double side = position_in_range(q, lower, upper);
@@ -28,23 +14,30 @@ double push_from_limits(double q, double lower, double upper) {
 }
 
 Eigen::VectorXd damped_solve(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& error,
-                             double damping_factor) {
+                             double damping) {
   Eigen::MatrixXd gram = jacobian * jacobian.transpose();
-  gram.diagonal().array() += damping_factor * damping_factor;
+  gram.diagonal().array() += damping * damping;
   return jacobian.transpose() * gram.ldlt().solve(error);
 }
 
-Configuration predicted(const Arm& arm, const Configuration& q, const Pose& target,
-                        const Task& task, const internal::Bounds& bounds) {
+Configuration predict_configuration(const Arm& arm, const Configuration& q, const Pose& target,
+                                    const Task& task, const Bounds& bounds) {
+  constexpr double damping = 1e-4;  // far below the singular values of a regular configuration
+  constexpr double gain = 5;  // of the push: less lets joints reach their limits, more makes them
+                              // move more than the tool needs
   const Eigen::MatrixXd j = task_jacobian(arm, q, task);
   const Eigen::VectorXd error = task_error(task, target, forward_kinematics(arm, q));
   Configuration step = damped_solve(j, error, damping);
   if (arm.dof() > task.size()) {
-    const Configuration push = urge * step.lpNorm<Eigen::Infinity>() * away_from_limits(q, bounds);
+    Configuration push(q.size());
+    for (Eigen::Index k = 0; k < q.size(); ++k) {
+      push[k] = push_from_limits(q[k], bounds.lower[k], bounds.upper[k]);
+    }
+    push *= gain * step.lpNorm<Eigen::Infinity>();
     step += push - damped_solve(j, j * push, damping);
   }
   if (!step.allFinite()) return q;
   return (q + step).cwiseMax(bounds.lower).cwiseMin(bounds.upper);
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -2,22 +2,21 @@
 
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 
-namespace beeline {
+namespace beeline::internal {
 
-/// A first guess for the configuration next to q that brings the tool to `target`: one damped
-/// Newton step (the chapter's eq. 1.5), plus, where joints are redundant, a motion in the
-/// Jacobian's null space that keeps them from their limits (Liegeois 1977). Always within the
-/// bounds.
-Configuration predicted(const Arm& arm, const Configuration& q, const Pose& target,
-                        const Task& task, const internal::Bounds& bounds);
+/// Predicts the configuration next to q with the tool at `target`, within the bounds: one damped
+/// Gauss-Newton step (Dellaert, *Serial Link Manipulators*, eq. 1.5) and, for a redundant arm, a
+/// motion in the null space of the Jacobian away from the joint limits (Liegeois 1977),
+///     dq = J^+ e + (I - J^+ J) z,   z_k = 5 |J^+ e|_inf push_from_limits(q_k).
+Configuration predict_configuration(const Arm& arm, const Configuration& q, const Pose& target,
+                                    const Task& task, const Bounds& bounds);
 
-/// Which way, from -1 to 1, and how urgently a coordinate at q should go back to the middle of its
-/// limits: 0 in the inner half of the range and where it has no end, growing with the square to 1
-/// at the limit.
+/// A coordinate's push towards the middle of its limits, from -1 to 1: 0 in the inner half of its
+/// range and where that is infinite, growing with the square of the depth to 1 at the limit.
 double push_from_limits(double q, double lower, double upper);
 
-/// The damped pseudo-inverse applied to a task-space step: J^T (J J^T + damping^2 I)^-1 e.
+/// The damped pseudo-inverse applied to e: J^T (J J^T + damping^2 I)^-1 e.
 Eigen::VectorXd damped_solve(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& error,
                              double damping);
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -3,20 +3,19 @@
 #include <beeline/planning/branch.h>
 #include <beeline/timing/retime.h>
 
-namespace beeline {
+namespace beeline::internal {
 
-/// A planned way with its times.
 struct TimedPlan {
   MotionStatus status = MotionStatus::reached;
-  std::string reason = {};                   ///< why there is none; empty when reached
+  std::string reason = {};                   ///< unless reached
   Trajectory trajectory = {};                ///< from rest to rest
-  std::vector<double> path_parameters = {};  ///< on the path, of each sample
+  std::vector<double> path_parameters = {};  ///< of each sample
 };
 
-/// Gives a branch that goes all along the route's path its times, from stop to stop
-/// (append_timed()): its own samples, or, with a rate, samples at equal times, each brought onto
-/// the path where the tool is nearest.
-TimedPlan timed_plan(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
-                     const RetimeOptions& options);
+/// Retimes a complete branch along the route's path, from stop to stop (append_retimed()): its own
+/// samples, or, where options.rate is given, samples at equal times, each moved onto the path at
+/// the nearest path parameter.
+TimedPlan time_plan(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
+                    const RetimeOptions& options);
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -2,37 +2,27 @@
 
 #include <functional>
 
-#include <beeline/certificate/path_deviation.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
+#include <beeline/planning/branch.h>
 
-namespace beeline {
+namespace beeline::internal {
 
-/// How one segment of a path is to be followed.
 struct TrackOptions {
-  Deviation tolerance = {};  ///< most that the tool may leave it by between samples
+  Deviation tolerance = {};  ///< of step_bound(), between samples
   std::size_t max_samples = 0;
-  /// Where there is a choice, the configuration at a fraction of the segment is taken next to this
-  /// one; default: next to the sample before, joints to spare away from their limits.
+  /// The initial guess at a fraction of the segment; default: predict_configuration().
   std::function<Configuration(double)> guide = {};
-  std::function<void(double)> progress = {};  ///< told the fraction done, now and then
+  std::function<void(double)> progress = {};  ///< called now and then with the fraction tracked
 };
 
-struct TrackedSegment {
-  std::vector<Configuration> samples;  ///< the start first
-  std::vector<double> fractions;  ///< of the segment: sample k has the tool at that point; 0 first
-  PathDeviation deviation;        ///< sampled half-way between samples too
-  bool through() const { return fractions.back() == 1; }
-};
-
-/// The configurations from `start`, which has the tool at the segment's begin, along it as far as
-/// they continue one another: each is solved to rounding, within the bounds, and step_bound()
-/// proves that on the way from the one before it the tool stays within the tolerance; steps are as
-/// long as that allows. So there can be no jump to another branch between two samples, whatever its
-/// size. A singular start is left to the first side that works, in the order of the joints. Ends
-/// early where the arm cannot go on, or with max_samples. Throws Error for a start that is
-/// elsewhere, and what check_task() refuses.
+/// Tracks the segment from `start`, whose tool is at its begin, and returns the samples. Each is
+/// solved to rounding within the bounds; step_bound() proves that the deviation between two samples
+/// is within the tolerance, so no change of branch can occur between them. Steps are as long as
+/// that allows. From a singular start the first of the joints that can move to either side leads
+/// on. Returns early where no configuration continues the motion, and at max_samples.
+/// Throws Error for a start whose tool is elsewhere, and a task that the segment does not allow.
 TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task& task,
                              const internal::Bounds& bounds, const Configuration& start,
                              const TrackOptions& options);
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -11,7 +11,7 @@
 #include <tests/random_arm.h>
 #include <tests/refusal.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 using std::numbers::pi;
@@ -31,8 +31,8 @@ ChordBound sampled(const Arm& arm, const Configuration& q_a, const Configuration
     const Pose chord = interpolate(from, to, t);
     seen.position = std::max(seen.position, (pose.translation() - chord.translation()).norm());
     seen.orientation = std::max(seen.orientation, turn_between(pose, chord));
-    seen.moved += (pose.translation() - before.translation()).norm();
-    seen.turned += turn_between(pose, before);
+    seen.path_length += (pose.translation() - before.translation()).norm();
+    seen.rotation += turn_between(pose, before);
     before = pose;
   }
   return seen;
@@ -51,11 +51,11 @@ void expect_bound(testing::Random& random, const Arm& arm, std::vector<double>& 
   const Configuration q_b = q_a + random_step(random, arm, size);
   const ChordBound seen = sampled(arm, q_a, q_b);
   const ChordBound bound = chord_bound(arm, q_a, q_b);
-  const double slack = 1e-12 * (1 + bound.moved);
+  const double slack = 1e-12 * (1 + bound.path_length);
   ASSERT_LE(seen.position, bound.position + slack) << arm.name() << " step " << size;
   ASSERT_LE(seen.orientation, bound.orientation + 1e-12) << arm.name() << " step " << size;
-  ASSERT_LE(seen.moved, bound.moved + slack) << arm.name();
-  ASSERT_LE(seen.turned, bound.turned + 1e-12) << arm.name();
+  ASSERT_LE(seen.path_length, bound.path_length + slack) << arm.name();
+  ASSERT_LE(seen.rotation, bound.rotation + 1e-12) << arm.name();
   if (size < 0.1 && bound.position > 0) tightness.push_back(seen.position / bound.position);
 }
 
@@ -109,7 +109,7 @@ TEST(ChordBound, IsTheRiseOfTheArcForOneJoint) {
     const double rise = radius * (1 - std::cos(step / 2));
     ASSERT_GE(bound.position, rise);
     ASSERT_LE(bound.position, rise * (1 + step * step));
-    ASSERT_NEAR(bound.moved, radius * step, 1e-12);
+    ASSERT_NEAR(bound.path_length, radius * step, 1e-12);
     ASSERT_EQ(bound.orientation, 0);
   }
 }
@@ -134,7 +134,7 @@ TEST(ChordBound, OfTheOrientationIsAHalfTurnAtMostAndThatFromAHalfTurnOn) {
     const Configuration q_b = q_a + random_step(random, arm, 3);
     const ChordBound bound = chord_bound(arm, q_a, q_b);
     ASSERT_LE(bound.orientation, pi);
-    if (bound.turned >= pi) {
+    if (bound.rotation >= pi) {
       ASSERT_EQ(bound.orientation, pi);
     }
     ASSERT_LE(sampled(arm, q_a, q_b).orientation, bound.orientation + 1e-12);
@@ -150,4 +150,4 @@ TEST(ChordBound, RefusesConfigurationsThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -11,7 +11,7 @@
 #include <tests/random.h>
 #include <tests/random_arm.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 using std::numbers::pi;
@@ -188,4 +188,4 @@ TEST(DeviationFrom, IsTheLeastOverTheArc) {
 }
 
 }  // namespace
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -2,7 +2,7 @@
 
 #include <tests/planning/motion_promises.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 using namespace testing;
@@ -31,16 +31,16 @@ TEST(KnotSequence, LeadsThroughPosesOnTheLinesWithinLimits) {
     const KnotSequence sequence =
         search_layered_graph(a.arm, lines_through(a.poses), {.task = a.task});
     ASSERT_FALSE(sequence.knots.empty());
-    EXPECT_EQ(sequence.knots.front().place, 0);
-    EXPECT_EQ(sequence.through, sequence.knots.back().place == 2);
-    through += sequence.through;
+    EXPECT_EQ(sequence.knots.front().s, 0);
+    EXPECT_EQ(sequence.complete, sequence.knots.back().s == 2);
+    through += sequence.complete;
     double before = -1;
     for (const Knot& knot : sequence.knots) {
-      ASSERT_GT(knot.place, before);
-      before = knot.place;
-      const auto line = std::min<std::size_t>(1, static_cast<std::size_t>(knot.place));
+      ASSERT_GT(knot.s, before);
+      before = knot.s;
+      const auto line = std::min<std::size_t>(1, static_cast<std::size_t>(knot.s));
       const Pose target =
-          interpolate(a.poses[line], a.poses[line + 1], knot.place - static_cast<double>(line));
+          interpolate(a.poses[line], a.poses[line + 1], knot.s - static_cast<double>(line));
       const Deviation off = task_deviation(a.task, target, forward_kinematics(a.arm, knot.q));
       ASSERT_LT(off.position, 1e-8) << a.arm.name();
       ASSERT_LT(off.orientation, 1e-8) << a.arm.name();
@@ -71,8 +71,8 @@ TEST(KnotSequence, EndsWhereSolutionsDo) {
   to.translation().z() += 3;
   const KnotSequence sequence =
       search_layered_graph(arm, lines_through(std::vector{from, to}), {.task = Task::spatial()});
-  EXPECT_FALSE(sequence.through);
-  EXPECT_LT(sequence.knots.back().place, 0.7);
+  EXPECT_FALSE(sequence.complete);
+  EXPECT_LT(sequence.knots.back().s, 0.7);
   EXPECT_TRUE(
       search_layered_graph(arm, lines_through(std::vector{to, from}), {.task = Task::spatial()})
           .knots.empty());
@@ -92,13 +92,13 @@ TEST(KnotSpline, GoesThroughItsKnotsSmoothly) {
   const KnotSpline spline(knots, path);
   constexpr double h = 1e-6;
   for (const Knot& knot : knots) {
-    EXPECT_LT((spline.at(knot.place) - knot.q).norm(), 1e-14);
-    if (knot.place == 0 || knot.place == knots.back().place) continue;
-    const Configuration left = (knot.q - spline.at(knot.place - h)) / h;
-    const Configuration right = (spline.at(knot.place + h) - knot.q) / h;
+    EXPECT_LT((spline.at(knot.s) - knot.q).norm(), 1e-14);
+    if (knot.s == 0 || knot.s == knots.back().s) continue;
+    const Configuration left = (knot.q - spline.at(knot.s - h)) / h;
+    const Configuration right = (spline.at(knot.s + h) - knot.q) / h;
     EXPECT_LT((left - right).norm(), 1e-3) << "one slope on both sides";
   }
-  for (double p = 0; p < knots.back().place; p += 0.01) {
+  for (double p = 0; p < knots.back().s; p += 0.01) {
     EXPECT_NEAR(spline.at(p)[1], 2 - 3 * p, 1e-12) << "straight knots make a straight line";
   }
   EXPECT_LT((spline.at(0) - knots.front().q).norm(), 1e-15);
@@ -125,4 +125,4 @@ TEST(KnotSpline, IsSmoothWhereSegmentsOfDifferentLengthMeet) {
 }
 
 }  // namespace
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -1,4 +1,5 @@
 #include <Eigen/QR>
+#include <Eigen/SVD>
 #include <gtest/gtest.h>
 
 #include <beeline/kinematics/forward.h>
@@ -7,7 +8,7 @@
 
 #include <tests/path/random_line.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 Pose a_little_away(testing::Random& random, const Pose& from, double way) {
@@ -17,60 +18,69 @@ Pose a_little_away(testing::Random& random, const Pose& from, double way) {
   return to;
 }
 
-TEST(Predicted, BringsTheToolNextToTheTarget) {
+// One Gauss-Newton step: what is left is of second order, wherever the Jacobian is regular.
+TEST(PredictConfiguration, BringsTheToolNextToTheTarget) {
   testing::Random random;
   for (const std::string name : {"panda", "ur5", "stanford"}) {
     const Arm arm = built_in(name);
+    int regular = 0;
     for (int i = 0; i < 200; ++i) {
       const Configuration q = testing::inner_configuration(random, arm);
       const double way = 1e-4;
       const Pose to = a_little_away(random, forward_kinematics(arm, q), way);
-      const Configuration next = predicted(arm, q, to, Task::spatial(), internal::bounds_of(arm));
+      const double smallest =
+          Eigen::JacobiSVD<Eigen::MatrixXd>(task_jacobian(arm, q, Task::spatial()))
+              .singularValues()
+              .minCoeff();
+      if (smallest < 0.02) continue;
+      ++regular;
+      const Configuration next = predict_configuration(arm, q, to, Task::spatial(), bounds_of(arm));
       const double step = (next - q).norm();
-      if (step > 0.02) continue;  // nearly singular: the Jacobian tells little
+      ASSERT_LT(step, 15 * way / smallest) << name;
       const Eigen::VectorXd left = task_error(Task::spatial(), to, forward_kinematics(arm, next));
       ASSERT_LT(left.norm(), 0.05 * way + 2 * step * step) << name;
     }
+    EXPECT_GT(regular, 100) << name;
   }
 }
 
-TEST(Predicted, StaysWithinTheBounds) {
+TEST(PredictConfiguration, StaysWithinTheBounds) {
   testing::Random random;
   const Arm arm = built_in("panda");
-  const internal::Bounds bounds = internal::bounds_of(arm);
+  const Bounds bounds = bounds_of(arm);
   for (int i = 0; i < 500; ++i) {
     Configuration q = random.configuration(arm);
     const int k = random.integer(0, 6);
     q[k] = i % 2 == 0 ? bounds.lower[k] : bounds.upper[k];
     const Pose to = a_little_away(random, forward_kinematics(arm, q), random.uniform(0, 0.5));
-    const Configuration next = predicted(arm, q, to, Task::spatial(), bounds);
+    const Configuration next = predict_configuration(arm, q, to, Task::spatial(), bounds);
     ASSERT_TRUE(next.allFinite());
     ASSERT_TRUE(limit_violations(arm, next, 0).empty());
   }
 }
 
-TEST(Predicted, StandsStillWhereTheToolIsAlready) {
+TEST(PredictConfiguration, StandsStillWhereTheToolIsAlready) {
   testing::Random random;
   const Arm arm = built_in("iiwa14");
   const Configuration q = random.configuration(arm);
   const Configuration next =
-      predicted(arm, q, forward_kinematics(arm, q), Task::spatial(), internal::bounds_of(arm));
+      predict_configuration(arm, q, forward_kinematics(arm, q), Task::spatial(), bounds_of(arm));
   EXPECT_LT((next - q).norm(), 1e-9);
 }
 
 // With and without limits, the same target: the joint near its limit ends farther inside.
-TEST(Predicted, DrivesARedundantJointFromItsLimit) {
+TEST(PredictConfiguration, DrivesARedundantJointFromItsLimit) {
   testing::Random random;
   const Arm arm = built_in("panda");
-  const internal::Bounds bounds = internal::bounds_of(arm);
+  const Bounds bounds = bounds_of(arm);
   int inside = 0, cases = 0;
   for (int i = 0; i < 300; ++i) {
     Configuration q = testing::inner_configuration(random, arm);
     const int k = random.integer(0, 6);
     q[k] = bounds.upper[k] - 0.02 * (bounds.upper[k] - bounds.lower[k]);
     const Pose to = a_little_away(random, forward_kinematics(arm, q), 1e-4);
-    const double with = predicted(arm, q, to, Task::spatial(), bounds)[k];
-    const double without = predicted(arm, q, to, Task::spatial(), internal::no_bounds(arm))[k];
+    const double with = predict_configuration(arm, q, to, Task::spatial(), bounds)[k];
+    const double without = predict_configuration(arm, q, to, Task::spatial(), no_bounds(arm))[k];
     if (std::abs(with - without) < 1e-9) continue;  // no freedom to move this joint
     ++cases;
     inside += with < without ? 1 : 0;
@@ -94,4 +104,4 @@ TEST(DampedSolve, IsTheLeastMotionThatMeetsTheError) {
 }
 
 }  // namespace
-}  // namespace beeline
+}  // namespace beeline::internal

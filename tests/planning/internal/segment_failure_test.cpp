@@ -8,13 +8,13 @@
 
 #include <tests/path/random_line.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 // What a reason claims is looked up by other means at the place where the line stops.
-TEST(SegmentFailure, TellsTheTruth) {
+TEST(SegmentFailure, GivesTheTrueReason) {
   testing::Random random;
-  int seen[6] = {};
+  int seen[8] = {};  // by status
   for (const std::string name : {"rrr", "panda", "ur5", "puma560", "stanford"}) {
     const Arm arm = built_in(name);
     const Task task = default_task(arm);
@@ -22,9 +22,9 @@ TEST(SegmentFailure, TellsTheTruth) {
       const Configuration start = testing::inner_configuration(random, arm);
       const Pose from = forward_kinematics(arm, start);
       const Line line{from, testing::nearby_pose(random, arm, from)};
-      const TrackedSegment way = track_segment(arm, line, task, internal::bounds_of(arm), start,
+      const TrackedSegment way = track_segment(arm, line, task, bounds_of(arm), start,
                                                {.tolerance = {1e-4, 1e-3}, .max_samples = 100'000});
-      if (way.through()) continue;
+      if (way.complete()) continue;
       const Configuration& q = way.samples.back();
       const SegmentFailure failure = segment_failure(arm, line, task, q, way.fractions.back());
       ++seen[static_cast<int>(failure.status)];
@@ -67,11 +67,12 @@ TEST(SegmentFailure, TellsTheTruth) {
   EXPECT_GT(seen[static_cast<int>(MotionStatus::singular)], 0);
 }
 
-TEST(SegmentFailure, OfTooManySamplesSaysHowMany) {
+TEST(SegmentFailure, OfTooManySamplesNamesTheirNumberAndTheOption) {
   const SegmentFailure failure = too_many_samples(1234);
-  EXPECT_EQ(failure.status, MotionStatus::not_converged);
-  EXPECT_NE(failure.reason.find("1234"), std::string::npos);
+  EXPECT_EQ(failure.status, MotionStatus::too_many_samples);
+  EXPECT_NE(failure.reason.find("1234"), std::string::npos) << failure.reason;
+  EXPECT_NE(failure.reason.find("max_samples"), std::string::npos) << failure.reason;
 }
 
 }  // namespace
-}  // namespace beeline
+}  // namespace beeline::internal

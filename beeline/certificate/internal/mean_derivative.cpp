@@ -1,0 +1,60 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <beeline/certificate/internal/mean_derivative.h>
+#include <beeline/error.h>
+
+namespace beeline::internal {
+
+double mean_derivative(const Trajectory& trajectory, std::size_t k, int coordinate, int order) {
+  // Of a position: its own rounding and that of a file that it was read from, with a margin.
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+  if (order < 1 || order > 3) {
+    throw Error("the order of a derivative must be 1, 2 or 3, not " + std::to_string(order));
+  }
+  const auto count = static_cast<std::size_t>(order);
+  if (k + count >= trajectory.size()) return 0;
+  double table[4] = {}, error = 0, factorial = 1;
+  for (std::size_t j = 0; j <= count; ++j) {
+    table[j] = trajectory.positions[k + j][coordinate];
+    error = std::max(error, rounding * std::abs(table[j]));
+  }
+  for (std::size_t level = 1; level <= count; ++level) {
+    factorial *= static_cast<double>(level);
+    double shortest = Limits::none;
+    for (std::size_t j = 0; j + level <= count; ++j) {
+      const double h = trajectory.times[k + j + level] - trajectory.times[k + j];
+      table[j] = (table[j + 1] - table[j]) / h;
+      shortest = std::min(shortest, h);
+    }
+    error = 2 * error / shortest;
+  }
+  return std::max(0.0, std::abs(table[0]) - error) * factorial;
+}
+
+double slowdown_for_limits(const Arm& arm, const Trajectory& trajectory, bool keep_jerk) {
+  check_fits(arm, trajectory);
+  double factor = 1;
+  for (int i = 0; i < arm.dof(); ++i) {
+    const Limits& limits = arm.limits(i);
+    const double velocity = held_velocity(limits);
+    for (std::size_t k = 0; k < trajectory.size(); ++k) {
+      const auto usage = [&](int order, double limit) {
+        return mean_derivative(trajectory, k, i, order) / limit;
+      };
+      factor = std::max({factor, usage(1, velocity), std::sqrt(usage(2, limits.acceleration)),
+                         keep_jerk ? std::cbrt(usage(3, limits.jerk)) : 0});
+    }
+  }
+  return factor;
+}
+
+void check_fits(const Arm& arm, const Trajectory& trajectory) {
+  check_trajectory(trajectory);
+  if (trajectory.joint_names.size() == static_cast<std::size_t>(arm.dof())) return;
+  throw Error("the trajectory has " + std::to_string(trajectory.joint_names.size()) +
+              " joints, and arm " + arm.name() + " has " + std::to_string(arm.dof()));
+}
+
+}  // namespace beeline::internal

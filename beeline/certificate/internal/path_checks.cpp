@@ -1,0 +1,56 @@
+#include <algorithm>
+
+#include <beeline/certificate/internal/matched_step.h>
+#include <beeline/certificate/internal/path_checks.h>
+#include <beeline/error.h>
+
+namespace beeline::internal {
+
+void check_task(const Arm& arm, const Segment& segment, const Task& task) {
+  beeline::check_task(task);
+  if (!std::holds_alternative<Line>(segment)) check_matched(arm, segment, task);
+}
+
+void check_task(const Arm& arm, const ToolPath& path, const Task& task) {
+  if (path.segments.empty()) throw Error("a path needs segments");
+  for (const Segment& segment : path.segments) check_task(arm, segment, task);
+}
+
+void check_route(const Arm& arm, const Route& route, const Task& task) {
+  const std::size_t segments = route.path.segments.size();
+  if (segments == 0 || route.stops.size() != segments || route.path.spans.size() != segments) {
+    throw Error("a route needs segments, and a span and a stop for each; it has " +
+                std::to_string(segments) + " segments, " + std::to_string(route.path.spans.size()) +
+                " spans and " + std::to_string(route.stops.size()) + " stops");
+  }
+  check_task(arm, route.path, task);
+}
+
+void check_path_parameters(const ToolPath& path, std::span<const double> path_parameters) {
+  const auto segments = static_cast<double>(path.segments.size());
+  double before = 0;
+  for (std::size_t k = 0; k < path_parameters.size(); ++k) {
+    const double s = path_parameters[k];
+    if (!(s >= before && s <= segments)) {
+      throw Error("the path parameter of sample " + std::to_string(k + 1) + " is " + number(s) +
+                  "; it must be from " + number(before) + " to " + number(segments));
+    }
+    before = s;
+  }
+}
+
+bool all_lines(const ToolPath& path) {
+  return std::all_of(path.segments.begin(), path.segments.end(),
+                     [](const Segment& segment) { return std::holds_alternative<Line>(segment); });
+}
+
+bool stands_still(const Segment& segment, const Task& task) {
+  constexpr double still = 1e-9;  // metres and radians
+  const Pose begin = pose_at(segment, 0);
+  const auto at_begin = [&](double s) {
+    return within(task_deviation(task, pose_at(segment, s), begin), {still, still});
+  };
+  return at_begin(1) && at_begin(0.5) && at_begin(0.25);
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+
+#include <beeline/kinematics/task.h>
+#include <beeline/path/tool_path.h>
+
+namespace beeline::internal {
+
+/// Throws Error unless step_bound() holds for the task: any task along a line, those of
+/// check_matched() along other segments.
+void check_task(const Arm& arm, const Segment& segment, const Task& task);
+
+/// The same for every segment. Throws Error for a path without segments.
+void check_task(const Arm& arm, const ToolPath& path, const Task& task);
+
+/// The same for the route's path. Throws Error unless the route has a span and a stop for each of
+/// its segments.
+void check_route(const Arm& arm, const Route& route, const Task& task);
+
+/// Throws Error unless the path parameters are on the path and do not decrease.
+void check_path_parameters(const ToolPath& path, std::span<const double> path_parameters);
+
+bool all_lines(const ToolPath& path);
+
+/// Whether the segment's pose is constant in the rows of the task, to 1e-9 m and rad.
+bool stands_still(const Segment& segment, const Task& task);
+
+}  // namespace beeline::internal

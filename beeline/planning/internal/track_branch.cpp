@@ -1,0 +1,283 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <beeline/certificate/internal/path_checks.h>
+#include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/inverse/numerical/representative.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/manipulability.h>
+#include <beeline/planning/internal/segment_failure.h>
+#include <beeline/planning/internal/track_branch.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr double full_turn = 2 * std::numbers::pi;
+
+/// "line 2 of 3 ", the begin of a reason.
+std::string segment_number(const ToolPath& path, std::size_t i) {
+  return (all_lines(path) ? "line " : "segment ") + std::to_string(i + 1) + " of " +
+         std::to_string(path.segments.size()) + " ";
+}
+
+/// Tracks the path from branch.start. An incomplete branch gets the status not_found and no reason:
+/// see explain().
+void track_path(const Arm& arm, const ToolPath& path, const Bounds& bounds,
+                const BranchOptions& options, Branch& branch) {
+  Configuration q = branch.start;
+  std::size_t samples_left = options.max_samples;
+  const auto segments = static_cast<double>(path.segments.size());
+  for (std::size_t i = 0; i < path.segments.size(); ++i) {
+    const auto begin = static_cast<double>(i);
+    if (stands_still(path.segments[i], options.task)) {
+      branch.segments.push_back({{q}, {1}, {}});
+      branch.path_parameter = begin + 1;
+      continue;
+    }
+    TrackOptions track_options{.tolerance = options.tolerance, .max_samples = samples_left};
+    if (options.guide) {
+      track_options.guide = [&](double s) { return options.guide(begin + s); };
+    }
+    if (options.progress) {
+      track_options.progress = [&](double s) { options.progress((begin + s) / segments); };
+    }
+    branch.segments.push_back(
+        track_segment(arm, path.segments[i], options.task, bounds, q, track_options));
+    const TrackedSegment& tracked = branch.segments.back();
+    branch.path_parameter = begin + tracked.fractions.back();
+    q = tracked.samples.back();
+    if (!tracked.complete()) {
+      branch.status = MotionStatus::not_found;
+      return;
+    }
+    // The sample at the joint of two segments belongs to both.
+    samples_left -= std::min(samples_left, tracked.samples.size() - 1);
+  }
+}
+
+/// The range of a coordinate over the branch.
+struct Range {
+  double lower = 0, upper = 0;
+};
+
+Range range_of(const Branch& branch, int k) {
+  Range range{branch.start[k], branch.start[k]};
+  for (const TrackedSegment& segment : branch.segments) {
+    for (const Configuration& q : segment.samples) {
+      range.lower = std::min(range.lower, q[k]);
+      range.upper = std::max(range.upper, q[k]);
+    }
+  }
+  return range;
+}
+
+/// The path parameter at which coordinate k first leaves [lower, upper]; the branch's end if never.
+double leaves_at(const Branch& branch, int k, double lower, double upper) {
+  for (std::size_t w = 0; w < branch.segments.size(); ++w) {
+    const TrackedSegment& segment = branch.segments[w];
+    for (std::size_t i = 0; i < segment.samples.size(); ++i) {
+      const double here = segment.samples[i][k];
+      if (here >= lower && here <= upper) continue;
+      if (i == 0) return static_cast<double>(w);
+      const double before = segment.samples[i - 1][k], limit = here > upper ? upper : lower;
+      const double t = std::clamp((limit - before) / (here - before), 0.0, 1.0);
+      return static_cast<double>(w) + std::lerp(segment.fractions[i - 1], segment.fractions[i], t);
+    }
+  }
+  return branch.path_parameter;
+}
+
+/// The multiple of 2 pi to add to coordinate k with which the branch stays longest within the
+/// limits; of equal ones that with the largest margin to them, and of these the smallest.
+double best_shift(const Branch& branch, int k, double lower, double upper) {
+  constexpr int max_turns = 16;  // to either side; limits may be infinite
+  const Range range = range_of(branch, k);
+  double best = 0, best_parameter = -1, best_margin = 0;
+  for (int i = 0; i <= 2 * max_turns; ++i) {
+    const double shift = (i % 2 == 0 ? -(i / 2) : (i + 1) / 2) * full_turn;
+    const double low = lower - shift - position_slack, high = upper - shift + position_slack;
+    if (branch.start[k] < low || branch.start[k] > high) continue;
+    const double parameter = leaves_at(branch, k, low, high);
+    const double margin = std::min(range.lower - (lower - shift), upper - shift - range.upper);
+    if (parameter < best_parameter) continue;
+    if (parameter == best_parameter && margin <= best_margin) continue;
+    best = shift;
+    best_parameter = parameter;
+    best_margin = margin;
+  }
+  return best;
+}
+
+void add_to_coordinate(Branch& branch, int k, double shift) {
+  branch.start[k] += shift;
+  for (TrackedSegment& segment : branch.segments) {
+    for (Configuration& q : segment.samples) q[k] += shift;
+  }
+}
+
+/// Cuts the branch off where it first leaves the limits; the reason names the joint.
+void keep_limits(const Arm& arm, const ToolPath& path, Branch& branch) {
+  const Bounds bounds = bounds_of(arm);
+  int blocking = -1;
+  double first = branch.path_parameter;
+  for (int k = 0; k < arm.dof(); ++k) {
+    const double parameter =
+        leaves_at(branch, k, bounds.lower[k] - position_slack, bounds.upper[k] + position_slack);
+    if (parameter > first || parameter == branch.path_parameter) continue;
+    first = parameter;
+    blocking = k;
+  }
+  if (blocking < 0) return;
+  const auto w = std::min(static_cast<std::size_t>(first), path.segments.size() - 1);
+  const double s = first - static_cast<double>(w);
+  branch.segments.resize(w + 1);
+  TrackedSegment& segment = branch.segments[w];
+  while (segment.fractions.size() > 1 && segment.fractions.back() > s) {
+    segment.fractions.pop_back();
+    segment.samples.pop_back();
+  }
+  branch.path_parameter = first;
+  branch.status = MotionStatus::outside_limits;
+  const double last = segment.samples.back()[blocking];
+  const bool low = last - bounds.lower[blocking] < bounds.upper[blocking] - last;
+  branch.reason = segment_number(path, w) + stop_message(path.segments[w], s) +
+                  limit_message(arm, blocking, low);
+}
+
+/// The complete branches from the path's end to its begin, reversed.
+std::vector<Branch> backward_branches(const Arm& arm, const ToolPath& path, const Bounds& bounds,
+                                      const BranchOptions& options) {
+  const ToolPath back = reversed(path);
+  const InverseResult ends = inverse_kinematics(
+      arm, pose_at(back, 0), {.task = options.task, .all = true, .ignore_limits = true});
+  std::vector<Branch> branches;
+  for (const Configuration& end : ends.solutions) {
+    if (!within(bounds, end)) continue;
+    Branch branch{.start = end};
+    track_path(arm, back, bounds, options, branch);
+    if (!branch) continue;
+    std::reverse(branch.segments.begin(), branch.segments.end());
+    for (TrackedSegment& segment : branch.segments) {
+      std::reverse(segment.samples.begin(), segment.samples.end());
+      if (segment.samples.size() == 1) continue;
+      std::reverse(segment.fractions.begin(), segment.fractions.end());
+      for (double& fraction : segment.fractions) fraction = 1 - fraction;
+    }
+    branch.start = branch.segments.front().samples.front();
+    branches.push_back(std::move(branch));
+  }
+  return branches;
+}
+
+/// Whether the task's Jacobian has lost rank, to rounding.
+bool is_singular(const Arm& arm, const Task& task, const Configuration& q) {
+  constexpr double lost_rank = 1e-6;
+  return 1 / dexterity(task_jacobian(arm, q, task)).condition < lost_rank;
+}
+
+/// All branches, in no order, without reasons for those that end inside the limits.
+std::vector<Branch> unordered_branches(const Arm& arm, const ToolPath& path,
+                                       const BranchOptions& options) {
+  const InverseResult starts = inverse_kinematics(
+      arm, pose_at(path, 0), {.task = options.task, .all = true, .ignore_limits = true});
+  const Bounds limits = bounds_of(arm);
+  Bounds bounds = limits;
+  for (int k = 0; k < arm.dof(); ++k) {
+    if (!turns_around(arm, k)) continue;
+    bounds.lower[k] = -Limits::none;
+    bounds.upper[k] = Limits::none;
+  }
+  std::vector<Branch> branches;
+  const auto add = [&](Branch branch) {
+    for (int k = 0; k < arm.dof(); ++k) {
+      if (!turns_around(arm, k)) continue;
+      add_to_coordinate(branch, k, best_shift(branch, k, limits.lower[k], limits.upper[k]));
+    }
+    keep_limits(arm, path, branch);
+    branches.push_back(std::move(branch));
+  };
+  for (const Configuration& start : starts.solutions) {
+    if (!within(bounds, start)) continue;
+    Branch branch{.start = start};
+    track_path(arm, path, bounds, options, branch);
+    add(std::move(branch));
+  }
+  const bool complete = std::any_of(branches.begin(), branches.end(),
+                                    [](const Branch& branch) { return bool(branch); });
+  const auto singular = [&](const Configuration& q) { return is_singular(arm, options.task, q); };
+  if (!complete && std::any_of(starts.solutions.begin(), starts.solutions.end(), singular)) {
+    for (Branch& branch : backward_branches(arm, path, bounds, options)) add(std::move(branch));
+  }
+  return branches;
+}
+
+}  // namespace
+
+void measure(const Arm& arm, const Task& task, Branch& branch) {
+  branch.limit_margin = 1;
+  branch.dexterity = 1;
+  for (const TrackedSegment& segment : branch.segments) {
+    for (const Configuration& q : segment.samples) {
+      for (int k = 0; k < arm.dof(); ++k) {
+        const Limits& limits = arm.limits(k);
+        const double margin = std::max(0.0, limit_margin(q[k], limits.lower, limits.upper));
+        branch.limit_margin = std::min(branch.limit_margin, margin);
+      }
+      const Eigen::MatrixXd j = task_jacobian(arm, q, task, unit_of_length(arm));
+      branch.dexterity = std::min(branch.dexterity, 1 / dexterity(j).condition);
+    }
+  }
+}
+
+void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options, Branch& branch) {
+  if (branch || !branch.reason.empty()) return;
+  std::size_t samples = 1;
+  for (const TrackedSegment& segment : branch.segments) samples += segment.samples.size() - 1;
+  const std::size_t w = branch.segments.size() - 1;
+  const TrackedSegment& last = branch.segments.back();
+  const SegmentFailure failure = samples >= options.max_samples
+                                     ? too_many_samples(options.max_samples)
+                                     : segment_failure(arm, path.segments[w], options.task,
+                                                       last.samples.back(), last.fractions.back());
+  branch.status = failure.status;
+  branch.reason = segment_number(path, w) + failure.reason;
+}
+
+bool better(const Branch& a, const Branch& b) {
+  if (a.path_parameter != b.path_parameter) return a.path_parameter > b.path_parameter;
+  return std::min(a.limit_margin, a.dexterity) > std::min(b.limit_margin, b.dexterity);
+}
+
+Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& path,
+                    const BranchOptions& options) {
+  check_task(arm, path, options.task);
+  Branch branch{.start = start};
+  track_path(arm, path, bounds_of(arm), options, branch);
+  if (options.reasons != BranchOptions::Reasons::none) explain(arm, path, options, branch);
+  measure(arm, options.task, branch);
+  return branch;
+}
+
+std::vector<Branch> track_branches(const Arm& arm, const ToolPath& path,
+                                   const BranchOptions& options) {
+  using Reasons = BranchOptions::Reasons;
+  check_task(arm, path, options.task);
+  std::vector<Branch> branches = unordered_branches(arm, path, options);
+  double farthest = 0;
+  for (const Branch& branch : branches) farthest = std::max(farthest, branch.path_parameter);
+  for (Branch& branch : branches) {  // margins only order branches that reach equally far
+    if (options.reasons == Reasons::all || branch.path_parameter == farthest) {
+      measure(arm, options.task, branch);
+    }
+  }
+  std::stable_sort(branches.begin(), branches.end(), better);
+  for (Branch& branch : branches) {
+    if (options.reasons == Reasons::none) break;
+    explain(arm, path, options, branch);
+    if (options.reasons == Reasons::best) break;
+  }
+  return branches;
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <beeline/planning/internal/track_segment.h>
+
+namespace beeline::internal {
+
+/// Computes every branch of a non-redundant arm along the path, one for each solution of inverse
+/// kinematics at its begin; see better() for their order.
+///
+/// Coordinates of joints that can rotate by more than a turn are tracked without limits; each then
+/// gets the multiple of 2 pi for which the branch stays longest, and farthest, within the limits.
+/// Where no branch is complete and a solution at the begin is singular, where it stands for
+/// infinitely many, complete branches are also sought from the path's end backwards.
+/// Empty when inverse kinematics finds no solution. Throws Error as plan_path() does.
+std::vector<Branch> track_branches(const Arm& arm, const ToolPath& path,
+                                   const BranchOptions& options);
+
+/// The same for the one branch that begins at `start`, within the limits.
+Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& path,
+                    const BranchOptions& options);
+
+/// Sets the status and reason of a branch that is incomplete and has no reason yet.
+void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options, Branch& branch);
+
+/// Sets limit_margin and dexterity from the branch's samples.
+void measure(const Arm& arm, const Task& task, Branch& branch);
+
+/// The order of branches: `a` reaches farther than b, or as far with the larger smallest margin.
+bool better(const Branch& a, const Branch& b);
+
+}  // namespace beeline::internal
