@@ -18,7 +18,7 @@ constexpr const char* profile_names[] = {"fastest", "jerk", "trapezoidal", "quin
 constexpr double repeated = 1e-12;     // radians, metres: positions as near as that are one
 constexpr double standing = 1e-9;      // of the largest velocity
 constexpr double longest_gap = 0.005;  // of a stretch's duration, between its samples
-constexpr double max_samples = 1e6;
+constexpr double max_rate_samples = 1e6;
 constexpr double slowest_tool = 1e-9;  // metres per second
 
 /// The positions between the stops, which end one stretch and begin the next.
@@ -113,9 +113,9 @@ double slower(const Retimed& timed, const RetimeOptions& options) {
 
 void check_rate(const RetimeOptions& options, double duration) {
   const double rate = options.rate, fewest = options.fewest_steps;
-  if (rate * duration > max_samples) {
-    throw Error(number(rate) + " samples a second make more than " + number(max_samples) + " in " +
-                number(duration) + " s");
+  if (rate * duration > max_rate_samples) {
+    throw Error(number(rate) + " samples a second make more than " + number(max_rate_samples) +
+                " in " + number(duration) + " s");
   }
   if (rate > 0 && rate * duration < fewest) {
     constexpr double up = 1 + 1e-5;  // that number() rounds away
