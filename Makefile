@@ -11,7 +11,7 @@ strict := -DCMAKE_COMPILE_WARNING_AS_ERROR=ON
 endif
 
 .NOTPARALLEL:
-.PHONY: help build demo bench test test-peers test-all asan lint format install clean
+.PHONY: help build demo bench test test-peers test-all asan tsan lint format install clean
 
 help:
 	@echo "make build     the command, in build/beeline"
@@ -21,6 +21,7 @@ help:
 	@echo "make test-peers   comparisons with Pinocchio, Ruckig, toppra: packages from PyPI"
 	@echo "make test-all  both"
 	@echo "make asan      make test under the address and undefined behaviour sanitizers"
+	@echo "make tsan      the tests of batch/ under the thread sanitizer"
 	@echo "make lint      formatting, static analysis, the house's rules"
 	@echo "make format    formats the sources"
 	@echo "make install   installs the command and the library; PREFIX=$(PREFIX)"
@@ -62,10 +63,15 @@ asan:
 	@cmake --build --preset asan --parallel $(JOBS)
 	@ctest --preset asan --parallel $(JOBS)
 
+tsan:
+	@scripts/install_packages.sh build test
+	@cmake --preset tsan
+	@cmake --build --preset tsan --parallel $(JOBS)
+	@ctest --preset tsan
+
 lint:
 	@scripts/install_packages.sh build test lint
-	@cmake --preset dev
-	@cmake --build --preset dev --parallel $(JOBS) --target all_verify_interface_header_sets
+	@cmake --preset dev >/dev/null
 	@scripts/lint.sh build-dev
 
 format:
@@ -76,4 +82,4 @@ install: build
 	@cmake --install build --prefix $(PREFIX)
 
 clean:
-	@rm -rf build build-dev build-asan .venv-bench
+	@rm -rf build build-dev build-asan build-tsan build-libcxx .venv-bench

@@ -8,7 +8,7 @@ build=(g++ cmake ninja-build ccache pkg-config
 test=(libgtest-dev python3 python3-pytest python3-numpy python3-jsonschema)
 peers=(python3 python3-venv)
 bench=(libbenchmark-dev liborocos-kdl-dev python3 python3-venv valgrind)
-lint=(clang-format-14 clang-tidy-14 shellcheck python3)
+lint=(clang-format-14 clang-tidy-14 clang-14 libc++-14-dev libc++abi-14-dev shellcheck python3)
 
 wanted=()
 for group in "$@"; do

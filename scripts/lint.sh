@@ -1,24 +1,33 @@
 #!/usr/bin/env bash
-# Formatting, the house's rules and static analysis. All of them run before it says no.
+# Formatting, the project's rules, static analysis, a second compiler. All of them run before it says
+# no, and each says how long it took.
 # Usage: lint.sh BUILD, a configured build folder with compile_commands.json
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit
 build=$1
-status=0
+failed=()
 
-scripts/sources.sh | xargs clang-format-14 --dry-run -Werror || status=1
-shellcheck scripts/*.sh .ci/run || status=1
-python3 -B tests/layers.py || status=1
+check() {  # NAME COMMAND...
+  local name=$1 begin=$SECONDS
+  shift
+  "$@" || failed+=("$name")
+  echo "$name: $((SECONDS - begin)) s"
+}
 
-# A file that nobody can take in at once is two files.
-long=$(find Makefile CMakeLists.txt cmake scripts beeline bench cli examples tests -type f \
-         \( -name 'Makefile' -o -name '*.txt' -o -name '*.cmake' -o -name '*.h' -o -name '*.cpp' \
-            -o -name '*.py' -o -name '*.sh' \) -exec awk 'ENDFILE {
-              if (FNR > 300) print FILENAME ": " FNR " lines; 300 is the most" }' {} +)
-if [[ -n $long ]]; then
-  echo "$long" >&2
-  status=1
+formatting() { scripts/sources.sh | xargs clang-format-14 --dry-run -Werror; }
+headers() { cmake --build "$build" --target all_verify_interface_header_sets; }
+libcxx() { cmake --preset libcxx >/dev/null && cmake --build --preset libcxx; }
+
+check "formatting" formatting
+check "scripts" shellcheck scripts/*.sh .ci/run
+check "layers" python3 -B tests/layers.py
+check "lengths" python3 -B scripts/lengths.py
+check "words" python3 -B scripts/words.py
+check "headers alone" headers
+check "clang-tidy" python3 -B scripts/tidy.py "$build"
+check "Clang and libc++" libcxx
+
+if ((${#failed[@]})); then
+  printf 'lint failed: %s\n' "${failed[*]}" >&2
+  exit 1
 fi
-
-python3 -B scripts/tidy.py "$build" || status=1
-exit "$status"
