@@ -110,7 +110,7 @@ void judge_refusal(const Arm& arm, const Line& line, const PathMotion& motion, i
   const double told = told_fraction(motion);
   const auto print = [&](const char* what) {
     std::printf("  %d: %s: dense %.6f joint %d margin %.2g; told %.6f %s: %s\n", number, what,
-                dense.done, dense.joint + 1, dense.margin, told, name(motion.status).c_str(),
+                dense.reached, dense.joint + 1, dense.margin, told, name(motion.status).c_str(),
                 motion.reason.c_str());
   };
   if (dense.feasible() && spare) {
@@ -137,8 +137,8 @@ void judge_refusal(const Arm& arm, const Line& line, const PathMotion& motion, i
     return print("MISSED");
   }
   ++tally.refused;
-  const double place = spare ? told : dense.done;
-  if (told < dense.done - (spare ? 0.02 : 2e-3)) {
+  const double place = spare ? told : dense.reached;
+  if (told < dense.reached - (spare ? 0.02 : 2e-3)) {
     ++tally.early;
     print("EARLY");
   }

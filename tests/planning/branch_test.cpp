@@ -24,8 +24,8 @@ TEST(PlanPath, GoesAlongLimits) {
   }
 }
 
-// On the way the joint to spare has hardly any room.
-TEST(PlanPath, FindsAWayThatAFineGridShows) {
+// Along the path the redundant joint is close to its limits.
+TEST(PlanPath, FindsAMotionThatNeedsAFineGrid) {
   const Arm arm = built_in("iiwa14");
   Random random(20240229);
   Line line;

@@ -48,13 +48,13 @@ void expect_rightly_refused(const Arm& arm, const Line& line, const PathMotion& 
   }
   const DenseAnswer dense = dense_branches(arm, line.from, line.to);
   ASSERT_FALSE(dense.feasible() && dense.margin > 1e-6) << motion.reason;
-  EXPECT_NEAR(told, dense.done, 2e-3) << motion.reason;
+  EXPECT_NEAR(told, dense.reached, 2e-3) << motion.reason;
   if (dense.joint >= 0) {
     EXPECT_EQ(motion.status, MotionStatus::outside_limits) << motion.reason;
     EXPECT_NE(motion.reason.find(arm.joint_of(dense.joint).name + " "), std::string::npos);
     return;
   }
-  const Pose ahead = interpolate(line.from, line.to, std::min(1.0, dense.done + 1e-3));
+  const Pose ahead = interpolate(line.from, line.to, std::min(1.0, dense.reached + 1e-3));
   const bool reachable =
       inverse_kinematics(arm, ahead, {.ignore_limits = true}).status == InverseStatus::solved;
   EXPECT_EQ(motion.status, reachable ? MotionStatus::singular : MotionStatus::unreachable)

@@ -14,22 +14,22 @@
 #include <tests/random.h>
 
 /// Whether an arm can follow a line at all, found by brute force and by other means than the
-/// planner's: the tiniest steps of Newton's method, no proof, no descent; limits looked at
+/// planner's: the tiniest steps of Newton's method, no proof, no damping; limits looked at
 /// afterwards.
 namespace beeline::testing {
 
 /// The best of an arm's branches on a line.
 struct DenseAnswer {
-  double done = 0;  ///< how far it comes, 1: all the way
-  int joint = -1;   ///< whose limit ends it; -1: it is a dead end
+  double reached = 0;  ///< fraction of the line reached
+  int joint = -1;      ///< whose limit ends it; -1: none, it ends inside the limits
   bool lower = false;
   std::vector<Configuration> way = {};  ///< of seven joints: one configuration for each layer
-  double margin = 0;  ///< radians that it stays away from the limits at least, where done is 1
-  bool feasible() const { return done == 1; }
+  double margin = 0;                    ///< smallest distance to the limits, radians, if feasible
+  bool feasible() const { return reached == 1; }
 };
 
-/// The next configuration on a way: from q, with the tool near `to`. None when Newton's method does
-/// not find it close by.
+/// The next configuration of a motion: from q, with the tool near `to`. None when Newton's method
+/// does not find it close by.
 inline std::optional<Configuration> newton_step(const Arm& arm, const Configuration& q,
                                                 const Pose& to) {
   constexpr double farthest = 0.03;  // radians
@@ -95,7 +95,7 @@ class TurnKeeper {
   std::vector<Turn> turns_;
 };
 
-/// Of one branch without joints to spare, begun at q.
+/// One branch of a non-redundant arm, from q.
 inline DenseAnswer dense_branch(const Arm& arm, const Pose& from, const Pose& to, Configuration q,
                                 double step) {
   std::vector<TurnKeeper> keepers;
@@ -133,29 +133,29 @@ inline DenseAnswer dense_branch(const Arm& arm, const Pose& from, const Pose& to
   for (int k = 0; k < arm.dof(); ++k) {
     const TurnKeeper::End end = keepers[k].end();
     answer.margin = std::min(answer.margin, end.margin);
-    if (end.place <= answer.done && end.place <= 1) {
-      answer.done = std::min(std::max(end.place, 0.0), 1 - 1e-12);
+    if (end.place <= answer.reached && end.place <= 1) {
+      answer.reached = std::min(std::max(end.place, 0.0), 1 - 1e-12);
       answer.joint = k, answer.lower = end.lower;
     }
   }
   return answer;
 }
 
-/// All branches without joints to spare; the one that comes farthest.
+/// Of all branches of a non-redundant arm, the one that reaches farthest.
 inline DenseAnswer dense_branches(const Arm& arm, const Pose& from, const Pose& to,
                                   double step = 1e-3) {
   DenseAnswer best;
   const InverseResult starts = inverse_kinematics(arm, from, {.all = true, .ignore_limits = true});
   for (const Configuration& q : starts.solutions) {
     const DenseAnswer answer = dense_branch(arm, from, to, q, step);
-    const bool farther = answer.done > best.done;
-    if (farther || (answer.done == best.done && answer.margin > best.margin)) best = answer;
+    const bool farther = answer.reached > best.reached;
+    if (farther || (answer.reached == best.reached && answer.margin > best.margin)) best = answer;
     if (best.feasible() && best.margin > 1e-3) break;
   }
   return best;
 }
 
-/// Seven joints: all solutions within limits on a grid of the joint to spare, for each of many
+/// Seven joints: all solutions within limits on a grid of the redundant joint, for each of many
 /// places; those that can be reached from the ones before by small turns.
 inline DenseAnswer dense_layers(const Arm& arm, const Pose& from, const Pose& to, int layers = 160,
                                 int grid = 96, double max_turn = 0.2) {
@@ -189,7 +189,7 @@ inline DenseAnswer dense_layers(const Arm& arm, const Pose& from, const Pose& to
     }
     all[now] = reached;
     if (reached.empty()) return answer;
-    answer.done = static_cast<double>(r) / layers;
+    answer.reached = static_cast<double>(r) / layers;
   }
   int which = 0;
   for (std::size_t r = all.size(); r-- > 0;) {

@@ -1,3 +1,7 @@
+#include <sstream>
+
+#include <beeline/certificate/verify.h>
+
 #include <tests/planning/motion_promises.h>
 
 namespace beeline {
@@ -42,6 +46,27 @@ TEST(MoveInLines, KeepsEveryPromiseOnRandomLinesOfBuiltInArms) {
     }
     EXPECT_GE(reached, lines / 5) << name;
   }
+}
+
+TEST(MoveInLines, TakesPosesInBracesAndAnswersInABool) {
+  const Arm arm = built_in("rrr");
+  const Configuration start{{0, 90 * deg, 0}};
+  const Pose a = planar(4.5, 5.2, 0), b = planar(2, 6, 0.5);
+  const std::vector<Pose> waypoints{a, b};
+  const PathMotion motion = move_in_lines(arm, start, {a, b});
+  ASSERT_TRUE(motion);
+  EXPECT_EQ(motion.trajectory.positions, move_in_lines(arm, start, waypoints).trajectory.positions);
+  EXPECT_TRUE(move_in_lines(arm, {a, b}));
+  const Verification verification = verify(arm, motion.trajectory, {a, b});
+  EXPECT_TRUE(verification);
+  EXPECT_FALSE(verify(arm, motion.trajectory, {b, a}));
+  const PathMotion none = move_in_lines(arm, start, {planar(9, 0, 0)});
+  EXPECT_FALSE(none);
+  std::ostringstream out;
+  out << motion << '\n' << none << '\n' << verification;
+  EXPECT_EQ(out.str().substr(0, 11), "reached in ");
+  EXPECT_NE(out.str().find("\nunreachable: " + none.reason + "\n"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find("\nverified, deviation at most "), std::string::npos) << out.str();
 }
 
 TEST(MoveInLines, GivesTheSameAnswerTwice) {

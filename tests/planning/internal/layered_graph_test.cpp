@@ -14,7 +14,7 @@ struct Case {
   Task task;
 };
 
-/// Two lines of an arm with joints to spare, of 10 to 30 cm.
+/// Two lines of an arm that is redundant, of 10 to 30 cm.
 Case spare_case(Random& random, const std::string& name, const std::string& task = "spatial") {
   const Arm arm = built_in(name);
   const Configuration q = inner_configuration(random, arm);
@@ -76,6 +76,22 @@ TEST(KnotSequence, EndsWhereSolutionsDo) {
   EXPECT_TRUE(
       search_layered_graph(arm, lines_through(std::vector{to, from}), {.task = Task::spatial()})
           .knots.empty());
+}
+
+// Costs are seconds squared: with the least velocity limits that an arm can have they are of 1e17
+// and more, and still order the paths through the graph.
+TEST(LayeredGraph, TakesTheLeastVelocityLimits) {
+  std::vector<Joint> joints = built_in("panda").joints();
+  for (Joint& joint : joints) joint.limits.velocity = Limits::least_rate;
+  const Arm arm("slow", joints, built_in("panda").tool());
+  const Configuration q{{0, -0.785, 0, -2.356, 0, 1.571, 0.785}};
+  const Pose from = forward_kinematics(arm, q);
+  Pose to = from;
+  to.translation() += Vector3(0.1, 0.1, -0.1);
+  const KnotSequence sequence =
+      search_layered_graph(arm, lines_through(std::vector{from, to}), {.task = Task::spatial()});
+  EXPECT_TRUE(sequence.complete);
+  for (const Knot& knot : sequence.knots) EXPECT_TRUE(knot.q.allFinite());
 }
 
 TEST(KnotSpline, GoesThroughItsKnotsSmoothly) {

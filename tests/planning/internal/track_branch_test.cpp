@@ -28,7 +28,7 @@ Arm with_limits(const char* name, double lower, double upper) {
   return {name, links};
 }
 
-TEST(FollowBranches, GivesOneForEachSolutionOfTheFirstPoseTheBestFirst) {
+TEST(TrackBranches, GivesOneForEachSolutionOfTheFirstPoseTheBestFirst) {
   const Arm arm = built_in("ur5");
   const Pose from = forward_kinematics(arm, joints({0.2, -1.2, 1.5, -0.5, 1.2, 0}));
   Pose to = from;
@@ -49,7 +49,7 @@ TEST(FollowBranches, GivesOneForEachSolutionOfTheFirstPoseTheBestFirst) {
   }
 }
 
-TEST(FollowBranches, ComesToAnEndWithoutLimitsAndWithFarOnes) {
+TEST(TrackBranches, ComesToAnEndWithoutLimitsAndWithFarOnes) {
   const double none = Limits::none;
   for (const auto& [lower, upper] :
        {std::pair{-none, none}, {-3.0, none}, {-none, 3.0}, {-1e9, 1e9}, {20.0, none}}) {
@@ -67,7 +67,7 @@ TEST(FollowBranches, ComesToAnEndWithoutLimitsAndWithFarOnes) {
 }
 
 // A joint that turns by 400 degrees on the way needs the right turn to begin with.
-TEST(FollowBranches, BeginsAJointAtTheTurnThatLastsLongest) {
+TEST(TrackBranches, BeginsAJointAtTheTurnThatLastsLongest) {
   const Arm arm = built_in("ur5");  // +- 360 degrees
   const Pose first = forward_kinematics(arm, joints({0.2, -1.2, 1.5, -0.5, 1.2, 3.0}));
   std::vector<Pose> poses{first};
@@ -89,7 +89,7 @@ struct Singular {
 };
 
 // Through the wrist stretched straight, turning so that joint 5 has to change its sign; and by it.
-TEST(FollowBranches, PassesTheWristsSingularity) {
+TEST(TrackBranches, PassesTheWristsSingularity) {
   const std::vector<Singular> places{{"puma560", {0.2, -0.6, 0.3, 0, 0, 0}},
                                      {"ur5", {0.3, -1.2, 1.5, -0.5, 0, 0.4}}};
   for (const auto& [name, values] : places) {
@@ -117,7 +117,7 @@ TEST(FollowBranches, PassesTheWristsSingularity) {
 }
 
 // At a singular begin one solution stands for infinitely many: the right one is found backwards.
-TEST(FollowBranches, LeavesASingularBeginning) {
+TEST(TrackBranches, LeavesASingularBeginning) {
   Random random;
   for (const auto& [name, values] : std::vector<Singular>{
            {"puma560", {0.2, -0.6, 0.3, 0, 0, 0}}, {"ur5", {0.3, -1.2, 1.5, -0.5, 0, 0.4}}}) {
@@ -137,7 +137,7 @@ TEST(FollowBranches, LeavesASingularBeginning) {
 
 // The wrist's centre comes no nearer to axis 1 of ur5 than the shoulder's offset: a line that leads
 // past it at that distance is followed, one that leads nearer is refused.
-TEST(FollowBranches, PassesTheShoulderButNotThroughIt) {
+TEST(TrackBranches, PassesTheShoulderButNotThroughIt) {
   const Arm arm = built_in("ur5");
   const double offset = 0.10915, hand = 0.0823;
   for (const double off : {0.0, 1e-6, 1e-4, 1e-3, 1e-2, -1e-3, -0.1}) {
