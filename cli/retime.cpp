@@ -76,7 +76,7 @@ std::string text_of(const Arguments& arguments, const Arm& arm, const Retimed& r
   const std::string before =
       duration_before ? fmt::format(", before {} s", shown(*duration_before)) : "";
   const std::string stops =
-      retimed.stretches > 1 ? fmt::format(", with {} stops between", retimed.stretches - 1) : "";
+      retimed.parts > 1 ? fmt::format(", with {} stops between", retimed.parts - 1) : "";
   return fmt::format("retimed       {} samples of {}, profile {}\n", retimed.trajectory.size(),
                      arm.name(), name(retimed.profile)) +
          fmt::format("duration      {} s{}{}\n", shown(retimed.trajectory.times.back()), before,
@@ -103,7 +103,7 @@ Answer retime(const Arguments& arguments) {
                              {"samples", retimed.trajectory.size()},
                              {"duration", found ? Json(retimed.trajectory.times.back()) : Json()},
                              {"duration_before", duration_before},
-                             {"sections", retimed.stretches},
+                             {"sections", retimed.parts},
                              {"limits", json_limits(retimed.limits)},
                              {"tool_speed", retimed.tool_speed},
                              {"reason", retimed.reason}},
@@ -119,7 +119,7 @@ std::vector<Option> timing_options(Arguments& arguments) {
            .value = "K",
            .help = "Speed scale k in (0, 1]: velocity limits x k, acceleration x k^2, "
                    "jerk x k^3.",
-           .target = &arguments.retime.speed_limit},
+           .target = &arguments.retime.speed_scale},
           {.name = "--tool-speed",
            .value = "V",
            .help = "Largest speed of the tool origin, m/s.",

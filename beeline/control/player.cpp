@@ -27,9 +27,10 @@ std::string violation_after(const Arm& arm, const Trajectory& recording, std::si
   const auto& [names, t, q, v, a] = recording;
   Configuration least = q[k], largest = q[k];
   for (int i = 0; i < arm.dof(); ++i) {
-    const Cubic way = cubic_between(q[k][i], q[k + 1][i], v[k][i], v[k + 1][i], t[k + 1] - t[k]);
-    least[i] = extremes(way).least;
-    largest[i] = extremes(way).largest;
+    const internal::Cubic cubic =
+        internal::cubic_between(q[k][i], q[k + 1][i], v[k][i], v[k + 1][i], t[k + 1] - t[k]);
+    least[i] = internal::extremes(cubic).least;
+    largest[i] = internal::extremes(cubic).largest;
   }
   for (const Configuration& farthest : {least, largest}) {
     const auto outside = limit_violations(arm, farthest);
@@ -99,10 +100,10 @@ void Player::read(double time) {
   }
   const Configuration &v = recording_.velocities[a], &w = recording_.velocities[b];
   for (Eigen::Index k = 0; k < p.size(); ++k) {
-    const Cubic way = cubic_between(p[k], q[k], v[k], w[k], h);
-    command_.q[k] = way.value(u);
-    slope_[k] = way.velocity(u);
-    acceleration_[k] = way.acceleration(u);
+    const internal::Cubic cubic = internal::cubic_between(p[k], q[k], v[k], w[k], h);
+    command_.q[k] = cubic.value(u);
+    slope_[k] = cubic.velocity(u);
+    acceleration_[k] = cubic.acceleration(u);
   }
 }
 

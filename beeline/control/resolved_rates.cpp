@@ -29,7 +29,7 @@ ResolvedRates::ResolvedRates(const Arm& arm, const Task& task)
     scale_[i] = !task.rows[i] ? 0 : i < 3 ? 1 / internal::unit_of_length(arm) : 1;
   }
   for (int k = 0; k < arm.dof(); ++k) {
-    weight[k] = held_velocity(arm.limits(k));
+    weight[k] = velocity_limit_of(arm.limits(k));
   }
 }
 

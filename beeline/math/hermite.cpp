@@ -3,7 +3,7 @@
 
 #include <beeline/math/hermite.h>
 
-namespace beeline {
+namespace beeline::internal {
 
 Cubic cubic_between(double from, double to, double velocity_from, double velocity_to,
                     double duration) {
@@ -18,7 +18,8 @@ Extremes extremes(const Cubic& cubic) {
     if (!(u > 0 && u < 1)) return;
     found = {std::min(found.least, cubic.value(u)), std::max(found.largest, cubic.value(u))};
   };
-  // 3 c3 u^2 + 2 c2 u + c1 = 0, without cancellation; divisions by zero give no u within
+  // 3 c3 u^2 + 2 c2 u + c1 = 0, without cancellation; a division by zero yields no u within the
+  // step
   const double root = cubic.c2 * cubic.c2 - 3 * cubic.c1 * cubic.c3;
   if (!(root >= 0)) return found;
   const double q = -(cubic.c2 + std::copysign(std::sqrt(root), cubic.c2));
@@ -27,4 +28,4 @@ Extremes extremes(const Cubic& cubic) {
   return found;
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -5,38 +5,39 @@
 
 namespace beeline {
 
-/// How a corner of lines is blended. Lengths count as in span_of().
+/// How the corner between two lines is blended. Lengths count as in span_of().
 struct Blend {
-  double radius = 0;  ///< of each of the two lines, what is cut off at the corner; 0: not blended
-  bool shortened = false;  ///< less than the distances allow: the lines are too short for more
-  bool sharp = false;      ///< the tool turns back, which cannot be blended: it has to stop there
-  /// Most that the rounding is off the two lines: from the nearest point by position, at which the
-  /// orientation is compared, where both lines move; else from the same share of the way.
+  double radius = 0;       ///< the part of each line that the blend replaces; 0: no blend
+  bool shortened = false;  ///< the lines are too short for the radius that the tolerances allow
+  bool sharp = false;  ///< the tool's direction reverses: no blend, the tool stops at the corner
+  /// Largest deviation from the two lines. Where both lines translate: from the nearest point by
+  /// position, at which the orientation is compared; else from the pose at the same fraction.
   Deviation line_deviation;
-  Deviation corner_deviation;  ///< how far from the corner's pose it passes, half-way
-  double curvature = 0;        ///< of the tool's way, most; 1/m
+  Deviation corner_deviation;  ///< distance from the corner's pose at s = 1/2
+  double curvature = 0;        ///< largest curvature of the tool origin's path, 1/m
 };
 
-/// Lines with blended corners: segments are what is left of the lines, and between them
-/// SplineSegments.
+/// Lines with blended corners: the segments are the remaining parts of the lines, and
+/// SplineSegments between them.
 struct BlendedPath {
-  ToolPath path;              ///< velocity and acceleration continuous, but for sharp corners
-  std::vector<bool> stops;    ///< after each segment: at sharp corners alone
+  ToolPath path;              ///< twice continuously differentiable except at sharp corners
+  std::vector<bool> stops;    ///< after each segment: true at sharp corners only
   std::vector<Blend> blends;  ///< one for each pose between the first and the last
 };
 
-/// Lines through the poses with corners blended: at half-way the rounding passes each pose within
-/// `within`, and so never leaves the lines by more than Blend::line_deviation, which is within it
-/// too. With the vectors `in` and `out`, which lead from its begin on the one line to the corner
-/// and from there to its end on the other, position and turn, it is
-///     x(s) = -f(1 - s) in + f(s) out,   f(s) = 2 s^3 - s^4
-/// from the corner, the turn taken as a rotation vector: reversal makes the same path. Roundings do
-/// not overlap: each has half of a line at least, or what its neighbour leaves.
-/// Throws Error for fewer than two poses, one that is not a rigid motion or repeats the one before
-/// it, and distances that are not positive.
+/// Returns the lines through the poses with blended corners. At s = 1/2 a blend passes its corner's
+/// pose within `within`; Blend::line_deviation is within it too.
+/// Let `in` and `out` be the vectors (position and rotation vector) from the begin of the blend on
+/// the first line to the corner, and from the corner to its end on the second line. Relative to the
+/// corner the blend is
+///     x(s) = -f(1 - s) in + f(s) out,   f(s) = 2 s^3 - s^4,
+/// so poses in reverse order give the reversed path. Blends do not overlap: each may use half of a
+/// line, or more where the blend at the other end leaves more.
+/// Throws Error for fewer than two poses, a pose that is not a rigid motion or repeats the one
+/// before it, and tolerances that are not positive.
 BlendedPath blended_lines(std::span<const Pose> poses, const Deviation& within);
 
-/// The tool stops at sharp corners only.
+/// The route along the path; the tool stops at sharp corners only.
 Route route_of(const BlendedPath& blended);
 
 }  // namespace beeline

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/math/hermite.h>
 #include <beeline/path/joint_path.h>
 
 namespace beeline {
@@ -20,14 +21,52 @@ void check_column(const JointPath& path, const std::vector<Configuration>& colum
   }
 }
 
-/// Into how many parts the step is cut.
+/// The number of parts into which refined() divides the step.
 int parts(const JointPath& path, std::size_t k, const RefineOptions& options) {
   const double length = path.s[k + 1] - path.s[k];
   const double longest = (path.s.back() - path.s.front()) / double(options.steps);
-  const double bend = std::max(path.ddq[k].norm(), path.ddq[k + 1].norm()) * length;
-  const double slope = std::max({path.dq[k].norm(), path.dq[k + 1].norm(), 1e-300});
-  const double wanted = std::max(length / longest, bend / slope / options.largest_turn);
+  const double change = std::max(path.ddq[k].norm(), path.ddq[k + 1].norm()) * length;
+  const double rate = std::max({path.dq[k].norm(), path.dq[k + 1].norm(), 1e-300});  // not 0
+  const double wanted = std::max(length / longest, change / rate / options.largest_change);
   return static_cast<int>(std::clamp(std::ceil(wanted - 1e-9), 1.0, double(options.max_parts)));
+}
+
+/// The derivatives at the samples of a spline through at least four: solves the tridiagonal system
+/// of de Boor's eq. IV (12) by elimination. Its first and last row are the not-a-knot conditions.
+std::vector<Configuration> spline_slopes(std::span<const Configuration> q,
+                                         std::span<const double> s) {
+  const std::size_t last = q.size() - 1;
+  std::vector<double> h(last), upper(last);
+  std::vector<Configuration> chord(last), slopes(last + 1);
+  for (std::size_t k = 0; k < last; ++k) {
+    h[k] = s[k + 1] - s[k];
+    chord[k] = (q[k + 1] - q[k]) / h[k];
+  }
+  const double begin = h[0] + h[1], end = h[last - 2] + h[last - 1];
+  upper[0] = begin / h[1];
+  slopes[0] = ((h[0] + 2 * begin) * h[1] * chord[0] + h[0] * h[0] * chord[1]) / (begin * h[1]);
+  for (std::size_t k = 1; k < last; ++k) {
+    const double pivot = 2 * (h[k - 1] + h[k]) - h[k] * upper[k - 1];
+    upper[k] = h[k - 1] / pivot;
+    slopes[k] = (3 * (h[k] * chord[k - 1] + h[k - 1] * chord[k]) - h[k] * slopes[k - 1]) / pivot;
+  }
+  const double pivot = h[last - 2] - end * upper[last - 1];
+  const Configuration right = (h[last - 1] * h[last - 1] * chord[last - 2] +
+                               (2 * end + h[last - 1]) * h[last - 2] * chord[last - 1]) /
+                              end;
+  slopes[last] = (right - end * slopes[last - 1]) / pivot;
+  for (std::size_t k = last; k-- > 0;) slopes[k] -= upper[k] * slopes[k + 1];
+  return slopes;
+}
+
+/// The derivatives at the samples of the line through two, or the parabola through three.
+std::vector<Configuration> few_slopes(std::span<const Configuration> q, std::span<const double> s) {
+  const Configuration first = (q[1] - q[0]) / (s[1] - s[0]);
+  if (q.size() == 2) return {first, first};
+  const Configuration second = (q[2] - q[1]) / (s[2] - s[1]);
+  const Configuration half_second = (second - first) / (s[2] - s[0]);
+  return {first - (s[1] - s[0]) * half_second, first + (s[1] - s[0]) * half_second,
+          second + (s[2] - s[1]) * half_second};
 }
 
 }  // namespace
@@ -45,23 +84,38 @@ void check_path(const JointPath& path) {
   }
 }
 
-PathPoint path_point(const JointPath& path, std::size_t step, double share) {
+PathPoint path_point(const JointPath& path, std::size_t step, double u) {
   const std::size_t k = step;
-  const double h = path.s[k + 1] - path.s[k], x = share;
-  // Newton's form of the quintic about the left end; c3 to c5 from what is left at the right end.
-  const Configuration c1 = h * path.dq[k], c2 = 0.5 * h * h * path.ddq[k];
-  const Configuration r0 = path.q[k + 1] - path.q[k] - c1 - c2;
-  const Configuration r1 = h * path.dq[k + 1] - c1 - 2 * c2;
-  const Configuration r2 = h * h * path.ddq[k + 1] - 2 * c2;
-  const Configuration c3 = 10 * r0 - 4 * r1 + 0.5 * r2;
-  const Configuration c4 = -15 * r0 + 7 * r1 - r2;
-  const Configuration c5 = 6 * r0 - 3 * r1 + 0.5 * r2;
-  PathPoint point;
-  point.q = path.q[k] + x * (c1 + x * (c2 + x * (c3 + x * (c4 + x * c5))));
-  point.dq = (c1 + x * (2 * c2 + x * (3 * c3 + x * (4 * c4 + x * 5 * c5)))) / h;
-  point.ddq = (2 * c2 + x * (6 * c3 + x * (12 * c4 + x * 20 * c5))) / (h * h);
-  point.dddq = (6 * c3 + x * (24 * c4 + x * 60 * c5)) / (h * h * h);
-  return point;
+  const double h = path.s[k + 1] - path.s[k];
+  const auto quintic = internal::quintic_between<Configuration>(
+      path.q[k + 1] - path.q[k], h * path.dq[k], h * h * path.ddq[k], h * path.dq[k + 1],
+      h * h * path.ddq[k + 1]);
+  return {path.q[k] + quintic.change(u), quintic.first(u) / h, quintic.second(u) / (h * h),
+          quintic.third(u) / (h * h * h)};
+}
+
+JointPath joint_spline(std::span<const Configuration> samples, std::span<const double> parameter) {
+  JointPath path{{parameter.begin(), parameter.end()}, {samples.begin(), samples.end()}, {}, {}};
+  path.dq = path.ddq = path.q;  // of the right size for check_path()
+  check_path(path);
+  const auto& [s, q, dq, ddq] = path;
+  path.dq = q.size() < 4 ? few_slopes(samples, parameter) : spline_slopes(samples, parameter);
+  const std::size_t last = q.size() - 1;
+  for (std::size_t k = 0; k < last; ++k) {
+    const double h = s[k + 1] - s[k];
+    const Configuration chord = (q[k + 1] - q[k]) / h;
+    path.ddq[k] = (6 * chord - 4 * dq[k] - 2 * dq[k + 1]) / h;
+    if (k + 1 == last) path.ddq[last] = (2 * dq[k] + 4 * dq[last] - 6 * chord) / h;
+  }
+  return path;
+}
+
+std::vector<double> chord_length(std::span<const Configuration> samples) {
+  std::vector<double> length;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    length.push_back(k == 0 ? 0 : length.back() + (samples[k] - samples[k - 1]).norm());
+  }
+  return length;
 }
 
 JointPath refined(const JointPath& path, const RefineOptions& options) {
@@ -77,10 +131,11 @@ JointPath refined(const JointPath& path, const RefineOptions& options) {
     append(path.s[k], path.q[k], path.dq[k], path.ddq[k]);
     const int count = parts(path, k, options);
     for (int part = 1; part < count; ++part) {
-      const double share = double(part) / count;
-      const double s = path.s[k] + share * (path.s[k + 1] - path.s[k]);
-      if (!(s > fine.s.back() && s < path.s[k + 1])) continue;  // a step of rounding's size
-      PathPoint point = path_point(path, k, share);
+      const double u = double(part) / count;
+      const double s = path.s[k] + u * (path.s[k + 1] - path.s[k]);
+      if (!(s > fine.s.back() && s < path.s[k + 1]))
+        continue;  // the step is of the size of rounding
+      PathPoint point = path_point(path, k, u);
       append(s, std::move(point.q), std::move(point.dq), std::move(point.ddq));
     }
   }

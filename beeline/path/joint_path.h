@@ -1,43 +1,55 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <beeline/model/arm.h>
 
 namespace beeline {
 
-/// A way through the joint space without time, as plain data: at grid point k the configuration
-/// q[k], and its first and second derivative by the parameter s, which may be of any unit. Between
-/// grid points the path is the quintic that has these values at both ends of the step.
+/// A path in joint space, without time, as plain data: at grid point k the configuration q[k] and
+/// its first and second derivative with respect to the path parameter s, which may have any unit.
+/// Between grid points the path is the quintic Hermite polynomial of the values at both ends.
 struct JointPath {
   std::vector<double> s;           ///< strictly increasing
   std::vector<Configuration> q;    ///< radians, metres
-  std::vector<Configuration> dq;   ///< q', by s
-  std::vector<Configuration> ddq;  ///< q'', by s
+  std::vector<Configuration> dq;   ///< dq/ds
+  std::vector<Configuration> ddq;  ///< d2q/ds2
 
   std::size_t size() const { return s.size(); }
 };
 
-/// Throws Error unless there are two grid points or more, all columns are as long as s and of the
-/// same number of coordinates, all numbers are finite and s increases.
+/// Throws Error unless there are at least two grid points, all columns are as long as s and have
+/// the same number of coordinates, all numbers are finite and s increases.
 void check_path(const JointPath& path);
 
-/// The path and its derivatives by s at one place.
+/// The configuration and its derivatives with respect to s at one path parameter.
 struct PathPoint {
   Configuration q, dq, ddq, dddq;
 };
 
-/// At the fraction `share` (0 to 1) of step k, which leads from grid point k to k + 1.
-PathPoint path_point(const JointPath& path, std::size_t step, double share);
+/// Evaluates the path in step k, between grid points k and k + 1, at the fraction u from 0 to 1.
+PathPoint path_point(const JointPath& path, std::size_t step, double u);
+
+/// Returns the cubic spline through the samples, twice continuously differentiable, with the
+/// samples as grid points. Its end conditions are not-a-knot: the first two steps are one cubic, as
+/// are the last two (de Boor, *A Practical Guide to Splines*, chapter IV). Three samples give a
+/// parabola, two a line. parameter[k] belongs to sample k and increases. Throws Error when the
+/// sizes differ.
+JointPath joint_spline(std::span<const Configuration> samples, std::span<const double> parameter);
+
+/// Arc length along the joint-space polyline, for each sample; 0 first. It does not increase where
+/// samples repeat.
+std::vector<double> chord_length(std::span<const Configuration> samples);
 
 struct RefineOptions {
-  std::size_t steps = 400;    ///< no step is longer than the path over this number
-  double largest_turn = 0.1;  ///< of q' in a step, as a share of its length
-  int max_parts = 512;        ///< of one step
+  std::size_t steps = 400;      ///< no step is longer than the path divided by this
+  double largest_change = 0.1;  ///< of dq/ds over a step, relative to |dq/ds|
+  int max_parts = 512;          ///< into which one step is divided
 };
 
-/// The same path with more grid points: those of `path` stay, and steps that are long or bend are
-/// cut into equal parts.
+/// Returns the same path with more grid points: those of `path` stay, and steps that are longer or
+/// curve more than the options allow are divided into equal parts.
 JointPath refined(const JointPath& path, const RefineOptions& options = {});
 
 }  // namespace beeline

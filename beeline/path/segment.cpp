@@ -16,16 +16,16 @@ Twist joined(const Vector3& linear, const Vector3& angular) {
   return twist;
 }
 
-/// A motion whose orientation takes the shortest turn at a constant rate.
-SegmentMotion turning_motion(const Pose& from, const Pose& to, double s, const Vector3& velocity,
-                             const Vector3& acceleration) {
+/// A motion whose orientation follows the shortest rotation at a constant rate.
+SegmentMotion rotating_motion(const Pose& from, const Pose& to, double s, const Vector3& velocity,
+                              const Vector3& acceleration) {
   return {interpolate(from, to, s), joined(velocity, pose_difference(to, from).tail<3>()),
           joined(acceleration, Vector3::Zero())};
 }
 
 SegmentMotion motion(const Line& line, double s) {
-  return turning_motion(line.from, line.to, s, line.to.translation() - line.from.translation(),
-                        Vector3::Zero());
+  return rotating_motion(line.from, line.to, s, line.to.translation() - line.from.translation(),
+                         Vector3::Zero());
 }
 
 SegmentMotion motion(const ScrewLine& screw, double s) {
@@ -37,20 +37,20 @@ SegmentMotion motion(const ScrewLine& screw, double s) {
 }
 
 SegmentMotion motion(const Arc& arc, double s) {
-  // (exp(s turn) - 1) times the radius: no digits are lost where the centre is far away
+  // (exp(s turn) - 1) times the radius, without cancellation where the centre is far away.
   const Vector3 radius = arc.from.translation() - arc.centre;
   const double angle = arc.turn.norm(), half = std::sin(s * angle / 2);
   const Vector3 axis = arc.turn / angle, across = axis.cross(radius);
   const Vector3 moved = std::sin(s * angle) * across + 2 * half * half * axis.cross(across);
   const Vector3 velocity = arc.turn.cross(radius + moved);
-  SegmentMotion at = turning_motion(arc.from, arc.to, s, velocity, arc.turn.cross(velocity));
+  SegmentMotion at = rotating_motion(arc.from, arc.to, s, velocity, arc.turn.cross(velocity));
   at.pose.translation() = arc.from.translation() + moved;
   return at;
 }
 
 SegmentMotion motion(const SplineSegment& segment, double s) {
   Twist value = Twist::Zero(), rate = Twist::Zero(), half_second = Twist::Zero();
-  for (int k = 5; k >= 0; --k) {  // Horner
+  for (int k = 5; k >= 0; --k) {  // Horner's scheme
     half_second = half_second * s + rate;
     rate = rate * s + value;
     value = value * s + segment.terms.col(k);
@@ -69,10 +69,10 @@ Segment back(const Line& line) { return Line{line.to, line.from}; }
 Segment back(const ScrewLine& screw) { return ScrewLine{screw.to, screw.from}; }
 Segment back(const Arc& arc) { return Arc{arc.to, arc.from, arc.centre, -arc.turn}; }
 
-/// The polynomial at 1 - s.
+/// The polynomial in 1 - s.
 Segment back(const SplineSegment& segment) {
   SplineSegment other{segment.centre};
-  for (int k = 5; k >= 0; --k) {  // Horner, by the polynomial 1 - s
+  for (int k = 5; k >= 0; --k) {  // Horner's scheme in the polynomial 1 - s
     Matrix6 next = other.terms;
     next.rightCols<5>() -= other.terms.leftCols<5>();
     other.terms = next;
@@ -88,14 +88,14 @@ Segment reversed(const Segment& segment) {
 }
 
 Arc arc_through(const Pose& from, const Vector3& passed, const Pose& to) {
-  constexpr double flattest = 1e-6;
+  constexpr double flattest = 1e-6;  // beyond, the radius has less than six correct digits
   const Vector3 a = passed - from.translation(), b = to.translation() - from.translation();
   const Vector3 normal = a.cross(b);
   const double longest = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
   if (!(normal.norm() > flattest * longest)) {
     throw Error(
-        "the arc's three positions lie on a straight line, or two of them are one: they tell no "
-        "circle");
+        "the arc's three positions lie on a straight line, or two of them coincide: they determine "
+        "no circle");
   }
   const Vector3 radius = normal.cross(a.squaredNorm() * b - b.squaredNorm() * a) /
                          (2 * normal.squaredNorm());  // from the centre to `from`
@@ -119,16 +119,16 @@ double length_of(const Segment& segment) {
     return motion_at(segment, s).velocity.head<3>().norm();
   };
   if (!std::holds_alternative<SplineSegment>(segment)) return speed(0);
-  constexpr int parts = 16;
-  constexpr std::array<double, 3> place{0, 0.5384693101056831, 0.9061798459386640};
+  constexpr int parts = 16;  // of 5 points each
+  constexpr std::array<double, 3> node{0, 0.5384693101056831, 0.9061798459386640};
   constexpr std::array<double, 3> weight{0.5688888888888889, 0.4786286704993665,
                                          0.2369268850561891};
   double sum = 0;
   for (int i = 0; i < parts; ++i) {
     const double middle = (i + 0.5) / parts, half = 0.5 / parts;
     sum += weight[0] * speed(middle);
-    for (std::size_t k = 1; k < place.size(); ++k) {
-      sum += weight[k] * (speed(middle - half * place[k]) + speed(middle + half * place[k]));
+    for (std::size_t k = 1; k < node.size(); ++k) {
+      sum += weight[k] * (speed(middle - half * node[k]) + speed(middle + half * node[k]));
     }
   }
   return sum / (2 * parts);

@@ -12,19 +12,16 @@ struct Line {
   Pose to;
 };
 
-/// A line that moves less than this for each radian that it turns, in metres, is told by its turn.
-constexpr double least_metres_per_radian = 0.01;
-
-/// The screw motion from one pose to the other, by a turn of at most pi: the tool's origin runs on
-/// a helix about a fixed axis while the orientation takes the shortest turn.
+/// A screw motion from one pose to the other, with a rotation angle of at most pi: the tool origin
+/// moves on a helix about a fixed axis, and the orientation follows the shortest rotation.
 struct ScrewLine {
   Pose from;
   Pose to;
 };
 
-/// An arc of a circle: the tool's origin turns about the axis through `centre` along `turn`, whose
-/// length is the arc's angle, at most 2 pi, while the orientation takes the shortest turn from
-/// `from` to `to`, both at a constant rate. See arc_through().
+/// A circular arc: the tool origin rotates about the axis through `centre` along `turn`, whose
+/// length is the arc's angle, at most 2 pi. The orientation follows the shortest rotation from
+/// `from` to `to`. Both rates are constant. See arc_through().
 struct Arc {
   Pose from;
   Pose to;
@@ -32,26 +29,31 @@ struct Arc {
   Vector3 turn;
 };
 
-/// A segment of a spline, and a rounded corner. With the vectors x and r of the polynomial
+/// A segment of a spline, or a blend. With the vectors x and r of the polynomial
 ///     [x; r](s) = terms.col(0) + terms.col(1) s + ... + terms.col(5) s^5
-/// in the world's axes, the position is that of `centre` plus x and the orientation so3_exp(r)
-/// times that of `centre`. It is meant for |r| <= pi.
+/// in world axes, the position is that of `centre` plus x, and the orientation so3_exp(r) times
+/// that of `centre`. Intended for |r| <= pi.
 struct SplineSegment {
   Pose centre = Pose::Identity();
   Matrix6 terms = Matrix6::Zero();
 };
 
-/// What the tool does between two places; s from 0 to 1 is the share of it that is done.
+/// One segment of a tool path; the segment parameter s runs from 0 to 1. A new type of segment is
+/// added here; the compiler then asks for its overload in each std::visit over it: motion() and
+/// back() in segment.cpp, off() in certificate/internal/segment_chord.cpp (the bound on its
+/// deviation from the chord), and the shift in planning/nearby_path.cpp.
 using Segment = std::variant<Line, ScrewLine, Arc, SplineSegment>;
 
-/// The arc through a position that it passes. Throws Error where the three positions do not tell a
-/// circle: two of them are one, or all lie on a straight line but for 1e-6 of their distance.
+/// The arc from `from` to `to` through a third position. Throws Error where the three positions do
+/// not determine a circle: two of them coincide, or all lie on a straight line to 1e-6 of their
+/// distance.
 Arc arc_through(const Pose& from, const Vector3& passed, const Pose& to);
 
+/// The pose at the segment parameter s.
 Pose pose_at(const Segment& segment, double s);
 
-/// A pose with its derivatives by s: velocity of the tool's origin and angular velocity, and the
-/// rates of both, in the world's axes; metres and radians.
+/// A pose with its derivatives with respect to s: velocity of the tool origin and angular velocity,
+/// and the derivatives of both, in world axes; metres and radians.
 struct SegmentMotion {
   Pose pose;
   Twist velocity;
@@ -59,14 +61,15 @@ struct SegmentMotion {
 };
 SegmentMotion motion_at(const Segment& segment, double s);
 
-/// The way of the tool's origin, metres: exact but for splines, where it is a sum (Gauss-Legendre,
-/// 80 points; about ten digits where the origin does not come to rest).
+/// Path length of the tool origin, metres. Exact except for splines, which are integrated by
+/// Gauss-Legendre quadrature with 80 points (about ten digits unless the origin comes to rest).
 double length_of(const Segment& segment);
 
-/// The segment gone from its end to its begin; one that turns by exactly pi may turn the other way.
+/// The segment traversed from its end to its begin. One that rotates by exactly pi may rotate in
+/// the other direction.
 Segment reversed(const Segment& segment);
 
-/// The segment turns about the world's z axis alone, and so moves planar arms.
+/// Whether the segment rotates about the world's z axis only, as planar arms do.
 bool turns_about_z(const Segment& segment);
 
 }  // namespace beeline

@@ -32,27 +32,27 @@ double span_of(const Line& line) {
   return std::max(whole.head<3>().norm(), least_metres_per_radian * whole.tail<3>().norm());
 }
 
-std::size_t segment_at(const ToolPath& path, double place) {
+std::size_t segment_at(const ToolPath& path, double s) {
   const double last = static_cast<double>(path.segments.size() - 1);
-  return static_cast<std::size_t>(std::clamp(std::ceil(place) - 1, 0.0, last));
+  return static_cast<std::size_t>(std::clamp(std::ceil(s) - 1, 0.0, last));
 }
 
-Pose pose_at(const ToolPath& path, double place) {
-  const std::size_t i = segment_at(path, place);
-  return pose_at(path.segments[i], place - static_cast<double>(i));
+Pose pose_at(const ToolPath& path, double s) {
+  const std::size_t i = segment_at(path, s);
+  return pose_at(path.segments[i], s - static_cast<double>(i));
 }
 
-double span_to(const ToolPath& path, double place) {
-  const std::size_t on = segment_at(path, place);
-  double way = (place - static_cast<double>(on)) * path.spans[on];
-  for (std::size_t i = 0; i < on; ++i) way += path.spans[i];
-  return way;
+double span_to(const ToolPath& path, double s) {
+  const std::size_t last = segment_at(path, s);
+  double span = (s - static_cast<double>(last)) * path.spans[last];
+  for (std::size_t i = 0; i < last; ++i) span += path.spans[i];
+  return span;
 }
 
-bool corner_at(const ToolPath& path, double place) {
-  constexpr double rounding = 1e-6;
-  const auto i = static_cast<std::size_t>(place);
-  if (place != std::floor(place) || i == 0 || i >= path.segments.size()) return false;
+bool corner_at(const ToolPath& path, double s) {
+  constexpr double rounding = 1e-6;  // of the velocity
+  const auto i = static_cast<std::size_t>(s);
+  if (s != std::floor(s) || i == 0 || i >= path.segments.size()) return false;
   const Twist before = motion_at(path.segments[i - 1], 1).velocity / path.spans[i - 1];
   const Twist after = motion_at(path.segments[i], 0).velocity / path.spans[i];
   return !((after - before).norm() <= rounding * before.norm());
@@ -80,18 +80,19 @@ std::vector<Pose> checked_waypoints(std::span<const Pose> waypoints) {
 }
 
 std::vector<Pose> checked_path(std::span<const Pose> given) {
-  constexpr double nothing = 1e-12;
+  constexpr double identical = 1e-12;  // metres, radians
   if (given.size() < 2) throw Error("a path needs at least two poses");
   const std::vector<Pose> poses = checked_poses(given);
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    if (pose_difference(poses[i], poses[i - 1]).norm() > nothing) continue;
+    if (pose_difference(poses[i], poses[i - 1]).norm() > identical) continue;
     throw Error("pose " + std::to_string(i + 1) + " is the same as the one before it");
   }
   return poses;
 }
 
 ToolPath lines_through(std::span<const Pose> given) {
-  if (given.size() < 2) throw Error("a line needs a pose to begin at and one to end at");
+  if (given.size() < 2)
+    throw Error("lines need at least two poses, not " + std::to_string(given.size()));
   const std::vector<Pose> poses = checked_poses(given);
   ToolPath path;
   for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
@@ -104,12 +105,13 @@ ToolPath lines_through(std::span<const Pose> given) {
 
 ToolPath path_through(std::span<const Pose> given, PathKind kind, const SplineEnds& ends) {
   const std::vector<Pose> poses = checked_path(given);
-  if (kind == PathKind::spline) return spline_through(poses, ends);
+  if (kind == PathKind::spline) return internal::spline_through(poses, ends);
   const std::size_t step = kind == PathKind::arc ? 2 : 1;
   if ((poses.size() - 1) % step != 0) {
     throw Error(
-        "arcs need an odd number of poses: one to begin at, and for each arc one whose "
-        "position it passes and one to end at");
+        "arcs need an odd number of poses: the first, and for each arc a position on it and its "
+        "last pose; got " +
+        std::to_string(poses.size()));
   }
   ToolPath path;
   for (std::size_t i = 0; i + step < poses.size(); i += step) {

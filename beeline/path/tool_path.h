@@ -12,79 +12,96 @@ namespace beeline {
 
 enum class PathKind { line, screw, arc, spline };
 std::string name(PathKind kind);
-PathKind path_kind_named(std::string_view name);  ///< throws Error for another name
 
-/// Pieces, each of which begins where the one before it ends, and how much of one parameter each
-/// takes. A smooth path's velocity is continuous by that parameter: motion_at() over the span.
+/// Throws Error listing the kinds for another name.
+PathKind path_kind_named(std::string_view name);
+
+/// Segments, each of which begins where the one before it ends. The path parameter s of a pose is
+/// the number of segments before it plus its segment parameter: 2.25 is a quarter of the third
+/// segment.
 struct ToolPath {
   std::vector<Segment> segments;
-  std::vector<double> spans;  ///< about metres
+  /// The length of each segment in the common parameter of the path, about metres: see span_of().
+  /// On a smooth path the velocity with respect to it, motion_at() divided by the span, is
+  /// continuous.
+  std::vector<double> spans;
 };
 
-/// Pieces, and where the tool comes to rest on them.
+/// A path, and where the tool comes to rest on it.
 struct Route {
   ToolPath path;
-  std::vector<bool> stops;  ///< after each segment; the last is one whatever it says
+  std::vector<bool> stops;  ///< after each segment; the tool always stops after the last
 };
 
-/// Lines, screws and arcs stop where two of them meet; a spline goes through.
+/// Lines, screws and arcs stop where two of them meet; a spline does not stop.
 Route route_of(ToolPath path, PathKind kind);
 
-/// Where a distance is to count for turns too: metres a radian.
+/// The weight of a rotation where lengths and angles are added: metres per radian.
 constexpr double metres_per_radian = 0.2;
 
-/// How a spline begins and ends: with a velocity (world axes, by the parameter: about metres and
-/// radians for each metre; zero: at rest), or else without acceleration.
+/// A line that translates by less than this per radian of its rotation is parameterised by its
+/// rotation: metres per radian.
+constexpr double least_metres_per_radian = 0.01;
+
+/// The span of a line, metres: its length, or least_metres_per_radian times its rotation angle
+/// where that is larger.
+double span_of(const Line& line);
+
+/// End conditions of a spline: a given velocity (in world axes, with respect to the common
+/// parameter: about metres and radians per metre; zero: at rest), or else zero acceleration.
 struct SplineEnds {
   std::optional<Twist> first = std::nullopt;
   std::optional<Twist> last = std::nullopt;
 };
 
-/// A line's size, metres: its length, or `least_metres_per_radian` of its turn where that is more.
-double span_of(const Line& line);
+/// The pose at path parameter s.
+Pose pose_at(const ToolPath& path, double s);
 
-/// The pose at a place: whole segments, with a share of the next.
-Pose pose_at(const ToolPath& path, double place);
+/// The span from the path's begin to path parameter s.
+double span_to(const ToolPath& path, double s);
 
-/// The way to a place: spans of segments, with the share of the next.
-double span_to(const ToolPath& path, double place);
-
-/// The path gone from its end to its begin.
+/// The path traversed from its end to its begin.
 ToolPath reversed(const ToolPath& path);
 
-/// Whether the tool's velocity, by the parameter, jumps at the place, as it does where lines meet.
-bool corner_at(const ToolPath& path, double place);
+/// Whether the tool's velocity with respect to the common parameter is discontinuous at s, as it is
+/// where lines meet.
+bool corner_at(const ToolPath& path, double s);
 
-/// The segment that a place is on, of two the one that ends there.
-std::size_t segment_at(const ToolPath& path, double place);
+/// The index of the segment at s; where two meet, of the one that ends there.
+std::size_t segment_at(const ToolPath& path, double s);
 
-/// A path through the poses in order. Lines and screws join neighbours; arcs each take two more
-/// poses, of the first of which the position alone counts; a spline passes them all, its velocity
-/// and acceleration, angular ones too, continuous by the parameter.
+/// Returns the path through the poses in order. Lines and screws join neighbours. Each arc takes
+/// two more poses; only the position of the first of them counts. A spline passes through all
+/// poses, and its velocity and acceleration, linear and angular, are continuous.
 ///
-/// The spline's positions are cubic over the lengths of the chords, to which the turns are added by
-/// `metres_per_radian` (the root of the squares' sum). The shortest turns from each pose to the
-/// next, added up as vectors, have such a spline too: its velocities and accelerations are taken as
-/// angular ones at the poses. Between two poses the rotation vector from the orientation half-way
-/// between them is the polynomial of fifth degree that has them at both ends: like Park & Ravani,
-/// "Smooth invariant interpolation of rotations" (1997), whose cubic ones need the poses before.
-/// Rigid motions of all poses move the path with them; poses in reverse make the path in reverse.
+/// The spline's positions are cubic in the chord length, the root of the sum of the squares of the
+/// distance and of metres_per_radian times the rotation angle. The rotation vectors of the shortest
+/// rotations from each pose to the next, summed, have such a spline too: its derivatives are taken
+/// as angular velocities and accelerations at the poses. Between two poses the rotation vector
+/// relative to the orientation half-way between them is the quintic Hermite polynomial with these
+/// values at both ends. It is related to F. C. Park and B. Ravani, "Smooth invariant interpolation
+/// of rotations", ACM Transactions on Graphics 16(3), 1997, whose cubics depend on the poses
+/// before. The path is equivariant: a rigid motion of all poses moves the path with them, and poses
+/// in reverse order give the reversed path.
 ///
-/// Throws Error for too few poses, their number even for arcs, one that is not a rigid motion, or
-/// that repeats the one before it; and what arc_through() refuses.
+/// Throws Error for too few poses, an even number of poses for arcs, a pose that is not a rigid
+/// motion or repeats the one before it, and what arc_through() refuses.
 ToolPath path_through(std::span<const Pose> poses, PathKind kind, const SplineEnds& ends = {});
 
-/// Straight lines through the poses in order; one may repeat the one before it. Throws Error for
-/// fewer than two poses, and what checked_poses() refuses.
+/// Returns straight lines through the poses in order; a pose may repeat the one before it. Throws
+/// Error for fewer than two poses, and what checked_poses() refuses.
 ToolPath lines_through(std::span<const Pose> poses);
 
-/// checked_pose() of each; an error names the pose by `noun` and its number, from 1.
+/// Returns the poses with their rotations made orthogonal where they are so to 1e-6, as after
+/// rounding in text. Throws Error, naming the pose by `noun` and number, where one is not a rigid
+/// motion, not finite or farther away than 1e100 m.
 std::vector<Pose> checked_poses(std::span<const Pose> poses, const std::string& noun = "pose");
 
-/// The same for what is to be reached in lines: throws Error where there are none.
+/// The same for waypoints of lines: throws Error where there are none.
 std::vector<Pose> checked_waypoints(std::span<const Pose> waypoints);
 
-/// The same, and throws Error for fewer than two poses and where one repeats the one before it.
+/// The same for a path: throws Error for fewer than two poses and where one repeats the one before
+/// it.
 std::vector<Pose> checked_path(std::span<const Pose> poses);
 
 }  // namespace beeline

@@ -59,7 +59,7 @@ std::ostream& operator<<(std::ostream& out, const PathMotion& motion);
 /// - Starts at `start`, whose tool must be at the path's begin, or at the best configuration there;
 ///   redundancy is resolved for the whole path (plan_path()).
 /// - Times are the shortest that the profile and the joint limits allow. A velocity limit that is
-///   not known counts as `velocity_when_unknown`.
+///   not known counts as `assumed_velocity_limit`.
 ///
 /// Throws Error for a start outside the limits or with the tool elsewhere, an option out of range,
 /// a route without segments, and a task that its segments do not allow.

@@ -7,7 +7,7 @@
 namespace beeline {
 namespace {
 
-constexpr double max_samples = 1e7;
+constexpr double max_samples = 1e7;  // some 3 GB for seven joints
 
 void check_limits(std::span<const Limits> limits) {
   for (std::size_t k = 0; k < limits.size(); ++k) {
@@ -33,14 +33,14 @@ void check_within(std::span<const Limits> limits, const ConfigurationRef& q, con
   }
 }
 
-/// The arm's own words for what is wrong.
+/// The same, with the messages of the arm.
 void check_within(const Arm& arm, const ConfigurationRef& q, const char* which) {
   const auto outside = limit_violations(arm, q);
   if (!outside.empty()) throw Error(which + (": " + outside.front()));
 }
 
 Limits with_velocity(Limits limits) {
-  limits.velocity = held_velocity(limits);
+  limits.velocity = velocity_limit_of(limits);
   return limits;
 }
 
@@ -54,18 +54,18 @@ void set_own_curves(std::span<const Limits> limits, PointToPoint& motion) {
   for (SCurve& curve : motion.curves) curve = stretched(curve, motion.duration);
 }
 
-/// The curve of a joint that goes `share` of the way of `curve`, either way round.
-SCurve share_of(const SCurve& curve, double share) {
+/// The curve of a joint that moves by `fraction` of the distance of `curve`; it may be negative.
+SCurve scaled(const SCurve& curve, double fraction) {
   SCurve part = curve;
-  if (share == 0) return {.duration = curve.duration};
-  part.distance *= share;
-  part.velocity *= share;
-  part.acceleration *= share;
-  part.jerk *= share;
+  if (fraction == 0) return {.duration = curve.duration};
+  part.distance *= fraction;
+  part.velocity *= fraction;
+  part.acceleration *= fraction;
+  part.jerk *= fraction;
   return part;
 }
 
-/// The farthest joint's way is followed, with limits that hold the others to theirs.
+/// All joints follow the curve of the one that moves farthest, with limits that keep the others'.
 void set_one_curve(std::span<const Limits> limits, PointToPoint& motion) {
   const Eigen::Index joints = motion.from.size();
   double farthest = 0;
@@ -74,20 +74,20 @@ void set_one_curve(std::span<const Limits> limits, PointToPoint& motion) {
   }
   Limits tightest;
   for (Eigen::Index k = 0; k < joints; ++k) {
-    const double share = std::abs(motion.to[k] - motion.from[k]) / farthest;
-    if (!(share > 0)) continue;
+    const double fraction = std::abs(motion.to[k] - motion.from[k]) / farthest;
+    if (!(fraction > 0)) continue;
     const Limits limit = with_velocity(limits[k]);
-    tightest.velocity = std::min(tightest.velocity, limit.velocity / share);
-    tightest.acceleration = std::min(tightest.acceleration, limit.acceleration / share);
-    tightest.jerk = std::min(tightest.jerk, limit.jerk / share);
+    tightest.velocity = std::min(tightest.velocity, limit.velocity / fraction);
+    tightest.acceleration = std::min(tightest.acceleration, limit.acceleration / fraction);
+    tightest.jerk = std::min(tightest.jerk, limit.jerk / fraction);
   }
   const SCurve curve = s_curve(farthest, tightest);
   motion.duration = curve.duration;
   for (std::size_t k = 0; k < limits.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    const double way = motion.to[i] - motion.from[i];
-    motion.curves[k] = share_of(curve, way == 0 ? 0 : way / farthest);
-    motion.curves[k].distance = way;
+    const double distance = motion.to[i] - motion.from[i];
+    motion.curves[k] = scaled(curve, distance == 0 ? 0 : distance / farthest);
+    motion.curves[k].distance = distance;
   }
 }
 
@@ -95,7 +95,7 @@ void plan(std::span<const Limits> limits, const ConfigurationRef& from, const Co
           PointToPoint& motion, const PointToPointOptions& options) {
   motion.from.resize(from.size());
   motion.to.resize(to.size());
-  // Number by number, as they may be the motion's own, for its way back.
+  // Number by number: `from` and `to` may be those of `motion`, exchanged.
   for (Eigen::Index k = 0; k < from.size(); ++k) {
     const double begin = from[k], end = to[k];
     motion.from[k] = begin;
@@ -135,9 +135,9 @@ void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
         Eigen::Ref<Configuration> velocity, Eigen::Ref<Configuration> acceleration) {
   const Eigen::Index joints = motion.from.size();
   if (q.size() != joints || velocity.size() != joints || acceleration.size() != joints) {
-    throw Error("the state of this motion needs room for " + std::to_string(joints) + " joints");
+    throw Error("the state of this motion needs buffers of " + std::to_string(joints) + " numbers");
   }
-  if (std::isnan(t)) throw Error("a motion has no state at a time that is no number");
+  if (std::isnan(t)) throw Error("the time at which a motion is evaluated is NaN");
   if (t <= 0 || t >= motion.duration) {
     q = t >= motion.duration ? motion.to : motion.from;
     velocity.setZero();
@@ -147,7 +147,7 @@ void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
   const bool first_half = t <= motion.duration / 2;
   for (Eigen::Index k = 0; k < joints; ++k) {
     const SCurve& curve = motion.curves[k];
-    const JointState state = before_the_middle(curve, first_half ? t : motion.duration - t);
+    const JointState state = first_half_state(curve, first_half ? t : motion.duration - t);
     q[k] = first_half ? motion.from[k] + state.position : motion.to[k] - state.position;
     velocity[k] = state.velocity;
     acceleration[k] = first_half ? state.acceleration : -state.acceleration;
@@ -164,7 +164,7 @@ Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate) {
   }
   Trajectory trajectory = at_rest(arm, motion.to);
   if (motion.duration == 0) return trajectory;
-  // A last step that is next to nothing joins the one before it.
+  // A last step shorter than 1e-6 of the others is joined to the one before it.
   const auto last = static_cast<std::size_t>(std::max(1.0, std::ceil(steps - 1e-6)));
   const Configuration still = Configuration::Zero(arm.dof());
   trajectory.positions.assign(last + 1, motion.to);

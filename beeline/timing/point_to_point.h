@@ -8,17 +8,17 @@
 
 namespace beeline {
 
-/// What the joints that could be quicker do, so that all begin and end together.
+/// How the joints that could arrive earlier are synchronised with the slowest one.
 enum class Synchronise {
-  time,      ///< each follows its own curve, stretched to the slowest joint's duration
-  straight,  ///< all follow one curve, in proportion: a straight line in joint space
+  time,      ///< each joint has an s-curve of its own, stretched to the duration of the slowest
+  straight,  ///< all joints have one s-curve in proportion: a straight line in joint space
 };
 
 struct PointToPointOptions {
   Synchronise synchronise = Synchronise::time;
 };
 
-/// A motion of all joints from rest to rest, each with a curve from s_curve.h.
+/// A motion of all joints from rest to rest, each along an s-curve (s_curve.h).
 struct PointToPoint {
   Configuration from;  ///< radians, metres
   Configuration to;
@@ -26,31 +26,32 @@ struct PointToPoint {
   double duration = 0;         ///< seconds
 };
 
-/// The quickest motion that keeps the limits on velocity, acceleration and jerk. For `time` it
-/// lasts as long as the slowest joint needs alone; for `straight` at least as long, as each joint's
-/// limits bind them all. A velocity without limit is held to `velocity_when_unknown`; acceleration
-/// and jerk without limit are free.
+/// Minimises the duration of a motion from one configuration to another subject to the joints'
+/// limits on velocity, acceleration and jerk. For Synchronise::time the duration is that which the
+/// slowest joint needs alone; for Synchronise::straight it is at least as long, as each joint's
+/// limits bind the common curve. An infinite velocity limit counts as assumed_velocity_limit;
+/// infinite acceleration and jerk limits do not bind.
 /// Throws Error when a configuration does not fit the arm or is outside its limits, and where
 /// s_curve() does.
 PointToPoint point_to_point(const Arm& arm, const ConfigurationRef& from,
                             const ConfigurationRef& to, const PointToPointOptions& options = {});
 
-/// The same into the caller's motion, without allocating when that has had as many joints before.
+/// The same into the caller's motion; does not allocate when that has had as many joints before.
 void point_to_point(const Arm& arm, const ConfigurationRef& from, const ConfigurationRef& to,
                     PointToPoint& motion, const PointToPointOptions& options = {});
 
-/// The same for joints with these limits, one for each number of `from` and `to`.
+/// The same for joints with these limits, one for each coordinate of `from` and `to`.
 void point_to_point(std::span<const Limits> limits, const ConfigurationRef& from,
                     const ConfigurationRef& to, PointToPoint& motion,
                     const PointToPointOptions& options = {});
 
-/// The state at time t, into buffers with a place for each joint, without allocating: exactly
-/// `from` until 0, and `to` from the duration on. Throws Error when t is no number or a buffer does
-/// not fit.
+/// Writes the state at time t into buffers of one number per joint; does not allocate. It is
+/// exactly `from` until 0, and `to` from the duration on. Throws Error when t is NaN or a buffer
+/// has another size.
 void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
         Eigen::Ref<Configuration> velocity, Eigen::Ref<Configuration> acceleration);
 
-/// The motion at `rate` samples a second and at its end, which is exactly `to`; one sample where
+/// Samples the motion `rate` times a second and at its end, which is exactly `to`; one sample where
 /// nothing moves. Throws Error when the rate is not above zero, the motion does not fit the arm, or
 /// there would be more than ten million samples.
 Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate);

@@ -3,26 +3,23 @@
 
 #include <beeline/error.h>
 #include <beeline/kinematics/jacobian.h>
-#include <beeline/path/joint_spline.h>
-#include <beeline/timing/fastest.h>
+#include <beeline/path/joint_path.h>
 #include <beeline/timing/internal/timed_path.h>
-#include <beeline/timing/jerk_limited.h>
 #include <beeline/timing/retime.h>
-#include <beeline/timing/scalar_profile.h>
 
 namespace beeline {
 namespace {
 
-constexpr const char* profile_names[] = {"fastest", "jerk", "trapezoidal", "quintic", "s-curve"};
+using internal::TimedPath;
 
-constexpr double repeated = 1e-12;     // radians, metres: positions as near as that are one
-constexpr double standing = 1e-9;      // of the largest velocity
-constexpr double longest_gap = 0.005;  // of a stretch's duration, between its samples
-constexpr double max_rate_samples = 1e6;
-constexpr double slowest_tool = 1e-9;  // metres per second
+constexpr double repeated = 1e-12;        // radians, metres: positions as near as that are one
+constexpr double standing = 1e-9;         // of the largest velocity: below, the arm stands still
+constexpr double longest_gap = 0.005;     // of a part's duration, between its samples
+constexpr double max_rate_samples = 1e6;  // at a rate: some 300 MB for seven joints
+constexpr double slowest_tool = 1e-9;     // metres per second
 
-/// The positions between the stops, which end one stretch and begin the next.
-std::vector<std::vector<Configuration>> stretches(const Trajectory& trajectory) {
+/// The positions of each part of the path. A stop ends one part and begins the next.
+std::vector<std::vector<Configuration>> parts_between_stops(const Trajectory& trajectory) {
   double largest = 0;
   for (const Configuration& v : trajectory.velocities) {
     largest = std::max(largest, v.lpNorm<Eigen::Infinity>());
@@ -60,7 +57,7 @@ std::string outside(const Arm& arm, const JointPath& path,
   return {};
 }
 
-/// Where the tool is, and how it moves.
+/// The tool origin: its position, and its derivative with respect to the parameter of dq.
 struct Tool {
   Vector3 position, velocity;
 };
@@ -69,75 +66,52 @@ Tool tool_at(const Arm& arm, const Configuration& q, const Configuration& dq, Ja
   return {pose.translation(), columns.topRows<3>() * dq};
 }
 
-TimeScaling scaling_along(const JointPath& path, const PathLimits& limits, Profile profile) {
-  switch (profile) {
-    case Profile::jerk:
-      return jerk_limited(path, limits);
-    case Profile::trapezoidal:
-      return scalar_profile(ScalarForm::trapezoidal, path, limits);
-    case Profile::quintic:
-      return scalar_profile(ScalarForm::quintic, path, limits);
-    case Profile::s_curve:
-      return scalar_profile(ScalarForm::s_curve, path, limits);
-    case Profile::fastest:
-      break;
-  }
-  return fastest(path, limits);
-}
-
 void check(const Arm& arm, const RetimeOptions& options, Profile profile) {
   if (!(options.tool_speed >= slowest_tool)) {
     throw Error("the tool's speed must be " + number(slowest_tool) + " m/s at least, not " +
                 number(options.tool_speed) + " m/s");
   }
   if (!(options.rate >= 0) || !std::isfinite(options.rate)) {
-    throw Error("the rate must be above zero, not " + number(options.rate) + " samples a second");
+    throw Error("the rate must be above zero, or 0 for the samples of the path, not " +
+                number(options.rate) + " samples a second");
   }
   if (profile == Profile::jerk && default_profile(arm) != Profile::jerk) {
     throw Error("profile jerk needs an arm with limits of jerk; " + arm.name() +
-                " has none: give it some, or ask for profile fastest or s-curve");
+                " has none: give it some, or use profile fastest or s-curve");
   }
 }
 
-/// By what factor the trajectory must be slower: samples may show what the profile's own check, at
-/// other places, has not seen.
-double slower(const Retimed& timed, const RetimeOptions& options) {
-  const double fraction = options.speed_limit;
-  double factor = std::max({1.0, timed.limits.velocity.fraction / fraction,
-                            std::sqrt(timed.limits.acceleration.fraction) / fraction,
-                            timed.tool_speed / options.tool_speed});
-  if (keeps_jerk(timed.profile))
-    factor = std::max(factor, std::cbrt(timed.limits.jerk.fraction) / fraction);
-  return factor;
+/// The factor by which the trajectory must be slowed down. Its samples may exceed limits that the
+/// profile has checked at other times.
+double slowdown_of(const Retimed& timed, const RetimeOptions& options) {
+  const double jerk = keeps_jerk(timed.profile) ? timed.limits.jerk.fraction : 0;
+  const double joints =
+      slowdown(timed.limits.velocity.fraction, timed.limits.acceleration.fraction, jerk);
+  return std::max({1.0, joints / options.speed_scale, timed.tool_speed / options.tool_speed});
 }
 
 void check_rate(const RetimeOptions& options, double duration) {
-  const double rate = options.rate, fewest = options.fewest_steps;
+  const double rate = options.rate, fewest = options.min_steps;
   if (rate * duration > max_rate_samples) {
     throw Error(number(rate) + " samples a second make more than " + number(max_rate_samples) +
                 " in " + number(duration) + " s");
   }
   if (rate > 0 && rate * duration < fewest) {
-    constexpr double up = 1 + 1e-5;  // that number() rounds away
-    throw Error(number(rate) + " samples a second lose the way of a motion of " + number(duration) +
-                " s; " + number(up * fewest / duration) + " or more would do");
+    constexpr double up = 1 + 1e-5;  // number() rounds to six digits
+    throw Error(number(rate) + " samples a second leave fewer than " + number(fewest) +
+                " steps in a motion of " + number(duration) + " s; the rate must be at least " +
+                number(up * fewest / duration));
   }
 }
 
-void slow_down(TimeScaling& scaling, double factor) {
-  for (double& t : scaling.t) t *= factor;
-  for (double& v : scaling.speed) v /= factor;
-  for (double& a : scaling.acceleration) a /= factor * factor;
-}
-
 Trajectory sampled(const Arm& arm, const std::vector<TimedPath>& motions, double rate,
-                   std::vector<double>& ways) {
+                   std::vector<double>& arc_lengths) {
   Trajectory trajectory;
   if (rate > 0) {
-    trajectory = at_rate(motions, rate, ways);
+    trajectory = internal::at_rate(motions, rate, arc_lengths);
   } else {
     for (const TimedPath& motion : motions) {
-      append_points(trajectory, motion, longest_gap * motion.scaling.duration());
+      internal::append_points(trajectory, motion, longest_gap * motion.scaling.duration());
     }
   }
   trajectory.joint_names = arm.joint_names();
@@ -152,56 +126,39 @@ void measure(const Arm& arm, Retimed& timed) {
   Vector3 before = Vector3::Zero();
   for (std::size_t k = 0; k < t.size(); ++k) {
     const auto [position, velocity] = tool_at(arm, q[k], v[k], columns);
-    const double way = k == 0 ? 0 : (position - before).norm();
-    // What lies between by rounding alone is no speed.
-    const double between = way > 1e-9 ? way / (t[k] - t[k - 1]) : 0;
+    const double distance = k == 0 ? 0 : (position - before).norm();
+    // A distance of the size of rounding gives no speed.
+    const double between = distance > 1e-9 ? distance / (t[k] - t[k - 1]) : 0;
     timed.tool_speed = std::max({timed.tool_speed, velocity.norm(), between});
     before = position;
   }
 }
 
-/// Samples the motions, slowed down until the samples keep the limits. Samples at a rate fall on
-/// other places each time, and others may then be the worst: a little more than these tell, and
-/// more with each pass, though at most as much again as all passes before. So it ends before the
-/// motion is slowed down twice as much as would do at any rate.
-void settle(const Arm& arm, Retimed& timed, std::vector<TimedPath>& motions,
-            const RetimeOptions& options) {
+/// Samples the motions, slowed down until the samples keep the limits. Samples at a rate have other
+/// path parameters in each pass, and others may then be the worst. So each pass slows down by a
+/// little more than its samples need: by 10 %, twice that in the next pass and so on, but by at
+/// most the sum of all passes before. The total then stays below twice the slowdown that suffices
+/// at any rate.
+void slow_down_to_limits(const Arm& arm, Retimed& timed, std::vector<TimedPath>& motions,
+                         const RetimeOptions& options) {
   constexpr double rounding = 1e-12;
-  double excess = 0;  // of all passes
+  constexpr int max_passes = 100;  // `more` overflows no sooner; a few passes are usual
+  double excess = 0;               // of all passes
   double more = 1.1;
-  for (int pass = 0; pass < 100; ++pass, more *= 2) {
-    timed.trajectory = sampled(arm, motions, options.rate, timed.ways);
+  for (int pass = 0; pass < max_passes; ++pass, more *= 2) {
+    timed.trajectory = sampled(arm, motions, options.rate, timed.arc_lengths);
     measure(arm, timed);
-    const double left = slower(timed, options) - 1;
-    if (!(left > rounding)) return;
-    const double step = std::max(1.1 * left, std::min(more * left, excess));
-    for (TimedPath& motion : motions) slow_down(motion.scaling, 1 + step);
+    const double needed = slowdown_of(timed, options) - 1;
+    if (!(needed > rounding)) return;
+    const double step = std::max(1.1 * needed, std::min(more * needed, excess));
+    for (TimedPath& motion : motions) internal::slow_down(motion.scaling, 1 + step);
     excess += (1 + excess) * step;
   }
   throw Error("no samples were found that keep the limits at " + number(options.rate) +
-              " samples a second; another rate may do");
+              " samples a second; try another rate");
 }
 
 }  // namespace
-
-bool keeps_jerk(Profile profile) {
-  return profile != Profile::fastest && profile != Profile::trapezoidal;
-}
-
-std::string name(Profile profile) { return profile_names[static_cast<int>(profile)]; }
-
-Profile profile_named(const std::string& name) {
-  const std::vector<std::string> names(std::begin(profile_names), std::end(profile_names));
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) throw unknown_name("profile", name, names);
-  return static_cast<Profile>(found - names.begin());
-}
-
-Profile default_profile(const Arm& arm) {
-  const auto has_jerk = [](const Limits& limits) { return limits.jerk < Limits::none; };
-  return std::any_of(arm.limits().begin(), arm.limits().end(), has_jerk) ? Profile::jerk
-                                                                         : Profile::fastest;
-}
 
 void check_moves(const Trajectory& trajectory) {
   const auto& q = trajectory.positions;
@@ -211,8 +168,8 @@ void check_moves(const Trajectory& trajectory) {
   if (std::any_of(q.begin(), q.end(), elsewhere)) return;
   const std::string found = q.empty()       ? "no samples"
                             : q.size() == 1 ? "one sample"
-                                            : std::to_string(q.size()) + " samples at one place";
-  throw Error("a trajectory needs two different positions to be timed; this one has " + found);
+                                            : std::to_string(q.size()) + " samples at one position";
+  throw Error("a trajectory needs two different positions to be retimed; this one has " + found);
 }
 
 Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& options) {
@@ -220,12 +177,12 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   timed.profile = options.profile.value_or(default_profile(arm));
   check(arm, options, timed.profile);
   const Trajectory trajectory = matched_to(arm, recorded);
-  PathLimits limits = path_limits(arm, options.speed_limit);
+  PathLimits limits = path_limits(arm, options.speed_scale);
   check_moves(trajectory);
   Jacobian columns(6, arm.dof());
   std::vector<TimedPath> motions;
   double duration = 0;
-  for (const std::vector<Configuration>& samples : stretches(trajectory)) {
+  for (const std::vector<Configuration>& samples : parts_between_stops(trajectory)) {
     TimedPath& motion = motions.emplace_back();
     motion.path = refined(joint_spline(samples, chord_length(samples)));
     timed.reason = outside(arm, motion.path, samples);
@@ -235,14 +192,14 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
       const Tool tool = tool_at(arm, motion.path.q[k], motion.path.dq[k], columns);
       limits.speed.push_back(options.tool_speed / tool.velocity.norm());
     }
-    motion.scaling = scaling_along(motion.path, limits, timed.profile);
+    motion.scaling = time_scaling(motion.path, limits, timed.profile);
     timed.reason = motion.scaling.reason;
     if (!timed.found()) return timed;
     duration += motion.scaling.duration();
   }
   check_rate(options, duration);
-  timed.stretches = motions.size();
-  settle(arm, timed, motions, options);
+  timed.parts = motions.size();
+  slow_down_to_limits(arm, timed, motions, options);
   return timed;
 }
 

@@ -20,7 +20,8 @@ namespace {
   if (std::min({limits.velocity, limits.acceleration, limits.jerk}) == Limits::none) {
     throw Error("a motion needs a limit on velocity, acceleration or jerk; all three are infinite");
   }
-  throw Error("a motion over " + number(distance) + " would never end; its limits are too tight");
+  throw Error("a motion over " + number(distance) +
+              " would take longer than a double can hold; its limits are too small");
 }
 
 }  // namespace
@@ -34,13 +35,13 @@ SCurve s_curve(double distance, const Limits& limits) {
   SCurve curve{.distance = distance, .velocity = v, .acceleration = a, .jerk = j};
   double& tj = curve.jerk_time;
   double& ta = curve.acceleration_time;
-  const double to_limit = j == Limits::none ? 0 : a / j;  // till the acceleration is at its limit
+  const double to_limit = j == Limits::none ? 0 : a / j;  // time to the acceleration limit
 
-  // Up to the velocity limit: v = j tj (tj + ta), over v (2 tj + ta) both ways together.
+  // Up to the velocity limit: v = j tj (tj + ta), over the distance v (2 tj + ta) in both ramps.
   if (v / a >= to_limit) {
     tj = to_limit;
     ta = v / a - to_limit;
-  } else {  // also where neither v nor a is limited
+  } else {  // also where v and a are both infinite
     tj = std::sqrt(v / j);
     curve.acceleration = j * tj;
   }
@@ -52,10 +53,10 @@ SCurve s_curve(double distance, const Limits& limits) {
     ta = 0;
     curve.acceleration = j * tj;
     curve.velocity = curve.acceleration * tj;
-  } else {  // d = a (tj + ta) (2 tj + ta), solved for ta without a difference of like numbers
+  } else {  // d = a (tj + ta) (2 tj + ta), solved for ta without cancellation
     tj = to_limit;
     const double root = std::sqrt(tj * tj + 4 * (d / a));
-    const double tiny = std::numeric_limits<double>::min();  // where d / a has come down to zero
+    const double tiny = std::numeric_limits<double>::min();  // where d / a underflows
     ta = 2 * (d / a - 2 * tj * tj) / std::max(root + 3 * tj, tiny);
     curve.acceleration = a;
     curve.velocity = a * (tj + ta);
@@ -78,23 +79,22 @@ SCurve stretched(const SCurve& curve, double duration) {
   SCurve slow = curve;
   slow.duration = duration;
   if (curve.duration == 0) return slow;
-  const double pace = curve.duration / duration;  // velocities go with it
-  const double longer = duration / curve.duration;
+  const double slower = curve.duration / duration, longer = duration / curve.duration;
   slow.jerk_time *= longer;
   slow.acceleration_time *= longer;
   slow.cruise_time *= longer;
-  slow.velocity *= pace;
-  slow.acceleration *= pace * pace;
-  slow.jerk *= pace * pace * pace;
+  slow.velocity *= slower;
+  slow.acceleration *= slower * slower;
+  slow.jerk *= slower * slower * slower;
   return slow;
 }
 
 JointState at(const SCurve& curve, double t) {
-  if (std::isnan(t)) throw Error("a motion has no state at a time that is no number");
+  if (std::isnan(t)) throw Error("the time at which a motion is evaluated is NaN");
   if (t <= 0) return {};
   if (t >= curve.duration) return {curve.distance, 0, 0, 0};
-  if (t <= curve.duration / 2) return before_the_middle(curve, t);
-  JointState state = before_the_middle(curve, curve.duration - t);
+  if (t <= curve.duration / 2) return first_half_state(curve, t);
+  JointState state = first_half_state(curve, curve.duration - t);
   state.position = curve.distance - state.position;
   state.acceleration = -state.acceleration;
   return state;

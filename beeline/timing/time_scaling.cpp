@@ -4,36 +4,45 @@
 
 namespace beeline {
 
-PathLimits path_limits(const Arm& arm, double share) {
-  constexpr double least = 1e-6;  // its cube, of a jerk, is far above rounding
-  if (!(share >= least && share <= 1)) {
-    throw Error("the share of the speed limits must be from " + number(least) + " to 1, not " +
-                number(share));
+PathLimits path_limits(const Arm& arm, double speed_scale) {
+  constexpr double least = 1e-6;  // its cube scales the jerk and must remain far above rounding
+  const double k = speed_scale;
+  if (!(k >= least && k <= 1)) {
+    throw Error("the speed scale must be from " + number(least) + " to 1, not " + number(k));
   }
   PathLimits limits;
   limits.velocity = limits.acceleration = limits.jerk = Configuration(arm.dof());
   for (int i = 0; i < arm.dof(); ++i) {
     const Limits& joint = arm.limits(i);
-    limits.velocity[i] = share * held_velocity(joint);
-    limits.acceleration[i] = share * share * joint.acceleration;
-    limits.jerk[i] = share * share * share * joint.jerk;
+    limits.velocity[i] = k * velocity_limit_of(joint);
+    limits.acceleration[i] = k * k * joint.acceleration;
+    limits.jerk[i] = k * k * k * joint.jerk;
   }
   return limits;
 }
 
 void check_limits(const PathLimits& limits, const JointPath& path) {
+  constexpr double least = 1e-100;  // squares of its inverse are still finite
   const Eigen::Index joints = path.q.at(0).size();
   for (const Configuration& kind : {limits.velocity, limits.acceleration, limits.jerk}) {
-    if (kind.size() == joints && (kind.array() > 0).all()) continue;
-    throw Error("a path of " + std::to_string(joints) +
-                " joints needs as many limits of each kind, all above zero");
+    if (kind.size() != joints) {
+      throw Error("a path of " + std::to_string(joints) + " joints needs as many limits of each " +
+                  "kind, not " + std::to_string(kind.size()));
+    }
+    for (const double limit : kind) {
+      if (limit >= least) continue;
+      throw Error("a velocity, acceleration or jerk limit must be above zero, " + number(least) +
+                  " at least, not " + number(limit));
+    }
   }
   if (!limits.speed.empty() && limits.speed.size() != path.size()) {
     throw Error("a path of " + std::to_string(path.size()) + " grid points has " +
                 std::to_string(limits.speed.size()) + " limits of its speed");
   }
   for (const double speed : limits.speed) {
-    if (!(speed > 0)) throw Error("a path's speed limit must be above zero, not " + number(speed));
+    if (speed >= least) continue;
+    throw Error("a speed limit of a path must be above zero, " + number(least) + " at least, not " +
+                number(speed));
   }
 }
 

@@ -10,13 +10,13 @@ namespace {
 
 Trajectory from_zero(const Arm& arm, const Trajectory& given, const char* which) {
   Trajectory trajectory = matched_to(arm, given);
-  if (trajectory.size() == 0) throw Error(std::string(which) + " recording has no samples");
+  if (trajectory.size() == 0) throw Error(std::string(which) + " trajectory has no samples");
   const double begin = trajectory.times.front();
   for (double& t : trajectory.times) t -= begin;
   return trajectory;
 }
 
-/// The samples' times of both, as far as both last.
+/// The sample times of both, up to the end of the shorter one.
 std::vector<double> common_times(const Trajectory& a, const Trajectory& b) {
   const double end = std::min(a.times.back(), b.times.back());
   std::vector<double> times;
@@ -38,31 +38,39 @@ TrajectoryDifference difference(const Arm& arm, const Trajectory& given_a,
   result.longer = b.times.back() - a.times.back();
   const std::vector<double> times = common_times(a, b);
   result.overlap = times.back();
-  Configuration before;
+  Configuration previous;
   for (std::size_t k = 0; k < times.size(); ++k) {
     const double t = times[k];
-    const Configuration q_a = sample(a, t), q_b = sample(b, t), apart = q_b - q_a;
+    const Configuration q_a = sample(a, t), q_b = sample(b, t), offset = q_b - q_a;
     for (int i = 0; i < arm.dof(); ++i) {
       JointDifference& joint = result.joints[i];
-      if (std::abs(apart[i]) > joint.largest) joint.largest = std::abs(apart[i]), joint.time = t;
-      if (k == 0) continue;  // the square of a straight line's mean
-      const double u = before[i], v = apart[i];
+      if (std::abs(offset[i]) > joint.largest) {
+        joint.largest = std::abs(offset[i]);
+        joint.time = t;
+      }
+      if (k == 0) continue;
+      // The integral of the square of a linear function.
+      const double u = previous[i], v = offset[i];
       joint.rms += (t - times[k - 1]) * (u * u + u * v + v * v) / 3;
     }
     const Twist tool = pose_difference(forward_kinematics(arm, q_b), forward_kinematics(arm, q_a));
-    const double way = tool.head<3>().norm(), turn = tool.tail<3>().norm();
-    if (way > result.largest_position) result.largest_position = way, result.position_time = t;
-    if (turn > result.largest_orientation) {
-      result.largest_orientation = turn, result.orientation_time = t;
+    const double position = tool.head<3>().norm(), orientation = tool.tail<3>().norm();
+    if (position > result.largest_position) {
+      result.largest_position = position;
+      result.position_time = t;
     }
-    before = apart;
+    if (orientation > result.largest_orientation) {
+      result.largest_orientation = orientation;
+      result.orientation_time = t;
+    }
+    previous = offset;
   }
   if (!std::isfinite(result.longer) || !std::isfinite(result.overlap)) {
-    throw Error("the recordings' times are too large to be compared");
+    throw Error("the times of the trajectories are too large to be compared");
   }
   for (JointDifference& joint : result.joints) {
     if (!std::isfinite(joint.rms)) {
-      throw Error("the recordings' positions are too large to be compared");
+      throw Error("the positions of the trajectories are too large to be compared");
     }
     joint.rms = result.overlap > 0 ? std::sqrt(joint.rms / result.overlap) : joint.largest;
   }

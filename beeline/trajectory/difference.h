@@ -4,27 +4,27 @@
 
 namespace beeline {
 
-/// How much one coordinate differs between two recordings.
+/// The difference of one coordinate between two trajectories.
 struct JointDifference {
   double largest = 0;  ///< radians or metres
-  double time = 0;     ///< when, seconds from both begins
-  double rms = 0;      ///< over the time that both have
+  double time = 0;     ///< of the largest difference, seconds from the first samples
+  double rms = 0;      ///< root mean square over the common duration
 };
 
 struct TrajectoryDifference {
   std::vector<JointDifference> joints;  ///< one for each coordinate
-  double largest_position = 0;          ///< of the tool, metres
-  double position_time = 0;
-  double largest_orientation = 0;  ///< of the tool, radians
-  double orientation_time = 0;
-  double overlap = 0;  ///< seconds that both last
-  double longer = 0;   ///< seconds by which `b` lasts longer; negative: shorter
+  double largest_position = 0;          ///< distance between the tools, metres
+  double position_time = 0;             ///< seconds
+  double largest_orientation = 0;       ///< angle between the tools, radians
+  double orientation_time = 0;          ///< seconds
+  double overlap = 0;                   ///< common duration, seconds
+  double longer = 0;                    ///< duration of b minus that of a, seconds
 };
 
-/// Compares two recordings of an arm, each from its own first sample on, joints linear between
-/// samples: at all samples of both. What a joint differs by at most is exact; the tool's
-/// differences are those at the samples. Throws Error when one of them does not fit the arm or has
-/// no samples.
+/// Compares two trajectories of an arm, each from its own first sample on, joints linear between
+/// samples, at the samples of both. The joints' largest differences are exact; those of the tool
+/// are the largest at the samples. Throws Error when one of them does not fit the arm or has no
+/// samples.
 TrajectoryDifference difference(const Arm& arm, const Trajectory& a, const Trajectory& b);
 
 }  // namespace beeline

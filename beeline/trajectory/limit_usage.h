@@ -6,24 +6,33 @@
 
 namespace beeline {
 
-/// The largest fraction of one kind of limit that a trajectory uses: above 1 it is broken.
+/// The largest fraction of one kind of limit that a trajectory uses; above 1 it exceeds the limit.
 struct LimitFraction {
-  double fraction = 0;  ///< 0 where no joint has such a limit, or nothing is known
-  std::string joint;    ///< whose; empty for a fraction of 0
-  double time = 0;      ///< seconds; of a change between samples, that of the earlier one
+  double fraction = 0;  ///< 0 where no joint has such a limit, or the derivative is not known
+  std::string joint;    ///< the joint that uses it; empty for a fraction of 0
+  double time = 0;      ///< seconds; of a difference between samples, that of the earlier sample
 };
 
 struct LimitUsage {
   LimitFraction velocity, acceleration, jerk;
 };
 
-/// How much of its limits an arm uses on a trajectory: at the samples, by the velocities and
-/// accelerations that stand there, and between them, by their differences. That is what a
-/// controller does that goes from sample to sample in positions, velocities or accelerations in
-/// straight lines; and a motion that keeps its limits at all times passes at whatever rate it is
-/// sampled (the mean value theorem). What numbers of their size lose by rounding is forgiven. An
-/// unknown velocity limit counts as `velocity_when_unknown`; other unknown limits are none.
-/// Throws Error where matched_to() does.
+/// Returns the fractions of the arm's limits that a trajectory uses: the largest of its velocities
+/// and accelerations at the samples, and of the differences quotients of positions, velocities and
+/// accelerations between samples. Those are the rates of a controller that interpolates these
+/// columns linearly. By the mean value theorem a motion that keeps its limits at all times passes
+/// at any sampling rate. Differences of the size of rounding are ignored. An unknown velocity limit
+/// counts as assumed_velocity_limit; other unknown limits are infinite. Throws Error where
+/// matched_to() does.
 LimitUsage limit_usage(const Trajectory& trajectory, const Arm& arm);
+
+/// The least factor k by which a motion that uses these fractions of its limits must be slowed down
+/// to keep them: slowed down by k it uses v / k, a / k^2 and j / k^3. Below 1 where it may be
+/// faster.
+double slowdown(double velocity, double acceleration, double jerk);
+
+/// Slows the trajectory down by k: times are multiplied by it, velocities divided, accelerations
+/// divided by its square. A factor of 1 or less changes nothing.
+void slow_down(Trajectory& trajectory, double k);
 
 }  // namespace beeline

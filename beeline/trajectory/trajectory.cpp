@@ -21,7 +21,7 @@ void check_column(const std::vector<Configuration>& column, const Trajectory& tr
   }
 }
 
-/// Where each of the arm's coordinates stands among the trajectory's columns.
+/// The column of the trajectory that belongs to each coordinate of the arm.
 std::vector<Eigen::Index> column_order(const Arm& arm, const Trajectory& trajectory) {
   std::vector<std::string> missing;
   std::vector<std::string> unknown = trajectory.joint_names;
@@ -69,7 +69,7 @@ void check_trajectory(const Trajectory& trajectory) {
 
 Configuration sample(const Trajectory& trajectory, double t) {
   if (trajectory.size() == 0) throw Error("the trajectory has no samples");
-  if (std::isnan(t)) throw Error("a trajectory has no sample at a time that is no number");
+  if (std::isnan(t)) throw Error("the time at which a trajectory is sampled is NaN");
   const auto& times = trajectory.times;
   if (t <= times.front()) return trajectory.positions.front();
   if (t >= times.back()) return trajectory.positions.back();

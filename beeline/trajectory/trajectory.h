@@ -3,19 +3,21 @@
 #include <string>
 #include <vector>
 
+#include <beeline/error.h>
 #include <beeline/model/arm.h>
 
 namespace beeline {
 
-/// What a joint without a known velocity limit is held to, per second (radians or metres).
-constexpr double velocity_when_unknown = 1.0;
+/// The velocity limit assumed for a joint without a known one: radians or metres per second.
+constexpr double assumed_velocity_limit = 1.0;
 
-/// What a joint is held to, per second: its velocity limit where that is known.
-constexpr double held_velocity(const Limits& limits) {
-  return limits.velocity < Limits::none ? limits.velocity : velocity_when_unknown;
+/// The velocity limit that motions keep, radians or metres per second: the joint's own where it is
+/// known, else the assumed one.
+constexpr double velocity_limit_of(const Limits& limits) {
+  return limits.velocity < Limits::none ? limits.velocity : assumed_velocity_limit;
 }
 
-/// A motion with time, as plain data. Sample k is positions[k] at times[k]; velocities and
+/// A joint motion with time, as plain data. Sample k is positions[k] at times[k]; velocities and
 /// accelerations are empty where they are not known, else as long as positions.
 struct Trajectory {
   std::vector<std::string> joint_names;      ///< one for each coordinate
@@ -27,21 +29,20 @@ struct Trajectory {
   std::size_t size() const { return times.size(); }
 };
 
-/// One sample: the arm at rest at q at time zero.
+/// Returns a trajectory of one sample: the arm at rest at q at time zero.
 Trajectory at_rest(const Arm& arm, const ConfigurationRef& q);
 
-/// Throws Error when two joints have one name, the lengths differ, a number is not finite or time
-/// does not increase.
+/// Throws Error when two joints have the same name, the lengths differ, a number is not finite or
+/// the times do not increase.
 void check_trajectory(const Trajectory& trajectory);
 
-/// The configuration at time t, linear between samples (what a line's certificate assumes); before
-/// the first sample the first, after the last the last. Throws Error when there are no samples, or
-/// t is no number.
+/// Returns the configuration at time t, interpolated linearly between samples, as the certificate
+/// of a line assumes. Before the first sample it is the first, after the last the last. Throws
+/// Error when there are no samples, or t is NaN.
 Configuration sample(const Trajectory& trajectory, double t);
 
-/// The trajectory's columns in the arm's order, matched by joint name.
-/// Throws Error as check_trajectory(), and naming the joints that are missing or that the arm does
-/// not have.
+/// Returns the trajectory with its columns in the arm's order, matched by joint name. Throws Error
+/// as check_trajectory() does, and for joints that are missing or that the arm does not have.
 Trajectory matched_to(const Arm& arm, const Trajectory& trajectory);
 
 }  // namespace beeline

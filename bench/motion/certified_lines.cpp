@@ -70,7 +70,7 @@ void measure(const Arm& arm, const Line& line, const PathMotion& motion, int num
     }
     for (int j = 0; j < arm.dof(); ++j) {
       const double limit = arm.limits(j).velocity;
-      const double most = std::isfinite(limit) ? limit : velocity_when_unknown;
+      const double most = std::isfinite(limit) ? limit : assumed_velocity_limit;
       if (std::abs(step[j]) > most * (times[k + 1] - times[k]) * (1 + 1e-6)) {
         ++tally.fast;
         std::printf("  %d: joint %d too fast after sample %zu\n", number, j + 1, k);

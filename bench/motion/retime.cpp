@@ -12,8 +12,8 @@
 #include <cstdio>
 #include <vector>
 
-#include <beeline/path/joint_spline.h>
-#include <beeline/timing/fastest.h>
+#include <beeline/path/joint_path.h>
+#include <beeline/timing/internal/fastest.h>
 
 #include <tests/path/random_joint_path.h>
 

@@ -147,7 +147,7 @@ TEST(NearestParameter, FindsTheSamplesOfAWay) {
       const double end = stops ? segment + 1 : static_cast<double>(path.segments.size());
       const Pose tool = forward_kinematics(arm, way.samples[k]);
       if (stops) before = std::max(before, segment);
-      before = nearest_parameter(path, Task::spatial(), tool, before, end);
+      before = internal::nearest_parameter(path, Task::spatial(), tool, before, end);
       const Deviation off = task_deviation(Task::spatial(), pose_at(path, before), tool);
       ASSERT_LT(off.position, 1e-9)
           << i % 5 << " place " << before << " of " << way.path_parameters[k];
@@ -175,8 +175,9 @@ TEST(FittingParameter, IsWithinTheToleranceWhereThereIsSuchAPlace) {
     const auto fits = [&](double place) {
       return within(task_deviation(Task::spatial(), pose_at(path, place), tool), tolerance);
     };
-    ASSERT_TRUE(fits(fitting_parameter(path, Task::spatial(), tool, 0, 1, tolerance))) << i;
-    nearest_is_none += !fits(nearest_parameter(path, Task::spatial(), tool, 0, 1));
+    ASSERT_TRUE(fits(internal::fitting_parameter(path, Task::spatial(), tool, 0, 1, tolerance)))
+        << i;
+    nearest_is_none += !fits(internal::nearest_parameter(path, Task::spatial(), tool, 0, 1));
   }
   EXPECT_GT(nearest_is_none, 10);
 }

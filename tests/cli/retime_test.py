@@ -93,7 +93,7 @@ def test_bad_input_is_refused_in_one_line(refused, beeline, written):
     refused(2, "retime", "panda", path, "--profile", "scurve", says=("scurve", "s-curve"))
     refused(2, "retime", "panda", path, "--rate", "0", says=("--rate",))
     refused(2, "retime", "panda", path, "--rate", "1e9", says=("samples",))
-    line = refused(2, "retime", "panda", path, "--rate", "1e-9", says=("1e-09", "would do"))
+    line = refused(2, "retime", "panda", path, "--rate", "1e-9", says=("1e-09", "at least"))
     enough = line.split("; ")[1].split()[0]
     assert beeline("retime", "panda", path, "--rate", enough).code == 0
     for scale in ("2", "1e-300"):

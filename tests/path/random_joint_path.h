@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <beeline/path/joint_spline.h>
+#include <beeline/path/joint_path.h>
 #include <beeline/timing/time_scaling.h>
 
 #include <tests/random.h>

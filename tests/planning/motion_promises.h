@@ -41,7 +41,7 @@ inline void expect_within_limits(const Arm& arm, const Trajectory& trajectory) {
     const Configuration step = trajectory.positions[k] - trajectory.positions[k - 1];
     for (int i = 0; i < arm.dof(); ++i) {
       const double limit = arm.limits(i).velocity;
-      const double most = std::isfinite(limit) ? limit : velocity_when_unknown;
+      const double most = std::isfinite(limit) ? limit : assumed_velocity_limit;
       ASSERT_LE(std::abs(step[i]) / dt, most * (1 + 1e-9)) << "sample " << k;
       if (kind(arm.joint_of(i)) != JointKind::prismatic) {
         ASSERT_LE(std::abs(step[i]), 0.5) << "a jump at sample " << k;

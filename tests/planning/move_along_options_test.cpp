@@ -62,7 +62,8 @@ TEST(MoveInLines, LeavesFreeWhatTheTaskDoesNotAsk) {
     for (std::size_t k = 1; k < motion.trajectory.size(); k += 7) {
       const Configuration middle =
           0.5 * (motion.trajectory.positions[k - 1] + motion.trajectory.positions[k]);
-      const Deviation off = deviation_from(line, forward_kinematics(arm, middle), *options.task);
+      const Deviation off =
+          internal::deviation_from(line, forward_kinematics(arm, middle), *options.task);
       ASSERT_LE(off.position, motion.deviation.bound.position + 1e-9) << task;
       ASSERT_LE(off.orientation, motion.deviation.bound.orientation + 1e-9) << task;
     }

@@ -36,7 +36,7 @@ Configuration random_goal(testing::Random& random, const Arm& arm, const Configu
 }
 
 double max_velocity(const Limits& limits) {
-  return std::isfinite(limits.velocity) ? limits.velocity : velocity_when_unknown;
+  return std::isfinite(limits.velocity) ? limits.velocity : assumed_velocity_limit;
 }
 
 double own_duration(const Limits& limits, double way) {
@@ -184,7 +184,7 @@ TEST(PointToPoint, AMissingVelocityLimitIsOneASecond) {
   const Arm arm = built_in("rrr");
   const Configuration from = Configuration::Zero(3), to = Configuration::Constant(3, 0.5);
   for (const Synchronise synchronise : both_ways) {
-    EXPECT_EQ(point_to_point(arm, from, to, {synchronise}).duration, 0.5 / velocity_when_unknown);
+    EXPECT_EQ(point_to_point(arm, from, to, {synchronise}).duration, 0.5 / assumed_velocity_limit);
     EXPECT_EQ(point_to_point(arm, from, from, {synchronise}).duration, 0);
   }
 }
@@ -263,7 +263,7 @@ TEST(PointToPoint, RefusesWhatDoesNotFit) {
   motion = point_to_point(arm, q, q);
   Configuration v = q, a = q, small(6);
   EXPECT_REFUSED(at(motion, 0, small, v, a), "7 joints");
-  EXPECT_REFUSED(at(motion, NAN, far, v, a), "no number");
+  EXPECT_REFUSED(at(motion, NAN, far, v, a), "NaN");
   EXPECT_REFUSED(sampled(arm, motion, 0), "rate");
   EXPECT_REFUSED(sampled(built_in("rrr"), motion, 100), "3 joint values");
   motion.duration = 1e6;

@@ -40,7 +40,7 @@ TEST(Retime, KeepsEverySampleAndItsLimitsByEveryLaw) {
       if (profile != Profile::fastest && profile != Profile::trapezoidal) {
         ASSERT_LE(timed.limits.jerk.fraction, 1 + 1e-9);
       }
-      ASSERT_EQ(timed.stretches, 1u);
+      ASSERT_EQ(timed.parts, 1u);
       std::size_t kept = 0;
       for (const Configuration& q : timed.trajectory.positions) {
         if (kept < way.size() && q == way.positions[kept]) ++kept;
@@ -95,7 +95,7 @@ TEST(Retime, TakesTheShareOfTheSpeedThatIsAskedFor) {
   for (const Profile profile : profiles) {
     const double full = retime(arm, way, {.profile = profile}).trajectory.times.back();
     const double half =
-        retime(arm, way, {.profile = profile, .speed_limit = 0.5}).trajectory.times.back();
+        retime(arm, way, {.profile = profile, .speed_scale = 0.5}).trajectory.times.back();
     EXPECT_NEAR(half, 2 * full, 1e-2 * full) << name(profile);
   }
 }
@@ -134,7 +134,7 @@ TEST(Retime, StandsStillWhereTheRecordingDid) {
   }
   const auto expect_square = [&](const Retimed& timed) {
     ASSERT_EQ(timed.reason, "");
-    ASSERT_EQ(timed.stretches, 2u);
+    ASSERT_EQ(timed.parts, 2u);
     const auto& [names, t, q, v, a] = timed.trajectory;
     int still = 0;
     for (std::size_t k = 0; k < t.size(); ++k) {
@@ -213,7 +213,7 @@ TEST(Retime, GoesAsSlowlyAsItMayBeAskedTo) {
     }
     for (const Profile profile : profiles) {
       if (profile == Profile::jerk && default_profile(arm) != Profile::jerk) continue;
-      const Retimed slow = retime(arm, way, {.profile = profile, .speed_limit = 1e-6});
+      const Retimed slow = retime(arm, way, {.profile = profile, .speed_scale = 1e-6});
       ASSERT_TRUE(slow.found()) << slow.reason;
       EXPECT_LE(slow.limits.velocity.fraction, 1e-6 * (1 + 1e-6));
       const Retimed creeping = retime(arm, way, {.profile = profile, .tool_speed = 1e-9});
@@ -229,7 +229,7 @@ TEST(Retime, NamesTheRateThatKeepsSomethingOfTheWay) {
   const Trajectory way{
       arm.joint_names(), {0, 1}, {random.configuration(arm), random.configuration(arm)}, {}, {}};
   const double duration = retime(arm, way).trajectory.times.back();
-  EXPECT_REFUSED(retime(arm, way, {.rate = 1e-9}), "or more would do");
+  EXPECT_REFUSED(retime(arm, way, {.rate = 1e-9}), "must be at least");
   EXPECT_REFUSED(retime(arm, way, {.rate = 3.9 / duration}), number(4 * (1 + 1e-5) / duration));
   EXPECT_GE(retime(arm, way, {.rate = 4.1 / duration}).trajectory.size(), 5u);
 }
@@ -242,7 +242,7 @@ TEST(Retime, RefusesWhatMakesNoSense) {
   EXPECT_REFUSED(retime(arm, {arm.joint_names(), {}, {}, {}, {}}), "no samples");
   EXPECT_REFUSED(retime(arm, still, {.profile = Profile::jerk}), "limits of jerk");
   for (const double share : {1.5, 0.0, 1e-7, 1e-300, std::nan("")}) {
-    EXPECT_REFUSED(retime(arm, still, {.speed_limit = share}), "from 1e-06 to 1");
+    EXPECT_REFUSED(retime(arm, still, {.speed_scale = share}), "from 1e-06 to 1");
   }
   for (const double speed : {0.0, -1.0, 1e-10, 1e-300, std::nan("")}) {
     EXPECT_REFUSED(retime(arm, still, {.tool_speed = speed}), "1e-09 m/s at least");

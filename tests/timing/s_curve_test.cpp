@@ -76,18 +76,15 @@ TEST(SCurve, HasTheTextbooksDurations) {
 
 TEST(SCurve, DurationsAreTheOptimumFoundBySearchAtAnyMagnitude) {
   testing::Random random;
-  double worst = 0;
   for (int i = 0; i < 20000; ++i) {
     const double d = log_uniform(random, 1e-12, 1e6);
     const Limits limits = random_limits(random, 1e-3, 1e6);
     const SCurve curve = s_curve(d, limits);
     const auto expected = static_cast<double>(searched_duration(d, limits));
-    worst = std::max(worst, std::abs(curve.duration / expected - 1));
     ASSERT_NEAR(curve.duration / expected, 1, 1e-13) << text(d, limits);
     const double sum = 4 * curve.jerk_time + 2 * curve.acceleration_time + curve.cruise_time;
     ASSERT_NEAR(sum / curve.duration, 1, 1e-14);
   }
-  std::cout << "largest relative difference of durations " << worst << '\n';
 }
 
 /// Limits kept at every sample and between them, and each state the last one carried on.
@@ -261,7 +258,7 @@ TEST(SCurve, IsFiniteForTheSmallestAndLargestNumbers) {
       }
     }
   }
-  EXPECT_REFUSED(s_curve(1e300, {.velocity = 1e-300}), "never end");
+  EXPECT_REFUSED(s_curve(1e300, {.velocity = 1e-300}), "longer than a double");
 }
 
 TEST(SCurve, RefusesWhatIsNoMotion) {
@@ -275,7 +272,7 @@ TEST(SCurve, RefusesWhatIsNoMotion) {
   EXPECT_REFUSED(stretched(curve, 0.5), "stretched");
   EXPECT_REFUSED(stretched(curve, NAN), "stretched");
   EXPECT_REFUSED(stretched(curve, none), "stretched");
-  EXPECT_REFUSED(at(curve, NAN), "no number");
+  EXPECT_REFUSED(at(curve, NAN), "NaN");
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TEST(Difference, RefusesWhatDoesNotFit) {
   const Trajectory still = at_rest(ur5, Configuration::Zero(6));
   EXPECT_REFUSED(difference(built_in("panda"), still, still), "panda");
   EXPECT_REFUSED(difference(ur5, still, Trajectory{ur5.joint_names(), {}, {}, {}, {}}),
-                 "the second recording has no samples");
+                 "the second trajectory has no samples");
 }
 
 }  // namespace

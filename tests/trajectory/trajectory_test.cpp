@@ -80,7 +80,7 @@ TEST(Sample, IsLinearBetweenSamplesAndStillOutside) {
     ASSERT_EQ(sample(trajectory, -INFINITY), q.front());
     ASSERT_EQ(sample(trajectory, INFINITY), q.back());
   }
-  EXPECT_REFUSED(sample(at_rest(arm, Configuration::Zero(6)), NAN), "no number");
+  EXPECT_REFUSED(sample(at_rest(arm, Configuration::Zero(6)), NAN), "NaN");
   EXPECT_REFUSED(sample({}, 0), "no samples");
 }
 

@@ -23,9 +23,10 @@ bool rotating_rows(const Task& task) {
 bool whole_rotations(const Arm& arm, const Line& line, const LineExtent& extent, const Task& task,
                      const ConfigurationRef& q) {
   if (task.orientations() % 3 == 0) return true;
-  return arm.planar() && turns_within_rows(task, Vector3::UnitZ()) &&
-         turns_within_rows(task, extent.turn) &&
-         turns_within_rows(task, pose_difference(forward_kinematics(arm, q), line.from).tail<3>());
+  return arm.planar() && rotates_within_rows(task, Vector3::UnitZ()) &&
+         rotates_within_rows(task, extent.rotation) &&
+         rotates_within_rows(task,
+                             pose_difference(forward_kinematics(arm, q), line.from).tail<3>());
 }
 
 /// A step of the arm along a line, and what its bounds are made of.
@@ -50,7 +51,7 @@ struct LineStep {
 /// By how much of its length the projection of the tool on the line lies beyond the line's ends.
 double beyond_ends(const Line& line, const LineExtent& extent, const Pose& pose, const Task& task) {
   const Vector3 moved = in_position_rows(task, pose, pose.translation() - line.from.translation());
-  const double s = moved.dot(extent.way) / extent.way.squaredNorm();
+  const double s = moved.dot(extent.translation) / extent.translation.squaredNorm();
   return std::max({0.0, -s, s - 1});
 }
 
@@ -65,7 +66,7 @@ void measure_ends(LineStep& step, const Line& line, const Task& task, const Pose
     step.full_angle = std::max(step.full_angle, pose_difference(nearest, pose).tail<3>().norm());
   }
   if (step.fixed_rows) return;
-  const double length = in_position_rows(task, at_a, step.extent.way).norm();
+  const double length = in_position_rows(task, at_a, step.extent.translation).norm();
   step.length = length - step.extent.length * step.chord.rotation;
 }
 
@@ -78,7 +79,7 @@ LineStep line_step(const Arm& arm, const Line& line, const Task& task, const Con
   const Pose at_a = forward_kinematics(arm, q_a), at_b = forward_kinematics(arm, q_b);
   step.step = in_position_rows(task, at_a, at_b.translation() - at_a.translation());
   step.curvature = in_position_rows(task, at_a, step.chord.curvature_term);
-  if (step.extent.told_by_way()) {
+  if (step.extent.by_position()) {
     const double moved = step.step.norm();
     step.inside_line =
         step.fixed_rows && moved > LineExtent::nothing &&
@@ -112,9 +113,10 @@ double orientation_at_nearest(const LineStep& step) {
   const LineExtent& extent = step.extent;
   const ChordBound& chord = step.chord;
   const double square = extent.length * extent.length;
-  const double acceleration = 8 * chord.curvature_term.dot(extent.way) / square;  // s''
+  const double acceleration = 8 * chord.curvature_term.dot(extent.translation) / square;  // s''
   const double angular_acceleration =
-      (chord.angular_acceleration - acceleration * extent.turn).norm() + chord.angular_remainder +
+      (chord.angular_acceleration - acceleration * extent.rotation).norm() +
+      chord.angular_remainder +
       extent.angle * (8 * chord.remainder / extent.length +
                       std::abs(acceleration) * (chord.rotation + step.ends.orientation));
   return orientation_gap(angular_acceleration, chord.rotation);
@@ -150,7 +152,7 @@ double orientation_bound(const LineStep& step, const Task& task, const Deviation
   const double line_rotation = step.extent.angle * step.change;
   const double linear = ends + pi / 4 * (step.chord.rotation + line_rotation);
   if (task.orientations() != 2) return std::min(linear, pi);
-  if (!step.fixed_rows && step.extent.told_by_way()) return std::min(linear, pi);
+  if (!step.fixed_rows && step.extent.by_position()) return std::min(linear, pi);
   return std::min(linear,
                   pi / 2 * step.extent.angle * beyond + bound_with_free_row(step, line_rotation));
 }
@@ -158,7 +160,7 @@ double orientation_bound(const LineStep& step, const Task& task, const Deviation
 }  // namespace
 
 bool bound_is_linear(const Arm& arm, const Task& task) {
-  const bool planar = arm.planar() && turns_within_rows(task, Vector3::UnitZ());
+  const bool planar = arm.planar() && rotates_within_rows(task, Vector3::UnitZ());
   return rotating_rows(task) || (task.orientations() == 1 && !planar);
 }
 
@@ -169,12 +171,12 @@ Deviation line_step_bound(const Arm& arm, const Line& line, const Task& task,
   step.ends = {std::max(a.position, b.position), std::max(a.orientation, b.orientation)};
   Deviation bound{position_bound(step, task), orientation_bound(step, task, a, b)};
   // From s' to the nearest point: the line's change of pose over the difference of parameters.
-  if (step.extent.told_by_way() && !(step.whole_rotation && step.inside_line)) {
+  if (step.extent.by_position() && !(step.whole_rotation && step.inside_line)) {
     const double shift =
         step.fixed_rows ? step.ends.position + step.chord.position : 2 * bound.position;
     const double change = shift < step.length ? shift / step.length : 1;
     bound.orientation += (step.whole_rotation ? 1 : pi / 2) * step.extent.angle * change;
-  } else if (step.extent.told_by_turn() && task.positions() > 0) {
+  } else if (step.extent.by_rotation() && task.positions() > 0) {
     const double change =
         step.whole_rotation ? std::min(1.0, 2 * bound.orientation / step.extent.angle) : 1;
     bound.position += step.extent.length * change;

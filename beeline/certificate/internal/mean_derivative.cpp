@@ -4,6 +4,7 @@
 
 #include <beeline/certificate/internal/mean_derivative.h>
 #include <beeline/error.h>
+#include <beeline/trajectory/limit_usage.h>
 
 namespace beeline::internal {
 
@@ -38,13 +39,13 @@ double slowdown_for_limits(const Arm& arm, const Trajectory& trajectory, bool ke
   double factor = 1;
   for (int i = 0; i < arm.dof(); ++i) {
     const Limits& limits = arm.limits(i);
-    const double velocity = held_velocity(limits);
+    const double velocity = velocity_limit_of(limits);
     for (std::size_t k = 0; k < trajectory.size(); ++k) {
       const auto usage = [&](int order, double limit) {
         return mean_derivative(trajectory, k, i, order) / limit;
       };
-      factor = std::max({factor, usage(1, velocity), std::sqrt(usage(2, limits.acceleration)),
-                         keep_jerk ? std::cbrt(usage(3, limits.jerk)) : 0});
+      factor = std::max(factor, slowdown(usage(1, velocity), usage(2, limits.acceleration),
+                                         keep_jerk ? usage(3, limits.jerk) : 0));
     }
   }
   return factor;

@@ -11,7 +11,7 @@ namespace beeline::internal {
 double mean_derivative(const Trajectory& trajectory, std::size_t k, int coordinate, int order);
 
 /// The least factor >= 1 by which a motion has to last longer so that its mean_derivative() keeps
-/// the arm's limits of velocity (held_velocity()), acceleration and, where `keep_jerk`, jerk.
+/// the arm's limits of velocity (velocity_limit_of()), acceleration and, where `keep_jerk`, jerk.
 /// Throws Error when the trajectory does not fit the arm.
 double slowdown_for_limits(const Arm& arm, const Trajectory& trajectory, bool keep_jerk);
 

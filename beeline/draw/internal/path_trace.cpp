@@ -13,7 +13,7 @@ namespace {
 
 /// Projects a vector on the position rows of the task, for a tool at `pose`; in the world's axes.
 Vector3 in_rows(const Task& task, const Pose& pose, const Vector3& v) {
-  const Vector3 kept = in_position_rows(task, pose, v);
+  const Vector3 kept = internal::in_position_rows(task, pose, v);
   const bool in_tool_axes = task.frame == Frame::tool && task.positions() < 3;
   return in_tool_axes ? Vector3(pose.linear() * kept) : kept;
 }
@@ -28,7 +28,7 @@ PathTrace::Point measure(const Arm& arm, const Configuration& q, double s, std::
                          const Interval& interval, const Task& task) {
   const Pose pose = forward_kinematics(arm, q);
   if (const auto* line = std::get_if<Line>(&interval.segment))
-    s = nearest_fraction(*line, pose, task);
+    s = internal::nearest_fraction(*line, pose, task);
   const Pose wanted = pose_at(interval.segment, s);
   return {step, interval.begin + s * interval.length, task_deviation(task, wanted, pose),
           pose.translation(), in_rows(task, pose, pose.translation() - wanted.translation())};

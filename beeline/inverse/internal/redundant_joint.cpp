@@ -5,11 +5,10 @@
 #include <numbers>
 
 #include <beeline/inverse/internal/redundant_joint.h>
+#include <beeline/math/minimise.h>
 
 namespace beeline::internal {
 namespace {
-
-constexpr double golden = 0.6180339887498949;
 
 void insert(const ClosedForm& form, const LockedBranch& branch, int lane, LeastOutside& outside) {
   constexpr int room = 8;
@@ -150,21 +149,9 @@ LockedBranch best_within(const ClosedForm& form, const Pose& goal, const LockedR
   const double step = (range.upper - range.lower) / (grid - 1);
   constexpr std::size_t places = 3;
   for (std::size_t i = 0; i < std::min(places, ranked.size()); ++i) {
-    double a = std::max(range.lower, ranked[i].second - step);
-    double b = std::min(range.upper, ranked[i].second + step);
-    double x = b - golden * (b - a), y = a + golden * (b - a);
-    double at_x = cost_at(x), at_y = cost_at(y);
-    for (int round = 0; round < 40; ++round) {
-      if (at_x < at_y) {
-        b = y, y = x, at_y = at_x;
-        x = b - golden * (b - a);
-        at_x = cost_at(x);
-      } else {
-        a = x, x = y, at_x = at_y;
-        y = a + golden * (b - a);
-        at_y = cost_at(y);
-      }
-    }
+    const double a = std::max(range.lower, ranked[i].second - step);
+    const double b = std::min(range.upper, ranked[i].second + step);
+    internal::golden_section(a, b, 40, cost_at);  // cost_at() keeps the best
   }
   return best;
 }

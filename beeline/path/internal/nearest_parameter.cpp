@@ -1,39 +1,60 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/math/minimise.h>
 #include <beeline/path/internal/nearest_on_line.h>
 #include <beeline/path/internal/nearest_parameter.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
-constexpr double stride = 1.0 / 32;  // of a segment
-constexpr double farthest = 2;       // segments that a tool may pass between two samples
+constexpr double stride = 1.0 / 32;  // of a segment: see the header
+constexpr double farthest = 2;       // segments that the tool may pass between two samples
+
+/// Convergence is quadratic for a pose on the path, linear far from it, where the last digits of s
+/// do not matter.
 constexpr int max_newton_steps = 30;
 
-/// The rows that matter, turns in metres.
+/// The components that the task constrains, rotations in metres.
 Twist weighted(const Task& task, Twist twist) {
   twist = masked(task, twist);
   twist.tail<3>() *= metres_per_radian;
   return twist;
 }
 
-double distance(const ToolPath& path, const Task& task, const Pose& pose, double place) {
-  const Deviation off = task_deviation(task, pose_at(path, place), pose);
-  return std::hypot(off.position, metres_per_radian * off.orientation);
+double distance(const ToolPath& path, const Task& task, const Pose& pose, double s) {
+  const Deviation deviation = task_deviation(task, pose_at(path, s), pose);
+  return std::hypot(deviation.position, metres_per_radian * deviation.orientation);
+}
+
+/// Minimises the distance over s in [low, high] from `s`, by Gauss-Newton on its square.
+double refined(const ToolPath& path, const Task& task, const Pose& pose, double s, double low,
+               double high, std::size_t last) {
+  for (int i = 0; i < max_newton_steps; ++i) {
+    const std::size_t k = std::min(static_cast<std::size_t>(s), last);  // where two meet, the next
+    const SegmentMotion motion = motion_at(path.segments[k], s - static_cast<double>(k));
+    const Twist rate = weighted(task, motion.velocity);
+    const Twist error = weighted(task, pose_difference(pose, motion.pose));
+    const double square = rate.squaredNorm();
+    if (!(square > 0)) break;
+    const double before = s;
+    s = std::clamp(s + error.dot(rate) / square, low, high);
+    if (std::abs(s - before) <= 1e-15 * std::max(1.0, s)) break;
+  }
+  return s;
 }
 
 }  // namespace
 
 double nearest_parameter(const ToolPath& path, const Task& task, const Pose& pose, double from,
                          double to) {
-  const std::size_t on = segment_at(path, to);
-  const auto begin = static_cast<double>(on);
-  const auto* line = std::get_if<Line>(&path.segments[on]);
+  const std::size_t last = segment_at(path, to);
+  const auto begin = static_cast<double>(last);
+  const auto* line = std::get_if<Line>(&path.segments[last]);
   if (line != nullptr && from >= begin) {
     return std::clamp(begin + nearest_fraction(*line, pose, task), from, to);
   }
-  double place = from, low = from, high = to, least = distance(path, task, pose, from);
+  double scanned = from, low = from, high = to, least = distance(path, task, pose, from);
   for (double next = from; next < to;) {
     next = std::min(next + stride, to);
     const double there = distance(path, task, pose, next);
@@ -41,55 +62,34 @@ double nearest_parameter(const ToolPath& path, const Task& task, const Pose& pos
       high = next;
       break;
     }
-    low = place, place = next, least = there;
+    low = scanned;
+    scanned = next;
+    least = there;
   }
-  const double scanned = place;
-  for (int i = 0; i < max_newton_steps; ++i) {                            // Gauss and Newton's
-    const std::size_t k = std::min(static_cast<std::size_t>(place), on);  // of two the one ahead
-    const SegmentMotion motion = motion_at(path.segments[k], place - static_cast<double>(k));
-    const Twist rate = weighted(task, motion.velocity);
-    const Twist left = weighted(task, pose_difference(pose, motion.pose));
-    const double square = rate.squaredNorm();
-    if (!(square > 0)) break;
-    const double before = place;
-    place = std::clamp(place + left.dot(rate) / square, low, high);
-    if (std::abs(place - before) <= 1e-15 * std::max(1.0, place)) break;
-  }
-  return distance(path, task, pose, place) <= least ? place : scanned;
+  const double s = refined(path, task, pose, scanned, low, high, last);
+  return distance(path, task, pose, s) <= least ? s : scanned;
 }
 
 double fitting_parameter(const ToolPath& path, const Task& task, const Pose& pose, double from,
                          double to, const Deviation& tolerance) {
-  constexpr int looks = 16, thirds = 40;
-  const auto share = [&](double place) {
-    const Deviation off = task_deviation(task, pose_at(path, place), pose);
-    return std::max(off.position / tolerance.position, off.orientation / tolerance.orientation);
-  };
-  const auto fitted = [&](double nearest) {
-    double low = std::max(from, nearest - stride), high = std::min(to, nearest + stride);
-    double best = nearest;
-    const double step = (high - low) / looks;
-    for (int i = 0; i <= looks; ++i) {
-      if (share(low + i * step) < share(best)) best = low + i * step;
-    }
-    low = std::max(low, best - step), high = std::min(high, best + step);
-    for (int i = 0; i < thirds; ++i) {
-      const double third = (high - low) / 3;
-      const bool falls = share(low + third) > share(high - third);
-      (falls ? low : high) += falls ? third : -third;
-    }
-    return (low + high) / 2;
+  const auto excess = [&](double s) {
+    const Deviation deviation = task_deviation(task, pose_at(path, s), pose);
+    return std::max(deviation.position / tolerance.position,
+                    deviation.orientation / tolerance.orientation);
   };
   const double nearest = nearest_parameter(path, task, pose, from, to);
-  if (share(nearest) <= 1) return nearest;
-  const double place = fitted(nearest);
-  if (share(place) <= 1) return place;
+  if (excess(nearest) <= 1) return nearest;
+  constexpr int intervals = 16, sections = 36;  // to 1e-9 of a segment
+  const Minimum fitted =
+      scan_and_refine(std::max(from, nearest - stride), std::min(to, nearest + stride), intervals,
+                      sections, excess);
+  if (fitted.value <= 1) return fitted.x;
   for (double begin = nearest + stride; begin < std::min(to, from + farthest); begin += stride) {
     const double next = nearest_parameter(path, task, pose, begin, to);
-    if (share(next) <= 1) return next;
+    if (excess(next) <= 1) return next;
     begin = std::max(begin, next);
   }
   return nearest;
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -2,9 +2,9 @@
 
 #include <beeline/path/tool_path.h>
 
-namespace beeline {
+namespace beeline::internal {
 
-/// path_through()'s spline, of poses that are checked.
+/// The spline of path_through(), through poses that are checked.
 ToolPath spline_through(std::span<const Pose> poses, const SplineEnds& ends);
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -5,7 +5,7 @@
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/inverse/numerical/representative.h>
-#include <beeline/path/joint_spline.h>
+#include <beeline/path/joint_path.h>
 #include <beeline/planning/internal/layered_graph.h>
 #include <beeline/planning/internal/null_space.h>
 #include <beeline/trajectory/trajectory.h>
@@ -81,7 +81,7 @@ struct Costs {
 
   explicit Costs(const Arm& arm) : pace(arm.dof()), bounds(bounds_of(arm)) {
     for (int k = 0; k < arm.dof(); ++k) {
-      pace[k] = std::min(1 / held_velocity(arm.limits(k)), max_pace);
+      pace[k] = std::min(1 / velocity_limit_of(arm.limits(k)), max_pace);
     }
   }
   double node(const Configuration& q) const {

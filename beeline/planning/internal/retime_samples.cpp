@@ -25,14 +25,6 @@ Trajectory only_samples(const Trajectory& timed, std::span<const Configuration> 
   return kept;
 }
 
-/// Makes a motion last longer by a factor, if that is above 1.
-void slow_down(Trajectory& motion, double factor) {
-  if (!(factor > 1)) return;
-  for (double& t : motion.times) t *= factor;
-  for (Configuration& v : motion.velocities) v /= factor;
-  for (Configuration& a : motion.accelerations) a /= factor * factor;
-}
-
 /// Bounds the speed of the tool's origin, the joints moving linearly between samples: metres per
 /// second. Over a step the velocity differs from its mean by at most half of max |p''|, which is 4
 /// times ChordBound::position.
@@ -75,19 +67,19 @@ std::string append_retimed(Trajectory& trajectory, const Arm& arm,
   Trajectory untimed{arm.joint_names(), {}, {samples.begin(), samples.end()}, {}, {}};
   for (std::size_t k = 0; k < samples.size(); ++k) untimed.times.push_back(static_cast<double>(k));
   RetimeOptions retiming = options;
-  retiming.fewest_steps = 0;  // path_deviation() refuses a motion with too few samples
+  retiming.min_steps = 0;  // path_deviation() refuses a motion with too few samples
   const bool speed_limited = std::isfinite(options.tool_speed);
   Trajectory motion;
   for (int left = max_attempts; left > 0; --left) {
     const Retimed timed = retime(arm, untimed, retiming);
     if (!timed.found()) return timed.reason;
     motion = options.rate > 0 ? timed.trajectory : only_samples(timed.trajectory, samples);
-    if (options.rate > 0 && move) move(motion, timed.ways);
+    if (options.rate > 0 && move) move(motion, timed.arc_lengths);
     const double factor =
         std::max(speed_limited ? largest_tool_speed(arm, motion) / options.tool_speed : 1,
                  slowdown_for_limits(arm, motion, keeps_jerk(timed.profile)));
     if (options.rate > 0 && factor > 1 && left > 1) {  // stretching would change the rate
-      retiming.speed_limit /= factor * (1 + excess);
+      retiming.speed_scale /= factor * (1 + excess);
       if (speed_limited) retiming.tool_speed /= factor * (1 + excess);
       continue;
     }

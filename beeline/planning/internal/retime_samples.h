@@ -8,7 +8,7 @@
 
 namespace beeline::internal {
 
-/// Moves samples at equal times to where they belong; it is given Retimed::ways.
+/// Moves samples at equal times to where they belong; it is given Retimed::arc_lengths.
 using MoveSamples = std::function<void(Trajectory&, std::span<const double>)>;
 
 /// Retimes samples from rest to rest, as retime() does along the spline through them, and appends

@@ -3,7 +3,7 @@
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/nearest_parameter.h>
-#include <beeline/path/joint_spline.h>
+#include <beeline/path/joint_path.h>
 #include <beeline/planning/internal/retime_samples.h>
 #include <beeline/planning/internal/timed_plan.h>
 

@@ -3,22 +3,23 @@
 #include <beeline/timing/internal/minimise_duration.h>
 #include <beeline/timing/internal/newton_equations.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
-// Gaps, what is left of a limit times its multiplier, are told as parts of the duration that one
-// step of the clock takes.
+// The gap of a limit is its slack times its multiplier, in units of the duration of one step of the
+// spline.
 constexpr double first_gap = 1;
-constexpr double last_gap = 1e-4;
-constexpr double longest = 0.95;  // of the way to the first bound, that one goes
-constexpr int max_steps = 50;
+constexpr double last_gap = 1e-4;       // smaller changes the duration by less than the knots do
+constexpr double step_fraction = 0.95;  // of the step to the first bound (fraction to the boundary)
+constexpr int max_steps = 50;           // a bound; the gap usually ends the iteration
+constexpr int max_backtracks = 20;      // of factor 0.7: to 1e-3 of the step
 
-/// By what factor the gap is to shrink next, after a part of a step: after a short one the
-/// coefficients have to come up with the multipliers first.
-double shrinking(double part) { return part > 0.9 ? 0.2 : part > 0.5 ? 0.6 : 1; }
+/// The factor for the next gap, after a step of this fraction of a Newton step: after a short one
+/// the coefficients have to catch up with the multipliers first.
+double gap_reduction(double fraction) { return fraction > 0.9 ? 0.2 : fraction > 0.5 ? 0.6 : 1; }
 
-/// Solves the equations for the first `size` coefficients, by the factors L D L^T of the Hessian,
-/// which they take the place of.
+/// Solves the equations for the first `size` coefficients by the LDL^T factorisation of the banded
+/// Hessian, which overwrites it.
 void solve(NewtonEquations& equations, std::size_t size, std::vector<double>& x) {
   auto& [gradient, bands] = equations;
   auto& [middle, first, second] = bands;
@@ -44,20 +45,20 @@ void solve(NewtonEquations& equations, std::size_t size, std::vector<double>& x)
   }
 }
 
-void add(std::vector<double>& to, double part, const std::vector<double>& step) {
-  for (std::size_t k = 0; k < to.size(); ++k) to[k] += part * step[k];
+void add(std::vector<double>& to, double fraction, const std::vector<double>& step) {
+  for (std::size_t k = 0; k < to.size(); ++k) to[k] += fraction * step[k];
 }
 
 }  // namespace
 
-void minimise_duration(SquaredRateSpline& clock, const DurationProblem& problem) {
-  const auto size = static_cast<std::size_t>(clock.coefficients.size());
+void minimise_duration(SquaredRateSpline& spline, const DurationProblem& problem) {
+  const auto size = static_cast<std::size_t>(spline.coefficients.size());
   std::vector<double> c(problem.coefficients(), 1), next(c), dc(c.size(), 0);
-  std::copy(clock.coefficients.begin(), clock.coefficients.end(), c.begin());
+  std::copy(spline.coefficients.begin(), spline.coefficients.end(), c.begin());
   std::vector<double> multipliers(problem.multipliers(), 1), change(multipliers.size());
-  const double unit = 1 / double(clock.steps()), count = double(multipliers.size());
+  const double unit = 1 / double(spline.steps()), count = double(multipliers.size());
   double gap = first_gap * unit;
-  // Multipliers that fit the gap.
+  // Multipliers with exactly this gap.
   multiplier_step(problem, c.data(), dc.data(), multipliers.data(), gap, change.data());
   add(multipliers, 1, change);
   NewtonEquations equations(problem);
@@ -66,22 +67,22 @@ void minimise_duration(SquaredRateSpline& clock, const DurationProblem& problem)
     solve(equations, size, dc);
     const MultiplierStep step =
         multiplier_step(problem, c.data(), dc.data(), multipliers.data(), gap, change.data());
-    double part = std::min(1.0, longest * step.coefficients);
-    const double part_of_multipliers = std::min(1.0, longest * step.multipliers);
-    add(multipliers, part_of_multipliers, change);
-    const double reached = step.products_after(part, part_of_multipliers) / count;
-    gap = reached * shrinking(std::min(part, part_of_multipliers));
-    // The limits bend: what is inside to first order may be outside.
-    for (int tries = 0; tries < 20; ++tries, part *= 0.7) {
+    double primal = std::min(1.0, step_fraction * step.coefficients);
+    const double dual = std::min(1.0, step_fraction * step.multipliers);
+    add(multipliers, dual, change);
+    const double reached = step.products_after(primal, dual) / count;
+    gap = reached * gap_reduction(std::min(primal, dual));
+    // The limits are not linear: coefficients inside to first order may be outside.
+    for (int tries = 0; tries < max_backtracks; ++tries, primal *= 0.7) {
       next = c;
-      add(next, part, dc);
+      add(next, primal, dc);
       inside = set_up(equations, problem, next.data(), multipliers.data(), gap);
       if (inside) break;
     }
     if (inside) std::swap(c, next);
-    if (reached < last_gap * unit && part > 0.5) break;
+    if (reached < last_gap * unit && primal > 0.5) break;
   }
-  std::copy_n(c.begin(), size, clock.coefficients.begin());
+  std::copy_n(c.begin(), size, spline.coefficients.begin());
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -2,12 +2,13 @@
 
 #include <beeline/timing/internal/duration_problem.h>
 
-namespace beeline {
+namespace beeline::internal {
 
-/// Makes the clock as fast as the problem allows, up to a thousandth or less, from coefficients
-/// that keep all limits with room to spare; where they do not, nothing changes. By a primal-dual
-/// interior-point method (Boyd and Vandenberghe, Convex Optimization, section 11.7; Nocedal and
-/// Wright, Numerical Optimization, section 19.3).
-void minimise_duration(SquaredRateSpline& clock, const DurationProblem& problem);
+/// Minimises the duration over the spline coefficients of the squared path speed, to a relative gap
+/// of 1e-3, from coefficients that satisfy all limits strictly; where they do not, nothing changes.
+/// A primal-dual interior-point method (Boyd and Vandenberghe, *Convex Optimization*, section 11.7;
+/// Nocedal and Wright, *Numerical Optimization*, section 19.3). The limits of jerk are not convex,
+/// so the result is a local optimum.
+void minimise_duration(SquaredRateSpline& spline, const DurationProblem& problem);
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -12,13 +12,16 @@ HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 namespace {
 
-/// A row by b, b' and b''.
+using internal::DurationProblem;
+using internal::MultiplierStep;
+
+/// Derivatives with respect to b, b' and b'' at eight times, or b, b' and b'' themselves.
 struct Row {
-  Lanes b, slope, bend;
+  Lanes b, db, ddb;
 };
 
 HWY_INLINE Lanes dot(const Row& row, const Row& x) {
-  return fma(row.bend, x.bend, fma(row.slope, x.slope, row.b * x.b));
+  return fma(row.ddb, x.ddb, fma(row.db, x.db, row.b * x.b));
 }
 
 HWY_INLINE Row rate_at(const double* rows, const double* c) {
@@ -31,7 +34,7 @@ HWY_INLINE Row rate_at(const double* rows, const double* c) {
   return {row(0), row(1), row(2)};
 }
 
-/// A joint's acceleration and jerk as shares of their limits, and how they change with b, b', b''.
+/// A joint's acceleration and jerk as fractions of their limits, and their gradients.
 struct Joint {
   Lanes acceleration, jerk;
   Row acceleration_by, jerk_by;
@@ -42,34 +45,34 @@ struct Joint {
                 j = Lanes::load(motion + 2 * lane_count);
     const Lanes per_acceleration(inverse_limits[0]), scale = root * Lanes(inverse_limits[1]);
     acceleration_by = {a * per_acceleration, v * per_acceleration, Lanes(0)};
-    acceleration = fma(acceleration_by.slope, rate.slope, acceleration_by.b * rate.b);
+    acceleration = fma(acceleration_by.db, rate.db, acceleration_by.b * rate.b);
     jerk_by = {scale * j, scale * (a * Lanes(1.5)), scale * v};
     jerk = dot(jerk_by, rate);
     jerk_by.b = fma(jerk, half_inverse, jerk_by.b);
   }
 };
 
-/// The gradient and the Hessian at eight moments by b, b' and b''.
+/// The gradient and the Hessian with respect to b, b' and b'', at eight times.
 struct Local {
   Row gradient;
   Lanes h00, h01, h02, h11, h12, h22;
 
-  HWY_INLINE Local() { h01 = h02 = h11 = h12 = h22 = gradient.slope = gradient.bend = Lanes(0); }
+  HWY_INLINE Local() { h01 = h02 = h11 = h12 = h22 = gradient.db = gradient.ddb = Lanes(0); }
 
   HWY_INLINE void add(Lanes force, Lanes weight, const Row& by) {
     gradient.b = fma(force, by.b, gradient.b);
-    gradient.slope = fma(force, by.slope, gradient.slope);
-    gradient.bend = fma(force, by.bend, gradient.bend);
-    const Lanes first = weight * by.b, second = weight * by.slope;
+    gradient.db = fma(force, by.db, gradient.db);
+    gradient.ddb = fma(force, by.ddb, gradient.ddb);
+    const Lanes first = weight * by.b, second = weight * by.db;
     h00 = fma(first, by.b, h00);
-    h01 = fma(first, by.slope, h01);
-    h02 = fma(first, by.bend, h02);
-    h11 = fma(second, by.slope, h11);
-    h12 = fma(second, by.bend, h12);
-    h22 = fma(weight * by.bend, by.bend, h22);
+    h01 = fma(first, by.db, h01);
+    h02 = fma(first, by.ddb, h02);
+    h11 = fma(second, by.db, h11);
+    h12 = fma(second, by.ddb, h12);
+    h22 = fma(weight * by.ddb, by.ddb, h22);
   }
 
-  /// |z| <= 1: what is left on both sides is `least` at least.
+  /// Adds the limit |z| <= 1; `least` becomes at most the product of its two slacks.
   HWY_INLINE void add_limit(Lanes z, const Row& by, const double* multipliers, Lanes gap,
                             Lanes& least) {
     const Lanes above = Lanes(1) - z, below = Lanes(1) + z;
@@ -143,7 +146,7 @@ double sum(Lanes x) {
   return sum;
 }
 
-/// MultiplierStep in lanes, with the inverses of its parts.
+/// MultiplierStep in lanes, with the inverses of its fractions.
 struct Step {
   Lanes coefficients, multipliers, products, by_coefficients, by_multipliers, by_both;
 
@@ -152,7 +155,8 @@ struct Step {
     by_coefficients = by_multipliers = by_both = Lanes(0);
   }
 
-  /// What is left of a limit, its change, its multiplier, and the inverse of their product.
+  /// Adds a limit: its slack, the change of the slack, its multiplier, and the inverse of the
+  /// product of slack and multiplier.
   HWY_INLINE void take(Lanes left, Lanes dleft, Lanes multiplier, Lanes inverse, Lanes gap,
                        double* change) {
     const Lanes next = fnma(multiplier, dleft, gap) * (inverse * multiplier) - multiplier;
@@ -165,7 +169,7 @@ struct Step {
     multipliers = max(multipliers, -next * (inverse * left));
   }
 
-  /// |z| <= 1, where z changes by dz: one division for both sides.
+  /// Adds the limit |z| <= 1, where z changes by dz: one division for both sides.
   HWY_INLINE void take_both(Lanes z, Lanes dz, const double* multipliers_here, Lanes gap,
                             double* change) {
     const Lanes above = Lanes(1) - z, below = Lanes(1) + z;
@@ -218,6 +222,8 @@ namespace beeline {
 HWY_EXPORT(equations);
 HWY_EXPORT(step);
 
+namespace internal {
+
 NewtonEquations::NewtonEquations(const DurationProblem& problem)
     : gradient(problem.coefficients()) {
   for (auto& band : bands) band.resize(gradient.size());
@@ -238,6 +244,7 @@ MultiplierStep multiplier_step(const DurationProblem& problem, const double* c, 
   return HWY_DYNAMIC_DISPATCH(step)(problem, c, dc, multipliers, gap, change);
 }
 
+}  // namespace internal
 }  // namespace beeline
 
 #endif

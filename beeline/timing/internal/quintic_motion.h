@@ -5,37 +5,39 @@
 #include <beeline/timing/s_curve.h>
 #include <beeline/timing/time_scaling.h>
 
-namespace beeline {
+namespace beeline::internal {
 
-/// A path that is gone by the quintic scaling within its limits, as a motion by its own time.
+/// The motion q(tau) along a path by the rest-to-rest quintic, slow enough to keep the limits.
 class QuinticMotion {
  public:
-  /// `quintic`: scalar_profile(ScalarForm::quintic, path, limits). Path and limits must live on.
+  /// `quintic` is scalar_profile(ScalarForm::quintic, path, limits). Keeps references to path and
+  /// limits.
   QuinticMotion(const JointPath& path, const PathLimits& limits, const TimeScaling& quintic);
 
   const JointPath& path() const { return path_; }
   const PathLimits& limits() const { return limits_; }
   double duration() const { return times_.back(); }
-  /// When the path's grid points are passed.
+  /// The times of the path's grid points.
   const std::vector<double>& times() const { return times_; }
 
-  /// s and its derivatives; exactly at rest at both ends.
-  JointState along(double t) const;
+  /// s(tau) and its derivatives; exactly at rest at both ends.
+  JointState along(double tau) const;
 
-  /// The joints at a time, until the next call; quick where times are near each other.
-  const MotionSample& at(double t);
+  /// The joints' motion at tau. The reference is valid until the next call. Fast where consecutive
+  /// times are near each other.
+  const MotionSample& at(double tau);
 
-  /// By how much the jerks jump at each grid point of the path, if it is passed as fast as the
-  /// middle is: the most of a joint, as a share of its limit.
-  std::vector<double> jumps() const;
+  /// The jump of d3q/ds3 at each grid point of the path, as the jump of jerk at the speed of the
+  /// middle of the motion: the largest over the joints, as a fraction of its limit.
+  std::vector<double> jerk_jumps() const;
 
  private:
   const JointPath& path_;
   const PathLimits& limits_;
-  PathRates rates_;
+  PathDerivatives derivatives_;
   std::vector<double> times_;
-  MotionSample moment_;
+  MotionSample sample_;
   std::size_t step_ = 0;  ///< of the path, at the last time
 };
 
-}  // namespace beeline
+}  // namespace beeline::internal

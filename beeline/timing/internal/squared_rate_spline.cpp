@@ -1,6 +1,6 @@
 #include <beeline/timing/internal/squared_rate_spline.h>
 
-namespace beeline {
+namespace beeline::internal {
 
 using Eigen::Matrix3d;
 
@@ -8,19 +8,19 @@ SquaredRateSpline::SquaredRateSpline(std::vector<double> knots)
     : coefficients(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(knots.size()) + 1)),
       knots_(std::move(knots)) {}
 
-Matrix3d SquaredRateSpline::rows(std::size_t step, double share) const {
-  const auto length =
-      [this](std::size_t k) {  // of step k - 1; none before the first, after the last
-        return k == 0 || k == knots_.size() ? 0 : knots_[k] - knots_[k - 1];
-      };
+Matrix3d SquaredRateSpline::rows(std::size_t step, double u) const {
+  const auto length = [this](std::size_t k) {  // of step k - 1; 0 outside
+    return k == 0 || k == knots_.size() ? 0 : knots_[k] - knots_[k - 1];
+  };
   const double before = length(step), here = length(step + 1), after = length(step + 2);
-  // At both knots of the step b is between two coefficients, and b' their difference.
+  // At the knots at both ends b is a weighted mean of two coefficients, and b' their difference
+  // quotient.
   Matrix3d rows = Matrix3d::Zero();
   rows.row(0) << here / (before + here), before / (before + here), 0;
   rows.row(1) << -2 / (before + here), 2 / (before + here), 0;
-  const Eigen::RowVector3d end_slope(0, -2 / (here + after), 2 / (here + after));
-  rows.row(2) = (end_slope - rows.row(1)) / here;
-  const double x = share * here;
+  const Eigen::RowVector3d end_db(0, -2 / (here + after), 2 / (here + after));
+  rows.row(2) = (end_db - rows.row(1)) / here;
+  const double x = u * here;
   rows.row(0) += x * rows.row(1) + 0.5 * x * x * rows.row(2);
   rows.row(1) += x * rows.row(2);
   return rows;
@@ -32,4 +32,4 @@ SquaredRate SquaredRateSpline::begin_of(std::size_t step) const {
   return {rate[0], rate[1], rate[2]};
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -3,20 +3,21 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace beeline {
+namespace beeline::internal {
 
-/// The square b of the rate at which a clock runs, and its derivatives by a motion's own time.
+/// The squared rate b = (dtau/dt)^2 of a time scaling t(tau), and its derivatives with respect to
+/// tau.
 struct SquaredRate {
-  double b = 1, slope = 0, bend = 0;
+  double b = 1, db = 0, ddb = 0;
 
-  /// That much later in the same step.
-  SquaredRate after(double t) const {
-    return {b + t * (slope + 0.5 * t * bend), slope + t * bend, bend};
+  /// The squared rate dtau later in the same step of the spline.
+  SquaredRate after(double dtau) const {
+    return {b + dtau * (db + 0.5 * dtau * ddb), db + dtau * ddb, ddb};
   }
 };
 
-/// b as a quadratic spline with `knots` in the motion's own time, one coefficient more than knots;
-/// knot k is between coefficients k and k + 1.
+/// b(tau) as a quadratic spline in B-spline form. It has one coefficient more than knots; knot k
+/// lies between the maxima of the B-splines of coefficients k and k + 1.
 class SquaredRateSpline {
  public:
   explicit SquaredRateSpline(std::vector<double> knots);
@@ -24,11 +25,12 @@ class SquaredRateSpline {
   std::size_t steps() const { return knots_.size() - 1; }
   const std::vector<double>& knots() const { return knots_; }
 
+  /// The squared rate at the begin of a step.
   SquaredRate begin_of(std::size_t step) const;
 
-  /// What the coefficients k, k + 1, k + 2 do to b, b' and b'' at the share of step k: a column for
-  /// each coefficient.
-  Eigen::Matrix3d rows(std::size_t step, double share) const;
+  /// The matrix that maps the coefficients step, step + 1, step + 2 to b, b' and b'' at the
+  /// fraction u of the step.
+  Eigen::Matrix3d rows(std::size_t step, double u) const;
 
   Eigen::VectorXd coefficients;
 
@@ -36,4 +38,4 @@ class SquaredRateSpline {
   std::vector<double> knots_;
 };
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -3,10 +3,11 @@
 
 #include <beeline/timing/internal/step_polygon.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
-constexpr double negligible = 1e-10;  // of a limit: what a term must exceed to bound anything
+constexpr double negligible =
+    1e-10;  // of a limit: smaller coefficients bound nothing within rounding
 
 }  // namespace
 
@@ -26,8 +27,8 @@ StepPolygon::Edge StepPolygon::edge(double y, double side) const {
   return lowest;
 }
 
-/// The y of `ends` at which the upper bound of side * x is largest, or the first met at which it is
-/// `enough`. The bound is concave: from both ends the edges close in on its summit.
+/// The y in `ends` at which the upper bound of side * x is largest, or the first found at which it
+/// is at least `enough`. The bound is concave: the edges at both ends enclose its maximum.
 double StepPolygon::summit(SquaredSpeeds ends, double side, double enough) const {
   Edge right = edge(ends.most, side);
   if (right.m <= 0 || right.at(ends.most) >= enough) return ends.most;
@@ -64,7 +65,7 @@ SquaredSpeeds StepPolygon::begins(SquaredSpeeds ends, double most) {
   const double* across = &strips_.across[first_];
   for (std::size_t i = 0; i < count_; ++i) {
     const double x = along[i] * most, y = across[i] * ends.most;
-    if (std::abs(x) <= 1 && std::abs(y) <= 1 && std::abs(x + y) <= 1) continue;  // never felt
+    if (std::abs(x) <= 1 && std::abs(y) <= 1 && std::abs(x + y) <= 1) continue;  // never active
     if (std::abs(x) > negligible) {
       p_[edges_] = 1 / std::abs(along[i]);
       m_[edges_++] = across[i] / along[i];
@@ -80,7 +81,7 @@ SquaredSpeeds StepPolygon::begins(SquaredSpeeds ends, double most) {
   }
   double y = summit(ends, 1, most);
   if (ends.least == 0) {
-    // Beyond the largest possible y the summit does not count; up to there the bound rises.
+    // If the maximum is beyond the largest possible y, the bound increases up to that y.
     const double possible = retreat(y);
     if (possible < y) y = std::max(possible, 0.0);
     return {0, std::min(most, std::max(edge(y, 1).at(y), 0.0))};
@@ -102,4 +103,4 @@ double StepPolygon::furthest_end(double x, SquaredSpeeds ends) const {
   return std::max(y, ends.least);
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -3,9 +3,9 @@
 #include <limits>
 #include <vector>
 
-namespace beeline {
+namespace beeline::internal {
 
-/// Squares of ds/dt.
+/// An interval of squared speeds (ds/dt)^2.
 struct SquaredSpeeds {
   double least = 0, most = 0;
   bool none() const { return !(least <= most); }
@@ -17,20 +17,21 @@ struct Strips {
 };
 
 /// The pairs (x, y) of squared speeds at the begin and the end of one step of a path's grid that
-/// keep some strips. With x, y >= 0 that is a convex polygon, which has the origin inside; what is
-/// asked of it are linear programs of two variables, answered by walking over its edges. It sees
-/// `count` strips from number `first` on; nothing allocates but the constructor.
+/// satisfy the constraints of the step. With x, y >= 0 they form a convex polygon with the origin
+/// inside. Each query is a linear program in two variables, solved by walking over the edges. The
+/// polygon uses `count` strips from number `first` on; only the constructor allocates.
 class StepPolygon {
  public:
   StepPolygon(const Strips& strips, std::size_t count)
       : strips_(strips), count_(count), p_(count), m_(count) {}
 
+  /// Uses the strips from number `first` on.
   void go_to(std::size_t first) { first_ = first; }
 
-  /// The x, up to `most`, from which some y of `ends` can be reached.
+  /// The interval of x, up to `most`, from which some y in `ends` can be reached.
   SquaredSpeeds begins(SquaredSpeeds ends, double most);
 
-  /// The largest y of `ends` to which x leads; rounding may have left none, then the nearest.
+  /// The largest y in `ends` that can be reached from x; if rounding has left none, the nearest.
   double furthest_end(double x, SquaredSpeeds ends) const;
 
  private:
@@ -44,7 +45,7 @@ class StepPolygon {
 
   const Strips& strips_;
   std::size_t first_ = 0, count_ = 0, edges_ = 0;
-  std::vector<double> p_, m_;  ///< edges x <= p - m y and, mirrored in the origin, x >= -p - m y
+  std::vector<double> p_, m_;  ///< edges x <= p - m y and, by symmetry, x >= -p - m y
 };
 
-}  // namespace beeline
+}  // namespace beeline::internal

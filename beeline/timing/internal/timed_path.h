@@ -4,20 +4,24 @@
 #include <beeline/timing/time_scaling.h>
 #include <beeline/trajectory/trajectory.h>
 
-namespace beeline {
+namespace beeline::internal {
 
-/// A path with the scaling along it: a motion. The scaling's points include the path's grid points.
+/// A path with its time scaling. The points of the scaling include the grid points of the path.
 struct TimedPath {
   JointPath path;
   TimeScaling scaling;
 };
 
-/// Appends the motion, which begins at the trajectory's end if that has samples: every point of the
+/// Slows the scaling down by the factor k.
+void slow_down(TimeScaling& scaling, double k);
+
+/// Appends the motion to the trajectory, from its end if it has samples: every point of the
 /// scaling, and more where `gap` seconds would pass between two.
 void append_points(Trajectory& trajectory, const TimedPath& motion, double gap);
 
-/// The motions one after the other at `rate` samples a second, and the end of the last one; `ways`
-/// gets the path's parameter at each sample, counted on from motion to motion.
-Trajectory at_rate(const std::vector<TimedPath>& motions, double rate, std::vector<double>& ways);
+/// Samples the motions, one after the other, `rate` times a second and at the end of the last.
+/// `arc_lengths` receives the path parameter of each sample, summed from motion to motion.
+Trajectory at_rate(const std::vector<TimedPath>& motions, double rate,
+                   std::vector<double>& arc_lengths);
 
-}  // namespace beeline
+}  // namespace beeline::internal

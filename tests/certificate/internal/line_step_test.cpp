@@ -54,7 +54,7 @@ void expect_step_bound(testing::Random& random, const Arm& arm, const Task& task
   for (double& value : q_b) value += random.uniform(-size, size);
   const Line line = random_line(random, forward_kinematics(arm, q_a), forward_kinematics(arm, q_b));
   const auto measured = [&](double t) {
-    return deviation_from(line, forward_kinematics(arm, q_a + t * (q_b - q_a)), task);
+    return internal::deviation_from(line, forward_kinematics(arm, q_a + t * (q_b - q_a)), task);
   };
   const Deviation bound = line_step_bound(arm, line, task, q_a, q_b, measured(0), measured(1));
   for (int i = 0; i <= 20; ++i) {
@@ -114,7 +114,7 @@ TEST(DeviationFrom, IsNothingOnTheLine) {
     const Line line = random_line(random, a, b);
     const double s = random.uniform(0, 1);
     const Task task = task_named(tasks[i % tasks.size()]);
-    const Deviation on = deviation_from(line, interpolate(line.from, line.to, s), task);
+    const Deviation on = internal::deviation_from(line, interpolate(line.from, line.to, s), task);
     ASSERT_LT(on.position, 1e-9) << name(task);
     ASSERT_LT(on.orientation, 1e-9) << name(task);
   }
@@ -123,7 +123,7 @@ TEST(DeviationFrom, IsNothingOnTheLine) {
 TEST(DeviationFrom, IsTheDistanceToTheSegment) {
   const Line line{make_pose({1, 0, 0}), make_pose({3, 0, 0})};
   const auto position = [&](const Vector3& p) {
-    return deviation_from(line, make_pose(p), Task::spatial()).position;
+    return internal::deviation_from(line, make_pose(p), Task::spatial()).position;
   };
   EXPECT_NEAR(position({2, 0.5, 0}), 0.5, 1e-15);
   EXPECT_NEAR(position({2, 3, 4}), 5, 1e-15);
@@ -135,17 +135,17 @@ TEST(DeviationFrom, ComparesTheOrientationAtTheNearestPoint) {
   const Line line{make_pose({0, 0, 0}), make_pose({2, 0, 0}, so3_exp({0, 0, 1}))};
   for (const double s : {0.0, 0.25, 0.7, 1.0}) {
     const Pose pose = make_pose({2 * s, 1, 0}, so3_exp({0, 0, s + 0.1}));
-    EXPECT_NEAR(deviation_from(line, pose, Task::spatial()).orientation, 0.1, 1e-14);
+    EXPECT_NEAR(internal::deviation_from(line, pose, Task::spatial()).orientation, 0.1, 1e-14);
   }
 }
 
 TEST(DeviationFrom, CountsOnlyTheRowsOfTheTask) {
   const Line line{make_pose({0, 0, 0}), make_pose({1, 0, 0})};
   const Pose pose = make_pose({0.5, 3, 4}, so3_exp({0.1, 0, 0.2}));
-  EXPECT_NEAR(deviation_from(line, pose, task_named("110001")).position, 3, 1e-15);
-  EXPECT_NEAR(deviation_from(line, pose, task_named("110001")).orientation, 0.2, 1e-12);
-  EXPECT_NEAR(deviation_from(line, pose, Task::position()).orientation, 0, 0);
-  EXPECT_NEAR(deviation_from(line, pose, task_named("000111")).position, 0, 0);
+  EXPECT_NEAR(internal::deviation_from(line, pose, task_named("110001")).position, 3, 1e-15);
+  EXPECT_NEAR(internal::deviation_from(line, pose, task_named("110001")).orientation, 0.2, 1e-12);
+  EXPECT_NEAR(internal::deviation_from(line, pose, Task::position()).orientation, 0, 0);
+  EXPECT_NEAR(internal::deviation_from(line, pose, task_named("000111")).position, 0, 0);
 }
 
 // A turn in place is told by the turn, also by half a turn, where its two directions meet.
@@ -163,11 +163,11 @@ TEST(DeviationFrom, IsTheAngleToTheArcWhereTheLineOnlyTurns) {
     const double s = random.uniform(0, 1), off = random.uniform(0, 0.2);
     const Pose at = interpolate(line.from, line.to, s);
     const Pose beside = moved_by(at, Vector3::Zero(), off * (so3_exp(s * turn) * across));
-    const double seen = deviation_from(line, beside, Task::spatial()).orientation;
+    const double seen = internal::deviation_from(line, beside, Task::spatial()).orientation;
     ASSERT_LE(seen, off + 1e-9);
     ASSERT_GE(seen, off * 0.6) << "a swing away leads off the arc";
     const Pose beyond = moved_by(line.to, Vector3::Zero(), 0.1 * turn.normalized());
-    ASSERT_NEAR(deviation_from(line, beyond, Task::spatial()).orientation, 0.1, 1e-7);
+    ASSERT_NEAR(internal::deviation_from(line, beyond, Task::spatial()).orientation, 0.1, 1e-7);
   }
 }
 
@@ -183,7 +183,7 @@ TEST(DeviationFrom, IsTheLeastOverTheArc) {
       const Pose at = interpolate(line.from, line.to, k / 1000.0);
       least = std::min(least, task_deviation(task, at, pose).orientation);
     }
-    ASSERT_NEAR(deviation_from(line, pose, task).orientation, least, 2e-3) << name(task);
+    ASSERT_NEAR(internal::deviation_from(line, pose, task).orientation, least, 2e-3) << name(task);
   }
 }
 

@@ -4,15 +4,15 @@
 
 #include <tests/path/random_joint_path.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
-TEST(PathRates, AreTheDerivativesOfThePath) {
+TEST(PathDerivatives, AreTheDerivativesOfThePath) {
   testing::Random random;
   for (int i = 0; i < 200; ++i) {
     const int joints = random.integer(1, 9);
     const JointPath path = testing::random_path(random, joints, random.integer(2, 6));
-    const PathRates rates(path);
+    const PathDerivatives rates(path);
     ASSERT_EQ(rates.joints(), std::size_t(joints));
     ASSERT_EQ(rates.steps(), path.size() - 1);
     const auto step = std::size_t(random.integer(0, int(path.size()) - 2));
@@ -27,4 +27,4 @@ TEST(PathRates, AreTheDerivativesOfThePath) {
 }
 
 }  // namespace
-}  // namespace beeline
+}  // namespace beeline::internal

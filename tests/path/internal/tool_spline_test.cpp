@@ -6,7 +6,7 @@
 #include <tests/path/random_segment.h>
 #include <tests/refusal.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 using testing::Random;
@@ -180,7 +180,6 @@ TEST(PathThrough, SplinesComeToTheMotionThatThePosesAreOf) {
   Deviation before = off_waving(16);
   for (const int steps : {32, 64, 128}) {
     const Deviation now = off_waving(steps);
-    std::cout << steps << ": " << now.position << " m, " << now.orientation << " rad\n";
     EXPECT_LT(now.position, before.position / 8);
     EXPECT_LT(now.orientation, before.orientation / 7);
     before = now;
@@ -209,4 +208,4 @@ TEST(PathThrough, RefusesWhatMakesNoPath) {
 }
 
 }  // namespace
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -1,12 +1,13 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <beeline/timing/fastest.h>
-#include <beeline/timing/scalar_profile.h>
+#include <beeline/timing/internal/fastest.h>
+#include <beeline/timing/internal/scalar_profile.h>
+#include <beeline/timing/s_curve.h>
 
 #include <tests/path/random_joint_path.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 PathLimits with_jerk(testing::Random& random, PathLimits limits) {
@@ -102,4 +103,4 @@ TEST(ScalarProfile, IsNeverQuickerThanTheFastest) {
 }
 
 }  // namespace
-}  // namespace beeline
+}  // namespace beeline::internal

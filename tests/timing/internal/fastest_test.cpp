@@ -2,12 +2,12 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <beeline/timing/fastest.h>
+#include <beeline/timing/internal/fastest.h>
 
 #include <tests/path/random_joint_path.h>
 #include <tests/refusal.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 using testing::largest_share;
@@ -182,4 +182,4 @@ TEST(Fastest, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace beeline
+}  // namespace beeline::internal

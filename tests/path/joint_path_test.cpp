@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <beeline/error.h>
-#include <beeline/path/joint_spline.h>
+#include <beeline/path/joint_path.h>
 
 #include <tests/path/random_joint_path.h>
 #include <tests/refusal.h>

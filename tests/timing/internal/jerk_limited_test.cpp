@@ -2,15 +2,16 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <beeline/timing/fastest.h>
+#include <beeline/timing/internal/fastest.h>
+#include <beeline/timing/internal/jerk_limited.h>
+#include <beeline/timing/internal/scalar_profile.h>
 #include <beeline/timing/internal/timed_path.h>
-#include <beeline/timing/jerk_limited.h>
-#include <beeline/timing/scalar_profile.h>
+#include <beeline/timing/s_curve.h>
 
 #include <tests/path/random_joint_path.h>
 #include <tests/refusal.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 /// A path of 2 to 7 waypoints, with limits of jerk that take 2 ms to 100 ms to full acceleration.
@@ -28,7 +29,7 @@ Case random_case(testing::Random& random) {
   return made;
 }
 
-double share(const Configuration& value, const Configuration& limit) {
+double largest_fraction(const Configuration& value, const Configuration& limit) {
   return value.cwiseQuotient(limit).lpNorm<Eigen::Infinity>();
 }
 
@@ -79,10 +80,12 @@ void expect_limits_kept(const JointPath& path, const PathLimits& limits,
     const State now = state_at(path, scaling, k, step);
     const double dt = scaling.t[k] - scaling.t[k - 1];
     ASSERT_GT(dt, 0);
-    ASSERT_LE(share(now.velocity, limits.velocity), 1 + 1e-5);
-    ASSERT_LE(share(now.acceleration, limits.acceleration), 1 + 1e-4);
-    ASSERT_LE(share((now.velocity - before.velocity) / dt, limits.acceleration), 1 + 1e-3);
-    ASSERT_LE(share((now.acceleration - before.acceleration) / dt, limits.jerk), 1 + 1e-3);
+    ASSERT_LE(largest_fraction(now.velocity, limits.velocity), 1 + 1e-5);
+    ASSERT_LE(largest_fraction(now.acceleration, limits.acceleration), 1 + 1e-4);
+    ASSERT_LE(largest_fraction((now.velocity - before.velocity) / dt, limits.acceleration),
+              1 + 1e-3);
+    ASSERT_LE(largest_fraction((now.acceleration - before.acceleration) / dt, limits.jerk),
+              1 + 1e-3);
     before = now;
   }
   ASSERT_LT(before.acceleration.norm(), 1e-9);
@@ -103,15 +106,18 @@ TEST(JerkLimited, KeepsAllLimitsOnDenseSamples) {
     if (i % 3 == 1) limits.velocity[0] = Limits::none;
     if (i % 3 == 2) limits.acceleration[0] = Limits::none;
     const TimeScaling scaling = jerk_limited(path, limits);
-    std::vector<double> ways;
-    const auto [names, t, q, v, a] = at_rate({{path, scaling}}, 2e4 / scaling.duration(), ways);
+    std::vector<double> arc_lengths;
+    const auto [names, t, q, v, a] =
+        at_rate({{path, scaling}}, 2e4 / scaling.duration(), arc_lengths);
     for (std::size_t k = 1; k < t.size(); ++k) {
       const double dt = t[k] - t[k - 1];
-      ASSERT_LE(share(v[k], limits.velocity), 1 + 5e-3);
-      ASSERT_LE(share(a[k], limits.acceleration), 1 + 2e-2);
+      ASSERT_LE(largest_fraction(v[k], limits.velocity), 1 + 5e-3);
+      ASSERT_LE(largest_fraction(a[k], limits.acceleration), 1 + 2e-2);
       // Where the jerk jumps between two points of the scaling, its quintic there swings a little.
       if (dt < 1e-6) continue;  // the end
-      ASSERT_LE(share((a[k] - a[k - 1]) / dt, limits.jerk), 1 + 0.2);
+      const double used = largest_fraction((a[k] - a[k - 1]) / dt, limits.jerk);
+      if (used > 1.001) std::cout << i << ' ' << t[k] / t.back() << ' ' << used << '\n';
+      ASSERT_LE(used, 1 + 0.2);
     }
   }
 }
@@ -135,7 +141,7 @@ TEST(JerkLimited, KeepsALimitOfTheSpeedAlongThePath) {
   }
 }
 
-TEST(JerkLimited, IsNearWhatAFinerClockFinds) {
+TEST(JerkLimited, IsNearTheResultOnAFinerPath) {
   testing::Random random;
   for (int i = 0; i < 10; ++i) {
     const auto [path, limits] = random_case(random);
@@ -146,9 +152,9 @@ TEST(JerkLimited, IsNearWhatAFinerClockFinds) {
   }
 }
 
-TEST(JerkLimited, IsNoSlowerThanSimplerLawsAndNearTheFastest) {
+TEST(JerkLimited, IsNoSlowerThanSimplerProfilesAndNearTheFastest) {
   testing::Random random;
-  double worst = 0, sum = 0;
+  double sum = 0;
   constexpr int count = 25;
   for (int i = 0; i < count; ++i) {
     const auto [path, limits] = random_case(random);
@@ -157,15 +163,12 @@ TEST(JerkLimited, IsNoSlowerThanSimplerLawsAndNearTheFastest) {
     ASSERT_LE(duration, scalar_profile(ScalarForm::quintic, path, limits).duration());
     const double least = fastest(path, limits).duration();
     ASSERT_GE(duration, least * (1 - 1e-2));  // but for what a coarse grid costs the fastest
-    worst = std::max(worst, duration / least);
     sum += duration / least;
   }
-  std::cout << "slower than without limits of jerk: at most " << worst << " times, " << sum / count
-            << " in the mean\n";
   EXPECT_LT(sum / count, 1.1);
 }
 
-TEST(JerkLimited, AlongAStraightLineIsTheSevenPhasesOfTheClosedForm) {
+TEST(JerkLimited, AlongAStraightLineIsTheClosedFormOfSevenPhases) {
   testing::Random random;
   for (int i = 0; i < 20; ++i) {
     auto [path, limits] = random_case(random);
@@ -197,7 +200,7 @@ TEST(JerkLimited, PassesTightCornersAsWellAsStopsThere) {
   }
 }
 
-TEST(JerkLimited, IsAsMuchQuickerAsTheLimitsAreScaled) {
+TEST(JerkLimited, ScalesItsDurationWithTheLimits) {
   testing::Random random;
   for (int i = 0; i < 10; ++i) {
     auto [path, limits] = random_case(random);
@@ -219,6 +222,24 @@ TEST(JerkLimited, OfThePathReversedTakesAsLong) {
   }
 }
 
+TEST(JerkLimited, KeepsTheSmallestLimitsAndRefusesSmallerOnes) {
+  testing::Random random;
+  const auto [path, limits] = random_case(random);
+  for (Configuration PathLimits::*kind :
+       {&PathLimits::velocity, &PathLimits::acceleration, &PathLimits::jerk}) {
+    PathLimits tiny = limits;
+    (tiny.*kind)[0] = 1e-100;
+    const TimeScaling scaling = jerk_limited(path, tiny);
+    ASSERT_TRUE(scaling.found());
+    EXPECT_GT(scaling.duration(), 1e30);
+    EXPECT_TRUE(std::isfinite(scaling.duration()));
+    for (const double refused : {1e-310, 0.0, -1.0, std::nan("")}) {
+      (tiny.*kind)[0] = refused;
+      EXPECT_REFUSED(jerk_limited(path, tiny), "above zero");
+    }
+  }
+}
+
 TEST(JerkLimited, NeedsALimitOfJerk) {
   testing::Random random;
   const JointPath path = testing::random_path(random, 2, 4);
@@ -226,4 +247,4 @@ TEST(JerkLimited, NeedsALimitOfJerk) {
 }
 
 }  // namespace
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -1,0 +1,63 @@
+#include <algorithm>
+
+#include <beeline/timing/internal/fastest.h>
+#include <beeline/timing/internal/jerk_limited.h>
+#include <beeline/timing/internal/scalar_profile.h>
+#include <beeline/timing/profile.h>
+
+namespace beeline {
+namespace {
+
+struct Row {
+  Profile profile;
+  const char* name;
+  bool keeps_jerk;
+  TimeScaling (*scaling)(const JointPath& path, const PathLimits& limits);
+};
+
+template <internal::ScalarForm form>
+TimeScaling scalar(const JointPath& path, const PathLimits& limits) {
+  return internal::scalar_profile(form, path, limits);
+}
+
+TimeScaling from_rest_to_rest(const JointPath& path, const PathLimits& limits) {
+  return internal::fastest(path, limits);
+}
+
+using internal::ScalarForm;
+constexpr Row table[] = {
+    {Profile::fastest, "fastest", false, from_rest_to_rest},
+    {Profile::jerk, "jerk", true, internal::jerk_limited},
+    {Profile::trapezoidal, "trapezoidal", false, scalar<ScalarForm::trapezoidal>},
+    {Profile::quintic, "quintic", true, scalar<ScalarForm::quintic>},
+    {Profile::s_curve, "s-curve", true, scalar<ScalarForm::s_curve>},
+};
+
+const Row& row(Profile profile) { return table[static_cast<int>(profile)]; }
+
+}  // namespace
+
+std::string name(Profile profile) { return row(profile).name; }
+
+Profile profile_named(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Row& row : table) {
+    if (name == row.name) return row.profile;
+    names.emplace_back(row.name);
+  }
+  throw unknown_name("profile", name, names);
+}
+
+bool keeps_jerk(Profile profile) { return row(profile).keeps_jerk; }
+
+Profile default_profile(const Arm& arm) {
+  const auto has_jerk = [](const Limits& limits) { return limits.jerk < Limits::none; };
+  const bool any = std::any_of(arm.limits().begin(), arm.limits().end(), has_jerk);
+  return any ? Profile::jerk : Profile::fastest;
+}
+
+TimeScaling time_scaling(const JointPath& path, const PathLimits& limits, Profile profile) {
+  return row(profile).scaling(path, limits);
+}
+
+}  // namespace beeline

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+
+#include <beeline/timing/time_scaling.h>
+
+namespace beeline {
+
+/// Time profile: which time scaling s(t) of a path is chosen. All go from rest to rest and keep
+/// the limits of velocity and acceleration. To add one, add its name here and its row, in the same
+/// order, to the table in profile.cpp.
+enum class Profile {
+  /// Minimum time under velocity and acceleration limits; jerk is not limited.
+  fastest,
+  /// Minimum time under velocity, acceleration and jerk limits: a local optimum.
+  jerk,
+  /// One trapezoid of ds/dt: constant acceleration, cruise, constant deceleration; jerk is not
+  /// limited.
+  trapezoidal,
+  /// s = 10 u^3 - 15 u^4 + 6 u^5 in u = t / T; jerk limits are kept.
+  quintic,
+  /// One s-curve: d2s/dt2 is a trapezoid in each half, d3s/dt3 piecewise constant; jerk limits are
+  /// kept.
+  s_curve,
+};
+
+/// The profile's name, as in "s-curve".
+std::string name(Profile profile);
+
+/// Throws Error listing the names of the profiles for another name.
+Profile profile_named(const std::string& name);
+
+/// Whether the profile keeps jerk limits.
+bool keeps_jerk(Profile profile);
+
+/// Profile::jerk for an arm with jerk limits, else Profile::fastest.
+Profile default_profile(const Arm& arm);
+
+/// Returns the time scaling of a path by a profile:
+///     minimise T  subject to  |dq_i/dt| <= velocity_i,  |d2q_i/dt2| <= acceleration_i,
+///                             |d3q_i/dt3| <= jerk_i (where the profile keeps it),
+///                             ds/dt <= speed,  at rest at t = 0 and t = T,
+/// over all s(t) for fastest and jerk, and over those of the profile's form for the others.
+/// Throws Error for a path or limits that check_path() or check_limits() refuse, and for
+/// Profile::jerk without any jerk limit.
+TimeScaling time_scaling(const JointPath& path, const PathLimits& limits, Profile profile);
+
+}  // namespace beeline
