@@ -135,7 +135,7 @@ void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
         Eigen::Ref<Configuration> velocity, Eigen::Ref<Configuration> acceleration) {
   const Eigen::Index joints = motion.from.size();
   if (q.size() != joints || velocity.size() != joints || acceleration.size() != joints) {
-    throw Error("the state of this motion needs buffers of " + std::to_string(joints) + " numbers");
+    throw Error("the state of this motion needs buffers for " + std::to_string(joints) + " joints");
   }
   if (std::isnan(t)) throw Error("the time at which a motion is evaluated is NaN");
   if (t <= 0 || t >= motion.duration) {
