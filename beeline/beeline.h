@@ -32,7 +32,6 @@
 #include <beeline/model/joint.h>
 #include <beeline/path/blend.h>
 #include <beeline/path/joint_path.h>
-#include <beeline/path/joint_spline.h>
 #include <beeline/path/segment.h>
 #include <beeline/path/tool_path.h>
 #include <beeline/planning/branch.h>
@@ -44,12 +43,10 @@
 #include <beeline/pose/se2.h>
 #include <beeline/pose/se3.h>
 #include <beeline/pose/so3.h>
-#include <beeline/timing/fastest.h>
-#include <beeline/timing/jerk_limited.h>
 #include <beeline/timing/point_to_point.h>
+#include <beeline/timing/profile.h>
 #include <beeline/timing/retime.h>
 #include <beeline/timing/s_curve.h>
-#include <beeline/timing/scalar_profile.h>
 #include <beeline/timing/time_scaling.h>
 #include <beeline/trajectory/difference.h>
 #include <beeline/trajectory/limit_usage.h>
