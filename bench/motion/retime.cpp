@@ -81,9 +81,10 @@ int main() {
     const std::vector<double> grid = read_many(head[2]);
     const JointPath path = grid.empty() ? refined(spline) : at_grid(spline, grid);
     const TimeScaling scaling = fastest(path, limits);
-    const double answer[] = {scaling.found() ? scaling.duration() : -1,
-                             scaling.found() ? testing::largest_share(path, limits, scaling) : -1,
-                             static_cast<double>(path.size()), best_microseconds(path, limits)};
+    const double answer[] = {
+        scaling.found() ? scaling.duration() : -1,
+        scaling.found() ? testing::largest_fraction(path, limits, scaling) : -1,
+        static_cast<double>(path.size()), best_microseconds(path, limits)};
     std::fwrite(answer, sizeof(double), 4, stdout);
     std::fflush(stdout);
   }

@@ -19,13 +19,13 @@ inline std::vector<Configuration> random_waypoints(Random& random, int joints, i
   return waypoints;
 }
 
-/// The spline through a few waypoints, by the length of its chords.
+/// The spline through random waypoints, by chord length.
 inline JointPath random_path(Random& random, int joints, int count) {
   const auto waypoints = random_waypoints(random, joints, count);
   return refined(joint_spline(waypoints, chord_length(waypoints)));
 }
 
-/// As of arms that are sold, without limits of jerk.
+/// Typical of industrial arms, without jerk limits.
 inline PathLimits random_limits(Random& random, int joints) {
   PathLimits limits;
   limits.velocity = limits.acceleration = limits.jerk = Configuration(joints);
@@ -37,9 +37,9 @@ inline PathLimits random_limits(Random& random, int joints) {
   return limits;
 }
 
-/// The largest share of a limit of velocity or acceleration at ten places of every step.
-inline double largest_share(const JointPath& path, const PathLimits& limits,
-                            const TimeScaling& scaling) {
+/// The largest fraction of a limit of velocity or acceleration at ten points of every step.
+inline double largest_fraction(const JointPath& path, const PathLimits& limits,
+                               const TimeScaling& scaling) {
   double largest = 0;
   for (std::size_t k = 0; k + 1 < path.size(); ++k) {
     const double x = scaling.speed[k] * scaling.speed[k],

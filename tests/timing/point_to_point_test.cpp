@@ -39,10 +39,10 @@ double max_velocity(const Limits& limits) {
   return std::isfinite(limits.velocity) ? limits.velocity : assumed_velocity_limit;
 }
 
-double own_duration(const Limits& limits, double way) {
-  return s_curve(way, {.velocity = max_velocity(limits),
-                       .acceleration = limits.acceleration,
-                       .jerk = limits.jerk})
+double own_duration(const Limits& limits, double distance) {
+  return s_curve(distance, {.velocity = max_velocity(limits),
+                            .acceleration = limits.acceleration,
+                            .jerk = limits.jerk})
       .duration;
 }
 
@@ -118,9 +118,9 @@ TEST(PointToPoint, BeginsAndEndsExactlyAndTheWayBackIsTheSame) {
       ASSERT_EQ(back.from, to);
       ASSERT_EQ(back.to, from);
       ASSERT_EQ(back.duration, motion.duration);
-      for (const double share : {0.1, 0.25, 0.4, 0.5, 0.8}) {
-        at(motion, share * motion.duration, q, v, a);
-        at(back, (1 - share) * motion.duration, back_q, v, a);
+      for (const double fraction : {0.1, 0.25, 0.4, 0.5, 0.8}) {
+        at(motion, fraction * motion.duration, q, v, a);
+        at(back, (1 - fraction) * motion.duration, back_q, v, a);
         ASSERT_LT((q - back_q).norm(), 1e-12);
       }
     }
@@ -131,12 +131,12 @@ TEST(PointToPoint, StraightIsAStraightLineAtTheLimitOfSomeJoint) {
   for_random_motions(50, [](const Arm& arm, const auto& from, const auto& to) {
     const PointToPoint motion = point_to_point(arm, from, to, {Synchronise::straight});
     Configuration q(arm.dof()), v = q, a = q;
-    const Configuration way = to - from;
-    if (way.isZero(0)) return;
+    const Configuration distance = to - from;
+    if (distance.isZero(0)) return;
     for (int k = 0; k <= 50; ++k) {
       at(motion, motion.duration * k / 50, q, v, a);
-      const double share = way.dot(q - from) / way.squaredNorm();
-      ASSERT_LT((q - from - share * way).norm(), 1e-12);
+      const double fraction = distance.dot(q - from) / distance.squaredNorm();
+      ASSERT_LT((q - from - fraction * distance).norm(), 1e-12);
     }
     // Each kind of limit that the curve is at, some joint is at.
     double v_used = 0, a_used = 0, j_used = 0;

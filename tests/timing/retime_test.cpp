@@ -16,23 +16,23 @@ constexpr Profile profiles[] = {Profile::fastest, Profile::jerk, Profile::trapez
                                 Profile::quintic, Profile::s_curve};
 
 /// Waypoints well within the arm's limits, a second apart.
-Trajectory random_way(testing::Random& random, const Arm& arm, int count) {
-  Trajectory way{arm.joint_names(), {}, {}, {}, {}};
+Trajectory random_waypoints(testing::Random& random, const Arm& arm, int count) {
+  Trajectory given{arm.joint_names(), {}, {}, {}, {}};
   const Configuration middle = middle_configuration(arm);
   for (int k = 0; k < count; ++k) {
-    way.times.push_back(k);
-    way.positions.push_back(middle + 0.2 * (random.configuration(arm) - middle));
+    given.times.push_back(k);
+    given.positions.push_back(middle + 0.2 * (random.configuration(arm) - middle));
   }
-  return way;
+  return given;
 }
 
-TEST(Retime, KeepsEverySampleAndItsLimitsByEveryLaw) {
+TEST(Retime, KeepsEverySampleAndItsLimitsWithEveryProfile) {
   testing::Random random;
   const Arm arm = built_in("panda");
   for (int i = 0; i < 5; ++i) {
-    const Trajectory way = random_way(random, arm, random.integer(2, 8));
+    const Trajectory given = random_waypoints(random, arm, random.integer(2, 8));
     for (const Profile profile : profiles) {
-      const Retimed timed = retime(arm, way, {.profile = profile});
+      const Retimed timed = retime(arm, given, {.profile = profile});
       ASSERT_EQ(timed.reason, "") << name(profile);
       ASSERT_NO_THROW(check_trajectory(timed.trajectory));
       ASSERT_LE(timed.limits.velocity.fraction, 1 + 1e-9);
@@ -43,9 +43,9 @@ TEST(Retime, KeepsEverySampleAndItsLimitsByEveryLaw) {
       ASSERT_EQ(timed.parts, 1u);
       std::size_t kept = 0;
       for (const Configuration& q : timed.trajectory.positions) {
-        if (kept < way.size() && q == way.positions[kept]) ++kept;
+        if (kept < given.size() && q == given.positions[kept]) ++kept;
       }
-      ASSERT_EQ(kept, way.size()) << name(profile);
+      ASSERT_EQ(kept, given.size()) << name(profile);
       for (const auto* v :
            {&timed.trajectory.velocities.front(), &timed.trajectory.velocities.back()}) {
         ASSERT_EQ(v->norm(), 0);
@@ -59,7 +59,7 @@ TEST(Retime, TellsVelocitiesAndAccelerationsThatFitThePositions) {
   const Arm arm = built_in("panda");
   for (const Profile profile : profiles) {
     const Retimed timed =
-        retime(arm, random_way(random, arm, 5), {.profile = profile, .rate = 2000});
+        retime(arm, random_waypoints(random, arm, 5), {.profile = profile, .rate = 2000});
     const auto& [names, t, q, v, a] = timed.trajectory;
     for (std::size_t k = 0; k + 2 < t.size(); ++k) {
       const double h = t[k + 1] - t[k];
@@ -76,11 +76,11 @@ TEST(Retime, AtARateKeepsBothEndsAndTheDuration) {
   testing::Random random;
   const Arm arm = built_in("ur5");
   for (int i = 0; i < 20; ++i) {
-    const Trajectory way = random_way(random, arm, 4);
-    const Retimed whole = retime(arm, way), sampled = retime(arm, way, {.rate = 50});
+    const Trajectory given = random_waypoints(random, arm, 4);
+    const Retimed whole = retime(arm, given), sampled = retime(arm, given, {.rate = 50});
     ASSERT_TRUE(sampled.found());
-    EXPECT_EQ(sampled.trajectory.positions.front(), way.positions.front());
-    EXPECT_EQ(sampled.trajectory.positions.back(), way.positions.back());
+    EXPECT_EQ(sampled.trajectory.positions.front(), given.positions.front());
+    EXPECT_EQ(sampled.trajectory.positions.back(), given.positions.back());
     EXPECT_NEAR(sampled.trajectory.times.back(), whole.trajectory.times.back(), 1e-6);
     for (std::size_t k = 0; k + 1 < sampled.trajectory.size(); ++k) {
       ASSERT_NEAR(sampled.trajectory.times[k], double(k) / 50, 1e-12);
@@ -88,14 +88,14 @@ TEST(Retime, AtARateKeepsBothEndsAndTheDuration) {
   }
 }
 
-TEST(Retime, TakesTheShareOfTheSpeedThatIsAskedFor) {
+TEST(Retime, ScalesItsDurationWithTheSpeedScale) {
   testing::Random random;
   const Arm arm = built_in("panda");
-  const Trajectory way = random_way(random, arm, 5);
+  const Trajectory given = random_waypoints(random, arm, 5);
   for (const Profile profile : profiles) {
-    const double full = retime(arm, way, {.profile = profile}).trajectory.times.back();
+    const double full = retime(arm, given, {.profile = profile}).trajectory.times.back();
     const double half =
-        retime(arm, way, {.profile = profile, .speed_scale = 0.5}).trajectory.times.back();
+        retime(arm, given, {.profile = profile, .speed_scale = 0.5}).trajectory.times.back();
     EXPECT_NEAR(half, 2 * full, 1e-2 * full) << name(profile);
   }
 }
@@ -104,8 +104,8 @@ TEST(Retime, KeepsTheToolsSpeed) {
   testing::Random random;
   const Arm arm = built_in("panda");
   for (const Profile profile : profiles) {
-    const Trajectory way = random_way(random, arm, 5);
-    const Retimed timed = retime(arm, way, {.profile = profile, .tool_speed = 0.2});
+    const Trajectory given = random_waypoints(random, arm, 5);
+    const Retimed timed = retime(arm, given, {.profile = profile, .tool_speed = 0.2});
     ASSERT_TRUE(timed.found());
     EXPECT_LE(timed.tool_speed, 0.2 * (1 + 1e-9));
     EXPECT_GT(timed.tool_speed, 0.17) << name(profile);
@@ -155,22 +155,22 @@ TEST(Retime, OfWhatItHasTimedTakesAsLong) {
   const Arm arm = built_in("panda");
   for (const Profile profile : {Profile::fastest, Profile::jerk}) {
     const Trajectory once =
-        retime(arm, random_way(random, arm, 4), {.profile = profile}).trajectory;
+        retime(arm, random_waypoints(random, arm, 4), {.profile = profile}).trajectory;
     const Trajectory twice = retime(arm, once, {.profile = profile}).trajectory;
     EXPECT_NEAR(twice.times.back(), once.times.back(), 0.05 * once.times.back()) << name(profile);
   }
 }
 
 // Slowed down, other samples than before are the worst.
-TEST(Retime, AtARateSettlesWithinTheLimitsOnATightCorner) {
+TEST(Retime, AtARateKeepsTheLimitsOnATightCorner) {
   const Arm arm = built_in("panda");
   const Eigen::Vector2d begin(0, 0), corner(0.4, 0), end(0.4, 0.4);
   for (const double size : {1e-3, 1e-4}) {
-    Trajectory way{arm.joint_names(), {}, {}, {}, {}};
+    Trajectory given{arm.joint_names(), {}, {}, {}, {}};
     const auto add = [&](const Eigen::Vector2d& q) {
-      way.times.push_back(double(way.size()));
-      way.positions.push_back(middle_configuration(arm));
-      way.positions.back().head<2>() += q;
+      given.times.push_back(double(given.size()));
+      given.positions.push_back(middle_configuration(arm));
+      given.positions.back().head<2>() += q;
     };
     for (int k = 0; k < 20; ++k) add(begin + k / 20. * (corner - Eigen::Vector2d(size, 0) - begin));
     for (double u = 0; u <= 1; u += 0.125) {  // a parabola
@@ -178,9 +178,9 @@ TEST(Retime, AtARateSettlesWithinTheLimitsOnATightCorner) {
     }
     for (int k = 19; k >= 0; --k) add(end + k / 20. * (corner + Eigen::Vector2d(0, size) - end));
     for (const Profile profile : profiles) {
-      const double duration = retime(arm, way, {.profile = profile}).trajectory.times.back();
+      const double duration = retime(arm, given, {.profile = profile}).trajectory.times.back();
       for (const double rate : {10., 97., 1000.}) {
-        const Retimed timed = retime(arm, way, {.profile = profile, .rate = rate});
+        const Retimed timed = retime(arm, given, {.profile = profile, .rate = rate});
         ASSERT_EQ(timed.reason, "");
         EXPECT_LE(timed.limits.velocity.fraction, 1 + 1e-9);
         EXPECT_LE(timed.limits.acceleration.fraction, 1 + 1e-9);
@@ -192,57 +192,57 @@ TEST(Retime, AtARateSettlesWithinTheLimitsOnATightCorner) {
   }
 }
 
-TEST(Retime, SaysNoWhereThePathLeavesThePositionLimits) {
+TEST(Retime, ReturnsAReasonWhereThePathLeavesThePositionLimits) {
   const Arm arm = built_in("panda");
-  Trajectory way = random_way(*std::make_unique<testing::Random>(), arm, 3);
-  way.positions[1][3] = 0.5;
-  const Retimed timed = retime(arm, way);
+  Trajectory given = random_waypoints(*std::make_unique<testing::Random>(), arm, 3);
+  given.positions[1][3] = 0.5;
+  const Retimed timed = retime(arm, given);
   EXPECT_FALSE(timed.found());
   EXPECT_NE(timed.reason.find("joint4"), std::string::npos) << timed.reason;
   EXPECT_EQ(timed.trajectory.size(), 0u);
 }
 
-TEST(Retime, GoesAsSlowlyAsItMayBeAskedTo) {
+TEST(Retime, AcceptsTheSmallestSpeeds) {
   testing::Random random;
   for (const char* name : {"panda", "ur5", "scara", "rrr"}) {
     const Arm arm = built_in(name);
-    Trajectory way{arm.joint_names(), {0, 1, 2}, {}, {}, {}};
+    Trajectory given{arm.joint_names(), {0, 1, 2}, {}, {}, {}};
     const Configuration middle = middle_configuration(arm);
     for (int k = 0; k < 3; ++k) {
-      way.positions.push_back(middle + 0.2 * (random.configuration(arm) - middle));
+      given.positions.push_back(middle + 0.2 * (random.configuration(arm) - middle));
     }
     for (const Profile profile : profiles) {
       if (profile == Profile::jerk && default_profile(arm) != Profile::jerk) continue;
-      const Retimed slow = retime(arm, way, {.profile = profile, .speed_scale = 1e-6});
+      const Retimed slow = retime(arm, given, {.profile = profile, .speed_scale = 1e-6});
       ASSERT_TRUE(slow.found()) << slow.reason;
       EXPECT_LE(slow.limits.velocity.fraction, 1e-6 * (1 + 1e-6));
-      const Retimed creeping = retime(arm, way, {.profile = profile, .tool_speed = 1e-9});
+      const Retimed creeping = retime(arm, given, {.profile = profile, .tool_speed = 1e-9});
       ASSERT_TRUE(creeping.found()) << creeping.reason;
       EXPECT_LE(creeping.tool_speed, 1e-9 * (1 + 1e-6));
     }
   }
 }
 
-TEST(Retime, NamesTheRateThatKeepsSomethingOfTheWay) {
+TEST(Retime, NamesTheLeastRate) {
   testing::Random random;
   const Arm arm = built_in("ur5");
-  const Trajectory way{
+  const Trajectory given{
       arm.joint_names(), {0, 1}, {random.configuration(arm), random.configuration(arm)}, {}, {}};
-  const double duration = retime(arm, way).trajectory.times.back();
-  EXPECT_REFUSED(retime(arm, way, {.rate = 1e-9}), "must be at least");
-  EXPECT_REFUSED(retime(arm, way, {.rate = 3.9 / duration}), number(4 * (1 + 1e-5) / duration));
-  EXPECT_GE(retime(arm, way, {.rate = 4.1 / duration}).trajectory.size(), 5u);
+  const double duration = retime(arm, given).trajectory.times.back();
+  EXPECT_REFUSED(retime(arm, given, {.rate = 1e-9}), "must be at least");
+  EXPECT_REFUSED(retime(arm, given, {.rate = 3.9 / duration}), number(4 * (1 + 1e-5) / duration));
+  EXPECT_GE(retime(arm, given, {.rate = 4.1 / duration}).trajectory.size(), 5u);
 }
 
-TEST(Retime, RefusesWhatMakesNoSense) {
+TEST(Retime, RefusesOptionsOutOfRange) {
   const Arm arm = built_in("ur5");
   const Configuration zero = Configuration::Zero(6);
   const Trajectory still{arm.joint_names(), {0, 1}, {zero, zero}, {}, {}};
   EXPECT_REFUSED(retime(arm, still), "two different positions");
   EXPECT_REFUSED(retime(arm, {arm.joint_names(), {}, {}, {}, {}}), "no samples");
   EXPECT_REFUSED(retime(arm, still, {.profile = Profile::jerk}), "limits of jerk");
-  for (const double share : {1.5, 0.0, 1e-7, 1e-300, std::nan("")}) {
-    EXPECT_REFUSED(retime(arm, still, {.speed_scale = share}), "from 1e-06 to 1");
+  for (const double scale : {1.5, 0.0, 1e-7, 1e-300, std::nan("")}) {
+    EXPECT_REFUSED(retime(arm, still, {.speed_scale = scale}), "from 1e-06 to 1");
   }
   for (const double speed : {0.0, -1.0, 1e-10, 1e-300, std::nan("")}) {
     EXPECT_REFUSED(retime(arm, still, {.tool_speed = speed}), "1e-09 m/s at least");

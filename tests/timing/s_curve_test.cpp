@@ -232,11 +232,11 @@ TEST(SCurve, ScalesWithTheUnitsOfTimeAndLength) {
                                          .acceleration = limits.acceleration * k,
                                          .jerk = limits.jerk * k});
     ASSERT_NEAR(large.duration / curve.duration, 1, 1e-13) << text(d, limits) << " " << k;
-    const double share = random.uniform(0, 1);
+    const double fraction = random.uniform(0, 1);
     const SCurve longer = stretched(curve, 3 * curve.duration);
     ASSERT_EQ(longer.duration, 3 * curve.duration);
-    const JointState quick = at(curve, share * curve.duration),
-                     late = at(longer, share * longer.duration);
+    const JointState quick = at(curve, fraction * curve.duration),
+                     late = at(longer, fraction * longer.duration);
     ASSERT_NEAR(late.position, quick.position, 1e-12 * d);
     ASSERT_NEAR(late.velocity * 3, quick.velocity, 1e-12 * std::abs(curve.velocity));
   }
@@ -250,10 +250,10 @@ TEST(SCurve, IsFiniteForTheSmallestAndLargestNumbers) {
         const Limits limits{.velocity = rate, .acceleration = rate, .jerk = jerk};
         const SCurve curve = s_curve(d, limits);
         ASSERT_TRUE(std::isfinite(curve.duration) && curve.duration >= 0) << text(d, limits);
-        for (const double share : {0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0}) {
-          const JointState state = at(curve, share * curve.duration);
-          ASSERT_TRUE(std::isfinite(state.position)) << text(d, limits) << " " << share;
-          ASSERT_TRUE(std::isfinite(state.velocity)) << text(d, limits) << " " << share;
+        for (const double fraction : {0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0}) {
+          const JointState state = at(curve, fraction * curve.duration);
+          ASSERT_TRUE(std::isfinite(state.position)) << text(d, limits) << " " << fraction;
+          ASSERT_TRUE(std::isfinite(state.velocity)) << text(d, limits) << " " << fraction;
         }
       }
     }

@@ -10,7 +10,7 @@
 namespace beeline::internal {
 namespace {
 
-using testing::largest_share;
+using testing::largest_fraction;
 using testing::random_limits;
 using testing::random_path;
 
@@ -26,9 +26,9 @@ TEST(Fastest, KeepsLimitsBetweenGridPointsAndUsesThem) {
     ASSERT_EQ(scaling.speed.front(), 0);
     ASSERT_EQ(scaling.speed.back(), 0);
     for (std::size_t k = 1; k < scaling.t.size(); ++k) ASSERT_GT(scaling.t[k], scaling.t[k - 1]);
-    const double share = largest_share(path, limits, scaling);
-    ASSERT_LE(share, 1 + 1e-6);
-    ASSERT_GE(share, 0.999);
+    const double fraction = largest_fraction(path, limits, scaling);
+    ASSERT_LE(fraction, 1 + 1e-6);
+    ASSERT_GE(fraction, 0.999);
   }
 }
 
@@ -39,9 +39,10 @@ TEST(Fastest, AlongAStraightLineIsTheTrapezoid) {
     const auto ends = testing::random_waypoints(random, joints, 2);
     const PathLimits limits = random_limits(random, joints);
     const JointPath line = refined(joint_spline(ends, chord_length(ends)), {.steps = 2000});
-    const Configuration way = (ends[1] - ends[0]).cwiseAbs();
-    const double v = limits.velocity.cwiseQuotient(way).minCoeff();  // as shares of the way
-    const double a = limits.acceleration.cwiseQuotient(way).minCoeff();
+    const Configuration distance = (ends[1] - ends[0]).cwiseAbs();
+    const double v =
+        limits.velocity.cwiseQuotient(distance).minCoeff();  // in units of the distance
+    const double a = limits.acceleration.cwiseQuotient(distance).minCoeff();
     const double closed = v * v < a ? 1 / v + v / a : 2 / std::sqrt(a);
     const double duration = fastest(line, limits).duration();
     ASSERT_GE(duration, closed * (1 - 1e-9));
@@ -49,7 +50,7 @@ TEST(Fastest, AlongAStraightLineIsTheTrapezoid) {
   }
 }
 
-TEST(Fastest, OfThePathReversedIsTheLawReversed) {
+TEST(Fastest, OfThePathReversedIsTheScalingReversed) {
   testing::Random random;
   for (int i = 0; i < 100; ++i) {
     const int joints = random.integer(1, 7);
@@ -67,7 +68,7 @@ TEST(Fastest, OfThePathReversedIsTheLawReversed) {
   }
 }
 
-TEST(Fastest, IsAsMuchQuickerAsTheLimitsAreScaled) {
+TEST(Fastest, ScalesItsDurationWithTheLimits) {
   testing::Random random;
   for (int i = 0; i < 100; ++i) {
     const int joints = random.integer(1, 7);
@@ -126,7 +127,7 @@ TEST(Fastest, BeginsAndEndsAsFastAsAskedOrSaysWhyNot) {
     ++found;
     ASSERT_NEAR(scaling.speed.front(), ends.begin, 1e-8);
     ASSERT_NEAR(scaling.speed.back(), ends.end, 1e-8);
-    ASSERT_LE(largest_share(path, limits, scaling), 1 + 1e-5);
+    ASSERT_LE(largest_fraction(path, limits, scaling), 1 + 1e-5);
   }
   EXPECT_GT(found, 20);
   EXPECT_LT(found, 200);

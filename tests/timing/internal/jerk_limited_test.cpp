@@ -33,24 +33,24 @@ double largest_fraction(const Configuration& value, const Configuration& limit) 
   return value.cwiseQuotient(limit).lpNorm<Eigen::Infinity>();
 }
 
-/// Stairs of length one by turns of both joints; the corners are rounded from `size` before to
+/// Stairs of length one of both joints in turn; the corners are rounded from `size` before to
 /// `size` behind.
 JointPath staircase(int corners, double size) {
   JointPath path;
   Eigen::Vector2d corner(0, 0);
-  const auto add = [&](double s, const Eigen::Vector2d& q, const Eigen::Vector2d& way) {
+  const auto add = [&](double s, const Eigen::Vector2d& q, const Eigen::Vector2d& direction) {
     path.s.push_back(s);
     path.q.push_back(q);
-    path.dq.push_back(way);
+    path.dq.push_back(direction);
     path.ddq.push_back(Eigen::Vector2d::Zero());
   };
   for (int i = 0; i <= corners; ++i) {
-    const Eigen::Vector2d way = i % 2 == 0 ? Eigen::Vector2d(1, 0) : Eigen::Vector2d(0, 1);
+    const Eigen::Vector2d direction = i % 2 == 0 ? Eigen::Vector2d(1, 0) : Eigen::Vector2d(0, 1);
     const double rounding = 1.7 * size, begin = i == 0 ? 0 : path.s.back() + rounding;
     const double skipped = i == 0 ? 0 : size, left = i == corners ? 0 : size;
-    add(begin, corner + skipped * way, way);
-    add(begin + 1 - skipped - left, corner + (1 - left) * way, way);
-    corner += way;
+    add(begin, corner + skipped * direction, direction);
+    add(begin + 1 - skipped - left, corner + (1 - left) * direction, direction);
+    corner += direction;
   }
   return path;
 }
@@ -173,12 +173,12 @@ TEST(JerkLimited, AlongAStraightLineIsTheClosedFormOfSevenPhases) {
     auto [path, limits] = random_case(random);
     const auto ends = testing::random_waypoints(random, int(limits.velocity.size()), 2);
     const JointPath line = refined(joint_spline(ends, chord_length(ends)));
-    const Configuration way = (ends[1] - ends[0]).cwiseAbs();
-    Limits shares;
-    shares.velocity = limits.velocity.cwiseQuotient(way).minCoeff();
-    shares.acceleration = limits.acceleration.cwiseQuotient(way).minCoeff();
-    shares.jerk = limits.jerk.cwiseQuotient(way).minCoeff();
-    const double closed = s_curve(1, shares).duration;
+    const Configuration distance = (ends[1] - ends[0]).cwiseAbs();
+    Limits limits_along;
+    limits_along.velocity = limits.velocity.cwiseQuotient(distance).minCoeff();
+    limits_along.acceleration = limits.acceleration.cwiseQuotient(distance).minCoeff();
+    limits_along.jerk = limits.jerk.cwiseQuotient(distance).minCoeff();
+    const double closed = s_curve(1, limits_along).duration;
     ASSERT_NEAR(jerk_limited(line, limits).duration(), closed, 3e-3 * closed);
   }
 }

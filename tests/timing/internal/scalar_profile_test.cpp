@@ -15,8 +15,9 @@ PathLimits with_jerk(testing::Random& random, PathLimits limits) {
   return limits;
 }
 
-/// The largest share of a limit, told by differences of the scaling's own points.
-double largest_share(const JointPath& path, const PathLimits& limits, const TimeScaling& scaling) {
+/// The largest fraction of a limit, from differences of the points of the scaling.
+double largest_fraction(const JointPath& path, const PathLimits& limits,
+                        const TimeScaling& scaling) {
   double largest = 0;
   std::size_t step = 0;
   Configuration acceleration_before, velocity_before;
@@ -26,15 +27,15 @@ double largest_share(const JointPath& path, const PathLimits& limits, const Time
         path_point(path, step, (scaling.s[i] - path.s[step]) / (path.s[step + 1] - path.s[step]));
     const double v = scaling.speed[i], a = scaling.acceleration[i];
     const Configuration velocity = point.dq * v, acceleration = point.dq * a + point.ddq * v * v;
-    const auto share = [](const Configuration& value, const Configuration& limit) {
+    const auto fraction = [](const Configuration& value, const Configuration& limit) {
       return value.cwiseQuotient(limit).lpNorm<Eigen::Infinity>();
     };
-    largest = std::max(
-        {largest, share(velocity, limits.velocity), share(acceleration, limits.acceleration)});
+    largest = std::max({largest, fraction(velocity, limits.velocity),
+                        fraction(acceleration, limits.acceleration)});
     if (i > 0 && scaling.smooth) {
       const double dt = scaling.t[i] - scaling.t[i - 1];
-      largest = std::max({largest, share((acceleration - acceleration_before) / dt, limits.jerk),
-                          share((velocity - velocity_before) / dt, limits.acceleration)});
+      largest = std::max({largest, fraction((acceleration - acceleration_before) / dt, limits.jerk),
+                          fraction((velocity - velocity_before) / dt, limits.acceleration)});
     }
     acceleration_before = acceleration;
     velocity_before = velocity;
@@ -57,9 +58,9 @@ TEST(ScalarProfile, KeepsTheLimitsAndUsesThemFromRestToRest) {
         ASSERT_GT(scaling.t[k], scaling.t[k - 1]);
         ASSERT_GT(scaling.s[k], scaling.s[k - 1]);
       }
-      const double share = largest_share(path, limits, scaling);
-      ASSERT_LE(share, 1 + 1e-3);
-      ASSERT_GE(share, 0.8);
+      const double fraction = largest_fraction(path, limits, scaling);
+      ASSERT_LE(fraction, 1 + 1e-3);
+      ASSERT_GE(fraction, 0.8);
     }
   }
 }
@@ -71,13 +72,13 @@ TEST(ScalarProfile, AlongAStraightLineIsTheClosedForm) {
     const auto ends = testing::random_waypoints(random, joints, 2);
     const PathLimits limits = with_jerk(random, testing::random_limits(random, joints));
     const JointPath line = refined(joint_spline(ends, chord_length(ends)));
-    const Configuration way = (ends[1] - ends[0]).cwiseAbs();
-    Limits shares;
-    shares.velocity = limits.velocity.cwiseQuotient(way).minCoeff();
-    shares.acceleration = limits.acceleration.cwiseQuotient(way).minCoeff();
-    const double trapezoid = s_curve(1, shares).duration;
-    shares.jerk = limits.jerk.cwiseQuotient(way).minCoeff();
-    const double rounded = s_curve(1, shares).duration;
+    const Configuration distance = (ends[1] - ends[0]).cwiseAbs();
+    Limits limits_along;
+    limits_along.velocity = limits.velocity.cwiseQuotient(distance).minCoeff();
+    limits_along.acceleration = limits.acceleration.cwiseQuotient(distance).minCoeff();
+    const double trapezoid = s_curve(1, limits_along).duration;
+    limits_along.jerk = limits.jerk.cwiseQuotient(distance).minCoeff();
+    const double rounded = s_curve(1, limits_along).duration;
     ASSERT_NEAR(scalar_profile(ScalarForm::trapezoidal, line, limits).duration(), trapezoid,
                 2e-3 * trapezoid);
     ASSERT_NEAR(scalar_profile(ScalarForm::s_curve, line, limits).duration(), rounded,
