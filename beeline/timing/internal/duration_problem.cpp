@@ -3,7 +3,7 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double side = 1e-6;  // of a step: its ends are one-sided, as b'' jumps at knots
+constexpr double end_offset = 1e-6;  // of a step: its ends are one-sided, as b'' jumps at knots
 
 }  // namespace
 
@@ -32,9 +32,9 @@ DurationProblem::DurationProblem(const SquaredRateSpline& spline,
     }
   };
   for (std::size_t k = 0; k < spline.steps(); k += lanes) {
-    add(k, side, 1.0 / 6);
+    add(k, end_offset, 1.0 / 6);
     add(k, 0.5, 4.0 / 6);
-    add(k, 1 - side, 1.0 / 6);
+    add(k, 1 - end_offset, 1.0 / 6);
     // At rest the limits do not bound b: more times in the first and the last steps do.
     const bool outermost = k == 0 || k + lanes >= spline.steps();
     if (outermost) add(k, 0.25, 0);
