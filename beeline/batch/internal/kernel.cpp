@@ -55,6 +55,16 @@ HWY_INLINE void write(const BatchJob<Real>& job, bool near, const Rows<Real>& ro
   store_rows(rows.results, count, to, stride);
 }
 
+/// Stores the origin and the direction of a link's axis as six rows; `vertical` axes are exactly
+/// +-z.
+template <class Real>
+HWY_INLINE void store_axis(const PacketFrame<Real>& frame, bool vertical, Real* rows) {
+  frame.origin.store(rows);
+  PacketVector<Real> direction = frame.z;
+  if (vertical) direction = {round(direction.x), round(direction.y), round(direction.z)};
+  direction.store(rows + 3 * Packet<Real>::width);
+}
+
 enum class Wanted { tool, columns, links };
 
 template <Wanted wanted, class Real, bool buffered>
@@ -83,12 +93,7 @@ HWY_INLINE void run_packet(const BatchJob<Real>& job, const Rows<Real>& rows, Ei
     write_some();
     multiply(frame, plan.links[i], rows.q, rows.sines + i * width, rows.cosines + i * width);
     if constexpr (wanted == Wanted::columns) {
-      frame.origin.store(axes);
-      PacketVector<Real> direction = frame.z;
-      if (plan.planar && plan.links[i].rotates) {  // exactly +-z
-        direction = {round(direction.x), round(direction.y), round(direction.z)};
-      }
-      direction.store(axes + 3 * width);
+      store_axis(frame, plan.planar && plan.links[i].rotates, axes);
       axes += 6 * width;
     }
     if constexpr (wanted == Wanted::links) {
