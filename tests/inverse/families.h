@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/inverse/analytic/six_loop.h>
+#include <beeline/inverse/analytic/pieper_loop.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/inverse/numerical/representative.h>
 
@@ -44,12 +44,12 @@ inline Arm arm_through(const std::vector<Axis>& axes, Random& random, double siz
 
 /// Random axes of the letters given (R or P), of which the three from `first` on (0 to 3) meet or
 /// are parallel.
-inline std::vector<Axis> axes_with(SixLoop::Family family, std::size_t first,
+inline std::vector<Axis> axes_with(internal::PieperLoop::Family family, std::size_t first,
                                    const std::string& letters, Random& random, double size = 1) {
   std::vector<Axis> axes;
   for (const char letter : letters) axes.push_back(random_axis(random, letter == 'P', size));
   for (std::size_t i = first + 1; i < first + 3; ++i) {
-    if (family == SixLoop::Family::meeting) {
+    if (family == internal::PieperLoop::Family::intersecting) {
       axes[i].point = axes[first].point + random.uniform(-size, size) * axes[i].direction;
     } else {
       axes[i].direction = axes[first].direction * (random.integer(0, 1) == 0 ? 1 : -1);

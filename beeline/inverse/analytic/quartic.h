@@ -2,12 +2,12 @@
 
 #include <array>
 
-namespace beeline {
+namespace beeline::internal {
 
-/// The real roots of c[0] + c[1] x + ... + c[4] x^4, at most four, each as often as it counts; a
-/// double root that rounding has made complex counts as real (of a fourfold root it may not).
-/// Returns how many; c[4] must not vanish. Ferrari's way by the largest root of the resolvent, each
-/// root polished by Newton.
+/// Computes the real roots of c[0] + c[1] x + ... + c[4] x^4, with their multiplicities, by
+/// Ferrari's method and a few Newton steps. A double root that rounding has made complex counts as
+/// real; one of multiplicity four may be missed. Returns the number of roots, 0 to 4. Needs c[4] !=
+/// 0.
 int quartic_roots(const std::array<double, 5>& c, std::array<double, 4>& roots);
 
-}  // namespace beeline
+}  // namespace beeline::internal

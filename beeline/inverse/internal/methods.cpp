@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include <beeline/error.h>
-#include <beeline/inverse/analytic/planar.h>
+#include <beeline/inverse/analytic/planar_solver.h>
 #include <beeline/inverse/internal/methods.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
@@ -20,24 +20,24 @@ bool is_general_six(const Arm& arm, const Task& task) {
 /// Otherwise the arm is another one for each value, and is prepared when that is known.
 InverseMethods locked_methods(InverseMethods methods) {
   if (methods.options.method == InverseMethod::numerical) return methods;
-  methods.closed = ClosedForm::of(methods.arm, methods.task);
+  methods.closed = PieperSolver::make(methods.arm, methods.task);
   if (methods.closed && methods.closed->locked() != methods.options.lock) methods.closed.reset();
   return methods;
 }
 
 /// Whether the closed form finds random configurations of the arm again, or says that they stand
 /// for infinitely many. Where axes of its loop coincide it may see nothing of what is free.
-bool finds_again(const ClosedForm& form, const Arm& arm) {
+bool finds_again(const PieperSolver& form, const Arm& arm) {
   constexpr int trials = 16;
   const Configuration zero = Configuration::Zero(arm.dof());
   const Bounds open = no_bounds(arm);
-  SixQuestion six = form.question(zero, open.lower, open.upper);
+  PieperRequest six = form.request(zero, open.lower, open.upper);
   Splitmix random(1);
   for (int trial = 0; trial < trials; ++trial) {
     Configuration q(arm.dof()), again(arm.dof());
     for (double& value : q) value = 2 * random.next() - 1;
-    SixBranches found;
-    const double value = form.locked() >= 0 ? q[form.locked()] : 0;
+    PieperBranches found;
+    const double value = form.locked() ? q[*form.locked()] : 0;
     form.branches(forward_kinematics(arm, q), value, six, found);
     bool met = found.continuum != 0;
     for (int lane = 0; lane < 8 && !met; ++lane) {
@@ -62,7 +62,7 @@ InverseMethods inverse_methods(const Arm& arm, const InverseOptions& options) {
   if (options.lock) return locked_methods(std::move(methods));
   const bool formulas = options.method != InverseMethod::numerical;
   methods.planar = formulas && has_planar_closed_form(arm, methods.task);
-  if (formulas && !methods.planar) methods.closed = ClosedForm::of(arm, methods.task);
+  if (formulas && !methods.planar) methods.closed = PieperSolver::make(arm, methods.task);
   if (methods.closed) methods.closed_is_sure = finds_again(*methods.closed, arm);
   methods.general_six = formulas && !methods.closed && is_general_six(arm, methods.task);
   // For one solution descents are sooner there.
@@ -87,9 +87,9 @@ void check_lock(const InverseMethods& methods, const ConfigurationRef& seed) {
               "; its limits are " + with_unit(joint, lower) + " to " + with_unit(joint, upper));
 }
 
-std::optional<GeneralSix> prepared_general(const InverseMethods& methods) {
+std::optional<RaghavanRothSolver> prepared_general(const InverseMethods& methods) {
   if (!methods.general_six) return std::nullopt;
-  GeneralSix general(methods.arm.chain());
+  RaghavanRothSolver general(methods.arm.chain());
   return general.reliable() ? std::optional(std::move(general)) : std::nullopt;
 }
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include <beeline/inverse/analytic/closed_form.h>
-#include <beeline/inverse/analytic/general_six.h>
+#include <beeline/inverse/analytic/pieper_solver.h>
+#include <beeline/inverse/analytic/raghavan_roth_solver.h>
 #include <beeline/inverse/internal/reason.h>
 #include <beeline/inverse/internal/redundant_joint.h>
 #include <beeline/inverse/internal/request.h>
@@ -27,13 +27,14 @@ struct InverseMethods {
   Bounds bounds;         ///< the limits, or none where these do not count
   Configuration middle;  ///< the seed where none is given
   bool planar = false;   ///< has_planar_closed_form()
-  std::optional<ClosedForm> closed = std::nullopt;
+  std::optional<PieperSolver> closed = std::nullopt;
   bool closed_is_sure = true;  ///< whether it found random configurations of the arm again
   bool general_six = false;    ///< six joints that turn, and no closed form of a family
-  std::optional<GeneralSix> general = std::nullopt;
-  std::optional<GeneralSix> second_opinion = std::nullopt;  ///< where descents find nothing
+  std::optional<RaghavanRothSolver> general = std::nullopt;
+  std::optional<RaghavanRothSolver> second_opinion = std::nullopt;  ///< where descents find nothing
   std::optional<PreparedSearch> within = std::nullopt, anywhere = std::nullopt;
-  int missing = -1;  ///< the coordinate of a longer arm that is locked in this one
+  std::optional<int> missing =
+      std::nullopt;  ///< the coordinate of a longer arm that is locked in this one
   std::vector<InverseMethods> shorter = {};  ///< for options.lock: the arm that is left ...
   double shorter_value = 0;                  ///< ... with the coordinate at this value
   MultiStartBuffers buffers = {};
@@ -44,7 +45,7 @@ struct InverseMethods {
 InverseMethods inverse_methods(const Arm& arm, const InverseOptions& options);
 
 /// The general solver of six joints, if it is one for the arm. Takes milliseconds.
-std::optional<GeneralSix> prepared_general(const InverseMethods& methods);
+std::optional<RaghavanRothSolver> prepared_general(const InverseMethods& methods);
 
 /// In words.
 std::string description(const InverseMethods& methods);
@@ -76,7 +77,7 @@ int solve_fast_path(InverseMethods& methods, const Pose& goal, const Configurati
 /// Puts what formulas give into result.solutions, as far as it is within limits.
 UnconstrainedResult solve_closed(InverseMethods& methods, const Request& request,
                                  InverseResult& result);
-UnconstrainedResult solve_general(const GeneralSix& general, const Request& request,
+UnconstrainedResult solve_general(const RaghavanRothSolver& general, const Request& request,
                                   InverseResult& result);
 
 /// Puts what descents find into result.solutions; `unconstrained` is what is known already.

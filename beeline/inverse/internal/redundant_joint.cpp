@@ -10,7 +10,7 @@
 namespace beeline::internal {
 namespace {
 
-void insert(const ClosedForm& form, const LockedBranch& branch, int lane, LeastOutside& outside) {
+void insert(const PieperSolver& form, const LockedBranch& branch, int lane, LeastOutside& outside) {
   constexpr int room = 8;
   const double excess = branch.found.excess[lane];
   if (outside.count == room && !(excess < outside.excess[room - 1])) return;
@@ -25,8 +25,8 @@ void insert(const ClosedForm& form, const LockedBranch& branch, int lane, LeastO
 }
 
 /// Less is better: the distance from the seed, or minus the least share of a range that is left.
-double cost(const SixQuestion& six, const SixBranches& found, int lane, const LockedRange& range,
-            double value, Redundancy redundancy) {
+double cost(const PieperRequest& six, const PieperBranches& found, int lane,
+            const LockedRange& range, double value, Redundancy redundancy) {
   if (redundancy == Redundancy::nearest) {
     return found.distance[lane] + (value - range.seed) * (value - range.seed);
   }
@@ -40,8 +40,8 @@ double cost(const SixQuestion& six, const SixBranches& found, int lane, const Lo
 }  // namespace
 
 LockedRange locked_range(const Arm& arm, const Bounds& bounds, const ConfigurationRef& seed,
-                         const ClosedForm& form) {
-  const int k = form.locked();
+                         const PieperSolver& form) {
+  const int k = form.locked().value();
   const bool slides = kind(arm.joint_of(k)) == JointKind::prismatic;
   const double far = slides ? form.size() : std::numbers::pi;
   LockedRange range{bounds.lower[k], bounds.upper[k], seed[k]};
@@ -59,19 +59,19 @@ LockedRange locked_range(const Arm& arm, const Bounds& bounds, const Configurati
   return range;
 }
 
-int nearest_lane(const SixQuestion& six, const SixBranches& found) {
+int nearest_lane(const PieperRequest& six, const PieperBranches& found) {
   int nearest = -1;
   for (unsigned rest = found.within; rest != 0; rest &= rest - 1) {
     const int lane = std::countr_zero(rest);
-    if (!(found.residual[lane] <= six.closed)) continue;
+    if (!(found.residual[lane] <= six.max_residual)) continue;
     if (nearest < 0 || found.distance[lane] < found.distance[nearest]) nearest = lane;
   }
   return nearest;
 }
 
-bool nearly_found(const ClosedForm& form, const SixBranches& found) {
+bool nearly_found(const PieperSolver& form, const PieperBranches& found) {
   // Added joints may stand still only where other lanes are at the edge of theirs.
-  if (form.has_added_joints() && found.found != 0) return false;
+  if (form.has_virtual_joints() && found.found != 0) return false;
   if (found.weak != 0) return true;
   const double near = 1e-6 * std::max(1.0, form.size());
   for (int lane = 0; lane < 8; ++lane) {
@@ -80,8 +80,8 @@ bool nearly_found(const ClosedForm& form, const SixBranches& found) {
   return false;
 }
 
-LockedBranch first_within(const ClosedForm& form, const Pose& goal, const LockedRange& range,
-                          int tries, SixQuestion& six, LeastOutside& outside) {
+LockedBranch first_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
+                          int tries, PieperRequest& six, LeastOutside& outside) {
   LockedBranch branch;
   int tried = 0;
   const auto succeeds = [&](double value) {
@@ -119,8 +119,8 @@ std::vector<double> grid_values(const LockedRange& range, int grid) {
   return values;
 }
 
-LockedBranch best_within(const ClosedForm& form, const Pose& goal, const LockedRange& range,
-                         int grid, Redundancy redundancy, SixQuestion& six) {
+LockedBranch best_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
+                         int grid, Redundancy redundancy, PieperRequest& six) {
   constexpr double none = std::numeric_limits<double>::infinity();
   LockedBranch best, branch;
   double least = none;
@@ -129,7 +129,7 @@ LockedBranch best_within(const ClosedForm& form, const Pose& goal, const LockedR
     double lowest = none;
     for (unsigned rest = branch.found.within; rest != 0; rest &= rest - 1) {
       const int lane = std::countr_zero(rest);
-      if (!(branch.found.residual[lane] <= six.closed)) continue;
+      if (!(branch.found.residual[lane] <= six.max_residual)) continue;
       const double here = cost(six, branch.found, lane, range, value, redundancy);
       lowest = std::min(lowest, here);
       if (here < least) {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <beeline/inverse/analytic/planar.h>
+#include <beeline/inverse/analytic/planar_solver.h>
 #include <beeline/inverse/internal/methods.h>
 #include <beeline/inverse/internal/reason.h>
 #include <beeline/inverse/internal/redundant_joint.h>
@@ -50,27 +50,27 @@ class Claims {
   double least_ = 0;
 };
 
-void add_branches(const ClosedForm& form, const SixBranches& found, double value, int dof,
+void add_branches(const PieperSolver& form, const PieperBranches& found, double value, int dof,
                   Claims& claims) {
   for (int lane = 0; lane < 8; ++lane) {
     if ((found.found >> lane & 1) == 0) continue;
     Configuration q(dof);
     form.configuration(found, lane, value, q);
-    claims.add(q, !form.has_added_joints() && (found.continuum >> lane & 1) != 0);
+    claims.add(q, !form.has_virtual_joints() && (found.continuum >> lane & 1) != 0);
   }
 }
 
 void solve_locked(InverseMethods& methods, const Request& request, Claims& claims) {
-  const ClosedForm& form = *methods.closed;
-  SixQuestion six =
-      form.question(request.seed, request.bounds.lower, request.bounds.upper, request.tolerance);
+  const PieperSolver& form = *methods.closed;
+  PieperRequest six =
+      form.request(request.seed, request.bounds.lower, request.bounds.upper, request.tolerance);
   const LockedRange range = locked_range(request.arm, request.bounds, request.seed, form);
   const int dof = request.arm.dof();
   claims.unconstrained.complete = false;
   const int grid = request.options.grid;
   if (request.options.all) {
     for (const double value : grid_values(range, grid)) {
-      SixBranches found;
+      PieperBranches found;
       form.branches(request.goal, value, six, found);
       add_branches(form, found, value, dof, claims);
     }
@@ -103,11 +103,11 @@ void solve_planar(const Request& request, Claims& claims) {
 
 }  // namespace
 
-UnconstrainedResult solve_general(const GeneralSix& general, const Request& request,
+UnconstrainedResult solve_general(const RaghavanRothSolver& general, const Request& request,
                                   InverseResult& result) {
   Claims claims(request, result);
-  Eigen::Matrix<double, 6, GeneralSix::max_solutions> q;
-  const GeneralSix::Found found = general.solve(request.goal, q);
+  Eigen::Matrix<double, 6, RaghavanRothSolver::max_solutions> q;
+  const RaghavanRothSolver::Result found = general.solve(request.goal, q);
   for (int i = 0; i < found.count; ++i) claims.add(q.col(i), false);
   claims.unconstrained.complete = found.complete && !claims.unconstrained.doubtful;
   claims.unconstrained.doubtful = !claims.unconstrained.complete;
@@ -120,16 +120,16 @@ UnconstrainedResult solve_closed(InverseMethods& methods, const Request& request
   claims.unconstrained.complete = true;
   if (methods.planar) {
     solve_planar(request, claims);
-  } else if (methods.closed && methods.closed->locked() >= 0) {
+  } else if (methods.closed && methods.closed->locked()) {
     solve_locked(methods, request, claims);
   } else if (methods.closed) {
-    SixQuestion six = methods.closed->question(request.seed, request.bounds.lower,
-                                               request.bounds.upper, request.tolerance);
-    SixBranches found;
+    PieperRequest six = methods.closed->request(request.seed, request.bounds.lower,
+                                                request.bounds.upper, request.tolerance);
+    PieperBranches found;
     methods.closed->branches(request.goal, 0, six, found);
     add_branches(*methods.closed, found, 0, request.arm.dof(), claims);
     // Where an added joint may share a turn with the arm's, only one of infinitely many was seen.
-    claims.unconstrained.complete = !methods.closed->has_added_joints() || found.continuum == 0;
+    claims.unconstrained.complete = !methods.closed->has_virtual_joints() || found.continuum == 0;
     claims.unconstrained.doubtful |=
         !methods.closed_is_sure || nearly_found(*methods.closed, found);
   } else if (methods.general) {

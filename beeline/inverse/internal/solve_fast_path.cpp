@@ -11,9 +11,9 @@ namespace {
 /// One solution of an arm with a joint to spare. A few values of that joint find most; for the rest
 /// descents from near them find more than more values would.
 int one_of_many(InverseMethods& methods, const Pose& goal, const ConfigurationRef& seed,
-                SixQuestion& six, Eigen::Ref<Eigen::MatrixXd> solutions) {
+                PieperRequest& six, Eigen::Ref<Eigen::MatrixXd> solutions) {
   constexpr int few = 9;
-  const ClosedForm& form = *methods.closed;
+  const PieperSolver& form = *methods.closed;
   const LockedRange range = locked_range(methods.arm, methods.bounds, seed, form);
   LeastOutside outside;
   const LockedBranch branch =
@@ -31,11 +31,11 @@ int one_of_many(InverseMethods& methods, const Pose& goal, const ConfigurationRe
 }
 
 /// The lanes within limits, nearest first; -1 where something needs a second look.
-int lanes_in_order(const SixQuestion& six, const SixBranches& found, int (&lanes)[8]) {
+int lanes_in_order(const PieperRequest& six, const PieperBranches& found, int (&lanes)[8]) {
   int count = 0;
   for (unsigned rest = found.found; rest != 0; rest &= rest - 1) {
     const int lane = std::countr_zero(rest);
-    if (!(found.residual[lane] <= six.closed)) return -1;
+    if (!(found.residual[lane] <= six.max_residual)) return -1;
     if ((found.within >> lane & 1) == 0) {
       // A hair outside its limits it may still be mended.
       constexpr double hair = 1e-6;
@@ -52,7 +52,7 @@ int lanes_in_order(const SixQuestion& six, const SixBranches& found, int (&lanes
 }
 
 /// Whether two of these lanes are one solution, whole turns aside.
-bool has_twins(const SixBranches& found, const int* lanes, int count) {
+bool has_twins(const PieperBranches& found, const int* lanes, int count) {
   constexpr double twin = 1e-4;  // radians or metres
   for (int i = 0; i < count; ++i) {
     for (int j = 0; j < i; ++j) {
@@ -77,21 +77,21 @@ int solve_fast_path(InverseMethods& methods, const Pose& goal, const Configurati
     if (!any_will_do || out_of_reach(methods.arm, goal, methods.task, options.tolerance)) return -1;
     return search_fast_path(methods, goal, seed, solutions) ? 1 : -1;
   }
-  const ClosedForm& form = *methods.closed;
+  const PieperSolver& form = *methods.closed;
   // Free joints have shares in distances and solutions.
   if (form.has_free_joints() || !methods.closed_is_sure) return -1;
-  SixQuestion six =
-      form.question(seed, methods.bounds.lower, methods.bounds.upper, options.tolerance);
+  PieperRequest six =
+      form.request(seed, methods.bounds.lower, methods.bounds.upper, options.tolerance);
   double value = 0;  // of a locked joint
   if (options.lock) {
     check_lock(methods, seed);
     value = seed[*options.lock];
-  } else if (form.locked() >= 0) {
+  } else if (form.locked()) {
     const bool any_will_do = !options.all && options.redundancy == Redundancy::any &&
                              options.method == InverseMethod::automatic;
     return any_will_do ? one_of_many(methods, goal, seed, six, solutions) : -1;
   }
-  SixBranches found;
+  PieperBranches found;
   form.branches(goal, value, six, found);
   if (!options.all) {
     const int lane = nearest_lane(six, found);

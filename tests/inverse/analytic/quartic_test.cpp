@@ -7,7 +7,7 @@
 
 #include <tests/random.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 using testing::Random;
@@ -20,18 +20,8 @@ Quartic product(double lead, double a, double b, double m, double n) {
           lead * (middle + sum), lead};
 }
 
-std::vector<double> roots_of(const Quartic& c) {
-  std::array<double, 4> roots{};
-  const int count = quartic_roots(c, roots);
-  EXPECT_GE(count, 0);
-  EXPECT_LE(count, 4);
-  std::vector<double> sorted(roots.begin(), roots.begin() + count);
-  std::sort(sorted.begin(), sorted.end());
-  return sorted;
-}
-
-/// What is left at x, of what its terms would be without their signs.
-double left_at(const Quartic& c, double x) {
+/// The absolute value at x, relative to the sum of the absolute values of its terms.
+double relative_value(const Quartic& c, double x) {
   double value = 0, terms = 0;
   for (std::size_t i = 5; i-- > 0;) {
     value = value * x + c[i];
@@ -40,7 +30,18 @@ double left_at(const Quartic& c, double x) {
   return terms == 0 ? 0 : std::abs(value) / terms;
 }
 
-/// Finds each of the roots expected, to `tolerance` of `size`, and no others.
+std::vector<double> roots_of(const Quartic& c) {
+  std::array<double, 4> roots{};
+  const int count = quartic_roots(c, roots);
+  EXPECT_TRUE(count == 0 || count == 2 || count == 4) << count;  // complex roots come in pairs
+  std::vector<double> sorted(roots.begin(), roots.begin() + std::clamp(count, 0, 4));
+  std::sort(sorted.begin(), sorted.end());
+  // A triple root is known to a third of the digits; the value there is zero to rounding.
+  for (const double x : sorted) EXPECT_LE(relative_value(c, x), 1e-6) << x;
+  return sorted;
+}
+
+/// Checks that the roots are the expected ones, to `tolerance` times `size`.
 void expect_roots(const Quartic& c, std::vector<double> expected, double tolerance, double size,
                   double rounding = 1e-14) {
   std::sort(expected.begin(), expected.end());
@@ -48,11 +49,11 @@ void expect_roots(const Quartic& c, std::vector<double> expected, double toleran
   ASSERT_EQ(found.size(), expected.size()) << c[0] << ' ' << c[1] << ' ' << c[2] << ' ' << c[3];
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_NEAR(found[i], expected[i], tolerance * size);
-    EXPECT_LE(left_at(c, found[i]), rounding);
+    EXPECT_LE(relative_value(c, found[i]), rounding);
   }
 }
 
-/// Numbers within +-size, no two of which are nearer than `apart` of it.
+/// Random numbers in [-size, size], at least `apart` times size from each other.
 std::vector<double> distinct(int count, double size, double apart, Random& random) {
   std::vector<double> numbers;
   while (static_cast<int>(numbers.size()) < count) {
@@ -99,7 +100,7 @@ TEST(Quartic, FindsNoneOfTwoComplexPairs) {
   }
 }
 
-TEST(Quartic, CountsDoubleRootsTwice) {
+TEST(Quartic, FindsDoubleRootsWithTheirMultiplicity) {
   Random random;
   for (int i = 0; i < 20000; ++i) {
     const auto x = distinct(3, 3, 0.1, random);
@@ -113,8 +114,7 @@ TEST(Quartic, CountsDoubleRootsTwice) {
   }
 }
 
-/// The simple root beside a triple one is known well, the triple one to a third
-/// of the digits.
+/// A triple root is known to a third of the digits; the simple root beside it is exact.
 TEST(Quartic, FindsTripleRoots) {
   Random random;
   for (int i = 0; i < 20000; ++i) {
@@ -129,7 +129,7 @@ TEST(Quartic, FindsTripleRoots) {
   }
 }
 
-TEST(Quartic, EvenPolynomialsAndZerosAreNoExceptions) {
+TEST(Quartic, FindsRootsOfEvenPolynomialsAndOfPowers) {
   expect_roots({0, 0, 0, 0, 2}, {0, 0, 0, 0}, 1e-6, 2);
   expect_roots({-1, 0, 0, 0, 1}, {-1, 1}, 1e-15, 2);
   expect_roots({4, 0, -5, 0, 1}, {-2, -1, 1, 2}, 1e-15, 2);
@@ -139,8 +139,8 @@ TEST(Quartic, EvenPolynomialsAndZerosAreNoExceptions) {
   EXPECT_TRUE(roots_of({4, 0, 5, 0, 1}).empty());
 }
 
-/// The unit of the unknown and that of the polynomial do not matter.
-TEST(Quartic, TinyAndHugeNumbersAreSolvedAlike) {
+/// The roots do not depend on the units of the unknown and of the polynomial.
+TEST(Quartic, IsIndependentOfScale) {
   Random random;
   for (const double size : {1e-9, 1e-6, 1e-3, 1e3, 1e6, 1e9}) {
     for (const double by : {1e-30, 1e-9, 1e9, 1e30}) {
@@ -158,9 +158,8 @@ TEST(Quartic, TinyAndHugeNumbersAreSolvedAlike) {
   }
 }
 
-/// Where the leading coefficient nearly vanishes one root goes far away, and
-/// the others stay.
-TEST(Quartic, ASmallLeadingCoefficientSpoilsNoOtherRoot) {
+/// With a small leading coefficient one root is large; the others keep their precision.
+TEST(Quartic, FindsRootsWithASmallLeadingCoefficient) {
   Random random;
   for (const double far : {1e2, 1e3, 1e4}) {
     for (int i = 0; i < 2000; ++i) {
@@ -179,4 +178,4 @@ TEST(Quartic, ASmallLeadingCoefficientSpoilsNoOtherRoot) {
 }
 
 }  // namespace
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -20,16 +20,16 @@ using testing::Random;
 
 TEST(LockedJoint, IsRecognisedAtEitherEnd) {
   Random random;
-  for (const auto family : {SixLoop::Family::meeting, SixLoop::Family::parallel}) {
+  for (const auto family : {PieperLoop::Family::intersecting, PieperLoop::Family::parallel}) {
     for (std::size_t first = 0; first < 4; ++first) {
       auto axes = axes_with(family, first, "RRRRRR", random);
       axes.push_back(testing::random_axis(random));
-      auto form = ClosedForm::of(arm_through(axes, random), Task::spatial());
+      auto form = PieperSolver::make(arm_through(axes, random), Task::spatial());
       ASSERT_TRUE(form);
       EXPECT_EQ(form->locked(), 6);
       std::rotate(axes.begin(), axes.begin() + 6, axes.end());
       // The six that begin at joint 1 may have a family too: then the last is locked again.
-      form = ClosedForm::of(arm_through(axes, random), Task::spatial());
+      form = PieperSolver::make(arm_through(axes, random), Task::spatial());
       ASSERT_TRUE(form);
       EXPECT_EQ(form->locked(), first < 3 ? 6 : 0);
     }
@@ -202,7 +202,7 @@ TEST(LockedJoint, AGridHasTheSolutionsOfEachOfItsValues) {
 
 TEST(LockedJoint, GridValuesReachFromLimitToLimit) {
   const Arm arm = built_in("panda");
-  const auto form = ClosedForm::of(arm, Task::spatial());
+  const auto form = PieperSolver::make(arm, Task::spatial());
   const Configuration far = Configuration::Constant(7, 9);
   const LockedRange range = locked_range(arm, bounds_of(arm), far, *form);
   EXPECT_EQ(range.lower, arm.limits(6).lower);

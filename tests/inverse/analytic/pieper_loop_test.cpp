@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include <beeline/inverse/analytic/six_lanes.h>
+#include <beeline/inverse/analytic/pieper_branches.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
@@ -9,20 +9,20 @@
 
 #include <tests/inverse/families.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 using testing::axes_with;
 using testing::Axis;
 using testing::holds;
 using testing::Random;
-using Family = SixLoop::Family;
+using Family = PieperLoop::Family;
 
 constexpr double pi = std::numbers::pi;
 
-/// The joint that a loop begins with stands behind the three that belong together: of the three
-/// others the middle one must turn.
-std::string with_slides(std::size_t first, bool d, bool f) {
+/// Joint types with a prismatic joint d or f (see PieperLoop); d follows the three special axes,
+/// which start at `first`.
+std::string with_prismatic(std::size_t first, bool d, bool f) {
   std::string letters = "RRRRRR";
   if (d) letters[(first + 3) % 6] = 'P';
   if (f) letters[(first + 5) % 6] = 'P';
@@ -30,7 +30,7 @@ std::string with_slides(std::size_t first, bool d, bool f) {
 }
 
 std::string words(Family family, std::size_t first) {
-  std::string text = family == Family::meeting ? "three axes meet" : "three parallel axes";
+  std::string text = family == Family::intersecting ? "three axes meet" : "three parallel axes";
   for (std::size_t i = 0; i < 3; ++i) {
     text += (i == 0 ? " (joints " : ", ") + std::to_string(first + i + 1);
   }
@@ -51,7 +51,8 @@ double largest_error(const Arm& arm, const Pose& pose, const InverseResult& resu
   return largest;
 }
 
-/// The poses of random configurations come back: exact, in pairs, and at most eight.
+/// Checks that random configurations are among the solutions of their poses, and that solutions are
+/// exact, even in number and at most eight.
 void expect_found(const Arm& arm, int poses, Random& random) {
   for (int i = 0; i < poses; ++i) {
     const Configuration from = random.configuration(arm);
@@ -69,18 +70,18 @@ void expect_found(const Arm& arm, int poses, Random& random) {
 
 template <class Visit>
 void for_each_family(Visit&& visit) {
-  for (const Family family : {Family::meeting, Family::parallel}) {
+  for (const Family family : {Family::intersecting, Family::parallel}) {
     for (std::size_t first = 0; first < 4; ++first) visit(family, first);
   }
 }
 
-TEST(SixLoop, IsRecognisedFromTheAxesAlone) {
+TEST(PieperLoop, IsRecognisedWhateverTheLinkFrames) {
   Random random;
   for_each_family([&](Family family, std::size_t first) {
     for (int i = 0; i < 100; ++i) {
       for (const double size : {1e-3, 1.0, 1e3}) {
         const auto axes = axes_with(family, first, "RRRRRR", random, size);
-        const auto loop = six_loop(chain_of(arm_through(axes, random, size)));
+        const auto loop = pieper_loop(chain_of(arm_through(axes, random, size)));
         ASSERT_TRUE(loop) << words(family, first) << " of size " << size;
         EXPECT_EQ(loop->family, family);
         EXPECT_EQ(description(*loop), words(family, first));
@@ -89,40 +90,40 @@ TEST(SixLoop, IsRecognisedFromTheAxesAlone) {
   });
 }
 
-TEST(SixLoop, IsRecognisedWithSlidesBesideTheThree) {
+TEST(PieperLoop, IsRecognisedWithPrismaticJoints) {
   Random random;
   for_each_family([&](Family family, std::size_t first) {
     for (int slides = 1; slides < 3; ++slides) {
-      const auto letters = with_slides(first, slides == 1, slides == 2);
+      const auto letters = with_prismatic(first, slides == 1, slides == 2);
       const auto axes = axes_with(family, first, letters, random);
-      const auto loop = six_loop(chain_of(arm_through(axes, random)));
+      const auto loop = pieper_loop(chain_of(arm_through(axes, random)));
       ASSERT_TRUE(loop) << words(family, first) << ' ' << letters;
       EXPECT_EQ(description(*loop), words(family, first));
-      EXPECT_EQ(loop->slides[0], slides == 1);
-      EXPECT_EQ(loop->slides[2], slides == 2);
+      EXPECT_EQ(loop->prismatic[0], slides == 1);
+      EXPECT_EQ(loop->prismatic[2], slides == 2);
     }
   });
 }
 
-TEST(SixLoop, IsNoneWithoutThreeAxesThatBelongTogether) {
+TEST(PieperLoop, RequiresThreeAxesThatIntersectOrAreParallel) {
   Random random;
   for (int i = 0; i < 300; ++i) {
     std::vector<Axis> axes(6);
     for (Axis& axis : axes) axis = testing::random_axis(random);
-    EXPECT_FALSE(six_loop(chain_of(arm_through(axes, random))));
+    EXPECT_FALSE(pieper_loop(chain_of(arm_through(axes, random))));
   }
   for_each_family([&](Family family, std::size_t first) {
-    for (int i = 0; i < 30; ++i) {  // nearly so is not so
+    for (int i = 0; i < 30; ++i) {  // an error of 1e-6 is too large
       auto axes = axes_with(family, first, "RRRRRR", random);
       axes[first + 1].point += 1e-6 * random.direction();
       axes[first + 1].direction = (axes[first + 1].direction + 1e-6 * random.direction());
       axes[first + 1].direction.normalize();
-      EXPECT_FALSE(six_loop(chain_of(arm_through(axes, random)))) << words(family, first);
+      EXPECT_FALSE(pieper_loop(chain_of(arm_through(axes, random)))) << words(family, first);
     }
   });
 }
 
-TEST(SixLoop, FindsTheConfigurationThatAPoseCameFrom) {
+TEST(PieperLoop, FindsTheConfigurationOfAPose) {
   Random random;
   for_each_family([&](Family family, std::size_t first) {
     SCOPED_TRACE(words(family, first));
@@ -132,11 +133,11 @@ TEST(SixLoop, FindsTheConfigurationThatAPoseCameFrom) {
   });
 }
 
-TEST(SixLoop, FindsItWithSlides) {
+TEST(PieperLoop, FindsItWithPrismaticJoints) {
   Random random;
   for_each_family([&](Family family, std::size_t first) {
     for (int slides = 1; slides < 3; ++slides) {
-      const auto letters = with_slides(first, slides == 1, slides == 2);
+      const auto letters = with_prismatic(first, slides == 1, slides == 2);
       SCOPED_TRACE(words(family, first) + ' ' + letters);
       for (int i = 0; i < 20; ++i) {
         expect_found(arm_through(axes_with(family, first, letters, random), random), 10, random);
@@ -145,8 +146,8 @@ TEST(SixLoop, FindsItWithSlides) {
   });
 }
 
-/// Most of what is built has right angles, and axes that meet two by two.
-TEST(SixLoop, FindsItForRightAngledArms) {
+/// Most industrial arms have right angles and pairs of intersecting axes.
+TEST(PieperLoop, FindsItForRightAngledArms) {
   Random random;
   int arms = 0;
   for_each_family([&](Family family, std::size_t first) {
@@ -157,19 +158,19 @@ TEST(SixLoop, FindsItForRightAngledArms) {
       for (std::size_t k = 0; k < 6; ++k) {
         Axis axis{Vector3::Unit(random.integer(0, 2)), Vector3::Zero()};
         for (double& x : axis.point) x = 0.25 * random.integer(-3, 3);
-        const bool belongs = k >= first && k < first + 3;
-        if (belongs && family == Family::meeting) axis.point = centre;
-        if (belongs && family == Family::parallel) axis.direction = Vector3::Unit(along);
+        const bool special = k >= first && k < first + 3;
+        if (special && family == Family::intersecting) axis.point = centre;
+        if (special && family == Family::parallel) axis.direction = Vector3::Unit(along);
         axes.push_back(axis);
       }
       const Arm arm = arm_through(axes, random);
-      // Not all random ones move their tools freely, and some have two of three axes in line.
+      // Some random arms are singular everywhere, and some have two coincident axes of the three.
       double determinant = 0;
       for (int k = 0; k < 5; ++k) {
         const auto j = jacobian(arm, random.configuration(arm), Frame::base);
         determinant = std::max(determinant, std::abs(j.determinant()));
       }
-      const auto loop = six_loop(chain_of(arm));
+      const auto loop = pieper_loop(chain_of(arm));
       if (determinant < 1e-3 || !loop) continue;
       ++arms;
       SCOPED_TRACE(description(*loop));
@@ -179,12 +180,12 @@ TEST(SixLoop, FindsItForRightAngledArms) {
   EXPECT_GT(arms, 200);
 }
 
-TEST(SixLoop, MissesNothingThatASearchFinds) {
+TEST(PieperLoop, FindsEverySolutionThatASearchFinds) {
   Random random;
   int equal = 0, poses = 0;
   for_each_family([&](Family family, std::size_t first) {
     for (int i = 0; i < 8; ++i) {
-      const auto letters = with_slides(first, i == 0, i == 1);
+      const auto letters = with_prismatic(first, i == 0, i == 1);
       const Arm arm = arm_through(axes_with(family, first, letters, random), random);
       const Pose pose = forward_kinematics(arm, random.configuration(arm));
       const InverseResult result = all_solutions(arm, pose);
@@ -201,14 +202,15 @@ TEST(SixLoop, MissesNothingThatASearchFinds) {
   EXPECT_GE(equal, 0.95 * poses) << "of " << poses;
 }
 
-TEST(SixBranches, SayWhatIsWithinLimitsAndHowFarFromTheSeed) {
+TEST(PieperBranches, ReportLimitsAndDistanceFromTheSeed) {
   Random random;
+  int branch_count = 0, exact = 0;
   for_each_family([&](Family family, std::size_t first) {
     for (int i = 0; i < 100; ++i) {
-      const auto letters = with_slides(first, i % 3 == 1, i % 3 == 2);
+      const auto letters = with_prismatic(first, i % 3 == 1, i % 3 == 2);
       const Arm arm = arm_through(axes_with(family, first, letters, random), random);
       const Pose pose = forward_kinematics(arm, random.configuration(arm));
-      SixQuestion question{};
+      PieperRequest question{};
       for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 4; ++column) {
           question.world_T_tool[4 * row + column] = pose(row, column);
@@ -220,9 +222,9 @@ TEST(SixBranches, SayWhatIsWithinLimitsAndHowFarFromTheSeed) {
         question.upper[k] = random.uniform(0, 6);
         question.wraps[k] = kind(arm.joint_of(k)) == JointKind::revolute;
       }
-      const auto loop = six_loop(chain_of(arm));
-      SixBranches branches;
-      six_branches(*loop, question, branches);
+      const auto loop = pieper_loop(chain_of(arm));
+      PieperBranches branches;
+      pieper_branches(*loop, question, branches);
       EXPECT_NE(branches.found, 0U);
       EXPECT_EQ(branches.within & ~branches.found, 0U);
       for (int lane = 0; lane < 8; ++lane) {
@@ -235,7 +237,7 @@ TEST(SixBranches, SayWhatIsWithinLimitsAndHowFarFromTheSeed) {
           excess += std::max({question.lower[k] - q[k], q[k] - question.upper[k], 0.0});
           const bool inside = q[k] >= question.lower[k] && q[k] <= question.upper[k];
           if (!question.wraps[k]) continue;
-          // No other turn is nearer and within limits.
+          // No other multiple of 2 pi within limits is nearer.
           for (const double turns : {-3, -2, -1, 1, 2, 3}) {
             const double other = q[k] + 2 * pi * turns;
             if (other < question.lower[k] || other > question.upper[k]) continue;
@@ -246,14 +248,17 @@ TEST(SixBranches, SayWhatIsWithinLimitsAndHowFarFromTheSeed) {
         EXPECT_EQ((branches.within >> lane & 1) != 0, excess == 0) << excess;
         EXPECT_NEAR(branches.excess[lane], excess, 1e-9);
         EXPECT_NEAR(branches.distance[lane], distance, 1e-9 * (1 + distance));
+        ++branch_count;
         if (!(branches.residual[lane] < 1e-8)) continue;
+        ++exact;
         const Deviation left = task_deviation(Task::spatial(), pose, forward_kinematics(arm, q));
         EXPECT_LE(left.position, 1e-7);
         EXPECT_LE(left.orientation, 1e-7);
       }
     }
   });
+  EXPECT_GT(exact, 0.99 * branch_count) << "of " << branch_count;
 }
 
 }  // namespace
-}  // namespace beeline
+}  // namespace beeline::internal

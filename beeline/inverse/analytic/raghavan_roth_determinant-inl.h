@@ -1,45 +1,43 @@
 // Compiled once for each instruction set (Highway's foreach_target.h), so there is no #pragma once.
-#if defined(BEELINE_GENERAL_DETERMINANT_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef BEELINE_GENERAL_DETERMINANT_INL_H
-#undef BEELINE_GENERAL_DETERMINANT_INL_H
+#if defined(BEELINE_INVERSE_RAGHAVAN_ROTH_DETERMINANT_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BEELINE_INVERSE_RAGHAVAN_ROTH_DETERMINANT_INL_H
+#undef BEELINE_INVERSE_RAGHAVAN_ROTH_DETERMINANT_INL_H
 #else
-#define BEELINE_GENERAL_DETERMINANT_INL_H
+#define BEELINE_INVERSE_RAGHAVAN_ROTH_DETERMINANT_INL_H
 #endif
 
-#include <beeline/inverse/analytic/general_elimination.h>
+#include <beeline/inverse/analytic/raghavan_roth_elimination.h>
 
 #include <beeline/simd/trigonometry-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
-/// The equations that a cut of the loop leaves, after those of the right side are eliminated.
-struct Reduced {
-  alignas(64) double row[14][40];  ///< columns 0 to 7: triangular; 8 to 34: as in `left`
+using internal::Elimination;
+
+/// The fourteen equations of an elimination, after the products of the angles u and v have been
+/// eliminated from rows 8 to 13.
+struct ReducedEquations {
+  alignas(
+      64) double row[14][40];  ///< columns 0 to 7: right side, triangular; 8 to 34: as in `left`
 };
 
-constexpr int from_left = 8;  ///< the column where the left side's begin
-constexpr int first_of_six = 8;
+constexpr int left_column = 8;  ///< the column where the left side begins
+constexpr int first_free_row = 8;
 
-/// Moves the six equations to the angle of the hidden joint: row r of M, M w = 0.
-HWY_NOINLINE static void at_angle(const Reduced& reduced, Lanes cosine, Lanes sine, Lanes (*M)[9]) {
-  for (int r = 0; r < 6; ++r) {
-    const double* k = reduced.row[first_of_six + r] + from_left;
-    for (int i = 0; i < 9; ++i) {
-      M[r][i] = fma(Lanes(k[18 + i]), sine, fma(Lanes(k[9 + i]), cosine, Lanes(k[i])));
-    }
-  }
-}
-
-/// M and M shifted by one power of the first joint's half angle, made triangular.
-struct Triangle {
+/// The six equations at a value of the hidden angle, M w = 0 with w the nine products of the other
+/// two, and the twelve equations of the dialytic elimination, made triangular: M and M multiplied
+/// by one power of the first angle's half tangent.
+struct TriangularSystem {
+  Lanes M[6][9];
   Lanes a[12][12];
   Lanes determinant;
 };
 
-/// One Householder reflection: column `Pivot` becomes zero below the diagonal.
+/// One Householder reflection: column `Pivot` becomes zero below the diagonal. A template, so that
+/// the compiler unrolls the loops.
 template <int Pivot, int Rows, int Columns>
-HWY_INLINE void reflect(Triangle& t) {
+HWY_INLINE void reflect(TriangularSystem& t) {
   Lanes v[Rows - Pivot];
   Lanes square(0);
   for (int r = Pivot; r < Rows; ++r) {
@@ -60,9 +58,21 @@ HWY_INLINE void reflect(Triangle& t) {
   }
 }
 
-HWY_NOINLINE static void make_triangular(const Lanes (*M)[9], Triangle& t) {
+/// Computes M at a value of the hidden angle.
+HWY_NOINLINE inline void set_angle(const ReducedEquations& reduced, Lanes cosine, Lanes sine,
+                                   TriangularSystem& t) {
   for (int r = 0; r < 6; ++r) {
-    for (int c = 0; c < 9; ++c) t.a[r][c] = t.a[6 + r][3 + c] = M[r][c];
+    const double* k = reduced.row[first_free_row + r] + left_column;
+    for (int i = 0; i < 9; ++i) {
+      t.M[r][i] = fma(Lanes(k[18 + i]), sine, fma(Lanes(k[9 + i]), cosine, Lanes(k[i])));
+    }
+  }
+}
+
+/// Makes the twelve equations of M triangular.
+HWY_NOINLINE inline void triangulate(TriangularSystem& t) {
+  for (int r = 0; r < 6; ++r) {
+    for (int c = 0; c < 9; ++c) t.a[r][c] = t.a[6 + r][3 + c] = t.M[r][c];
   }
   for (int r = 3; r < 6; ++r) {
     for (int c = 9; c < 12; ++c) t.a[r][c] = Lanes(0);
@@ -82,19 +92,19 @@ HWY_NOINLINE static void make_triangular(const Lanes (*M)[9], Triangle& t) {
   t.determinant *= t.a[11][11];
 }
 
-/// The vector that the triangle shortens most, by inverse iteration: x of length 1. With `known`,
-/// which is that vector, the next one, at right angles to it.
-HWY_NOINLINE static void null_vector(const Triangle& t, const Lanes* known, Lanes* x) {
+/// Computes the unit vector x that the matrix shortens most, by two inverse iterations. Given that
+/// vector as `known`, computes the next one, orthogonal to it.
+HWY_NOINLINE inline void null_vector(const TriangularSystem& t, const Lanes* known, Lanes* x) {
   Lanes inverse[12];
   Lanes largest(0);
   for (int k = 0; k < 12; ++k) largest = max(largest, abs(t.a[k][k]));
   const Lanes least = max(largest * Lanes(1e-17), Lanes(1e-300));
   for (int k = 0; k < 12; ++k) {
     inverse[k] = Lanes(1) / with_sign(max(abs(t.a[k][k]), least), t.a[k][k]);
-    x[k] = Lanes(1 - 0.37 * (k * 7 % 5));  // nothing special about it
+    x[k] = Lanes(1 - 0.37 * (k * 7 % 5));  // arbitrary, orthogonal to no particular vector
   }
   for (int round = 0; round < 2; ++round) {
-    for (int k = 0; k < 12; ++k) {  // transposed: column k begins in row 3 from the ninth on
+    for (int k = 0; k < 12; ++k) {  // the transpose; columns 9 to 11 begin in row 3
       Lanes sum = x[k];
       for (int r = k < 9 ? 0 : 3; r < k; ++r) sum = fnma(t.a[r][k], x[r], sum);
       x[k] = sum * inverse[k];
@@ -104,7 +114,7 @@ HWY_NOINLINE static void null_vector(const Triangle& t, const Lanes* known, Lane
       for (int c = k + 1; c < (k < 3 ? 9 : 12); ++c) sum = fnma(t.a[k][c], x[c], sum);
       x[k] = sum * inverse[k];
     }
-    for (int pass = 0; known != nullptr && pass < 2; ++pass) {  // twice is exact
+    for (int pass = 0; known != nullptr && pass < 2; ++pass) {  // twice, against cancellation
       Lanes along(0);
       for (int k = 0; k < 12; ++k) along = fma(known[k], x[k], along);
       for (int k = 0; k < 12; ++k) x[k] = fnma(along, known[k], x[k]);
@@ -121,11 +131,11 @@ HWY_NOINLINE static void null_vector(const Triangle& t, const Lanes* known, Lane
   }
 }
 
-/// Where x and y both are null vectors, two solutions share the hidden angle. They are those
-/// combinations whose neighbours (one power of the first joint's half angle apart) are in
-/// proportion: the eigenvectors of a pencil of two by two. They take the place of x and y.
-HWY_NOINLINE static void separate(Lanes* x, Lanes* y) {
-  const Lanes c(0.8), s(0.6);  // any turn of the zero of angle, so that pi is nothing special
+/// Where the null space is spanned by x and y, two solutions share the hidden angle. They are the
+/// combinations whose entries one power of the half tangent apart are in proportion: eigenvectors
+/// of a 2x2 pencil. Replaces x and y by them.
+HWY_NOINLINE inline void separate(Lanes* x, Lanes* y) {
+  const Lanes c(0.8), s(0.6);  // rotates the zero of the angle: pi has an infinite half tangent
   Lanes A[2][2] = {{0, 0}, {0, 0}}, B[2][2] = {{0, 0}, {0, 0}};
   for (int i = 0; i < 9; ++i) {
     const Lanes low[2] = {fma(c, x[i], s * x[i + 3]), fma(c, y[i], s * y[i + 3])};
@@ -162,17 +172,19 @@ HWY_NOINLINE static void separate(Lanes* x, Lanes* y) {
   }
 }
 
-/// How far the angle is from where M's matrix of twelve becomes singular, to first order along x.
-HWY_NOINLINE static Lanes correction(const Reduced& reduced, const Lanes (*M)[9], Lanes cosine,
-                                     Lanes sine, const Lanes* x) {
+/// The first-order correction of the hidden angle to where the matrix is singular: the Gauss-Newton
+/// step of |A(angle) x| for a fixed x.
+HWY_NOINLINE inline Lanes angle_correction(const ReducedEquations& reduced,
+                                           const TriangularSystem& t, Lanes cosine, Lanes sine,
+                                           const Lanes* x) {
   Lanes value_slope(0), value_value(0);
   for (int r = 0; r < 6; ++r) {
-    const double* k = reduced.row[first_of_six + r] + from_left;
+    const double* k = reduced.row[first_free_row + r] + left_column;
     Lanes value[2] = {0, 0}, slope[2] = {0, 0};
     for (int i = 0; i < 9; ++i) {
       const Lanes change = fma(Lanes(k[18 + i]), cosine, -(Lanes(k[9 + i]) * sine));
       for (int shift = 0; shift < 2; ++shift) {
-        value[shift] = fma(M[r][i], x[i + 3 * shift], value[shift]);
+        value[shift] = fma(t.M[r][i], x[i + 3 * shift], value[shift]);
         slope[shift] = fma(change, x[i + 3 * shift], slope[shift]);
       }
     }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <beeline/error.h>
-#include <beeline/inverse/analytic/general_six.h>
+#include <beeline/inverse/analytic/raghavan_roth_solver.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/model/catalog.h>
@@ -14,7 +14,7 @@
 
 #include <tests/random.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 using testing::Random;
@@ -48,7 +48,7 @@ const Rows ur5{{{0, pi / 2, 0.089159},
                 {0, -pi / 2, 0.09465},
                 {0, 0, 0.0823}}};
 
-/// A wrist of the kind of Kinova's Jaco: 55 degrees between its axes, which do not meet.
+/// A wrist like that of Kinova's Jaco: skew axes with 55 degrees between them.
 Rows slanted_wrist() {
   const double slant = 11 * pi / 36, half = 0.0741 * std::sin(slant / 2) / std::sin(slant);
   return {{{0, pi / 2, 0.2755},
@@ -85,7 +85,7 @@ bool holds(const Columns& q, int count, const Configuration& one, double toleran
   return false;
 }
 
-/// Every answer reaches the pose, is in [-pi, pi], and differs from the others.
+/// Checks that every solution reaches the pose, is in [-pi, pi], and differs from the others.
 void expect_solutions(const Arm& arm, const Pose& pose, const Columns& q, int count) {
   for (int k = 0; k < count; ++k) {
     const Pose reached = forward_kinematics(arm, q.col(k));
@@ -95,8 +95,8 @@ void expect_solutions(const Arm& arm, const Pose& pose, const Columns& q, int co
   }
 }
 
-/// Poses of random configurations: how many of these are not found again.
-int misses(Random& random, const Arm& arm, const GeneralSix& solver, int poses) {
+/// The number of random configurations that are not among the solutions of their pose.
+int misses(Random& random, const Arm& arm, const RaghavanRothSolver& solver, int poses) {
   int missed = 0;
   Columns q(6, 16);
   for (int i = 0; i < poses; ++i) {
@@ -110,19 +110,19 @@ int misses(Random& random, const Arm& arm, const GeneralSix& solver, int poses) 
 }
 
 void expect_found(Random& random, const Arm& arm, int poses) {
-  const GeneralSix solver(chain_of(arm));
+  const RaghavanRothSolver solver(chain_of(arm));
   EXPECT_TRUE(solver.reliable());
   EXPECT_EQ(misses(random, arm, solver, poses), 0);
 }
 
-TEST(GeneralSix, FindsTheConfigurationOfAnyArm) {
+TEST(RaghavanRothSolver, FindsTheConfigurationOfAnyArm) {
   Random random;
   for (int i = 0; i < 30; ++i) {
     expect_found(random, arm_of(random_rows(random), random.pose(), random.pose(2)), 300);
   }
 }
 
-TEST(GeneralSix, FindsItWhereTwoAxesMeetOrAreParallel) {
+TEST(RaghavanRothSolver, FindsItWhereTwoAxesIntersectOrAreParallel) {
   Random random;
   for (int joint = 0; joint < 5; ++joint) {
     Rows rows = random_rows(random);
@@ -134,7 +134,7 @@ TEST(GeneralSix, FindsItWhereTwoAxesMeetOrAreParallel) {
   }
 }
 
-TEST(GeneralSix, FindsItWhereAllTwistsAreRight) {
+TEST(RaghavanRothSolver, FindsItWithAxesAtRightAngles) {
   Random random;
   for (int i = 0; i < 10; ++i) {
     Rows rows = random_rows(random);
@@ -143,20 +143,20 @@ TEST(GeneralSix, FindsItWhereAllTwistsAreRight) {
   }
 }
 
-TEST(GeneralSix, FindsItForACalibratedUr5) {
+TEST(RaghavanRothSolver, FindsItForACalibratedUr5) {
   Random random;
   for (const double by : {1e-2, 1e-4, 1e-6, 1e-8}) {
     for (int i = 0; i < 3; ++i) expect_found(random, arm_of(disturbed(random, ur5, by)), 300);
   }
 }
 
-TEST(GeneralSix, FindsItForASlantedWrist) {
+TEST(RaghavanRothSolver, FindsItForASlantedWrist) {
   Random random;
   expect_found(random, arm_of(slanted_wrist()), 3000);
 }
 
-/// Of the kind of FANUC's CRX: a wrist with an offset, all else as simple as can be.
-TEST(GeneralSix, FindsItForAWristWithAnOffset) {
+/// An arm like FANUC's CRX: right angles everywhere and an offset in the wrist.
+TEST(RaghavanRothSolver, FindsItForAWristWithAnOffset) {
   Random random;
   expect_found(random,
                arm_of({{{0, -pi / 2, 0},
@@ -169,7 +169,7 @@ TEST(GeneralSix, FindsItForAWristWithAnOffset) {
 }
 
 // The arm of Manocha & Canny, "Efficient inverse kinematics for general 6R manipulators", 1994.
-TEST(GeneralSix, FindsSixteenSolutions) {
+TEST(RaghavanRothSolver, FindsSixteenSolutions) {
   constexpr double one = pi / 180;
   const Arm arm = arm_of({{{0.3, pi / 2, 0},
                            {1, one, 0},
@@ -177,7 +177,7 @@ TEST(GeneralSix, FindsSixteenSolutions) {
                            {1.5, one, 0},
                            {0, pi / 2, 0},
                            {1.1353, one, 0}}});
-  const GeneralSix solver(chain_of(arm));
+  const RaghavanRothSolver solver(chain_of(arm));
   EXPECT_TRUE(solver.reliable());
   const Configuration from{{-2.074, 2.120, 0.517, 2.688, 0.178, 3.085}};
   const Pose pose = forward_kinematics(arm, from);
@@ -208,13 +208,13 @@ std::vector<Configuration> search(Random& random, const Arm& arm, const Pose& po
   return found;
 }
 
-TEST(GeneralSix, MissesNothingThatASearchFinds) {
+TEST(RaghavanRothSolver, FindsEverySolutionThatASearchFinds) {
   Random random;
   Columns q(6, 16);
   int found_by_search = 0, found = 0;
   for (int i = 0; i < 40; ++i) {
     const Arm arm = arm_of(i % 4 == 0 ? disturbed(random, ur5, 1e-4) : random_rows(random));
-    const GeneralSix solver(chain_of(arm));
+    const RaghavanRothSolver solver(chain_of(arm));
     const Pose pose = forward_kinematics(arm, anywhere(random));
     const int count = solver.solve(pose, q).count;
     found += count;
@@ -223,29 +223,31 @@ TEST(GeneralSix, MissesNothingThatASearchFinds) {
       EXPECT_TRUE(holds(q, count, other)) << other.transpose();
     }
   }
-  EXPECT_GT(found_by_search, 0.9 * found);  // else it proves little
+  EXPECT_GT(found_by_search, 0.9 * found);  // otherwise it proves little
 }
 
-TEST(GeneralSix, SolutionsComeInPairs) {
+TEST(RaghavanRothSolver, SolutionsComeInPairs) {
   Random random;
   Columns q(6, 16);
   for (int i = 0; i < 10; ++i) {
     const Arm arm = arm_of(random_rows(random));
-    const GeneralSix solver(chain_of(arm));
+    const RaghavanRothSolver solver(chain_of(arm));
     for (int k = 0; k < 200; ++k) {
-      EXPECT_EQ(solver.solve(forward_kinematics(arm, anywhere(random)), q).count % 2, 0);
+      const int count = solver.solve(forward_kinematics(arm, anywhere(random)), q).count;
+      EXPECT_GE(count, 2);
+      EXPECT_EQ(count % 2, 0);
     }
   }
 }
 
-// From a singular configuration the Jacobian's null direction leads where two solutions merge.
-TEST(GeneralSix, FindsSolutionsThatMerge) {
+// At a singular configuration two solutions coincide.
+TEST(RaghavanRothSolver, FindsDoubleSolutions) {
   Random random;
   Columns q(6, 16);
   int cases = 0;
   for (int i = 0; i < 200; ++i) {
     const Arm arm = arm_of(random_rows(random));
-    // Joint 3's value, by bisection, at which the determinant changes its sign.
+    // Bisection of joint 3 to a zero of the Jacobian's determinant.
     Configuration from = anywhere(random), to = from;
     to[2] = random.uniform(-pi, pi);
     const auto determinant = [&](const Configuration& at) {
@@ -259,7 +261,7 @@ TEST(GeneralSix, FindsSolutionsThatMerge) {
     }
     ++cases;
     const Pose pose = forward_kinematics(arm, from);
-    const GeneralSix solver(chain_of(arm));
+    const RaghavanRothSolver solver(chain_of(arm));
     const int count = solver.solve(pose, q).count;
     expect_solutions(arm, pose, q, count);
     EXPECT_TRUE(holds(q, count, from, 1e-4)) << from.transpose();
@@ -267,25 +269,26 @@ TEST(GeneralSix, FindsSolutionsThatMerge) {
   EXPECT_GT(cases, 30);
 }
 
-TEST(GeneralSix, NothingIsFoundOutOfReach) {
+TEST(RaghavanRothSolver, FindsNothingOutOfReach) {
   Random random;
   Columns q(6, 16);
   for (int i = 0; i < 20; ++i) {
     const Arm arm = arm_of(random_rows(random));
-    const GeneralSix solver(chain_of(arm));
+    const RaghavanRothSolver solver(chain_of(arm));
     Pose pose = random.pose();
     pose.translation() = arm.reach().centre + 1.01 * arm.reach().radius * random.direction();
-    EXPECT_EQ(solver.solve(pose, q).count, 0);
+    const auto result = solver.solve(pose, q);
+    EXPECT_EQ(result.count, 0);
   }
 }
 
-TEST(GeneralSix, RefusesOtherArms) {
-  EXPECT_THROW(GeneralSix(chain_of(built_in("panda"))), Error);
-  EXPECT_THROW(GeneralSix(chain_of(built_in("stanford"))), Error);
+TEST(RaghavanRothSolver, RefusesOtherArms) {
+  EXPECT_THROW(RaghavanRothSolver(chain_of(built_in("panda"))), Error);
+  EXPECT_THROW(RaghavanRothSolver(chain_of(built_in("stanford"))), Error);
   Columns few(6, 15);
   const Arm arm = arm_of(ur5);
-  EXPECT_THROW(GeneralSix(chain_of(arm)).solve(Pose::Identity(), few), Error);
+  EXPECT_THROW(RaghavanRothSolver(chain_of(arm)).solve(Pose::Identity(), few), Error);
 }
 
 }  // namespace
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include <beeline/inverse/analytic/closed_form.h>
+#include <beeline/inverse/analytic/pieper_solver.h>
 #include <beeline/model/catalog.h>
 
 #include <tests/inverse/answer.h>
 #include <tests/inverse/families.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 using testing::arm_through;
@@ -15,7 +15,7 @@ using testing::axes_with;
 using testing::holds;
 using testing::largest;
 using testing::Random;
-using Family = SixLoop::Family;
+using Family = PieperLoop::Family;
 
 constexpr double pi = std::numbers::pi;
 
@@ -35,10 +35,11 @@ InverseResult all_solutions(const Arm& arm, const Pose& pose, const Task& task) 
 
 struct Counts {
   int poses = 0;
-  int equal = 0;  ///< where a search met as many solutions
+  int equal = 0;  ///< poses for which a search found as many solutions
 };
 
-/// The poses of random configurations come back, and a search finds no solution that is not there.
+/// Checks that random configurations are among the solutions of their poses, and that a numerical
+/// search finds no further solution.
 void expect_complete(const Arm& arm, const Task& task, int poses, Random& random, Counts& counts,
                      bool search = true) {
   for (int i = 0; i < poses; ++i) {
@@ -63,7 +64,7 @@ void expect_complete(const Arm& arm, const Task& task, int poses, Random& random
   }
 }
 
-TEST(ClosedForm, IsToldInWordsForTheBuiltInArms) {
+TEST(PieperSolver, IsDescribedForTheBuiltInArms) {
   const std::vector<std::pair<const char*, const char*>> families{
       {"puma560", "closed form: three axes meet (joints 4, 5, 6)"},
       {"stanford", "closed form: three axes meet (joints 4, 5, 6)"},
@@ -77,7 +78,7 @@ TEST(ClosedForm, IsToldInWordsForTheBuiltInArms) {
   }
 }
 
-TEST(ClosedForm, OfFiveJointsIsComplete) {
+TEST(PieperSolver, OfFiveJointsIsComplete) {
   Random random;
   Counts counts;
   const Arm puma = shortened(built_in("puma560"), 5);
@@ -85,7 +86,7 @@ TEST(ClosedForm, OfFiveJointsIsComplete) {
     expect_complete(puma, task, 200, random, counts, false);
     expect_complete(puma, task, 10, random, counts);
   }
-  for (const Family family : {Family::meeting, Family::parallel}) {
+  for (const Family family : {Family::intersecting, Family::parallel}) {
     for (std::size_t first = 0; first < 3; ++first) {
       for (int i = 0; i < 20; ++i) {
         const Arm arm = arm_through(axes_with(family, first, "RRRRR", random), random);
@@ -99,12 +100,12 @@ TEST(ClosedForm, OfFiveJointsIsComplete) {
   EXPECT_GE(counts.equal, 0.95 * counts.poses) << "of " << counts.poses;
 }
 
-TEST(ClosedForm, OfFourJointsIsComplete) {
+TEST(PieperSolver, OfFourJointsIsComplete) {
   Random random;
   Counts counts;
   expect_complete(built_in("scara"), Task::spatial(), 300, random, counts, false);
   expect_complete(built_in("scara"), Task::spatial(), 10, random, counts);
-  for (const Family family : {Family::meeting, Family::parallel}) {
+  for (const Family family : {Family::intersecting, Family::parallel}) {
     for (const auto& [first, letters] :
          {std::pair<std::size_t, const char*>{0, "RRRR"}, {1, "RRRR"}, {0, "RRRP"}}) {
       for (int i = 0; i < 20; ++i) {
@@ -117,7 +118,7 @@ TEST(ClosedForm, OfFourJointsIsComplete) {
   EXPECT_GE(counts.equal, 0.95 * counts.poses) << "of " << counts.poses;
 }
 
-TEST(ClosedForm, OfThreeJointsForThePositionIsComplete) {
+TEST(PieperSolver, OfThreeJointsForThePositionIsComplete) {
   Random random;
   Counts counts;
   expect_complete(shortened(built_in("puma560"), 3), Task::position(), 200, random, counts, false);
@@ -135,12 +136,12 @@ TEST(ClosedForm, OfThreeJointsForThePositionIsComplete) {
   EXPECT_GE(counts.equal, 0.95 * counts.poses) << "of " << counts.poses;
 }
 
-/// Three slides at right angles or askew, and a wrist: no closed form as yet, but an answer.
-TEST(ClosedForm, GantriesAreSolvedWithAndWithoutOne) {
+/// Three prismatic joints and a wrist have no closed form yet; the numerical method solves them.
+TEST(PieperSolver, IsNotNeededForGantries) {
   Random random;
   for (const char* letters : {"PPPRRR", "RRPRRR", "PPRRRR", "RPRRRR"}) {
     for (int i = 0; i < 20; ++i) {
-      auto axes = axes_with(Family::meeting, 3, letters, random);
+      auto axes = axes_with(Family::intersecting, 3, letters, random);
       const bool square = i % 2 == 0 && axes[0].slides && axes[1].slides && axes[2].slides;
       for (int k = 0; k < 3 && square; ++k) axes[k].direction = Vector3::Unit(2 - k);
       const Arm arm = arm_through(axes, random);
@@ -153,7 +154,7 @@ TEST(ClosedForm, GantriesAreSolvedWithAndWithoutOne) {
   }
 }
 
-/// Random configurations, of which coordinate k has one value.
+/// Solves the poses of random configurations with the given value of coordinate k.
 void expect_singular(const Arm& arm, int k, double value, bool singular, Random& random) {
   for (int i = 0; i < 200; ++i) {
     Configuration q = random.configuration(arm);
@@ -162,7 +163,7 @@ void expect_singular(const Arm& arm, int k, double value, bool singular, Random&
     const InverseResult result = inverse_kinematics(arm, pose, {.seed = q, .all = true});
     testing::expect_solved(arm, pose, Task::spatial(), result);
     EXPECT_EQ(result.singular, singular) << arm.name() << ' ' << q.transpose();
-    // At a fold rounding moves the joints by its square root.
+    // Near a double solution the joints have an error of the square root of rounding.
     EXPECT_TRUE(holds(arm, result.solutions, q, singular ? 1e-6 : 1e-4)) << q.transpose();
     const Configuration elsewhere = random.configuration(arm);
     testing::expect_solved(arm, pose, Task::spatial(),
@@ -170,24 +171,24 @@ void expect_singular(const Arm& arm, int k, double value, bool singular, Random&
   }
 }
 
-TEST(ClosedForm, SaysWhereSolutionsAreAContinuum) {
+TEST(PieperSolver, ReportsAContinuumOfSolutions) {
   Random random;
-  expect_singular(built_in("puma560"), 4, 0, true, random);  // joints 4 and 6 in line
+  expect_singular(built_in("puma560"), 4, 0, true, random);  // axes of joints 4 and 6 coincide
   expect_singular(built_in("stanford"), 4, 0, true, random);
   for (const double value : {0.0, pi, -pi}) {  // joints 2, 3, 4 and 6 parallel
     expect_singular(built_in("ur5"), 4, value, true, random);
   }
 }
 
-TEST(ClosedForm, AFoldIsNoContinuum) {
+TEST(PieperSolver, ReportsNoContinuumForAStretchedArm) {
   Random random;
   expect_singular(built_in("puma560"), 2, -std::atan2(0.4318, 0.0203), false, random);  // stretched
   expect_singular(built_in("ur5"), 2, 0, false, random);
   expect_singular(built_in("ur5"), 2, pi, false, random);  // folded back
 }
 
-/// Beside a singular pose, however near, all is as everywhere.
-TEST(ClosedForm, NextToSingularPosesStaysExact) {
+/// However close to a singular pose.
+TEST(PieperSolver, IsExactNearSingularPoses) {
   Random random;
   for (const double near : {1e-2, 1e-4, 1e-6, 1e-10, 1e-12, 1e-14}) {
     for (const auto& [name, k] :
@@ -204,9 +205,9 @@ TEST(ClosedForm, NextToSingularPosesStaysExact) {
   }
 }
 
-TEST(ClosedForm, EveryTurnIsThereOnce) {
+TEST(PieperSolver, FindsEveryMultipleOfTwoPiOnce) {
   Random random;
-  const Arm arm = built_in("ur5");  // limits +-2 pi: each angle has two values
+  const Arm arm = built_in("ur5");  // limits of 2 pi to both sides: each angle has two values
   for (int i = 0; i < 20; ++i) {
     const Pose pose = forward_kinematics(arm, random.configuration(arm));
     const auto postures = inverse_kinematics(arm, pose, {.all = true}).solutions;
@@ -222,10 +223,13 @@ TEST(ClosedForm, EveryTurnIsThereOnce) {
   }
 }
 
-TEST(ClosedForm, SlidesHaveNoTurns) {
+TEST(PieperSolver, AddsNoMultiplesOfTwoPiToPrismaticJoints) {
   Random random;
   std::vector<Joint> joints = built_in("stanford").joints();
-  for (Joint& joint : joints) joint.limits.lower = -7, joint.limits.upper = 7;
+  for (Joint& joint : joints) {
+    joint.limits.lower = -7;
+    joint.limits.upper = 7;
+  }
   const Arm arm("wide", joints, built_in("stanford").tool());
   for (int i = 0; i < 20; ++i) {
     const Pose pose = forward_kinematics(arm, random.configuration(arm));
@@ -248,4 +252,4 @@ TEST(ClosedForm, SlidesHaveNoTurns) {
 }
 
 }  // namespace
-}  // namespace beeline
+}  // namespace beeline::internal

@@ -1,0 +1,183 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <beeline/inverse/analytic/pieper_solver.h>
+
+namespace beeline::internal {
+namespace {
+
+Pose rotation_about_z(double angle) { return Pose(Eigen::AngleAxisd(angle, Vector3::UnitZ())); }
+
+/// Whether every joint is revolute or prismatic and has a coordinate of its own.
+bool supported(const Arm& arm, const Chain& chain) {
+  if (static_cast<int>(chain.links.size()) != arm.dof()) return false;
+  return std::none_of(chain.links.begin(), chain.links.end(), [](const Chain::Link& link) {
+    return (link.theta_per_q != 0) == (link.d_per_q != 0);
+  });
+}
+
+/// The rotation from a frame whose z axis is the given axis of the tool to the tool.
+Pose tool_T_axis(char axis) {
+  Pose pose = Pose::Identity();
+  if (axis == 'x') pose.linear() << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  if (axis == 'y') pose.linear() << 0, 1, 0, 0, 0, 1, 1, 0, 0;
+  return pose;
+}
+
+/// Appends revolute joints at the origin of the tool, about the given axes of the tool in order.
+Chain with_virtual_joints(const Chain& chain, const std::string& axes) {
+  Chain longer = chain;
+  Pose last_T_tool = chain.tool;
+  for (const char axis : axes) {
+    const Pose last_T_joint = last_T_tool * tool_T_axis(axis);
+    // Its rotation is Rot_z(first) Rot_x(alpha) Rot_z(theta_offset); the first is added to the link
+    // before.
+    const Rotation r = last_T_joint.linear();
+    const double alpha = std::atan2(std::hypot(r(0, 2), r(1, 2)), r(2, 2));
+    const double first = std::atan2(r(0, 2), -r(1, 2));
+    longer.links.back().theta_offset += first;
+    Chain::Link link;
+    link.cos_alpha = std::cos(alpha);
+    link.sin_alpha = std::sin(alpha);
+    link.translation = rotation_about_z(-first) * last_T_joint.translation();
+    const Pose tilt = rotation_about_z(first) * Eigen::AngleAxisd(alpha, Vector3::UnitX());
+    const Rotation about_z = tilt.linear().transpose() * r;
+    link.theta_offset = std::atan2(about_z(1, 0), about_z(0, 0));
+    link.theta_per_q = 1;
+    link.coordinate = static_cast<int>(longer.links.size());
+    longer.links.push_back(link);
+    last_T_tool = tool_T_axis(axis).inverse(Eigen::Isometry);
+  }
+  longer.tool = last_T_tool;
+  return longer;
+}
+
+/// Virtual joints that complete an arm to six joints.
+struct VirtualJoints {
+  std::string axes;   ///< of the tool
+  bool free = false;  ///< any value solves the task; otherwise zero
+};
+
+/// The virtual joints that may be tried for a task, in order. A spherical wrist of all three
+/// virtual joints may be singular, which does not matter: its joints are free.
+std::vector<VirtualJoints> virtual_joints(int dof, const Task& task) {
+  const bool spatial = task.size() == 6;
+  const Task roll_free{{true, true, true, true, true, false}, Frame::tool};
+  const Task position{{true, true, true, false, false, false}, task.frame};
+  if (dof == 6 && spatial) return {{"", false}};
+  if (dof == 5 && spatial) return {{"z", false}, {"y", false}, {"x", false}};
+  if (dof == 5 && task == roll_free) return {{"z", true}};
+  if (dof == 4 && spatial) {
+    return {{"xy", false}, {"yx", false}, {"zx", false},
+            {"zy", false}, {"xz", false}, {"yz", false}};
+  }
+  if (dof == 3 && task == position) return {{"zyx", true}, {"zxy", true}};
+  return {};
+}
+
+}  // namespace
+
+bool PieperSolver::lock_last(const Chain& chain) {
+  Chain six = chain;
+  six.links.pop_back();
+  six.tool = Pose::Identity();
+  const auto loop = pieper_loop(six);
+  if (!loop) return false;
+  loop_ = *loop;
+  locked_ = 6;
+  coordinates_ = {0, 1, 2, 3, 4, 5};
+  locked_link_ = chain.links.back();
+  before_locked_ = constant_transform(locked_link_);
+  after_locked_ = chain.tool;
+  return true;
+}
+
+bool PieperSolver::lock_first(const Chain& chain) {
+  Chain six = chain;
+  six.links.erase(six.links.begin());
+  six.base = constant_transform(six.links.front());
+  six.links.front().translation.setZero();
+  six.links.front().cos_alpha = 1;
+  six.links.front().sin_alpha = 0;
+  const auto loop = pieper_loop(six);
+  if (!loop) return false;
+  loop_ = *loop;
+  locked_ = 0;
+  coordinates_ = {1, 2, 3, 4, 5, 6};
+  locked_link_ = chain.links.front();
+  before_locked_ = chain.base;
+  return true;
+}
+
+std::optional<PieperSolver> PieperSolver::make(const Arm& arm, const Task& task) {
+  const Chain& chain = arm.chain();
+  if (!supported(arm, chain)) return std::nullopt;
+  PieperSolver solver;
+  solver.dof_ = arm.dof();
+  if (arm.dof() == 7 && task.size() == 6) {
+    if (solver.lock_last(chain) || solver.lock_first(chain)) return solver;
+    return std::nullopt;
+  }
+  for (const VirtualJoints& added : virtual_joints(arm.dof(), task)) {
+    const auto loop = pieper_loop(with_virtual_joints(chain, added.axes));
+    if (!loop) continue;
+    solver.loop_ = *loop;
+    for (int k = 0; k < 6; ++k) {
+      const bool real = k < arm.dof();
+      solver.coordinates_[k] = real ? k : virtual_joint;
+      solver.free_[k] = !real && added.free;
+    }
+    return solver;
+  }
+  return std::nullopt;
+}
+
+PieperRequest PieperSolver::request(const ConfigurationRef& seed, const Configuration& lower,
+                                    const Configuration& upper, double tolerance) const {
+  PieperRequest request{};
+  // About a thousand times the rounding of one pass: random configurations away from singularities
+  // stay below it, and a branch above it costs a refinement.
+  constexpr double rounding = 1e-12;
+  request.max_residual = std::min(rounding * std::max(1.0, loop_.size), tolerance);
+  constexpr double full_circle = 4;  // more than pi: any value of a free joint is within limits
+  for (int i = 0; i < 6; ++i) {
+    const int k = loop_.order[i];
+    const int own = coordinates_[k];
+    request.wraps[k] = !(i < 3 && loop_.prismatic[i]);
+    if (own == virtual_joint) {
+      request.seed[k] = 0;
+      request.lower[k] = free_[k] ? -full_circle : 0;
+      request.upper[k] = free_[k] ? full_circle : 0;
+      continue;
+    }
+    request.seed[k] = seed[own];
+    request.lower[k] = lower[own];
+    request.upper[k] = upper[own];
+  }
+  return request;
+}
+
+void PieperSolver::branches(const Pose& world_T_tool, double locked_value, PieperRequest& request,
+                            PieperBranches& found) const {
+  Pose goal = world_T_tool;
+  if (locked_) {
+    const Pose locked = before_locked_ * joint_motion(locked_link_, locked_value);
+    goal = *locked_ == 0 ? locked.inverse(Eigen::Isometry) * goal
+                         : goal * (locked * after_locked_).inverse(Eigen::Isometry);
+  }
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 4; ++j) request.world_T_tool[4 * i + j] = goal(i, j);
+  }
+  pieper_branches(loop_, request, found);
+}
+
+void PieperSolver::configuration(const PieperBranches& found, int lane, double locked_value,
+                                 Eigen::Ref<Configuration> q) const {
+  for (int k = 0; k < 6; ++k) {
+    if (coordinates_[k] != virtual_joint) q[coordinates_[k]] = found.q[k][lane];
+  }
+  if (locked_) q[*locked_] = locked_value;
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include <beeline/inverse/analytic/pieper_branches.h>
+#include <beeline/kinematics/task.h>
+
+namespace beeline::internal {
+
+/// Analytic inverse kinematics of an arm and a task by a PieperLoop, which has six joints:
+/// - an arm of seven joints has its first or its last joint locked at a given value;
+/// - an arm of four or five joints gets virtual revolute joints at the tool. A spatial task needs
+///   them at zero; a task that ignores the roll of the tool (111110 in the tool frame) leaves them
+///   free;
+/// - an arm of three joints with a position task gets a virtual wrist of three free joints.
+class PieperSolver {
+ public:
+  /// Returns nothing where no loop is found, or where the arm has mimic or helical joints.
+  static std::optional<PieperSolver> make(const Arm& arm, const Task& task);
+
+  /// Such as `three axes meet (joints 4, 5, 6)`. Where the arm is a longer arm with coordinate
+  /// `removed` locked, joints are numbered as in the longer arm.
+  std::string family(std::optional<int> removed = std::nullopt) const {
+    return description(loop_, locked_ == 0 ? locked_ : removed);
+  }
+
+  /// The coordinate that has to be given, of an arm of seven joints: the first or the last.
+  std::optional<int> locked() const { return locked_; }
+
+  /// Whether there are virtual joints. A continuum of solutions may then be theirs alone.
+  bool has_virtual_joints() const { return dof_ < 6; }
+
+  /// Whether some of these are free: branches that differ in them only are one solution.
+  bool has_free_joints() const {
+    return std::find(free_.begin(), free_.end(), true) != free_.end();
+  }
+
+  /// The extent of the loop, metres: lengths are rounded relative to it.
+  double size() const { return loop_.size; }
+
+  /// Returns a request with everything except the goal. Limits and seed are those of the arm's
+  /// coordinates; max_residual is the rounding of the solver or, where less, `tolerance`.
+  PieperRequest request(const ConfigurationRef& seed, const Configuration& lower,
+                        const Configuration& upper, double tolerance = 1e-10) const;
+
+  /// Computes the branches at a goal, a rigid motion, with the locked coordinate at `locked_value`.
+  void branches(const Pose& world_T_tool, double locked_value, PieperRequest& request,
+                PieperBranches& found) const;
+
+  /// Writes lane `lane` of the branches as a configuration of the arm.
+  void configuration(const PieperBranches& found, int lane, double locked_value,
+                     Eigen::Ref<Configuration> q) const;
+
+ private:
+  static constexpr int virtual_joint = -1;
+
+  bool lock_last(const Chain& chain);
+  bool lock_first(const Chain& chain);
+
+  PieperLoop loop_;
+  std::array<int, 6> coordinates_{};  ///< of the arm, or virtual_joint, for each of the loop
+  std::array<bool, 6> free_{};        ///< virtual joints that the task leaves free
+  int dof_ = 6;
+  std::optional<int> locked_;
+  Chain::Link locked_link_;
+  Pose before_locked_ = Pose::Identity();  ///< constant transforms before and after the motion of
+  Pose after_locked_ = Pose::Identity();   ///< the locked joint, outside the loop of the other six
+};
+
+}  // namespace beeline::internal

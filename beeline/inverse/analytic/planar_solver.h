@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include <beeline/inverse/analytic/planar_subproblems.h>
+#include <beeline/kinematics/task.h>
+
+namespace beeline::internal {
+
+/// Whether planar_solutions() covers this arm and task: a planar arm without mimic joints, of one
+/// to three joints for the task `planar`, or of one or two joints for the task `position`.
+bool has_planar_closed_form(const Arm& arm, const Task& task);
+
+struct PlanarSolution {
+  Configuration q;
+  bool continuum = false;  ///< one of infinitely many: the one nearest to the seed
+  Deviation error;         ///< of the task at q
+};
+
+/// Returns planar_solutions() with what is known of each. For a pose out of reach, returns the
+/// configurations at the workspace boundary: the best of them has the least position error of those
+/// with the requested orientation.
+std::vector<PlanarSolution> nearest_planar_solutions(const Arm& arm, const Pose& world_T_tool,
+                                                     const Task& task, const Configuration& seed,
+                                                     double tolerance = 1e-9);
+
+/// Returns all configurations that bring the tool to `world_T_tool`, joint limits ignored, up to
+/// multiples of 2 pi: revolute coordinates are those nearest to `seed`. Where solutions form a
+/// continuum (parallel prismatic joints, a folded arm), the one nearest to the seed represents it.
+/// Empty when the pose is out of reach by more than `tolerance` (metres and radians).
+/// Throws Error unless has_planar_closed_form(arm, task).
+std::vector<Configuration> planar_solutions(const Arm& arm, const Pose& world_T_tool,
+                                            const Task& task, const Configuration& seed,
+                                            double tolerance = 1e-9);
+
+}  // namespace beeline::internal

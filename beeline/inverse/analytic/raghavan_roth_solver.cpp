@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include <beeline/error.h>
+#include <beeline/inverse/analytic/raghavan_roth_solutions.h>
+#include <beeline/inverse/analytic/raghavan_roth_solver.h>
+
+namespace beeline::internal {
+namespace {
+
+using SixAngles = Eigen::Matrix<double, 6, 1>;
+
+// More trials make the choice of the eliminations, and the constructor takes longer: these take a
+// few milliseconds. The choice affects the time of a solve; the solutions are checked in any case.
+constexpr int trials_of_all = 24;        // for each elimination
+constexpr int trials_of_selected = 100;  // for each of the selected
+constexpr int trials_together = 300;     // for the selected together: reliable() is 1 % of these
+constexpr int max_selected = 4;
+
+/// The product of all links, from frame 0 to the last.
+Pose links_transform(const Chain& chain, const SixAngles& q) {
+  Pose transform = Pose::Identity();
+  for (int i = 0; i < 6; ++i) transform = transform * link_transform(chain.links[i], q[i]);
+  return transform;
+}
+
+/// A random configuration and its goal.
+struct Sample {
+  SixAngles q;
+  RigidMotion goal;     ///< pose of the last frame
+  RigidMotion closure;  ///< G of the elimination
+};
+
+/// Random configurations of an arm, the same for the same arm.
+class Sampler {
+ public:
+  Sampler(const Chain& chain, const Pose& last_T_first_at_zero, double unit)
+      : chain_(chain), last_T_first_at_zero_(last_T_first_at_zero), unit_(unit) {}
+
+  Sample next() {
+    Sample sample;
+    for (double& each : sample.q) each = angle_(random_);
+    const Pose pose = links_transform(chain_, sample.q);
+    sample.goal = rigid_motion(pose, unit_);
+    sample.closure = rigid_motion(pose * last_T_first_at_zero_, unit_);
+    return sample;
+  }
+
+ private:
+  const Chain& chain_;
+  const Pose& last_T_first_at_zero_;
+  double unit_;
+  std::mt19937_64 random_{1};
+  std::uniform_real_distribution<double> angle_{-3.14159265358979, 3.14159265358979};
+};
+
+/// The record of an elimination on random configurations.
+struct Trial {
+  Elimination elimination;
+  int missed = 0;        ///< configurations that were not found
+  int inconsistent = 0;  ///< goals that need a second elimination
+  int double_zeros = 0;  ///< goals with zeros that may be double
+  double digits = 0;     ///< sum of the logarithms of the corrections
+};
+
+bool better(const Trial& a, const Trial& b) {
+  if (a.missed != b.missed) return a.missed < b.missed;
+  if (a.inconsistent != b.inconsistent) return a.inconsistent < b.inconsistent;
+  return a.digits < b.digits;
+}
+
+void run_trial(const RevoluteLinks& links, const Sample& sample, Trial& trial) {
+  RaghavanRothSolutions solutions;
+  add_solutions(links, trial.elimination, sample.goal, sample.closure, solutions);
+  if (!solutions.consistent) ++trial.inconsistent;
+  if (solutions.double_zeros) ++trial.double_zeros;
+  if (const auto index = find_solution(sample.q.data(), solutions)) {
+    trial.digits += std::log10(std::max(solutions.correction[*index], 1e-12));
+  } else {
+    ++trial.missed;
+  }
+}
+
+/// Runs the same trials for all eliminations and sorts them, best first.
+void compare(const RevoluteLinks& links, int count, Sampler& sampler, std::vector<Trial>& trials) {
+  for (int k = 0; k < count; ++k) {
+    const Sample sample = sampler.next();
+    for (Trial& trial : trials) run_trial(links, sample, trial);
+  }
+  std::sort(trials.begin(), trials.end(), better);
+}
+
+/// All eliminations, with the degrees of their determinants.
+std::vector<Trial> all_eliminations(const Chain& chain, Sampler& sampler) {
+  std::vector<Trial> trials(elimination_count);
+  for (int i = 0; i < elimination_count; ++i) trials[i].elimination = make_elimination(chain, i);
+  const Sample sample = sampler.next();
+  for (Trial& trial : trials) {
+    EliminationCandidates candidates;
+    elimination_candidates(trial.elimination, sample.closure, candidates);
+    if (candidates.noise > EliminationCandidates::max_noise) trial.elimination.degree = 12;
+  }
+  return trials;
+}
+
+/// The best elimination of each hidden joint, up to max_selected: what one elimination determines
+/// badly another one of the same hidden joint does too.
+std::vector<Trial> best_by_hidden_joint(const std::vector<Trial>& trials) {
+  std::vector<Trial> selected;
+  for (const Trial& trial : trials) {
+    const bool known = std::any_of(selected.begin(), selected.end(), [&](const Trial& other) {
+      return other.elimination.hidden == trial.elimination.hidden;
+    });
+    if (!known && selected.size() < max_selected) selected.push_back(trial);
+  }
+  return selected;
+}
+
+/// Solves by one elimination after the other until the solutions are complete.
+void solve_all(const RevoluteLinks& links, const std::vector<Elimination>& eliminations,
+               const RigidMotion& goal, const RigidMotion& closure,
+               RaghavanRothSolutions& solutions) {
+  for (const Elimination& elimination : eliminations) {
+    add_solutions(links, elimination, goal, closure, solutions);
+    if (solutions.complete) return;
+  }
+}
+
+void check(const Chain& chain) {
+  if (chain.links.size() != 6) {
+    throw Error("general six-axis inverse kinematics: the arm has " +
+                std::to_string(chain.links.size()) + " joints, 6 are needed");
+  }
+  for (int i = 0; i < 6; ++i) {
+    const Chain::Link& link = chain.links[i];
+    if (link.theta_per_q == 1 && link.d_per_q == 0 && link.coordinate == i) continue;
+    throw Error("general six-axis inverse kinematics: joint " + std::to_string(i + 1) +
+                " is not revolute with a coordinate of its own, as all six must be");
+  }
+}
+
+}  // namespace
+
+RaghavanRothSolver::RaghavanRothSolver(const Chain& chain) {
+  check(chain);
+  links_ = revolute_links(chain);
+  base_inverse_ = chain.base.inverse();
+  tool_inverse_ = chain.tool.inverse();
+  last_T_first_at_zero_ = links_transform(chain, SixAngles::Zero()).inverse();
+
+  Sampler sampler(chain, last_T_first_at_zero_, links_.unit);
+  std::vector<Trial> trials = all_eliminations(chain, sampler);
+  compare(links_, trials_of_all, sampler, trials);
+  trials = best_by_hidden_joint(trials);
+  compare(links_, trials_of_selected, sampler, trials);
+  for (Trial& trial : trials) {
+    trial.elimination.double_zeros = 2 * trial.double_zeros > trials_of_all + trials_of_selected;
+    eliminations_.push_back(trial.elimination);
+  }
+  int missed = 0;
+  for (int k = 0; k < trials_together; ++k) {
+    const Sample sample = sampler.next();
+    RaghavanRothSolutions solutions;
+    solve_all(links_, eliminations_, sample.goal, sample.closure, solutions);
+    if (!find_solution(sample.q.data(), solutions)) ++missed;
+  }
+  reliable_ = 100 * missed <= trials_together;
+}
+
+RaghavanRothSolver::Result RaghavanRothSolver::solve(
+    const Pose& world_T_tool, Eigen::Ref<Eigen::Matrix<double, 6, Eigen::Dynamic>> q) const {
+  if (q.cols() < max_solutions) {
+    throw Error("general six-axis inverse kinematics: the result has " + std::to_string(q.cols()) +
+                " columns, 16 are needed");
+  }
+  if (!world_T_tool.matrix().allFinite()) {
+    throw Error("general six-axis inverse kinematics: the pose is not finite");
+  }
+  const Pose pose = base_inverse_ * world_T_tool * tool_inverse_;
+  RaghavanRothSolutions solutions;
+  solve_all(links_, eliminations_, rigid_motion(pose, links_.unit),
+            rigid_motion(pose * last_T_first_at_zero_, links_.unit), solutions);
+  const int count = std::min(solutions.count, max_solutions);
+  for (int k = 0; k < count; ++k) q.col(k) = Eigen::Map<const SixAngles>(solutions.q[k]);
+  return {count, solutions.complete};
+}
+
+}  // namespace beeline::internal
