@@ -164,9 +164,9 @@ inline void angle_roots(const double (*m)[2], const double* n, double det, Quart
 /// Solves both equations where neither is free of an unknown. They give the rotation `second` as a
 /// linear function of `first`; its length is one, which is a quartic in the displacement or in the
 /// tangent of the half angle of `first`.
-HWY_NOINLINE inline LaneMask solve_quartic(const double (*first)[2], bool prismatic,
-                                           const double (*second)[2], const double* constant,
-                                           CosSine& one, CosSine& other, LaneMask& twin) {
+inline LaneMask solve_quartic(const double (*first)[2], bool prismatic, const double (*second)[2],
+                              const double* constant, CosSine& one, CosSine& other,
+                              LaneMask& twin) {
   const double det = second[0][0] * second[1][1] - second[0][1] * second[1][0];
   // |det| (second) = |m (first) + n|: each row is a combination of the two equations.
   double m[2][2], n[2];
