@@ -67,7 +67,7 @@ TEST(ChordBound, HoldsForArmsOfAllJointsWithAxesAnywhere) {
     expect_bound(random, arm, tightness);
   }
   std::sort(tightness.begin(), tightness.end());
-  RecordProperty("median_tightness", std::to_string(tightness[tightness.size() / 2]));
+  EXPECT_GT(tightness[tightness.size() / 2], 0.9);
 }
 
 TEST(ChordBound, HoldsForBuiltInArmsAndIsNotWasteful) {
