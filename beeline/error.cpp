@@ -1,8 +1,9 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <locale>
 #include <numbers>
 #include <numeric>
+#include <sstream>
 #include <utility>
 
 #include <beeline/error.h>
@@ -84,10 +85,10 @@ std::string listed(const std::vector<std::string>& choices) {
 }
 
 std::string number(double value) {
-  char buffer[32];
-  const auto end =
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 6).ptr;
-  return {buffer, end};
+  std::ostringstream text;  // libc++ 14 has no std::to_chars for double
+  text.imbue(std::locale::classic());
+  text << value;
+  return text.str();
 }
 
 std::string angle(double radians) {

@@ -50,17 +50,14 @@ Report process(const BatchArguments& arguments, const BatchWork& work) {
     work.step(reader.form(), block, results, report.counts, report.bad);
     writer.write(results);
     report.rows += results.cols();
-    const InputFile& file = reader.file();
-    if (file.size() && *file.size() > 0) {
-      progress.show(static_cast<double>(file.position()) / static_cast<double>(*file.size()));
-    }
+    if (const auto fraction = reader.fraction_read()) progress.show(*fraction);
   }
   // A .npy file states that its array has no rows; a .csv file without rows was cut off.
   const bool nothing = report.rows == 0 && report.bad.count == 0;
   if (nothing && row_format(arguments.in) == RowFormat::csv) {
-    throw FileError(reader.file().path(), 0, "has a header but no rows below it");
+    throw FileError(reader.path(), 0, "has a header but no rows below it");
   }
-  writer.put_in_place();
+  writer.commit();
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

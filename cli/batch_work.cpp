@@ -73,7 +73,7 @@ class Configurations {
     if (fits(results)) return;
     keep_rows(block, results, [&](Eigen::Index i, const RowPlace& place) {
       if (fits(results.col(i))) return true;
-      bad.meet(bad_row(arguments_.source(), place,
+      bad.report(bad_row(arguments_.source(), place,
                        arguments_.single && results.col(i).allFinite()
                            ? "a result is too large for 32 bits; omit --float"
                            : "the tool's position exceeds the range of numbers"));
@@ -123,7 +123,7 @@ void read_goals(const BatchArguments& arguments, const Arm& arm, std::size_t wid
       goals.col(i) = pose.matrix().reshaped();
       return true;
     } catch (const Error& error) {
-      bad.meet(bad_row(arguments.source(), place, error.what()));
+      bad.report(bad_row(arguments.source(), place, error.what()));
       return false;
     }
   });

@@ -5,7 +5,7 @@
 #include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/read/file.h>
+#include <beeline/read/internal/file.h>
 
 #include "format.h"
 #include "input_files.h"

@@ -4,7 +4,7 @@
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>
 #include <beeline/error.h>
-#include <beeline/read/file.h>
+#include <beeline/read/internal/file.h>
 
 #include "input_files.h"
 #include "result_files.h"

@@ -3,7 +3,7 @@
 #include <beeline/draw/canvas.h>
 #include <beeline/draw/chapter.h>
 #include <beeline/error.h>
-#include <beeline/read/file.h>
+#include <beeline/read/internal/file.h>
 
 #include "verbs.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include <beeline/error.h>
-#include <beeline/read/numbers.h>
+#include <beeline/read/internal/numbers.h>
 
 using namespace beeline;
 

@@ -3,7 +3,7 @@
 
 #include <beeline/control/replay.h>
 #include <beeline/error.h>
-#include <beeline/read/numbers.h>
+#include <beeline/read/internal/numbers.h>
 
 #include "format.h"
 #include "input_files.h"

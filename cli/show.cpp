@@ -5,7 +5,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/orientation.h>
 #include <beeline/read/arm_json.h>
-#include <beeline/read/file.h>
+#include <beeline/read/internal/file.h>
 
 #include "format.h"
 #include "result_files.h"

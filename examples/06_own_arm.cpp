@@ -8,7 +8,7 @@
 #include <beeline/pose/orientation.h>
 #include <beeline/read/arm.h>
 #include <beeline/read/arm_json.h>
-#include <beeline/read/file.h>
+#include <beeline/read/internal/file.h>
 
 int main() {
   // A crane: rotates about z, lifts along z, extends along x.

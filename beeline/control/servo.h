@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include <beeline/control/resolved_rates.h>
+#include <beeline/control/internal/resolved_rates.h>
 
 namespace beeline {
 

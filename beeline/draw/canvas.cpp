@@ -7,7 +7,7 @@
 #include <beeline/draw/canvas.h>
 #include <beeline/draw/internal/text.h>
 #include <beeline/error.h>
-#include <beeline/read/file.h>
+#include <beeline/read/internal/file.h>
 
 namespace beeline {
 using namespace internal;

@@ -1,31 +1,62 @@
 #include <algorithm>
+#include <string_view>
 
 #include <beeline/error.h>
 #include <beeline/model/catalog.h>
 #include <beeline/read/arm.h>
 #include <beeline/read/arm_json.h>
-#include <beeline/read/file.h>
+#include <beeline/read/internal/file.h>
+#include <beeline/read/internal/name.h>
 #include <beeline/read/joint_string.h>
-#include <beeline/read/name.h>
 #include <beeline/read/urdf.h>
 
 namespace beeline {
 namespace {
 
+using internal::in_quotes;
+
+/// A format of arm files.
+struct ArmFormat {
+  std::string_view ending;
+  bool tree;  ///< files describe a tree of links, of which ChainEnds selects a chain
+  Arm (*parse)(std::string_view text, const std::string& path, const ChainEnds& ends);
+};
+
+Arm parse_json(std::string_view text, const std::string& path, const ChainEnds& /*ends*/) {
+  return arm_from_json(text, path);
+}
+
+/// Every format of arm files. A new reader is one row here.
+constexpr ArmFormat formats[] = {
+    {"urdf", true, arm_from_urdf},
+    {"xml", true, arm_from_urdf},
+    {"json", false, parse_json},
+};
+
 void refuse_ends(const std::string& text, const ChainEnds& ends) {
   if (ends.base.empty() && ends.tip.empty()) return;
-  throw Error("base and tip cut a chain out of a URDF file; " + in_quotes(text) + " is none");
+  throw Error("base and tip select a chain of a URDF file; " + in_quotes(text) + " is not one");
+}
+
+std::string known_endings() {
+  std::vector<std::string> endings;
+  for (const ArmFormat& format : formats) endings.push_back("." + std::string(format.ending));
+  return listed(endings);
 }
 
 Arm read_arm_file(const std::string& path, const ChainEnds& ends) {
-  const std::string format = extension(path);
-  if (format == "urdf" || format == "xml") return read_urdf(path, ends);
-  if (format == "xacro") {
-    throw FileError(path, 0, "is a xacro file; run xacro first and give the URDF it writes");
+  const std::string ending = internal::extension(path);
+  if (ending == "xacro") {
+    throw FileError(path, 0, "is a xacro file; run xacro first and pass the URDF that it writes");
   }
-  refuse_ends(path, ends);
-  if (format == "json") return read_arm_json(path);
-  throw FileError(path, 0, "is no known kind of arm file; known are .urdf and .json");
+  const auto* const format =
+      std::find_if(std::begin(formats), std::end(formats),
+                   [&](const ArmFormat& known) { return known.ending == ending; });
+  if (format == std::end(formats)) {
+    throw FileError(path, 0, "is not a known kind of arm file; known are " + known_endings());
+  }
+  if (!format->tree) refuse_ends(path, ends);
+  return format->parse(internal::read_file(path), path, ends);
 }
 
 /// The built-in name that equals `text` up to the case of letters; empty if there is none. A joint
@@ -48,7 +79,7 @@ Arm read_arm(const std::string& text, const ChainEnds& ends) {
     return name.empty() ? arm_from_joint_string(text) : built_in(name);
   }
   if (text.find_first_of("./") != std::string::npos) return read_arm_file(text, ends);
-  throw Error(std::string(unknown_name("arm", printable(text), built_in_names()).what()) +
+  throw Error(std::string(unknown_name("arm", internal::printable(text), built_in_names()).what()) +
               "; or give a joint string such as RRR:3.5,3.5,2, or a .urdf or .json file");
 }
 

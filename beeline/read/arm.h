@@ -3,23 +3,25 @@
 #include <cstddef>
 #include <string>
 
+#include <beeline/error.h>
 #include <beeline/model/arm.h>
 
 namespace beeline {
 
-/// Which chain is cut out of a tree. Empty: the only end there is.
+/// Selects a chain of a tree of links.
 struct ChainEnds {
-  std::string base;  ///< a link's name; default the root
-  std::string tip;   ///< a link's name; default the only leaf
+  std::string base;  ///< name of a link; empty: the root
+  std::string tip;   ///< name of a link; empty: the only leaf below the base
 };
 
-/// No serial arm has more joints: a longer description is refused as an accident.
+/// Readers refuse descriptions with more joints.
 constexpr std::size_t max_joints = 10000;
 
-/// An arm from what a person types: a built-in name (`panda`, in any case), a joint string with
-/// link lengths (`RRR:3.5,3.5,2`), or a file (`.urdf`, `.json`). Base and tip go with URDF files
-/// only. Throws Error for a name that is none of these (with the nearest built-in one), FileError
-/// for a file that cannot be read.
+/// Returns the arm that `text` names: a built-in arm (`panda`, in any case), a joint string with link lengths
+/// (`RRR:3.5,3.5,2`), or a file, whose format is given by its ending (`.urdf`, `.json`). `ends` is
+/// for URDF files only.
+/// Throws Error for a text that is none of these (it suggests the most similar built-in name), and
+/// FileError for a file that cannot be read.
 Arm read_arm(const std::string& text, const ChainEnds& ends = {});
 
 }  // namespace beeline

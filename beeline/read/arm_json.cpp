@@ -3,21 +3,27 @@
 #include <beeline/error.h>
 #include <beeline/read/arm.h>
 #include <beeline/read/arm_json.h>
-#include <beeline/read/file.h>
-#include <beeline/read/joint_json.h>
+#include <beeline/read/internal/file.h>
+#include <beeline/read/internal/joint_from_json.h>
+#include <beeline/read/internal/joint_to_json.h>
+#include <beeline/read/internal/json_write.h>
+#include <beeline/read/internal/name.h>
+#include <beeline/read/internal/pose_json.h>
 #include <beeline/read/joint_string.h>
-#include <beeline/read/name.h>
-#include <beeline/read/pose_json.h>
 
 namespace beeline {
 namespace {
+
+using internal::check_name;
+using internal::Json;
+using internal::JsonDocument;
 
 const std::vector<std::string> descriptions{"joints", "joint_string", "dh"};
 
 std::vector<Joint> joints_from_list(const JsonDocument& document, const Json& list) {
   std::vector<Joint> joints;
   for (const Json& item : document.items(list)) {
-    std::ranges::move(joints_from_json(document, item), std::back_inserter(joints));
+    for (Joint& joint : joints_from_json(document, item)) joints.push_back(std::move(joint));
   }
   return joints;
 }
@@ -30,7 +36,7 @@ std::vector<Joint> joints_from_dh(const JsonDocument& document, const Json& dh) 
     document.refuse(convention == nullptr ? dh : *convention,
                     std::string(convention == nullptr ? "needs the key \"convention\": it must say "
                                                       : "must be ") +
-                        "standard or modified, because the numbers alone do not tell which");
+                        "standard or modified, because the numbers do not determine which");
   }
   std::vector<Joint> joints;
   for (const Json& row : document.items(document.need(dh, "rows"))) {
@@ -73,11 +79,10 @@ Arm arm_from_json(std::string_view text, const std::string& path) {
   std::vector<Joint> joints = joints_of(document);
   if (joints.size() > max_joints) {
     document.refuse(root, "has " + std::to_string(joints.size()) + " joints; at most " +
-                              std::to_string(max_joints) + " are read");
+                              std::to_string(max_joints) + " are accepted");
   }
-  const Pose nowhere = Pose::Identity();
-  const Pose base_pose = base == nullptr ? nowhere : pose_from_json(document, *base);
-  const Pose tool_pose = tool == nullptr ? nowhere : pose_from_json(document, *tool);
+  const Pose base_pose = base == nullptr ? Pose::Identity() : pose_from_json(document, *base);
+  const Pose tool_pose = tool == nullptr ? Pose::Identity() : pose_from_json(document, *tool);
   try {
     check_name(name, "the arm's name");
     return {name, std::move(joints), tool_pose, base_pose};
@@ -86,7 +91,9 @@ Arm arm_from_json(std::string_view text, const std::string& path) {
   }
 }
 
-Arm read_arm_json(const std::string& path) { return arm_from_json(read_file(path), path); }
+Arm read_arm_json(const std::string& path) {
+  return arm_from_json(internal::read_file(path), path);
+}
 
 std::string arm_to_json(const Arm& arm) {
   check_name(arm.name(), "the arm's name");
@@ -94,15 +101,21 @@ std::string arm_to_json(const Arm& arm) {
     check_name(joint.name, "a joint's name");
     if (!joint.link.empty()) check_name(joint.link, "a link's name");
   }
-  std::string text = "{\n  \"name\": " + json_text(arm.name());
-  if (!arm.base().matrix().isIdentity(0)) text += ",\n  \"base\": " + pose_to_json(arm.base());
+  std::string text = "{\n  \"name\": " + internal::json_string(arm.name());
+  if (!arm.base().matrix().isIdentity(0))
+    text += ",\n  \"base\": " + internal::pose_to_json(arm.base());
   text += ",\n  \"joints\": [";
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
-    text += (i == 0 ? "\n    " : ",\n    ") + joint_to_json(arm.joints()[i]);
+    text += (i == 0 ? "\n    " : ",\n    ") + internal::joint_to_json(arm.joints()[i]);
   }
   text += "\n  ]";
-  if (!arm.tool().matrix().isIdentity(0)) text += ",\n  \"tool\": " + pose_to_json(arm.tool());
+  if (!arm.tool().matrix().isIdentity(0))
+    text += ",\n  \"tool\": " + internal::pose_to_json(arm.tool());
   return text + "\n}\n";
+}
+
+void write_arm_json(const std::string& path, const Arm& arm) {
+  internal::write_file(path, arm_to_json(arm));
 }
 
 }  // namespace beeline

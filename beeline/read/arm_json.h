@@ -3,25 +3,31 @@
 #include <string>
 #include <string_view>
 
+#include <beeline/error.h>
 #include <beeline/model/arm.h>
 
 namespace beeline {
 
-/// An arm as JSON; docs/arm.schema.json is the whole grammar. Metres, radians, seconds.
-///     {"name": "my arm", "base": POSE, "tool": POSE,     base and tool may be left out
+/// Arms as JSON; docs/arm.schema.json is the complete grammar. Metres, radians, seconds.
+///     {"name": "my arm", "base": POSE, "tool": POSE,     base and tool are optional
 ///      "joints": [{"name", "type", "origin": POSE, "axis", "point", "pitch" or "screw",
 ///                  "limits": {"lower", "upper", "velocity", "acceleration", "jerk"},
 ///                  "mimic": {"joint", "multiplier", "offset"}, "link"}, ...]}
-/// or, in place of "joints", one of
+/// or, instead of "joints", one of
 ///      "joint_string": "RRP:1,0.5,0.2"
 ///      "dh": {"convention": "standard" or "modified",
 ///             "rows": [{"name", "type", "a", "alpha", "d", "theta", "limits"}, ...]}
-/// Throws FileError for anything else, naming line and place: `joints[2].limits.lower`.
+/// Throws FileError for anything else; it names the line and the value: `joints[2].limits.lower`.
 Arm read_arm_json(const std::string& path);
+/// The same from a text; `path` names it in messages.
 Arm arm_from_json(std::string_view text, const std::string& path);
 
-/// The arm by its joints: read back it is the same arm, to the last bit.
-/// Throws Error for a name that check_name refuses.
+/// Returns the arm as JSON, described by its joints; it reads back exactly.
+/// Throws Error for a name that is empty, longer than 1000 bytes, not UTF-8, or that contains
+/// control characters.
 std::string arm_to_json(const Arm& arm);
+
+/// Writes arm_to_json() to a file. Throws FileError when the file cannot be written.
+void write_arm_json(const std::string& path, const Arm& arm);
 
 }  // namespace beeline

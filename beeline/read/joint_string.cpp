@@ -5,25 +5,29 @@
 #include <beeline/model/catalog.h>
 #include <beeline/model/composite.h>
 #include <beeline/read/arm.h>
+#include <beeline/read/internal/name.h>
+#include <beeline/read/internal/numbers.h>
 #include <beeline/read/joint_string.h>
-#include <beeline/read/name.h>
-#include <beeline/read/numbers.h>
 
 namespace beeline {
 namespace {
+
+using internal::in_quotes;
+using internal::parse_number;
+using internal::printable;
 
 constexpr std::string_view known_letters = "RPHSCEU";
 
 struct Item {
   double length = 0;  // metres
-  double bend = 0;    // radians
+  double angle = 0;   // radians, about z, before the joint
   double pitch = 0;   // metres per radian
 };
 
-double per_radian(double per_turn) { return per_turn / (2 * std::numbers::pi); }
+double per_radian(double per_revolution) { return per_revolution / (2 * std::numbers::pi); }
 
 Item default_item(char letter) {
-  return {.length = letter == 'P' ? 0.0 : 1.0, .bend = 0, .pitch = per_radian(1)};
+  return {.length = letter == 'P' ? 0.0 : 1.0, .angle = 0, .pitch = per_radian(1)};
 }
 
 Item parse_item(std::string_view text, char letter, const std::string& what) {
@@ -37,18 +41,18 @@ Item parse_item(std::string_view text, char letter, const std::string& what) {
     if (item.pitch == 0) throw Error(what + " has a pitch of 0; use R for a joint without travel");
     text = text.substr(0, pitch_mark);
   }
-  const std::size_t bend_mark = text.find('@');
-  if (bend_mark != std::string_view::npos) {
-    const double degrees = parse_number(text.substr(bend_mark + 1), what + ", bend");
-    item.bend = to_radians(degrees, AngleUnit::degrees);
-    text = text.substr(0, bend_mark);
+  const std::size_t angle_mark = text.find('@');
+  if (angle_mark != std::string_view::npos) {
+    const double degrees = parse_number(text.substr(angle_mark + 1), what + ", angle");
+    item.angle = degrees * std::numbers::pi / 180;
+    text = text.substr(0, angle_mark);
   }
   item.length = parse_number(text, what + ", length");
   return item;
 }
 
 std::vector<Item> parse_items(std::string_view letters, std::string_view list) {
-  const std::size_t given = static_cast<std::size_t>(std::ranges::count(list, ',')) + 1;
+  const std::size_t given = static_cast<std::size_t>(std::count(list.begin(), list.end(), ',')) + 1;
   if (given != letters.size()) {
     throw Error("joint string " + printable(letters) + " has " + std::to_string(letters.size()) +
                 " letters but " + std::to_string(given) +
@@ -59,7 +63,7 @@ std::vector<Item> parse_items(std::string_view letters, std::string_view list) {
     const std::size_t comma = list.find(',');
     const std::string what = "joint string " + printable(letters) + ": item " +
                              std::to_string(items.size() + 1) + ' ' +
-                             in_quotes(trimmed(list.substr(0, comma)));
+                             in_quotes(internal::trimmed(list.substr(0, comma)));
     items.push_back(parse_item(list.substr(0, comma), letter, what));
     list.remove_prefix(comma == std::string_view::npos ? list.size() : comma + 1);
   }
@@ -75,7 +79,7 @@ bool is_joint_string(std::string_view text) {
   if (colon == std::string_view::npos) {
     return letters.find_first_not_of(known_letters) == std::string_view::npos;
   }
-  return std::ranges::all_of(letters, [](char c) { return c >= 'A' && c <= 'Z'; });
+  return std::all_of(letters.begin(), letters.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
 }
 
 Arm arm_from_joint_string(std::string_view text) {
@@ -84,7 +88,7 @@ Arm arm_from_joint_string(std::string_view text) {
   if (letters.empty()) throw Error("a joint string begins with its letters, as in RRR:3.5,3.5,2");
   if (letters.size() > max_joints) {
     throw Error("joint string " + printable(letters) + " has " + std::to_string(letters.size()) +
-                " letters; at most " + std::to_string(max_joints) + " are read");
+                " letters; at most " + std::to_string(max_joints) + " are accepted");
   }
   std::vector<Item> items;
   if (colon == std::string_view::npos) {
@@ -96,9 +100,9 @@ Arm arm_from_joint_string(std::string_view text) {
   for (std::size_t i = 0; i < letters.size(); ++i) {
     const std::string name = "joint" + std::to_string(i + 1);
     std::vector<Joint> parts = composite_joint(letters[i], name, items[i].pitch);
-    parts.front() = planar_link(std::move(parts.front()), 0, items[i].bend);
+    parts.front() = planar_link(std::move(parts.front()), 0, items[i].angle);
     parts.back() = planar_link(std::move(parts.back()), items[i].length);
-    std::ranges::move(parts, std::back_inserter(joints));
+    for (Joint& part : parts) joints.push_back(std::move(part));
   }
   return {printable(text), std::move(joints)};
 }

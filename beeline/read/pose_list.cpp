@@ -1,55 +1,65 @@
 #include <algorithm>
+#include <numbers>
 
 #include <beeline/error.h>
 #include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>
-#include <beeline/read/csv.h>
-#include <beeline/read/file.h>
-#include <beeline/read/name.h>
+#include <beeline/read/internal/csv.h>
+#include <beeline/read/internal/file.h>
+#include <beeline/read/internal/name.h>
+#include <beeline/read/internal/numbers.h>
 #include <beeline/read/pose_list.h>
 
 namespace beeline {
 namespace {
 
+using internal::in_quotes;
 using Names = std::vector<std::string>;
 
 constexpr const char* known_forms = "x,y,theta or x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz";
 
-bool holds(const Names& names, const std::string& name) {
-  return std::ranges::find(names, name) != names.end();
+bool contains(const Names& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The names of `wanted` that `there` has not got.
-Names missing_from(const Names& there, const Names& wanted) {
+/// Returns the names of `wanted` that `present` lacks.
+Names missing_from(const Names& present, const Names& wanted) {
   Names missing;
   for (const std::string& name : wanted) {
-    if (!holds(there, name)) missing.push_back(name);
+    if (!contains(present, name)) missing.push_back(name);
   }
   return missing;
 }
 
-/// The form whose columns the header has.
+/// Returns the form that has the columns of the header.
 const Names& form_of(const Names& header) {
   const std::string known = std::string("; poses are ") + known_forms;
   const auto distance = [&header](const Names& form) {
     return missing_from(header, form).size() + missing_from(form, header).size();
   };
   for (const std::string& name : header) {
-    const bool is_known = std::ranges::any_of(
-        pose_forms(), [&](const Names& candidate) { return holds(candidate, name); });
+    const bool is_known =
+        std::any_of(pose_forms().begin(), pose_forms().end(),
+                    [&](const Names& candidate) { return contains(candidate, name); });
     if (!is_known) throw Error("unknown column " + in_quotes(name) + known);
   }
-  const Names& form = *std::ranges::min_element(pose_forms(), {}, distance);
+  const Names& form =
+      *std::min_element(pose_forms().begin(), pose_forms().end(),
+                        [&](const Names& a, const Names& b) { return distance(a) < distance(b); });
   const Names missing = missing_from(header, form);
   if (!missing.empty()) throw Error("column " + listed(missing) + " is missing" + known);
   const Names extra = missing_from(form, header);
   if (!extra.empty()) {
-    throw Error("column " + listed(extra) + " does not go with " + listed(form) + known);
+    throw Error("column " + listed(extra) + " does not belong to " + listed(form) + known);
   }
   return form;
 }
 
 }  // namespace
+
+double to_radians(double angle, AngleUnit unit) {
+  return unit == AngleUnit::degrees ? angle * std::numbers::pi / 180 : angle;
+}
 
 const std::array<Names, 3>& pose_forms() {
   static const std::array<Names, 3> known{{{"x", "y", "theta"},
@@ -59,35 +69,34 @@ const std::array<Names, 3>& pose_forms() {
 }
 
 Pose pose_of(std::span<const double> v, AngleUnit unit) {
-  const auto turn = [unit](double angle) { return to_radians(angle, unit); };
-  if (v.size() == 3) return to_space(Pose2{v[0], v[1], turn(v[2])});
+  const auto radians = [unit](double angle) { return to_radians(angle, unit); };
+  if (v.size() == 3) return to_space(Pose2{v[0], v[1], radians(v[2])});
   if (v.size() != 6 && v.size() != 7) {
     throw Error("a pose of " + std::to_string(v.size()) + " numbers; poses are " + known_forms);
   }
   const Vector3 position(v[0], v[1], v[2]);
   if (v.size() == 6) {
-    return make_pose(position, rotation(RollPitchYaw{turn(v[3]), turn(v[4]), turn(v[5])}));
+    return make_pose(position, rotation(RollPitchYaw{radians(v[3]), radians(v[4]), radians(v[5])}));
   }
   return make_pose(position, rotation_from_quaternion(v[3], v[4], v[5], v[6]));
 }
 
 PoseList poses_from_csv(std::string_view text, const std::string& path, AngleUnit unit) {
-  const CsvTable table = parse_csv(text, path);
+  const internal::CsvTable table = internal::parse_csv(text, path);
   PoseList list{.poses = {}, .lines = table.lines, .planar = false};
-  int line = 0;  // of a header error none is told: comments may stand before it
+  int line = 0;  // unknown for the header: comments may precede it
   try {
     const Names& form = form_of(table.columns);
     list.planar = form.size() == 3;
-    std::vector<std::size_t> place;
+    std::vector<std::size_t> column_of;  // of each number of the form
     for (const std::string& name : form) {
-      place.push_back(
-          static_cast<std::size_t>(std::ranges::find(table.columns, name) - table.columns.begin()));
+      const auto column = std::find(table.columns.begin(), table.columns.end(), name);
+      column_of.push_back(static_cast<std::size_t>(column - table.columns.begin()));
     }
     std::vector<double> values(form.size());
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
       line = table.lines[row];
-      std::ranges::transform(place, values.begin(),
-                             [&](std::size_t column) { return table.rows[row][column]; });
+      for (std::size_t i = 0; i < form.size(); ++i) values[i] = table.rows[row][column_of[i]];
       list.poses.push_back(pose_of(values, unit));
     }
   } catch (const Error& error) {
@@ -97,13 +106,13 @@ PoseList poses_from_csv(std::string_view text, const std::string& path, AngleUni
 }
 
 PoseList read_poses(const std::string& path, AngleUnit unit) {
-  return poses_from_csv(read_file(path), path, unit);
+  return poses_from_csv(internal::read_file(path), path, unit);
 }
 
 WrittenPose parse_pose(std::string_view text, AngleUnit unit) {
-  const std::vector<double> values = parse_numbers(text, "pose");
-  const bool known = std::ranges::any_of(
-      pose_forms(), [&](const Names& form) { return form.size() == values.size(); });
+  const std::vector<double> values = internal::parse_numbers(text, "pose");
+  const bool known = std::any_of(pose_forms().begin(), pose_forms().end(),
+                                 [&](const Names& form) { return form.size() == values.size(); });
   if (!known) {
     throw Error("pose " + in_quotes(text) + " has " + std::to_string(values.size()) +
                 " numbers; poses are " + known_forms);

@@ -6,37 +6,46 @@
 #include <string_view>
 #include <vector>
 
+#include <beeline/error.h>
 #include <beeline/pose/se3.h>
-#include <beeline/read/numbers.h>
 
 namespace beeline {
 
-/// Poses are written in one of three forms, metres and `unit`:
-///     x,y,theta     x,y,z,roll,pitch,yaw     x,y,z,qw,qx,qy,qz
-/// The first is planar and becomes the pose in the plane z = 0.
-struct PoseList {
-  std::vector<Pose> poses;  ///< at least one
-  std::vector<int> lines;   ///< the line of the file that each stands on
-  bool planar = false;      ///< written as x,y,theta
+/// The unit of angles in a text; the library itself uses radians only.
+enum class AngleUnit { radians, degrees };
+
+double to_radians(double angle, AngleUnit unit);
+
+/// A pose as a text gives it.
+struct WrittenPose {
+  Pose pose;
+  bool planar = false;  ///< given as x,y,theta
 };
 
-/// The names of the three forms' columns, and the pose that so many numbers stand for, in that
-/// order. Throws Error for a quaternion not of length 1.
+/// Poses of a CSV file. A text gives a pose in one of three forms, in metres and an AngleUnit:
+///     x,y,theta     x,y,z,roll,pitch,yaw     x,y,z,qw,qx,qy,qz
+/// The first is planar: a pose in the plane z = 0.
+struct PoseList {
+  std::vector<Pose> poses;  ///< at least one
+  std::vector<int> lines;   ///< the line of the file of each pose
+  bool planar = false;      ///< given as x,y,theta
+};
+
+/// Returns the names of the columns of the three forms.
 const std::array<std::vector<std::string>, 3>& pose_forms();
+
+/// Returns the pose given by 3, 6 or 7 numbers in the order of pose_forms(). Throws Error for any
+/// other count and for a quaternion that is not of unit length.
 Pose pose_of(std::span<const double> numbers, AngleUnit unit = AngleUnit::radians);
 
-/// From a CSV file whose header names one form's columns, in any order.
-/// Throws FileError for a column that is missing or unknown, and for a quaternion not of length 1.
+/// Reads a CSV file whose header names the columns of one form, in any order. Throws FileError for
+/// a column that is missing or unknown, and for a quaternion that is not of unit length.
 PoseList read_poses(const std::string& path, AngleUnit unit = AngleUnit::radians);
+/// The same from a text; `path` names it in messages.
 PoseList poses_from_csv(std::string_view text, const std::string& path,
                         AngleUnit unit = AngleUnit::radians);
 
-struct WrittenPose {
-  Pose pose;
-  bool planar = false;  ///< written as x,y,theta
-};
-
-/// From a list of 3, 6 or 7 numbers in the order above. Throws Error for any other count.
+/// Parses a pose from 3, 6 or 7 numbers separated by commas, as pose_of().
 WrittenPose parse_pose(std::string_view text, AngleUnit unit = AngleUnit::radians);
 
 }  // namespace beeline

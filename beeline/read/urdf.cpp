@@ -1,16 +1,18 @@
 #include <unordered_set>
 
 #include <beeline/error.h>
-#include <beeline/read/file.h>
-#include <beeline/read/name.h>
+#include <beeline/read/internal/file.h>
+#include <beeline/read/internal/name.h>
+#include <beeline/read/internal/urdf_file.h>
+#include <beeline/read/internal/urdf_tree.h>
 #include <beeline/read/urdf.h>
-#include <beeline/read/urdf_file.h>
-#include <beeline/read/urdf_tree.h>
 
 namespace beeline {
 namespace {
 
-/// The moving joint, its frame `origin` away from the frame of the moving joint before it.
+using internal::UrdfFile;
+
+/// Returns the arm's joint; `origin` is the pose of its frame in the frame of the joint before it.
 Joint moving_joint(const UrdfFile& file, const UrdfFile::Joint& urdf, const Pose& origin) {
   Joint joint;
   joint.name = urdf.name;
@@ -39,26 +41,25 @@ Joint moving_joint(const UrdfFile& file, const UrdfFile::Joint& urdf, const Pose
 
 [[noreturn]] void refuse_type(const UrdfFile& file, const UrdfFile::Joint& joint) {
   throw FileError(file.path, joint.line,
-                  "joint " + joint.name + " is " + in_quotes(joint.type) +
-                      ", which is no joint of a chain; revolute, continuous, prismatic and fixed "
-                      "are");
+                  "joint " + joint.name + " is " + internal::in_quotes(joint.type) +
+                      "; a chain has revolute, continuous, prismatic and fixed joints");
 }
 
-/// Refuses joints of the chain that mimic one which the file does not have.
+/// Refuses mimic joints of the chain whose leader is not in the file.
 void check_leaders(const UrdfFile& file, const std::vector<std::size_t>& chain) {
   std::vector<std::string> names;
   for (const UrdfFile::Joint& joint : file.joints) names.push_back(joint.name);
   const std::unordered_set<std::string> known(names.begin(), names.end());
-  for (const std::size_t place : chain) {
-    const UrdfFile::Joint& joint = file.joints[place];
+  for (const std::size_t index : chain) {
+    const UrdfFile::Joint& joint = file.joints[index];
     if (!joint.mimic || known.contains(joint.mimic->leader)) continue;
-    const Error unknown = unknown_name("joint", printable(joint.mimic->leader), names);
+    const Error unknown = unknown_name("joint", internal::printable(joint.mimic->leader), names);
     throw FileError(file.path, joint.mimic_line,
                     "joint " + joint.name + " mimics an " + unknown.what());
   }
 }
 
-/// A joint whose leader is not on the chain has nobody to follow.
+/// Gives mimic joints whose leader is not on the chain a coordinate of their own.
 void free_followers(std::vector<Joint>& joints) {
   std::unordered_set<std::string> names;
   for (const Joint& joint : joints) names.insert(joint.name);
@@ -70,16 +71,16 @@ void free_followers(std::vector<Joint>& joints) {
 }  // namespace
 
 Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends) {
-  const UrdfFile file = parse_urdf(text, path);
-  const std::vector<std::size_t> chain = cut_chain(file, ends);
+  const UrdfFile file = internal::parse_urdf(text, path);
+  const std::vector<std::size_t> chain = internal::cut_chain(file, ends);
   check_leaders(file, chain);
   std::vector<Joint> joints;
   Pose fixed = Pose::Identity();  // from the last moving joint's frame
-  for (const std::size_t place : chain) {
-    const UrdfFile::Joint& urdf = file.joints[place];
+  for (const std::size_t index : chain) {
+    const UrdfFile::Joint& urdf = file.joints[index];
     fixed = fixed * urdf.origin;
     if (urdf.type == "fixed") continue;
-    if (!moves(urdf)) refuse_type(file, urdf);
+    if (!has_one_dof(urdf)) refuse_type(file, urdf);
     joints.push_back(moving_joint(file, urdf, fixed));
     fixed = Pose::Identity();
   }
@@ -97,7 +98,7 @@ Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnd
 }
 
 Arm read_urdf(const std::string& path, const ChainEnds& ends) {
-  return arm_from_urdf(read_file(path), path, ends);
+  return arm_from_urdf(internal::read_file(path), path, ends);
 }
 
 }  // namespace beeline

@@ -3,24 +3,29 @@
 #include <string>
 #include <string_view>
 
+#include <beeline/error.h>
 #include <beeline/model/arm.h>
 #include <beeline/read/arm.h>
 
 namespace beeline {
 
-/// The chain from `ends.base` to `ends.tip` of a URDF file, with the base link's frame as world.
-///   - revolute, continuous and prismatic joints move, fixed ones go into their neighbours' offsets
-///     and the last ones into the tool; other types are refused within the chain only
-///   - <axis> missing: 1 0 0; <limit> missing: none; effort and soft limits are not read
-///   - a velocity limit that is missing, zero (what exporters write for one that nobody gave) or
-///     below is not known
-///   - a joint that mimics one that does not move on this chain is a coordinate of its own
-///   - frames are the file's: each joint moves the child link, whose name goes to Joint::link
-/// Throws FileError for what parse_urdf refuses; a link with two parents, a circle, several roots
-/// or tips and none chosen; a tip that is unknown, not below the base, or reached without a moving
-/// joint; on the chain an axis without length, limits the wrong way round, or a joint that mimics
-/// one which the file does not have.
+/// Reads the chain from `ends.base` to `ends.tip` of a URDF file; the world is the base link's
+/// frame.
+///   - Revolute, continuous and prismatic joints are the arm's joints. Fixed joints become part of
+///     the next joint's offset, the last ones part of the tool. Other types are refused if they are
+///     on the chain.
+///   - A missing <axis> is 1 0 0; a missing <limit> means no limits. Effort and soft limits are
+///     ignored.
+///   - A velocity limit that is missing, negative or zero (which exporters write for an unknown
+///     one) is unknown.
+///   - A mimic joint whose leader is not on the chain has a coordinate of its own.
+///   - Frames are the file's: each joint moves the frame of its child link, named in Joint::link.
+/// Throws FileError for text that is not URDF; a link with two parents, a cycle, several roots or
+/// tips without a choice by `ends`; a tip that is unknown, not below the base, or not moved by any
+/// joint; on the chain an axis of zero length, a lower limit that exceeds the upper one, or a mimic
+/// joint whose leader is not in the file.
 Arm read_urdf(const std::string& path, const ChainEnds& ends = {});
+/// The same from a text; `path` names it in messages.
 Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends = {});
 
 }  // namespace beeline

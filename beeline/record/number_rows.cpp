@@ -1,106 +1,159 @@
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
-#include <beeline/read/file.h>
-#include <beeline/read/name.h>
+#include <beeline/read/internal/file.h>
+#include <beeline/read/internal/name.h>
+#include <beeline/record/internal/csv_rows.h>
+#include <beeline/record/internal/npy.h>
 #include <beeline/record/number_rows.h>
 
 namespace beeline {
+namespace internal {
+
+/// Rows of an .npy file: chooses the form by the width and checks that numbers are finite.
+class NpyRows {
+ public:
+  NpyRows(const std::string& path, const RowForms& forms) : reader_(path) {
+    const auto width = static_cast<std::size_t>(reader_.header().width);
+    const auto has_width = [width](const auto& form) { return form.size() == width; };
+    const auto form = std::find_if(forms.begin(), forms.end(), has_width);
+    if (form == forms.end()) refuse_width(forms);
+    form_ = static_cast<std::size_t>(form - forms.begin());
+    columns_ = *form;
+  }
+
+  std::size_t form() const { return form_; }
+  const InputFile& file() const { return reader_.file(); }
+
+  void read(RowBlock& block, BadRows& bad) {
+    block.places.clear();
+    while (block.places.empty()) {  // a block with only bad rows is not the end
+      const Eigen::Index count = reader_.read(block.numbers);
+      if (count == 0) return;
+      for (Eigen::Index i = 0; i < count; ++i) take_row(i, block, bad);
+    }
+  }
+
+ private:
+  [[noreturn]] void refuse_width(const RowForms& forms) const {
+    const NpyHeader& header = reader_.header();
+    std::string text = "has rows of " + std::to_string(header.width) + " number" +
+                       (header.width == 1 ? "" : "s") + "; rows are " + described(forms);
+    const auto is_one_row = [&](const auto& form) {
+      return static_cast<std::int64_t>(form.size()) == header.rows;
+    };
+    if (header.width == 1 && std::any_of(forms.begin(), forms.end(), is_one_row)) {
+      text += ": one row is array.reshape(1, -1)";
+    }
+    throw FileError(file().path(), 0, text);
+  }
+
+  /// Moves row i of the block to the end of its valid rows, unless it is bad.
+  void take_row(Eigen::Index i, RowBlock& block, BadRows& bad) {
+    const RowPlace place{++row_, 0};
+    const auto row = block.numbers.col(i);
+    for (Eigen::Index k = 0; k < row.size(); ++k) {
+      if (std::isfinite(row[k])) continue;
+      const std::string column = printable(columns_[static_cast<std::size_t>(k)]);
+      bad.report(bad_row(file().path(), place,
+                         "column " + column + " is " + number(row[k]) + "; it must be finite"));
+      return;
+    }
+    if (block.count() != i) block.numbers.col(block.count()) = row;
+    block.places.push_back(place);
+  }
+
+  NpyReader reader_;
+  std::size_t form_ = 0;
+  std::vector<std::string> columns_;
+  std::int64_t row_ = 0;  // rows read
+};
+
+struct RowSource {
+  using Reader = std::variant<CsvReader, NpyRows>;
+  Reader reader;
+
+  const InputFile& file() const {
+    return std::visit([](const auto& any) -> const InputFile& { return any.file(); }, reader);
+  }
+};
+
+struct RowSink {
+  using Writer = std::variant<CsvWriter, NpyWriter>;
+  Writer writer;
+};
+
+}  // namespace internal
+
 namespace {
 
-using Reader = std::variant<CsvReader, NpyReader>;
-using Writer = std::variant<CsvWriter, NpyWriter>;
+using internal::in_quotes;
+using internal::RowSink;
+using internal::RowSource;
 
-Reader open_reader(const std::string& path, const RowForms& forms) {
-  if (row_format(path) == RowFormat::csv) return Reader(std::in_place_index<0>, path, forms);
-  return Reader(std::in_place_index<1>, path);
+constexpr auto csv = std::in_place_index<0>;
+constexpr auto npy = std::in_place_index<1>;
+
+std::unique_ptr<RowSource> open_source(const std::string& path, const RowForms& forms) {
+  if (row_format(path) == RowFormat::csv) {
+    return std::unique_ptr<RowSource>(new RowSource{RowSource::Reader(csv, path, forms)});
+  }
+  return std::unique_ptr<RowSource>(new RowSource{RowSource::Reader(npy, path, forms)});
 }
 
-Writer open_writer(const std::string& path, const std::vector<std::string>& names, bool single,
-                   int threads) {
+std::unique_ptr<RowSink> open_sink(const std::string& path, const std::vector<std::string>& names,
+                                   bool single, int threads) {
   if (row_format(path) == RowFormat::npy) {
-    return Writer(std::in_place_index<1>, path, static_cast<Eigen::Index>(names.size()), single);
+    const auto width = static_cast<Eigen::Index>(names.size());
+    return std::unique_ptr<RowSink>(new RowSink{RowSink::Writer(npy, path, width, single)});
   }
   if (single) throw Error("32-bit numbers are for .npy files, not for " + in_quotes(path));
-  return Writer(std::in_place_index<0>, path, names, threads);
-}
-
-std::size_t form_of(const NpyReader& reader, const RowForms& forms) {
-  const auto width = static_cast<std::size_t>(reader.header().width);
-  const auto same = [width](const auto& form) { return form.size() == width; };
-  const auto form = std::ranges::find_if(forms, same);
-  if (form != forms.end()) return static_cast<std::size_t>(form - forms.begin());
-  std::string text = "has rows of " + std::to_string(width) + " number" + (width == 1 ? "" : "s") +
-                     "; rows are " + described(forms);
-  if (width == 1 && std::ranges::any_of(forms, [&](const auto& candidate) {
-        return static_cast<std::int64_t>(candidate.size()) == reader.header().rows;
-      })) {
-    text += ": one row is array.reshape(1, -1)";
-  }
-  throw FileError(reader.file().path(), 0, text);
+  return std::unique_ptr<RowSink>(new RowSink{RowSink::Writer(csv, path, names, threads)});
 }
 
 }  // namespace
 
 RowFormat row_format(const std::string& path) {
-  const std::string ending = extension(path);
+  const std::string ending = internal::extension(path);
   if (path == "-" || ending == "csv") return RowFormat::csv;
   if (ending == "npy") return RowFormat::npy;
-  throw Error("rows of numbers are kept in .csv or .npy files, not in " + in_quotes(path));
+  throw Error("tables of numbers are .csv or .npy files, not " + in_quotes(path));
 }
 
 RowReader::RowReader(const std::string& path, const RowForms& forms)
-    : reader_(open_reader(path, forms)), forms_(forms) {
-  if (const auto* npy = std::get_if<NpyReader>(&reader_)) npy_form_ = form_of(*npy, forms);
-}
+    : source_(open_source(path, forms)) {}
+
+RowReader::~RowReader() = default;
 
 std::size_t RowReader::form() const {
-  const auto* csv = std::get_if<CsvReader>(&reader_);
-  return csv != nullptr ? csv->form() : npy_form_;
-}
-
-const InputFile& RowReader::file() const {
-  return std::visit([](const auto& reader) -> const InputFile& { return reader.file(); }, reader_);
+  return std::visit([](const auto& reader) { return reader.form(); }, source_->reader);
 }
 
 void RowReader::read(RowBlock& block, BadRows& bad) {
-  if (auto* csv = std::get_if<CsvReader>(&reader_)) return csv->read(block, bad);
-  read_npy(std::get<NpyReader>(reader_), block, bad);
+  std::visit([&](auto& reader) { reader.read(block, bad); }, source_->reader);
 }
 
-void RowReader::read_npy(NpyReader& reader, RowBlock& block, BadRows& bad) {
-  block.places.clear();
-  // A block of bad rows alone is not yet the end.
-  while (block.places.empty()) {
-    const Eigen::Index count = reader.read(block.numbers);
-    if (count == 0) return;
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const RowPlace place{++row_, 0};
-      const auto row = block.numbers.col(i);
-      if (!row.allFinite()) {
-        const auto finite = [](double value) { return std::isfinite(value); };
-        const auto k = std::find_if_not(row.begin(), row.end(), finite) - row.begin();
-        const std::string column = printable(forms_[npy_form_][k]);
-        bad.meet(bad_row(reader.file().path(), place,
-                         "column " + column + " is " + number(row[k]) + "; it must be finite"));
-        continue;
-      }
-      if (block.count() != i) block.numbers.col(block.count()) = row;
-      block.places.push_back(place);
-    }
-  }
+std::string RowReader::path() const { return source_->file().path(); }
+
+std::optional<double> RowReader::fraction_read() const {
+  const internal::InputFile& file = source_->file();
+  if (!file.size() || *file.size() == 0) return std::nullopt;
+  return static_cast<double>(file.position()) / static_cast<double>(*file.size());
 }
 
 RowWriter::RowWriter(const std::string& path, const std::vector<std::string>& names, bool single,
                      int threads)
-    : writer_(open_writer(path, names, single, threads)) {}
+    : sink_(open_sink(path, names, single, threads)) {}
+
+RowWriter::~RowWriter() = default;
 
 void RowWriter::write(const Eigen::Ref<const Eigen::MatrixXd>& block) {
-  std::visit([&block](auto& writer) { writer.write(block); }, writer_);
+  std::visit([&block](auto& writer) { writer.write(block); }, sink_->writer);
 }
 
-void RowWriter::put_in_place() {
-  std::visit([](auto& writer) { writer.put_in_place(); }, writer_);
+void RowWriter::commit() {
+  std::visit([](auto& writer) { writer.commit(); }, sink_->writer);
 }
 
 }  // namespace beeline

@@ -1,51 +1,62 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
-#include <variant>
+#include <vector>
 
-#include <beeline/record/csv_rows.h>
-#include <beeline/record/npy.h>
+#include <beeline/error.h>
+#include <beeline/record/row_block.h>
 
 namespace beeline {
 
-/// Tables of numbers that may be larger than the memory, in files: the format goes by the ending.
-///   .csv   see CsvReader and CsvWriter; so is "-", the standard input or output
-///   .npy   numpy's, N rows
-/// Throws Error for another ending.
+namespace internal {
+struct RowSource;
+struct RowSink;
+}  // namespace internal
+
+/// The format of a table of numbers, given by the ending of its path:
+///   .csv   a header of names, which may be missing when read, then rows of numbers; also "-", the
+///          standard input or output
+///   .npy   an array of numpy, of N rows
 enum class RowFormat { csv, npy };
+
+/// Throws Error for another ending.
 RowFormat row_format(const std::string& path);
 
-/// Reads rows of finite numbers, block by block. All throw FileError.
+/// Reads a table of any length block by block: rows of finite numbers, in the order of one of the
+/// forms. The columns of a CSV file may be in any order. All functions throw FileError.
 class RowReader {
  public:
   RowReader(const std::string& path, const RowForms& forms);
+  ~RowReader();
 
-  std::size_t form() const;  ///< which of the forms the file has
-  /// The next rows, up to as many as `block.numbers` has columns; none at the end.
+  std::size_t form() const;  ///< index of the file's form
+  /// Reads the next rows, at most as many as `block.numbers` has columns; none at the end.
   void read(RowBlock& block, BadRows& bad);
-  const InputFile& file() const;
+
+  std::string path() const;                     ///< for messages: `stdin` for "-"
+  std::optional<double> fraction_read() const;  ///< of the file, from 0 to 1; none for pipes
 
  private:
-  void read_npy(NpyReader& reader, RowBlock& block, BadRows& bad);
-
-  std::variant<CsvReader, NpyReader> reader_;
-  std::size_t npy_form_ = 0;
-  RowForms forms_;
-  std::int64_t row_ = 0;  ///< rows of the .npy file that were read
+  std::unique_ptr<internal::RowSource> source_;
 };
 
-/// Writes rows, block by block; they are in their place, all of them, after put_in_place().
+/// Writes a table block by block; the file appears at its path, complete, with commit().
 class RowWriter {
  public:
-  /// `single`: 32-bit numbers, in .npy only. Throws Error, FileError.
+  /// `single`: 32-bit numbers, for .npy only. `threads` format CSV; 0: one per processor.
+  /// Throws Error, FileError.
   RowWriter(const std::string& path, const std::vector<std::string>& names, bool single,
             int threads);
+  ~RowWriter();
 
+  /// Each column of `block` is a row of the table. Numbers read back exactly.
   void write(const Eigen::Ref<const Eigen::MatrixXd>& block);
-  void put_in_place();
+  void commit();
 
  private:
-  std::variant<CsvWriter, NpyWriter> writer_;
+  std::unique_ptr<internal::RowSink> sink_;
 };
 
 }  // namespace beeline

@@ -10,7 +10,7 @@ FileError bad_row(const std::string& path, const RowPlace& place, const std::str
           "row " + std::to_string(place.row) + ": " + message};
 }
 
-void BadRows::meet(const FileError& error) {
+void BadRows::report(const FileError& error) {
   if (!skip) throw error;
   if (count++ == 0) first = error.what();
 }

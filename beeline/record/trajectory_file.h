@@ -2,25 +2,29 @@
 
 #include <string>
 
+#include <beeline/error.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
 
-/// Trajectories in files; the format goes by the file's extension, numbers read back exactly.
+/// The format of a trajectory in a file, given by the ending of its path. Numbers read back
+/// exactly.
 ///   .csv   columns t, then the joints' names, and NAME_vel, NAME_acc where known
-///   .json  as ROS trajectory_msgs/JointTrajectory; `time` beside `time_from_start` is exact
-/// Throws Error for another extension, and for what check_recordable refuses.
+///   .json  as ROS trajectory_msgs/JointTrajectory, with the exact `time` beside `time_from_start`
 enum class TrajectoryFormat { csv, json };
+
+/// Throws Error for another ending.
 TrajectoryFormat trajectory_format(const std::string& path);
 
-/// The file's content, in this format.
+/// Returns the content of a file of this format. Throws Error for a trajectory that is not valid
+/// (check_trajectory()), has no samples, or whose joints have names that the format cannot hold.
 std::string trajectory_text(const Trajectory& trajectory, TrajectoryFormat format);
 
-/// Writes beside and renames, as write_file does. Throws Error for joint names that the format
-/// cannot tell apart from its own columns.
+/// Writes trajectory_text() to a file, which is replaced as a whole. Throws as trajectory_text(),
+/// and FileError when the file cannot be written.
 void write_trajectory(const std::string& path, const Trajectory& trajectory);
 
-/// Throws FileError naming line and column or place.
+/// Throws FileError that names the line and the column or value.
 Trajectory read_trajectory(const std::string& path);
 
 }  // namespace beeline

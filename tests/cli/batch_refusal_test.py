@@ -82,7 +82,7 @@ def test_a_file_cut_off_anywhere(refused, tmp_path):
         line = refused(3, "batch", "fk", "rrr", "--in", "q.npy", "--out", "o.npy", says=["q.npy"])
         assert size < 128 or ("10 rows of 3" in line and f"it has {(size - 128) // 24}" in line)
     (tmp_path / "q.npy").write_bytes(whole + b"more")
-    refused(3, "batch", "fk", "rrr", "--in", "q.npy", "--out", "o.npy", says=["4 bytes behind"])
+    refused(3, "batch", "fk", "rrr", "--in", "q.npy", "--out", "o.npy", says=["4 bytes after"])
 
 
 POSES = [

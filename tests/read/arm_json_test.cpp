@@ -153,13 +153,13 @@ TEST(ArmJson, MistakesInJointsAreNamed) {
   EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "revolute", "axes": [0,0,1]})")),
                  "a.json:2: joints[1]: unknown key \"axes\"; did you mean \"axis\"? (known: name,");
   EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "revolute", "axis": [0,0,0]})")),
-                 "joints[1] has no motion: axis 0 0 0 has no direction");
+                 "joints[1] is not a screw axis: axis 0 0 0 has no direction");
   EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "revolute", "pitch": 1})")),
                  "has a pitch; only a helical joint has one");
   EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "helical"})")),
                  "is helical and needs the key \"pitch\"");
   EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "helical", "pitch": 0})")),
-                 "joints[1].type does not fit: the joint's screw is revolute");
+                 "joints[1].type contradicts the joint's screw, which is revolute");
   EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "prismatic", "point": [0,0,0]})")),
                  "has a point; a prismatic joint has an axis only");
   EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "revolute", "screw": [0,0,0,0,0,2]})")),
@@ -171,11 +171,11 @@ TEST(ArmJson, MistakesInJointsAreNamed) {
   EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "revolute", "screw": [1,0,0,0,0,0]})")),
                  "the joint's screw is prismatic");
   EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "spherical", "limits": {}})")),
-                 "joints[1].limits does not go with a composite joint");
+                 "joints[1].limits is not for composite joints");
   EXPECT_REFUSED(parse(with_joint(R"({"name": "k", "type": "revolute"})")),
                  "a.json: two joints are called k");
   EXPECT_REFUSED(parse(with_joint(R"({"name": "a\nb", "type": "revolute"})")),
-                 "joints[1].name is refused: the name \"a?b\" holds a control character");
+                 "joints[1].name is refused: the name \"a?b\" contains a control character");
   EXPECT_REFUSED(parse(with_joint("3")), "joints[1] must be an object, not a number");
 }
 
@@ -214,7 +214,7 @@ TEST(ArmJson, MistakesInTheWholeAreNamed) {
   EXPECT_REFUSED(parse("{\"name\": \"a\",\n\"joints\": [}"), "a.json:2: is not JSON");
   std::string many = R"({"name": "a", "dh": {"convention": "standard", "rows": [{})";
   for (int i = 0; i < 10000; ++i) many += ",{}";
-  EXPECT_REFUSED(parse(many + "]}}"), "has 10001 joints; at most 10000 are read");
+  EXPECT_REFUSED(parse(many + "]}}"), "has 10001 joints; at most 10000 are accepted");
 }
 
 TEST(ArmJson, DhTablesMustSayTheirConvention) {
@@ -234,7 +234,7 @@ TEST(ArmJson, NamesThatNoReaderTakesAreNotWritten) {
   Joint joint;
   joint.name = "a\nb";
   joint.screw = rotation_screw(Vector3::UnitZ());
-  EXPECT_REFUSED(arm_to_json(Arm("arm", {joint})), "a joint's name \"a?b\" holds a control");
+  EXPECT_REFUSED(arm_to_json(Arm("arm", {joint})), "a joint's name \"a?b\" contains a control");
   joint.name = "\xff";
   EXPECT_REFUSED(arm_to_json(Arm("arm", {joint})), "is not UTF-8 text");
 }

@@ -110,7 +110,7 @@ TEST(JointString, MistakesAreNamed) {
   EXPECT_REFUSED(arm_from_joint_string("RXR:1,1,1"),
                  "unknown joint type \"X\" (known: R, P, H, S, C, E, U)");
   EXPECT_REFUSED(arm_from_joint_string("RR:1,x"), "item 2 \"x\", length: \"x\" is not a number");
-  EXPECT_REFUSED(arm_from_joint_string("RR:1,2@"), "item 2 \"2@\", bend: a number is missing");
+  EXPECT_REFUSED(arm_from_joint_string("RR:1,2@"), "item 2 \"2@\", angle: a number is missing");
   EXPECT_REFUSED(arm_from_joint_string("H:1pq"), "item 1 \"1pq\", pitch: \"q\" is not a number");
   EXPECT_REFUSED(arm_from_joint_string("R:1p2"), "gives a pitch to R; only H");
   EXPECT_REFUSED(arm_from_joint_string("H:1p0"), "pitch of 0; use R");
@@ -124,7 +124,7 @@ TEST(JointString, AThousandLettersWorkAndTooManyAreRefused) {
   EXPECT_EQ(forward_kinematics(arm, Configuration::Zero(1000)).translation(), Vector3(1000, 0, 0));
   EXPECT_EQ(arm_from_joint_string(std::string(max_joints, 'P')).dof(), 10000);
   EXPECT_REFUSED(arm_from_joint_string(std::string(max_joints + 1, 'R')),
-                 "has 10001 letters; at most 10000 are read");
+                 "has 10001 letters; at most 10000 are accepted");
   EXPECT_REFUSED(arm_from_joint_string(std::string(std::size_t{1} << 20, 'S') + ":1"), "at most");
 }
 

@@ -71,7 +71,7 @@ TEST(PoseList, MistakesAreNamed) {
   EXPECT_REFUSED(read("x,y\n1,2\n"), "column theta is missing; " + forms);
   EXPECT_REFUSED(read("x,y,z,qw,qx,qz\n1,2,3,1,0,0\n"), "column qy is missing");
   EXPECT_REFUSED(read("x,y,z,roll\n1,2,3,1\n"), "column pitch, yaw is missing");
-  EXPECT_REFUSED(read("x,y,z,theta\n1,2,3,1\n"), "column z does not go with x, y, theta");
+  EXPECT_REFUSED(read("x,y,z,theta\n1,2,3,1\n"), "column z does not belong to x, y, theta");
   EXPECT_REFUSED(read("x,y,theta,speed\n1,2,3,1\n"), "unknown column \"speed\"; " + forms);
   EXPECT_REFUSED(read("x;y;theta\n1\n"), "unknown column \"x;y;theta\"");
   EXPECT_REFUSED(read("x,y,theta\n1,2,nan\n"), "a.csv:2: column theta: \"nan\" must be finite");

@@ -3,7 +3,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/orientation.h>
 #include <beeline/read/urdf.h>
-#include <beeline/read/urdf_file.h>
+#include <beeline/read/internal/urdf_file.h>
 
 #include <tests/random.h>
 #include <tests/read/urdf_samples.h>
@@ -122,8 +122,8 @@ TEST(Urdf, OtherTypesAreRefusedWithinTheChainOnly) {
     EXPECT_EQ(parse(text, {.base = "", .tip = "b"}).dof(), 1);
     EXPECT_REFUSED(parse(text, {.base = "", .tip = "c"}),
                    "a.urdf:6: joint loose is \"" + type +
-                       "\", which is no joint of a chain; revolute, continuous, prismatic and "
-                       "fixed are");
+                       "\"; a chain has revolute, continuous, prismatic and "
+                       "fixed joints");
   }
 }
 
@@ -148,7 +148,7 @@ TEST(Urdf, MistakesInJointsAreNamedWithTheirLine) {
                  "mimics itself through its leaders");
   EXPECT_REFUSED(parse(single("revolute", "\n<mimic joint=\"jj\"/>")),
                  "a.urdf:5: joint j mimics an unknown joint \"jj\"");
-  EXPECT_REFUSED(parse(single("")), "which is no joint of a chain");
+  EXPECT_REFUSED(parse(single("")), "a chain has revolute");
   EXPECT_REFUSED(parse(robot("<joint name=\"j\"/>")), "a.urdf:2: <joint> needs the attribute type");
   EXPECT_REFUSED(parse(robot("<joint type=\"fixed\"/>")), "<joint> needs the attribute name");
   EXPECT_REFUSED(parse(robot("<joint name=\"j\" type=\"fixed\"><parent link=\"a\"/></joint>")),
@@ -162,18 +162,18 @@ TEST(Urdf, MistakesInJointsAreNamedWithTheirLine) {
 }
 
 TEST(Urdf, WhatIsNoUrdfIsNamed) {
-  EXPECT_REFUSED(parse(""), "a.urdf: is not whole XML: it is empty");
+  EXPECT_REFUSED(parse(""), "a.urdf: is not well-formed XML: it is empty");
   EXPECT_REFUSED(parse("{\"name\": \"a\"}"), "a.urdf");
-  EXPECT_REFUSED(parse("<mujoco/>"), "a.urdf:1: is no URDF: it must hold a <robot>, not <mujoco>");
-  EXPECT_REFUSED(parse("<robot>\n<link>\n</robot>"), "is not whole XML");
+  EXPECT_REFUSED(parse("<mujoco/>"), "a.urdf:1: is not URDF: its root must be <robot>, not <mujoco>");
+  EXPECT_REFUSED(parse("<robot>\n<link>\n</robot>"), "is not well-formed XML");
   EXPECT_REFUSED(parse("<robot name=\"r\"/>"), "a.urdf: has no links");
   EXPECT_REFUSED(parse(robot(link("a") + "<xacro:include filename=\"b\"/>\n")),
-                 "a.urdf:3: is a xacro file, for it has <xacro:include>; run xacro first");
+                 "a.urdf:3: is a xacro file (it contains <xacro:include>); run xacro first");
   EXPECT_REFUSED(parse(std::string((std::size_t{8} << 20) + 1, ' ')),
                  "a.urdf: is larger than 8 MiB");
   EXPECT_REFUSED(
       parse("<robot>\n<link name=\"a\" name=\"b\"/></robot>"),
-      "a.urdf:2: is not whole XML: an attribute is not name=\"value\", or stands there twice");
+      "a.urdf:2: is not well-formed XML: an attribute is not name=\"value\", or is given twice");
   // What xacro leaves behind in its output is no xacro.
   EXPECT_NO_THROW(parse("<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">" +
                         link("a") + link("b") + joint("j", "revolute", "a", "b") + "</robot>"));

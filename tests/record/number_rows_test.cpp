@@ -52,7 +52,7 @@ TEST(NumberRows, AnyNumbersReadBackToTheLastBit) {
     for (const char* name : {"a.csv", "a.npy"}) {
       RowWriter writer(folder.file(name), names, false, 1 + i % 3);
       writer.write(rows);
-      writer.put_in_place();
+      writer.commit();
       BadRows bad;
       ASSERT_EQ(read_all(folder.file(name), {names}, bad, random.integer(1, 60)), rows) << name;
     }
@@ -65,7 +65,7 @@ TEST(NumberRows, TheTextIsTheSameForAnyNumberOfThreads) {
   for (const int threads : {1, 2, 7}) {
     RowWriter writer(folder.file(std::to_string(threads) + ".csv"), ab[0], false, threads);
     writer.write(rows);
-    writer.put_in_place();
+    writer.commit();
   }
   EXPECT_EQ(folder.content("1.csv"), folder.content("2.csv"));
   EXPECT_EQ(folder.content("1.csv"), folder.content("7.csv"));
@@ -126,7 +126,7 @@ TEST(NumberRows, BadRowsOfNpyToo) {
   for (const int k : {0, 3, 4, 5}) rows(k % 2, k) = k == 3 ? INFINITY : NAN;
   NpyWriter writer(folder.file("a.npy"), 2, false);
   writer.write(rows);
-  writer.put_in_place();
+  writer.commit();
   BadRows bad;
   EXPECT_REFUSED(read_all(folder.file("a.npy"), ab, bad),
                  "a.npy: row 1: column a is nan; it must be finite");
@@ -140,7 +140,7 @@ TEST(NumberRows, RowsOfAnotherLengthAreRefused) {
   const TemporaryFolder folder;
   NpyWriter writer(folder.file("a.npy"), 1, false);
   writer.write(Eigen::MatrixXd::Zero(1, 2));
-  writer.put_in_place();
+  writer.commit();
   BadRows bad;
   EXPECT_REFUSED(read_all(folder.file("a.npy"), ab, bad),
                  "a.npy: has rows of 1 number; rows are a, b: one row is array.reshape(1, -1)");

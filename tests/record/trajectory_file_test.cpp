@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <beeline/record/trajectory_csv.h>
+#include <beeline/record/internal/trajectory_csv.h>
 #include <beeline/record/trajectory_file.h>
-#include <beeline/record/trajectory_json.h>
+#include <beeline/record/internal/trajectory_json.h>
 
 #include <tests/record/random_trajectory.h>
 #include <tests/refusal.h>

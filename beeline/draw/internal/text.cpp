@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cairo.h>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
 #include <beeline/draw/internal/text.h>
+#include <beeline/read/internal/numbers.h>
 
 namespace beeline::internal {
 namespace {
@@ -130,10 +130,7 @@ std::vector<std::string> wrapped(const std::string& text, double size, double wi
 }
 
 std::string fixed(double value, int decimals) {
-  char buffer[400];
-  const auto end =
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals).ptr;
-  std::string text(buffer, end);
+  const std::string text = fixed_point(value, decimals);
   if (text.front() != '-') return text;
   const bool zero = text.find_first_of("123456789") == std::string::npos;
   return (zero ? "" : "−") + text.substr(1);

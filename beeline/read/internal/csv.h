@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beeline::internal {
+
+/// A table with named columns of finite numbers.
+struct CsvTable {
+  std::string path;
+  std::vector<std::string> columns;
+  std::vector<std::vector<double>> rows;  ///< each as long as `columns`; at least one
+  std::vector<int> lines;                 ///< the line of the file of each row
+};
+
+/// Parses a header of names and rows of numbers, separated by commas. Names may be in double
+/// quotes. Blanks around items, CRLF, a byte order mark, empty lines and lines that begin with #
+/// are skipped. Throws FileError for a missing header, no rows, a row of another length, a repeated
+/// column and an item that is not a finite number.
+CsvTable parse_csv(std::string_view text, const std::string& path);
+
+/// Returns the items of one line without the blanks and quotes around them. Throws Error for a
+/// quotation mark at the wrong position.
+std::vector<std::string> csv_items(std::string_view line);
+
+/// Returns a name as a CSV header holds it: in quotes where necessary.
+std::string csv_name(const std::string& name);
+
+}  // namespace beeline::internal

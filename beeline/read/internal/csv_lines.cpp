@@ -1,0 +1,54 @@
+#include <algorithm>
+#include <cstring>
+
+#include <beeline/error.h>
+#include <beeline/read/internal/csv_lines.h>
+#include <beeline/read/internal/numbers.h>
+
+namespace beeline::internal {
+
+CsvLines::CsvLines(std::string_view text) : unread_(text) {}
+
+CsvLines::CsvLines(InputFile& file, std::size_t max_line)
+    : file_(&file), buffer_(max_line), ended_(false) {}
+
+/// Moves the unread text to the front of the buffer and fills the remainder from the file.
+void CsvLines::read_more() {
+  if (unread_.size() == buffer_.size()) {
+    throw FileError(file_->path(), 0,
+                    "line " + std::to_string(number_ + 1) + " is longer than " +
+                        std::to_string(buffer_.size()) + " bytes; is this a CSV file?");
+  }
+  const std::size_t kept = unread_.size(), wanted = buffer_.size() - kept;
+  if (kept > 0) std::memmove(buffer_.data(), unread_.data(), kept);
+  const std::size_t count = file_->read(buffer_.data() + kept, wanted);
+  ended_ = count < wanted;
+  unread_ = {buffer_.data(), kept + count};
+}
+
+bool CsvLines::next_raw(std::string_view& line) {
+  std::size_t searched = 0;  // bytes of `unread_` that hold no line break
+  for (;;) {
+    const std::size_t end = unread_.find('\n', searched);
+    if (end != std::string_view::npos || (ended_ && !unread_.empty())) {
+      line = unread_.substr(0, end);
+      unread_.remove_prefix(std::min(line.size() + 1, unread_.size()));
+      ++number_;
+      return true;
+    }
+    if (ended_) return false;
+    searched = unread_.size();
+    read_more();
+  }
+}
+
+bool CsvLines::next(std::string_view& line) {
+  while (next_raw(line)) {
+    if (number_ == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
+    line = trimmed(line);
+    if (!line.empty() && line.front() != '#') return true;
+  }
+  return false;
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include <beeline/read/internal/file_stream.h>
+
+namespace beeline::internal {
+
+/// Iterates over the lines of a CSV text that hold data: skips empty lines, comments (lines that
+/// begin with #) and a byte order mark; removes blanks around each line.
+class CsvLines {
+ public:
+  /// Lines of `text`, which must outlive this object.
+  explicit CsvLines(std::string_view text);
+
+  /// Lines of a file of any size, read in blocks of `max_line` bytes. next() throws FileError for a
+  /// longer line. `file` must outlive this object.
+  CsvLines(InputFile& file, std::size_t max_line);
+
+  /// Gets the next line, which is valid until the next call; returns false at the end.
+  bool next(std::string_view& line);
+  std::int64_t number() const { return number_; }  ///< of the line from next(), from 1
+
+ private:
+  bool next_raw(std::string_view& line);
+  void read_more();
+
+  InputFile* file_ = nullptr;  ///< null: all text is present
+  std::vector<char> buffer_;
+  std::string_view unread_;
+  bool ended_ = true;  ///< no text follows `unread_`
+  std::int64_t number_ = 0;
+};
+
+}  // namespace beeline::internal

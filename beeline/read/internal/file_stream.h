@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace beeline::internal {
+
+/// The meaning of the path "-": a file of that name, or the standard input or output.
+enum class Dash { file, standard };
+
+/// Reads a file from front to end in blocks. All functions throw FileError for errors of the
+/// system.
+class InputFile {
+ public:
+  explicit InputFile(const std::string& path, Dash dash = Dash::file);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  /// Reads `wanted` bytes, or fewer at the end of the file; returns the number read.
+  std::size_t read(char* bytes, std::size_t wanted);
+
+  std::uint64_t position() const { return position_; }         ///< bytes read
+  std::optional<std::uint64_t> size() const { return size_; }  ///< none for pipes and devices
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+  int descriptor_ = -1;
+  std::uint64_t position_ = 0;
+  std::optional<std::uint64_t> size_;
+};
+
+/// Writes a temporary file in blocks; commit() then renames it to `path`: a reader finds the old
+/// content or the new one, never a part. Without commit() the temporary file is deleted. Pipes,
+/// devices and the standard output are written directly.
+/// All functions throw FileError for errors of the system.
+class OutputFile {
+ public:
+  explicit OutputFile(const std::string& path, Dash dash = Dash::file);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Whether commit() replaces a file at `path`; false for pipes, devices and standard output.
+  bool replaces() const { return replaces_; }
+  void append(std::string_view bytes);
+  /// Overwrites the first bytes of the file. Requires replaces().
+  void overwrite_front(std::string_view bytes);
+  void commit();
+
+ private:
+  std::string path_, target_, temporary_;  ///< `temporary_` is empty while the file has no name
+  bool replaces_ = true;
+  int descriptor_ = -1;
+};
+
+}  // namespace beeline::internal

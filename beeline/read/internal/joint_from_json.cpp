@@ -1,0 +1,192 @@
+#include <cmath>
+
+#include <beeline/error.h>
+#include <beeline/model/composite.h>
+#include <beeline/model/dh.h>
+#include <beeline/read/internal/joint_from_json.h>
+#include <beeline/read/internal/name.h>
+#include <beeline/read/internal/pose_json.h>
+
+namespace beeline::internal {
+namespace {
+
+std::string name_from_json(const JsonDocument& document, const Json& json) {
+  const std::string& name = document.text(json);
+  try {
+    check_name(name, "is refused: the name");
+  } catch (const Error& error) {
+    document.refuse(json, error.what());
+  }
+  return name;
+}
+
+double number_or(const JsonDocument& document, const Json& object, const char* key,
+                 double otherwise) {
+  const Json* found = document.find(object, key);
+  return found == nullptr ? otherwise : document.number(*found);
+}
+
+Limits limits_from_json(const JsonDocument& document, const Json& json) {
+  document.check_keys(json, {"lower", "upper", "velocity", "acceleration", "jerk"});
+  const auto rate = [&](const char* key) {
+    const Json* found = document.find(json, key);
+    const double value = number_or(document, json, key, Limits::none);
+    if (!(value >= Limits::least_rate)) {
+      document.refuse(*found, "must be at least " + number(Limits::least_rate) +
+                                  "; omit it when it is not known");
+    }
+    return value;
+  };
+  const Limits limits{.lower = number_or(document, json, "lower", -Limits::none),
+                      .upper = number_or(document, json, "upper", Limits::none),
+                      .velocity = rate("velocity"),
+                      .acceleration = rate("acceleration"),
+                      .jerk = rate("jerk")};
+  if (limits.lower > limits.upper) {
+    document.refuse(json, "are inconsistent: lower " + number(limits.lower) + " exceeds upper " +
+                              number(limits.upper));
+  }
+  return limits;
+}
+
+Mimic mimic_from_json(const JsonDocument& document, const Json& json) {
+  document.check_keys(json, {"joint", "multiplier", "offset"});
+  return {.leader = document.text(document.need(json, "joint")),
+          .multiplier = number_or(document, json, "multiplier", 1),
+          .offset = number_or(document, json, "offset", 0)};
+}
+
+Vector3 vector_or(const JsonDocument& document, const Json& object, const char* key,
+                  const Vector3& otherwise) {
+  const Json* found = document.find(object, key);
+  return found == nullptr ? otherwise : vector_from_json(document, *found);
+}
+
+/// Reads a screw from its six numbers, without change, so that every joint can be written exactly.
+Twist whole_screw(const JsonDocument& document, const Json& object, const Json& json) {
+  for (const char* key : {"axis", "point", "pitch"}) {
+    if (document.find(object, key) != nullptr) {
+      document.refuse(object, std::string("has both screw and ") + key + "; give one of them");
+    }
+  }
+  const std::vector<double> values = document.numbers(json, 6);
+  const Twist screw = Eigen::Map<const Twist>(values.data());
+  const double rotation = screw.tail<3>().norm();
+  const double length = rotation == 0 ? screw.head<3>().norm() : rotation;
+  if (std::abs(length - 1) > 1e-9) {
+    document.refuse(json, "must have an axis of length 1, not " + number(length));
+  }
+  return screw;
+}
+
+Twist screw_from_json(const JsonDocument& document, const Json& json, const std::string& type) {
+  if (const Json* whole = document.find(json, "screw")) {
+    return whole_screw(document, json, *whole);
+  }
+  const Vector3 axis = vector_or(document, json, "axis", Vector3::UnitZ());
+  const Vector3 point = vector_or(document, json, "point", Vector3::Zero());
+  const Json* pitch = document.find(json, "pitch");
+  if (type == name(JointKind::prismatic) && document.find(json, "point") != nullptr) {
+    document.refuse(json, "has a point; a prismatic joint has an axis only");
+  }
+  if ((pitch != nullptr) != (type == name(JointKind::helical))) {
+    document.refuse(json, pitch != nullptr ? "has a pitch; only a helical joint has one"
+                                           : "is helical and needs the key \"pitch\"");
+  }
+  try {
+    if (type == name(JointKind::prismatic)) return translation_screw(axis);
+    return rotation_screw(axis, point, pitch == nullptr ? 0 : document.number(*pitch));
+  } catch (const Error& error) {
+    document.refuse(json, std::string("is not a screw axis: ") + error.what());
+  }
+}
+
+/// Returns the letter of a composite type, 0 for a single joint. Refuses unknown types.
+char composite_letter(const JsonDocument& document, const Json& json) {
+  const std::string& type = document.text(json);
+  if (type == "revolute" || type == "prismatic" || type == "helical") return 0;
+  if (type == "spherical") return 'S';
+  if (type == "cylindrical") return 'C';
+  if (type == "planar") return 'E';
+  if (type == "universal") return 'U';
+  document.refuse(
+      json, std::string("is an ") + unknown_name("joint type", printable(type),
+                                                 {"revolute", "prismatic", "helical", "spherical",
+                                                  "cylindrical", "planar", "universal"})
+                                        .what());
+}
+
+std::vector<Joint> composite_from_json(const JsonDocument& document, const Json& json,
+                                       char letter) {
+  for (const char* key : {"limits", "mimic", "axis", "point", "pitch", "screw"}) {
+    if (const Json* found = document.find(json, key)) {
+      document.refuse(*found, "is not for composite joints; describe the joints one by one");
+    }
+  }
+  return composite_joint(letter, name_from_json(document, document.need(json, "name")));
+}
+
+Joint single_from_json(const JsonDocument& document, const Json& json) {
+  Joint joint;
+  const Json& type = document.need(json, "type");
+  joint.name = name_from_json(document, document.need(json, "name"));
+  joint.screw = screw_from_json(document, json, document.text(type));
+  if (document.text(type) != name(kind(joint))) {
+    document.refuse(type,
+                    std::string("contradicts the joint's screw, which is ") + name(kind(joint)));
+  }
+  if (const Json* limits = document.find(json, "limits")) {
+    joint.limits = limits_from_json(document, *limits);
+  }
+  if (const Json* mimic = document.find(json, "mimic")) {
+    joint.mimic = mimic_from_json(document, *mimic);
+  }
+  return joint;
+}
+
+}  // namespace
+
+std::vector<Joint> joints_from_json(const JsonDocument& document, const Json& json) {
+  document.check_keys(json, {"name", "type", "origin", "axis", "point", "pitch", "screw", "limits",
+                             "mimic", "link"});
+  const char letter = composite_letter(document, document.need(json, "type"));
+  std::vector<Joint> joints;
+  if (letter == 0) {
+    joints.push_back(single_from_json(document, json));
+  } else {
+    joints = composite_from_json(document, json, letter);
+  }
+  if (const Json* origin = document.find(json, "origin")) {
+    joints.front().offset = pose_from_json(document, *origin);
+  }
+  if (const Json* link = document.find(json, "link")) {
+    joints.back().link = name_from_json(document, *link);
+  }
+  return joints;
+}
+
+Joint dh_joint_from_json(const JsonDocument& document, const Json& json,
+                         const std::string& convention, std::size_t number) {
+  document.check_keys(json, {"name", "type", "a", "alpha", "d", "theta", "limits"});
+  DhRow row{.a = number_or(document, json, "a", 0),
+            .alpha = number_or(document, json, "alpha", 0),
+            .d = number_or(document, json, "d", 0),
+            .theta = number_or(document, json, "theta", 0)};
+  if (const Json* type = document.find(json, "type")) {
+    const std::string& text = document.text(*type);
+    if (text != "revolute" && text != "prismatic") {
+      document.refuse(*type, "must be revolute or prismatic in a DH table");
+    }
+    if (text == "prismatic") row.kind = JointKind::prismatic;
+  }
+  Joint joint =
+      dh_joint(row, convention == "modified" ? DhConvention::modified : DhConvention::standard);
+  const Json* name = document.find(json, "name");
+  joint.name = name == nullptr ? "joint" + std::to_string(number) : name_from_json(document, *name);
+  if (const Json* limits = document.find(json, "limits")) {
+    joint.limits = limits_from_json(document, *limits);
+  }
+  return joint;
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <beeline/model/joint.h>
+#include <beeline/read/internal/json.h>
+
+namespace beeline::internal {
+
+/// Reads one item of an arm's "joints": several joints when its type is a composite one.
+/// Throws FileError that names the value.
+std::vector<Joint> joints_from_json(const JsonDocument& document, const Json& json);
+
+/// Reads one item of the "rows" of a DH table; `number` counts rows from 1 and names a row that has
+/// no name.
+Joint dh_joint_from_json(const JsonDocument& document, const Json& json,
+                         const std::string& convention, std::size_t number);
+
+}  // namespace beeline::internal

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace beeline::internal {
+
+/// Returns text from a user or a file for a one-line message: control characters and bytes that are
+/// not UTF-8 become `?`, text beyond 80 bytes is cut.
+std::string printable(std::string_view text);
+
+/// Returns printable(text) in double quotes.
+std::string in_quotes(std::string_view text);
+
+bool is_utf8(std::string_view text);
+
+/// Checks a name of an arm, a joint or a link: not empty, UTF-8, no control characters, at most
+/// 1000 bytes. Throws Error that begins with `what` otherwise.
+void check_name(std::string_view name, std::string_view what);
+
+}  // namespace beeline::internal

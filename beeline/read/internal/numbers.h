@@ -1,0 +1,46 @@
+#pragma once
+
+#include <charconv>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beeline::internal {
+
+// Numbers to and from text, independent of the locale. libc++ 14 and Emscripten 3.1 lack
+// std::to_chars and std::from_chars of floating-point numbers: fmt and fast_float serve instead.
+
+/// Returns `text` without the spaces, tabs and carriage returns at both ends.
+std::string_view trimmed(std::string_view text);
+
+/// Parses the number at the front of [first, last) as std::from_chars does: no blanks and no `+`
+/// before it; `nan` and `inf` are accepted. A magnitude outside the range of a double, or one that
+/// underflows to zero, gives std::errc::result_out_of_range.
+std::from_chars_result parse_double(const char* first, const char* last, double& value);
+
+/// Parses a finite number such as `1`, `-2.5`, `+.5` or `3e-1`; blanks around it are allowed.
+/// Throws Error, which begins with `what`, for anything else, for nan and inf, and for numbers
+/// outside the range of a double.
+double parse_number(std::string_view text, std::string_view what);
+
+/// Parses numbers separated by commas: `1,2,-3e-1`. Throws Error that names the item.
+std::vector<double> parse_numbers(std::string_view text, std::string_view what);
+
+/// No text of write_double() is longer: `-2.2250738585072014e-308`.
+constexpr std::size_t max_number_length = 24;
+
+/// Writes the shortest digits that read back as exactly `value`, at most `max_number_length`
+/// characters; any NaN is `nan`. Returns the end of the text.
+char* write_double(char* first, double value);
+
+/// Returns the text of write_double(), with `-0.0` for negative zero: JSON readers take `-0` for
+/// an integer, and lose its sign.
+std::string exact(double value);
+
+/// Returns `value` with this many digits after the decimal point.
+std::string fixed_point(double value, int decimals);
+
+/// Returns the number nearest to `value` with this many significant digits; -0 becomes 0.
+double rounded(double value, int digits);
+
+}  // namespace beeline::internal

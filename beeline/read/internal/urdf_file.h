@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <beeline/model/joint.h>
+
+namespace beeline::internal {
+
+/// The links and joints of a URDF file, in the file's order, with their lines. Inertias, meshes,
+/// transmissions and everything else that does not affect kinematics are ignored.
+struct UrdfFile {
+  struct Link {
+    std::string name;
+    int line = 0;
+  };
+  struct Joint {
+    std::string name, type, parent, child;
+    Pose origin = Pose::Identity();   ///< parent_T_child at q = 0
+    Vector3 axis = Vector3::UnitX();  ///< in the child's frame, of any length
+    Limits limits;                    ///< a continuous joint has no position limits
+    std::optional<beeline::Mimic> mimic;
+    int line = 0, axis_line = 0, limit_line = 0, mimic_line = 0;
+  };
+
+  std::string path;
+  std::string name;  ///< of the robot; the file's name when the robot has none
+  std::vector<Link> links;
+  std::vector<Joint> joints;
+};
+
+/// Whether the joint has one degree of freedom: revolute, continuous or prismatic.
+bool has_one_dof(const UrdfFile::Joint& joint);
+
+/// Parses a URDF text. Throws FileError for text that is not XML, has no <robot>, or is xacro; for
+/// an attribute that is missing or not a number; for a name that is missing or given twice. Does
+/// not check that the links form a tree.
+UrdfFile parse_urdf(std::string_view text, const std::string& path);
+
+}  // namespace beeline::internal

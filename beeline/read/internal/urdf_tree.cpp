@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <unordered_map>
+
+#include <beeline/error.h>
+#include <beeline/read/internal/name.h>
+#include <beeline/read/internal/urdf_tree.h>
+
+namespace beeline::internal {
+namespace {
+
+using Indices = std::vector<std::size_t>;
+
+constexpr std::size_t no_joint = static_cast<std::size_t>(-1);
+
+/// The tree of links, given as indices into `file.links`. Every link except a root has one parent
+/// joint.
+class Tree {
+ public:
+  explicit Tree(const UrdfFile& file)
+      : file_(file), parent_joint_(file.links.size(), no_joint), child_joints_(file.links.size()) {
+    if (file.links.empty()) refuse("has no links");
+    for (std::size_t i = 0; i < file.links.size(); ++i) index_.emplace(file.links[i].name, i);
+    for (std::size_t j = 0; j < file.joints.size(); ++j) add_joint(j);
+    for (std::size_t i = 0; i < file.links.size(); ++i) {
+      if (parent_joint_[i] == no_joint) roots_.push_back(i);
+    }
+    check_no_cycle();
+  }
+
+  std::size_t base(const std::string& name) const {
+    if (!name.empty()) return link_called(name, "base link");
+    if (roots_.size() > 1) {
+      refuse("has " + std::to_string(roots_.size()) + " roots; choose the base: " + names(roots_));
+    }
+    return roots_.front();
+  }
+
+  std::size_t tip(const std::string& name, std::size_t base) const {
+    if (!name.empty()) return link_called(name, "tip link");
+    Indices tips;
+    for (const std::size_t link : links_below({base})) {
+      if (child_joints_[link].empty()) tips.push_back(link);
+    }
+    if (tips.size() > 1) {
+      std::sort(tips.begin(), tips.end());
+      refuse("has " + std::to_string(tips.size()) + " tips below " + name_of(base) +
+             "; choose one as the tip: " + names(tips));
+    }
+    return tips.front();
+  }
+
+  Indices chain(std::size_t base, std::size_t tip) const {
+    Indices joints;
+    for (std::size_t link = tip; link != base;) {
+      const std::size_t joint = parent_joint_[link];
+      if (joint == no_joint) refuse("tip " + name_of(tip) + " is not below base " + name_of(base));
+      joints.push_back(joint);
+      link = index_.at(file_.joints[joint].parent);
+    }
+    std::reverse(joints.begin(), joints.end());
+    return joints;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& message, int line = 0) const {
+    throw FileError(file_.path, line, message);
+  }
+
+  const std::string& name_of(std::size_t link) const { return file_.links[link].name; }
+
+  std::string names(const Indices& links) const {
+    std::vector<std::string> all;
+    for (const std::size_t link : links) all.push_back(name_of(link));
+    return listed(all);
+  }
+
+  /// Finds a link by name; `owner` is the joint that refers to it, or null.
+  std::size_t link_called(const std::string& name, const char* what,
+                          const UrdfFile::Joint* owner = nullptr) const {
+    const auto found = index_.find(name);
+    if (found != index_.end()) return found->second;
+    std::vector<std::string> known;
+    for (const auto& link : file_.links) known.push_back(link.name);
+    const std::string why = unknown_name(what, printable(name), known).what();
+    if (owner != nullptr) refuse("joint " + owner->name + " has an " + why, owner->line);
+    refuse(why);
+  }
+
+  void add_joint(std::size_t j) {
+    const UrdfFile::Joint& joint = file_.joints[j];
+    const std::size_t parent = link_called(joint.parent, "parent link", &joint);
+    const std::size_t child = link_called(joint.child, "child link", &joint);
+    if (parent_joint_[child] != no_joint) {
+      refuse("link " + name_of(child) + " has two parents, by joints " +
+                 file_.joints[parent_joint_[child]].name + " and " + joint.name,
+             joint.line);
+    }
+    parent_joint_[child] = j;
+    child_joints_[parent].push_back(j);
+  }
+
+  /// Returns `from` and all links below them. Links have one parent, so that this terminates.
+  Indices links_below(Indices from) const {
+    for (std::size_t next = 0; next < from.size(); ++next) {
+      for (const std::size_t joint : child_joints_[from[next]]) {
+        from.push_back(index_.at(file_.joints[joint].child));
+      }
+    }
+    return from;
+  }
+
+  /// A link that is not below a root has a cycle among its ancestors.
+  void check_no_cycle() const {
+    std::vector<bool> reached(file_.links.size(), false);
+    for (const std::size_t link : links_below(roots_)) reached[link] = true;
+    const auto lost = std::find(reached.begin(), reached.end(), false);
+    if (lost == reached.end()) return;
+    std::size_t link = static_cast<std::size_t>(lost - reached.begin());
+    std::vector<bool> visited(file_.links.size(), false);
+    while (!visited[link]) {  // towards the root, until the cycle closes
+      visited[link] = true;
+      link = index_.at(file_.joints[parent_joint_[link]].parent);
+    }
+    const UrdfFile::Joint& joint = file_.joints[parent_joint_[link]];
+    refuse("the links form a cycle through joint " + joint.name + " and link " + name_of(link) +
+               "; a chain needs a tree",
+           joint.line);
+  }
+
+  const UrdfFile& file_;
+  std::unordered_map<std::string, std::size_t> index_;  // of a link, by name
+  Indices parent_joint_;
+  std::vector<Indices> child_joints_;
+  Indices roots_;
+};
+
+}  // namespace
+
+std::vector<std::size_t> cut_chain(const UrdfFile& file, const ChainEnds& ends) {
+  const Tree tree(file);
+  const std::size_t base = tree.base(ends.base);
+  return tree.chain(base, tree.tip(ends.tip, base));
+}
+
+}  // namespace beeline::internal

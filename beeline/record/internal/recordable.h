@@ -1,0 +1,12 @@
+#pragma once
+
+#include <beeline/trajectory/trajectory.h>
+
+namespace beeline::internal {
+
+/// Checks that a trajectory can be written to a file: it is valid (check_trajectory()), has joints
+/// and samples, and its joints have distinct names that check_name() accepts. Throws Error
+/// otherwise.
+void check_recordable(const Trajectory& trajectory);
+
+}  // namespace beeline::internal
