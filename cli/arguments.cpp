@@ -45,7 +45,7 @@ std::vector<Option> UnitArgument::options() {
 
 Configuration UnitArgument::configuration(const Arm& arm, const std::string& text,
                                           const std::string& option) const {
-  const std::vector<double> values = parse_numbers(text, option);
+  const std::vector<double> values = internal::parse_numbers(text, option);
   Configuration q =
       Eigen::Map<const Configuration>(values.data(), static_cast<Eigen::Index>(values.size()));
   if (q.size() != arm.dof()) {

@@ -34,7 +34,7 @@ void write_plot(const Arguments& arguments, const Arm& arm, const Trajectory& tr
   const Deviation tolerance{options.tolerance, options.orientation_tolerance};
   const FollowedPath path{verification.path, verification.path_parameters, *options.task, tolerance};
   const Drawing drawing = timing_figure(arm, trajectory, {.path = path});
-  write_file(arguments.plot, render(drawing, format_of(arguments.plot)));
+  internal::write_file(arguments.plot, render(drawing, format_of(arguments.plot)));
 }
 
 Json document_of(const Arguments& arguments, const Verification& verification,

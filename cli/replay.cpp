@@ -35,8 +35,8 @@ std::vector<SpeedChange> speed_changes(const std::string& text) {
     if (colon == std::string::npos) {
       throw Error("--speed-at takes TIME:SPEED pairs, such as 2:0.5,4:0,6:1, not " + change);
     }
-    changes.push_back({parse_number(change.substr(0, colon), "--speed-at, time"),
-                       parse_number(change.substr(colon + 1), "--speed-at, speed")});
+    changes.push_back({internal::parse_number(change.substr(0, colon), "--speed-at, time"),
+                       internal::parse_number(change.substr(colon + 1), "--speed-at, speed")});
     begin = end + 1;
   }
   return changes;

@@ -8,7 +8,6 @@
 #include <beeline/pose/orientation.h>
 #include <beeline/read/arm.h>
 #include <beeline/read/arm_json.h>
-#include <beeline/read/internal/file.h>
 
 int main() {
   // A crane: rotates about z, lifts along z, extends along x.
@@ -18,7 +17,7 @@ int main() {
   joints.back().limits = {.lower = 1, .upper = 3, .velocity = 0.8};
   const beeline::Arm crane("crane", joints, beeline::make_pose({0, 0, -0.3}));
 
-  beeline::write_file("06_own_arm.json", arm_to_json(crane));
+  write_arm_json("06_own_arm.json", crane);
   const beeline::Arm again = beeline::read_arm("06_own_arm.json");
   const auto q = middle_configuration(again);
   std::cout << again.name() << ": hook at "

@@ -133,7 +133,7 @@ std::string without_surface_numbers(std::string svg) {
 }  // namespace
 
 Format format_of(std::string_view path) {
-  const std::string ending = extension(path);
+  const std::string ending = internal::extension(path);
   if (ending == "svg") return Format::svg;
   if (ending == "png") return Format::png;
   if (ending == "pdf") return Format::pdf;
@@ -169,7 +169,7 @@ std::string render(const Drawing& drawing, Format format) {
 std::string render(const Figure& figure, Format format) { return render(compose(figure), format); }
 
 void save(const Figure& figure, const std::string& path) {
-  write_file(path, render(figure, format_of(path)));
+  internal::write_file(path, render(figure, format_of(path)));
 }
 
 }  // namespace beeline

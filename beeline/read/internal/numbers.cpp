@@ -1,5 +1,3 @@
-#define FMT_HEADER_ONLY  // installed libraries then need no fmt
-
 #include <algorithm>
 #include <cmath>
 #include <fmt/compile.h>
