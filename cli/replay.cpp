@@ -57,7 +57,7 @@ Json document_of(const Replay& played) {
           {"samples", played.trajectory.size()},
           {"duration", reached ? played.trajectory.times.back() : 0.0},
           {"lead_in", played.lead_in},
-          {"velocity_fraction", played.fastest > 0 ? Json(played.fastest) : Json()},
+          {"velocity_fraction", played.velocity_usage > 0 ? Json(played.velocity_usage) : Json()},
           {"reason", played.reason}};
 }
 
@@ -65,9 +65,9 @@ std::string text_of(const Replay& played) {
   std::string text = fmt::format("played        {} samples in {} s, of which {} s lead-in\n",
                                  played.trajectory.size(), shown(played.trajectory.times.back()),
                                  shown(played.lead_in));
-  if (played.fastest > 0) {
+  if (played.velocity_usage > 0) {
     text +=
-        fmt::format("velocity      at most {} % of a joint's limit\n", shown(100 * played.fastest));
+        fmt::format("velocity      at most {} % of a joint's limit\n", shown(100 * played.velocity_usage));
   }
   return text;
 }

@@ -7,16 +7,19 @@
 namespace beeline {
 namespace {
 
-constexpr double no_way = 1e-9;  // a joint that starts this near to its goal cannot overshoot
+// Radians or metres. A joint that starts this near to its goal has no overshoot: the ratio would be
+// rounding.
+constexpr double at_goal = 1e-9;
 
 }  // namespace
 
 double joint_overshoot(std::span<const Configuration> samples, const Configuration& goal) {
   double largest = 0;
-  const Configuration way = goal - samples.front();
+  const Configuration distance = goal - samples.front();
   for (const Configuration& q : samples) {
-    for (Eigen::Index k = 0; k < way.size(); ++k) {
-      if (std::abs(way[k]) > no_way) largest = std::max(largest, (q[k] - goal[k]) / way[k]);
+    for (Eigen::Index k = 0; k < distance.size(); ++k) {
+      if (std::abs(distance[k]) > at_goal)
+        largest = std::max(largest, (q[k] - goal[k]) / distance[k]);
     }
   }
   return largest;
@@ -33,7 +36,7 @@ ControlledMotion control_joints(const Arm& arm, const Configuration& start,
   const auto outside = limit_violations(arm, goal);
   if (!outside.empty()) {
     motion.status = MotionStatus::outside_limits;
-    motion.reason = "the goal cannot be kept: " + outside.front();
+    motion.reason = "the goal is outside the limits: " + outside.front();
     return motion;
   }
   pid.start(start);
@@ -41,8 +44,8 @@ ControlledMotion control_joints(const Arm& arm, const Configuration& start,
       [&goal](const Configuration& q) { return (goal - q).lpNorm<Eigen::Infinity>(); },
       [&pid](const Configuration& q) { return pid.step(q); }};
   if (simulate(arm, law, options, motion)) motion.arrivals = {motion.trajectory.size() - 1};
-  if (motion.status == MotionStatus::outside_limits) {  // the box of the limits is convex
-    motion.reason += "; it went beyond the goal: the gains are too large";
+  if (motion.status == MotionStatus::outside_limits) {  // from overshoot, as the limits are convex
+    motion.reason += "; the controller overshoots: the gains are too large";
   }
   motion.overshoot = joint_overshoot(motion.trajectory.positions, goal);
   return motion;

@@ -7,16 +7,17 @@
 
 namespace beeline {
 
-/// Joint-space motion control from `start` to `goal`, joints on a straight line in joint space when
-/// kp alone acts, which is a curve for the tool. Joint values are plain numbers here: no turn is
-/// taken the short way round.
-/// Throws Error for a gain that is not finite or negative, kp not above zero, or a start that does
-/// not fit; a goal outside the limits is answered with `outside_limits`.
+/// Joint-space motion control from `start` to `goal`. With kp alone the motion is a straight line
+/// in joint space, which is a curve of the tool. Joint values are plain numbers; angles are not
+/// wrapped.
+/// Throws Error for gains that Pid refuses, and for a start that does not fit the arm or is outside
+/// its limits. A goal outside the limits has the status `outside_limits`.
 ControlledMotion control_joints(const Arm& arm, const Configuration& start,
                                 const Configuration& goal, const PidGains& gains = {},
                                 const SimulationOptions& options = {});
 
-/// The farthest that any joint went beyond the goal, as a share of its way there; 0 when none did.
+/// Returns the largest distance of any joint beyond the goal, relative to its distance from the
+/// first sample to the goal; 0 when no joint overshoots.
 double joint_overshoot(std::span<const Configuration> samples, const Configuration& goal);
 
 }  // namespace beeline

@@ -23,25 +23,25 @@ Pid::Pid(const PidGains& gains, const ConfigurationRef& goal)
     : gains_((check_gains(gains), gains)),
       goal_(goal),
       sum_(Configuration::Zero(goal.size())),
-      before_(Configuration::Zero(goal.size())),
+      last_error_(Configuration::Zero(goal.size())),
       change_(Configuration::Zero(goal.size())) {}
 
 void Pid::check_size(const ConfigurationRef& q) const {
   if (q.size() == goal_.size()) return;
-  throw Error("the controller's goal has " + std::to_string(goal_.size()) + " joint values, not " +
-              std::to_string(q.size()));
+  throw Error("the goal of the controller has " + std::to_string(goal_.size()) +
+              " joint values, the configuration " + std::to_string(q.size()));
 }
 
 void Pid::start(const ConfigurationRef& q) {
   check_size(q);
   sum_.setZero();
-  before_ = goal_ - q;
+  last_error_ = goal_ - q;
   started_ = true;
 }
 
 void Pid::set_goal(const ConfigurationRef& goal) {
   check_size(goal);
-  before_ += goal - goal_;
+  last_error_ += goal - goal_;
   goal_ = goal;
 }
 
@@ -51,8 +51,8 @@ const Configuration& Pid::step(const ConfigurationRef& q) {
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     const double e = goal_[k] - q[k];
     sum_[k] += e;
-    change_[k] = gains_.kp * e + gains_.ki * sum_[k] + gains_.kd * (e - before_[k]);
-    before_[k] = e;
+    change_[k] = gains_.kp * e + gains_.ki * sum_[k] + gains_.kd * (e - last_error_[k]);
+    last_error_[k] = e;
   }
   return change_;
 }

@@ -1,42 +1,44 @@
 #pragma once
 
+#include <beeline/error.h>
 #include <beeline/model/arm.h>
 
 namespace beeline {
 
-/// Each step is kp e + ki sum(e) + kd (e - e_before), with e = goal - q. With ki = kd = 0 this is
-/// the chapter's eq. 1.3: below kp = 1 it approaches the goal from one side, slowly when kp is
-/// small; from 1 to 2 it overshoots and swings; from 2 on it never arrives.
+/// Gains of a discrete PID controller: each step is kp e + ki Σe + kd (e − last e) with the error
+/// e = goal − q. With ki = kd = 0 this is eq. 1.3 of Dellaert, *Serial Link Manipulators*: it
+/// approaches the goal monotonically for kp < 1, overshoots and oscillates for 1 < kp < 2, and does
+/// not converge for kp ≥ 2.
 struct PidGains {
   double kp = 0.1;
   double ki = 0;
   double kd = 0;
 };
 
-/// One loop's law with its memory, the sum of the errors and the error before. Joint values are
-/// plain numbers: no turn is taken the short way round. No step allocates.
+/// A PID controller in joint space, with its state: the sum of the errors and the last error.
+/// Joint values are plain numbers; angles are not wrapped. No step allocates.
 class Pid {
  public:
-  /// Throws Error for a gain that is not finite or negative, or kp not above zero.
+  /// Throws Error unless kp > 0, ki >= 0, kd >= 0 and all are finite.
   Pid(const PidGains& gains, const ConfigurationRef& goal);
 
-  /// Forgets the errors met; the next step counts its change from this place.
-  /// Throws Error when q does not fit the goal.
+  /// Resets the state to q: the sum is zero, and q is the reference of the next difference.
+  /// Throws Error when the size of q is not the goal's.
   void start(const ConfigurationRef& q);
 
-  /// A new goal, with the memory kept: its jump is not taken for a change of the error.
-  /// Throws Error when it does not fit the old one.
+  /// Changes the goal and keeps the state; the change itself does not count as a difference of the
+  /// error. Throws Error when its size is not the old goal's.
   void set_goal(const ConfigurationRef& goal);
 
-  /// How much q is to be changed, valid until the next step. The first step without start() counts
-  /// no change. Throws Error when q does not fit the goal.
+  /// Returns the change of q, valid until the next step. A first step without start() starts at q.
+  /// Throws Error when the size of q is not the goal's.
   const Configuration& step(const ConfigurationRef& q);
 
  private:
   void check_size(const ConfigurationRef& q) const;
 
   PidGains gains_;
-  Configuration goal_, sum_, before_, change_;
+  Configuration goal_, sum_, last_error_, change_;
   bool started_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include <beeline/control/player.h>
 #include <beeline/error.h>
 #include <beeline/math/hermite.h>
+#include <beeline/timing/point_to_point.h>
 
 namespace beeline {
 namespace {
@@ -22,18 +23,19 @@ void check(const PlayerOptions& options) {
   check_speed(options.speed);
 }
 
-/// How the way from sample k to the next leaves the arm's limits; empty when it does not.
+/// Describes how the cubic from sample k to the next leaves the position limits; empty when it does
+/// not.
 std::string violation_after(const Arm& arm, const Trajectory& recording, std::size_t k) {
   const auto& [names, t, q, v, a] = recording;
-  Configuration least = q[k], largest = q[k];
+  Configuration lowest = q[k], highest = q[k];
   for (int i = 0; i < arm.dof(); ++i) {
     const internal::Cubic cubic =
         internal::cubic_between(q[k][i], q[k + 1][i], v[k][i], v[k + 1][i], t[k + 1] - t[k]);
-    least[i] = internal::extremes(cubic).least;
-    largest[i] = internal::extremes(cubic).largest;
+    lowest[i] = internal::extremes(cubic).least;
+    highest[i] = internal::extremes(cubic).largest;
   }
-  for (const Configuration& farthest : {least, largest}) {
-    const auto outside = limit_violations(arm, farthest);
+  for (const Configuration& extreme : {lowest, highest}) {
+    const auto outside = limit_violations(arm, extreme);
     if (!outside.empty()) return outside.front() + ", by the velocities of the recording";
   }
   return {};
@@ -52,13 +54,48 @@ std::string first_violation(const Arm& arm, const Trajectory& recording) {
   return {};
 }
 
-Player::Player(const Arm& arm, const Trajectory& recording, const ConfigurationRef& start,
-               const PlayerOptions& options)
+namespace internal {
+
+/// The state of a Player.
+class Playback {
+ public:
+  Playback(const Arm& arm, const Trajectory& recording, const ConfigurationRef& start,
+           const PlayerOptions& options);
+
+  void set_speed(double speed);
+  const Command& step();
+  void measured(const ConfigurationRef& q);
+
+  bool leading_in() const { return lead_time_ < lead_.duration; }
+  bool done() const { return !leading_in() && time_ >= recording_.times.back(); }
+  double speed() const { return speed_; }
+  double recording_time() const { return time_; }
+  TrackingError tracking() const;
+
+ private:
+  double max_speed_change() const;
+  void sample_at(double time);
+
+  Arm arm_;
+  PlayerOptions options_;
+  Trajectory recording_;
+  PointToPoint lead_;  ///< from the start to the recording's first sample
+  double lead_time_ = 0, time_ = 0;
+  double speed_ = 0, target_speed_ = 1;
+  std::size_t segment_ = 0;  ///< the sample before `time_`
+  Command command_;
+  Configuration velocity_, acceleration_;  ///< derivatives by the recording's time
+  Configuration largest_, squares_;        ///< of the tracking error
+  long steps_ = 0;
+};
+
+Playback::Playback(const Arm& arm, const Trajectory& recording, const ConfigurationRef& start,
+                   const PlayerOptions& options)
     : arm_(arm),
       options_(options),
       recording_(matched_to(arm, recording)),
-      wanted_(options.speed),
-      slope_(Configuration::Zero(arm.dof())),
+      target_speed_(options.speed),
+      velocity_(Configuration::Zero(arm.dof())),
       acceleration_(Configuration::Zero(arm.dof())),
       largest_(Configuration::Zero(arm.dof())),
       squares_(Configuration::Zero(arm.dof())) {
@@ -72,76 +109,74 @@ Player::Player(const Arm& arm, const Trajectory& recording, const ConfigurationR
   command_ = {start, Configuration::Zero(arm.dof())};
 }
 
-void Player::set_speed(double speed) {
+void Playback::set_speed(double speed) {
   check_speed(speed);
-  wanted_ = speed;
+  target_speed_ = speed;
 }
 
-bool Player::done() const { return !leading_in() && time_ >= recording_.times.back(); }
-
-/// The place and its derivatives by the recording's own time.
-void Player::read(double time) {
+/// Sets the position and its derivatives at a time of the recording.
+void Playback::sample_at(double time) {
   const auto& t = recording_.times;
   while (segment_ + 2 < t.size() && t[segment_ + 1] <= time) ++segment_;
   const std::size_t a = segment_, b = std::min(segment_ + 1, t.size() - 1);
   if (a == b) {
     command_.q = recording_.positions[a];
-    slope_.setZero();
+    velocity_.setZero();
     acceleration_.setZero();
     return;
   }
   const double h = t[b] - t[a], u = std::clamp((time - t[a]) / h, 0.0, 1.0);
   const Configuration &p = recording_.positions[a], &q = recording_.positions[b];
   if (recording_.velocities.empty()) {
-    slope_ = (q - p) / h;
+    velocity_ = (q - p) / h;
     acceleration_.setZero();
     command_.q = p + u * (q - p);
     return;
   }
   const Configuration &v = recording_.velocities[a], &w = recording_.velocities[b];
   for (Eigen::Index k = 0; k < p.size(); ++k) {
-    const internal::Cubic cubic = internal::cubic_between(p[k], q[k], v[k], w[k], h);
+    const Cubic cubic = cubic_between(p[k], q[k], v[k], w[k], h);
     command_.q[k] = cubic.value(u);
-    slope_[k] = cubic.velocity(u);
+    velocity_[k] = cubic.velocity(u);
     acceleration_[k] = cubic.acceleration(u);
   }
 }
 
-/// By how much the speed may change in a step: the joints' q'' = a speed^2 + v speed' must keep
-/// their limits as far as the recording leaves room.
-double Player::largest_change() const {
-  constexpr double least = 0.05;  // of the ramp: a recording at its limits must be able to pause
+/// Returns the largest change of the speed s in a step: the joint acceleration a s² + v ṡ must be
+/// within the limits.
+double Playback::max_speed_change() const {
+  constexpr double min_rate = 0.05;  // of the ramp: a recording at its limits must be able to pause
   double rate = 1 / options_.ramp;
-  for (Eigen::Index k = 0; k < slope_.size(); ++k) {
+  for (Eigen::Index k = 0; k < velocity_.size(); ++k) {
     const double limit = arm_.limits(k).acceleration;
-    const double left = limit - std::abs(acceleration_[k]) * speed_ * speed_;
-    if (std::abs(slope_[k]) * rate > left) rate = left / std::abs(slope_[k]);
+    const double available = limit - std::abs(acceleration_[k]) * speed_ * speed_;
+    if (std::abs(velocity_[k]) * rate > available) rate = available / std::abs(velocity_[k]);
   }
-  return std::max(rate, least / options_.ramp) * options_.time_step;
+  return std::max(rate, min_rate / options_.ramp) * options_.time_step;
 }
 
-const Command& Player::step() {
+const Command& Playback::step() {
   const double dt = options_.time_step;
-  const double before = speed_, change = largest_change();
-  speed_ += std::clamp(wanted_ - speed_, -change, change);
+  const double before = speed_, change = max_speed_change();
+  speed_ += std::clamp(target_speed_ - speed_, -change, change);
   if (leading_in()) {
     lead_time_ += dt * (before + speed_) / 2;
-    at(lead_, std::min(lead_time_, lead_.duration), command_.q, slope_, acceleration_);
-    command_.velocity = speed_ * slope_;
-    if (!leading_in()) speed_ = 0;  // at rest at the recording's begin
+    at(lead_, std::min(lead_time_, lead_.duration), command_.q, velocity_, acceleration_);
+    command_.velocity = speed_ * velocity_;
+    if (!leading_in()) speed_ = 0;  // at rest at the first sample
     return command_;
   }
   time_ = std::min(time_ + dt * (before + speed_) / 2, recording_.times.back());
-  read(time_);
+  sample_at(time_);
   const bool ended = time_ >= recording_.times.back();
-  command_.velocity = (ended ? 0 : speed_) * slope_;
+  command_.velocity = (ended ? 0 : speed_) * velocity_;
   return command_;
 }
 
-void Player::measured(const ConfigurationRef& q) {
+void Playback::measured(const ConfigurationRef& q) {
   if (q.size() != command_.q.size()) {
-    throw Error("what was measured has " + std::to_string(q.size()) + " values; the arm has " +
-                std::to_string(command_.q.size()) + " coordinates");
+    throw Error("the measured configuration has " + std::to_string(q.size()) +
+                " values; the arm has " + std::to_string(command_.q.size()) + " coordinates");
   }
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     const double error = std::abs(q[k] - command_.q[k]);
@@ -151,9 +186,38 @@ void Player::measured(const ConfigurationRef& q) {
   ++steps_;
 }
 
-TrackingError Player::tracking() const {
+TrackingError Playback::tracking() const {
   const double count = std::max(1.0, static_cast<double>(steps_));
   return {largest_, (squares_ / count).cwiseSqrt(), steps_};
 }
+
+}  // namespace internal
+
+Player::Player(const Arm& arm, const Trajectory& recording, const ConfigurationRef& start,
+               const PlayerOptions& options)
+    : playback_(std::make_unique<internal::Playback>(arm, recording, start, options)) {}
+
+Player::Player(const Player& other)
+    : playback_(std::make_unique<internal::Playback>(*other.playback_)) {}
+
+Player::Player(Player&& other) noexcept = default;
+
+Player& Player::operator=(const Player& other) {
+  *this = Player(other);
+  return *this;
+}
+
+Player& Player::operator=(Player&& other) noexcept = default;
+
+Player::~Player() = default;
+
+void Player::set_speed(double speed) { playback_->set_speed(speed); }
+const Command& Player::step() { return playback_->step(); }
+void Player::measured(const ConfigurationRef& q) { playback_->measured(q); }
+bool Player::leading_in() const { return playback_->leading_in(); }
+bool Player::done() const { return playback_->done(); }
+double Player::speed() const { return playback_->speed(); }
+double Player::recording_time() const { return playback_->recording_time(); }
+TrackingError Player::tracking() const { return playback_->tracking(); }
 
 }  // namespace beeline

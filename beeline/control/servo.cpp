@@ -1,19 +1,28 @@
 #include <algorithm>
 #include <cmath>
+#include <ostream>
+#include <vector>
 
+#include <beeline/control/internal/resolved_rates.h>
+#include <beeline/control/internal/velocity_bounds.h>
 #include <beeline/control/servo.h>
-#include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/internal/null_space.h>
 
 namespace beeline {
+namespace internal {
 namespace {
 
-constexpr double urge = 0.5;    // of the step's speed goes into moving away from limits
-constexpr double still = 1e-9;  // of the most that a velocity can change: counts as zero
-constexpr double spared = 0.5;  // of an acceleration is for that
-constexpr double bending =
-    0.5;  // of an acceleration is for the bend of the way, the rest for slowing down
+// Speed of the null-space motion away from limits, relative to the largest joint speed of the
+// command: the arm reorients while it moves, and stops with the command.
+constexpr double null_space_speed = 0.5;
+
+// The acceleration limits are divided: J̇ q̇ may take half of them, which leaves half for slowing
+// down, and the null-space motion may change by half of them in a step.
+constexpr double path_acceleration = 0.5;
+constexpr double null_space_acceleration = 0.5;
+
+constexpr double still = 1e-9;  // relative to the largest change of a velocity: counts as zero
 
 void check(const ServoOptions& options) {
   if (!(options.time_step > 0) || !std::isfinite(options.time_step)) {
@@ -30,174 +39,271 @@ void check(const ServoOptions& options) {
   if (options.task) check_task(*options.task);
 }
 
-}  // namespace
-
-Servo::Servo(const Arm& arm, const ServoOptions& options)
-    : arm_(arm),
-      task_((check(options), options.task.value_or(default_task(arm)))),
-      options_(options),
-      bounds_(internal::bounds_of(arm)),
-      solver_(arm, task_),
-      rooms_(static_cast<std::size_t>(arm.dof())),
-      spare_(Eigen::VectorXd::Zero(arm.dof())),
-      drift_(arm.dof()),
-      next_(arm.dof()),
-      before_(Eigen::VectorXd::Zero(arm.dof())) {}
-
-void Servo::set_velocity(const ConfigurationRef& velocity) {
-  check_configuration(arm_, velocity);
-  before_ = velocity;
+Task checked_task(const Arm& arm, const ServoOptions& options) {
+  check(options);
+  return options.task.value_or(default_task(arm));
 }
 
-/// How much a velocity may change in one step.
-double Servo::max_change(Eigen::Index k) const {
+}  // namespace
+
+/// The state of a Servo.
+class ServoLoop {
+ public:
+  ServoLoop(const Arm& arm, const ServoOptions& options);
+
+  ServoStep step(const ConfigurationRef& q, const Twist& command,
+                 Eigen::Ref<Eigen::VectorXd> velocity);
+  Twist command_towards(const ConfigurationRef& q, const Pose& world_T_tool) const;
+  void set_velocity(const ConfigurationRef& velocity);
+
+ private:
+  double max_change(Eigen::Index k) const;
+  double scale_within_bounds(const Rates& rates, ServoStep& result) const;
+  double scale_for_acceleration(const Rates& rates, double scale, ServoStep& result) const;
+  void fill_null_velocity(const ConfigurationRef& q, const Rates& rates, double scale);
+  void bound_null_velocity(const Rates& rates, double scale);
+  void apply_acceleration_limits(const Rates& rates, double scale, double max_scale,
+                                 ServoStep& result);
+  void approach(const Rates& rates, double scale, ServoStep& result);
+
+  Arm arm_;
+  Task task_;
+  ServoOptions options_;
+  Bounds positions_;
+  ResolvedRates solver_;
+  std::vector<VelocityBounds> bounds_;
+  Eigen::VectorXd null_, last_null_;  ///< null-space velocities of this step and the last
+  Eigen::VectorXd next_, last_;       ///< joint velocities of this step and the last
+};
+
+ServoLoop::ServoLoop(const Arm& arm, const ServoOptions& options)
+    : arm_(arm),
+      task_(checked_task(arm, options)),
+      options_(options),
+      positions_(bounds_of(arm)),
+      solver_(arm, task_),
+      bounds_(static_cast<std::size_t>(arm.dof())),
+      null_(Eigen::VectorXd::Zero(arm.dof())),
+      last_null_(arm.dof()),
+      next_(arm.dof()),
+      last_(Eigen::VectorXd::Zero(arm.dof())) {}
+
+void ServoLoop::set_velocity(const ConfigurationRef& velocity) {
+  check_configuration(arm_, velocity);
+  last_ = velocity;
+}
+
+/// The largest change of a joint velocity in one step.
+double ServoLoop::max_change(Eigen::Index k) const {
   return arm_.limits(k).acceleration * options_.time_step;
 }
 
-/// The share of the rates that velocities and positions allow.
-double Servo::share_in_rooms(const Rates& rates, ServoStep& result) const {
-  double share = 1;
+/// Returns the largest scale of the rates within the velocity bounds.
+double ServoLoop::scale_within_bounds(const Rates& rates, ServoStep& result) const {
+  double scale = 1;
   for (Eigen::Index k = 0; k < rates.velocity.size(); ++k) {
-    const Room& room = rooms_[k];
     const double v = rates.velocity[k];
-    if (!(std::abs(v) * share > room.allowed(v))) continue;
-    share = room.allowed(v) / std::abs(v);
-    result.limit = room.kind(v);
+    const double allowed = bounds_[k].max_speed(v);
+    if (!(std::abs(v) * scale > allowed)) continue;
+    scale = allowed / std::abs(v);
+    result.limit = bounds_[k].limit(v);
     result.joint = static_cast<int>(k);
   }
-  return share;
+  return scale;
 }
 
-/// The share at which accelerations can do the bend of the way, and which does not lead in one step
-/// beyond the singularity that is speed^2 / growth away.
-double Servo::share_for_bend(const Rates& rates, double share, ServoStep& result) const {
-  double speed = 0, growth = 0;
+/// Reduces the scale until acceleration limits suffice for the joint acceleration of the motion,
+/// scale^2 q̈, and until one step does not pass the singularity, which is at the distance
+/// |x|^2 / (x . ẍ) where x . ẍ > 0.
+double ServoLoop::scale_for_acceleration(const Rates& rates, double scale,
+                                         ServoStep& result) const {
+  const Eigen::VectorXd& weight = solver_.task().weight();
+  double speed = 0, growth = 0;  // |x|^2 and x . ẍ
   for (Eigen::Index k = 0; k < rates.velocity.size(); ++k) {
-    const double v = rates.velocity[k] / solver_.weight[k];
-    const double bend = rates.bend[k] / solver_.weight[k];
+    const double v = rates.velocity[k] / weight[k];
+    const double a = rates.acceleration[k] / weight[k];
     speed += v * v;
-    growth += v * bend;
-    const double most = bending * max_change(k) / options_.time_step;
-    if (!(share * share * std::abs(rates.bend[k]) > most)) continue;
-    share = std::sqrt(most / std::abs(rates.bend[k]));
-    result.limit = v * bend > 0 ? ServoLimit::singular : ServoLimit::acceleration;
+    growth += v * a;
+    const double allowed = path_acceleration * max_change(k) / options_.time_step;
+    if (!(scale * scale * std::abs(rates.acceleration[k]) > allowed)) continue;
+    scale = std::sqrt(allowed / std::abs(rates.acceleration[k]));
+    result.limit = v * a > 0 ? ServoLimit::singular : ServoLimit::acceleration;
     result.joint = static_cast<int>(k);
   }
-  if (2 * growth * options_.time_step * share > speed) {
-    share = speed / (2 * growth * options_.time_step);
+  if (2 * growth * options_.time_step * scale > speed) {
+    scale = speed / (2 * growth * options_.time_step);
     result.limit = ServoLimit::singular;
-    result.joint = -1;
+    result.joint = std::nullopt;
   }
-  return share;
+  return scale;
 }
 
-/// The motion of the joints alone that goes with this share: from that of the last step towards one
-/// that leads away from the limits, within the rooms.
-void Servo::fill_spare_motion(const ConfigurationRef& q, const Rates& rates, double share) {
-  const double pace =
-      share * rates.velocity.cwiseQuotient(solver_.weight).lpNorm<Eigen::Infinity>();
+/// Computes the null-space velocity for this scale: from that of the last step towards the gradient
+/// that leads away from the position limits.
+void ServoLoop::fill_null_velocity(const ConfigurationRef& q, const Rates& rates, double scale) {
+  const Eigen::VectorXd& weight = solver_.task().weight();
+  const double speed = scale * rates.velocity.cwiseQuotient(weight).lpNorm<Eigen::Infinity>();
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    spare_[k] = urge * pace * solver_.weight[k] *
-                internal::push_from_limits(q[k], bounds_.lower[k], bounds_.upper[k]);
+    null_[k] = null_space_speed * speed * weight[k] *
+               push_from_limits(q[k], positions_.lower[k], positions_.upper[k]);
   }
-  drift_ = before_;
-  solver_.keep_tool(drift_);
-  solver_.keep_tool(spare_);
-  spare_ -= drift_;
+  last_null_ = last_;
+  solver_.project_to_null_space(last_null_);
+  solver_.project_to_null_space(null_);
+  null_ -= last_null_;
   double part = 1;
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    if (std::abs(spare_[k]) * part > spared * max_change(k)) {
-      part = spared * max_change(k) / std::abs(spare_[k]);
-    }
+    const double allowed = null_space_acceleration * max_change(k);
+    if (std::abs(null_[k]) * part > allowed) part = allowed / std::abs(null_[k]);
   }
-  spare_ = drift_ + part * spare_;
-  part = 1;
-  for (Eigen::Index k = 0; k < q.size(); ++k) {
-    const Room& room = rooms_[k];
-    const double v = share * rates.velocity[k];
-    const double left = std::max(0.0, spare_[k] > 0 ? room.upper - v : v - room.lower);
-    if (std::abs(spare_[k]) * part > left) part = left / std::abs(spare_[k]);
-  }
-  spare_ *= part;
-  if (!spare_.allFinite()) spare_.setZero();
+  null_ = last_null_ + part * null_;
+  bound_null_velocity(rates, scale);
 }
 
-/// This share of the rates, or the nearest that accelerations can have from the last velocity.
-/// Where they can have none, straight towards the nearest (up to `most`). A coordinate that has to
-/// brake for its limit does so whatever the others do.
-void Servo::keep_accelerations(const Rates& rates, double share, double most, ServoStep& result) {
-  double least = -Limits::none, largest = Limits::none, near = 0, size = 0;
-  int joint = -1;
+/// Scales the null-space velocity so that its sum with the scaled rates is within the bounds.
+void ServoLoop::bound_null_velocity(const Rates& rates, double scale) {
+  double part = 1;
+  for (Eigen::Index k = 0; k < null_.size(); ++k) {
+    const VelocityBounds& bounds = bounds_[k];
+    const double v = scale * rates.velocity[k];
+    const double allowed = std::max(0.0, null_[k] > 0 ? bounds.upper - v : v - bounds.lower);
+    if (std::abs(null_[k]) * part > allowed) part = allowed / std::abs(null_[k]);
+  }
+  null_ *= part;
+  if (!null_.allFinite()) null_.setZero();
+}
+
+/// Sets next_ to the scaled rates, with the scale nearest to `scale` that acceleration limits allow
+/// after the last velocity. When they allow none, approach() changes the direction. A coordinate
+/// that must brake for its position limit does so independently of the others.
+void ServoLoop::apply_acceleration_limits(const Rates& rates, double scale, double max_scale,
+                                          ServoStep& result) {
+  double lower = -Limits::none, upper = Limits::none;  // of the scale
+  double near = 0, size = 0;  // products of the rates with the last velocity and with themselves
+  std::optional<int> joint;   // of `upper`
   for (Eigen::Index k = 0; k < next_.size(); ++k) {
     const double change = max_change(k);
     if (!std::isfinite(change)) continue;
-    const double v = rates.velocity[k] / change, from = (before_[k] - spare_[k]) / change;
+    const double v = rates.velocity[k] / change, from = (last_[k] - null_[k]) / change;
     near += v * from;
     size += v * v;
     if (std::abs(v) < still) {
-      if (std::abs(from) > 1 + still) least = Limits::none;
+      if (std::abs(from) > 1 + still) lower = Limits::none;
       continue;
     }
-    least = std::max(least, from / v - 1 / std::abs(v));
+    lower = std::max(lower, from / v - 1 / std::abs(v));
     const double allowed = from / v + 1 / std::abs(v);
-    if (allowed < largest) largest = allowed, joint = static_cast<int>(k);
-  }
-  if (least <= largest && least < Limits::none) {
-    if (largest < share) result.limit = ServoLimit::acceleration, result.joint = joint;
-    next_ = std::clamp(share, least, largest) * rates.velocity + spare_;
-  } else {
-    next_ = (size > 0 ? std::clamp(near / size, 0.0, most) : 0) * rates.velocity + spare_;
-    double part = 1;
-    for (Eigen::Index k = 0; k < next_.size(); ++k) {
-      const double change = std::abs(next_[k] - before_[k]);
-      if (!(change * part > max_change(k))) continue;
-      part = max_change(k) / change;
-      result.limit = ServoLimit::acceleration;
-      result.joint = static_cast<int>(k);
+    if (allowed < upper) {
+      upper = allowed;
+      joint = static_cast<int>(k);
     }
-    if (part < 1) next_ = before_ + part * (next_ - before_);
+  }
+  if (lower <= upper && lower < Limits::none) {
+    if (upper < scale) {
+      result.limit = ServoLimit::acceleration;
+      result.joint = joint;
+    }
+    next_ = std::clamp(scale, lower, upper) * rates.velocity + null_;
+  } else {
+    approach(rates, size > 0 ? std::clamp(near / size, 0.0, max_scale) : 0, result);
   }
   for (Eigen::Index k = 0; k < next_.size(); ++k) {
-    const Room& room = rooms_[k];
     const double change = max_change(k);
-    next_[k] = std::clamp(std::clamp(next_[k], room.lower, room.upper), before_[k] - change,
-                          before_[k] + change);
+    next_[k] = std::clamp(std::clamp(next_[k], bounds_[k].lower, bounds_[k].upper),
+                          last_[k] - change, last_[k] + change);
   }
 }
 
-ServoStep Servo::step(const ConfigurationRef& q, const Twist& command,
-                      Eigen::Ref<Eigen::VectorXd> velocity) {
+/// Sets next_ on the straight line from the last velocity towards the rates at this scale, as far
+/// as acceleration limits allow.
+void ServoLoop::approach(const Rates& rates, double scale, ServoStep& result) {
+  next_ = scale * rates.velocity + null_;
+  double part = 1;
+  for (Eigen::Index k = 0; k < next_.size(); ++k) {
+    const double change = std::abs(next_[k] - last_[k]);
+    if (!(change * part > max_change(k))) continue;
+    part = max_change(k) / change;
+    result.limit = ServoLimit::acceleration;
+    result.joint = static_cast<int>(k);
+  }
+  if (part < 1) next_ = last_ + part * (next_ - last_);
+}
+
+ServoStep ServoLoop::step(const ConfigurationRef& q, const Twist& command,
+                          Eigen::Ref<Eigen::VectorXd> velocity) {
   check_configuration(arm_, q);
   if (velocity.size() != q.size()) {
-    throw Error("the velocity has room for " + std::to_string(velocity.size()) + " of the arm's " +
+    throw Error("`velocity` has " + std::to_string(velocity.size()) + " elements; the arm has " +
                 std::to_string(q.size()) + " coordinates");
   }
-  const bool asked = solver_.take(q, command);
-  fill_rooms(arm_, bounds_, q, options_.time_step, rooms_);
-  const Rates& rates = solver_.solve(q, rooms_, before_, options_.time_step);
+  const bool commanded = solver_.set(q, command);
+  fill_velocity_bounds(arm_, positions_, q, options_.time_step, bounds_);
+  const Rates& rates = solver_.solve(q, bounds_, last_, options_.time_step);
 
   ServoStep result;
-  if (rates.share < 1) result.limit = ServoLimit::singular;
-  const double most = share_in_rooms(rates, result);
-  const double share = share_for_bend(rates, most, result);
-  spare_.setZero();
-  if (asked && rates.regular && q.size() > task_.size()) fill_spare_motion(q, rates, share);
-  keep_accelerations(rates, share, most, result);
-  if (asked) result.share = solver_.share_done(next_);
-  before_ = next_;
+  if (rates.scale < 1) result.limit = ServoLimit::singular;
+  const double max_scale = scale_within_bounds(rates, result);
+  const double scale = scale_for_acceleration(rates, max_scale, result);
+  null_.setZero();
+  if (commanded && rates.regular && q.size() > task_.size()) fill_null_velocity(q, rates, scale);
+  apply_acceleration_limits(rates, scale, max_scale, result);
+  if (commanded) result.scale = solver_.task().achieved_scale(next_);
+  last_ = next_;
   velocity = next_;
   return result;
 }
 
-ServoStep Servo::step_towards(const ConfigurationRef& q, const Pose& world_T_tool,
-                              Eigen::Ref<Eigen::VectorXd> velocity) {  // NOLINT: a reference
+Twist ServoLoop::command_towards(const ConfigurationRef& q, const Pose& world_T_tool) const {
   check_configuration(arm_, q);
   Twist command = masked(task_, pose_error(world_T_tool, forward_kinematics(arm_, q), task_.frame));
   command *= options_.gain;
   const double linear = command.head<3>().norm(), angular = command.tail<3>().norm();
   command *= std::min({1.0, linear > 0 ? options_.linear_speed / linear : 1,
                        angular > 0 ? options_.angular_speed / angular : 1});
-  return step(q, command, velocity);
+  return command;
 }
+
+}  // namespace internal
+
+std::string name(ServoLimit limit) {
+  constexpr const char* names[] = {"none", "velocity", "acceleration", "position", "singular"};
+  return names[static_cast<int>(limit)];
+}
+
+std::ostream& operator<<(std::ostream& out, ServoLimit limit) { return out << name(limit); }
+
+std::ostream& operator<<(std::ostream& out, const ServoStep& step) {
+  out << "scale " << number(step.scale) << ", limit " << step.limit;
+  if (step.joint) out << " of joint " << *step.joint + 1;
+  return out;
+}
+
+Servo::Servo(const Arm& arm, const ServoOptions& options)
+    : loop_(std::make_unique<internal::ServoLoop>(arm, options)) {}
+
+Servo::Servo(const Servo& other) : loop_(std::make_unique<internal::ServoLoop>(*other.loop_)) {}
+
+Servo::Servo(Servo&& other) noexcept = default;
+
+Servo& Servo::operator=(const Servo& other) {
+  *this = Servo(other);
+  return *this;
+}
+
+Servo& Servo::operator=(Servo&& other) noexcept = default;
+
+Servo::~Servo() = default;
+
+ServoStep Servo::step(const ConfigurationRef& q, const Twist& command,
+                      Eigen::Ref<Eigen::VectorXd> velocity) {
+  return loop_->step(q, command, velocity);
+}
+
+ServoStep Servo::step_towards(const ConfigurationRef& q, const Pose& world_T_tool,
+                              Eigen::Ref<Eigen::VectorXd> velocity) {  // NOLINT: a reference
+  return loop_->step(q, loop_->command_towards(q, world_T_tool), velocity);
+}
+
+void Servo::set_velocity(const ConfigurationRef& velocity) { loop_->set_velocity(velocity); }
 
 }  // namespace beeline

@@ -1,69 +1,89 @@
 #pragma once
 
+#include <iosfwd>
+#include <memory>
 #include <optional>
-#include <vector>
+#include <string>
 
-#include <beeline/control/internal/resolved_rates.h>
+#include <beeline/error.h>
+#include <beeline/kinematics/task.h>
 
 namespace beeline {
 
+namespace internal {
+class ServoLoop;
+}
+
 struct ServoOptions {
   std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
-  double time_step = 1e-3;                  ///< seconds between two steps
-  double gain = 10;  ///< 1/s: how fast step_towards() lets the error fall; at most 1/time_step
-  double linear_speed = Limits::none;   ///< most speed that step_towards() asks for, m/s
-  double angular_speed = Limits::none;  ///< and rad/s
+  double time_step = 1e-3;                  ///< of the control loop, seconds
+  double gain = 10;  ///< of step_towards(), 1/s: the error's decay rate; at most 1 / time_step
+  double linear_speed = Limits::none;   ///< bound on the command of step_towards(), m/s
+  double angular_speed = Limits::none;  ///< bound on the command of step_towards(), rad/s
 };
+
+/// What determines the scale of a step.
+enum class ServoLimit {
+  none,
+  velocity,      ///< a joint's velocity limit
+  acceleration,  ///< a joint's acceleration limit
+  position,      ///< a joint has to stop before its position limit
+  singular,      ///< the arm is at or near a singularity
+};
+std::string name(ServoLimit limit);
+std::ostream& operator<<(std::ostream& out, ServoLimit limit);
 
 struct ServoStep {
-  double share = 1;  ///< of the commanded motion that is done, in [0, 1]
+  double scale = 1;  ///< α: the fraction of the command that the step achieves, in [0, 1]
   ServoLimit limit = ServoLimit::none;
-  int joint = -1;  ///< the coordinate whose limit it is
+  std::optional<int> joint = std::nullopt;  ///< the coordinate of the limit
 };
 
-/// Turns the tool motion asked for, step by step, into joint velocities that keep the arm's limits:
-/// for a control loop. No step allocates. One object for each loop; it remembers the velocity that
-/// it gave last, from which accelerations are counted.
+/// Writes `scale 0.5, limit velocity of joint 2`, coordinates counted from 1.
+std::ostream& operator<<(std::ostream& out, const ServoStep& step);
+
+/// Cartesian velocity control: converts tool velocities into joint velocities within the arm's
+/// limits, in a control loop. Each step solves
 ///
-/// All joint velocities that do the command (ResolvedRates) are scaled by the one share that the
-/// tightest limit leaves, so the tool keeps its direction and slows down, towards a singularity in
-/// proportion to what the limits allow, and never turns back. The share is such that joints can
-/// stop before their ends and that accelerations suffice for the way to go on as it bends. After a
-/// change of the command the arm takes up the new direction as fast as accelerations let it.
-/// Joints to spare move away from their limits (Liegeois 1977).
+///   maximise    α ∈ [0, 1]
+///   subject to  J q̇ = α v
+///               |q̇_k| ≤ velocity limit
+///               |q̇_k − last q̇_k| ≤ acceleration limit · time_step
+///               q_k can stop within its position limits at the acceleration limit
+///               half the acceleration limit suffices for J̇ q̇ as the motion continues
+///
+/// The tool keeps the direction of the command v and slows down; α is never negative. Among the
+/// solutions of J q̇ = α v, q̇ has the least norm weighted by the velocity limits. A redundant arm
+/// adds null-space motion away from the position limits (Liégeois 1977). Where the last velocity
+/// leaves no feasible q̇, as after a change of the command, q̇ changes towards it as fast as the
+/// acceleration limits allow.
+///
+/// No step allocates. One object serves one loop; it keeps the last velocity.
 class Servo {
  public:
-  /// Throws Error for an option that makes no sense.
+  /// Throws Error for an invalid option.
   explicit Servo(const Arm& arm, const ServoOptions& options = {});
+  Servo(const Servo& other);
+  Servo(Servo&& other) noexcept;  ///< `other` may then only be assigned to or destroyed
+  Servo& operator=(const Servo& other);
+  Servo& operator=(Servo&& other) noexcept;
+  ~Servo();
 
-  /// The command is a velocity in the task's frame (base or tool axes), m/s and rad/s; rows that
-  /// the task leaves out are not looked at. Writes dof numbers into `velocity`.
-  /// Throws Error when q or `velocity` do not fit, or a number is not finite.
+  /// The command is a tool velocity in the task's frame (base or tool axes), m/s and rad/s; rows
+  /// that the task excludes are ignored. Writes dof numbers into `velocity`, rad/s or m/s.
+  /// Throws Error when the size of q or `velocity` is wrong, or a number is not finite.
   ServoStep step(const ConfigurationRef& q, const Twist& command,
                  Eigen::Ref<Eigen::VectorXd> velocity);
 
-  /// The same for a pose to go to: the command is gain * (what leads to world_T_tool).
+  /// Moves towards a pose: the command is gain · (pose error), within the bounds on its speed.
   ServoStep step_towards(const ConfigurationRef& q, const Pose& world_T_tool,
                          Eigen::Ref<Eigen::VectorXd> velocity);
 
-  /// The arm moves with this velocity: zero at the beginning.
+  /// Sets the arm's current velocity, which is zero at first.
   void set_velocity(const ConfigurationRef& velocity);
 
  private:
-  double share_in_rooms(const Rates& rates, ServoStep& result) const;
-  double share_for_bend(const Rates& rates, double share, ServoStep& result) const;
-  double max_change(Eigen::Index k) const;
-  void fill_spare_motion(const ConfigurationRef& q, const Rates& rates, double share);
-  void keep_accelerations(const Rates& rates, double share, double most, ServoStep& result);
-
-  Arm arm_;
-  Task task_;
-  ServoOptions options_;
-  internal::Bounds bounds_;
-  ResolvedRates solver_;
-  std::vector<Room> rooms_;
-  Eigen::VectorXd spare_, drift_;  ///< motions that leave the tool at rest: wanted and there
-  Eigen::VectorXd next_, before_;  ///< velocities of this step and the last
+  std::unique_ptr<internal::ServoLoop> loop_;
 };
 
 }  // namespace beeline

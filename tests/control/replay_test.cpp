@@ -134,12 +134,12 @@ TEST(Replay, NamesTheJointThatIsTooFastAndTheSpeedThatWouldDo) {
   for (std::size_t k = 9; k < 30; ++k) recorded.positions[k] = recorded.positions[8];
   const Replay played = replay(arm, recorded);
   EXPECT_EQ(played.status, MotionStatus::outside_limits);
-  EXPECT_NEAR(played.fastest, 2, 1e-9);
+  EXPECT_NEAR(played.velocity_usage, 2, 1e-9);
   EXPECT_NE(played.reason.find("at 7 s joint joint5"), std::string::npos) << played.reason;
   EXPECT_NE(played.reason.find("speed below 0.5 "), std::string::npos) << played.reason;
   const Replay slower = replay(arm, recorded, {.speed = 0.499});
   EXPECT_EQ(slower.status, MotionStatus::reached) << slower.reason;
-  EXPECT_NEAR(slower.fastest, 0.998, 1e-6);
+  EXPECT_NEAR(slower.velocity_usage, 0.998, 1e-6);
 }
 
 TEST(Replay, MatchesJointsByName) {
@@ -176,7 +176,7 @@ TEST(Replay, InStepsSeesEverySampleThatAStepPasses) {
   }
   const Replay played = replay(slow, recorded, {.rate = 100, .speed_at = {{0, 1}}, .ramp = 1e-3});
   EXPECT_EQ(played.status, MotionStatus::outside_limits);
-  EXPECT_NEAR(played.fastest, 20, 1e-9);
+  EXPECT_NEAR(played.velocity_usage, 20, 1e-9);
   EXPECT_NE(played.reason.find("at 0.053 s"), std::string::npos) << played.reason;
 }
 
@@ -236,7 +236,7 @@ TEST(Replay, NamesTheSpeedThatWouldDoAmongThoseThatChange) {
   EXPECT_NE(fast.reason.find("speed below 0.5 "), std::string::npos) << fast.reason;
   const Replay slow = replay(arm, recorded, {.rate = 1000, .speed_at = {{0, 0.499}}});
   EXPECT_EQ(slow.status, MotionStatus::reached) << slow.reason;
-  EXPECT_NEAR(slow.fastest, 0.998, 1e-3);
+  EXPECT_NEAR(slow.velocity_usage, 0.998, 1e-3);
 }
 
 TEST(Replay, RefusesSpeedsThatMakeNoSense) {
@@ -252,7 +252,7 @@ TEST(Replay, RefusesSpeedsThatMakeNoSense) {
   EXPECT_REFUSED(with({{NAN, 1}}), "increase");
   EXPECT_REFUSED(with({{0, 1.5}}), "from 0 to 1, not 1.5");
   EXPECT_REFUSED(with({{0, 0}, {1e9, 1}}), "samples");
-  EXPECT_REFUSED(replay(arm, recorded, {.rate = 1, .speed_at = {{0, 1}}}), "or more would do");
+  EXPECT_REFUSED(replay(arm, recorded, {.rate = 1, .speed_at = {{0, 1}}}), "or more are needed");
   EXPECT_REFUSED(replay(arm, recorded, {.speed = 2, .speed_at = {{0, 1}}}), "speed");
   EXPECT_REFUSED(replay(arm, recorded, {.speed_at = {{0, 1}}, .ramp = 0}), "ramp");
 }

@@ -53,8 +53,8 @@ TEST(Servo, KeepsAllLimitsWhateverItIsTold) {
         if (i % 500 == 0) command = random_command(random);
         const ServoStep step = servo.step(q, command, v);
         ASSERT_TRUE(v.allFinite()) << name << ' ' << run;
-        ASSERT_GE(step.share, 0);
-        ASSERT_LE(step.share, 1);
+        ASSERT_GE(step.scale, 0);
+        ASSERT_LE(step.scale, 1);
         ASSERT_LT(largest_excess(v, arm, &Limits::velocity), rounding) << name;
         ASSERT_LT(largest_excess((v - before) / dt, arm, &Limits::acceleration), 1e-6) << name;
         q += v * dt;
@@ -78,9 +78,9 @@ TEST(Servo, DoesACommandWithinTheLimitsWhole) {
       const Twist moved = jacobian(arm, q) * v;
       if (step.limit == ServoLimit::none) {
         ASSERT_LT((moved - command).norm(), 1e-6 * command.norm()) << name;
-        ASSERT_NEAR(step.share, 1, 1e-6);
+        ASSERT_NEAR(step.scale, 1, 1e-6);
       } else if (step.limit != ServoLimit::singular && step.limit != ServoLimit::acceleration) {
-        ASSERT_LT((moved - step.share * command).norm(), 1e-6 * command.norm()) << name;
+        ASSERT_LT((moved - step.scale * command).norm(), 1e-6 * command.norm()) << name;
         ASSERT_GE(step.joint, 0);
       }
     }
@@ -142,7 +142,7 @@ TEST(Servo, IsNotSlowedByASingularityThatTheCommandDoesNotMind) {
   for (int i = 0; q[4] < 0.5; ++i) {
     ASSERT_LT(i, 2000);
     const ServoStep step = servo.step(q, command, v);
-    if (i > 200) least = std::min(least, step.share);
+    if (i > 200) least = std::min(least, step.scale);
     q += v * dt;
   }
   EXPECT_GT(least, 1 - 1e-6);
@@ -193,7 +193,7 @@ TEST(Servo, RetreatsFromAStretchedOutPose) {
     command = -command;
     const ServoStep step = outward.step(q, command, v);
     EXPECT_EQ(step.limit, ServoLimit::singular);
-    EXPECT_LT(step.share, 1e-6);
+    EXPECT_LT(step.scale, 1e-6);
     EXPECT_LT(v.norm(), 1e-6);
   }
 }

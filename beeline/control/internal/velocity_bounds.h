@@ -1,34 +1,32 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include <beeline/control/servo.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 
 namespace beeline::internal {
 
-/// What kept a servo's step from doing all of what was asked for.
-enum class ServoLimit { none, velocity, acceleration, position, singular };
-std::string name(ServoLimit limit);
+/// The interval of a coordinate's velocity that the limits allow in one step; it contains 0.
+struct VelocityBounds {
+  double lower = 0, upper = 0;  ///< rad/s or m/s
+  /// The limit that determines each end: `position` when stopping before the position limit
+  /// requires less than the velocity limit.
+  ServoLimit lower_limit = ServoLimit::velocity, upper_limit = ServoLimit::velocity;
 
-/// What limits leave of a coordinate's velocity in one step; 0 is always in it.
-struct Room {
-  double lower = 0, upper = 0;
-  /// What bounds each side: the position where a stop before that end asks for less.
-  ServoLimit lower_kind = ServoLimit::velocity, upper_kind = ServoLimit::velocity;
-
-  /// The side that a velocity leads to.
-  double allowed(double velocity) const { return velocity > 0 ? upper : -lower; }
-  ServoLimit kind(double velocity) const { return velocity > 0 ? upper_kind : lower_kind; }
+  /// The largest speed in the direction of `velocity`.
+  double max_speed(double velocity) const { return velocity > 0 ? upper : -lower; }
+  ServoLimit limit(double velocity) const { return velocity > 0 ? upper_limit : lower_limit; }
 };
 
-/// How fast a coordinate may go towards a place that is `way` off and still stop there, when it
-/// goes on for one time step and then brakes; as fast as gets there in one step where the
-/// acceleration has no limit.
-double fast_to_stop(double way, double acceleration, double time_step);
+/// Returns the largest speed v at which a coordinate can stop within `distance`, when it continues
+/// for one time step h and then brakes with acceleration a: v h + v^2 / (2 a) = distance. Without
+/// an acceleration limit v = distance / h.
+double max_stopping_speed(double distance, double acceleration, double time_step);
 
-/// One room for each coordinate of q; a q outside the bounds may only come back.
-void fill_rooms(const Arm& arm, const internal::Bounds& bounds, const ConfigurationRef& q,
-                double time_step, std::vector<Room>& rooms);
+/// Computes the bounds of every coordinate at q. Outside the position bounds a coordinate can only
+/// return.
+void fill_velocity_bounds(const Arm& arm, const Bounds& positions, const ConfigurationRef& q,
+                          double time_step, std::vector<VelocityBounds>& bounds);
 
 }  // namespace beeline::internal

@@ -1,0 +1,47 @@
+#include <cmath>
+
+#include <beeline/math/six_row_svd.h>
+
+namespace beeline::internal {
+namespace {
+
+/// Rotates columns p and q of a matrix by the angle with cosine c and sine s.
+template <typename Matrix>
+void rotate_columns(Matrix& matrix, int p, int q, double c, double s) {
+  for (Eigen::Index k = 0; k < matrix.rows(); ++k) {
+    const double a = matrix(k, p), b = matrix(k, q);
+    matrix(k, p) = c * a - s * b;
+    matrix(k, q) = s * a + c * b;
+  }
+}
+
+}  // namespace
+
+void SixRowSvd::compute(const Eigen::Matrix<double, 6, Eigen::Dynamic>& a) {
+  constexpr int max_sweeps = 30;        // convergence is quadratic; about six suffice
+  constexpr double orthogonal = 1e-14;  // cosine between columns that rounding leaves
+  scaled_right.noalias() = a.transpose() * left;
+  const double negligible = 1e-34 * scaled_right.squaredNorm();
+  bool rotated = true;
+  for (int sweep = 0; rotated && sweep < max_sweeps; ++sweep) {
+    rotated = false;
+    for (int p = 0; p < 5; ++p) {
+      for (int q = p + 1; q < 6; ++q) {
+        const double pp = scaled_right.col(p).squaredNorm();
+        const double qq = scaled_right.col(q).squaredNorm();
+        const double pq = scaled_right.col(p).dot(scaled_right.col(q));
+        if (!(std::abs(pq) > orthogonal * std::sqrt(pp * qq) + negligible)) continue;
+        rotated = true;
+        const double cotangent = (qq - pp) / (2 * pq);  // of twice the angle
+        const double tangent = std::copysign(
+            1 / (std::abs(cotangent) + std::sqrt(1 + cotangent * cotangent)), cotangent);
+        const double c = 1 / std::sqrt(1 + tangent * tangent), s = c * tangent;
+        rotate_columns(scaled_right, p, q, c, s);
+        rotate_columns(left, p, q, c, s);
+      }
+    }
+  }
+  singular_values = scaled_right.colwise().norm().transpose();
+}
+
+}  // namespace beeline::internal
