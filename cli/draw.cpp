@@ -41,7 +41,7 @@ Answer draw(const Arguments& arguments) {
   const Format format = format_of(arguments.out);
   refuse_overwriting(arguments.out, {arguments.arm.text, arguments.motion});
   const Arm arm = arguments.arm.read();
-  write_file(arguments.out, render(figure_of(arguments, arm), format));
+  internal::write_file(arguments.out, render(figure_of(arguments, arm), format));
   return {.text = fmt::format("{} drawn: {}\n", arm.name(), arguments.out),
           .document = {{"status", "drawn"}, {"out", arguments.out}}};
 }

@@ -18,7 +18,7 @@ struct Arguments {
 
 Answer redraw(const Arguments& arguments) {
   const Format format = format_of(arguments.out);
-  write_file(arguments.out, render(chapter_figure(arguments.number), format));
+  internal::write_file(arguments.out, render(chapter_figure(arguments.number), format));
   return {.text = fmt::format("figure {} drawn: {}\n", arguments.number, arguments.out),
           .document = {{"status", "drawn"}, {"figure", arguments.number}, {"out", arguments.out}}};
 }

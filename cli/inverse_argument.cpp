@@ -25,7 +25,7 @@ void apply_lock(const std::string& lock, const Arm& arm, const UnitArgument& uni
   options.lock = k;
   if (!has_value) return;
   if (!options.seed) options.seed = middle_configuration(arm);
-  const double value = parse_number(lock.substr(equals + 1), "--lock " + locked);
+  const double value = internal::parse_number(lock.substr(equals + 1), "--lock " + locked);
   (*options.seed)[k] = unit.coordinate(arm, k, value);
 }
 

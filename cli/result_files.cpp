@@ -6,7 +6,7 @@
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>
 #include <beeline/error.h>
-#include <beeline/read/file.h>
+#include <beeline/read/internal/file.h>
 #include <beeline/record/trajectory_file.h>
 
 using namespace beeline;
@@ -70,7 +70,7 @@ void ResultFiles::check(const std::vector<std::string>& inputs) const {
 void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
                         const std::vector<Pose>& waypoints,
                         const std::optional<FollowedPath>& path) const {
-  std::vector<NewFile> files;
+  std::vector<internal::NewFile> files;
   if (!out.empty()) files.push_back({out, trajectory_text(trajectory, trajectory_format(out))});
   if (!draw.empty()) {
     const Figure figure = motion_figure(arm, at_equal_times(trajectory), waypoints);
@@ -80,7 +80,7 @@ void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
     const Drawing drawing = timing_figure(arm, trajectory, {.path = path});
     files.push_back({plot, render(drawing, format_of(plot))});
   }
-  write_files(files);
+  internal::write_files(files);
 }
 
 std::string ResultFiles::text() const {

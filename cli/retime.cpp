@@ -2,8 +2,8 @@
 #include <fmt/core.h>
 
 #include <beeline/error.h>
-#include <beeline/read/csv.h>
-#include <beeline/read/file.h>
+#include <beeline/read/internal/csv.h>
+#include <beeline/read/internal/file.h>
 #include <beeline/timing/retime.h>
 
 #include "format.h"
@@ -34,7 +34,7 @@ struct Input {
   bool has_times = true;
 };
 
-Trajectory untimed(const CsvTable& table) {
+Trajectory untimed(const internal::CsvTable& table) {
   Trajectory path{table.columns, {}, {}, {}, {}};
   for (const std::vector<double>& row : table.rows) {
     path.times.push_back(static_cast<double>(path.times.size()));
@@ -46,8 +46,8 @@ Trajectory untimed(const CsvTable& table) {
 
 Input read_input(const std::string& file, const Arm& arm) {
   Input input;
-  if (extension(file) == "csv") {
-    const CsvTable table = parse_csv(read_file(file), file);
+  if (internal::extension(file) == "csv") {
+    const internal::CsvTable table = internal::parse_csv(internal::read_file(file), file);
     const auto& columns = table.columns;
     input.has_times = std::find(columns.begin(), columns.end(), "t") != columns.end();
     if (!input.has_times) input.trajectory = untimed(table);

@@ -141,11 +141,11 @@ Json arm_document(const Arm& arm, const UnitArgument& unit) {
 Answer show(const Arguments& arguments) {
   const Arm arm = arguments.arm.read();
   if (!arguments.out.empty()) {
-    if (extension(arguments.out) != "json") {
+    if (internal::extension(arguments.out) != "json") {
       throw Error("--out " + arguments.out + ": an arm is written to a .json file");
     }
     refuse_overwriting(arguments.out, {arguments.arm.text});
-    write_file(arguments.out, arm_to_json(arm));
+    internal::write_file(arguments.out, arm_to_json(arm));
   }
   return {.text = arm_text(arm, arguments.unit), .document = arm_document(arm, arguments.unit)};
 }

@@ -9,18 +9,18 @@
 namespace beeline {
 namespace {
 
-void check_speed(double speed) {
+void check_player_speed(double speed) {
   if (speed >= 0 && speed <= 1) return;
   throw Error("the speed of a player must be from 0 to 1, not " + number(speed));
 }
 
-void check(const PlayerOptions& options) {
+void check_player(const PlayerOptions& options) {
   for (const double positive : {options.time_step, options.ramp}) {
     if (positive > 0 && std::isfinite(positive)) continue;
     throw Error("the time step and the ramp of a player must be above zero, not " +
                 number(positive) + " s");
   }
-  check_speed(options.speed);
+  check_player_speed(options.speed);
 }
 
 /// Describes how the cubic from sample k to the next leaves the position limits; empty when it does
@@ -99,7 +99,7 @@ Playback::Playback(const Arm& arm, const Trajectory& recording, const Configurat
       acceleration_(Configuration::Zero(arm.dof())),
       largest_(Configuration::Zero(arm.dof())),
       squares_(Configuration::Zero(arm.dof())) {
-  check(options);
+  check_player(options);
   if (recording_.size() == 0) throw Error("the recording has no samples");
   const std::string violation = first_violation(arm, recording_);
   if (!violation.empty()) throw Error(violation);
@@ -110,7 +110,7 @@ Playback::Playback(const Arm& arm, const Trajectory& recording, const Configurat
 }
 
 void Playback::set_speed(double speed) {
-  check_speed(speed);
+  check_player_speed(speed);
   target_speed_ = speed;
 }
 

@@ -24,7 +24,7 @@ constexpr double null_space_acceleration = 0.5;
 
 constexpr double still = 1e-9;  // relative to the largest change of a velocity: counts as zero
 
-void check(const ServoOptions& options) {
+void check_servo(const ServoOptions& options) {
   if (!(options.time_step > 0) || !std::isfinite(options.time_step)) {
     throw Error("the time step must be above zero, not " + number(options.time_step) + " s");
   }
@@ -40,7 +40,7 @@ void check(const ServoOptions& options) {
 }
 
 Task checked_task(const Arm& arm, const ServoOptions& options) {
-  check(options);
+  check_servo(options);
   return options.task.value_or(default_task(arm));
 }
 

@@ -27,7 +27,7 @@ Arm parse_json(std::string_view text, const std::string& path, const ChainEnds& 
 }
 
 /// Every format of arm files. A new reader is one row here.
-constexpr ArmFormat formats[] = {
+constexpr ArmFormat arm_formats[] = {
     {"urdf", true, arm_from_urdf},
     {"xml", true, arm_from_urdf},
     {"json", false, parse_json},
@@ -40,7 +40,7 @@ void refuse_ends(const std::string& text, const ChainEnds& ends) {
 
 std::string known_endings() {
   std::vector<std::string> endings;
-  for (const ArmFormat& format : formats) endings.push_back("." + std::string(format.ending));
+  for (const ArmFormat& format : arm_formats) endings.push_back("." + std::string(format.ending));
   return listed(endings);
 }
 
@@ -50,9 +50,9 @@ Arm read_arm_file(const std::string& path, const ChainEnds& ends) {
     throw FileError(path, 0, "is a xacro file; run xacro first and pass the URDF that it writes");
   }
   const auto* const format =
-      std::find_if(std::begin(formats), std::end(formats),
+      std::find_if(std::begin(arm_formats), std::end(arm_formats),
                    [&](const ArmFormat& known) { return known.ending == ending; });
-  if (format == std::end(formats)) {
+  if (format == std::end(arm_formats)) {
     throw FileError(path, 0, "is not a known kind of arm file; known are " + known_endings());
   }
   if (!format->tree) refuse_ends(path, ends);

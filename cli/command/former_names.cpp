@@ -4,7 +4,7 @@
 #include <map>
 
 #include <beeline/error.h>
-#include <beeline/read/file.h>
+#include <beeline/read/internal/file.h>
 
 std::string current_option_name(const std::string& name) {
   static const std::map<std::string, std::string> renamed{{"--law", "--profile"},

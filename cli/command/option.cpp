@@ -5,7 +5,7 @@
 #include <limits>
 
 #include <beeline/error.h>
-#include <beeline/read/numbers.h>
+#include <beeline/read/internal/numbers.h>
 
 using namespace beeline;
 
@@ -37,9 +37,9 @@ void assign(const Option& option, const std::string& name, const std::string& te
   } else if (auto* const* large = std::get_if<std::uint64_t*>(&option.target)) {
     **large = whole_number<std::uint64_t>(text, name);
   } else if (auto* const* real = std::get_if<double*>(&option.target)) {
-    **real = parse_number(text, name);
+    **real = internal::parse_number(text, name);
   } else if (auto* const* optional = std::get_if<std::optional<double>*>(&option.target)) {
-    **optional = parse_number(text, name);
+    **optional = internal::parse_number(text, name);
   } else {
     *std::get<std::string*>(option.target) = text;
   }

@@ -14,7 +14,7 @@ constexpr double lost_below = 1e-5;
 constexpr double zero_below = 1e-6;
 constexpr double exact_above = 1e-12;
 
-constexpr double at_rest = 1e-6;  // of full speed: slower counts as standing still
+constexpr double still_below = 1e-6;  // of full speed: slower counts as standing still
 
 // Relative to the largest singular value: an absolute curvature below this counts as zero. Greater
 // than the error of the difference quotient in WeightedTask::derivative().
@@ -127,7 +127,7 @@ double SingularRates::solve_lost_direction(const LostDirection& lost, const Weig
   double current = null_.dot(last.cwiseQuotient(task.weight()));  // speed along n
   double sign = lost.command > 0 ? 1 : -1;
   if (is_zero(lost)) {  // both signs serve equally: continues the arm's motion
-    if (std::abs(current) < at_rest) current = lost.curved ? 1 : -lost.command * lost.rate;
+    if (std::abs(current) < still_below) current = lost.curved ? 1 : -lost.command * lost.rate;
     sign = current < 0 ? -1 : 1;
   }
   double speed = max_null_speed(lost, sign, task, rates, time_step);
@@ -142,7 +142,7 @@ double SingularRates::solve_lost_direction(const LostDirection& lost, const Weig
     x_.setZero();  // at the boundary of the workspace
     return 0;
   }
-  if (sign * current < -at_rest) {  // the motion along n must reverse first
+  if (sign * current < -still_below) {  // the motion along n must reverse first
     x_.setZero();
     scale = 0;
   }
