@@ -5,6 +5,7 @@
 #include <beeline/control/servo.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
+#include <beeline/timing/point_to_point.h>
 
 #include <tests/allocations.h>
 #include <tests/random.h>
@@ -54,8 +55,8 @@ TEST(Player, DoesNotAllocate) {
 #endif
   const Arm arm = built_in("panda");
   const Configuration middle = middle_configuration(arm);
-  const PointToPoint way = point_to_point(arm, middle, middle + Configuration::Constant(7, 0.3));
-  Player player(arm, sampled(arm, way, 100), middle - Configuration::Constant(7, 0.1));
+  const PointToPoint motion = point_to_point(arm, middle, middle + Configuration::Constant(7, 0.3));
+  Player player(arm, sampled(arm, motion, 100), middle - Configuration::Constant(7, 0.1));
   Configuration q = middle;
   const long before = allocations;
   for (int i = 0; i < 3000; ++i) {

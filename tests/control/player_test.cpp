@@ -15,21 +15,21 @@ constexpr double dt = 1e-3;
 
 /// A recording within the panda's limits, through a few random configurations.
 Trajectory recording(testing::Random& random, const Arm& arm) {
-  Trajectory way{arm.joint_names(), {}, {}, {}, {}};
+  Trajectory path{arm.joint_names(), {}, {}, {}, {}};
   const Configuration middle = middle_configuration(arm);
   for (int i = 0; i < 5; ++i) {
-    way.times.push_back(i);
-    way.positions.push_back(middle + 0.3 * (random.configuration(arm) - middle));
+    path.times.push_back(i);
+    path.positions.push_back(middle + 0.3 * (random.configuration(arm) - middle));
   }
-  return retime(arm, way).trajectory;
+  return retime(arm, path).trajectory;
 }
 
 struct Played {
   std::vector<Configuration> q, v;
-  double largest_velocity = 0, largest_acceleration = 0;  ///< as shares of the limits
+  double largest_velocity = 0, largest_acceleration = 0;  ///< relative to the limits
 };
 
-/// Runs to the end, the speed being told by `speed_at(step)`.
+/// Plays to the end with the target speeds speed_at(step).
 template <class Speed>
 Played play(Player& player, const Arm& arm, Speed&& speed_at, int max_steps = 100'000) {
   Played played;
@@ -56,35 +56,35 @@ TEST(Player, LeadsInAndPlaysToTheEnd) {
   testing::Random random;
   const Arm arm = built_in("panda");
   for (int i = 0; i < 5; ++i) {
-    const Trajectory way = recording(random, arm);
+    const Trajectory path = recording(random, arm);
     const Configuration start = 0.5 * (random.configuration(arm) + middle_configuration(arm));
-    Player player(arm, way, start, {.time_step = dt});
+    Player player(arm, path, start, {.time_step = dt});
     EXPECT_TRUE(player.leading_in());
     const Played played = play(player, arm, [](int) { return 1.0; });
     EXPECT_TRUE(player.done());
     EXPECT_LT((played.q.front() - start).norm(), 0.01);
-    EXPECT_EQ(played.q.back(), way.positions.back());
+    EXPECT_EQ(played.q.back(), path.positions.back());
     EXPECT_TRUE(played.v.back().isZero(0));
     EXPECT_LT(played.largest_velocity, 1.001);
     EXPECT_LT(played.largest_acceleration, 1.2);
   }
 }
 
-TEST(Player, PausesAndGoesOnWithoutLeavingTheWay) {
+TEST(Player, PausesAndContinuesOnThePath) {
   testing::Random random;
   const Arm arm = built_in("panda");
-  const Trajectory way = recording(random, arm);
-  Player steady(arm, way, way.positions.front(), {.time_step = dt});
+  const Trajectory path = recording(random, arm);
+  Player steady(arm, path, path.positions.front(), {.time_step = dt});
   const Played whole = play(steady, arm, [](int) { return 1.0; });
-  Player paused(arm, way, way.positions.front(), {.time_step = dt, .ramp = 0.2});
+  Player paused(arm, path, path.positions.front(), {.time_step = dt, .ramp = 0.2});
   const Played stops = play(paused, arm, [](int step) { return step / 700 % 2 == 0 ? 0.6 : 0.0; });
   EXPECT_TRUE(paused.done());
   EXPECT_GT(stops.q.size(), 1.5 * static_cast<double>(whole.q.size()));
   EXPECT_LT(stops.largest_velocity, 1.001);
-  bool rested = false;
-  for (const Configuration& v : stops.v) rested |= v.isZero(0);
-  EXPECT_TRUE(rested);
-  // Each place that it passes is one of the way that was played at full speed.
+  bool paused_once = false;
+  for (const Configuration& v : stops.v) paused_once |= v.isZero(0);
+  EXPECT_TRUE(paused_once);
+  // Every position is on the path that was played at full speed.
   for (std::size_t k = 0; k < stops.q.size(); k += 97) {
     double nearest = 1;
     for (const Configuration& q : whole.q) nearest = std::min(nearest, (q - stops.q[k]).norm());
@@ -92,11 +92,11 @@ TEST(Player, PausesAndGoesOnWithoutLeavingTheWay) {
   }
 }
 
-TEST(Player, ChangesItsSpeedSteadily) {
+TEST(Player, ChangesItsSpeedLinearly) {
   testing::Random random;
   const Arm arm = built_in("panda");
-  const Trajectory way = recording(random, arm);
-  Player player(arm, way, way.positions.front(), {.time_step = dt, .ramp = 0.5});
+  const Trajectory path = recording(random, arm);
+  Player player(arm, path, path.positions.front(), {.time_step = dt, .ramp = 0.5});
   double before = player.speed();
   for (int i = 0; i < 3000 && !player.done(); ++i) {
     player.set_speed(random.uniform(0, 1));
@@ -106,11 +106,11 @@ TEST(Player, ChangesItsSpeedSteadily) {
   }
 }
 
-TEST(Player, TellsTheTrackingError) {
+TEST(Player, ReportsTheTrackingError) {
   const Arm arm = built_in("panda");
   testing::Random random;
-  const Trajectory way = recording(random, arm);
-  Player player(arm, way, way.positions.front(), {.time_step = dt});
+  const Trajectory path = recording(random, arm);
+  Player player(arm, path, path.positions.front(), {.time_step = dt});
   for (int i = 0; i < 100; ++i) {
     Configuration q = player.step().q;
     q[2] += i % 2 == 0 ? 0.01 : -0.03;
@@ -123,7 +123,24 @@ TEST(Player, TellsTheTrackingError) {
   EXPECT_EQ(error.largest[0], 0);
 }
 
-TEST(Player, RefusesWhatMakesNoSense) {
+TEST(Player, CopiesContinueIndependentlyAndMovesKeepTheState) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  const Trajectory path = recording(random, arm);
+  Player player(arm, path, path.positions.front(), {.time_step = dt});
+  for (int i = 0; i < 100; ++i) player.step();
+  Player copy = player;
+  const Command next = player.step();
+  player.step();  // does not change the copy
+  Player assigned(arm, path, path.positions.front());
+  assigned = copy;
+  Player moved = std::move(copy);
+  EXPECT_EQ(moved.step().q, next.q);
+  EXPECT_EQ(assigned.step().velocity, next.velocity);
+  EXPECT_EQ(moved.recording_time(), assigned.recording_time());
+}
+
+TEST(Player, RefusesInvalidArguments) {
   const Arm arm = built_in("panda");
   const Configuration middle = middle_configuration(arm);
   const Trajectory still = at_rest(arm, middle);
@@ -140,12 +157,12 @@ TEST(Player, RefusesWhatMakesNoSense) {
   EXPECT_TRUE(player.done());
 }
 
-TEST(Player, PausesOnItsWayToTheBeginWithoutAJerk) {
+TEST(Player, PausesDuringTheLeadInWithContinuousVelocity) {
   const Arm arm = built_in("panda");
   testing::Random random;
-  const Trajectory way = recording(random, arm);
+  const Trajectory path = recording(random, arm);
   const Configuration start = 0.5 * (random.configuration(arm) + middle_configuration(arm));
-  Player player(arm, way, start, {.time_step = dt});
+  Player player(arm, path, start, {.time_step = dt});
   Configuration before = start;
   for (int i = 0; i < 600 && player.leading_in(); ++i) {
     player.set_speed(i / 100 % 2 == 0 ? 1 : 0);
@@ -156,23 +173,23 @@ TEST(Player, PausesOnItsWayToTheBeginWithoutAJerk) {
   }
 }
 
-TEST(Player, RefusesARecordingThatLeavesTheLimitsBetweenItsSamples) {
+TEST(Player, RefusesARecordingThatLeavesTheLimitsBetweenSamples) {
   const Arm arm = built_in("panda");
   const Configuration middle = middle_configuration(arm);
-  Trajectory way{arm.joint_names(), {0, 1}, {middle, middle}, {}, {}};
+  Trajectory path{arm.joint_names(), {0, 1}, {middle, middle}, {}, {}};
   Configuration fast = Configuration::Zero(7);
   fast[0] = 40;
-  way.velocities = {fast, -fast};
-  way.accelerations = {Configuration::Zero(7), Configuration::Zero(7)};
-  EXPECT_REFUSED(Player(arm, way, middle), "joint1");
-  // Also after a moment at which it is too fast.
-  way.times = {0, 1, 2};
-  way.positions = {middle, middle, middle};
-  way.velocities = {Configuration::Zero(7), -fast, fast};
-  way.positions[1][6] += 1;
-  way.times[1] = 0.1;
-  way.accelerations.push_back(Configuration::Zero(7));
-  EXPECT_REFUSED(Player(arm, way, middle), "after 0.1 s joint joint1");
+  path.velocities = {fast, -fast};
+  path.accelerations = {Configuration::Zero(7), Configuration::Zero(7)};
+  EXPECT_REFUSED(Player(arm, path, middle), "joint1");
+  // Also after a segment that is too fast.
+  path.times = {0, 1, 2};
+  path.positions = {middle, middle, middle};
+  path.velocities = {Configuration::Zero(7), -fast, fast};
+  path.positions[1][6] += 1;
+  path.times[1] = 0.1;
+  path.accelerations.push_back(Configuration::Zero(7));
+  EXPECT_REFUSED(Player(arm, path, middle), "after 0.1 s joint joint1");
 }
 
 }  // namespace
