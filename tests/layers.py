@@ -18,6 +18,8 @@ LIBRARIES = {  # the first part of the include: the folders that may use it, in 
         "inverse/numerical",
         "timing",
     },
+    "fast_float": {"read"},
+    "fmt": {"read"},
     "nlohmann": {"read", "record"},
     "oneapi": {"batch"},
     "tbb": {"batch"},
