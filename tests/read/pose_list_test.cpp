@@ -89,5 +89,11 @@ TEST(PoseList, IsReadFromAFile) {
   EXPECT_REFUSED(read_poses(folder.file("none.csv")), "none.csv: cannot be read");
 }
 
+TEST(PoseList, DegreesBecomeRadians) {
+  EXPECT_EQ(to_radians(180, AngleUnit::degrees), std::numbers::pi);
+  EXPECT_EQ(to_radians(90, AngleUnit::degrees), std::numbers::pi / 2);
+  EXPECT_EQ(to_radians(1.25, AngleUnit::radians), 1.25);
+}
+
 }  // namespace
 }  // namespace beeline

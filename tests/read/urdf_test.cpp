@@ -2,8 +2,8 @@
 
 #include <beeline/kinematics/forward.h>
 #include <beeline/pose/orientation.h>
-#include <beeline/read/urdf.h>
 #include <beeline/read/internal/urdf_file.h>
+#include <beeline/read/urdf.h>
 
 #include <tests/random.h>
 #include <tests/read/urdf_samples.h>
@@ -164,7 +164,8 @@ TEST(Urdf, MistakesInJointsAreNamedWithTheirLine) {
 TEST(Urdf, WhatIsNoUrdfIsNamed) {
   EXPECT_REFUSED(parse(""), "a.urdf: is not well-formed XML: it is empty");
   EXPECT_REFUSED(parse("{\"name\": \"a\"}"), "a.urdf");
-  EXPECT_REFUSED(parse("<mujoco/>"), "a.urdf:1: is not URDF: its root must be <robot>, not <mujoco>");
+  EXPECT_REFUSED(parse("<mujoco/>"),
+                 "a.urdf:1: is not URDF: its root must be <robot>, not <mujoco>");
   EXPECT_REFUSED(parse("<robot>\n<link>\n</robot>"), "is not well-formed XML");
   EXPECT_REFUSED(parse("<robot name=\"r\"/>"), "a.urdf: has no links");
   EXPECT_REFUSED(parse(robot(link("a") + "<xacro:include filename=\"b\"/>\n")),

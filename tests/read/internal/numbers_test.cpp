@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
-#include <numbers>
 #include <random>
 
 #include <beeline/read/internal/numbers.h>
@@ -79,10 +78,50 @@ TEST(Numbers, LocaleDoesNotMatter) {
   std::setlocale(LC_ALL, before.c_str());
 }
 
-TEST(Numbers, DegreesBecomeRadians) {
-  EXPECT_EQ(to_radians(180, AngleUnit::degrees), std::numbers::pi);
-  EXPECT_EQ(to_radians(90, AngleUnit::degrees), std::numbers::pi / 2);
-  EXPECT_EQ(to_radians(1.25, AngleUnit::radians), 1.25);
+TEST(Numbers, ScansTheFrontOfAText) {
+  double value = 0;
+  const std::string_view text = "-2.5e1,3";
+  const auto [end, fault] = parse_double(text.data(), text.data() + text.size(), value);
+  EXPECT_EQ(fault, std::errc());
+  EXPECT_EQ(value, -25);
+  EXPECT_EQ(*end, ',');
+  const auto fault_of = [&](std::string_view given) {
+    return parse_double(given.data(), given.data() + given.size(), value).ec;
+  };
+  for (const char* zero : {"0", "-0.000", "0e-999", "0.0e999"}) {
+    EXPECT_EQ(fault_of(zero), std::errc()) << zero;
+    EXPECT_EQ(value, 0) << zero;
+  }
+  for (const char* far : {"1e999", "-1e309", "1e-999", "0.001e-400"}) {
+    EXPECT_EQ(fault_of(far), std::errc::result_out_of_range) << far;
+  }
+  for (const char* none : {"", "+1", " 1", "e5", "-"}) {
+    EXPECT_EQ(fault_of(none), std::errc::invalid_argument) << none;
+  }
+}
+
+TEST(Numbers, AreWrittenWithinTheirLength) {
+  char text[max_number_length + 1];
+  for (const double value : {-std::numeric_limits<double>::min(), -0.00012345678901234567,
+                             -1234567890123456.7, -std::numeric_limits<double>::max()}) {
+    EXPECT_LE(write_double(text, value) - text, max_number_length) << value;
+  }
+  for (const double value : {std::nan(""), -std::nan("")}) {
+    EXPECT_EQ(std::string(text, write_double(text, value)), "nan");
+  }
+}
+
+TEST(Numbers, AreRoundedToDigits) {
+  EXPECT_EQ(fixed_point(-1.005, 1), "-1.0");
+  EXPECT_EQ(fixed_point(1e20, 0), "100000000000000000000");
+  EXPECT_EQ(rounded(1.5707963267948966, 4), 1.571);
+  EXPECT_FALSE(std::signbit(rounded(-0.0, 4)));
+  testing::Random random;
+  for (int i = 0; i < 1000; ++i) {
+    const double value = random.uniform(-1, 1) * std::pow(10, random.integer(-300, 300));
+    EXPECT_EQ(rounded(value, 17), value);
+    EXPECT_NEAR(rounded(value, 6), value, 5e-6 * std::abs(value));
+  }
 }
 
 }  // namespace
