@@ -4,7 +4,6 @@
 
 #include <beeline/model/catalog.h>
 #include <beeline/read/arm_json.h>
-#include <beeline/read/internal/csv.h>
 #include <beeline/read/joint_string.h>
 #include <beeline/read/pose_list.h>
 #include <beeline/read/urdf.h>

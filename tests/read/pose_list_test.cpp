@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include <beeline/pose/orientation.h>
+#include <beeline/read/internal/numbers.h>
 #include <beeline/read/pose_list.h>
 
 #include <tests/random.h>
@@ -15,7 +16,7 @@ constexpr double pi = std::numbers::pi;
 
 std::string row(const std::vector<double>& values) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ",") + exact(value);
+  for (const double value : values) text += (text.empty() ? "" : ",") + internal::exact(value);
   return text;
 }
 
@@ -59,7 +60,7 @@ TEST(PoseList, ColumnsStandInAnyOrder) {
 
 TEST(PoseList, DegreesTouchAnglesOnly) {
   EXPECT_TRUE(parse_pose("90,0,0,0,0,90", AngleUnit::degrees)
-                  .pose.isApprox(parse_pose("90,0,0,0,0," + exact(pi / 2)).pose, 1e-15));
+                  .pose.isApprox(parse_pose("90,0,0,0,0," + internal::exact(pi / 2)).pose, 1e-15));
   EXPECT_EQ(parse_pose("1,2,3,1,0,0,0", AngleUnit::degrees).pose.matrix(),
             parse_pose("1,2,3,1,0,0,0").pose.matrix());
 }

@@ -199,7 +199,7 @@ TEST(Urdf, HostileXmlIsHarmless) {
     laughs += "<!ENTITY l" + std::to_string(i) + " \"" + before + before + before + "\">";
   }
   laughs += "]>\n" + robot(link("&l29;") + link("b") + joint("j", "revolute", "&l29;", "b"));
-  EXPECT_EQ(parse_urdf(laughs, "a.urdf").links.at(0).name, "&l29;");
+  EXPECT_EQ(internal::parse_urdf(laughs, "a.urdf").links.at(0).name, "&l29;");
 }
 
 TEST(Urdf, LongChainsAreReadAndEndlessOnesRefused) {

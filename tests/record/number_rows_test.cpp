@@ -1,6 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include <beeline/record/internal/npy.h>
 #include <beeline/record/number_rows.h>
 
 #include <tests/random.h>
@@ -124,7 +125,7 @@ TEST(NumberRows, BadRowsOfNpyToo) {
   const TemporaryFolder folder;
   Eigen::MatrixXd rows = Eigen::MatrixXd::Random(2, 9);
   for (const int k : {0, 3, 4, 5}) rows(k % 2, k) = k == 3 ? INFINITY : NAN;
-  NpyWriter writer(folder.file("a.npy"), 2, false);
+  internal::NpyWriter writer(folder.file("a.npy"), 2, false);
   writer.write(rows);
   writer.commit();
   BadRows bad;
@@ -138,7 +139,7 @@ TEST(NumberRows, BadRowsOfNpyToo) {
 
 TEST(NumberRows, RowsOfAnotherLengthAreRefused) {
   const TemporaryFolder folder;
-  NpyWriter writer(folder.file("a.npy"), 1, false);
+  internal::NpyWriter writer(folder.file("a.npy"), 1, false);
   writer.write(Eigen::MatrixXd::Zero(1, 2));
   writer.commit();
   BadRows bad;
@@ -166,7 +167,7 @@ TEST(NumberRows, LinesAcrossTheEndOfTheBufferAreWhole) {
 TEST(NumberRows, FormatsGoByTheEnding) {
   EXPECT_EQ(row_format("x/A.NPY"), RowFormat::npy);
   EXPECT_EQ(row_format("-"), RowFormat::csv);
-  EXPECT_REFUSED(row_format("a.txt"), ".csv or .npy files, not in \"a.txt\"");
+  EXPECT_REFUSED(row_format("a.txt"), ".csv or .npy files, not \"a.txt\"");
   EXPECT_REFUSED(RowWriter("a.csv", ab[0], true, 1), "32-bit numbers are for .npy");
 }
 

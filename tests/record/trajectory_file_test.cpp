@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <beeline/record/internal/trajectory_csv.h>
-#include <beeline/record/trajectory_file.h>
 #include <beeline/record/internal/trajectory_json.h>
+#include <beeline/record/trajectory_file.h>
 
 #include <tests/record/random_trajectory.h>
 #include <tests/refusal.h>
@@ -30,7 +30,7 @@ TEST(TrajectoryFile, OtherFormatsAreRefused) {
   const Trajectory trajectory = testing::random_trajectory(random);
   for (const char* name : {"a.txt", "a", "a.csv.bak"}) {
     const std::string path = folder.file(name);
-    const std::string said = ".csv or .json files, not in \"" + path;
+    const std::string said = ".csv or .json files, not \"" + path;
     EXPECT_REFUSED(trajectory_format(path), said);
     EXPECT_REFUSED(write_trajectory(path, trajectory), said);
     EXPECT_REFUSED(read_trajectory(path), said);
@@ -55,10 +55,11 @@ TEST(TrajectoryFile, BrokenTextsAreReadOrRefused) {
     const Trajectory trajectory = testing::random_trajectory(random);
     for (const bool csv : {true, false}) {
       const std::string whole =
-          csv ? trajectory_to_csv(trajectory) : trajectory_to_json(trajectory);
+          csv ? internal::trajectory_to_csv(trajectory) : internal::trajectory_to_json(trajectory);
       const auto read = [csv](const std::string& text) {
         return testing::refusal([&] {
-          (void)(csv ? trajectory_from_csv(text, "a") : trajectory_from_json(text, "a"));
+          (void)(csv ? internal::trajectory_from_csv(text, "a")
+                     : internal::trajectory_from_json(text, "a"));
         });
       };
       const auto place = [&] { return random.integer(0, static_cast<int>(whole.size()) - 1); };

@@ -104,7 +104,8 @@ TEST(Numbers, AreWrittenWithinTheirLength) {
   char text[max_number_length + 1];
   for (const double value : {-std::numeric_limits<double>::min(), -0.00012345678901234567,
                              -1234567890123456.7, -std::numeric_limits<double>::max()}) {
-    EXPECT_LE(write_double(text, value) - text, max_number_length) << value;
+    EXPECT_LE(static_cast<std::size_t>(write_double(text, value) - text), max_number_length)
+        << value;
   }
   for (const double value : {std::nan(""), -std::nan("")}) {
     EXPECT_EQ(std::string(text, write_double(text, value)), "nan");

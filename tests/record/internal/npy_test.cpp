@@ -144,7 +144,7 @@ TEST(Npy, AFileOfAnotherSizeThanItSaysIsRefusedWithBothNumbers) {
   };
   EXPECT_NE(refused("(10, 7)", 69, "").find("declares 10 rows of 7 numbers and has 9"),
             std::string::npos);
-  EXPECT_NE(refused("(281474976710656, 281474976710656)", 0, "").find("it has 0"),
+  EXPECT_NE(refused("(281474976710656, 281474976710656)", 0, "").find("and has 0"),
             std::string::npos);
   EXPECT_NE(refused("(10, 7)", 70, "abc").find("3 bytes after its 10 rows"), std::string::npos);
   EXPECT_NE(refused("(10, 0)", 1, "").find("8 bytes after"), std::string::npos);
