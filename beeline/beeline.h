@@ -13,11 +13,8 @@
 #include <beeline/control/pid.h>
 #include <beeline/control/player.h>
 #include <beeline/control/replay.h>
-#include <beeline/control/resolved_rates.h>
-#include <beeline/control/room.h>
 #include <beeline/control/servo.h>
 #include <beeline/control/simulate.h>
-#include <beeline/control/six_rows.h>
 #include <beeline/error.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>

@@ -1,7 +1,6 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
-#include <ostream>
 
 #include <beeline/control/cartesian.h>
 #include <beeline/control/joint.h>
@@ -151,8 +150,6 @@ void check(const CartesianOptions& options) {
 }
 
 }  // namespace
-
-std::ostream& operator<<(std::ostream& out, CartesianMethod method) { return out << name(method); }
 
 std::string name(CartesianMethod method) {
   constexpr const char* names[] = {"inverse-jacobian", "inverse-kinematics"};

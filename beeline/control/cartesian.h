@@ -1,6 +1,5 @@
 #pragma once
 
-#include <iosfwd>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,7 +15,6 @@ enum class CartesianMethod {
   inverse_kinematics,  ///< inverse kinematics at intermediate poses, joint-space control between
 };
 std::string name(CartesianMethod method);
-std::ostream& operator<<(std::ostream& out, CartesianMethod method);
 
 struct CartesianOptions {
   CartesianMethod method = CartesianMethod::inverse_jacobian;

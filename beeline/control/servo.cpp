@@ -270,10 +270,8 @@ std::string name(ServoLimit limit) {
   return names[static_cast<int>(limit)];
 }
 
-std::ostream& operator<<(std::ostream& out, ServoLimit limit) { return out << name(limit); }
-
 std::ostream& operator<<(std::ostream& out, const ServoStep& step) {
-  out << "scale " << number(step.scale) << ", limit " << step.limit;
+  out << "scale " << number(step.scale) << ", limit " << name(step.limit);
   if (step.joint) out << " of joint " << *step.joint + 1;
   return out;
 }

@@ -31,7 +31,6 @@ enum class ServoLimit {
   singular,      ///< the arm is at or near a singularity
 };
 std::string name(ServoLimit limit);
-std::ostream& operator<<(std::ostream& out, ServoLimit limit);
 
 struct ServoStep {
   double scale = 1;  ///< α: the fraction of the command that the step achieves, in [0, 1]
