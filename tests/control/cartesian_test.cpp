@@ -32,7 +32,7 @@ struct Case {
   std::vector<Pose> waypoints;
 };
 
-/// An arm, and waypoints around its start, of which the last is where it came from.
+/// An arm, and waypoints around its start, of which the last is the start.
 Case spatial_case(const std::string& name) {
   Case made{built_in(name), {}, {}};
   made.start = name == "panda" ? Configuration{{0, -0.785, 0, -2.356, 0, 1.571, 0.785}}
@@ -78,7 +78,7 @@ std::vector<Case> cases() {
   return {{built_in("rrr"), rrr_start, rrr_waypoints}, spatial_case("panda"), spatial_case("ur5")};
 }
 
-TEST(ControlInLines, ArrivesAtEveryWaypointByBothMethods) {
+TEST(ControlInLines, ReachesEveryWaypointByBothMethods) {
   for (const Case& given : cases()) {
     for (const CartesianMethod method : {by_jacobian, by_solutions}) {
       const ControlledMotion motion =
@@ -89,8 +89,8 @@ TEST(ControlInLines, ArrivesAtEveryWaypointByBothMethods) {
   }
 }
 
-// Chapter 1.8: the inverse Jacobian makes straight lines; inverse kinematics needs poses on the
-// way.
+// Chapter 1.8: the inverse Jacobian makes straight lines; inverse kinematics needs intermediate
+// poses.
 TEST(ControlInLines, IsStraighterByTheJacobianThanByFewSolutions) {
   for (const Case& given : cases()) {
     const auto run = [&](CartesianOptions options) {
@@ -102,7 +102,7 @@ TEST(ControlInLines, IsStraighterByTheJacobianThanByFewSolutions) {
   }
 }
 
-TEST(ControlInLines, IsStraighterWithMorePosesOnTheWay) {
+TEST(ControlInLines, IsStraighterWithMoreIntermediatePoses) {
   for (const Case& given : cases()) {
     double before = 1e9;
     for (const int intermediate : {1, 2, 5, 15, 40}) {
@@ -131,7 +131,7 @@ TEST(ControlInLines, IsStraighterWithASmallerGain) {
 }
 
 // The error in the workspace falls by the gain, as far as J is constant during a step.
-TEST(ControlInLines, LessensTheErrorByTheGainInEveryStep) {
+TEST(ControlInLines, ReducesTheErrorByTheGainInEveryStep) {
   const Arm gantry = built_in("gantry");
   const Configuration start{{0.3, -1}};
   Pose goal = forward_kinematics(gantry, start);
@@ -158,7 +158,7 @@ TEST(ControlInLines, OvershootsWithALargeGain) {
   EXPECT_NEAR(overshoot(0.9), 0, 1e-9);
 }
 
-TEST(ControlInLines, TurnsTheShortWayRound) {
+TEST(ControlInLines, RotatesByTheSmallerAngle) {
   const Arm arm = built_in("rrr");
   for (const CartesianMethod method : {by_jacobian, by_solutions}) {
     const double side = method == by_jacobian ? 1 : -1;
@@ -222,7 +222,7 @@ TEST(ControlInLines, IsFiniteAtAndNearSingularities) {
   }
 }
 
-TEST(ControlInLines, SaysThatItIsStuckAtASingularity) {
+TEST(ControlInLines, SaysThatItStopsAtASingularity) {
   const Arm arm = built_in("rrr");
   const std::vector<Pose> inwards{planar(5, 0, 0)};
   const ControlledMotion motion = control_in_lines(arm, Configuration::Zero(3), inwards);
@@ -281,7 +281,7 @@ TEST(ControlInLines, MovesByPositionAlone) {
   }
 }
 
-TEST(ControlInLines, RefusesWhatMakesNoSense) {
+TEST(ControlInLines, RefusesInvalidArguments) {
   const Arm arm = built_in("rrr");
   const auto run = [&](std::vector<Pose> waypoints, CartesianOptions options = {}) {
     return control_in_lines(arm, rrr_start, waypoints, options);

@@ -19,7 +19,7 @@ bool says(const ControlledMotion& motion, const std::string& part) {
   return motion.reason.find(part) != std::string::npos;
 }
 
-TEST(ControlJoints, LessensTheErrorByTheGainInEveryStep) {
+TEST(ControlJoints, ReducesTheErrorByTheGainInEveryStep) {
   testing::Random random;
   const Arm arm = built_in("rrr");
   for (int i = 0; i < 200; ++i) {
@@ -81,7 +81,7 @@ TEST(ControlJoints, SaysThatTheGainIsTooLarge) {
     EXPECT_NO_THROW(check_trajectory(motion.trajectory));
     EXPECT_LT(motion.steps, 20'000);
   }
-  // Within limits the swing meets one of them, and that is the gain's fault as well.
+  // Within limits the oscillation meets one of them, which the gain causes as well.
   const Arm panda = built_in("panda");
   const Configuration middle = middle_configuration(panda);
   Configuration goal = middle;
@@ -123,7 +123,7 @@ TEST(ControlJoints, ConvergesWithAllThreeGains) {
   }
 }
 
-TEST(ControlJoints, SumsAndDiffersTheErrorsAsItSays) {
+TEST(ControlJoints, SumsAndDifferencesTheErrors) {
   const Arm arm("slide", {built_in("gantry").joints().front()});
   const PidGains gains{.kp = 0.3, .ki = 0.05, .kd = 0.2};
   const ControlledMotion motion =
@@ -159,7 +159,7 @@ TEST(ControlJoints, KeepsVelocityLimitsAndSaysThatItSlowedDown) {
   EXPECT_NEAR(motion.trajectory.times.back(), motion.steps * options.time_step, 1e-12);
 }
 
-TEST(ControlJoints, AnswersOutsideLimitsForAGoalThatCannotBeKept) {
+TEST(ControlJoints, ReportsAGoalOutsideTheLimits) {
   const Arm arm = built_in("panda");
   Configuration goal = middle_configuration(arm);
   goal[3] = 0.5;
@@ -197,14 +197,14 @@ TEST(ControlJoints, MakesTheChaptersMotion) {
   }
 }
 
-TEST(JointOvershoot, IsTheFarthestBeyondTheGoalAsAShareOfTheWay) {
+TEST(JointOvershoot, IsTheLargestDistanceBeyondTheGoalRelativeToTheDistanceToIt) {
   const auto at = [](double a, double b) { return Configuration{{a, b}}; };
   const std::vector<Configuration> samples{at(0, 1), at(1.2, 1), at(2.5, -1.1), at(2, -1)};
   EXPECT_NEAR(joint_overshoot(samples, at(2, -1)), 0.25, 1e-15);
   EXPECT_EQ(joint_overshoot(std::vector{at(0, 0), at(1, 0)}, at(1, 0)), 0);
 }
 
-TEST(ControlJoints, RefusesWhatMakesNoSense) {
+TEST(ControlJoints, RefusesInvalidArguments) {
   const Arm arm = built_in("panda");
   const Configuration q = middle_configuration(arm);
   const auto run = [&](PidGains gains, SimulationOptions options = {}) {

@@ -35,7 +35,7 @@ TEST(Pid, TakesANewGoalWithoutAJump) {
   EXPECT_LT((pid.step(q) - 0.5 * (second - q)).norm(), 1e-12);
 }
 
-TEST(Pid, RefusesWhatMakesNoSense) {
+TEST(Pid, RefusesInvalidArguments) {
   const Eigen::Vector2d goal(1, 2);
   EXPECT_REFUSED((Pid({.kp = 0}, goal)), "kp");
   EXPECT_REFUSED((Pid({.ki = -1}, goal)), "ki");

@@ -11,7 +11,7 @@
 namespace beeline {
 namespace {
 
-/// A slow walk within the limits, sampled every `dt` seconds.
+/// A slow random motion within the limits, sampled every `dt` seconds.
 Trajectory recording(testing::Random& random, const Arm& arm, int samples, double dt = 0.01,
                      double begin = 0) {
   Trajectory made{arm.joint_names(), {}, {}, {}, {}};
@@ -81,7 +81,7 @@ TEST(Replay, SamplesAtTheRateAndKeepsEveryRecordedSample) {
   }
 }
 
-TEST(Replay, FirstMovesToTheBeginWithinLimits) {
+TEST(Replay, MovesToTheFirstSampleWithinLimits) {
   testing::Random random;
   const Arm arm = built_in("panda");
   for (int i = 0; i < 20; ++i) {
@@ -124,7 +124,7 @@ TEST(Replay, NamesTheJointAndTheTimeThatLeaveTheLimits) {
   EXPECT_NE(off.reason.find("joint4"), std::string::npos) << off.reason;
 }
 
-TEST(Replay, NamesTheJointThatIsTooFastAndTheSpeedThatWouldDo) {
+TEST(Replay, NamesTheJointThatIsTooFastAndTheSpeedThatSuffices) {
   testing::Random random;
   const Arm arm = built_in("panda");
   Trajectory recorded = recording(random, arm, 30, 1);
@@ -180,7 +180,7 @@ TEST(Replay, InStepsSeesEverySampleThatAStepPasses) {
   EXPECT_NE(played.reason.find("at 0.053 s"), std::string::npos) << played.reason;
 }
 
-TEST(Replay, ChangesItsSpeedAndPausesAtTheTimesAskedFor) {
+TEST(Replay, ChangesItsSpeedAndPausesAtTheGivenTimes) {
   testing::Random random;
   const Arm arm = built_in("panda");
   const Trajectory recorded = recording(random, arm, 50, 0.1);  // of 4.9 s
@@ -199,7 +199,7 @@ TEST(Replay, ChangesItsSpeedAndPausesAtTheTimesAskedFor) {
   }
   EXPECT_GT(way.times.back(), 5 + 3.9);
   EXPECT_LT(way.times.back(), 5 + 3.9 + 1);
-  // Each of its places is one of the recording's way, in order.
+  // Every position is on the recording's path, in order.
   double place = 0;
   for (const Configuration& q : way.positions) {
     while (place < 4.9 && (sample(recorded, place) - q).norm() > 2e-3) place += 1e-3;
@@ -223,7 +223,7 @@ TEST(Replay, ChangesItsSpeedDuringTheLeadInToo) {
   EXPECT_LT((sample(paused.trajectory, paused.lead_in) - first).norm(), 1e-9);
 }
 
-TEST(Replay, NamesTheSpeedThatWouldDoAmongThoseThatChange) {
+TEST(Replay, NamesTheSpeedThatSufficesAmongSeveral) {
   const Arm arm = built_in("panda");
   const Configuration middle = middle_configuration(arm);
   Trajectory recorded{arm.joint_names(), {0, 4}, {middle, middle}, {}, {}};
@@ -239,7 +239,7 @@ TEST(Replay, NamesTheSpeedThatWouldDoAmongThoseThatChange) {
   EXPECT_NEAR(slow.velocity_usage, 0.998, 1e-3);
 }
 
-TEST(Replay, RefusesSpeedsThatMakeNoSense) {
+TEST(Replay, RefusesInvalidSpeeds) {
   testing::Random random;
   const Arm arm = built_in("rrr");
   const Trajectory recorded = recording(random, arm, 20);
@@ -257,7 +257,7 @@ TEST(Replay, RefusesSpeedsThatMakeNoSense) {
   EXPECT_REFUSED(replay(arm, recorded, {.speed_at = {{0, 1}}, .ramp = 0}), "ramp");
 }
 
-TEST(Replay, RefusesWhatMakesNoSense) {
+TEST(Replay, RefusesInvalidArguments) {
   testing::Random random;
   const Arm arm = built_in("rrr");
   const Trajectory recorded = recording(random, arm, 20);

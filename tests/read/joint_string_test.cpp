@@ -92,7 +92,7 @@ TEST(JointString, PitchIsTravelInATurn) {
   EXPECT_TRUE(plain.translation().isApprox(Vector3(1, 0, 1), 1e-14));
 }
 
-TEST(JointString, TellsItselfFromOtherWords) {
+TEST(JointString, IsDistinguishedFromOtherWords) {
   for (const char* text : {"R", "RRR", "RRR:1,2,3", "CUE", "RXR:1,1,1", "SCEU:", "P:"}) {
     EXPECT_TRUE(is_joint_string(text)) << text;
   }

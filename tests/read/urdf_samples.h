@@ -11,7 +11,7 @@ inline std::string robot(const std::string& elements) {
 
 inline std::string link(const std::string& name) { return "<link name=\"" + name + "\"/>\n"; }
 
-/// A joint on one line, with what stands inside it besides its ends.
+/// A joint on one line; `inside` is what it contains besides its parent and child.
 inline std::string joint(const std::string& name, const std::string& type,
                          const std::string& parent, const std::string& child,
                          const std::string& inside = "") {

@@ -161,7 +161,7 @@ TEST(Urdf, MistakesInJointsAreNamedWithTheirLine) {
                  "a.urdf: has no moving joints between its base and its tip");
 }
 
-TEST(Urdf, WhatIsNoUrdfIsNamed) {
+TEST(Urdf, OtherTextIsRefused) {
   EXPECT_REFUSED(parse(""), "a.urdf: is not well-formed XML: it is empty");
   EXPECT_REFUSED(parse("{\"name\": \"a\"}"), "a.urdf");
   EXPECT_REFUSED(parse("<mujoco/>"),

@@ -147,7 +147,7 @@ TEST(NumberRows, RowsOfAnotherLengthAreRefused) {
                  "a.npy: has rows of 1 number; rows are a, b: one row is array.reshape(1, -1)");
 }
 
-TEST(NumberRows, ALineWithoutEndIsNotTakenIn) {
+TEST(NumberRows, ALineWithoutEndIsRefused) {
   Sample sample;
   EXPECT_REFUSED(sample.parse("a,b\n1,2\n" + std::string(3 << 20, '1')),
                  "a.csv: line 3 is longer than 10");

@@ -11,7 +11,7 @@
 namespace beeline {
 namespace {
 
-TEST(TrajectoryFile, TheExtensionTellsTheFormat) {
+TEST(TrajectoryFile, TheEndingGivesTheFormat) {
   testing::Random random;
   const testing::TemporaryFolder folder;
   for (const char* name : {"a.csv", "a.json", "b.CSV"}) {

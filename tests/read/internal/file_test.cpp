@@ -35,7 +35,7 @@ class AsNobody {
   bool root_;
 };
 
-TEST(File, WhatIsWrittenIsReadBack) {
+TEST(File, ReadsBackWhatWasWritten) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.csv");
   std::string content = "\0\r\n\xff binary";

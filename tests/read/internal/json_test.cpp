@@ -71,7 +71,7 @@ TEST(Json, RefusalsNameLineAndPlace) {
                  "(known: low, upper)");
 }
 
-TEST(Json, WhatIsNoJsonIsNamedWithItsLine) {
+TEST(Json, OtherTextIsRefusedWithItsLine) {
   EXPECT_REFUSED(parse(""), "a.json:1: is not JSON");
   EXPECT_REFUSED(parse("{\"a\": 1,\n\n  \"b\": }"), "a.json:3: is not JSON");
   EXPECT_REFUSED(parse("[1, 2"), "unexpected end of input");

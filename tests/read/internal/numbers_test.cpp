@@ -48,7 +48,7 @@ TEST(Numbers, ExactTextIsShort) {
             std::numeric_limits<double>::denorm_min());
 }
 
-TEST(Numbers, WhatIsNoNumberIsNamedWithItsPlace) {
+TEST(Numbers, OtherTextIsRefusedWithItsItem) {
   EXPECT_REFUSED(parse_numbers("1,x,3", "--q"), "--q: item 2: \"x\" is not a number");
   EXPECT_REFUSED(parse_numbers("1,2 3", "--q"), "item 2: \"2 3\" is not a number");
   EXPECT_REFUSED(parse_numbers("1,,3", "--q"), "item 2: a number is missing");

@@ -36,8 +36,8 @@ TEST(UrdfTree, ChainsRunFromBaseToTip) {
   EXPECT_EQ(chain(fork, {.base = "b", .tip = "b"}), Names{});
 }
 
-/// Links hung at random under earlier ones: the chain to each is the way back to the root.
-TEST(UrdfTree, RandomTreesGiveTheWayFromTheRoot) {
+/// Links below random earlier ones: the chain to each is the path from the root.
+TEST(UrdfTree, RandomTreesGiveTheChainFromTheRoot) {
   testing::Random random;
   for (int i = 0; i < 100; ++i) {
     const int links = random.integer(2, 30);
@@ -81,7 +81,7 @@ TEST(UrdfTree, EndsThatAreNotThereAreNamed) {
   EXPECT_REFUSED(chain(fork, {.base = "b", .tip = "d"}), "tip d is not below base b");
 }
 
-TEST(UrdfTree, WhatIsNoTreeIsRefused) {
+TEST(UrdfTree, OtherGraphsAreRefused) {
   EXPECT_REFUSED(chain(robot(link("a") + joint("j", "revolute", "a", "b"))),
                  "a.urdf:3: joint j has an unknown child link \"b\" (known: a)");
   EXPECT_REFUSED(chain(robot(link("b") + joint("j", "revolute", "a", "b"))),

@@ -41,7 +41,7 @@ Eigen::MatrixXd read_all(const std::string& path, Eigen::Index most = 3) {
   return all;
 }
 
-TEST(Npy, WhatIsWrittenIsReadBack) {
+TEST(Npy, ReadsBackWhatWasWritten) {
   Random random;
   const TemporaryFolder folder;
   for (int i = 0; i < 100; ++i) {
@@ -80,7 +80,7 @@ TEST(Npy, TheFrontIsAsLongForAnyNumberOfRows) {
   }
 }
 
-TEST(Npy, HeadersMayBeWrittenInManyWays) {
+TEST(Npy, HeadersOfSeveralWritersAreRead) {
   const auto shape = [](const std::string& dictionary) {
     const NpyHeader header = parse_npy_header(dictionary);
     return std::pair<std::int64_t, std::int64_t>(header.rows, header.width);
@@ -98,7 +98,7 @@ TEST(Npy, HeadersMayBeWrittenInManyWays) {
   EXPECT_EQ(shape("{'descr': '<f8', 'fortran_order': True, 'shape': (7,), }"), Shape(7, 1));
 }
 
-TEST(Npy, WhatIsNoTableOfNumbersIsRefused) {
+TEST(Npy, OtherArraysAreRefused) {
   const auto header = [](const std::string& type, const std::string& order,
                          const std::string& shape) {
     return "{'descr': " + type + ", 'fortran_order': " + order + ", 'shape': " + shape + ", }";

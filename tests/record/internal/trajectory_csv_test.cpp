@@ -78,7 +78,7 @@ TEST(TrajectoryCsv, MistakesAreNamed) {
   EXPECT_REFUSED(parse("t,a\n0\n"), "a.csv:2: this row has 1 items");
 }
 
-TEST(TrajectoryCsv, WhatIsNoTrajectoryIsNotWritten) {
+TEST(TrajectoryCsv, InvalidTrajectoriesAreNotWritten) {
   EXPECT_REFUSED(trajectory_to_csv({}), "the trajectory has no joints");
   Trajectory trajectory;
   trajectory.joint_names = {"a"};
