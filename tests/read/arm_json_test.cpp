@@ -169,7 +169,7 @@ TEST(ArmJson, MistakesInJointsAreNamed) {
           R"({"name": "j", "type": "revolute", "screw": [0,0,0,0,0,1], "axis": [0,0,1]})")),
       "has both screw and axis");
   EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "revolute", "screw": [1,0,0,0,0,0]})")),
-                 "the joint's screw is prismatic");
+                 "the joint's screw, which is prismatic");
   EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "spherical", "limits": {}})")),
                  "joints[1].limits is not for composite joints");
   EXPECT_REFUSED(parse(with_joint(R"({"name": "k", "type": "revolute"})")),
@@ -220,7 +220,7 @@ TEST(ArmJson, MistakesInTheWholeAreNamed) {
 TEST(ArmJson, DhTablesMustSayTheirConvention) {
   EXPECT_REFUSED(parse(R"({"name": "a", "dh": {"rows": [{}]}})"),
                  "dh needs the key \"convention\": it must say standard or modified, because the "
-                 "numbers alone do not tell which");
+                 "numbers do not determine which");
   EXPECT_REFUSED(parse(R"({"name": "a", "dh": {"convention": "craig", "rows": [{}]}})"),
                  "dh.convention must be standard or modified");
   EXPECT_REFUSED(parse(R"({"name": "a", "dh": {"convention": "standard", "rows": [{"b": 1}]}})"),

@@ -71,7 +71,7 @@ TEST(Csv, MistakesAreNamedWithTheirLine) {
   EXPECT_REFUSED(parse_csv("x,,y\n1,2,3\n", "a.csv"), "a.csv:1: the name of column 2 is empty");
   EXPECT_REFUSED(parse_csv("1,2\n3,4\n", "a.csv"), "a.csv:1: the first line must be a header");
   EXPECT_REFUSED(parse_csv("\"x,y\n1,2\n", "a.csv"), "a.csv:1: a quotation mark is not closed");
-  EXPECT_REFUSED(parse_csv("\"x\"y\n1\n", "a.csv"), "a.csv:1: \"y\" stands behind a closing");
+  EXPECT_REFUSED(parse_csv("\"x\"y\n1\n", "a.csv"), "a.csv:1: \"y\" follows a closing");
   EXPECT_REFUSED(parse_csv(std::string("x\n1\0\n", 5), "a.csv"), "is not a number");
 }
 

@@ -95,19 +95,19 @@ TEST(UrdfTree, OtherGraphsAreRefused) {
                  "a.urdf:6: link c has two parents, by joints ac and bc");
 }
 
-TEST(UrdfTree, CirclesAreFoundWhereverTheyAre) {
+TEST(UrdfTree, CyclesAreFoundAnywhere) {
   const std::string whole = robot(link("a") + link("b") + joint("ab", "revolute", "a", "b") +
                                   joint("ba", "revolute", "b", "a"));
   EXPECT_REFUSED(chain(whole), "the links form a cycle through joint");
-  EXPECT_REFUSED(chain(whole, {.base = "a", .tip = "b"}), "circle");
+  EXPECT_REFUSED(chain(whole, {.base = "a", .tip = "b"}), "cycle");
   const std::string self = robot(link("a") + joint("aa", "revolute", "a", "a"));
   EXPECT_REFUSED(chain(self), "a.urdf:3: the links form a cycle through joint aa");
   const std::string aside =
       robot(link("r") + link("s") + link("a") + link("b") + link("c") +
             joint("rs", "revolute", "r", "s") + joint("ab", "revolute", "a", "b") +
             joint("ba", "revolute", "b", "a") + joint("bc", "revolute", "b", "c"));
-  EXPECT_REFUSED(chain(aside, {.base = "r", .tip = "s"}), "circle");
-  EXPECT_REFUSED(chain(aside, {.base = "a", .tip = "c"}), "circle");
+  EXPECT_REFUSED(chain(aside, {.base = "r", .tip = "s"}), "cycle");
+  EXPECT_REFUSED(chain(aside, {.base = "a", .tip = "c"}), "cycle");
 }
 
 }  // namespace
