@@ -91,7 +91,7 @@ TEST(Servo, AchievesACommandWithinTheLimits) {
       // From rest, limits of all kinds leave the direction as it is.
       ASSERT_LT(error, 1e-6) << name << ' ' << step;
     }
-    EXPECT_GT(whole, 900) << name;
+    EXPECT_GT(whole, 800) << name;
   }
 }
 
@@ -160,10 +160,11 @@ TEST(Servo, StaysOnItsLineWhenTheCommandIsReversed) {
   testing::Random random;
   for (const char* name : {"puma560", "ur5", "panda"}) {
     const Arm arm = with_accelerations(name);
-    int reversed = 0, slowed = 0;
-    for (int i = 0; i < 20; ++i) {
-      Configuration q = 0.3 * random.configuration(arm) + 0.7 * middle_configuration(arm);
+    int runs = 0, reversed = 0, slowed = 0;
+    for (int i = 0; i < 400 && runs < 20; ++i) {
+      Configuration q = 0.5 * random.configuration(arm) + 0.5 * middle_configuration(arm);
       if (dexterity(jacobian(arm, q)).manipulability < 0.01) continue;
+      ++runs;
       Servo servo(arm);
       Eigen::VectorXd v(arm.dof());
       const Twist command = 0.1 * random_command(random);
@@ -178,7 +179,8 @@ TEST(Servo, StaysOnItsLineWhenTheCommandIsReversed) {
         q += v * dt;
       }
     }
-    EXPECT_GE(slowed, 10) << name;    // the reversal takes more than one step
+    EXPECT_EQ(runs, 20) << name;
+    EXPECT_GE(slowed, 15) << name;    // the reversal takes more than one step
     EXPECT_GE(reversed, 10) << name;  // and then the whole command is achieved
   }
 }

@@ -119,7 +119,8 @@ TEST(Npy, OtherArraysAreRefused) {
   EXPECT_REFUSED(parse("{'descr': '<f8', 'fortran_order': False}"), "needs descr, fortran_order");
   EXPECT_REFUSED(parse("{'descr': '<f8', 'descr': '<f8'}"), "twice");
   EXPECT_REFUSED(parse("{'colour': 'red'}"), "unknown key \"colour\"");
-  EXPECT_REFUSED(parse(header("'<f8'", "False", "(3, 2)") + "x"), "has text after its end before \"x\"");
+  EXPECT_REFUSED(parse(header("'<f8'", "False", "(3, 2)") + "x"),
+                 "has text after its end before \"x\"");
   EXPECT_REFUSED(parse("{'descr"), "unclosed");
   EXPECT_REFUSED(parse(""), "lacks \"{\"");
 }

@@ -41,13 +41,14 @@ TEST(TrajectoryCsv, NamesThatWouldBeReadAsAnotherColumnAreNotWritten) {
   const auto write = [&random](const std::vector<std::string>& names) {
     return trajectory_to_csv(random_trajectory(random, names));
   };
-  EXPECT_REFUSED(write({"t"}),
-                 "joint \"t\" cannot be written to a .csv file, where this is the time; write .json");
+  EXPECT_REFUSED(
+      write({"t"}),
+      "joint \"t\" cannot be written to a .csv file, where this is the time; write .json");
   EXPECT_REFUSED(
       write({"a", "a_vel"}),
       "joint \"a_vel\" cannot be written to a .csv file, where this is the name of a column of "
       "joint \"a\"; write .json instead");
-  EXPECT_REFUSED(write({"a_acc", "a"}), "joint \"a_acc\" cannot go");
+  EXPECT_REFUSED(write({"a_acc", "a"}), "joint \"a_acc\" cannot be written");
   EXPECT_REFUSED(write({"a\nb"}), "contains a control character");
   EXPECT_REFUSED(write({"a", "a"}), "two joints of the trajectory have the name \"a\"");
 }
@@ -67,7 +68,7 @@ TEST(TrajectoryCsv, MistakesAreNamed) {
   EXPECT_REFUSED(parse("a,b\n1,2\n"), "a.csv: column \"t\" is missing");
   EXPECT_REFUSED(parse("t\n1\n"), "there are no columns besides \"t\"");
   EXPECT_REFUSED(parse("t,a,b,a_vel\n0,1,2,3\n"),
-                 "a.csv: column \"b_vel\" is missing; _vel columns");
+                 "a.csv: column \"b_vel\" is missing; all joints have _vel");
   EXPECT_REFUSED(parse("t,a,b,b_acc\n0,1,2,3\n"), "column \"a_acc\" is missing");
   EXPECT_REFUSED(parse("t,a,a_vel,a_vel_vel\n0,1,2,3\n"),
                  "column \"a_vel_vel\" does not belong to a joint");

@@ -60,8 +60,7 @@ TEST(TrajectoryJson, DurationsAreWholeNumbersWithinTheirRange) {
   }
   for (const double far : {3e9, 1e300}) {
     trajectory.times.back() = far;
-    EXPECT_REFUSED(trajectory_to_json(trajectory),
-                   "exceeds the 32 bits of ROS's seconds");
+    EXPECT_REFUSED(trajectory_to_json(trajectory), "exceeds the 32 bits of ROS's seconds");
   }
 }
 
