@@ -1,5 +1,6 @@
 #pragma once
 
+#include <beeline/error.h>
 #include <beeline/kinematics/task.h>
 #include <beeline/path/tool_path.h>
 

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include <beeline/error.h>
 #include <beeline/model/arm.h>
 
 namespace beeline {

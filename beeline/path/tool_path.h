@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include <beeline/error.h>
 #include <beeline/path/segment.h>
 
 namespace beeline {

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include <beeline/error.h>
 #include <beeline/timing/s_curve.h>
 #include <beeline/trajectory/trajectory.h>
 

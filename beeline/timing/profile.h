@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include <beeline/error.h>
 #include <beeline/timing/time_scaling.h>
 
 namespace beeline {

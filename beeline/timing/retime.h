@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include <beeline/error.h>
 #include <beeline/timing/profile.h>
 #include <beeline/trajectory/limit_usage.h>
 

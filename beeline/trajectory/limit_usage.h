@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include <beeline/error.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline {

@@ -56,7 +56,7 @@ double best_microseconds(const JointPath& path, const PathLimits& limits) {
   double best = 1e9;
   for (int pass = 0; pass < 15; ++pass) {
     const auto begin = std::chrono::steady_clock::now();
-    const TimeScaling scaling = fastest(path, limits);
+    const TimeScaling scaling = internal::fastest(path, limits);
     const std::chrono::duration<double, std::micro> passed =
         std::chrono::steady_clock::now() - begin;
     best = std::min(best, passed.count() + 0 * scaling.duration());
@@ -80,7 +80,7 @@ int main() {
     const JointPath spline = joint_spline(waypoints, parameter);
     const std::vector<double> grid = read_many(head[2]);
     const JointPath path = grid.empty() ? refined(spline) : at_grid(spline, grid);
-    const TimeScaling scaling = fastest(path, limits);
+    const TimeScaling scaling = internal::fastest(path, limits);
     const double answer[] = {
         scaling.found() ? scaling.duration() : -1,
         scaling.found() ? testing::largest_fraction(path, limits, scaling) : -1,
