@@ -29,7 +29,7 @@ TEST(ScanAndRefine, FindsTheLeastOfSeveralMinima) {
     const auto f = [&](double x) { return std::cos(4 * x + phase) + 0.05 * x; };
     double least = HUGE_VAL;
     for (int k = 0; k <= 100'000; ++k) least = std::min(least, f(7e-5 * k));
-    const Minimum found = scan_and_refine(0, 7, 32, 40, f);
+    const Minimum found = scan_and_refine(0, 7, 128, 40, f);
     ASSERT_NEAR(found.value, least, 1e-7);
     ASSERT_EQ(found.value, f(found.x));
   }
