@@ -2,7 +2,8 @@
 #include <ostream>
 
 #include <beeline/error.h>
-#include <beeline/inverse/internal/methods.h>
+#include <beeline/inverse/internal/solve.h>
+#include <beeline/inverse/internal/solve_fast_path.h>
 #include <beeline/inverse/inverse_kinematics.h>
 
 namespace beeline {
@@ -36,7 +37,7 @@ std::string name(InverseStatus status) { return status_names[static_cast<int>(st
 
 std::ostream& operator<<(std::ostream& out, const InverseResult& result) {
   out << name(result.status);
-  if (result.status != InverseStatus::solved) return out << ": " << result.reason;
+  if (!result) return out << ": " << result.reason;
   out << ", " << result.solutions.size() << " solution(s), " << result.method;
   for (const Configuration& q : result.solutions) {
     out << '\n';
@@ -46,38 +47,36 @@ std::ostream& operator<<(std::ostream& out, const InverseResult& result) {
 }
 
 InverseSolver::InverseSolver(const Arm& arm, const InverseOptions& options)
-    : methods_(
-          std::make_unique<internal::InverseMethods>(internal::inverse_methods(arm, options))) {}
+    : state_(std::make_unique<internal::SolverState>(internal::make_solver_state(arm, options))) {}
 InverseSolver::InverseSolver(const InverseSolver& other)
-    : methods_(std::make_unique<internal::InverseMethods>(*other.methods_)) {}
+    : state_(std::make_unique<internal::SolverState>(*other.state_)) {}
 InverseSolver::~InverseSolver() = default;
 
-std::string InverseSolver::method() const { return internal::description(*methods_); }
+std::string InverseSolver::method() const { return internal::method_name(*state_); }
 
 InverseResult InverseSolver::solve(const Pose& world_T_tool) {
-  return solve(world_T_tool, methods_->options.seed ? *methods_->options.seed : methods_->middle);
+  return solve(world_T_tool, state_->options.seed ? *state_->options.seed : state_->middle);
 }
 
 InverseResult InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed) {
-  return internal::answer(*methods_, world_T_tool, seed, true);
+  return internal::solve(*state_, world_T_tool, seed, internal::Diagnosis::wanted);
 }
 
 int InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed,
                          Eigen::Ref<Eigen::MatrixXd> solutions) {
-  check_configuration(methods_->arm, seed);
-  if (solutions.rows() != methods_->arm.dof() || solutions.cols() < 1) {
-    throw Error("solutions need " + std::to_string(methods_->arm.dof()) +
+  check_configuration(state_->arm, seed);
+  if (solutions.rows() != state_->arm.dof() || solutions.cols() < 1) {
+    throw Error("solutions need " + std::to_string(state_->arm.dof()) +
                 " rows and at least one column");
   }
   const Pose goal = checked_pose(world_T_tool);
-  const int at_once = internal::solve_fast_path(*methods_, goal, seed, solutions);
-  if (at_once >= 0) return at_once;
-  const InverseResult result = internal::answer(*methods_, goal, seed, false);
-  const auto room = static_cast<std::size_t>(solutions.cols());
-  const std::size_t count = std::min(room, result.solutions.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    solutions.col(static_cast<Eigen::Index>(i)) = result.solutions[i];
+  if (const std::optional<int> count = internal::solve_fast_path(*state_, goal, seed, solutions)) {
+    return *count;
   }
+  const InverseResult result = internal::solve(*state_, goal, seed, internal::Diagnosis::skipped);
+  const Eigen::Index found = static_cast<Eigen::Index>(result.solutions.size());
+  const Eigen::Index count = std::min(solutions.cols(), found);
+  for (Eigen::Index i = 0; i < count; ++i) solutions.col(i) = result.solutions[i];
   return static_cast<int>(count);
 }
 

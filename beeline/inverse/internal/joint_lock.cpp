@@ -6,19 +6,19 @@ namespace beeline::internal {
 Arm with_locked(const Arm& arm, int k, double value) {
   if (arm.dof() < 2) throw Error("arm " + arm.name() + " has one joint, which cannot be locked");
   std::vector<Joint> joints;
-  Pose standing = Pose::Identity();  // from the last joint that moves
+  Pose fixed = Pose::Identity();  // the product of fixed joints since the last one that moves
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
     const Joint& joint = arm.joints()[i];
     const Arm::Drive& drive = arm.drives()[i];
     if (drive.coordinate == k) {
-      standing = standing * joint_transform(joint, drive.ratio * value + drive.shift);
+      fixed = fixed * joint_transform(joint, drive.ratio * value + drive.shift);
       continue;
     }
     joints.push_back(joint);
-    joints.back().offset = standing * joint.offset;
-    standing = Pose::Identity();
+    joints.back().offset = fixed * joint.offset;
+    fixed = Pose::Identity();
   }
-  return {arm.name(), joints, standing * arm.tool(), arm.base()};
+  return {arm.name(), joints, fixed * arm.tool(), arm.base()};
 }
 
 Configuration without(const Configuration& q, int k) {

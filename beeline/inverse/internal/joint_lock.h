@@ -4,11 +4,11 @@
 
 namespace beeline::internal {
 
-/// The arm with coordinate k standing still at a value: its joint, and those that follow it, are
-/// parts of the links then, and it has one coordinate less. Throws Error when it has one only.
+/// Returns the arm with coordinate k fixed at a value: its joint, and those that mimic it, become
+/// parts of the links, and the arm has one coordinate less. Throws Error when it has only one.
 Arm with_locked(const Arm& arm, int k, double value);
 
-/// q without coordinate k, and with it again.
+/// Returns q without coordinate k, and with it at `value`.
 Configuration without(const Configuration& q, int k);
 Configuration with(const Configuration& q, int k, double value);
 

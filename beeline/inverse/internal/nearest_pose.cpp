@@ -4,17 +4,20 @@
 
 #include <beeline/inverse/internal/nearest_pose.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/math/damped_least_squares.h>
 
 namespace beeline::internal {
 namespace {
 
-constexpr int steps = 100;
+// Newton's method converges in ten or so steps, Gauss-Newton at a stretched arm linearly.
+constexpr int max_steps = 100;
 
 double half_square(const Arm& arm, const Pose& goal, const Task& task, const Configuration& q) {
   return 0.5 * task_error(task, goal, forward_kinematics(arm, q)).squaredNorm();
 }
 
-/// Of half_square(); exact for the position, and near it for the orientation.
+/// The gradient -J^T e of half_square(): exact for the position, and for the orientation to first
+/// order in e.
 Configuration gradient(const Arm& arm, const Pose& goal, const Task& task, const Configuration& q) {
   const Eigen::VectorXd error = task_error(task, goal, forward_kinematics(arm, q));
   return -task_jacobian(arm, q, task).transpose() * error;
@@ -22,13 +25,14 @@ Configuration gradient(const Arm& arm, const Pose& goal, const Task& task, const
 
 Eigen::MatrixXd hessian(const Arm& arm, const Pose& goal, const Task& task,
                         const Configuration& q) {
-  constexpr double h = 1e-5;
+  // Central differences: an error of h^2 and one of rounding / h, both about 1e-10.
+  constexpr double h = 1e-5;  // radians or metres
   Eigen::MatrixXd matrix(q.size(), q.size());
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    Configuration before = q, behind = q;
-    before[k] -= h, behind[k] += h;
-    matrix.col(k) =
-        (gradient(arm, goal, task, behind) - gradient(arm, goal, task, before)) / (2 * h);
+    Configuration below = q, above = q;
+    below[k] -= h;
+    above[k] += h;
+    matrix.col(k) = (gradient(arm, goal, task, above) - gradient(arm, goal, task, below)) / (2 * h);
   }
   return 0.5 * (matrix + matrix.transpose());
 }
@@ -43,9 +47,13 @@ Task position_part(const Task& task) {
 
 Configuration nearest_for_task(const Arm& arm, const Pose& world_T_tool, const Task& task,
                                const Configuration& q) {
+  // Levenberg's rule: ten times less damping after a step that descends, ten times more after one
+  // that does not. Between the ends a Newton step and one too short to change the cost.
+  constexpr double first_damping = 1e-3, least_damping = 1e-12, most_damping = 1e6;
+  constexpr double converged = 1e-15;  // relative decrease of the cost: rounding
   Configuration best = q;
-  double least = half_square(arm, world_T_tool, task, q), damping = 1e-3;
-  for (int step = 0; step < steps && damping < 1e6; ++step) {
+  double least = half_square(arm, world_T_tool, task, q), damping = first_damping;
+  for (int step = 0; step < max_steps && damping < most_damping; ++step) {
     const Configuration slope = gradient(arm, world_T_tool, task, best);
     Eigen::MatrixXd matrix = hessian(arm, world_T_tool, task, best);
     matrix.diagonal().array() += damping;
@@ -54,51 +62,58 @@ Configuration nearest_for_task(const Arm& arm, const Pose& world_T_tool, const T
     const double cost = factor.info() == Eigen::Success && next.allFinite()
                             ? half_square(arm, world_T_tool, task, next)
                             : least;
-    if (cost < least) {
-      const bool done = least - cost < 1e-15 * least;
-      best = next, least = cost, damping = std::max(damping / 10, 1e-12);
-      if (done) break;
-    } else {
+    if (!(cost < least)) {
       damping *= 10;
+      continue;
     }
+    const bool done = least - cost < converged * least;
+    best = next;
+    least = cost;
+    damping = std::max(damping / 10, least_damping);
+    if (done) break;
   }
   return best;
 }
 
 Configuration nearest_orientation(const Arm& arm, const Pose& world_T_tool, const Task& task,
                                   const Configuration& q) {
-  const int place = position_part(task).size(), turns = task.size() - place;
+  const int positions = position_part(task).size(), angles = task.size() - positions;
   const auto error_at = [&](const Configuration& at) {
     return task_error(task, world_T_tool, forward_kinematics(arm, at));
   };
   Configuration best = q, at = q;
-  double least = error_at(q).tail(turns).norm();
-  for (int step = 0; step < steps; ++step) {
+  double least = error_at(q).tail(angles).norm();
+  for (int step = 0; step < max_steps; ++step) {
     const Eigen::MatrixXd j = task_jacobian(arm, at, task);
     const Eigen::VectorXd error = error_at(at);
-    const Eigen::MatrixXd moves = j.topRows(place);
-    const Eigen::MatrixXd back = moves.completeOrthogonalDecomposition().pseudoInverse();
-    const Configuration mended = back * error.head(place);
-    const Eigen::MatrixXd free = Eigen::MatrixXd::Identity(q.size(), q.size()) - back * moves;
-    const Eigen::MatrixXd turning = j.bottomRows(turns) * free;
-    Eigen::MatrixXd normal = turning * turning.transpose();
+    const Eigen::MatrixXd linear = j.topRows(positions), angular = j.bottomRows(angles);
+    const Eigen::MatrixXd inverse = linear.completeOrthogonalDecomposition().pseudoInverse();
+    const Configuration correction = inverse * error.head(positions);
+    const Eigen::MatrixXd null_space =
+        Eigen::MatrixXd::Identity(q.size(), q.size()) - inverse * linear;
+    // Of the square of a rotation by a joint: steps at singularities stay finite, and others lose a
+    // millionth of their length.
     constexpr double damping = 1e-6;
-    normal.diagonal().array() += damping;
-    const Eigen::VectorXd left = error.tail(turns) - j.bottomRows(turns) * mended;
-    Configuration change = mended + turning.transpose() * normal.ldlt().solve(left);
-    constexpr double longest = 0.3;  // radians or metres: beyond, the Jacobian tells nothing
+    const Eigen::MatrixXd rotation = angular * null_space;
+    const Eigen::VectorXd remainder = error.tail(angles) - angular * correction;
+    Configuration change = correction + damped_least_squares(rotation, remainder, damping);
+    constexpr double longest = 0.3;  // radians or metres: the range of the linear model
     if (change.norm() > longest) change *= longest / change.norm();
     at += change;
     const Eigen::VectorXd now = error_at(at);
-    constexpr double in_place = 1e-9;
-    if (now.head(place).norm() < in_place && now.tail(turns).norm() < least) {
-      least = now.tail(turns).norm(), best = at;
+    // A longer step leaves the position by its square; it counts when the next ones have corrected
+    // that.
+    constexpr double in_position = 1e-9;  // metres
+    if (now.head(positions).norm() < in_position && now.tail(angles).norm() < least) {
+      least = now.tail(angles).norm();
+      best = at;
     }
-    if (change.norm() < 1e-12) break;
+    constexpr double converged = 1e-12;  // radians or metres
+    if (change.norm() < converged) break;
   }
-  for (int step = 0; step < 2; ++step) {  // exactly into place
-    const Eigen::MatrixXd moves = task_jacobian(arm, best, task).topRows(place);
-    best += moves.completeOrthogonalDecomposition().solve(error_at(best).head(place));
+  for (int step = 0; step < 2; ++step) {  // the position to rounding
+    const Eigen::MatrixXd linear = task_jacobian(arm, best, task).topRows(positions);
+    best += linear.completeOrthogonalDecomposition().solve(error_at(best).head(positions));
   }
   return best;
 }

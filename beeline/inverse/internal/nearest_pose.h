@@ -4,17 +4,18 @@
 
 namespace beeline::internal {
 
-/// From q downhill to where the task's error is least, limits ignored: Newton's method on half its
-/// square, with as much damping as it takes to descend. Lengths and angles weigh alike.
+/// Returns a local minimum, from q, of half the squared error of the task, limits ignored: Newton's
+/// method with Levenberg's damping. Metres and radians weigh alike.
 Configuration nearest_for_task(const Arm& arm, const Pose& world_T_tool, const Task& task,
                                const Configuration& q);
 
-/// The rows of the task that are about the position.
+/// Returns the task's rows for the position.
 Task position_part(const Task& task);
 
-/// From q, which satisfies the task's position part, to where its orientation part is nearest while
-/// the position stays: Gauss-Newton steps for the orientation within the position's null space.
-/// Requires a task with rows of both. Good to about 1e-3 rad where that is at a stretched arm.
+/// Returns a local minimum, from q, of the orientation error subject to the position:
+/// Gauss-Newton steps in the null space of the position's Jacobian. q satisfies the position part
+/// of the task, which has rows of both. Good to about 1e-3 rad where the minimum is at a stretched
+/// arm.
 Configuration nearest_orientation(const Arm& arm, const Pose& world_T_tool, const Task& task,
                                   const Configuration& q);
 

@@ -5,34 +5,37 @@
 #include <vector>
 
 #include <beeline/inverse/internal/redundancy.h>
-#include <beeline/inverse/numerical/representative.h>
+#include <beeline/inverse/internal/solution_set.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 
 namespace beeline::internal {
 namespace {
 
-/// What a posture costs: its value, and per joint the slope and the curvature.
+/// A cost that is a sum over the joints: its value, first and second derivatives.
 struct Cost {
   double value = 0;
   Configuration slope, curvature;
 };
 
+/// Half the squared distance.
 Cost distance_from_seed(const Request& request, const Configuration& q) {
   const Configuration away = q - request.seed;
   return {away.squaredNorm() / 2, away, Configuration::Ones(q.size())};
 }
 
-/// A high power stands for the largest share of its half range that a joint is off the middle.
+/// The sum of x_k^8, where x_k from -1 to 1 is the joint's position in its range: a smooth stand-in
+/// for the largest |x_k|. A higher power is nearer to it, but makes Newton's steps shorter.
 Cost nearness_to_limits(const Request& request, const Configuration& q) {
   constexpr int power = 8;
-  constexpr double stiffness = 1e-3;  // keeps steps finite where nothing is near a limit
+  constexpr double stiffness = 1e-3;  // keeps the Hessian regular in the middle of the ranges
   Cost cost{0, Configuration::Zero(q.size()), Configuration::Constant(q.size(), stiffness)};
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     const double half = (request.bounds.upper[k] - request.bounds.lower[k]) / 2;
     if (!std::isfinite(half) || !(half > 0)) continue;
-    const double share = position_in_range(q[k], request.bounds.lower[k], request.bounds.upper[k]);
-    cost.value += std::pow(share, power);
-    cost.slope[k] = power * std::pow(share, power - 1) / half;
-    cost.curvature[k] += power * (power - 1) * std::pow(share, power - 2) / (half * half);
+    const double x = position_in_range(q[k], request.bounds.lower[k], request.bounds.upper[k]);
+    cost.value += std::pow(x, power);
+    cost.slope[k] = power * std::pow(x, power - 1) / half;
+    cost.curvature[k] += power * (power - 1) * std::pow(x, power - 2) / (half * half);
   }
   return cost;
 }
@@ -42,9 +45,10 @@ Cost cost_at(const Request& request, const Configuration& q) {
                                                            : nearness_to_limits(request, q);
 }
 
-/// The step in the null space that takes the cost's quadratic model to its least. A joint on a
-/// bound that the step would leave stands still.
-Configuration step_downhill(const Request& request, const Configuration& q, const Cost& cost) {
+/// Newton's step for the cost in the null space of the task's Jacobian: with N a basis of it,
+///   dq = -N (N^T H N)^-1 N^T g.
+/// A joint at a bound that the step would leave is held.
+Configuration null_space_step(const Request& request, const Configuration& q, const Cost& cost) {
   const Eigen::MatrixXd jacobian = task_jacobian(request.arm, q, request.task);
   std::vector<Eigen::Index> free;
   for (Eigen::Index k = 0; k < q.size(); ++k) {
@@ -52,13 +56,13 @@ Configuration step_downhill(const Request& request, const Configuration& q, cons
   }
   while (true) {
     Configuration step = Configuration::Zero(q.size());
-    const Eigen::MatrixXd moves = jacobian(Eigen::all, free);
-    const Eigen::FullPivLU<Eigen::MatrixXd> factor(moves);
+    const Eigen::MatrixXd columns = jacobian(Eigen::all, free);
+    const Eigen::FullPivLU<Eigen::MatrixXd> factor(columns);
     if (free.empty() || factor.dimensionOfKernel() == 0) return step;
-    const Eigen::MatrixXd rest = factor.kernel();
+    const Eigen::MatrixXd basis = factor.kernel();
     const Configuration curvature = cost.curvature(free), slope = cost.slope(free);
-    const Eigen::MatrixXd bent = rest.transpose() * curvature.asDiagonal() * rest;
-    step(free) = -rest * bent.ldlt().solve(rest.transpose() * slope);
+    const Eigen::MatrixXd hessian = basis.transpose() * curvature.asDiagonal() * basis;
+    step(free) = -basis * hessian.ldlt().solve(basis.transpose() * slope);
     const std::size_t before = free.size();
     std::erase_if(free, [&](Eigen::Index k) {
       return (q[k] <= request.bounds.lower[k] && step[k] < 0) ||
@@ -68,8 +72,8 @@ Configuration step_downhill(const Request& request, const Configuration& q, cons
   }
 }
 
-/// What is wanted in the end, less being better.
-double loss(const Request& request, const Configuration& q) {
+/// The objective itself, to be minimised: the distance from the seed, or minus the least margin.
+double objective(const Request& request, const Configuration& q) {
   if (request.options.redundancy == Redundancy::nearest) return (q - request.seed).norm();
   double least = 1;
   for (Eigen::Index k = 0; k < q.size(); ++k) {
@@ -80,31 +84,31 @@ double loss(const Request& request, const Configuration& q) {
 
 }  // namespace
 
-void settle(const Request& request, InverseResult& result) {
+void optimise_redundancy(const Request& request, InverseResult& result) {
   const NumericalResult from_seed =
       levenberg_marquardt(request.arm, request.goal, request.task, request.bounds, request.seed,
                           {.tolerance = request.tolerance});
   result.iterations += from_seed.iterations;
-  if (from_seed.converged) confirm(request, from_seed.q, result);
+  if (from_seed.converged) add_solution(request, from_seed.q, result);
   const std::vector<Configuration> found = result.solutions;
-  for (const Configuration& q : found) result.solutions.push_back(settled(request, q));
+  for (const Configuration& q : found) result.solutions.push_back(optimised(request, q));
   result.solutions = {*std::min_element(result.solutions.begin(), result.solutions.end(),
                                         [&request](const Configuration& a, const Configuration& b) {
-                                          return loss(request, a) < loss(request, b);
+                                          return objective(request, a) < objective(request, b);
                                         })};
 }
 
-Configuration settled(const Request& request, const Configuration& q) {
+Configuration optimised(const Request& request, const Configuration& q) {
   Configuration best = q;
   Cost cost = cost_at(request, best);
-  constexpr int rounds = 100;
-  constexpr double still = 1e-8;  // of a step: radians or metres
+  constexpr int rounds = 100;          // Newton's method needs far fewer, except along bounds
+  constexpr double negligible = 1e-8;  // radians or metres: the cost is flat to rounding there
   for (int round = 0; round < rounds; ++round) {
-    const Configuration step = step_downhill(request, best, cost);
+    const Configuration step = null_space_step(request, best, cost);
     bool moved = false;
-    for (double share = 1; !moved && share * step.norm() > still; share /= 2) {
+    for (double scale = 1; !moved && scale * step.norm() > negligible; scale /= 2) {
       const Configuration next =
-          (best + share * step).cwiseMax(request.bounds.lower).cwiseMin(request.bounds.upper);
+          (best + scale * step).cwiseMax(request.bounds.lower).cwiseMin(request.bounds.upper);
       const NumericalResult back =
           levenberg_marquardt(request.arm, request.goal, request.task, request.bounds, next,
                               {.tolerance = request.tolerance});

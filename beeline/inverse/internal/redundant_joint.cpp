@@ -10,6 +10,7 @@
 namespace beeline::internal {
 namespace {
 
+/// Inserts a branch in the order of its excess.
 void insert(const PieperSolver& form, const LockedBranch& branch, int lane, LeastOutside& outside) {
   constexpr int room = 8;
   const double excess = branch.found.excess[lane];
@@ -24,7 +25,7 @@ void insert(const PieperSolver& form, const LockedBranch& branch, int lane, Leas
                      Eigen::Map<Eigen::Matrix<double, 7, 1>>(outside.q[place]));
 }
 
-/// Less is better: the distance from the seed, or minus the least share of a range that is left.
+/// To be minimised: the squared distance from the seed, or minus the least margin to a limit.
 double cost(const PieperRequest& six, const PieperBranches& found, int lane,
             const LockedRange& range, double value, Redundancy redundancy) {
   if (redundancy == Redundancy::nearest) {
@@ -113,8 +114,8 @@ LockedBranch first_within(const PieperSolver& form, const Pose& goal, const Lock
 std::vector<double> grid_values(const LockedRange& range, int grid) {
   std::vector<double> values;
   for (int i = 0; i < grid; ++i) {
-    const double share = static_cast<double>(i) / (grid - 1);
-    values.push_back((1 - share) * range.lower + share * range.upper);
+    const double fraction = static_cast<double>(i) / (grid - 1);
+    values.push_back((1 - fraction) * range.lower + fraction * range.upper);
   }
   return values;
 }
@@ -147,11 +148,14 @@ LockedBranch best_within(const PieperSolver& form, const Pose& goal, const Locke
   ranked.emplace_back(cost_at(range.seed), range.seed);
   std::sort(ranked.begin(), ranked.end());
   const double step = (range.upper - range.lower) / (grid - 1);
+  // Branches end where limits cut them off, so the best of the grid need not be next to the best of
+  // all; more values to refine take longer.
   constexpr std::size_t places = 3;
   for (std::size_t i = 0; i < std::min(places, ranked.size()); ++i) {
+    constexpr int max_rounds = 40;  // 0.618^40 = 4e-9 of two steps of the grid
     const double a = std::max(range.lower, ranked[i].second - step);
     const double b = std::min(range.upper, ranked[i].second + step);
-    internal::golden_section(a, b, 40, cost_at);  // cost_at() keeps the best
+    golden_section(a, b, max_rounds, cost_at);  // cost_at() keeps the best
   }
   return best;
 }

@@ -7,8 +7,8 @@
 
 namespace beeline::internal {
 
-/// The values of a PieperSolver's locked coordinate that come into question: its limits, or one
-/// turn (for a slide, the arm's size to both sides) about the seed where it has none.
+/// The values to try of the coordinate that a PieperSolver takes as given, the redundant joint: its
+/// limits, or one turn (for a prismatic joint, the arm's size to both sides) about the seed.
 struct LockedRange {
   double lower = 0, upper = 0;
   double seed = 0;
@@ -24,30 +24,31 @@ struct LockedBranch {
   PieperBranches found;
 };
 
-/// The lane nearest to the seed among those within limits whose loops are closed; -1: none.
+/// The lane nearest to the seed among those within limits whose loops close; -1: none.
 int nearest_lane(const PieperRequest& six, const PieperBranches& found);
 
-/// Whether a lane without a solution comes so near to one that rounding may have hidden it.
+/// Whether a lane without a solution is so near to one that rounding may have hidden it.
 bool nearly_found(const PieperSolver& form, const PieperBranches& found);
 
-/// The branches that exceed limits least, of those that were met.
+/// Of the branches that were examined, those that exceed the limits least.
 struct LeastOutside {
   int count = 0;
   double excess[8] = {};  ///< ascending
   double q[8][7] = {};    ///< by coordinate
 };
 
-/// Tries values, first the seed's, then ever finer steps of the range, nearest to the seed first in
-/// each round, until there is a branch within limits or `tries` are used up. Does not allocate.
+/// Tries up to `tries` values of the redundant joint until there is a branch within limits: the
+/// seed's, then steps of a quarter of the range from it, then of an eighth, and so on, nearest to
+/// the seed first. Does not allocate.
 LockedBranch first_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
                           int tries, PieperRequest& six, LeastOutside& outside);
 
-/// The branch within limits that is best: nearest to the seed, or farthest from the limits. The
-/// best of a grid, made better between its neighbours by golden sections.
+/// Returns the branch within limits that is nearest to the seed, or farthest from the limits: the
+/// three best values of a grid, each refined between its neighbours by golden-section search.
 LockedBranch best_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
                          int grid, Redundancy redundancy, PieperRequest& six);
 
-/// The values of a grid over the range, its ends included.
+/// Returns the values of a grid over the range, its ends included.
 std::vector<double> grid_values(const LockedRange& range, int grid);
 
 }  // namespace beeline::internal

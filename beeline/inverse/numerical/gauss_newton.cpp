@@ -19,24 +19,28 @@ namespace {
 
 using namespace internal;
 
-constexpr double least_damping = 1e-13;
-constexpr double damping_factor = 0.01;  // over squared error
-constexpr double bend_from = 1e-6;       // squared error; below, a plain step does
-constexpr double largest_step = 1;       // radians, or units of length
-constexpr double polished = 1e-26;       // squared error that is as good as none
-constexpr double fine = 1e-21;           // the same, where it falls no further
+// The tolerances are those of levenberg_marquardt_lanes.cpp. The damping is smaller, since a start
+// near the pose needs none except at singularities.
+constexpr double least_damping = 1e-13;     // keeps J J^T regular at singularities
+constexpr double damping_factor = 0.01;     // damping over squared error
+constexpr double acceleration_from = 1e-6;  // squared error; below, a plain step suffices
+constexpr double largest_step = 1;          // radians, or units of length
+constexpr double polished = 1e-26;          // squared error at the level of rounding
+constexpr double fine = 1e-21;              // squared error that suffices where it falls no more
 constexpr double whole_turn = 0x1.921fb54442d18p+2;
 
-/// What leads to the goal (four columns of four); false where it is a quarter turn or more away.
-HWY_INLINE bool look(const NumericalProblem& problem, const double* goal, GaussNewtonState& near,
-                     double* place) {
+/// Computes the error to the goal (four columns of four) and the tool's position; false where the
+/// orientation is a quarter turn or more away.
+HWY_INLINE bool evaluate(const NumericalProblem& problem, const double* goal,
+                         GaussNewtonState& near, double* tool_position) {
   double frame[16], turn[3][3];
   last_frame_of_one(problem.chain, near.q.data(), near.angle[0].lane, near.sine[0].lane,
                     near.cosine[0].lane, near.axes.data(), frame);
   const double* tool = problem.chain.tool.data() + 12;
   for (int r = 0; r < 3; ++r) {
-    place[r] = frame[12 + r] + frame[r] * tool[0] + frame[4 + r] * tool[1] + frame[8 + r] * tool[2];
-    near.error[r] = goal[12 + r] - place[r];
+    tool_position[r] =
+        frame[12 + r] + frame[r] * tool[0] + frame[4 + r] * tool[1] + frame[8 + r] * tool[2];
+    near.error[r] = goal[12 + r] - tool_position[r];
     for (int c = 0; c < 3; ++c) {
       turn[r][c] = goal[r] * frame[c] + goal[4 + r] * frame[4 + c] + goal[8 + r] * frame[8 + c];
     }
@@ -63,7 +67,7 @@ HWY_INLINE bool look(const NumericalProblem& problem, const double* goal, GaussN
 }
 
 /// The Jacobian's columns, and J J^T row by row (rows of eight, six of them used).
-HWY_INLINE void linearise(const NumericalProblem& problem, const double* place,
+HWY_INLINE void linearise(const NumericalProblem& problem, const double* tool_position,
                           GaussNewtonState& near) {
   Lanes sum[6];
   for (Lanes& row : sum) row = Lanes(0);
@@ -76,7 +80,8 @@ HWY_INLINE void linearise(const NumericalProblem& problem, const double* place,
       const auto at = static_cast<size_t>(links[i]);
       const Chain::Link& link = problem.chain.links[at];
       const double *z = &near.axes[8 * at], *p = z + 4;
-      const double arm[3] = {place[0] - p[0], place[1] - p[1], place[2] - p[2]};
+      const double arm[3] = {tool_position[0] - p[0], tool_position[1] - p[1],
+                             tool_position[2] - p[2]};
       column[0] += link.theta_per_q * (z[1] * arm[2] - z[2] * arm[1]) + link.d_per_q * z[0];
       column[1] += link.theta_per_q * (z[2] * arm[0] - z[0] * arm[2]) + link.d_per_q * z[1];
       column[2] += link.theta_per_q * (z[0] * arm[1] - z[1] * arm[0]) + link.d_per_q * z[2];
@@ -92,7 +97,10 @@ HWY_INLINE void linearise(const NumericalProblem& problem, const double* place,
   for (int r = 0; r < 6; ++r) sum[r].store(near.normal + r * lane_count);
 }
 
-/// a = L D L^T in place, above the diagonal L^T; on it 1 / D. See solve_damped().
+/// Factorises a + damping I = L D L^T in place: L^T above the diagonal, 1 / D on it. The
+/// elimination of solve_damped() (symmetric6_lanes-inl.h) for one matrix: in rows of eight numbers,
+/// as linearise() sums them, and apart from the solution, since its factors serve up to three
+/// times.
 HWY_INLINE void factorise(double damping, double (&a)[6 * lane_count]) {
 #pragma GCC unroll 6
   for (int j = 0; j < 6; ++j) a[j * lane_count + j] += damping;
@@ -132,10 +140,10 @@ HWY_INLINE double along(const double* c, const double (&y)[6]) {
   return (c[0] * y[0] + c[1] * y[1] + c[2] * y[2]) + (c[3] * y[3] + c[4] * y[4] + c[5] * y[5]);
 }
 
-/// Half the second derivative of the tool's motion along `near.move`: what moves on a straight
-/// line through the coordinates does not do so in space. A joint turns the columns of all that
-/// come after it, and its own.
-HWY_INLINE void bend(const GaussNewtonState& near, double (&half)[6]) {
+/// Computes half the second derivative of the tool's motion along `near.move`,
+///   1/2 sum_jk d2f / (dq_j dq_k) move_j move_k:
+/// a joint rotates the columns of all joints after it, and its own.
+HWY_INLINE void half_second_derivative(const GaussNewtonState& near, double (&half)[6]) {
   double turn[3] = {0, 0, 0}, linear[3] = {0, 0, 0}, angular[3] = {0, 0, 0};
   for (size_t k = 0; k < near.move.size(); ++k) {
     const double *v = near.column[k].lane, *w = v + 3, move = near.move[k];
@@ -155,9 +163,9 @@ HWY_INLINE void bend(const GaussNewtonState& near, double (&half)[6]) {
   }
 }
 
-/// The step of `near.normal` and its columns. Returns how long it is, in the joint that goes
-/// farthest. A joint that comes to its bound stays there.
-HWY_INLINE double step(const NumericalProblem& problem, bool bent, GaussNewtonState& near) {
+/// Takes the step of the factors in `near.normal`. Returns its largest component. A joint that
+/// reaches its bound stays there.
+HWY_INLINE double step(const NumericalProblem& problem, bool accelerated, GaussNewtonState& near) {
   double dual[6];
   for (int r = 0; r < 6; ++r) dual[r] = near.error[r];
   solve(near.normal, dual);
@@ -166,8 +174,8 @@ HWY_INLINE double step(const NumericalProblem& problem, bool bent, GaussNewtonSt
     near.move[k] = along(near.column[k].lane, dual);
     longest = std::max(longest, std::abs(near.move[k]));
   }
-  if (bent) {  // Transtrum & Sethna 2012: geodesic acceleration, which makes convergence cubic
-    bend(near, dual);
+  if (accelerated) {  // geodesic acceleration: cubic convergence
+    half_second_derivative(near, dual);
     solve(near.normal, dual);
     for (size_t k = 0; k < near.q.size(); ++k) near.move[k] -= along(near.column[k].lane, dual);
   }
@@ -193,16 +201,16 @@ bool iterate(const NumericalProblem& problem, const double* goal, const LaneOpti
   double before = HUGE_VAL, longest = HUGE_VAL, error_before[6];
   bool within = false;
   for (near.iterations = 0;; ++near.iterations) {
-    double place[3];
+    double tool_position[3];
     for (int r = 0; r < 6; ++r) error_before[r] = near.error[r];
-    if (!look(problem, goal, near, place)) return false;
+    if (!evaluate(problem, goal, near, tool_position)) return false;
     const double* e = near.error;
     const double position = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
     const double orientation = e[3] * e[3] + e[4] * e[4] + e[5] * e[5];
     const double cost = position + orientation;
     if (!(cost < before / 2)) {
       if (!within || before > fine) return false;
-      if (!(cost < before)) {  // the rounding level: the step before was as good
+      if (!(cost < before)) {  // the level of rounding: the step before was as good
         near.q.swap(near.before);
         for (int r = 0; r < 6; ++r) near.error[r] = error_before[r];
       }
@@ -213,14 +221,14 @@ bool iterate(const NumericalProblem& problem, const double* goal, const LaneOpti
     if (within && (!options.polish || cost <= polished)) return true;
     if (near.iterations >= options.iterations) return within && cost <= fine;
     before = cost;
-    // The last Jacobian is off by about the last step: where that leaves little enough, it serves
-    // again.
+    // The last Jacobian is off by about the last step: where the error of the next step is then
+    // small enough, its factors serve again.
     const bool again = cost * longest * longest < enough / 4;
     if (!again) {
-      linearise(problem, place, near);
+      linearise(problem, tool_position, near);
       factorise(damping_factor * cost + least_damping, near.normal);
     }
-    longest = step(problem, !again && in_order && cost > bend_from, near);
+    longest = step(problem, !again && in_order && cost > acceleration_from, near);
     if (!(longest <= largest_step)) return false;
   }
 }

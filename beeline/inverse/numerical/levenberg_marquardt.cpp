@@ -1,16 +1,16 @@
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include <beeline/error.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
+#include <beeline/math/damped_least_squares.h>
 
 namespace beeline::internal {
 namespace {
 
-/// The task at one configuration: the error e and the Jacobian of its decrease (e falls by J dz),
-/// both weighted (lengths in units of `length`, rows that do not matter zero), and z the
-/// coordinates in the same units.
+/// The linear model of the task at one configuration: the error e and the Jacobian J, such that a
+/// step dz changes e to e - J dz to first order. Lengths are in units of `length`, in e and in the
+/// coordinates z; rows that the task leaves free are zero.
 struct Linearised {
   Jacobian columns;
   Twist error = Twist::Zero();
@@ -26,14 +26,15 @@ Eigen::VectorXd coordinate_units(const Arm& arm, double length) {
   return units;
 }
 
-// Found by trial over random poses of the built-in arms; the optimum is flat.
+// The factors and the patience were found by trial over random poses of the built-in arms; the
+// optimum is flat. Less patience gives up starts that would converge, more wastes iterations.
 constexpr double first_factor = 0.2;     // damping over squared error
-constexpr double least_factor = 1e-3;    // the same, where all goes well
-constexpr double least_damping = 1e-13;  // keeps the normal equations regular, whatever the arm
-constexpr double largest_step = 1;       // radians, or units of length: beyond, J tells nothing
-constexpr int patience = 8;              // steps in which the squared error must halve
+constexpr double least_factor = 1e-3;    // the same, after steps that were all accepted
+constexpr double least_damping = 1e-13;  // keeps J J^T regular at singularities
+constexpr double largest_step = 1;  // radians, or units of length: the range of the linear model
+constexpr int patience = 8;         // steps in which the squared error must halve
 
-/// What one run is for, and the units it counts in.
+/// The problem of one run, and its units.
 struct Goal {
   const Arm& arm;
   const Pose& world_T_tool;
@@ -51,8 +52,9 @@ void linearise(const Goal& goal, const Configuration& q, Linearised& at) {
   const auto partly = [&](std::size_t first) {
     return !(rows[first] && rows[first + 1] && rows[first + 2]);
   };
-  // With all three rows the plain Jacobian leads straight to the goal. With some, the free part of
-  // the error may stay large, and turns the others' rate of change.
+  // With all three rows, the plain Jacobian suffices: its error vanishes with the task's error.
+  // With some, the free part of the error stays large and contributes to the derivative of the
+  // others.
   if (tool_axes && partly(0)) {
     at.columns.topRows<3>() -= hat(error.head<3>()) * at.columns.bottomRows<3>();
   }
@@ -80,21 +82,19 @@ struct Workspace {
   Configuration trial;
 };
 
-void bring_within(const Bounds& bounds, Configuration& q) {
+void clamp_to(const Bounds& bounds, Configuration& q) {
   q = q.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
 }
 
-/// The damped step within the bounds: joints that it would carry through a bound are stopped there,
-/// and the others solved again for what is left.
+/// Computes the damped step within the bounds: joints that it would carry through a bound stop
+/// there, and the step of the others is solved again for the remaining error.
 void bounded_step(const Goal& goal, const Configuration& q, double damping, Workspace& work) {
-  constexpr int max_rounds = 10;  // after these the bounds cut off what still sticks out
+  constexpr int max_rounds = 10;  // a joint or more stops in each; after these the step is clamped
   work.free = work.now.columns;
   std::fill(work.held.begin(), work.held.end(), 0);
   Twist left = work.now.error;
   for (int round = 0; round < max_rounds; ++round) {
-    Matrix6 normal = work.free * work.free.transpose();
-    normal.diagonal().array() += damping;
-    const Twist dual = normal.ldlt().solve(left);
+    const Twist dual = damped_multipliers(work.free, left, damping);
     bool stopped = false;
     for (int k = 0; k < q.size(); ++k) {
       char& held = work.held[k];
@@ -124,34 +124,6 @@ void check_goal(const Arm& arm, const Pose& world_T_tool, const Task& task, cons
 
 }  // namespace
 
-double unit_of_length(const Arm& arm) {
-  const double reach = arm.reach().radius;
-  return std::isfinite(reach) && reach > 0 ? reach : 1;
-}
-
-Bounds no_bounds(const Arm& arm) {
-  return {Configuration::Constant(arm.dof(), -Limits::none),
-          Configuration::Constant(arm.dof(), Limits::none)};
-}
-
-void check_task(const Arm& arm, const Task& task, const Bounds& bounds) {
-  check_task(task);
-  if (bounds.lower.size() != arm.dof() || bounds.upper.size() != arm.dof() ||
-      !(bounds.lower.array() <= bounds.upper.array()).all()) {
-    throw Error("the bounds for arm " + arm.name() + " need " + std::to_string(arm.dof()) +
-                " lower values, none above its upper one");
-  }
-}
-
-Bounds bounds_of(const Arm& arm) {
-  Bounds bounds = no_bounds(arm);
-  for (int k = 0; k < arm.dof(); ++k) {
-    bounds.lower[k] = arm.limits(k).lower;
-    bounds.upper[k] = arm.limits(k).upper;
-  }
-  return bounds;
-}
-
 NumericalResult levenberg_marquardt(const Arm& arm, const Pose& world_T_tool, const Task& task,
                                     const Bounds& bounds, const Configuration& start,
                                     const NumericalOptions& options) {
@@ -167,7 +139,7 @@ NumericalResult levenberg_marquardt(const Arm& arm, const Pose& world_T_tool, co
 
   NumericalResult run;
   run.q = start;
-  bring_within(bounds, run.q);
+  clamp_to(bounds, run.q);
   linearise(goal, run.q, work.now);
   const auto within = [&](const Deviation& left) {
     return left.position <= options.tolerance && left.orientation <= options.tolerance;
@@ -183,7 +155,7 @@ NumericalResult levenberg_marquardt(const Arm& arm, const Pose& world_T_tool, co
     const double longest = work.step.cwiseAbs().maxCoeff();
     if (longest > largest_step) work.step *= largest_step / longest;
     work.trial = run.q + goal.units.cwiseProduct(work.step);
-    bring_within(bounds, work.trial);
+    clamp_to(bounds, work.trial);
     const bool finite = work.trial.allFinite();
     if (finite) linearise(goal, work.trial, work.next);
     if (finite && work.next.cost < before) {
@@ -193,7 +165,7 @@ NumericalResult levenberg_marquardt(const Arm& arm, const Pose& world_T_tool, co
     } else {
       factor *= 4;
     }
-    if (polishing && !(work.now.cost < before / 4)) break;  // rounding level, or slow: good enough
+    if (polishing && !(work.now.cost < before / 4)) break;  // rounding, or slow convergence
     if ((run.iterations + 1) % patience == 0) {
       if (!within(work.now.deviation) && work.now.cost > milestone / 2) break;
       milestone = work.now.cost;

@@ -1,45 +1,30 @@
 #pragma once
 
-#include <beeline/kinematics/task.h>
+#include <beeline/inverse/numerical/bounds.h>
 
 namespace beeline::internal {
 
-/// A box that a configuration must not leave; infinite where there is no limit.
-struct Bounds {
-  Configuration lower;
-  Configuration upper;
-};
-Bounds bounds_of(const Arm& arm);
-Bounds no_bounds(const Arm& arm);
-
-/// Throws Error unless a descent can be asked for: a task with rows, in the base or tool frame, and
-/// bounds that fit the arm.
-void check_task(const Arm& arm, const Task& task, const Bounds& bounds);
-
-/// The length that weighs like one radian when errors are added up: the radius of the arm's reach,
-/// or 1 m where that is infinite or zero.
-double unit_of_length(const Arm& arm);
-
 struct NumericalOptions {
-  double tolerance = 1e-10;  ///< the error to go below, metres and radians
-  int iterations = 100;
+  double tolerance = 1e-10;  ///< of position and orientation error, metres and radians
+  int iterations = 100;      ///< max steps
 };
 
 struct NumericalResult {
-  Configuration q;  ///< the best configuration met, always within the bounds
-  Deviation error;  ///< what is left of the task at q
-  int iterations = 0;
+  Configuration q;         ///< the configuration of least error that was met, within the bounds
+  Deviation error;         ///< the task's error at q
+  int iterations = 0;      ///< steps tried
   bool converged = false;  ///< both parts of the error are within the tolerance
 };
 
-/// One run of damped least squares (Levenberg-Marquardt; Nakamura & Hanafusa 1986) from `start`,
-/// which is first brought within the bounds. Each step minimises |J dq - e|^2 + damping |dq|^2
-/// within the bounds: joints that would be pushed through theirs stop there, and the others are
-/// solved again. Lengths, a slide's own too, count in units of unit_of_length(), so that metres and
-/// radians weigh alike. Steps that do not lessen the error are taken back with more damping: it
-/// never diverges, and never returns a value that is not finite. It goes on below the tolerance
-/// while each step still halves the error (down to rounding at a regular solution), and gives up
-/// before `iterations` where it is stuck. Cost of a step: linear in the number of joints.
+/// Solves for a configuration at the pose by damped least squares (Levenberg-Marquardt; Nakamura &
+/// Hanafusa 1986) from `start`, clamped to the bounds. Each step minimises
+///   |J dq - e|^2 + damping |dq|^2   subject to the bounds,
+/// where e is the task's error and the damping is proportional to |e|^2, which keeps convergence
+/// quadratic (Sugihara 2011). Lengths, also those of prismatic joints, are in units of
+/// unit_of_length(). A step that does not reduce |e| is rejected and the damping increased, so |e|
+/// never grows and the result is always finite. Below the tolerance it iterates while each step
+/// still halves |e|; above, it ends early when |e|^2 has not halved in 8 steps. The cost of a step
+/// is linear in the number of joints.
 /// Throws Error when start or bounds do not fit the arm, the pose or an option is not finite or
 /// negative, or the task has no rows or is in Frame::space.
 NumericalResult levenberg_marquardt(const Arm& arm, const Pose& world_T_tool, const Task& task,

@@ -1,11 +1,15 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/error.h>
 #include <beeline/inverse/numerical/levenberg_marquardt_lanes.h>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "beeline/inverse/numerical/levenberg_marquardt_lanes.cpp"
 #include <hwy/foreach_target.h>
 
-#include <beeline/inverse/numerical/lane_solve-inl.h>
 #include <beeline/kinematics/task-inl.h>
+#include <beeline/math/symmetric6_lanes-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
@@ -13,24 +17,28 @@ namespace {
 
 using namespace internal;
 
-// Found by trial over random poses of the built-in arms; the optimum is flat.
+// The factors and the patience were found by trial over random poses of the built-in arms, for the
+// least time to the first solution; the optimum is flat. levenberg_marquardt() starts with more
+// damping and more patience: it has one start to make the most of, the lanes have restarts.
 constexpr double first_factor = 0.05;    // damping over squared error
-constexpr double least_factor = 1e-3;    // the same, where all goes well
-constexpr double least_damping = 1e-13;  // keeps the normal equations regular, whatever the arm
-constexpr double largest_step = 1;       // radians, or units of length: beyond, J tells nothing
-constexpr int patience = 5;              // steps in which the squared error must halve
-constexpr double polished = 1e-26;       // squared error that is as good as none
-constexpr double fine = 1e-21;           // the same, where it falls to no less than a quarter
-constexpr double near_goal = 0.1;        // squared error: farther off, one solution a step will do
+constexpr double least_factor = 1e-3;    // the same, after steps that were all accepted
+constexpr double least_damping = 1e-13;  // keeps J J^T regular at singularities
+constexpr double largest_step = 1;  // radians, or units of length: the range of the linear model
+constexpr int patience = 5;         // steps in which the squared error must halve
+constexpr double polished = 1e-26;  // squared error at the level of rounding
+constexpr double fine = 1e-21;      // squared error that suffices where it falls by less than 4
+constexpr double near_goal =
+    0.1;  // squared error above which joints at bounds are not solved again:
+          // the step is rough there anyway, and this saves a solution
 constexpr double whole_turn = 0x1.921fb54442d18p+2;
 
 HWY_INLINE Lanes load(const EightNumbers& numbers) { return Lanes::load(numbers.lane); }
 HWY_INLINE void store(Lanes lanes, EightNumbers& numbers) { lanes.store(numbers.lane); }
 
-/// What there is to see from the trial.
-struct Look {
-  Vector tool;   ///< its place
-  Motion error;  ///< what leads to the goal, in the task's axes
+/// The task at the trial configurations.
+struct Evaluation {
+  Vector tool;   ///< its position
+  Motion error;  ///< goal minus tool, in the task's axes
   PartialTask part;
 };
 
@@ -41,9 +49,9 @@ HWY_INLINE bool whole(const Task& task) {
   return true;
 }
 
-/// `goal`: four columns of four, the tool's place and the last link's orientation.
-HWY_NOINLINE void look(const NumericalProblem& problem, const double* goal,
-                       LevenbergMarquardtLanes& lanes, Look& at) {
+/// `goal`: four columns of four, the tool's position and the last link's orientation.
+HWY_NOINLINE void evaluate(const NumericalProblem& problem, const double* goal,
+                           LevenbergMarquardtLanes& lanes, Evaluation& at) {
   const LanePose frame = last_frame(problem.chain, lanes.trial[0].lane, lanes.axes[0].lane);
   const double* tool = problem.chain.tool.data();
   at.tool = frame.origin + from_axes(frame, {tool[12], tool[13], tool[14]});
@@ -63,10 +71,10 @@ HWY_NOINLINE void look(const NumericalProblem& problem, const double* goal,
   at.error = weighted(at.part.weight, at.part.error);
 }
 
-/// Takes the trial's error over in the lanes in which it is less, sees which lanes end, and says
-/// in which it is less.
-HWY_NOINLINE LaneMask judge(const NumericalProblem& problem, const Look& at,
-                            const LaneOptions& options, LevenbergMarquardtLanes& lanes) {
+/// Accepts the trial's error in the lanes where it is smaller, adapts the damping, ends lanes that
+/// have converged, stagnated or used up their iterations, and returns where the trial is accepted.
+HWY_NOINLINE LaneMask accept_error(const NumericalProblem& problem, const Evaluation& at,
+                                   const LaneOptions& options, LevenbergMarquardtLanes& lanes) {
   const LaneMask active = mask_of(lanes.active);
   const Vector &linear = at.error.linear, &angular = at.error.angular;
   const Lanes position = dot(linear, linear), orientation = dot(angular, angular);
@@ -94,25 +102,25 @@ HWY_NOINLINE LaneMask judge(const NumericalProblem& problem, const Look& at,
   const LaneMask judged = iterations >= due;
   const LaneMask stuck = judged & !(now < milestone * Lanes(0.5));
   const LaneMask settled = (now <= Lanes(polished)) | slow;
-  const LaneMask arrived = options.polish ? within & settled : within;
-  const LaneMask ended = arrived | stuck | spent;
+  const LaneMask converged = options.polish ? within & settled : within;
+  const LaneMask ended = converged | stuck | spent;
   store(choose(active, iterations, load(lanes.iterations)), lanes.iterations);
   store(choose(judged, now, milestone), lanes.milestone);
   store(choose(judged, due + Lanes(patience), due), lanes.due);
   lanes.within = (bits(within) & lanes.active) | (lanes.within & ~lanes.active);
-  lanes.arrived |= bits(within & ended) & lanes.active;
-  lanes.coarse |= bits(within & ended & !arrived) & lanes.active;
+  lanes.converged |= bits(within & ended) & lanes.active;
+  lanes.coarse |= bits(within & ended & !converged) & lanes.active;
   lanes.active &= ~bits(ended);
   return better;
 }
 
-HWY_INLINE void take_over(LaneMask better, LevenbergMarquardtLanes& lanes) {
+HWY_INLINE void accept_configuration(LaneMask better, LevenbergMarquardtLanes& lanes) {
   for (size_t k = 0; k < lanes.q.size(); ++k) {
     store(choose(better, load(lanes.trial[k]), load(lanes.q[k])), lanes.q[k]);
   }
 }
 
-HWY_INLINE Lanes along(const Lanes (&column)[6], const Lanes (&y)[6]) {
+HWY_INLINE Lanes dot6(const Lanes (&column)[6], const Lanes (&y)[6]) {
   return fma(column[0], y[0], fma(column[1], y[1], column[2] * y[2])) +
          fma(column[3], y[3], fma(column[4], y[4], column[5] * y[5]));
 }
@@ -122,9 +130,9 @@ HWY_INLINE void load_column(const LevenbergMarquardtLanes& lanes, size_t k, Lane
   for (size_t r = 0; r < 6; ++r) column[r] = load(lanes.column[6 * k + r]);
 }
 
-/// Takes the trial's Jacobian over in the lanes in which it is better, holds the joints at a bound
-/// that the error pulls through it, and returns J J^T of the others.
-HWY_NOINLINE void linearise(const NumericalProblem& problem, const Look& at, LaneMask better,
+/// Accepts the trial's Jacobian where `better`, holds joints that are at a bound and whose gradient
+/// points out of it, and adds J J^T of the others to `normal`.
+HWY_NOINLINE void linearise(const NumericalProblem& problem, const Evaluation& at, LaneMask better,
                             const Lanes (&error)[6], LevenbergMarquardtLanes& lanes,
                             Symmetric6& normal) {
   const bool partial = !whole(problem.task);
@@ -146,7 +154,7 @@ HWY_NOINLINE void linearise(const NumericalProblem& problem, const Look& at, Lan
       if (!all_better) column[r] = choose(better, column[r], load(lanes.column[6 * k + r]));
       store(column[r], lanes.column[6 * k + r]);
     }
-    const Lanes q = load(lanes.q[k]), pull = along(column, error);
+    const Lanes q = load(lanes.q[k]), pull = dot6(column, error);
     const LaneMask held = ((q >= Lanes(coordinate.highest)) & (pull > Lanes(0))) |
                           ((q <= Lanes(coordinate.lowest)) & (pull < Lanes(0)));
     const Lanes free = choose(held, Lanes(0), Lanes(1));
@@ -167,11 +175,11 @@ HWY_NOINLINE void normal_equations(const LevenbergMarquardtLanes& lanes, Symmetr
   }
 }
 
-/// The damped step of the free joints, where what they are to do is `left`. Joints that it would
-/// carry through a bound stop there. Near the goal they are no longer free then, and what they do
-/// is taken off `left`; says in which lanes.
-HWY_NOINLINE unsigned step(const NumericalProblem& problem, Symmetric6& normal, Lanes (&left)[6],
-                           bool again, LevenbergMarquardtLanes& lanes) {
+/// Computes the damped step of the free joints for the error `left`. Joints that it would carry
+/// through a bound stop there. Near the goal these are then held, and their part is subtracted from
+/// `left`; returns in which lanes.
+HWY_NOINLINE unsigned damped_step(const NumericalProblem& problem, Symmetric6& normal,
+                                  Lanes (&left)[6], bool again, LevenbergMarquardtLanes& lanes) {
   const Lanes damping = fma(load(lanes.factor), load(lanes.cost), Lanes(least_damping));
   const LaneMask near = load(lanes.cost) < Lanes(near_goal);
   Lanes dual[6];
@@ -182,7 +190,7 @@ HWY_NOINLINE unsigned step(const NumericalProblem& problem, Symmetric6& normal, 
     const auto& coordinate = problem.coordinates[k];
     Lanes column[6];
     load_column(lanes, k, column);
-    const Lanes q = load(lanes.q[k]), free = load(lanes.free[k]), wanted = along(column, dual);
+    const Lanes q = load(lanes.q[k]), free = load(lanes.free[k]), wanted = dot6(column, dual);
     const Lanes possible =
         min(max(wanted, Lanes(coordinate.lowest) - q), Lanes(coordinate.highest) - q);
     const LaneMask moves = free > Lanes(0), stops = near & moves & !(possible == wanted);
@@ -215,21 +223,21 @@ HWY_NOINLINE void set_trial(const NumericalProblem& problem, LevenbergMarquardtL
 void run(const NumericalProblem& problem, const double* goal, const LaneOptions& options,
          int max_steps, LevenbergMarquardtLanes& lanes) {
   const unsigned started = lanes.active;
-  Look at{};
+  Evaluation at{};
   for (int steps = 0; steps < max_steps && lanes.active == started; ++steps) {
-    look(problem, goal, lanes, at);
-    const LaneMask better = judge(problem, at, options, lanes);
-    take_over(better, lanes);
-    if (lanes.active == 0 || (options.first_is_enough && (lanes.arrived & ~lanes.coarse) != 0))
+    evaluate(problem, goal, lanes, at);
+    const LaneMask better = accept_error(problem, at, options, lanes);
+    accept_configuration(better, lanes);
+    if (lanes.active == 0 || (options.first_is_enough && (lanes.converged & ~lanes.coarse) != 0))
       return;
     Lanes left[6];
     for (int r = 0; r < 6; ++r) left[r] = load(lanes.error[r]);
     Symmetric6 normal;
     for (Lanes& entry : normal.entry) entry = Lanes(0);
     linearise(problem, at, better, left, lanes, normal);
-    if (step(problem, normal, left, false, lanes) != 0) {
+    if (damped_step(problem, normal, left, false, lanes) != 0) {
       normal_equations(lanes, normal);
-      step(problem, normal, left, true, lanes);
+      damped_step(problem, normal, left, true, lanes);
     }
     set_trial(problem, lanes);
   }
@@ -253,6 +261,75 @@ void run_lanes(const NumericalProblem& problem, const Pose& world_T_tool,
   goal.linear() = world_T_tool.linear() * problem.chain.tool.linear().transpose();
   goal.translation() /= problem.length;
   HWY_DYNAMIC_DISPATCH(run)(problem, goal.data(), options, max_steps, lanes);
+}
+
+void start_lane(const NumericalProblem& problem, const double* q, int lane,
+                LevenbergMarquardtLanes& lanes) {
+  const std::size_t dof = problem.coordinates.size(), links = problem.links.size();
+  if (lanes.q.size() != dof || lanes.axes.size() != 6 * links) {
+    lanes = {};
+    lanes.q.resize(dof);
+    lanes.trial.resize(dof);
+    lanes.step.resize(dof);
+    lanes.free.resize(dof);
+    lanes.column.resize(6 * dof);
+    lanes.axes.resize(6 * links);
+  }
+  for (std::size_t k = 0; k < dof; ++k) {
+    const NumericalProblem::Coordinate& coordinate = problem.coordinates[k];
+    const double within = std::clamp(q[k] / coordinate.unit, coordinate.lower, coordinate.upper);
+    lanes.q[k].lane[lane] = lanes.trial[k].lane[lane] = within;
+  }
+  lanes.cost.lane[lane] = lanes.milestone.lane[lane] = HUGE_VAL;
+  lanes.iterations.lane[lane] = -1;
+  lanes.due.lane[lane] = 0;
+  const unsigned bit = 1u << lane;
+  lanes.active |= bit;
+  lanes.converged &= ~bit;
+  lanes.coarse &= ~bit;
+  lanes.within &= ~bit;
+}
+
+void lane_configuration(const NumericalProblem& problem, const LevenbergMarquardtLanes& lanes,
+                        int lane, double* q) {
+  for (std::size_t k = 0; k < problem.coordinates.size(); ++k) {
+    q[k] = lanes.q[k].lane[lane] * problem.coordinates[k].unit;
+  }
+}
+
+Deviation lane_deviation(const NumericalProblem& problem, const LevenbergMarquardtLanes& lanes,
+                         int lane) {
+  const auto length = [&](int first) {
+    return std::hypot(lanes.error[first].lane[lane], lanes.error[first + 1].lane[lane],
+                      lanes.error[first + 2].lane[lane]);
+  };
+  return {length(0) * problem.length, length(3)};
+}
+
+void check_lane_options(const Pose& world_T_tool, const LaneOptions& options) {
+  if (!world_T_tool.matrix().allFinite()) throw Error("the pose has a number that is not finite");
+  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance) || options.iterations < 0) {
+    throw Error("tolerance must be above zero, and iterations zero or more; not " +
+                number(options.tolerance) + " and " + std::to_string(options.iterations));
+  }
+}
+
+void levenberg_marquardt_lanes(const NumericalProblem& problem, const Pose& world_T_tool,
+                               const Eigen::Ref<const Eigen::MatrixXd>& starts,
+                               const LaneOptions& options, LevenbergMarquardtLanes& lanes) {
+  check_lane_options(world_T_tool, options);
+  if (starts.rows() != problem.arm.dof() || starts.cols() > solver_lane_count) {
+    throw Error("starts for arm " + problem.arm.name() + " need " +
+                std::to_string(problem.arm.dof()) + " rows and at most " +
+                std::to_string(solver_lane_count) + " columns");
+  }
+  if (!starts.allFinite()) throw Error("a start has a number that is not finite");
+  lanes.active = lanes.converged = lanes.coarse = 0;
+  for (int i = 0; i < starts.cols(); ++i) start_lane(problem, starts.col(i).data(), i, lanes);
+  while (lanes.active != 0 &&
+         !(options.first_is_enough && (lanes.converged & ~lanes.coarse) != 0)) {
+    run_lanes(problem, world_T_tool, options, options.iterations + 1, lanes);
+  }
 }
 
 }  // namespace internal

@@ -10,10 +10,17 @@
 namespace beeline::internal {
 namespace {
 
-constexpr int steps_a_look = 16;     // at the clock
-constexpr int tries_for_fine = 256;  // descents after one that stuck within the tolerance
+// Steps between two looks at the clock: most runs end within so many, so it is rarely read, and a
+// deadline is overrun by no more.
+constexpr int steps_per_check = 16;
+// Restarts after a lane that stagnated within the tolerance, in search of one that converges fully:
+// bounds the time that a nearly singular pose takes.
+constexpr int restarts_for_fine = 256;
 
-/// One call.
+/// How a lane ended, worst first.
+enum class Grade { none, not_converged, coarse, converged };
+
+/// One call of multi_start().
 class Run {
  public:
   Run(const NumericalProblem& problem, const SeedTable& seeds, const Pose& world_T_tool,
@@ -30,16 +37,16 @@ class Run {
         result_(result),
         random_(options.random_seed) {}
 
-  void go() {
+  void solve() {
     q_.resize(problem_.coordinates.size());
     result_.iterations = result_.restarts = 0;
     result_.nearest.converged = false;
-    if (!options_.all && arrives_nearby()) {
+    if (!options_.all && converges_nearby()) {
       result_.solutions.resize(1);
       result_.solutions[0] = result_.nearest.q;
       return;
     }
-    lanes_.active = lanes_.arrived = lanes_.coarse = 0;
+    lanes_.active = lanes_.converged = lanes_.coarse = 0;
     start_lane(problem_, start_.data(), 0, lanes_);
     held_ = 1;
     while (true) {
@@ -50,16 +57,16 @@ class Run {
       fill();
       if (held_ == 0 || (ran_ && late())) break;
       ran_ = true;
-      run_lanes(problem_, world_T_tool_, descent(), steps_a_look, lanes_);
+      run_lanes(problem_, world_T_tool_, lane_options(), steps_per_check, lanes_);
     }
     for (int lane = 0; lane < solver_lane_count; ++lane) {
-      if (holds(lane)) collect(lane);  // on the way still
+      if (holds(lane)) collect(lane);  // not ended
     }
     result_.solutions.resize(found_);
   }
 
  private:
-  /// Whether the lane has a descent that is not collected yet.
+  /// Whether the lane has a run that is not collected yet.
   bool holds(int lane) const { return (held_ >> lane & 1) != 0; }
 
   bool late() const {
@@ -67,14 +74,14 @@ class Run {
            std::chrono::steady_clock::now() >= options_.deadline;
   }
 
-  LaneOptions descent() const {
+  LaneOptions lane_options() const {
     return {.tolerance = options_.tolerance,
             .iterations = options_.iterations,
             .first_is_enough = !options_.all};
   }
 
-  bool arrives_nearby() {
-    if (!gauss_newton(problem_, world_T_tool_, start_.data(), descent(), near_)) return false;
+  bool converges_nearby() {
+    if (!gauss_newton(problem_, world_T_tool_, start_.data(), lane_options(), near_)) return false;
     for (std::size_t k = 0; k < q_.size(); ++k) q_[k] = near_.q[k] * problem_.coordinates[k].unit;
     turn_to_start();
     result_.nearest.q = Eigen::Map<const Configuration>(q_.data(), start_.size());
@@ -86,7 +93,7 @@ class Run {
     return true;
   }
 
-  /// Gives every empty lane a start, as long as there are restarts.
+  /// Starts every empty lane anew, as long as there are restarts.
   void fill() {
     int block[solver_lane_count];
     const bool from_table = result_.restarts == 0 && seeds_.blocks > 0;
@@ -110,23 +117,16 @@ class Run {
     }
   }
 
-  /// The coordinate's turn nearest to the start's, within the bounds as `angle` is.
-  static double nearest_turn_within(double angle, double start,
-                                    const NumericalProblem::Coordinate& within) {
-    if (std::abs(angle - start) <= std::numbers::pi) return angle;
-    const double turn = nearest_turn(angle, std::clamp(start, within.lower, within.upper));
-    if (turn > within.upper) return std::max(turn - 2 * std::numbers::pi, within.lower);
-    if (turn < within.lower) return std::min(turn + 2 * std::numbers::pi, within.upper);
-    return turn;
-  }
-
-  /// Brings q_ to the turns nearest to the start, and says how far from it that is, squared.
+  /// Replaces q_ by its representative nearest to the start; returns their squared distance.
   double turn_to_start() {
     double square = 0;
     for (std::size_t k = 0; k < q_.size(); ++k) {
       const NumericalProblem::Coordinate& coordinate = problem_.coordinates[k];
       const double start = start_[static_cast<Eigen::Index>(k)];
-      if (coordinate.turns_around) q_[k] = nearest_turn_within(q_[k], start, coordinate);
+      const double lower = coordinate.lower, upper = coordinate.upper;
+      if (coordinate.turns_around && std::abs(q_[k] - start) > std::numbers::pi) {
+        q_[k] = std::clamp(nearest_turn_within(q_[k], start, lower, upper), lower, upper);
+      }
       const double away = (q_[k] - start) / coordinate.unit;
       square += away * away;
     }
@@ -143,28 +143,31 @@ class Run {
     held_ &= ~(1u << lane);
     lane_configuration(problem_, lanes_, lane, q_.data());
     const double cost = lanes_.cost.lane[lane], away = turn_to_start();
-    const bool arrived = (lanes_.arrived >> lane & 1) != 0;
-    const int grade = !arrived ? 0 : (lanes_.coarse >> lane & 1) != 0 ? 1 : 2;
+    const bool converged = (lanes_.converged >> lane & 1) != 0;
+    const Grade grade = !converged                         ? Grade::not_converged
+                        : (lanes_.coarse >> lane & 1) != 0 ? Grade::coarse
+                                                           : Grade::converged;
     const Eigen::Map<const Configuration> q(q_.data(), start_.size());
     result_.iterations += std::max(0, static_cast<int>(lanes_.iterations.lane[lane]));
-    // Of those that arrived the one nearest to the start, of others that nearest to the pose.
-    const double rank = arrived ? away : cost;
+    // Of those that converged the one nearest to the start, of others that nearest to the pose.
+    const double rank = converged ? away : cost;
     if (grade > grade_ || (grade == grade_ && rank < rank_)) {
-      if (grade == 1 && grade_ < 1) last_restart_ = result_.restarts + tries_for_fine;
-      if (grade == 2) last_restart_ = 0;
+      if (grade == Grade::coarse && grade_ < Grade::coarse)
+        last_restart_ = result_.restarts + restarts_for_fine;
+      if (grade == Grade::converged) last_restart_ = 0;
       grade_ = grade;
       rank_ = rank;
       result_.nearest.q = q;
       result_.nearest.error = lane_deviation(problem_, lanes_, lane);
       result_.nearest.iterations = static_cast<int>(lanes_.iterations.lane[lane]);
-      result_.nearest.converged = arrived;
-      if (arrived && !options_.all) {
+      result_.nearest.converged = converged;
+      if (converged && !options_.all) {
         result_.solutions.resize(1);
         result_.solutions[0] = q;
         found_ = 1;
       }
     }
-    if (!arrived || !options_.all || known(q)) return;
+    if (!converged || !options_.all || known(q)) return;
     result_.solutions.resize(found_);
     result_.solutions.emplace_back(q);
     ++found_;
@@ -181,14 +184,21 @@ class Run {
   SearchResult& result_;
   Splitmix random_;
   unsigned held_ = 0;
-  bool ran_ = false;  ///< the lanes, for a while
+  bool ran_ = false;  ///< whether the lanes have stepped at all
   std::size_t found_ = 0;
-  int grade_ = -1;  ///< of the nearest: nothing yet, not arrived, stuck within tolerance, arrived
+  Grade grade_ = Grade::none;  ///< of result_.nearest
   double rank_ = 0;
   int last_restart_ = 0;
 };
 
 }  // namespace
+
+PreparedSearch prepared_search(const Arm& arm, const Task& task, const Bounds& bounds,
+                               std::uint64_t random_seed) {
+  PreparedSearch prepared{numerical_problem(arm, task, bounds), {}};
+  prepared.seeds = seed_table(prepared.problem, random_seed);
+  return prepared;
+}
 
 void multi_start(const NumericalProblem& problem, const SeedTable& seeds, const Pose& world_T_tool,
                  const ConfigurationRef& start, const MultiStartOptions& options,
@@ -204,7 +214,7 @@ void multi_start(const NumericalProblem& problem, const SeedTable& seeds, const 
   if (seeds.q.size() != static_cast<std::size_t>(seeds.blocks) * problem.coordinates.size()) {
     throw Error("the seed table is not one for arm " + problem.arm.name());
   }
-  Run(problem, seeds, world_T_tool, start, options, buffers, result).go();
+  Run(problem, seeds, world_T_tool, start, options, buffers, result).solve();
 }
 
 }  // namespace beeline::internal

@@ -9,25 +9,26 @@
 namespace beeline::internal {
 namespace {
 
+// What a solution at a limit may be outside it, radians or metres: ten times the default tolerance
+// of a solution. It is then set on the limit.
 constexpr double rounding = 1e-9;
 constexpr double turn = 2 * std::numbers::pi;
 
-/// `angle` plus the whole number of turns that brings it nearest to `reference` within
-/// [lower, upper]; the one that is least outside where none is within.
-double nearest_turn_within(double angle, double reference, double lower, double upper) {
+}  // namespace
+
+double nearest_turn_within(double angle, double reference, double lower, double upper,
+                           double slack) {
   const double nearest = nearest_turn(angle, std::clamp(reference, lower, upper));
-  if (nearest < lower - rounding) {
+  if (nearest < lower - slack) {
     const double raised = nearest + turn;
     return raised - upper < lower - nearest ? raised : nearest;
   }
-  if (nearest > upper + rounding) {
+  if (nearest > upper + slack) {
     const double lowered = nearest - turn;
     return lower - lowered < nearest - upper ? lowered : nearest;
   }
   return nearest;
 }
-
-}  // namespace
 
 bool turns_around(const Arm& arm, int k) {
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
@@ -44,7 +45,8 @@ Configuration nearest_representative(const Arm& arm, const Configuration& q,
   Configuration moved = q;
   for (int k = 0; k < arm.dof(); ++k) {
     const double lower = bounds.lower[k], upper = bounds.upper[k];
-    if (turns_around(arm, k)) moved[k] = nearest_turn_within(q[k], reference[k], lower, upper);
+    if (turns_around(arm, k))
+      moved[k] = nearest_turn_within(q[k], reference[k], lower, upper, rounding);
     const double on_bound = std::clamp(moved[k], lower, upper);
     if (std::abs(on_bound - moved[k]) <= rounding) moved[k] = on_bound;
   }
@@ -54,7 +56,8 @@ Configuration nearest_representative(const Arm& arm, const Configuration& q,
 std::vector<Configuration> every_representative(const Arm& arm,
                                                 const std::vector<Configuration>& postures,
                                                 const Bounds& bounds) {
-  constexpr std::size_t most = 100'000;
+  constexpr std::size_t most =
+      100'000;  // bounds the memory: the number grows as a power of the dof
   std::vector<Configuration> all = postures;
   for (int k = 0; k < arm.dof(); ++k) {
     const double lower = bounds.lower[k], upper = bounds.upper[k];
@@ -74,10 +77,6 @@ std::vector<Configuration> every_representative(const Arm& arm,
     all = turned;
   }
   return all;
-}
-
-bool within(const Bounds& bounds, const Configuration& q) {
-  return (q.array() >= bounds.lower.array()).all() && (q.array() <= bounds.upper.array()).all();
 }
 
 bool same_posture(const Arm& arm, const Configuration& a, const Configuration& b,

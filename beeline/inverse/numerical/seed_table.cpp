@@ -12,7 +12,7 @@ namespace {
 
 using namespace internal;
 
-/// Where eight configurations, rows of q in units, bring the tool: 12 rows.
+/// Computes the tool poses (12 rows) of eight configurations, rows of q in units.
 void tools(const Chain& chain, const double* q, double* axes, double* tool) {
   const LanePose frame = last_frame(chain, q, axes);
   const double* t = chain.tool.data();
@@ -23,7 +23,8 @@ void tools(const Chain& chain, const double* q, double* axes, double* tool) {
   }
 }
 
-/// Which block has the least  |weight * (origin - goal's)|^2 - turn * trace(goal^T tool).
+/// Finds, in each lane, the block b that minimises
+///   |weight (origin_b - origin_goal)|^2 - turn trace(R_goal^T R_b).
 void nearest(const double* tool, int blocks, const double* goal, const double* weight, double turn,
              double* block) {
   Lanes least(HUGE_VAL), at(0);
@@ -70,8 +71,8 @@ void draw_configuration(const NumericalProblem& problem, double far, Splitmix& r
     double lower = coordinate.lower, upper = coordinate.upper;
     if (!std::isfinite(lower)) lower = std::min(-away, upper - 2 * away);
     if (!std::isfinite(upper)) upper = std::max(away, lower + 2 * away);
-    const double share = random.next();
-    q[k] = ((1 - share) * lower + share * upper) * coordinate.unit;
+    const double fraction = random.next();
+    q[k] = ((1 - fraction) * lower + fraction * upper) * coordinate.unit;
   }
 }
 

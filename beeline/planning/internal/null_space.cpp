@@ -1,8 +1,8 @@
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include <beeline/kinematics/forward.h>
+#include <beeline/math/damped_least_squares.h>
 #include <beeline/planning/internal/null_space.h>
 
 namespace beeline::internal {
@@ -13,28 +13,21 @@ double push_from_limits(double q, double lower, double upper) {
   return -std::copysign(depth * depth, side);
 }
 
-Eigen::VectorXd damped_solve(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& error,
-                             double damping) {
-  Eigen::MatrixXd gram = jacobian * jacobian.transpose();
-  gram.diagonal().array() += damping * damping;
-  return jacobian.transpose() * gram.ldlt().solve(error);
-}
-
 Configuration predict_configuration(const Arm& arm, const Configuration& q, const Pose& target,
                                     const Task& task, const Bounds& bounds) {
-  constexpr double damping = 1e-4;  // far below the singular values of a regular configuration
+  constexpr double damping = 1e-8;  // far below the squared singular values of a regular Jacobian
   constexpr double gain = 5;  // of the push: less lets joints reach their limits, more makes them
                               // move more than the tool needs
   const Eigen::MatrixXd j = task_jacobian(arm, q, task);
   const Eigen::VectorXd error = task_error(task, target, forward_kinematics(arm, q));
-  Configuration step = damped_solve(j, error, damping);
+  Configuration step = damped_least_squares(j, error, damping);
   if (arm.dof() > task.size()) {
     Configuration push(q.size());
     for (Eigen::Index k = 0; k < q.size(); ++k) {
       push[k] = push_from_limits(q[k], bounds.lower[k], bounds.upper[k]);
     }
     push *= gain * step.lpNorm<Eigen::Infinity>();
-    step += push - damped_solve(j, j * push, damping);
+    step += push - damped_least_squares(j, j * push, damping);
   }
   if (!step.allFinite()) return q;
   return (q + step).cwiseMax(bounds.lower).cwiseMin(bounds.upper);

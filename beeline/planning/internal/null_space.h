@@ -15,8 +15,4 @@ Configuration predict_configuration(const Arm& arm, const Configuration& q, cons
 /// range and where that is infinite, growing with the square of the depth to 1 at the limit.
 double push_from_limits(double q, double lower, double upper);
 
-/// The damped pseudo-inverse applied to e: J^T (J J^T + damping^2 I)^-1 e.
-Eigen::VectorXd damped_solve(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& error,
-                             double damping);
-
 }  // namespace beeline::internal

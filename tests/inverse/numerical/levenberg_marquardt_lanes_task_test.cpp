@@ -35,7 +35,7 @@ TEST(DescentLanes, EveryMaskAndFrameConvergesFromNearby) {
         levenberg_marquardt_lanes(problem, pose, starts_near(q, 0.02, random), {}, lanes);
         for (int lane = 0; lane < solver_lane_count; ++lane) {
           const Pose at = forward_kinematics(arm, found(problem, lanes, lane));
-          const bool there = (lanes.arrived >> lane & 1) != 0;
+          const bool there = (lanes.converged >> lane & 1) != 0;
           EXPECT_EQ(there, largest(task_deviation(task, pose, at)) <= 1e-10) << name(task);
           arrived += there;
         }

@@ -51,7 +51,7 @@ TEST(DescentLanes, WhatArrivesIsThereByTheForwardKinematics) {
         const Deviation said = lane_deviation(problem, lanes, lane);
         EXPECT_NEAR(seen.position, said.position, 1e-13 * problem.length * 100);
         EXPECT_NEAR(seen.orientation, said.orientation, 1e-13 * 100);
-        if ((lanes.arrived >> lane & 1) == 0) continue;
+        if ((lanes.converged >> lane & 1) == 0) continue;
         ++arrived;
         EXPECT_LE(largest(seen), 1e-8) << arm.name();
       }
@@ -75,7 +75,7 @@ TEST(DescentLanes, ComesToRoundingLevelAndToWhereDescendComes) {
       for (int lane = 0; lane < solver_lane_count; ++lane) {
         const NumericalResult one =
             levenberg_marquardt(arm, pose, problem.task, problem.bounds, starts.col(lane));
-        if (!one.converged || (lanes.arrived >> lane & 1) == 0) continue;
+        if (!one.converged || (lanes.converged >> lane & 1) == 0) continue;
         EXPECT_LT(largest(lane_deviation(problem, lanes, lane)), 1e-11) << name;
         ++both;
         // Where there are more joints than rows or the arm is singular, the ways differ a little.
@@ -105,7 +105,7 @@ TEST(DescentLanes, NoLaneDependsOnTheOthersNorOnItsPlace) {
         levenberg_marquardt_lanes(problem, pose, starts.col(lane), {}, alone);
         EXPECT_EQ(found(problem, together, lane), found(problem, alone, 0)) << name;
         EXPECT_EQ(together.iterations.lane[lane], alone.iterations.lane[0]);
-        EXPECT_EQ(together.arrived >> lane & 1, alone.arrived & 1);
+        EXPECT_EQ(together.converged >> lane & 1, alone.converged & 1);
       }
     }
   }
@@ -175,10 +175,10 @@ TEST(DescentLanes, WorksFrom1To100Joints) {
       levenberg_marquardt_lanes(problem, forward_kinematics(arm, q), starts_near(q, 0.05, random),
                                 {.tolerance = 1e-9 * std::max(1.0, size)}, lanes);
       all += solver_lane_count;
-      arrived += std::popcount(lanes.arrived);
+      arrived += std::popcount(lanes.converged);
       // Six joints may have a lesser valley nearby, but with many there is a way round.
       if (dof >= 30) {
-        EXPECT_EQ(lanes.arrived, 255u) << dof << " joints of " << size;
+        EXPECT_EQ(lanes.converged, 255u) << dof << " joints of " << size;
       }
     }
   }
@@ -200,9 +200,9 @@ TEST(DescentLanes, EveryMachineArrivesAlike) {
       LevenbergMarquardtLanes lanes;
       levenberg_marquardt_lanes(problem, pose, starts, {}, lanes);
       hwy::SetSupportedTargetsForTest(0);
-      EXPECT_EQ(lanes.arrived, first.arrived) << hwy::TargetName(target);
+      EXPECT_EQ(lanes.converged, first.converged) << hwy::TargetName(target);
       for (int lane = 0; lane < solver_lane_count; ++lane) {
-        if ((first.arrived >> lane & 1) == 0) continue;
+        if ((first.converged >> lane & 1) == 0) continue;
         EXPECT_LT((found(problem, lanes, lane) - found(problem, first, lane)).norm(), 1e-6)
             << hwy::TargetName(target);
       }
@@ -216,7 +216,7 @@ TEST(DescentLanes, StretchedArmIsReachedThoughItIsSingular) {
   LevenbergMarquardtLanes lanes;
   levenberg_marquardt_lanes(problem, forward_kinematics(arm, Configuration::Zero(3)),
                             Eigen::Vector3d(0.5, -0.8, 0.4), {}, lanes);
-  EXPECT_EQ(lanes.arrived, 1u);
+  EXPECT_EQ(lanes.converged, 1u);
 }
 
 TEST(DescentLanes, RefusesWhatDoesNotFit) {

@@ -89,19 +89,5 @@ TEST(PredictConfiguration, DrivesARedundantJointFromItsLimit) {
   EXPECT_GT(inside, 0.9 * cases);
 }
 
-TEST(DampedSolve, IsTheLeastMotionThatMeetsTheError) {
-  testing::Random random;
-  for (int i = 0; i < 200; ++i) {
-    const Eigen::MatrixXd j = Eigen::MatrixXd::NullaryExpr(
-        3, 6, [&](Eigen::Index, Eigen::Index) { return random.uniform(-1, 1); });
-    const Eigen::VectorXd e = random.vector();
-    const Eigen::VectorXd step = damped_solve(j, e, 1e-9);
-    ASSERT_LT((j * step - e).norm(), 1e-8);
-    const Eigen::MatrixXd pseudo = j.completeOrthogonalDecomposition().pseudoInverse();
-    ASSERT_LT((step - pseudo * e).norm(), 1e-6 * (1 + step.norm()));
-  }
-  EXPECT_TRUE(damped_solve(Eigen::MatrixXd::Zero(3, 4), Vector3::Ones(), 1e-3).isZero(0));
-}
-
 }  // namespace
 }  // namespace beeline::internal

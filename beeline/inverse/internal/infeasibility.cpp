@@ -4,14 +4,15 @@
 #include <vector>
 
 #include <beeline/error.h>
-#include <beeline/inverse/internal/reason.h>
+#include <beeline/inverse/internal/diagnosis_text.h>
+#include <beeline/inverse/internal/infeasibility.h>
 #include <beeline/kinematics/forward.h>
 
 namespace beeline::internal {
 namespace {
 
-/// Directions that differ by less count as the same. What they can then still differ by over a long
-/// arm is granted to the pose, so that "unreachable" stays proved.
+/// Axes that differ by less count as parallel: a few roundings of a product of rotations. What that
+/// amounts to over the arm is added to the tolerance, so that infeasibility stays proved.
 constexpr double parallel = 1e-12;
 
 bool rows(const Task& task, std::size_t first) {
@@ -31,14 +32,14 @@ std::vector<Twist> screws(const Arm& arm) {
 
 bool turns(const Twist& screw) { return !screw.tail<3>().isZero(0); }
 
-/// All axes are along `axis`: the tilt against it stays, and so does the height along it unless
-/// something moves that way.
+/// All joints are parallel to `axis`: none changes the tilt against it, nor, unless one moves along
+/// it, the height.
 std::optional<Infeasibility> against_parallel_axes(const Arm& arm, const Vector3& axis,
                                                    const std::vector<Twist>& motions,
                                                    const Pose& goal, const Task& task,
                                                    double tolerance) {
   const Pose rest = forward_kinematics(arm, Configuration::Zero(arm.dof()));
-  const Vector3 seen = rest.linear().transpose() * axis;  // the axis in the tool's frame: it stays
+  const Vector3 seen = rest.linear().transpose() * axis;  // the axis in the tool's frame: constant
   const Vector3 local = task.frame == Frame::tool ? seen : axis;
   const bool about_z = local.head<2>().norm() < parallel;
   const Vector3 asked = goal.linear().transpose() * axis;
@@ -66,7 +67,7 @@ std::optional<Infeasibility> against_parallel_axes(const Arm& arm, const Vector3
   return std::nullopt;
 }
 
-/// Nothing turns: the orientation stays, and the position is linear in q.
+/// No joint rotates: the orientation is constant, and the position linear in q.
 std::optional<Infeasibility> against_slides(const Arm& arm, const std::vector<Twist>& motions,
                                             const Pose& goal, const Task& task, double tolerance) {
   const Pose rest = forward_kinematics(arm, Configuration::Zero(arm.dof()));
@@ -97,13 +98,6 @@ std::optional<Infeasibility> against_slides(const Arm& arm, const std::vector<Tw
 }
 
 }  // namespace
-
-std::string point(const Vector3& exact) {
-  // What rounding leaves beside the other coordinates is noise to the reader.
-  const double noise = 1e-9 * exact.cwiseAbs().maxCoeff();
-  const Vector3 p = (exact.array().abs() < noise).select(0, exact);
-  return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";
-}
 
 std::optional<Infeasibility> beyond_reach(const Arm& arm, const Pose& world_T_tool,
                                           const Task& task, double tolerance) {
@@ -140,31 +134,6 @@ std::optional<Infeasibility> invariant_violation(const Arm& arm, const Pose& wor
     if (axis.cross(motion.tail<3>()).norm() > parallel) return std::nullopt;
   }
   return against_parallel_axes(arm, axis, motions, world_T_tool, task, tolerance);
-}
-
-std::string blocking_joint(const Arm& arm, const Configuration& q, const Bounds& bounds) {
-  int worst = 0;
-  const auto outside = [&](int k) {
-    return std::max(bounds.lower[k] - q[k], q[k] - bounds.upper[k]);
-  };
-  for (int k = 1; k < q.size(); ++k) {
-    if (outside(k) > outside(worst)) worst = k;
-  }
-  const auto value = [&](double x) { return with_unit(arm.joint_of(worst), x); };
-  const bool above = q[worst] > bounds.upper[worst];
-  return "joint " + arm.joint_of(worst).name + " would be at " + value(q[worst]) + ", " +
-         value(outside(worst)) + (above ? " above its upper limit " : " below its lower limit ") +
-         value(above ? bounds.upper[worst] : bounds.lower[worst]);
-}
-
-double excess(const Bounds& bounds, const Configuration& q) {
-  return (bounds.lower - q).cwiseMax(q - bounds.upper).cwiseMax(0).sum();
-}
-
-std::string miss(const Deviation& error, double tolerance) {
-  if (!(error.orientation > tolerance)) return number(error.position) + " m";
-  if (!(error.position > tolerance)) return angle(error.orientation);
-  return number(error.position) + " m and " + angle(error.orientation);
 }
 
 }  // namespace beeline::internal

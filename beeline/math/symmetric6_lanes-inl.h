@@ -1,9 +1,9 @@
 // Compiled once for each instruction set (Highway's foreach_target.h), so there is no #pragma once.
-#if defined(BEELINE_INVERSE_LANE_SOLVE_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef BEELINE_INVERSE_LANE_SOLVE_INL_H
-#undef BEELINE_INVERSE_LANE_SOLVE_INL_H
+#if defined(BEELINE_MATH_SYMMETRIC6_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BEELINE_MATH_SYMMETRIC6_LANES_INL_H
+#undef BEELINE_MATH_SYMMETRIC6_LANES_INL_H
 #else
-#define BEELINE_INVERSE_LANE_SOLVE_INL_H
+#define BEELINE_MATH_SYMMETRIC6_LANES_INL_H
 #endif
 
 #include <beeline/simd/lanes-inl.h>
@@ -11,7 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
-/// The lower half of eight symmetric matrices, row by row.
+/// Eight symmetric 6x6 matrices, one in each lane: the lower triangle, row by row. For one matrix
+/// see damped_least_squares.h.
 struct Symmetric6 {
   Lanes entry[21];
 
@@ -27,9 +28,10 @@ HWY_INLINE void add_square(Symmetric6& a, const Lanes (&c)[6]) {
   }
 }
 
-/// Solves (a + damping) y = b in place, b being y at first: L D L^T without pivoting. In exact
-/// arithmetic no pivot is below the damping: neither may rounding make one so. (Blocks of two would
-/// save divisions, but their inverses lose all digits where the rank is short.)
+/// Solves (a + damping I) x = y by the factorisation L D L^T without pivoting; x replaces y, the
+/// factors replace a. `a` is positive semidefinite, so in exact arithmetic no pivot is below the
+/// damping; the same bound holds them against rounding. (2x2 pivots would save divisions, but their
+/// inverses lose all digits where a is rank deficient.)
 HWY_INLINE void solve_damped(Symmetric6& a, Lanes damping, Lanes (&y)[6]) {
 #pragma GCC unroll 6
   for (int j = 0; j < 6; ++j) {

@@ -55,7 +55,7 @@ TEST(InverseKinematics, OutOfReachSaysByHowMuch) {
 }
 
 TEST(InverseKinematics, InsideTheShouldersOffsetNoWristArrives) {
-  // A point on the axis of joint 1, where the tool's offset keeps it off; found by descents, and by
+  // A point on the axis of joint 1, where the tool's offset keeps it off; found by searches, and by
   // hand: the tool never comes nearer to that axis than the offset of 0.15005 m.
   const InverseResult puma = inverse_kinematics(built_in("puma560"), make_pose({0.01, 0, 0}));
   expect_no(puma, InverseStatus::unreachable);

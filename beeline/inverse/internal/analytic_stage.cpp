@@ -1,0 +1,149 @@
+#include <algorithm>
+
+#include <beeline/inverse/analytic/planar_solver.h>
+#include <beeline/inverse/internal/analytic_stage.h>
+#include <beeline/inverse/internal/numerical_stage.h>
+#include <beeline/inverse/internal/redundant_joint.h>
+#include <beeline/inverse/internal/solution_set.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
+
+namespace beeline::internal {
+namespace {
+
+/// The solutions that a closed form claims, limits ignored: each is corrected, checked, and counted
+/// as evidence.
+class Claims {
+ public:
+  Claims(const Request& request, StageResult& found) : request_(request), found_(found) {}
+
+  UnconstrainedResult& evidence() { return found_.unconstrained; }
+
+  void add(Configuration q, bool continuum) {
+    if (!q.allFinite()) {
+      evidence().doubtful = true;
+      return;
+    }
+    evidence().continuum = evidence().continuum || continuum;
+    const double error = error_at(request_, q);
+    // Of the arm's size: not a rounding error, but an added joint that is not at zero.
+    constexpr double not_a_solution = 1e-3;
+    const double size = std::max(1.0, unit_of_length(request_.arm));
+    if (!(error <= not_a_solution * size)) return;
+    if (error > request_.tolerance / 100) {
+      const NumericalResult corrected =
+          levenberg_marquardt(request_.arm, request_.goal, request_.task, no_bounds(request_.arm),
+                              q, {.tolerance = request_.tolerance});
+      constexpr double another = 1e-2;  // radians: beyond, it is a solution of another branch
+      if (!corrected.converged || (corrected.q - q).norm() > another) {
+        evidence().doubtful = true;
+        return;
+      }
+      q = corrected.q;
+    }
+    evidence().consider(request_, q);
+    add_solution(request_, q, found_.result);
+  }
+
+ private:
+  const Request& request_;
+  StageResult& found_;
+};
+
+void add_branches(const PieperSolver& form, const PieperBranches& found, double value, int dof,
+                  Claims& claims) {
+  for (int lane = 0; lane < 8; ++lane) {
+    if ((found.found >> lane & 1) == 0) continue;
+    Configuration q(dof);
+    form.configuration(found, lane, value, q);
+    claims.add(q, !form.has_virtual_joints() && (found.continuum >> lane & 1) != 0);
+  }
+}
+
+void solve_locked(SolverState& state, const Request& request, Claims& claims) {
+  const PieperSolver& form = *state.closed;
+  PieperRequest six =
+      form.request(request.seed, request.bounds.lower, request.bounds.upper, request.tolerance);
+  const LockedRange range = locked_range(request.arm, request.bounds, request.seed, form);
+  const int dof = request.arm.dof();
+  claims.evidence().complete = false;
+  const int grid = request.options.grid;
+  if (request.options.all) {
+    for (const double value : grid_values(range, grid)) {
+      PieperBranches found;
+      form.branches(request.goal, value, six, found);
+      add_branches(form, found, value, dof, claims);
+    }
+    return;
+  }
+  LeastOutside outside;
+  const LockedBranch branch =
+      request.options.redundancy == Redundancy::any
+          ? first_within(form, request.goal, range, grid, six, outside)
+          : best_within(form, request.goal, range, grid, request.options.redundancy, six);
+  Configuration q(dof);
+  if (branch.lane >= 0) {
+    form.configuration(branch.found, branch.lane, branch.value, q);
+    return claims.add(q, (branch.found.continuum >> branch.lane & 1) != 0);
+  }
+  for (int i = 0; i < outside.count; ++i) {
+    claims.add(Eigen::Map<const Configuration>(outside.q[i], dof), false);
+  }
+  if (outside.count > 0 && solve_from_outside(state, request.goal, outside, request.tolerance, q)) {
+    claims.add(q, false);
+  }
+}
+
+void solve_planar(const Request& request, Claims& claims) {
+  for (const PlanarSolution& candidate : nearest_planar_solutions(
+           request.arm, request.goal, request.task, request.seed, request.tolerance)) {
+    claims.add(candidate.q, candidate.continuum);
+  }
+}
+
+void solve_branches(SolverState& state, const Request& request, Claims& claims) {
+  const PieperSolver& form = *state.closed;
+  PieperRequest six =
+      form.request(request.seed, request.bounds.lower, request.bounds.upper, request.tolerance);
+  PieperBranches found;
+  form.branches(request.goal, 0, six, found);
+  add_branches(form, found, 0, request.arm.dof(), claims);
+  // An added joint may share a singular rotation with the arm's joints: then only one of infinitely
+  // many solutions was examined.
+  claims.evidence().complete = !form.has_virtual_joints() || found.continuum == 0;
+  claims.evidence().doubtful |= !state.closed_is_sure || nearly_found(form, found);
+}
+
+}  // namespace
+
+void solve_general_six(const RaghavanRothSolver& general, const Request& request,
+                       StageResult& found) {
+  found.unconstrained = {};
+  Claims claims(request, found);
+  Eigen::Matrix<double, 6, RaghavanRothSolver::max_solutions> q;
+  const RaghavanRothSolver::Result all = general.solve(request.goal, q);
+  for (int i = 0; i < all.count; ++i) claims.add(q.col(i), false);
+  claims.evidence().complete = all.complete && !claims.evidence().doubtful;
+  claims.evidence().doubtful = !claims.evidence().complete;
+}
+
+bool has_analytic_stage(const SolverState& state) {
+  return state.planar || state.closed || state.general;
+}
+
+void solve_analytic(SolverState& state, const Request& request, StageResult& found) {
+  if (!state.planar && !state.closed) return solve_general_six(*state.general, request, found);
+  Claims claims(request, found);
+  UnconstrainedResult& evidence = claims.evidence();
+  evidence.complete = true;
+  if (state.planar) {
+    solve_planar(request, claims);
+  } else if (state.closed->locked()) {
+    solve_locked(state, request, claims);
+  } else {
+    solve_branches(state, request, claims);
+  }
+  evidence.complete = evidence.complete && !evidence.doubtful;
+  found.result.singular = evidence.continuum && !found.result.solutions.empty();
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <beeline/inverse/internal/solver_state.h>
+#include <beeline/inverse/internal/stage_result.h>
+
+namespace beeline::internal {
+
+/// Whether a closed form or the general solver of six joints was prepared.
+bool has_analytic_stage(const SolverState& state);
+
+/// Adds the solutions by formulas. Requires has_analytic_stage().
+void solve_analytic(SolverState& state, const Request& request, StageResult& found);
+
+/// Adds the solutions of six revolute joints of any geometry; what was known before is replaced.
+void solve_general_six(const RaghavanRothSolver& general, const Request& request,
+                       StageResult& found);
+
+}  // namespace beeline::internal

@@ -1,0 +1,250 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/error.h>
+#include <beeline/inverse/internal/diagnosis.h>
+#include <beeline/inverse/internal/diagnosis_text.h>
+#include <beeline/inverse/internal/nearest_pose.h>
+#include <beeline/inverse/internal/solution_set.h>
+#include <beeline/inverse/internal/stages.h>
+#include <beeline/inverse/numerical/representative.h>
+#include <beeline/kinematics/forward.h>
+
+namespace beeline::internal {
+namespace {
+
+// Starts of a search for the nearest pose. Each ends at a local minimum of the error; more starts
+// miss the global one less often, and take longer.
+constexpr int max_starts = 64;
+// Joints of an arm for which the minimum is then located to rounding; the Hessian of a longer chain
+// takes too long.
+constexpr int max_refined = 12;
+
+Deviation deviation_at(const Request& request, const Configuration& q) {
+  return task_deviation(request.task, request.goal, forward_kinematics(request.arm, q));
+}
+
+NearestMiss nearest_miss(const Request& request, const Configuration& q) {
+  NearestMiss miss;
+  miss.q = nearest_representative(request.arm, q, request.seed, request.bounds);
+  miss.world_T_tool = forward_kinematics(request.arm, q);
+  miss.error = deviation_at(request, q);
+  return miss;
+}
+
+/// Returns the goal, moved along the line to the arm where it is so far away that the error's
+/// digits would be lost to the distance.
+Pose goal_within_digits(const Request& request) {
+  const Arm::Reach& reach = request.arm.reach();
+  constexpr double far = 100;  // times the reach: two of sixteen digits
+  const Vector3 offset = request.goal.translation() - reach.centre;
+  Pose goal = request.goal;
+  if (offset.norm() > far * reach.radius) {
+    goal.translation() = reach.centre + far * reach.radius * offset.normalized();
+  }
+  return goal;
+}
+
+/// Returns the configuration of least error in a part of the task, limits ignored.
+Configuration nearest_for(const Request& request, const Task& task, SolverState& state,
+                          const Configuration& start) {
+  const PreparedSearch prepared =
+      prepared_search(request.arm, task, no_bounds(request.arm), request.options.random_seed);
+  const Pose goal = goal_within_digits(request);
+  multi_start(prepared.problem, prepared.seeds, goal, start,
+              {.tolerance = request.tolerance,
+               .iterations = 200,  // towards a minimum above zero it converges linearly
+               .restarts = max_starts,
+               .random_seed = request.options.random_seed},
+              state.buffers, state.search);
+  const NumericalResult& nearest = state.search.nearest;
+  if (nearest.converged || request.arm.dof() > max_refined) return nearest.q;
+  return nearest_for_task(request.arm, goal, task, nearest.q);
+}
+
+/// Returns, of many configurations at the goal's position, the one of least orientation error.
+Configuration nearest_orientation_of_many(const Request& request, const Task& position,
+                                          SolverState& state, const Configuration& start) {
+  if (deviation_at(request, start).position > request.tolerance) return start;
+  const PreparedSearch prepared =
+      prepared_search(request.arm, position, no_bounds(request.arm), request.options.random_seed);
+  multi_start(prepared.problem, prepared.seeds, request.goal, start,
+              {.tolerance = request.tolerance,
+               .restarts = max_starts,
+               .all = true,
+               .random_seed = request.options.random_seed},
+              state.buffers, state.search);
+  Configuration best = nearest_orientation(request.arm, request.goal, request.task, start);
+  for (const Configuration& q : state.search.solutions) {
+    const Configuration there = nearest_orientation(request.arm, request.goal, request.task, q);
+    if (deviation_at(request, there).orientation < deviation_at(request, best).orientation) {
+      best = there;
+    }
+  }
+  return best;
+}
+
+void set_outside_limits(const Request& request, const Configuration& q, bool all_examined,
+                        InverseResult& result) {
+  result.status = InverseStatus::outside_limits;
+  result.nearest = nearest_miss(request, q);
+  const Configuration over = (request.bounds.lower - q).cwiseMax(q - request.bounds.upper);
+  result.nearest->excess = over.maxCoeff(&result.nearest->blocking);
+  result.residual = result.nearest->excess;
+  result.reason = std::string(all_examined ? "every solution is outside the joint limits"
+                                           : "no solution within the joint limits was found") +
+                  "; in the nearest one " + blocking_joint(request.arm, q, request.bounds);
+}
+
+void set_not_found(const Request& request, const Configuration& q, const std::string& why,
+                   InverseResult& result) {
+  result.status = InverseStatus::not_found;
+  result.nearest = nearest_miss(request, q);
+  const Deviation& error = result.nearest->error;
+  result.residual = std::max(error.position, error.orientation);
+  result.reason = "no solution was found" + why + "; the nearest misses by " +
+                  miss(error, request.tolerance) + "; that none exists is not shown";
+}
+
+/// Sets what a proof of infeasibility says instead of a search.
+void set_violation(const Infeasibility& violation, InverseResult& result) {
+  result.method = "geometry";
+  result.reason = violation.reason;
+  result.residual = violation.missing;
+}
+
+/// Requires result.nearest.
+void set_unreachable(const Request& request, const UnconstrainedResult& evidence,
+                     InverseResult& result) {
+  result.status = InverseStatus::unreachable;
+  result.residual = result.nearest->error.position;
+  if (evidence.violation && !evidence.violation->of_orientation) {
+    return set_violation(*evidence.violation, result);
+  }
+  const bool refined = request.arm.dof() <= max_refined;
+  result.reason = "the position is out of reach by " + number(result.residual) +
+                  " m: the tool of arm " + request.arm.name() +
+                  (refined ? " comes no nearer than " : " was found to come as near as ") +
+                  point(result.nearest->world_T_tool.translation());
+}
+
+/// Requires result.nearest.
+void set_orientation_unreachable(const Request& request, const UnconstrainedResult& evidence,
+                                 InverseResult& result) {
+  result.status = InverseStatus::orientation_unreachable;
+  result.residual = result.nearest->error.orientation;
+  if (evidence.violation) return set_violation(*evidence.violation, result);
+  const bool has_position = position_part(request.task).size() > 0;
+  result.reason = "the tool of arm " + request.arm.name() +
+                  (has_position ? " can come to the position, but not with that orientation"
+                                : " cannot take that orientation") +
+                  ": the nearest that was found is off by " + angle(result.residual);
+}
+
+/// If q solves the request after all, which the stages missed, completes the result and returns
+/// true.
+bool accept_if_solution(const Request& request, const Configuration& q, InverseResult& result) {
+  if (error_at(request, q) > request.tolerance) return false;
+  if (request.options.method == InverseMethod::closed_form) {
+    set_not_found(request, q, " by the closed form, though a numerical search finds one", result);
+    return true;
+  }
+  add_solution(request, q, result);
+  result.method = "numerical";
+  if (result.solutions.empty()) {
+    const Configuration nearest =
+        nearest_representative(request.arm, q, request.seed, request.bounds);
+    set_outside_limits(request, nearest, false, result);
+  }
+  return true;
+}
+
+/// Runs all stages again without joint limits, for all solutions; accept_if_solution() of the one
+/// that is least outside the limits.
+bool solve_without_limits(const Request& request, InverseResult& result) {
+  if (!any_finite(request.bounds) || request.options.method != InverseMethod::automatic) {
+    return false;
+  }
+  InverseOptions options = request.options;
+  options.ignore_limits = options.all = true;
+  options.every_turn = false;
+  options.task = request.task;
+  options.seed.reset();
+  SolverState state = make_solver_state(request.arm, options);
+  Configuration seed = request.seed;
+  wrap_unlimited_angles(state.arm, state.bounds, farthest_seed, seed);
+  const Request unlimited =
+      make_request(state.arm, state.options, state.task, state.bounds, request.goal, seed);
+  StageResult found = run_stages(state, unlimited);
+  if (found.result.solutions.empty()) return false;
+  finish(unlimited, found.result);
+  UnconstrainedResult least;
+  for (const Configuration& q : found.result.solutions) least.consider(request, q);
+  return accept_if_solution(request, *least.least, result);
+}
+
+/// The nearest pose, limits ignored: by position first, then by orientation. Empty where that
+/// search found a solution, which then completes the result.
+std::optional<Configuration> nearest_configuration(SolverState& state, const Request& request,
+                                                   InverseResult& result) {
+  Configuration q = nearest_for(request, request.task, state, request.seed);
+  if (accept_if_solution(request, q, result)) return std::nullopt;
+  const Task position = position_part(request.task);
+  if (position.size() == 0 || position.size() == request.task.size()) return q;
+  q = nearest_for(request, position, state, q);
+  q = nearest_orientation_of_many(request, position, state, q);
+  if (accept_if_solution(request, q, result)) return std::nullopt;
+  return q;
+}
+
+/// Chooses the status for a request that has no solutions even without limits, as far as is known.
+void set_nearest(const Request& request, const UnconstrainedResult& evidence, bool proved,
+                 const Configuration& q, InverseResult& result) {
+  result.nearest = nearest_miss(request, q);
+  const Deviation& error = result.nearest->error;
+  // A pose at the edge of reach is reached to the square root of rounding only: a smaller error is
+  // no sign that it is beyond.
+  constexpr double at_the_edge = 1e-6;  // radians, or of the arm's size
+  const bool has_position = position_part(request.task).size() > 0;
+  const bool away =
+      error.position > std::max(request.tolerance, at_the_edge * unit_of_length(request.arm));
+  if (has_position && (away || (proved && error.position > request.tolerance))) {
+    return set_unreachable(request, evidence, result);
+  }
+  // The search for the nearest orientation is good to about this much: see nearest_orientation().
+  constexpr double clear = 1e-3;  // radians
+  const bool searched = result.restarts >= max_starts && error.orientation > clear;
+  const bool examined = evidence.complete && error.orientation > at_the_edge;
+  const bool in_position = error.position <= request.tolerance;
+  if (evidence.violation || (in_position && (searched || examined))) {
+    return set_orientation_unreachable(request, evidence, result);
+  }
+  const bool iterated = result.iterations > 0;
+  set_not_found(request, q,
+                iterated ? " from " + std::to_string(result.restarts + 1) + " starts" : "", result);
+}
+
+}  // namespace
+
+void diagnose(SolverState& state, const Request& request, const UnconstrainedResult& evidence,
+              InverseResult& result) {
+  const bool late = std::chrono::steady_clock::now() >= request.deadline;
+  const bool proved = evidence.violation ||
+                      out_of_reach(request.arm, request.goal, request.task, request.tolerance);
+  const bool outside = evidence.least && evidence.excess > 0;
+  if (late && !proved && !(outside && evidence.complete)) {
+    const Configuration& met = state.search.nearest.q;
+    const bool nearer = met.size() == request.seed.size() &&
+                        error_at(request, met) < error_at(request, request.seed);
+    return set_not_found(request, nearer ? met : request.seed, " before the time limit", result);
+  }
+  if (outside) {
+    const bool all_examined = evidence.complete && !evidence.continuum;
+    return set_outside_limits(request, *evidence.least, all_examined, result);
+  }
+  const std::optional<Configuration> nearest = nearest_configuration(state, request, result);
+  if (!nearest || (!proved && solve_without_limits(request, result))) return;
+  set_nearest(request, evidence, proved, *nearest, result);
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <beeline/kinematics/task.h>
+
+namespace beeline::internal {
+
+/// A proof from the arm's geometry that no configuration reaches a pose.
+struct Infeasibility {
+  double missing = 0;           ///< least error of any configuration: metres, or radians
+  bool of_orientation = false;  ///< whether `missing` is an angle
+  std::string reason;           ///< one sentence
+};
+
+/// Whether the pose is outside the ball that the tool never leaves (Arm::reach).
+std::optional<Infeasibility> beyond_reach(const Arm& arm, const Pose& world_T_tool,
+                                          const Task& task, double tolerance);
+
+/// Whether beyond_reach() holds without joint limits too: then no search is needed. True only for
+/// arms whose moving joints are all revolute, since their ball does not depend on limits.
+bool out_of_reach(const Arm& arm, const Pose& world_T_tool, const Task& task, double tolerance);
+
+/// Whether the pose differs from the tool's in a quantity that no joint changes. For arms whose
+/// axes are all parallel these are the tilt against the axes and, where nothing moves along them,
+/// the height; for arms with prismatic joints only, the orientation and the components of the
+/// position outside the span of the directions.
+std::optional<Infeasibility> invariant_violation(const Arm& arm, const Pose& world_T_tool,
+                                                 const Task& task, double tolerance);
+
+}  // namespace beeline::internal

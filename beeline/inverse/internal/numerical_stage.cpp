@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <bit>
+
+#include <beeline/inverse/internal/numerical_stage.h>
+#include <beeline/inverse/internal/solution_set.h>
+#include <beeline/inverse/numerical/representative.h>
+
+namespace beeline::internal {
+namespace {
+
+/// Searches from many starts and adds what it finds; `all`: with all restarts.
+void search(SolverState& state, const Request& request, const PreparedSearch& prepared,
+            int restarts, bool all, InverseResult& result) {
+  Configuration start = request.seed;
+  wrap_unlimited_angles(request.arm, prepared.problem.bounds, 0, start);
+  multi_start(prepared.problem, prepared.seeds, request.goal, start,
+              {.tolerance = request.tolerance,
+               .iterations = request.options.iterations,
+               .restarts = restarts,
+               .all = all,
+               .random_seed = request.options.random_seed,
+               .deadline = request.deadline},
+              state.buffers, state.search);
+  result.iterations += state.search.iterations;
+  result.restarts += state.search.restarts;
+  for (const Configuration& q : state.search.solutions) add_solution(request, q, result);
+}
+
+/// Runs Levenberg-Marquardt within limits from one configuration and adds its solution.
+void solve_from(const Request& request, const Configuration& start, InverseResult& result) {
+  const NumericalResult run = levenberg_marquardt(
+      request.arm, request.goal, request.task, request.bounds, start,
+      {.tolerance = request.tolerance, .iterations = request.options.iterations});
+  result.iterations += run.iterations;
+  if (run.converged) add_solution(request, run.q, result);
+}
+
+/// Searches without limits for what a search within them missed: a posture of which another
+/// representative is within them, or one from which Levenberg-Marquardt converges within them.
+void search_without_limits(SolverState& state, const Request& request, StageResult& found) {
+  if (!state.without_limits) {
+    state.without_limits = prepared_search(request.arm, request.task, no_bounds(request.arm),
+                                           request.options.random_seed);
+  }
+  // More restarts find more postures of arms with many, but most requests that come here have none.
+  constexpr int max_restarts = 100;
+  search(state, request, *state.without_limits, std::min(request.options.restarts, max_restarts),
+         true, found.result);
+  const std::vector<Configuration> postures = state.search.solutions;
+  for (const Configuration& q : postures) {
+    if (!found.result.solutions.empty()) break;
+    found.unconstrained.consider(request, q);
+    const Configuration nearest =
+        nearest_representative(request.arm, q, request.seed, request.bounds);
+    solve_from(request, nearest, found.result);
+  }
+}
+
+}  // namespace
+
+bool search_fast_path(SolverState& state, const Pose& goal, const ConfigurationRef& seed,
+                      Eigen::Ref<Eigen::MatrixXd> solutions) {
+  const PreparedSearch& prepared = search_within_limits(state);
+  multi_start(prepared.problem, prepared.seeds, goal, seed,
+              {.tolerance = state.options.tolerance,
+               .iterations = state.options.iterations,
+               .restarts = state.options.restarts,
+               .random_seed = state.options.random_seed},
+              state.buffers, state.search);
+  if (state.search.solutions.empty()) return false;
+  solutions.col(0) = state.search.solutions.front();
+  return true;
+}
+
+bool solve_from_outside(SolverState& state, const Pose& goal, const LeastOutside& outside,
+                        double tolerance, Eigen::Ref<Configuration> q) {
+  const NumericalProblem& problem = search_within_limits(state).problem;
+  LevenbergMarquardtLanes& lanes = state.buffers.lanes;
+  lanes.active = lanes.converged = 0;
+  for (int i = 0; i < outside.count; ++i) start_lane(problem, outside.q[i], i, lanes);
+  while (lanes.active != 0 && lanes.converged == 0) {
+    run_lanes(
+        problem, goal,
+        {.tolerance = tolerance, .iterations = state.options.iterations, .first_is_enough = true},
+        state.options.iterations, lanes);
+  }
+  if (lanes.converged == 0) return false;
+  lane_configuration(problem, lanes, std::countr_zero(lanes.converged), q.data());
+  return true;
+}
+
+void solve_numerical(SolverState& state, const Request& request, StageResult& found) {
+  InverseResult& result = found.result;
+  const bool first = result.solutions.empty();
+  const PreparedSearch& prepared = search_within_limits(state);
+  // For one solution: first the branch of the seed, if it leads to one.
+  if (!request.options.all) solve_from(request, request.seed, result);
+  if (request.options.all || result.solutions.empty()) {
+    search(state, request, prepared, request.options.restarts, request.options.all, result);
+    if (result.solutions.empty() && any_finite(request.bounds) && !found.unconstrained.complete) {
+      search_without_limits(state, request, found);
+    }
+  }
+  if (first && !result.solutions.empty()) result.method = "numerical";
+}
+
+}  // namespace beeline::internal

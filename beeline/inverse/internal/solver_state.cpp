@@ -1,0 +1,112 @@
+#include <algorithm>
+
+#include <beeline/error.h>
+#include <beeline/inverse/analytic/planar_solver.h>
+#include <beeline/inverse/internal/request.h>
+#include <beeline/inverse/internal/solver_state.h>
+#include <beeline/inverse/numerical/representative.h>
+#include <beeline/kinematics/forward.h>
+
+namespace beeline::internal {
+namespace {
+
+/// Whether the arm has six revolute joints, each driven by its own coordinate.
+bool is_general_six(const Arm& arm, const Task& task) {
+  return arm.dof() == 6 && arm.joints().size() == 6 && task.size() == 6 &&
+         std::all_of(arm.joints().begin(), arm.joints().end(),
+                     [](const Joint& joint) { return kind(joint) == JointKind::revolute; });
+}
+
+/// With options.lock: keeps the closed form that takes that coordinate's value as an input, if
+/// there is one. Otherwise the arm is another one for each value: see solve().
+SolverState prepare_locked(SolverState state) {
+  if (state.options.method == InverseMethod::numerical) return state;
+  state.closed = PieperSolver::make(state.arm, state.task);
+  if (state.closed && state.closed->locked() != state.options.lock) state.closed.reset();
+  return state;
+}
+
+/// Whether the closed form recovers random configurations of the arm, or reports a continuum. Where
+/// axes of its loop coincide it may miss both. Sixteen trials, since an arm for which it fails
+/// fails almost everywhere; within 1e-4, far from other solutions and far above rounding.
+bool recovers_configurations(const PieperSolver& form, const Arm& arm) {
+  constexpr int trials = 16;
+  const Configuration zero = Configuration::Zero(arm.dof());
+  const Bounds open = no_bounds(arm);
+  PieperRequest six = form.request(zero, open.lower, open.upper);
+  Splitmix random(1);
+  for (int trial = 0; trial < trials; ++trial) {
+    Configuration q(arm.dof()), recovered(arm.dof());
+    for (double& value : q) value = 2 * random.next() - 1;
+    PieperBranches found;
+    const double value = form.locked() ? q[*form.locked()] : 0;
+    form.branches(forward_kinematics(arm, q), value, six, found);
+    bool met = found.continuum != 0;
+    for (int lane = 0; lane < 8 && !met; ++lane) {
+      if ((found.found >> lane & 1) == 0) continue;
+      form.configuration(found, lane, value, recovered);
+      met = same_posture(arm, q, recovered, 1e-4);
+    }
+    if (!met) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+SolverState make_solver_state(const Arm& arm, const InverseOptions& options) {
+  check_options(arm, options);
+  const Configuration middle = middle_configuration(arm);
+  SolverState state{arm, options, options.task.value_or(default_task(arm)),
+                    options.ignore_limits ? no_bounds(arm) : bounds_of(arm), middle};
+  if (options.seed) check_configuration(arm, *options.seed);
+  if (options.lock) return prepare_locked(std::move(state));
+  const bool formulas = options.method != InverseMethod::numerical;
+  state.planar = formulas && has_planar_closed_form(arm, state.task);
+  if (formulas && !state.planar) state.closed = PieperSolver::make(arm, state.task);
+  if (state.closed) state.closed_is_sure = recovers_configurations(*state.closed, arm);
+  state.general_six = formulas && !state.closed && is_general_six(arm, state.task);
+  // For one solution the numerical stage is faster there.
+  if (options.all || options.method == InverseMethod::closed_form) {
+    state.general = make_general_six(state);
+  }
+  if (options.method == InverseMethod::closed_form && !state.planar && !state.closed &&
+      !state.general) {
+    throw Error("arm " + arm.name() + " has no closed form for the task " + name(state.task) +
+                "; method numerical solves it");
+  }
+  return state;
+}
+
+void check_lock(const SolverState& state, const ConfigurationRef& seed) {
+  if (state.options.ignore_limits) return;
+  const int k = *state.options.lock;
+  const double lower = state.bounds.lower[k], upper = state.bounds.upper[k];
+  if (seed[k] >= lower && seed[k] <= upper) return;
+  const Joint& joint = state.arm.joint_of(k);
+  throw Error("joint " + joint.name + " is locked at " + with_unit(joint, seed[k]) +
+              "; its limits are " + with_unit(joint, lower) + " to " + with_unit(joint, upper));
+}
+
+std::optional<RaghavanRothSolver> make_general_six(const SolverState& state) {
+  if (!state.general_six) return std::nullopt;
+  RaghavanRothSolver general(state.arm.chain());
+  return general.reliable() ? std::optional(std::move(general)) : std::nullopt;
+}
+
+const PreparedSearch& search_within_limits(SolverState& state) {
+  if (!state.within_limits) {
+    state.within_limits =
+        prepared_search(state.arm, state.task, state.bounds, state.options.random_seed);
+  }
+  return *state.within_limits;
+}
+
+std::string method_name(const SolverState& state) {
+  if (state.planar) return "closed form: planar";
+  if (state.closed) return "closed form: " + state.closed->family(state.missing);
+  if (state.general) return "closed form: general six joints";
+  return "numerical";
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <beeline/inverse/analytic/pieper_solver.h>
+#include <beeline/inverse/analytic/raghavan_roth_solver.h>
+#include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/inverse/numerical/multi_start.h>
+
+namespace beeline::internal {
+
+/// The private state of InverseSolver: what the stages need to know of an arm, computed once, and
+/// their buffers.
+struct SolverState {
+  Arm arm;
+  InverseOptions options;
+  Task task;
+  Bounds bounds;         ///< the joint limits, or none where they are ignored
+  Configuration middle;  ///< the default seed
+  bool planar = false;   ///< has_planar_closed_form()
+  std::optional<PieperSolver> closed = std::nullopt;
+  bool closed_is_sure = true;  ///< whether it recovered random configurations of the arm
+  bool general_six = false;    ///< six revolute joints without a closed form of a known family
+  std::optional<RaghavanRothSolver> general = std::nullopt;  ///< for all solutions
+  std::optional<RaghavanRothSolver> second_opinion =
+      std::nullopt;  ///< where the numerical stage fails
+  std::optional<PreparedSearch> within_limits = std::nullopt;
+  std::optional<PreparedSearch> without_limits = std::nullopt;
+  /// The coordinate of a longer arm that is locked in this one.
+  std::optional<int> missing = std::nullopt;
+  std::vector<SolverState> locked = {};  ///< empty, or the solver of the arm with options.lock ...
+  double locked_value = 0;               ///< ... at this value
+  MultiStartBuffers buffers = {};
+  SearchResult search = {};
+};
+
+/// Throws Error for options that are not valid, or a closed form that the arm does not have.
+SolverState make_solver_state(const Arm& arm, const InverseOptions& options);
+
+/// Sets state.within_limits and returns it.
+const PreparedSearch& search_within_limits(SolverState& state);
+
+/// The solver of six revolute joints, if it is reliable for the arm. Takes milliseconds.
+std::optional<RaghavanRothSolver> make_general_six(const SolverState& state);
+
+/// The name of the method, such as "closed form: planar".
+std::string method_name(const SolverState& state);
+
+/// Throws Error where options.lock would hold a coordinate outside its limits.
+void check_lock(const SolverState& state, const ConfigurationRef& seed);
+
+/// A seed with an angle beyond this loses too many digits for the fast path: see
+/// wrap_unlimited_angles().
+inline constexpr double farthest_seed = 1e3;  // radians
+
+}  // namespace beeline::internal

@@ -1,0 +1,70 @@
+#include <beeline/inverse/internal/analytic_stage.h>
+#include <beeline/inverse/internal/numerical_stage.h>
+#include <beeline/inverse/internal/stages.h>
+
+namespace beeline::internal {
+namespace {
+
+struct Stage {
+  /// Whether the stage has something to add to what was found before it.
+  bool (*applies)(const SolverState& state, const Request& request, const StageResult& found);
+  void (*run)(SolverState& state, const Request& request, StageResult& found);
+};
+
+bool always(const SolverState&, const Request&, const StageResult&) { return true; }
+
+/// Looks for a proof that there are no solutions at all.
+void check_invariants(SolverState&, const Request& request, StageResult& found) {
+  UnconstrainedResult& evidence = found.unconstrained;
+  evidence.violation =
+      invariant_violation(request.arm, request.goal, request.task, request.tolerance);
+  evidence.complete = evidence.violation.has_value();
+}
+
+bool wants_formulas(const SolverState& state, const Request&, const StageResult& found) {
+  return !found.unconstrained.violation && has_analytic_stage(state);
+}
+
+/// Whether solutions are missing, or may be, and a search can find them.
+bool wants_search(const SolverState& state, const Request& request, const StageResult& found) {
+  const UnconstrainedResult& evidence = found.unconstrained;
+  const bool none = found.result.solutions.empty();
+  const bool missing = none || (evidence.doubtful && request.options.all);
+  // All solutions were examined; but of a continuum another member may be within limits.
+  const bool proved = evidence.complete && !(evidence.continuum && none);
+  return missing && !proved && state.options.method != InverseMethod::closed_form &&
+         !out_of_reach(request.arm, request.goal, request.task, request.tolerance);
+}
+
+/// Whether the search found nothing, which proves nothing, and formulas have not been tried.
+bool wants_second_opinion(const SolverState& state, const Request& request,
+                          const StageResult& found) {
+  return found.result.solutions.empty() && state.general_six && !state.general &&
+         wants_search(state, request, found);
+}
+
+void solve_by_second_opinion(SolverState& state, const Request& request, StageResult& found) {
+  if (!state.second_opinion) state.second_opinion = make_general_six(state);
+  if (state.second_opinion) solve_general_six(*state.second_opinion, request, found);
+}
+
+/// A new stage is a line here.
+constexpr Stage stages[] = {
+    {always, check_invariants},
+    {wants_formulas, solve_analytic},
+    {wants_search, solve_numerical},
+    {wants_second_opinion, solve_by_second_opinion},
+};
+
+}  // namespace
+
+StageResult run_stages(SolverState& state, const Request& request) {
+  StageResult found;
+  found.result.method = method_name(state);
+  for (const Stage& stage : stages) {
+    if (stage.applies(state, request, found)) stage.run(state, request, found);
+  }
+  return found;
+}
+
+}  // namespace beeline::internal

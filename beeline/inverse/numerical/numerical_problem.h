@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include <beeline/inverse/numerical/bounds.h>
+#include <beeline/model/chain.h>
+
+namespace beeline::internal {
+
+/// The number of configurations that the kernels treat at once.
+inline constexpr int solver_lane_count = 8;
+
+/// One number for each lane, aligned for the widest registers.
+struct alignas(64) EightNumbers {
+  double lane[solver_lane_count] = {};
+};
+
+/// Arm, task and bounds in the form that the iterative solvers use, made once for many poses.
+/// Lengths, and the coordinates of prismatic joints, are in units of `length`, so that they weigh
+/// like radians; it is a power of two, so the conversion is exact.
+struct NumericalProblem {
+  Arm arm;
+  Task task;
+  Bounds bounds;
+  double length = 1;  ///< metres; unit_of_length(arm) rounded to a power of two
+  Chain chain;        ///< in units of length
+  struct Coordinate {
+    double unit = 1;                   ///< radians or metres
+    double lower = 0, upper = 0;       ///< the bounds in units
+    bool wraps = false;                ///< a step beyond a bound continues one turn away
+    double lowest = 0, highest = 0;    ///< the bounds of a step: infinite where it wraps
+    bool slides = false;               ///< prismatic
+    bool turns_around = false;         ///< see turns_around()
+    int first_link = 0, end_link = 0;  ///< its links are links[first_link] to links[end_link - 1]
+  };
+  std::vector<Coordinate> coordinates;
+  std::vector<int> links;  ///< indices into chain.links, ordered by coordinate
+};
+
+/// Throws Error for an arm, task and bounds for which levenberg_marquardt() does.
+NumericalProblem numerical_problem(const Arm& arm, const Task& task, const Bounds& bounds);
+
+}  // namespace beeline::internal
