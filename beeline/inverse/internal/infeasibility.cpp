@@ -38,31 +38,31 @@ std::optional<Infeasibility> against_parallel_axes(const Arm& arm, const Vector3
                                                    const std::vector<Twist>& motions,
                                                    const Pose& goal, const Task& task,
                                                    double tolerance) {
-  const Pose rest = forward_kinematics(arm, Configuration::Zero(arm.dof()));
-  const Vector3 seen = rest.linear().transpose() * axis;  // the axis in the tool's frame: constant
-  const Vector3 local = task.frame == Frame::tool ? seen : axis;
+  const Pose at_zero = forward_kinematics(arm, Configuration::Zero(arm.dof()));
+  const Vector3 constant = at_zero.linear().transpose() * axis;  // the axis in the tool's frame
+  const Vector3 local = task.frame == Frame::tool ? constant : axis;
   const bool about_z = local.head<2>().norm() < parallel;
-  const Vector3 asked = goal.linear().transpose() * axis;
-  const double tilt = std::atan2(seen.cross(asked).norm(), seen.dot(asked));
+  const Vector3 requested = goal.linear().transpose() * axis;
+  const double tilt = std::atan2(constant.cross(requested).norm(), constant.dot(requested));
   const double skew = 2 * parallel * static_cast<double>(motions.size());
   if (tilt > tolerance + skew && (rows(task, 3) || (about_z && task.rows[3] && task.rows[4]))) {
     return Infeasibility{tilt, true,
                          "the pose is tilted by " + angle(tilt) +
-                             " against all that the tool can take: every axis of arm " +
-                             arm.name() + " has the same direction, about which alone it turns"};
+                             " against every orientation of the tool: all joint axes of arm " +
+                             arm.name() + " have one direction, about which alone it rotates"};
   }
   const bool moves_along = std::any_of(
       motions.begin(), motions.end(),
       [&axis](const Twist& motion) { return std::abs(motion.head<3>().dot(axis)) > parallel; });
-  const double off = std::abs(axis.dot(goal.translation() - rest.translation()));
-  const double way = (goal.translation() - rest.translation()).norm();
-  const double size = std::isfinite(arm.reach().radius) ? arm.reach().radius : way;
+  const double off = std::abs(axis.dot(goal.translation() - at_zero.translation()));
+  const double offset = (goal.translation() - at_zero.translation()).norm();
+  const double size = std::isfinite(arm.reach().radius) ? arm.reach().radius : offset;
   if (!moves_along && off > tolerance + skew * size &&
       (rows(task, 0) || (about_z && task.rows[2]))) {
-    return Infeasibility{off, false,
-                         "the pose is " + number(off) + " m off the plane that the tool of arm " +
-                             arm.name() +
-                             " never leaves: all axes are normal to it, and nothing slides out"};
+    return Infeasibility{
+        off, false,
+        "the pose is " + number(off) + " m off the plane that the tool of arm " + arm.name() +
+            " never leaves: all axes are normal to it, and no joint moves along them"};
   }
   return std::nullopt;
 }
@@ -70,47 +70,48 @@ std::optional<Infeasibility> against_parallel_axes(const Arm& arm, const Vector3
 /// No joint rotates: the orientation is constant, and the position linear in q.
 std::optional<Infeasibility> against_slides(const Arm& arm, const std::vector<Twist>& motions,
                                             const Pose& goal, const Task& task, double tolerance) {
-  const Pose rest = forward_kinematics(arm, Configuration::Zero(arm.dof()));
-  const double turn = task_deviation(task, goal, rest).orientation;
+  const Pose at_zero = forward_kinematics(arm, Configuration::Zero(arm.dof()));
+  const double turn = task_deviation(task, goal, at_zero).orientation;
   if (turn > tolerance) {
     return Infeasibility{turn, true,
                          "the orientation differs by " + angle(turn) +
-                             " from the tool's, which no joint of arm " + arm.name() + " turns"};
+                             " from the tool's, which no joint of arm " + arm.name() + " rotates"};
   }
   const Rotation axes =
-      task.frame == Frame::tool ? Rotation(rest.linear().transpose()) : Rotation::Identity();
+      task.frame == Frame::tool ? Rotation(at_zero.linear().transpose()) : Rotation::Identity();
   Eigen::Matrix3Xd directions(3, motions.size());
   for (std::size_t i = 0; i < motions.size(); ++i) {
     directions.col(static_cast<Eigen::Index>(i)) = axes * motions[i].head<3>();
   }
-  const Vector3 way = masked_position(task, axes * (goal.translation() - rest.translation()));
+  const Vector3 offset = masked_position(task, axes * (goal.translation() - at_zero.translation()));
   for (int i = 0; i < 3; ++i) {
     if (!task.rows[i]) directions.row(i).setZero();
   }
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  decomposition.setThreshold(parallel);  // slides of one direction span a line
+  decomposition.setThreshold(parallel);  // parallel prismatic joints span a line
   decomposition.compute(directions);
-  const double off = (directions * decomposition.solve(way) - way).norm();
+  const double off = (directions * decomposition.solve(offset) - offset).norm();
   if (off <= tolerance) return std::nullopt;
   return Infeasibility{off, false,
-                       "the position is " + number(off) + " m off all that the slides of arm " +
-                           arm.name() + " reach, however far they go"};
+                       "the position is " + number(off) +
+                           " m from the nearest that the prismatic joints of arm " + arm.name() +
+                           " reach, limits ignored"};
 }
 
 }  // namespace
 
 std::optional<Infeasibility> beyond_reach(const Arm& arm, const Pose& world_T_tool,
                                           const Task& task, double tolerance) {
-  Vector3 way = world_T_tool.translation() - arm.reach().centre;
+  Vector3 offset = world_T_tool.translation() - arm.reach().centre;
   if (!rows(task, 0)) {
     if (task.frame == Frame::tool) return std::nullopt;
-    way = masked_position(task, way);
+    offset = masked_position(task, offset);
   }
-  const double beyond = way.norm() - arm.reach().radius;
+  const double beyond = offset.norm() - arm.reach().radius;
   if (!(beyond > tolerance)) return std::nullopt;
   return Infeasibility{beyond, false,
                        "the pose is " + number(beyond) + " m beyond the reach of arm " +
-                           arm.name() + ": " + number(way.norm()) + " m from " +
+                           arm.name() + ": " + number(offset.norm()) + " m from " +
                            point(arm.reach().centre) + ", which the tool never leaves by more " +
                            "than " + number(arm.reach().radius) + " m"};
 }
