@@ -81,7 +81,8 @@ TEST(InverseSolver, IntoColumnsSolvesEveryBuiltInArm) {
         ++missed;
         continue;
       }
-      EXPECT_TRUE(within(bounds_of(arm), column.col(0))) << name << ' ' << column.transpose();
+      EXPECT_TRUE(within(internal::bounds_of(arm), column.col(0)))
+          << name << ' ' << column.transpose();
       const Pose reached = forward_kinematics(arm, column.col(0));
       EXPECT_LE(testing::largest(task_deviation(default_task(arm), pose, reached)), 1e-10) << name;
     }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <beeline/error.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/inverse/numerical/levenberg_marquardt_lanes.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
