@@ -6,6 +6,7 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/read/arm.h>
+#include <beeline/read/internal/numbers.h>
 
 #include "command/streams.h"
 
