@@ -16,7 +16,7 @@ using namespace beeline;
 
 namespace {
 
-struct Report {
+struct BatchReport {
   std::int64_t rows = 0;
   double seconds = 0;
   BatchCounts counts = {};
@@ -33,9 +33,9 @@ Eigen::Index rows_in_a_block(const BatchWork& work) {
   return std::clamp<Eigen::Index>(static_cast<Eigen::Index>(numbers / width), 16, work.max_rows);
 }
 
-Report process(const BatchArguments& arguments, const BatchWork& work) {
+BatchReport process(const BatchArguments& arguments, const BatchWork& work) {
   const auto start = std::chrono::steady_clock::now();
-  Report report;
+  BatchReport report;
   report.bad.skip = arguments.skip_bad;
   RowReader reader(arguments.in, work.forms);
   RowWriter writer(arguments.out, work.columns, arguments.single, arguments.threads);
@@ -63,7 +63,7 @@ Report process(const BatchArguments& arguments, const BatchWork& work) {
 }
 
 /// Warns of rows that were left out and of configurations outside the limits.
-void warn_of_rows(const Report& report) {
+void warn_of_rows(const BatchReport& report) {
   const BatchCounts& counts = report.counts;
   if (report.bad.count > 0) {
     warn(fmt::format("{} left out; the first: {}", counted(report.bad.count, "bad row"),
@@ -75,8 +75,8 @@ void warn_of_rows(const Report& report) {
   }
 }
 
-std::string text_of(const BatchArguments& arguments, const std::string& kind, const Arm& arm,
-                    const Report& report) {
+std::string batch_text(const BatchArguments& arguments, const std::string& kind, const Arm& arm,
+                       const BatchReport& report) {
   std::string text = fmt::format("{} of {}: {} in {:.3g} s, {:.3g} rows/s\n", kind, arm.name(),
                                  counted(report.rows, "row"), report.seconds, report.rate());
   if (kind == "jacobian") text += fmt::format("frame         {}\n", arguments.jacobian.frame);
@@ -85,8 +85,8 @@ std::string text_of(const BatchArguments& arguments, const std::string& kind, co
   return text;
 }
 
-Json document_of(const BatchArguments& arguments, const std::string& kind, const Arm& arm,
-                 const BatchWork& work, const Report& report) {
+Json batch_document(const BatchArguments& arguments, const std::string& kind, const Arm& arm,
+                    const BatchWork& work, const BatchReport& report) {
   Json document{{"arm", arm.name()},
                 {"rows", report.rows},
                 {"bad_rows", report.bad.count},
@@ -116,21 +116,21 @@ Answer batch(const BatchArguments& arguments, const std::string& kind, MakeWork 
   }
   const Arm arm = arguments.arm.read();
   const BatchWork work = make_work(arguments, arm);
-  const Report report = process(arguments, work);
+  const BatchReport report = process(arguments, work);
   warn_of_rows(report);
   const std::int64_t unsolved = report.rows - report.counts.solved;
-  return {.text = text_of(arguments, kind, arm, report),
-          .document = document_of(arguments, kind, arm, work, report),
+  return {.text = batch_text(arguments, kind, arm, report),
+          .document = batch_document(arguments, kind, arm, work, report),
           .yes = kind != "ik" || unsolved == 0,
           .reason = fmt::format("{} of {} poses without a solution: their rows are nan", unsolved,
                                 report.rows),
           .text_on_stderr = rows_on_stdout};
 }
 
-constexpr const char* configurations =
+constexpr const char* configurations_help =
     "Configurations, one in each row: .csv, with the joints' names in any order as header or "
     "without a header; .npy of shape (N, joints), dtype '<f8' or '<f4'; or - for CSV on stdin.";
-constexpr const char* poses =
+constexpr const char* poses_help =
     "Poses, one in each row, .csv, .npy or - for CSV on stdin: x,y,z,qw,qx,qy,qz; "
     "x,y,z,roll,pitch,yaw; the matrix m11,m12,...,m44 row by row; or x,y,theta (planar arms). "
     "Without a header, as many numbers in this order.";
@@ -182,7 +182,7 @@ Verb batch_fk() {
                           "qw >= 0.",
                       .target = &arguments.layout,
                       .choices = {"matrix", "pose"}};
-  Verb verb = common(arguments, "fk", configurations, {layout}, forward_work);
+  Verb verb = common(arguments, "fk", configurations_help, {layout}, forward_work);
   verb.summary = "Forward kinematics: the pose of the tool at each configuration";
   verb.examples = {{"Two configurations of the planar arm, in degrees",
                     "printf 'joint1,joint2,joint3\\n0,90,0\\n112,-52,-60\\n' > q.csv\n"
@@ -194,8 +194,8 @@ Verb batch_fk() {
 
 Verb batch_jacobian() {
   static BatchArguments arguments;
-  Verb verb =
-      common(arguments, "jacobian", configurations, arguments.jacobian.options(), jacobian_work);
+  Verb verb = common(arguments, "jacobian", configurations_help, arguments.jacobian.options(),
+                     jacobian_work);
   verb.summary = "The Jacobian at each configuration";
   verb.description =
       "Writes one Jacobian in each row of the output, row by row: reshape it to (N, 6, joints). "
@@ -209,7 +209,7 @@ Verb batch_jacobian() {
 Verb batch_ik() {
   static BatchArguments arguments;
   Verb verb =
-      common(arguments, "ik", poses,
+      common(arguments, "ik", poses_help,
              joined({arguments.inverse.choice_options(), arguments.inverse.search_options()}),
              inverse_work);
   verb.summary = "Inverse kinematics: a configuration for each pose";

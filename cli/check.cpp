@@ -18,7 +18,7 @@ using namespace beeline;
 
 namespace {
 
-struct Arguments {
+struct CheckArguments {
   ArmArgument arm;
   std::string file, through, plot;
   UnitArgument unit;
@@ -29,16 +29,17 @@ struct Arguments {
 };
 
 /// Plots the motion beside its limits, and its deviation as far as it follows the path.
-void write_plot(const Arguments& arguments, const Arm& arm, const Trajectory& trajectory,
-                const Verification& verification, const VerifyOptions& options) {
+void write_check_plot(const CheckArguments& arguments, const Arm& arm, const Trajectory& trajectory,
+                      const Verification& verification, const VerifyOptions& options) {
   const Deviation tolerance{options.tolerance, options.orientation_tolerance};
-  const FollowedPath path{verification.path, verification.path_parameters, *options.task, tolerance};
+  const FollowedPath path{verification.path, verification.path_parameters, *options.task,
+                          tolerance};
   const Drawing drawing = timing_figure(arm, trajectory, {.path = path});
   internal::write_file(arguments.plot, render(drawing, format_of(arguments.plot)));
 }
 
-Json document_of(const Arguments& arguments, const Verification& verification,
-                 std::size_t samples) {
+Json check_document(const CheckArguments& arguments, const Verification& verification,
+                    std::size_t samples) {
   const bool passed = verification.fault == Fault::none;
   Json document{{"status", passed ? "passed" : "failed"},
                 {"fault", passed ? Json() : Json(name(verification.fault))},
@@ -54,8 +55,8 @@ Json document_of(const Arguments& arguments, const Verification& verification,
   return document;
 }
 
-std::string text_of(const Arguments& arguments, const Verification& verification,
-                    std::size_t samples, std::size_t waypoints) {
+std::string check_text(const CheckArguments& arguments, const Verification& verification,
+                       std::size_t samples, std::size_t waypoints) {
   const bool passed = verification.fault == Fault::none;
   std::string text =
       fmt::format("{}: {} samples through {}\n", passed ? "passed" : "failed", samples,
@@ -66,7 +67,7 @@ std::string text_of(const Arguments& arguments, const Verification& verification
   return text;
 }
 
-Answer check(const Arguments& arguments) {
+Answer check_file(const CheckArguments& arguments) {
   if (!arguments.plot.empty()) {
     format_of(arguments.plot);
     refuse_overwriting(arguments.plot, {arguments.arm.text, arguments.file, arguments.through});
@@ -80,9 +81,9 @@ Answer check(const Arguments& arguments) {
   const Pose begin = forward_kinematics(arm, trajectory.positions.front());
   const Route route = arguments.path.from(begin, waypoints.poses, *options.task);
   const Verification verification = verify(arm, trajectory, route, options);
-  if (!arguments.plot.empty()) write_plot(arguments, arm, trajectory, verification, options);
-  return {.text = text_of(arguments, verification, trajectory.size(), waypoints.poses.size()),
-          .document = document_of(arguments, verification, trajectory.size()),
+  if (!arguments.plot.empty()) write_check_plot(arguments, arm, trajectory, verification, options);
+  return {.text = check_text(arguments, verification, trajectory.size(), waypoints.poses.size()),
+          .document = check_document(arguments, verification, trajectory.size()),
           .yes = verification.fault == Fault::none,
           .reason = verification.reason};
 }
@@ -101,7 +102,7 @@ std::vector<Option> tolerance_options(VerifyOptions& options) {
 }  // namespace
 
 Verb check_verb() {
-  static Arguments arguments;
+  static CheckArguments arguments;
   return {
       .name = "check",
       .summary = "Prove that a trajectory follows its path and respects the joint limits",
@@ -131,5 +132,5 @@ Verb check_verb() {
                     "beeline check rrr move.csv --degrees --through planar.csv --tolerance 2e-4 "
                     "--plot check.svg --json"}},
       .json = &arguments.json,
-      .run = [] { return check(arguments); }};
+      .run = [] { return check_file(arguments); }};
 }

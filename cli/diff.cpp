@@ -11,7 +11,7 @@ using namespace beeline;
 
 namespace {
 
-struct Arguments {
+struct DiffArguments {
   ArmArgument arm;
   std::string a, b;
   UnitArgument unit;
@@ -27,7 +27,7 @@ int most_different_joint(const Arm& arm, const TrajectoryDifference& difference)
   return worst;
 }
 
-Answer compare(const Arguments& arguments) {
+Answer diff_files(const DiffArguments& arguments) {
   const double tolerance = arguments.tolerance.value_or(Limits::none);
   if (!(tolerance >= 0)) {
     throw Error("--tolerance must be zero or above, not " + number(tolerance));
@@ -51,7 +51,7 @@ Answer compare(const Arguments& arguments) {
 }  // namespace
 
 Verb diff_verb() {
-  static Arguments arguments;
+  static DiffArguments arguments;
   return {
       .name = "diff",
       .summary = "Compare two recordings of an arm, such as commanded and measured",
@@ -77,5 +77,5 @@ Verb diff_verb() {
                    {"Equal within 1e-3 rad? (exit code 0)",
                     "beeline diff rrr slow.csv slow.csv --tolerance 1e-3 --json"}},
       .json = &arguments.json,
-      .run = [] { return compare(arguments); }};
+      .run = [] { return diff_files(arguments); }};
 }

@@ -14,7 +14,7 @@ using namespace beeline;
 
 namespace {
 
-struct Arguments {
+struct DrawArguments {
   ArmArgument arm;
   UnitArgument unit;
   std::string motion, q, out;
@@ -23,7 +23,7 @@ struct Arguments {
   bool json = false;
 };
 
-Figure figure_of(const Arguments& arguments, const Arm& arm) {
+Figure drawn_figure(const DrawArguments& arguments, const Arm& arm) {
   ArmFigureOptions options = arguments.figure;
   options.azimuth = to_radians(arguments.azimuth, AngleUnit::degrees);
   options.elevation = to_radians(arguments.elevation, AngleUnit::degrees);
@@ -37,16 +37,16 @@ Figure figure_of(const Arguments& arguments, const Arm& arm) {
   return arm_figure(arm, q, options);
 }
 
-Answer draw(const Arguments& arguments) {
+Answer draw_arm(const DrawArguments& arguments) {
   const Format format = format_of(arguments.out);
   refuse_overwriting(arguments.out, {arguments.arm.text, arguments.motion});
   const Arm arm = arguments.arm.read();
-  internal::write_file(arguments.out, render(figure_of(arguments, arm), format));
+  internal::write_file(arguments.out, render(drawn_figure(arguments, arm), format));
   return {.text = fmt::format("{} drawn: {}\n", arm.name(), arguments.out),
           .document = {{"status", "drawn"}, {"out", arguments.out}}};
 }
 
-std::vector<Option> drawing_options(Arguments& arguments) {
+std::vector<Option> draw_options(DrawArguments& arguments) {
   ArmFigureOptions& figure = arguments.figure;
   return {{.name = "--out",
            .value = "FILE",
@@ -80,7 +80,7 @@ std::vector<Option> drawing_options(Arguments& arguments) {
 }  // namespace
 
 Verb draw_verb() {
-  static Arguments arguments;
+  static DrawArguments arguments;
   const UnitArgument degrees{true};
   arguments.azimuth = std::round(degrees.shown(arguments.figure.azimuth));
   arguments.elevation = std::round(degrees.shown(arguments.figure.elevation));
@@ -93,8 +93,8 @@ Verb draw_verb() {
               "Draws the arm at given joint values, or the arm along a trajectory with "
               "the path of its tool. Prints the name of the file.",
           .arguments = {arguments.arm.argument(), motion},
-          .options = joined(
-              {drawing_options(arguments), arguments.unit.options(), arguments.arm.options()}),
+          .options =
+              joined({draw_options(arguments), arguments.unit.options(), arguments.arm.options()}),
           .examples = {{"The planar arm with the columns of its Jacobian",
                         "beeline draw rrr --q 0,90,0 --degrees --jacobian --out rrr.svg"},
                        {"All frames of a UR5", "beeline draw ur5 --frames --out ur5.pdf"},
@@ -103,5 +103,5 @@ Verb draw_verb() {
                         "--out move.csv\n"
                         "beeline draw panda move.csv --out move.png"}},
           .json = &arguments.json,
-          .run = [] { return draw(arguments); }};
+          .run = [] { return draw_arm(arguments); }};
 }

@@ -11,12 +11,12 @@ using namespace beeline;
 
 namespace {
 
-struct Arguments {
+struct FigureArguments {
   std::string number, out;
   bool json = false;
 };
 
-Answer redraw(const Arguments& arguments) {
+Answer draw_figure(const FigureArguments& arguments) {
   const Format format = format_of(arguments.out);
   internal::write_file(arguments.out, render(chapter_figure(arguments.number), format));
   return {.text = fmt::format("figure {} drawn: {}\n", arguments.number, arguments.out),
@@ -26,7 +26,7 @@ Answer redraw(const Arguments& arguments) {
 }  // namespace
 
 Verb figure_verb() {
-  static Arguments arguments;
+  static FigureArguments arguments;
   return {
       .name = "figure",
       .summary = "Redraw a figure of Dellaert, Serial Link Manipulators",
@@ -49,5 +49,5 @@ Verb figure_verb() {
                    .completes = Completes::file}},
       .examples = {{"Straight lines through three poses", "beeline figure 1.9 --out figure.svg"}},
       .json = &arguments.json,
-      .run = [] { return redraw(arguments); }};
+      .run = [] { return draw_figure(arguments); }};
 }

@@ -10,7 +10,7 @@ using namespace beeline;
 
 namespace {
 
-struct Arguments {
+struct FkArguments {
   ArmArgument arm;
   UnitArgument unit;
   std::string q;
@@ -23,7 +23,7 @@ std::string link_label(const Arm& arm, std::size_t i) {
   return link.empty() ? fmt::format("link{}", i) : link;
 }
 
-Answer compute(const Arguments& arguments) {
+Answer fk(const FkArguments& arguments) {
   const UnitArgument& unit = arguments.unit;
   const Arm arm = arguments.arm.read();
   const Configuration q = unit.configuration(arm, arguments.q, "--q");
@@ -51,7 +51,7 @@ Answer compute(const Arguments& arguments) {
 }  // namespace
 
 Verb fk_verb() {
-  static Arguments arguments;
+  static FkArguments arguments;
   Option q = joint_values_option(
       "--q", "Joint values, comma-separated, from the base on; metres for a prismatic joint.",
       &arguments.q);
@@ -79,5 +79,5 @@ Verb fk_verb() {
                    {"An arm given by its joint letters and link lengths",
                     "beeline fk RRP:1,0.8,0 --q 0.5,0.2,0.3"}},
       .json = &arguments.json,
-      .run = [] { return compute(arguments); }};
+      .run = [] { return fk(arguments); }};
 }

@@ -11,7 +11,7 @@ using namespace beeline;
 
 namespace {
 
-struct Arguments {
+struct IkArguments {
   ArmArgument arm;
   UnitArgument unit;
   std::string pose;
@@ -43,7 +43,7 @@ Residual residual_of(const UnitArgument& unit, const Arm& arm, const InverseResu
   }
 }
 
-std::string text_of(const Arm& arm, const InverseResult& result, const UnitArgument& unit) {
+std::string ik_text(const Arm& arm, const InverseResult& result, const UnitArgument& unit) {
   const Residual residual = residual_of(unit, arm, result);
   std::string text =
       fmt::format("{}: {}{} by {}, residual {}{}\n", name(result.status),
@@ -73,7 +73,7 @@ Json nearest_document(const Arm& arm, const NearestMiss& nearest, const UnitArgu
   return document;
 }
 
-Json document_of(const Arm& arm, const InverseResult& result, const UnitArgument& unit) {
+Json ik_document(const Arm& arm, const InverseResult& result, const UnitArgument& unit) {
   Json solutions = Json::list();
   for (const Configuration& q : result.solutions) solutions.append(unit.shown(arm, q));
   Json nearest;
@@ -90,7 +90,7 @@ Json document_of(const Arm& arm, const InverseResult& result, const UnitArgument
           {"restarts", result.restarts}};
 }
 
-Answer solve(const Arguments& arguments) {
+Answer ik(const IkArguments& arguments) {
   const Arm arm = arguments.arm.read();
   const WrittenPose goal = parse_pose_option(arguments.pose, arguments.unit);
   const InverseOptions options = arguments.inverse.read(arm, arguments.unit);
@@ -101,13 +101,13 @@ Answer solve(const Arguments& arguments) {
     warn(fmt::format("rounding limits the error to {} m or rad for an arm of this size",
                      shown(result.residual)));
   }
-  return {.text = text_of(arm, result, arguments.unit),
-          .document = document_of(arm, result, arguments.unit),
+  return {.text = ik_text(arm, result, arguments.unit),
+          .document = ik_document(arm, result, arguments.unit),
           .yes = solved,
           .reason = result.reason};
 }
 
-std::vector<Option> options_of(Arguments& arguments) {
+std::vector<Option> ik_options(IkArguments& arguments) {
   InverseArgument& inverse = arguments.inverse;
   return joined({{{.name = "--pose",
                    .value = "POSE",
@@ -132,7 +132,7 @@ std::vector<Option> options_of(Arguments& arguments) {
 }  // namespace
 
 Verb ik_verb() {
-  static Arguments arguments;
+  static IkArguments arguments;
   return {
       .name = "ik",
       .summary = "Inverse kinematics: the joint values that reach a pose",
@@ -145,7 +145,7 @@ Verb ik_verb() {
           "The residual is the error of the solutions, or the distance, the angle or the joint "
           "value by which the pose is missed.",
       .arguments = {arguments.arm.argument()},
-      .options = options_of(arguments),
+      .options = ik_options(arguments),
       .examples = {{"Both solutions of the planar arm",
                     "beeline ik rrr --pose 4.459,5.226,0 --all --degrees"},
                    {"A redundant arm: the solution most centred between its limits",
@@ -156,5 +156,5 @@ Verb ik_verb() {
                     "beeline ik ur5 --pose 0.4,0.2,0.3,3.14,0,0 --method numerical "
                     "--time-limit 0.01 --json"}},
       .json = &arguments.json,
-      .run = [] { return solve(arguments); }};
+      .run = [] { return ik(arguments); }};
 }

@@ -11,7 +11,7 @@ using namespace beeline;
 
 namespace {
 
-struct Arguments {
+struct JacobianArguments {
   ArmArgument arm;
   UnitArgument unit;
   JacobianArgument jacobian;
@@ -19,7 +19,7 @@ struct Arguments {
   bool json = false;
 };
 
-const char* meaning(Frame frame) {
+const char* frame_meaning(Frame frame) {
   switch (frame) {
     case Frame::base:
       return "velocity of the tool origin, in the world's axes";
@@ -31,7 +31,7 @@ const char* meaning(Frame frame) {
   return "";
 }
 
-Answer compute(const Arguments& arguments) {
+Answer differential_kinematics(const JacobianArguments& arguments) {
   const Arm arm = arguments.arm.read();
   const Configuration q = arguments.unit.configuration(arm, arguments.q, "--q");
   const Task task = arguments.jacobian.read(arm);
@@ -51,7 +51,7 @@ Answer compute(const Arguments& arguments) {
                      {"singular_values", dexterous.singular_values},
                      {"manipulability", dexterous.manipulability},
                      {"condition", dexterous.condition}};
-  answer.text = fmt::format("Jacobian in the {} frame: {}\n", frame, meaning(task.frame)) +
+  answer.text = fmt::format("Jacobian in the {} frame: {}\n", frame, frame_meaning(task.frame)) +
                 fmt::format("(a column for each joint: {})\n", listed(arm.joint_names())) +
                 matrix_text(matrix, rows) +
                 fmt::format("singular values  {}\n", shown(dexterous.singular_values)) +
@@ -63,7 +63,7 @@ Answer compute(const Arguments& arguments) {
 }  // namespace
 
 Verb jacobian_verb() {
-  static Arguments arguments;
+  static JacobianArguments arguments;
   Option q = joint_values_option(
       "--q", "Joint values, comma-separated, from the base on; metres for a prismatic joint.",
       &arguments.q);
@@ -86,5 +86,5 @@ Verb jacobian_verb() {
                     "beeline jacobian panda --q 0,-0.785,0,-2.356,0,1.571,0.785 --frame tool "
                     "--json"}},
       .json = &arguments.json,
-      .run = [] { return compute(arguments); }};
+      .run = [] { return differential_kinematics(arguments); }};
 }

@@ -18,7 +18,7 @@ namespace {
 
 const std::string exact = "exact";
 
-struct Arguments {
+struct LineArguments {
   ArmArgument arm;
   UnitArgument unit;
   TaskArgument task;
@@ -32,7 +32,7 @@ struct Arguments {
   bool branches = false, json = false;
 };
 
-PathMotionOptions motion_options(const Arguments& arguments, const Task& task) {
+PathMotionOptions exact_motion_options(const LineArguments& arguments, const Task& task) {
   PathMotionOptions options = arguments.motion;
   options.task = task;
   options.profile = arguments.profile.read();
@@ -42,11 +42,11 @@ PathMotionOptions motion_options(const Arguments& arguments, const Task& task) {
   return options;
 }
 
-LineReport plan(const Arguments& arguments, const Arm& arm,
-                const std::optional<Configuration>& start, const std::vector<Pose>& poses,
-                const Task& task) {
+LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
+                        const std::optional<Configuration>& start, const std::vector<Pose>& poses,
+                        const Task& task) {
   Progress progress;
-  PathMotionOptions options = motion_options(arguments, task);
+  PathMotionOptions options = exact_motion_options(arguments, task);
   options.progress = [&progress](double fraction) { progress.show(fraction); };
   const Route route = start ? arguments.path.from(forward_kinematics(arm, *start), poses, task)
                             : arguments.path.through(poses);
@@ -70,8 +70,8 @@ LineReport plan(const Arguments& arguments, const Arm& arm,
   return report;
 }
 
-LineReport control(const Arm& arm, const Configuration& start, const std::vector<Pose>& waypoints,
-                   const CartesianOptions& options) {
+LineReport line_by_control(const Arm& arm, const Configuration& start,
+                           const std::vector<Pose>& waypoints, const CartesianOptions& options) {
   ControlledMotion motion = control_in_lines(arm, start, waypoints, options);
   LineReport report;
   report.status = motion.status;
@@ -92,28 +92,28 @@ LineReport control(const Arm& arm, const Configuration& start, const std::vector
   return report;
 }
 
-LineReport plan_or_control(const Arguments& arguments, const Arm& arm,
-                           const std::vector<Pose>& waypoints) {
+LineReport line_by_method(const LineArguments& arguments, const Arm& arm,
+                          const std::vector<Pose>& waypoints) {
   std::optional<Configuration> start;
   if (!arguments.from.empty()) {
     start = arguments.unit.configuration(arm, arguments.from, "--from");
   }
   const Task task = arguments.task.read(arm);
-  if (arguments.method == exact) return plan(arguments, arm, start, waypoints, task);
+  if (arguments.method == exact) return line_by_plan(arguments, arm, start, waypoints, task);
   if (!start) throw Error("--method " + arguments.method + " needs --from");
   CartesianOptions options = arguments.control;
   options.task = task;
   options.method = arguments.method == name(CartesianMethod::inverse_jacobian)
                        ? CartesianMethod::inverse_jacobian
                        : CartesianMethod::inverse_kinematics;
-  return control(arm, *start, waypoints, options);
+  return line_by_control(arm, *start, waypoints, options);
 }
 
-Answer move_in_lines(const Arguments& arguments) {
+Answer line(const LineArguments& arguments) {
   arguments.files.check({arguments.arm.text, arguments.through});
   const Arm arm = arguments.arm.read();
   const PoseList waypoints = read_waypoints(arguments.through, arm, arguments.task, arguments.unit);
-  LineReport report = plan_or_control(arguments, arm, waypoints.poses);
+  LineReport report = line_by_method(arguments, arm, waypoints.poses);
   report.method = arguments.method;
   report.waypoints = waypoints.poses.size();
   const bool reached = report.status == MotionStatus::reached;
@@ -124,7 +124,7 @@ Answer move_in_lines(const Arguments& arguments) {
           .reason = report.reason};
 }
 
-std::vector<Option> motion_options(Arguments& arguments) {
+std::vector<Option> line_options(LineArguments& arguments) {
   const std::string jacobian = name(CartesianMethod::inverse_jacobian);
   const std::string kinematics = name(CartesianMethod::inverse_kinematics);
   return {through_option("The poses to pass.", &arguments.through),
@@ -141,7 +141,7 @@ std::vector<Option> motion_options(Arguments& arguments) {
            .choices = {exact, jacobian, kinematics}}};
 }
 
-std::vector<Option> exact_options(Arguments& arguments) {
+std::vector<Option> exact_options(LineArguments& arguments) {
   PathMotionOptions& motion = arguments.motion;
   return joined(
       {arguments.path.options({exact}),
@@ -178,7 +178,7 @@ std::vector<Option> exact_options(Arguments& arguments) {
          .methods = {exact}}}});
 }
 
-std::vector<Option> control_options(Arguments& arguments) {
+std::vector<Option> control_options(LineArguments& arguments) {
   const std::string jacobian = name(CartesianMethod::inverse_jacobian);
   const std::string kinematics = name(CartesianMethod::inverse_kinematics);
   CartesianOptions& control = arguments.control;
@@ -207,7 +207,7 @@ std::vector<Option> control_options(Arguments& arguments) {
 }  // namespace
 
 Verb line_verb() {
-  static Arguments arguments;
+  static LineArguments arguments;
   return {
       .name = "line",
       .summary = "Move the tool in straight lines through poses, with a proved deviation",
@@ -221,7 +221,7 @@ Verb line_verb() {
           "code 1.",
       .arguments = {arguments.arm.argument()},
       .options =
-          joined({motion_options(arguments), arguments.unit.options(), arguments.task.options(),
+          joined({line_options(arguments), arguments.unit.options(), arguments.task.options(),
                   arguments.files.options(), arguments.arm.options(), exact_options(arguments),
                   control_options(arguments)}),
       .examples = {{"Three straight lines of the planar arm, with a picture",
@@ -237,5 +237,5 @@ Verb line_verb() {
                     "beeline line rrr --from 0,90,0 --degrees --through planar.csv "
                     "--method inverse-jacobian --gain 0.5"}},
       .json = &arguments.json,
-      .run = [] { return move_in_lines(arguments); }};
+      .run = [] { return line(arguments); }};
 }

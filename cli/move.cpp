@@ -15,7 +15,7 @@ namespace {
 
 const std::string feedback = "feedback", quickest = "quickest";
 
-struct Arguments {
+struct MoveArguments {
   ArmArgument arm;
   UnitArgument unit;
   std::string from, to;
@@ -28,7 +28,7 @@ struct Arguments {
 };
 
 /// The motion in minimum time, all joints beginning and ending together.
-ControlledMotion move_quickest(const Arguments& arguments, const Arm& arm,
+ControlledMotion move_quickest(const MoveArguments& arguments, const Arm& arm,
                                const Configuration& from, const Configuration& to) {
   const Synchronise synchronise =
       arguments.synchronise == "time" ? Synchronise::time : Synchronise::straight;
@@ -39,8 +39,8 @@ ControlledMotion move_quickest(const Arguments& arguments, const Arm& arm,
   return result;
 }
 
-std::string text_of(const Arguments& arguments, const Arm& arm, const ControlledMotion& motion,
-                    const Pose& goal) {
+std::string move_text(const MoveArguments& arguments, const Arm& arm,
+                      const ControlledMotion& motion, const Pose& goal) {
   std::string text;
   if (arguments.method == feedback) {
     text = fmt::format("{} after {} steps of {} s\n", name(motion.status), motion.steps,
@@ -59,7 +59,7 @@ std::string text_of(const Arguments& arguments, const Arm& arm, const Controlled
          arguments.files.text();
 }
 
-Answer move(const Arguments& arguments) {
+Answer move_joints(const MoveArguments& arguments) {
   arguments.files.check({arguments.arm.text});
   const Arm arm = arguments.arm.read();
   const Configuration from = arguments.unit.configuration(arm, arguments.from, "--from");
@@ -71,7 +71,7 @@ Answer move(const Arguments& arguments) {
   const bool reached = motion.status == MotionStatus::reached;
   const Pose goal = forward_kinematics(arm, to);
   if (reached) arguments.files.write(arm, motion.trajectory, {goal});
-  Answer answer{.text = text_of(arguments, arm, motion, goal),
+  Answer answer{.text = move_text(arguments, arm, motion, goal),
                 .document = {{"status", name(motion.status)},
                              {"method", arguments.method},
                              {"samples", motion.trajectory.size()},
@@ -87,7 +87,7 @@ Answer move(const Arguments& arguments) {
   return answer;
 }
 
-std::vector<Option> motion_options(Arguments& arguments) {
+std::vector<Option> move_options(MoveArguments& arguments) {
   Option from = joint_values_option("--from", "Joint values at the start.", &arguments.from);
   Option to = joint_values_option("--to", "Joint values at the goal.", &arguments.to);
   from.required = to.required = true;
@@ -102,7 +102,7 @@ std::vector<Option> motion_options(Arguments& arguments) {
            .choices = {feedback, quickest}}};
 }
 
-std::vector<Option> method_options(Arguments& arguments) {
+std::vector<Option> move_method_options(MoveArguments& arguments) {
   PidGains& gains = arguments.gains;
   SimulationOptions& simulation = arguments.simulation;
   return {{.name = "--kp",
@@ -153,7 +153,7 @@ std::vector<Option> method_options(Arguments& arguments) {
 }  // namespace
 
 Verb move_verb() {
-  static Arguments arguments;
+  static MoveArguments arguments;
   return {
       .name = "move",
       .summary = "Joint-space motion control from one configuration to another",
@@ -164,8 +164,8 @@ Verb move_verb() {
           "in a straight line: see `beeline line`.",
       .arguments = {arguments.arm.argument()},
       .options =
-          joined({motion_options(arguments), arguments.unit.options(), arguments.files.options(),
-                  arguments.arm.options(), method_options(arguments)}),
+          joined({move_options(arguments), arguments.unit.options(), arguments.files.options(),
+                  arguments.arm.options(), move_method_options(arguments)}),
       .examples =
           {{"Proportional control of the planar arm, with a picture of the tool's path",
             "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --draw move.svg"},
@@ -174,5 +174,5 @@ Verb move_verb() {
             "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
             "--method quickest --rate 1000 --out move.csv"}},
       .json = &arguments.json,
-      .run = [] { return move(arguments); }};
+      .run = [] { return move_joints(arguments); }};
 }

@@ -6,7 +6,8 @@ using namespace beeline;
 
 Option ProfileArgument::option(const std::vector<std::string>& methods) {
   std::vector<std::string> names;
-  for (const Profile profile : {Profile::fastest, Profile::jerk, Profile::trapezoidal, Profile::quintic, Profile::s_curve}) {
+  for (const Profile profile : {Profile::fastest, Profile::jerk, Profile::trapezoidal,
+                                Profile::quintic, Profile::s_curve}) {
     names.push_back(name(profile));
   }
   return {.name = "--profile",

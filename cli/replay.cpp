@@ -15,7 +15,7 @@ using namespace beeline;
 
 namespace {
 
-struct Arguments {
+struct ReplayArguments {
   ArmArgument arm;
   std::string file;
   UnitArgument unit;
@@ -42,7 +42,7 @@ std::vector<SpeedChange> speed_changes(const std::string& text) {
   return changes;
 }
 
-ReplayOptions options_of(const Arguments& arguments, const Arm& arm) {
+ReplayOptions replay_options(const ReplayArguments& arguments, const Arm& arm) {
   ReplayOptions options = arguments.replay;
   if (!arguments.speed_at.empty()) options.speed_at = speed_changes(arguments.speed_at);
   if (!arguments.from.empty()) {
@@ -51,7 +51,7 @@ ReplayOptions options_of(const Arguments& arguments, const Arm& arm) {
   return options;
 }
 
-Json document_of(const Replay& played) {
+Json replay_document(const Replay& played) {
   const bool reached = played.status == MotionStatus::reached;
   return {{"status", name(played.status)},
           {"samples", played.trajectory.size()},
@@ -61,7 +61,7 @@ Json document_of(const Replay& played) {
           {"reason", played.reason}};
 }
 
-std::string text_of(const Replay& played) {
+std::string replay_text(const Replay& played) {
   std::string text = fmt::format("played        {} samples in {} s, of which {} s lead-in\n",
                                  played.trajectory.size(), shown(played.trajectory.times.back()),
                                  shown(played.lead_in));
@@ -72,10 +72,10 @@ std::string text_of(const Replay& played) {
   return text;
 }
 
-Answer play(const Arguments& arguments) {
+Answer replay_file(const ReplayArguments& arguments) {
   arguments.files.check({arguments.arm.text, arguments.file, arguments.measured});
   const Arm arm = arguments.arm.read();
-  const ReplayOptions options = options_of(arguments, arm);
+  const ReplayOptions options = replay_options(arguments, arm);
   const Trajectory recording = read_recording(arguments.file, arm);
   std::optional<Trajectory> measured;
   if (!arguments.measured.empty()) measured = read_recording(arguments.measured, arm);
@@ -84,11 +84,11 @@ Answer play(const Arguments& arguments) {
   if (reached) arguments.files.write(arm, played.trajectory, {});
   Answer answer{.text = fmt::format("{}: {} recorded samples on {}\n", name(played.status),
                                     recording.size(), arm.name()),
-                .document = document_of(played),
+                .document = replay_document(played),
                 .yes = reached,
                 .reason = played.reason};
   if (!reached) return answer;
-  answer.text += text_of(played);
+  answer.text += replay_text(played);
   if (measured) {
     const TrajectoryDifference tracking = difference(arm, played.trajectory, *measured);
     answer.text += fmt::format("tracking      {} against what is played\n", arguments.measured) +
@@ -100,7 +100,7 @@ Answer play(const Arguments& arguments) {
   return answer;
 }
 
-std::vector<Option> playing_options(Arguments& arguments) {
+std::vector<Option> playing_options(ReplayArguments& arguments) {
   ReplayOptions& replay = arguments.replay;
   return {joint_values_option("--from",
                               "Joint values at which the arm is; it first moves to the first "
@@ -135,7 +135,7 @@ std::vector<Option> playing_options(Arguments& arguments) {
 }  // namespace
 
 Verb replay_verb() {
-  static Arguments arguments;
+  static ReplayArguments arguments;
   return {
       .name = "replay",
       .summary = "Play a recorded trajectory on an arm, checked against its limits",
@@ -158,5 +158,5 @@ Verb replay_verb() {
                    {"The tracking error of a measured trajectory",
                     "beeline replay panda move.csv --measured slow.csv"}},
       .json = &arguments.json,
-      .run = [] { return play(arguments); }};
+      .run = [] { return replay_file(arguments); }};
 }

@@ -17,7 +17,7 @@ using namespace beeline;
 
 namespace {
 
-struct Arguments {
+struct RetimeArguments {
   ArmArgument arm;
   std::string file;
   ProfileArgument profile;
@@ -29,7 +29,7 @@ struct Arguments {
 
 /// A trajectory, or a path: the positions of a .csv file without column t, at times 0, 1, 2, ... s,
 /// which retime() ignores.
-struct Input {
+struct RetimeInput {
   Trajectory trajectory;
   bool has_times = true;
 };
@@ -44,8 +44,8 @@ Trajectory untimed(const internal::CsvTable& table) {
   return path;
 }
 
-Input read_input(const std::string& file, const Arm& arm) {
-  Input input;
+RetimeInput read_input(const std::string& file, const Arm& arm) {
+  RetimeInput input;
   if (internal::extension(file) == "csv") {
     const internal::CsvTable table = internal::parse_csv(internal::read_file(file), file);
     const auto& columns = table.columns;
@@ -62,7 +62,7 @@ Input read_input(const std::string& file, const Arm& arm) {
   return input;
 }
 
-RetimeOptions options_of(const Arguments& arguments) {
+RetimeOptions retime_options(const RetimeArguments& arguments) {
   RetimeOptions options = arguments.retime;
   options.profile = arguments.profile.read();
   if (arguments.rate) options.rate = checked_rate(*arguments.rate);
@@ -70,8 +70,8 @@ RetimeOptions options_of(const Arguments& arguments) {
   return options;
 }
 
-std::string text_of(const Arguments& arguments, const Arm& arm, const Retimed& retimed,
-                    const std::optional<double>& duration_before) {
+std::string retime_text(const RetimeArguments& arguments, const Arm& arm, const Retimed& retimed,
+                        const std::optional<double>& duration_before) {
   if (!retimed.found()) return "";
   const std::string before =
       duration_before ? fmt::format(", before {} s", shown(*duration_before)) : "";
@@ -86,18 +86,18 @@ std::string text_of(const Arguments& arguments, const Arm& arm, const Retimed& r
          arguments.files.text();
 }
 
-Answer retime(const Arguments& arguments) {
+Answer retime_file(const RetimeArguments& arguments) {
   arguments.files.check({arguments.arm.text, arguments.file});
-  const RetimeOptions options = options_of(arguments);
+  const RetimeOptions options = retime_options(arguments);
   const Arm arm = arguments.arm.read();
-  const Input input = read_input(arguments.file, arm);
+  const RetimeInput input = read_input(arguments.file, arm);
   const Retimed retimed = retime(arm, input.trajectory, options);
   const bool found = retimed.found();
   if (found) arguments.files.write(arm, retimed.trajectory, {});
   const std::vector<double>& before = input.trajectory.times;
   const std::optional<double> duration_before =
       input.has_times ? std::optional(before.back() - before.front()) : std::nullopt;
-  Answer answer{.text = text_of(arguments, arm, retimed, duration_before),
+  Answer answer{.text = retime_text(arguments, arm, retimed, duration_before),
                 .document = {{"status", found ? "reached" : "outside_limits"},
                              {"profile", name(retimed.profile)},
                              {"samples", retimed.trajectory.size()},
@@ -113,7 +113,7 @@ Answer retime(const Arguments& arguments) {
   return answer;
 }
 
-std::vector<Option> timing_options(Arguments& arguments) {
+std::vector<Option> timing_options(RetimeArguments& arguments) {
   return {arguments.profile.option(),
           {.name = "--speed",
            .value = "K",
@@ -133,7 +133,7 @@ std::vector<Option> timing_options(Arguments& arguments) {
 }  // namespace
 
 Verb retime_verb() {
-  static Arguments arguments;
+  static RetimeArguments arguments;
   return {
       .name = "retime",
       .summary = "Retime a trajectory: minimum time within the joint limits",
@@ -160,5 +160,5 @@ Verb retime_verb() {
                     "waypoints.csv\n"
                     "beeline retime rrr waypoints.csv --speed 0.5 --rate 100 --out timed.csv"}},
       .json = &arguments.json,
-      .run = [] { return retime(arguments); }};
+      .run = [] { return retime_file(arguments); }};
 }

@@ -15,7 +15,7 @@ using namespace beeline;
 
 namespace {
 
-struct Arguments {
+struct ShowArguments {
   ArmArgument arm;
   UnitArgument unit;
   std::string out;
@@ -138,7 +138,7 @@ Json arm_document(const Arm& arm, const UnitArgument& unit) {
            Json{{"centre", Eigen::VectorXd(arm.reach().centre)}, {"radius", arm.reach().radius}}}};
 }
 
-Answer show(const Arguments& arguments) {
+Answer show(const ShowArguments& arguments) {
   const Arm arm = arguments.arm.read();
   if (!arguments.out.empty()) {
     if (internal::extension(arguments.out) != "json") {
@@ -153,7 +153,7 @@ Answer show(const Arguments& arguments) {
 }  // namespace
 
 Verb show_verb() {
-  static Arguments arguments;
+  static ShowArguments arguments;
   return {.name = "show",
           .summary = "Print an arm as a table: joints, limits, frames, reach",
           .description =

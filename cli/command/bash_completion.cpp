@@ -9,7 +9,7 @@ namespace {
 /// Finds the verb, the number of arguments behind it and the option whose value is completed, then
 /// offers words. _beeline_words sets, for a verb: its options, those with a value, the values of
 /// the option `prev`, and what its arguments are.
-constexpr const char* functions = R"(
+constexpr const char* bash_functions = R"(
 _beeline() {
   local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]}
   if [[ $cur == "=" ]]; then
@@ -53,20 +53,20 @@ _beeline() {
 complete -F _beeline beeline
 )";
 
-std::string joined(const std::vector<std::string>& words, const char* separator) {
+std::string bash_words(const std::vector<std::string>& words, const char* separator) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
   return text;
 }
 
 /// The words that stand for an argument or a value, @file for names of files.
-std::vector<std::string> offered(Completes completes, std::vector<std::string> words) {
+std::vector<std::string> bash_offered(Completes completes, std::vector<std::string> words) {
   if (completes == Completes::arm) words = beeline::built_in_names();
   if (completes != Completes::nothing) words.push_back("@file");
   return words;
 }
 
-std::string case_of(const Leaf& leaf) {
+std::string bash_case(const Leaf& leaf) {
   std::string options, valued, values, arguments;
   for (const Option& option : all_options(*leaf.verb)) {
     for (const std::string& name : {option.name, option.alias}) {
@@ -74,21 +74,22 @@ std::string case_of(const Leaf& leaf) {
       options += " " + name;
       if (is_flag(option)) continue;
       valued += " " + name;
-      const std::string words = joined(offered(option.completes, option.choices), " ");
+      const std::string words = bash_words(bash_offered(option.completes, option.choices), " ");
       if (!words.empty()) values += "        " + name + ") values='" + words + "' ;;\n";
     }
   }
   for (const Positional& argument : leaf.verb->arguments) {
-    const std::string words = joined(offered(argument.completes, argument.choices), ",");
+    const std::string words = bash_words(bash_offered(argument.completes, argument.choices), ",");
     arguments += (arguments.empty() ? "" : " ") + (words.empty() ? "-" : words);
   }
-  std::string text = "    '" + joined(leaf.words, " ") + "')\n      options='" + options.substr(1) +
-                     "'\n      valued='" + valued + "'\n      arguments='" + arguments + "'\n";
+  std::string text = "    '" + bash_words(leaf.words, " ") + "')\n      options='" +
+                     options.substr(1) + "'\n      valued='" + valued + "'\n      arguments='" +
+                     arguments + "'\n";
   if (!values.empty()) text += "      case $prev in\n" + values + "      esac\n";
   return text + "      ;;\n";
 }
 
-std::string verbs_case(const std::string& command, const std::vector<Verb>& verbs) {
+std::string bash_verbs_case(const std::string& command, const std::vector<Verb>& verbs) {
   std::string words;
   for (const Verb& verb : verbs) words += " " + verb.name;
   return "    '" + command + "') verbs='" + words.substr(1) + "' options='--help" +
@@ -103,10 +104,10 @@ std::string bash_completion(const std::vector<Verb>& verbs) {
       "_beeline_words() {\n"
       "  verbs= options= valued= values= arguments=\n"
       "  case $1 in\n" +
-      verbs_case("", verbs);
+      bash_verbs_case("", verbs);
   for (const Verb& verb : verbs) {
-    if (!verb.verbs.empty()) text += verbs_case(verb.name, verb.verbs);
+    if (!verb.verbs.empty()) text += bash_verbs_case(verb.name, verb.verbs);
   }
-  for (const Leaf& leaf : leaves(verbs)) text += case_of(leaf);
-  return text + "  esac\n}\n" + functions;
+  for (const Leaf& leaf : leaves(verbs)) text += bash_case(leaf);
+  return text + "  esac\n}\n" + bash_functions;
 }

@@ -8,7 +8,7 @@ namespace {
 
 /// __beeline_is WORDS: the verb that was typed is WORDS. __beeline_at N: N words were typed that
 /// are no options.
-constexpr const char* functions = R"(
+constexpr const char* fish_functions = R"(
 function __beeline_is
     set -l tokens (commandline -opc)
     for i in (seq (count $argv))
@@ -21,7 +21,7 @@ function __beeline_at
 end
 )";
 
-std::string quoted(const std::string& text) {
+std::string fish_quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) {
     if (c == '\'' || c == '\\') result += '\\';
@@ -30,40 +30,40 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-std::string joined(const std::vector<std::string>& words) {
+std::string fish_words(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
   return text;
 }
 
-std::string line(const std::string& condition, const std::string& rest) {
-  return "complete -c beeline -n " + quoted(condition) + " " + rest + "\n";
+std::string fish_line(const std::string& condition, const std::string& rest) {
+  return "complete -c beeline -n " + fish_quoted(condition) + " " + rest + "\n";
 }
 
 /// What is offered for a value or an argument: only these words, or names of files as well.
-std::string offer(Completes completes, std::vector<std::string> words, const char* no_files) {
+std::string fish_offer(Completes completes, std::vector<std::string> words, const char* no_files) {
   if (completes == Completes::arm) words = beeline::built_in_names();
   std::string text = completes == Completes::nothing ? no_files : "-F";
-  if (!words.empty()) text += " -a " + quoted(joined(words));
+  if (!words.empty()) text += " -a " + fish_quoted(fish_words(words));
   return text;
 }
 
-std::string option_line(const std::string& condition, const Option& option) {
+std::string fish_option(const std::string& condition, const Option& option) {
   std::string rest = "-l " + option.name.substr(2);
   if (option.alias.size() == 2) rest += " -s " + option.alias.substr(1);
   if (option.alias.size() > 2) rest += " -l " + option.alias.substr(2);
-  if (!is_flag(option)) rest += " -r " + offer(option.completes, option.choices, "-f");
-  return line(condition, rest + " -d " + quoted(option.help));
+  if (!is_flag(option)) rest += " -r " + fish_offer(option.completes, option.choices, "-f");
+  return fish_line(condition, rest + " -d " + fish_quoted(option.help));
 }
 
-std::string lines_of(const Leaf& leaf) {
-  const std::string condition = "__beeline_is " + joined(leaf.words);
+std::string fish_lines(const Leaf& leaf) {
+  const std::string condition = "__beeline_is " + fish_words(leaf.words);
   std::string text;
-  for (const Option& option : all_options(*leaf.verb)) text += option_line(condition, option);
+  for (const Option& option : all_options(*leaf.verb)) text += fish_option(condition, option);
   std::size_t words = 1 + leaf.words.size();
   for (const Positional& argument : leaf.verb->arguments) {
-    text += line(condition + "; and __beeline_at " + std::to_string(words++),
-                 offer(argument.completes, argument.choices, "-f"));
+    text += fish_line(condition + "; and __beeline_at " + std::to_string(words++),
+                      fish_offer(argument.completes, argument.choices, "-f"));
   }
   return text;
 }
@@ -72,16 +72,16 @@ std::string lines_of(const Leaf& leaf) {
 
 std::string fish_completion(const std::vector<Verb>& verbs) {
   std::string text = "# fish completion for beeline, printed by `beeline completion fish`\n" +
-                     std::string(functions) + "\ncomplete -c beeline -f\n" +
-                     line("__beeline_at 1", "-l version -d 'Print the version.'") +
-                     line("__beeline_at 1", "-l help -s h -d 'Print this help.'");
+                     std::string(fish_functions) + "\ncomplete -c beeline -f\n" +
+                     fish_line("__beeline_at 1", "-l version -d 'Print the version.'") +
+                     fish_line("__beeline_at 1", "-l help -s h -d 'Print this help.'");
   for (const Verb& verb : verbs) {
-    text += line("__beeline_at 1", "-a " + verb.name + " -d " + quoted(verb.summary));
+    text += fish_line("__beeline_at 1", "-a " + verb.name + " -d " + fish_quoted(verb.summary));
     for (const Verb& part : verb.verbs) {
-      text += line("__beeline_at 2; and __beeline_is " + verb.name,
-                   "-a " + part.name + " -d " + quoted(part.summary));
+      text += fish_line("__beeline_at 2; and __beeline_is " + verb.name,
+                        "-a " + part.name + " -d " + fish_quoted(part.summary));
     }
   }
-  for (const Leaf& leaf : leaves(verbs)) text += lines_of(leaf);
+  for (const Leaf& leaf : leaves(verbs)) text += fish_lines(leaf);
   return text;
 }

@@ -34,7 +34,7 @@ std::string wrapped(const std::string& text, std::size_t indent) {
 }
 
 /// A name on the left, its help in the right column.
-std::string entry(const std::string& name, const std::string& help) {
+std::string help_entry(const std::string& name, const std::string& help) {
   std::string right = wrapped(help, column);
   const std::string left = "  " + name;
   if (left.size() + 2 > column) return left + "\n" + right;
@@ -59,7 +59,7 @@ std::string options_text(const Verb& verb) {
     text += methods.empty() ? "\nOptions:\n"
                             : "\nOptions with --method " + beeline::listed(methods) + ":\n";
     for (const Option& option : options) {
-      if (option.methods == methods) text += entry(heading(option), full_help(option));
+      if (option.methods == methods) text += help_entry(heading(option), full_help(option));
     }
   }
   return text;
@@ -77,7 +77,7 @@ std::string examples_text(const Verb& verb) {
 
 std::string verbs_text(const std::vector<Verb>& verbs) {
   std::string text = "\nVerbs:\n";
-  for (const Verb& verb : verbs) text += entry(verb.name, verb.summary);
+  for (const Verb& verb : verbs) text += help_entry(verb.name, verb.summary);
   return text;
 }
 
@@ -105,7 +105,8 @@ std::string help_text(const Verb& verb, const std::string& command) {
   if (!verb.description.empty()) text += "\n" + wrapped(verb.description, 0);
   if (!verb.verbs.empty()) text += verbs_text(verb.verbs);
   if (!verb.arguments.empty()) text += "\nArguments:\n";
-  for (const Positional& argument : verb.arguments) text += entry(argument.name, argument.help);
+  for (const Positional& argument : verb.arguments)
+    text += help_entry(argument.name, argument.help);
   return text + options_text(verb) + examples_text(verb);
 }
 
@@ -125,8 +126,8 @@ const std::string& conventions() {
 std::string overview(const std::vector<Verb>& verbs) {
   return "Plans and proves motions of serial-link robot arms.\n\n"
          "Usage: beeline VERB [ARM] [options]\n" +
-         verbs_text(verbs) + "\nOptions:\n" + entry("-h, --help", "Print this help.") +
-         entry("--version", "Print the version.") + "\n" + wrapped(conventions(), 0) +
+         verbs_text(verbs) + "\nOptions:\n" + help_entry("-h, --help", "Print this help.") +
+         help_entry("--version", "Print the version.") + "\n" + wrapped(conventions(), 0) +
          "\n`beeline help VERB` describes a verb and its options, with examples.\n";
 }
 

@@ -7,7 +7,7 @@
 namespace {
 
 /// Text as roff prints it: backslashes, hyphens that are typed, and lines that begin with a dot.
-std::string escaped(const std::string& text) {
+std::string roff_escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
     const bool line_begins = result.empty() || result.back() == '\n';
@@ -23,48 +23,49 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string paragraphs(const std::string& text) {
+std::string roff_paragraphs(const std::string& text) {
   std::istringstream lines(text);
   std::string result;
   for (std::string line; std::getline(lines, line);) {
     if (line.empty()) {
       result += ".PP\n";
     } else if (line.starts_with(' ')) {
-      result += ".br\n" + escaped(line) + "\n";
+      result += ".br\n" + roff_escaped(line) + "\n";
     } else {
-      result += escaped(line) + "\n";
+      result += roff_escaped(line) + "\n";
     }
   }
   return result;
 }
 
-std::string entry(const std::string& name, const std::string& help) {
-  return ".TP\n.B " + escaped(name) + "\n" + paragraphs(help);
+std::string roff_entry(const std::string& name, const std::string& help) {
+  return ".TP\n.B " + roff_escaped(name) + "\n" + roff_paragraphs(help);
 }
 
-std::string examples(const Verb& verb) {
+std::string roff_examples(const Verb& verb) {
   std::string text;
   for (const Example& example : verb.examples) {
-    text += ".PP\n" + escaped(example.purpose) + ":\n.PP\n.nf\n" + escaped(example.commands) +
-            "\n.fi\n";
+    text += ".PP\n" + roff_escaped(example.purpose) + ":\n.PP\n.nf\n" +
+            roff_escaped(example.commands) + "\n.fi\n";
   }
   return text;
 }
 
-std::string section(const Verb& verb, const std::string& command) {
-  std::string text = ".SS " + escaped(command) + "\n" + escaped(verb.summary) + ".\n.PP\n.B " +
-                     escaped(usage(verb, command)) + "\n";
-  if (!verb.description.empty()) text += ".PP\n" + paragraphs(verb.description);
-  for (const Positional& argument : verb.arguments) text += entry(argument.name, argument.help);
+std::string roff_section(const Verb& verb, const std::string& command) {
+  std::string text = ".SS " + roff_escaped(command) + "\n" + roff_escaped(verb.summary) +
+                     ".\n.PP\n.B " + roff_escaped(usage(verb, command)) + "\n";
+  if (!verb.description.empty()) text += ".PP\n" + roff_paragraphs(verb.description);
+  for (const Positional& argument : verb.arguments)
+    text += roff_entry(argument.name, argument.help);
   for (const Option& option : all_options(verb)) {
     std::string help = full_help(option);
     for (const std::string& method : option.methods) {
       help += (&method == &option.methods.front() ? " With --method " : " or ") + method;
     }
-    text += entry(heading(option), help + (option.methods.empty() ? "" : "."));
+    text += roff_entry(heading(option), help + (option.methods.empty() ? "" : "."));
   }
-  text += examples(verb);
-  for (const Verb& part : verb.verbs) text += section(part, command + " " + part.name);
+  text += roff_examples(verb);
+  for (const Verb& part : verb.verbs) text += roff_section(part, command + " " + part.name);
   return text;
 }
 
@@ -76,8 +77,8 @@ std::string man_page(const std::vector<Verb>& verbs) {
                      ".SH NAME\nbeeline \\- plan and prove motions of serial\\-link robot arms\n"
                      ".SH SYNOPSIS\n.B beeline\n.I VERB\n.RI [ ARM ]\n.RI [ options ]\n"
                      ".SH DESCRIPTION\n" +
-                     paragraphs(conventions()) + ".SH VERBS\n";
-  for (const Verb& verb : verbs) text += section(verb, "beeline " + verb.name);
+                     roff_paragraphs(conventions()) + ".SH VERBS\n";
+  for (const Verb& verb : verbs) text += roff_section(verb, "beeline " + verb.name);
   return text;
 }
 

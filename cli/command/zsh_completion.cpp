@@ -7,7 +7,7 @@
 namespace {
 
 /// Text inside single quotes and brackets of an _arguments specification.
-std::string escaped(const std::string& text) {
+std::string zsh_escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
     if (c == '\'') {
@@ -23,13 +23,13 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string first_sentence(const std::string& text) {
+std::string zsh_first_sentence(const std::string& text) {
   const std::size_t end = text.find(". ");
   return end == std::string::npos ? text : text.substr(0, end + 1);
 }
 
 /// The action that completes a value: (a b c), _files, or _beeline_arms.
-std::string action(Completes completes, const std::vector<std::string>& choices) {
+std::string zsh_action(Completes completes, const std::vector<std::string>& choices) {
   if (completes == Completes::arm) return "_beeline_arms";
   if (completes == Completes::file) return "_files";
   std::string words;
@@ -37,44 +37,45 @@ std::string action(Completes completes, const std::vector<std::string>& choices)
   return words.empty() ? " " : "(" + words + ")";
 }
 
-std::string specification(const Option& option, const std::string& name) {
-  const std::string help = "[" + escaped(first_sentence(option.help)) + "]";
+std::string zsh_specification(const Option& option, const std::string& name) {
+  const std::string help = "[" + zsh_escaped(zsh_first_sentence(option.help)) + "]";
   if (is_flag(option)) return "'" + name + help + "'";
-  return "'" + name + "=" + help + ":" + escaped(option.value) + ":" +
-         action(option.completes, option.choices) + "'";
+  return "'" + name + "=" + help + ":" + zsh_escaped(option.value) + ":" +
+         zsh_action(option.completes, option.choices) + "'";
 }
 
-std::string arguments_of(const Verb& verb, const std::string& indent) {
+std::string zsh_arguments(const Verb& verb, const std::string& indent) {
   std::string text = indent + "_arguments";
   const std::string next = " \\\n" + indent + "  ";
   for (const Option& option : all_options(verb)) {
     for (const std::string& name : {option.name, option.alias}) {
-      if (!name.empty()) text += next + specification(option, name);
+      if (!name.empty()) text += next + zsh_specification(option, name);
     }
   }
   int position = 1;
   for (const Positional& argument : verb.arguments) {
     text += next + "'" + std::to_string(position++) + (argument.required ? ":" : "::") +
-            escaped(argument.name) + ":" + action(argument.completes, argument.choices) + "'";
+            zsh_escaped(argument.name) + ":" + zsh_action(argument.completes, argument.choices) +
+            "'";
   }
   return text + "\n";
 }
 
 /// The function that completes one of `verbs` and then what belongs to it.
-std::string function_of(const std::string& name, const std::vector<Verb>& verbs) {
+std::string zsh_function(const std::string& name, const std::vector<Verb>& verbs) {
   std::string text =
       name +
       "() {\n  local curcontext=$curcontext state line\n  local -a verbs\n"
       "  _arguments -C '--help[Print this help.]' '1:verb:->verb' '*::argument:->arguments'\n"
       "  case $state in\n    verb)\n      verbs=(\n";
   for (const Verb& verb : verbs) {
-    text += "        '" + verb.name + ":" + escaped(verb.summary) + "'\n";
+    text += "        '" + verb.name + ":" + zsh_escaped(verb.summary) + "'\n";
   }
   text +=
       "      )\n      _describe verb verbs\n      ;;\n    arguments)\n      case $words[1] in\n";
   for (const Verb& verb : verbs) {
     text += "        " + verb.name + ")\n";
-    text += verb.verbs.empty() ? arguments_of(verb, "          ")
+    text += verb.verbs.empty() ? zsh_arguments(verb, "          ")
                                : "          " + name + "_" + verb.name + "\n";
     text += "          ;;\n";
   }
@@ -91,9 +92,9 @@ std::string zsh_completion(const std::vector<Verb>& verbs) {
       "_beeline_arms() {\n  compadd --" +
       arms + "\n  _files -g '*.(urdf|xml|json)'\n}\n\n";
   for (const Verb& verb : verbs) {
-    if (!verb.verbs.empty()) text += function_of("_beeline_" + verb.name, verb.verbs);
+    if (!verb.verbs.empty()) text += zsh_function("_beeline_" + verb.name, verb.verbs);
   }
-  return text + function_of("_beeline", verbs) +
+  return text + zsh_function("_beeline", verbs) +
          "if [[ $funcstack[1] == _beeline ]]; then\n  _beeline \"$@\"\nelse\n"
          "  compdef _beeline beeline\nfi\n";
 }

@@ -173,9 +173,3 @@ def test_files_that_are_not_there_or_cannot_be_written(refused, written, tmp_pat
     (tmp_path / "folder.csv").mkdir()
     refused(3, "batch", "fk", "rrr", "--in", "folder.csv", "--out", "p.csv", says=["folder"])
     refused(3, "batch", "fk", "rrr", "--in", "q.csv", "--out", "folder.csv", says=["folder"])
-
-
-def test_help_of_each_kind_has_examples(beeline):
-    for kind in ("fk", "jacobian", "ik"):
-        answer = beeline("batch", kind, "--help")
-        assert answer.code == 0 and f"  beeline batch {kind} " in answer.out

@@ -1,7 +1,5 @@
 """Bad input: one clear line, the documented exit code, nothing on stdout, nothing written."""
 
-import os
-
 import pytest
 
 Q3 = ("--q", "0,0,0")
@@ -154,21 +152,3 @@ def test_an_option_without_effect_is_refused(refused, written, method, option):
 def test_a_planar_pose_is_refused_for_a_spatial_arm(refused, written):
     through = written("w.csv", "x,y,theta\n1,2,3\n")
     refused(2, "line", "ur5", "--from", "0,0,0,0,0,0", "--through", through, says=["w.csv", "ur5"])
-
-
-@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
-def test_a_full_stdout_is_an_error(build):
-    import subprocess
-
-    with open("/dev/full", "w") as full:
-        process = subprocess.run([str(build / "beeline"), "arms"], stdout=full,
-                                 stderr=subprocess.PIPE, text=True)
-    assert process.returncode == 3 and "stdout" in process.stderr
-
-
-def test_help_has_an_example_for_every_verb(beeline):
-    for verb in ("arms", "show", "fk", "jacobian", "ik", "batch", "move", "line", "replay", "draw",
-                 "figure"):
-        answer = beeline(verb, "--help")
-        assert answer.code == 0 and f"  beeline {verb}" in answer.out, verb
-        assert verb in beeline("--help").out

@@ -38,5 +38,6 @@ def test_a_real_arm_moves_in_straight_lines(path, build, tmp_path):
     assert report["status"] == "reached"
     assert report["deviation_sampled"] < 1e-6 and report["orientation_sampled"] < 1e-6
     assert report["deviation_bound"] <= 1e-4 and report["orientation_bound"] <= 1e-3
-    replayed = beeline("replay", "move.csv", *arm)  # checks the limits of position and velocity
+    # checks the limits of position and velocity
+    replayed = beeline("replay", arm[0], "move.csv", *arm[1:])
     assert replayed["status"] == "reached"

@@ -1,0 +1,78 @@
+"""Names: arms in any case, suggestions for wrong ones, and what earlier names are now."""
+
+import pytest
+
+FORMER = [
+    (("time", "move.csv", "panda"), ["time", "retime ARM FILE"]),
+    (("line", "rrr", "--through", "p.csv", "--law", "quintic"), ["--law", "--profile", "line --help"]),
+    (("line", "rrr", "--through", "p.csv", "--round=0.1"), ["--round", "--blend"]),
+    (("line", "rrr", "--through", "p.csv", "--most-samples", "9"), ["--max-samples"]),
+    (("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--most-steps", "9"), ["--max-steps"]),
+    (("ik", "rrr", "--pose", "1,2,0", "--restarts", "9"), ["--max-restarts"]),
+    (("ik", "rrr", "--pose", "1,2,0", "--iterations", "9"), ["--max-iterations"]),
+    (("retime", "panda", "m.csv", "--speed-limit", "0.5"), ["--speed"]),
+    (("check", "move.csv", "panda", "--through", "p.csv"), ["check ARM FILE", "move.csv panda"]),
+    (("retime", "move.csv", "panda"), ["retime ARM FILE"]),
+    (("replay", "move.json", "panda"), ["replay ARM FILE"]),
+    (("replay", "move.csv", "robot.json"), ["replay ARM FILE"]),
+    (("diff", "a.csv", "b.csv", "panda"), ["diff ARM A B"]),
+    (("diff", "a.json", "b.json", "robot.urdf"), ["diff ARM A B"]),
+]
+
+
+@pytest.mark.parametrize("arguments, says", FORMER, ids=lambda value: " ".join(value)[:60])
+def test_former_names_and_orders_are_explained(refused, arguments, says):
+    refused(2, *arguments, says=says)
+
+
+SUGGESTED = [
+    (("retiem",), ['"retime"', "beeline --help"]),
+    (("batch", "jacobain"), ['"jacobian"', "beeline batch --help"]),
+    (("line", "rrr", "--trough", "p.csv"), ['"--trough"', '"--through"', "beeline line --help"]),
+    (("fk", "rrr", "-q", "0,0,0"), ['"-q"', '"--q"', "beeline fk --help"]),
+    (("fk", "PANDAA", "--q", "0"), ['"panda"', "beeline fk --help"]),
+    (("retime", "panda", "m.csv", "--profile", "scurve"), ["--profile", '"s-curve"']),
+    (("ik", "panda", "--pose", "0,0,0,0,0,0", "--lock", "joint77"), ["--lock", '"joint7"']),
+]
+
+
+@pytest.mark.parametrize("arguments, says", SUGGESTED, ids=lambda value: " ".join(value)[:60])
+def test_the_nearest_name_is_suggested(refused, arguments, says):
+    refused(2, *arguments, says=says)
+
+
+NAMED = [
+    (("fk", "rrr"), ["--q Q is missing"]),
+    (("fk",), ["ARM is missing", "beeline fk --help"]),
+    (("check", "rrr", "--through", "p.csv"), ["FILE is missing"]),
+    (("fk", "rrr", "--q"), ["--q needs a value"]),
+    (("fk", "rrr", "--q", "0,0,0", "--q", "0,0,0"), ["--q is given 2 times"]),
+    (("fk", "rrr", "--q", "0,", "-1,", "2"), ["-1,", "without blanks"]),
+    (("fk", "rrr", "panda", "--q", "0,0,0"), ['unexpected argument "panda"']),
+    (("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--gain", "x"), ["--gain", '"x"']),
+    (("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--kp", "0"), ["--kp"]),
+    (("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--gain", "0"), ["--gain"]),
+    (("ik", "rrr", "--pose", "1,2,0", "--grid", "1"), ["--grid", "beeline ik --help"]),
+    (("ik", "rrr", "--pose", "1,2,0", "--tolerance", "0"), ["--tolerance"]),
+    (("ik", "rrr", "--pose", "1,2,0", "--max-restarts", "-1"), ["--max-restarts", "-1"]),
+    (("line", "rrr", "--through", "p.csv", "--tool-speed", "-1"), ["--tool-speed", "-1"]),
+    (("line", "rrr", "--through", "p.csv", "--max-samples", "1"), ["--max-samples"]),
+    (("line", "rrr", "--through", "p.csv", "--orientation-tolerance", "-1"),
+     ["--orientation-tolerance"]),
+    (("batch", "fk", "rrr", "--in", "p.csv"), ["--out FILE is missing", "beeline batch fk --help"]),
+]
+
+
+@pytest.mark.parametrize("arguments, says", NAMED, ids=lambda value: " ".join(value)[:60])
+def test_an_error_names_the_option_and_the_help(refused, written, arguments, says):
+    written("p.csv", "x,y,theta\n4,3,0\n3,4,0.5\n")
+    refused(2, *arguments, says=says)
+
+
+@pytest.mark.parametrize("name", ["Panda", "PANDA", "UR5", "Puma560", "Rrr", "IIWA14"])
+def test_arms_are_found_in_any_case(beeline, name):
+    assert beeline("show", name).out == beeline("show", name.lower()).out
+
+
+def test_a_joint_string_is_not_a_name(beeline):
+    assert beeline("show", "RRR", "--json").json["name"] == "RRR"
