@@ -21,3 +21,19 @@ install(FILES
   ${PROJECT_BINARY_DIR}/package/beeline-config.cmake
   ${PROJECT_BINARY_DIR}/package/beeline-config-version.cmake
   DESTINATION ${package_dir})
+
+# The manual page and the shell completions: the command prints them itself.
+set(printed ${PROJECT_BINARY_DIR}/package)
+install(CODE "
+  function(print file)
+    execute_process(COMMAND \"$<TARGET_FILE:beeline>\" \${ARGN}
+      OUTPUT_FILE \"${printed}/\${file}\" COMMAND_ERROR_IS_FATAL ANY)
+  endfunction()
+  print(beeline.1 man)
+  print(beeline completion bash)
+  print(_beeline completion zsh)
+  print(beeline.fish completion fish)")
+install(FILES ${printed}/beeline.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${printed}/beeline DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${printed}/_beeline DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES ${printed}/beeline.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)

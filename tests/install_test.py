@@ -37,6 +37,14 @@ def test_the_installed_command_runs(prefix):
     assert "rrr" in run(prefix / "bin" / "beeline", "arms")
 
 
+def test_the_manual_page_and_the_completions_are_installed(prefix):
+    share = prefix / "share"
+    assert ".TH BEELINE 1" in (share / "man" / "man1" / "beeline.1").read_text()
+    for path in ("bash-completion/completions/beeline", "zsh/site-functions/_beeline",
+                 "fish/vendor_completions.d/beeline.fish"):
+        assert "retime" in (share / path).read_text()
+
+
 def test_a_program_on_the_core_needs_eigen_only(prefix, root, tmp_path):
     program = built_against(prefix, root / "tests" / "install", tmp_path, "consumer")
     assert run(program) == "9.000 0.000\n"
