@@ -110,6 +110,10 @@ Answer batch(const BatchArguments& arguments, const std::string& kind, MakeWork 
   row_format(arguments.in);
   row_format(arguments.out);
   refuse_overwriting(arguments.out, {arguments.in, arguments.arm.text});
+  constexpr int max_threads = 1024;  // more would only exhaust memory
+  if (arguments.threads > max_threads) {
+    throw Error("--threads must be at most " + std::to_string(max_threads));
+  }
   const bool rows_on_stdout = arguments.out == "-";
   if (arguments.json && rows_on_stdout) {
     throw Error("--json does not go with --out -: both would write to stdout");

@@ -12,7 +12,8 @@ constexpr const char* fish_functions = R"(
 function __beeline_is
     set -l tokens (commandline -opc)
     for i in (seq (count $argv))
-        test "$tokens[(math $i + 1)]" = "$argv[$i]"; or return 1
+        set -l j (math $i + 1)
+        test "$tokens[$j]" = "$argv[$i]"; or return 1
     end
 end
 

@@ -30,7 +30,7 @@ std::string roff_paragraphs(const std::string& text) {
     if (line.empty()) {
       result += ".PP\n";
     } else if (line.starts_with(' ')) {
-      result += ".br\n" + roff_escaped(line) + "\n";
+      result += roff_escaped(line) + "\n";  // a leading blank begins a new line
     } else {
       result += roff_escaped(line) + "\n";
     }

@@ -13,14 +13,12 @@ namespace {
 
 template <class Integer>
 Integer whole_number(const std::string& text, const std::string& name) {
-  Integer value = 0;
+  Integer value = 0;  // counts and seeds: none is negative
   const char* const last = text.data() + text.size();
   const auto [end, fault] = std::from_chars(text.data(), last, value);
-  if (fault == std::errc() && end == last) return value;
-  using Limits = std::numeric_limits<Integer>;
-  const Integer least = std::max<Integer>(Limits::min(), 0);
-  throw Error(name + " must be a whole number from " + std::to_string(least) + " to " +
-              std::to_string(Limits::max()) + ", not " + text);
+  if (fault == std::errc() && end == last && !text.starts_with('-')) return value;
+  throw Error(name + " must be a whole number from 0 to " +
+              std::to_string(std::numeric_limits<Integer>::max()) + ", not " + text);
 }
 
 }  // namespace

@@ -47,13 +47,18 @@ Error unexpected(const Verb& verb, const std::string& word) {
 struct Parsed {
   const Option* option;
   CLI::Option* result;
-  bool given() const { return result->count() > 0; }
 };
 
 std::string typed_name(const Option& option, const Words& arguments) {
   const auto is_alias = [&](const std::string& word) { return option_name(word) == option.alias; };
   const bool alias = std::any_of(arguments.begin(), arguments.end(), is_alias);
   return alias && !option.alias.empty() ? option.alias : option.name;
+}
+
+void refuse_repeated(const Option& option, const CLI::Option* result, const Words& arguments) {
+  if (result->count() <= 1) return;
+  throw Error(typed_name(option, arguments) + " is given " + std::to_string(result->count()) +
+              " times");
 }
 
 void check_needs(const Option& option, const std::string& name, const Words& typed,
@@ -77,7 +82,6 @@ std::string method_of(const Verb& verb) {
 }
 
 void set_arguments(const Verb& verb, const std::vector<CLI::Option*>& results) {
-  Words files;
   for (std::size_t i = 0; i < verb.arguments.size(); ++i) {
     const Positional& argument = verb.arguments[i];
     if (results[i]->count() == 0) {
@@ -98,8 +102,7 @@ Words set_options(const Verb& verb, const std::vector<Parsed>& parsed, const Wor
       if (option->required) throw Error(name + " " + option->value + " is missing");
       continue;
     }
-    if (result->count() > 1)
-      throw Error(name + " is given " + std::to_string(result->count()) + " times");
+    refuse_repeated(*option, result, arguments);
     typed.push_back(name);
     if (auto* const* flag = std::get_if<bool*>(&option->target)) {
       **flag = true;
@@ -132,13 +135,13 @@ std::vector<std::string> parse(const Verb& verb, const Words& arguments) {
   }
   try {
     app.parse(Words(arguments.rbegin(), arguments.rend()));
-  } catch (const CLI::ArgumentMismatch&) {
+  } catch (const CLI::ParseError& error) {
     for (const auto& [option, result] : parsed) {
-      const bool value_missing = !arguments.empty() && (arguments.back() == option->name ||
-                                                        arguments.back() == option->alias);
-      if (value_missing) throw Error(arguments.back() + " needs a value: " + option->value);
+      refuse_repeated(*option, result, arguments);
+      const bool last = arguments.back() == option->name || arguments.back() == option->alias;
+      if (last) throw Error(arguments.back() + " needs a value: " + option->value);
     }
-    throw;
+    throw Error(error.what());
   }
   for (const std::string& word : app.remaining()) throw unexpected(verb, word);
   set_arguments(verb, positions);

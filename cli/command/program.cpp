@@ -50,10 +50,14 @@ void select(const std::vector<Verb>& verbs, Selection& selection) {
 /// The message with the option in front that it is about, if it mentions one that was typed by its
 /// name in the library: "max samples" or max_samples for --max-samples.
 std::string naming_the_option(std::string message, const std::vector<std::string>& typed) {
-  const auto mentions = [&message](const std::string& name) {
-    const std::size_t at = message.find(name);
-    const auto letter = [&message](std::size_t i) {
-      return i < message.size() && std::isalnum(static_cast<unsigned char>(message[i])) != 0;
+  std::string words = message;  // "the tool's speed" is --tool-speed
+  for (std::size_t at = words.find("'s "); at != std::string::npos; at = words.find("'s ")) {
+    words.erase(at, 2);
+  }
+  const auto mentions = [&words](const std::string& name) {
+    const std::size_t at = words.find(name);
+    const auto letter = [&words](std::size_t i) {
+      return i < words.size() && std::isalnum(static_cast<unsigned char>(words[i])) != 0;
     };
     return at != std::string::npos && !letter(at - 1) && !letter(at + name.size());
   };

@@ -17,10 +17,11 @@ def test_the_page_renders(beeline, program):
     page = beeline("man")
     assert page.code == 0 and page.err == ""
     process = subprocess.run(PROGRAMS[program], input=page.out, capture_output=True, text=True)
-    assert process.returncode == 0 and process.stderr == "", process.stderr
-    if program == "mandoc":
-        assert process.stdout == ""
+    if program == "mandoc":  # the page has no date, so that the same sources print the same page
+        complaints = [row for row in process.stdout.splitlines() if "missing date" not in row]
+        assert complaints == []
         return
+    assert process.returncode == 0 and process.stderr == "", process.stderr
     text = re.sub(r"\x1b\[[0-9;]*m|.\x08", "", process.stdout)
     for word in ("NAME", "SYNOPSIS", "beeline retime ARM FILE", "--profile PROFILE", "batch ik",
                  "--max-restarts", r"printf 'x,y,theta\n4.5,5.2,0\n"):

@@ -81,7 +81,7 @@ FILES = [
      ["a.urdf:1", "axis"]),
     ("limits reversed", "a.urdf",
      urdf(("i", "a", "b", "0 0 1", 1, -1), ("j", "b", "c", "0 0 1", -1, 1)), (),
-     ["a.urdf:1", "limits", "lower 1"]),
+     ["a.urdf:1", "lower limit 1"]),
     ("not a number", "a.urdf",
      urdf(("i", "a", "b", "0 0 up", -1, 1), ("j", "b", "c", "0 0 1", -1, 1)), (), ["a.urdf:1", "up"]),
     ("not a robot", "a.urdf", "<html></html>", (), ["a.urdf:1", "robot"]),
