@@ -55,6 +55,9 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
   LineReport report;
   report.status = motion.status;
   report.reason = std::move(motion.reason);
+  if (report.status == MotionStatus::too_many_samples) {
+    report.reason += " (--tolerance, --max-samples)";
+  }
   report.trajectory = std::move(motion.trajectory);
   report.deviation = motion.deviation;
   report.limits = motion.limits;
