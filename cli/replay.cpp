@@ -66,8 +66,8 @@ std::string replay_text(const Replay& played) {
                                  played.trajectory.size(), shown(played.trajectory.times.back()),
                                  shown(played.lead_in));
   if (played.velocity_usage > 0) {
-    text +=
-        fmt::format("velocity      at most {} % of a joint's limit\n", shown(100 * played.velocity_usage));
+    text += fmt::format("velocity      at most {} % of a joint's limit\n",
+                        shown(100 * played.velocity_usage));
   }
   return text;
 }

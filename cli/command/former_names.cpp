@@ -25,10 +25,10 @@ void refuse_former_order(const Verb& verb) {
   const std::string& first = *verb.arguments.front().target;
   const std::string& last = *verb.arguments.back().target;
   const auto is_trajectory = [](const std::string& text) {
-    const std::string format = beeline::extension(text);
+    const std::string format = beeline::internal::extension(text);
     return format == "csv" || format == "json";
   };
-  const bool csv_first = beeline::extension(first) == "csv";
+  const bool csv_first = beeline::internal::extension(first) == "csv";
   if (last.empty() || !(csv_first || (is_trajectory(first) && !is_trajectory(last)))) return;
   std::string order = verb.name;
   for (const Positional& argument : verb.arguments) order += " " + argument.name;
