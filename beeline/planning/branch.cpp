@@ -23,7 +23,7 @@ Branch from_first_solution(const Arm& arm, const ToolPath& path, const BranchOpt
   }
   Branch branch;
   branch.status = motion_status(begin.status);
-  branch.reason = "the path's begin: " + begin.reason;
+  branch.reason = "the path's beginning: " + begin.reason;
   return branch;
 }
 
