@@ -74,9 +74,9 @@ class Configurations {
     keep_rows(block, results, [&](Eigen::Index i, const RowPlace& place) {
       if (fits(results.col(i))) return true;
       bad.report(bad_row(arguments_.source(), place,
-                       arguments_.single && results.col(i).allFinite()
-                           ? "a result is too large for 32 bits; omit --float"
-                           : "the tool's position exceeds the range of numbers"));
+                         arguments_.single && results.col(i).allFinite()
+                             ? "a result is too large for 32 bits; omit --float"
+                             : "the tool's position exceeds the range of numbers"));
       return false;
     });
     results.conservativeResize(Eigen::NoChange, block.count());
