@@ -1,10 +1,11 @@
 #pragma once
 
-/// All public headers of the library `beeline::core`: poses, arms, kinematics, inverse kinematics,
-/// trajectories, paths, timing, certificates, planning, control. The other libraries have their own
-/// headers: <beeline/batch/batch.h> (beeline::batch), <beeline/read/...> and <beeline/record/...>
-/// (beeline::read), and <beeline/draw/...> (beeline::draw).
+/// Includes all public headers of Beeline. A program links with what it calls: beeline::core has
+/// poses, arms, kinematics, inverse kinematics, trajectories, paths, timing, certificates, planning
+/// and control; beeline::read the readers and writers of files, beeline::batch many rows at once,
+/// beeline::draw pictures; beeline::beeline is all of them.
 
+#include <beeline/batch/batch.h>
 #include <beeline/certificate/joint_faults.h>
 #include <beeline/certificate/path_deviation.h>
 #include <beeline/certificate/verify.h>
@@ -15,6 +16,13 @@
 #include <beeline/control/replay.h>
 #include <beeline/control/servo.h>
 #include <beeline/control/simulate.h>
+#include <beeline/draw/arm_figure.h>
+#include <beeline/draw/canvas.h>
+#include <beeline/draw/chapter.h>
+#include <beeline/draw/figure.h>
+#include <beeline/draw/paper.h>
+#include <beeline/draw/scene.h>
+#include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
@@ -40,6 +48,14 @@
 #include <beeline/pose/se2.h>
 #include <beeline/pose/se3.h>
 #include <beeline/pose/so3.h>
+#include <beeline/read/arm.h>
+#include <beeline/read/arm_json.h>
+#include <beeline/read/joint_string.h>
+#include <beeline/read/pose_list.h>
+#include <beeline/read/urdf.h>
+#include <beeline/record/number_rows.h>
+#include <beeline/record/row_block.h>
+#include <beeline/record/trajectory_file.h>
 #include <beeline/timing/point_to_point.h>
 #include <beeline/timing/profile.h>
 #include <beeline/timing/retime.h>

@@ -1,8 +1,9 @@
-"""The order of the folders, as layers.txt holds it: which includes in beeline/ break it.
+"""Checks the includes of beeline/ against layers.txt, and the public headers.
 
-A folder includes itself, its internal/, the folders that layers.txt names for it, and what stands beside the
-folders (error.h). Other people's libraries, but for Eigen, appear only in the folders below, and
-there in .cpp files and in what these include for each instruction set (-inl.h)."""
+A folder includes itself, its internal/, the folders that layers.txt names for it, and the files beside
+the folders (error.h). Libraries other than Eigen appear only in the folders listed below, in .cpp
+files and in -inl.h files. A public header, which is installed, includes no internal one, and includes
+error.h when it promises "Throws Error"."""
 
 import re
 import sys
@@ -25,16 +26,18 @@ LIBRARIES = {  # the first part of the include: the folders that may use it, in 
     "tbb": {"batch"},
     "tinyxml2": {"read"},
 }
-UMBRELLA = "beeline/beeline.h"  # includes the public headers of the library core, all of them
-NOT_CORE = {"batch", "draw", "read", "record"}
-PRIVATE = re.compile(r"-inl\.h$|/internal/|^beeline/(math|inverse/analytic|inverse/numerical)/")
+UMBRELLA = "beeline/beeline.h"  # includes every public header
+# Not installed: all of these folders, every internal/ and -inl.h.
+INTERNAL = {"simd", "math", "inverse/analytic", "inverse/numerical"}
+MAX_PUBLIC_HEADERS = 60
+ERROR = ("beeline/error.h", "beeline/beeline.h")
 SYSTEM = {"fcntl", "sys", "unistd"}  # C headers that any .cpp may use
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
 def read_layers(path):
-    """folder -> the folders it may include. Raises ValueError for an order that is none."""
+    """folder -> the folders it may include. Raises ValueError for an invalid order."""
     layers = {}
     for line in path.read_text().splitlines():
         if not line.strip() or line.startswith("#"):
@@ -44,44 +47,64 @@ def read_layers(path):
             if name not in layers:
                 raise ValueError(f"layers.txt: {folder} may include {name}, which is not below it")
         if folder in layers:
-            raise ValueError(f"layers.txt: {folder} stands there twice")
+            raise ValueError(f"layers.txt: {folder} is listed twice")
         layers[folder] = set(below.split())
     return layers
 
 
 def violations(root):
-    """One sentence for each include, and each folder, that breaks the order."""
-    house = root / "beeline"
+    """One sentence for each include, folder and public header that breaks a rule."""
+    library = root / "beeline"
     layers = read_layers(root / "layers.txt")
-    folders = {folder_of(path.relative_to(house)) for path in sources(house)} - {"."}
+    folders = {folder_of(path.relative_to(library)) for path in sources(library)} - {"."}
     found = [f"beeline/{folder} is not in layers.txt" for folder in folders - layers.keys()]
     found += [f"layers.txt: there is no beeline/{folder}" for folder in layers.keys() - folders]
-    for path in sources(house):
+    for path in sources(library):
         for number, line in enumerate(path.read_text().splitlines(), 1):
             include = INCLUDE.match(line)
             reason = include and objection(root, layers, path, *include.groups())
             if reason:
                 place = f"{path.relative_to(root)}:{number}"
                 found.append(f"{place}: {include.group(2)}: {reason}")
-    return sorted(found + missing_in_umbrella(root))
+    return sorted(found + public_violations(root))
 
 
-def missing_in_umbrella(root):
+def is_public(path):
+    """Whether a header, relative to beeline/, is installed."""
+    return (
+        path.suffix == ".h"
+        and not path.name.endswith("-inl.h")
+        and path.parent.name != "internal"
+        and path.parent.as_posix() not in INTERNAL
+    )
+
+
+def public_violations(root):
+    library = root / "beeline"
+    found = []
+    headers = [path for path in sources(library) if is_public(path.relative_to(library))]
+    for path in headers:
+        text = path.read_text()
+        name = path.relative_to(root).as_posix()
+        targets = [m.group(2) for m in map(INCLUDE.match, text.splitlines()) if m]
+        for target in targets:
+            first, _, rest = target.partition("/")
+            if first == "beeline" and not is_public(Path(rest)):
+                found.append(f"{name}: a public header includes the internal <{target}>")
+        if "Throws Error" in text and name not in ERROR and ERROR[0] not in targets:
+            found.append(f'{name}: it promises "Throws Error" and does not include <{ERROR[0]}>')
     umbrella = root / UMBRELLA
-    if not umbrella.is_file():
-        return []
-    included = set(re.findall("#include <(.*)>", umbrella.read_text()))
-    headers = {path.relative_to(root) for path in sources(root / "beeline") if path.suffix == ".h"}
-    public = {
-        path.as_posix()
-        for path in headers
-        if not PRIVATE.search(path.as_posix()) and path.parts[1] not in NOT_CORE
-    }
-    return [f"{UMBRELLA} does not include {name}" for name in public - included - {UMBRELLA}]
+    if umbrella.is_file():
+        included = set(re.findall("#include <(.*)>", umbrella.read_text())) | {UMBRELLA}
+        names = {path.relative_to(root).as_posix() for path in headers}
+        found += [f"{UMBRELLA} does not include {name}" for name in names - included]
+    if len(headers) > MAX_PUBLIC_HEADERS:
+        found.append(f"{len(headers)} public headers; at most {MAX_PUBLIC_HEADERS}")
+    return found
 
 
-def sources(house):
-    return sorted(path for path in house.rglob("*") if path.suffix in {".h", ".cpp"})
+def sources(library):
+    return sorted(path for path in library.rglob("*") if path.suffix in {".h", ".cpp"})
 
 
 def folder_of(path):
@@ -102,7 +125,7 @@ def objection(root, layers, path, quote, name):
         if name == UMBRELLA:
             return "it is for users of the library"
         if path == root / UMBRELLA:
-            return "it is not in the library core" if target in NOT_CORE else None
+            return None
         if target not in {".", folder} | layers.get(folder, set()):
             return f"{folder} may not include {target}"
     elif first in LIBRARIES:

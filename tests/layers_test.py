@@ -1,17 +1,17 @@
-"""layers.txt holds, and the check of it sees what it must see."""
+"""The includes follow layers.txt, and the check finds every kind of violation."""
 
 import pytest
 
 from layers import read_layers, violations
 
 
-def test_the_house_keeps_its_order(root):
+def test_the_library_keeps_its_order(root):
     assert violations(root) == []
 
 
 @pytest.fixture
-def house(tmp_path):
-    """A small house in order: pose, then model on it, then draw on both."""
+def library(tmp_path):
+    """A small library in order: pose, model above it, draw above both."""
 
     def write(name, *lines):
         path = tmp_path / name
@@ -26,18 +26,18 @@ def house(tmp_path):
     return tmp_path
 
 
-def test_a_house_in_order_passes(house):
-    assert violations(house) == []
+def test_a_library_in_order_passes(library):
+    assert violations(library) == []
 
 
-def test_the_umbrella_includes_the_public_headers_of_the_core(house):
-    umbrella = house / "beeline/beeline.h"
+def test_the_umbrella_includes_every_public_header(library):
+    umbrella = library / "beeline/beeline.h"
     umbrella.write_text("#include <beeline/error.h>\n#include <beeline/model/arm.h>\n")
-    assert violations(house) == ["beeline/beeline.h does not include beeline/pose/pose.h"]
+    assert violations(library) == ["beeline/beeline.h does not include beeline/pose/pose.h"]
     umbrella.write_text(umbrella.read_text() + "#include <beeline/pose/pose.h>\n")
-    assert violations(house) == []
-    (house / "beeline/model/arm.h").write_text("#include <beeline/beeline.h>\n")
-    assert violations(house) == [
+    assert violations(library) == []
+    (library / "beeline/model/arm.h").write_text("#include <beeline/beeline.h>\n")
+    assert violations(library) == [
         "beeline/model/arm.h:1: beeline/beeline.h: it is for users of the library"
     ]
 
@@ -58,13 +58,40 @@ def test_the_umbrella_includes_the_public_headers_of_the_core(house):
         ("attic/old.h", "#include <string>", "beeline/attic is not in layers.txt"),
     ],
 )
-def test_a_bad_include_is_refused(house, file, line, reason):
-    (house / "beeline" / file).parent.mkdir(exist_ok=True)
-    (house / "beeline" / file).write_text("#include <string>\n" + line + "\n")
-    found = violations(house)
+def test_a_bad_include_is_refused(library, file, line, reason):
+    (library / "beeline" / file).parent.mkdir(exist_ok=True)
+    (library / "beeline" / file).write_text("#include <string>\n" + line + "\n")
+    found = violations(library)
     assert len(found) == 1
     assert reason in found[0]
     assert f"beeline/{file}:2" in found[0] or "layers.txt" in found[0]
+
+
+@pytest.mark.parametrize(
+    "text, reason",
+    [
+        ("#include <beeline/pose/internal/secret.h>", "includes the internal"),
+        ("#include <beeline/pose/kernel-inl.h>", "includes the internal"),
+        ("/// Throws Error for a bad number.", "does not include <beeline/error.h>"),
+    ],
+)
+def test_a_bad_public_header_is_refused(library, text, reason):
+    for name in ["internal/secret.h", "kernel-inl.h"]:
+        path = library / "beeline" / "pose" / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_text("#include <string>\n")
+    (library / "beeline" / "pose" / "bad.h").write_text(text + "\n")
+    found = violations(library)
+    assert len(found) == 1
+    assert reason in found[0]
+    (library / "beeline" / "pose" / "bad.h").rename(library / "beeline/pose/internal/good.h")
+    assert violations(library) == []
+
+
+def test_public_headers_are_counted(library):
+    for k in range(60):
+        (library / "beeline" / "pose" / f"h{k}.h").write_text("#include <string>\n")
+    assert any("at most 60" in line for line in violations(library))
 
 
 @pytest.mark.parametrize(
@@ -73,10 +100,10 @@ def test_a_bad_include_is_refused(house, file, line, reason):
         (["pose: model", "model: pose"], "pose may include model, which is not below it"),
         (["pose: pose"], "pose may include pose, which is not below it"),
         (["model: pose", "pose:"], "model may include pose, which is not below it"),
-        (["pose:", "pose:"], "pose stands there twice"),
+        (["pose:", "pose:"], "pose is listed twice"),
     ],
 )
-def test_an_order_with_a_circle_is_refused(tmp_path, order, reason):
+def test_a_cyclic_order_is_refused(tmp_path, order, reason):
     path = tmp_path / "layers.txt"
     path.write_text("\n".join(order) + "\n")
     with pytest.raises(ValueError, match=reason):

@@ -9,6 +9,7 @@
 
 #include <beeline/certificate/joint_faults.h>
 #include <beeline/certificate/path_deviation.h>
+#include <beeline/error.h>
 
 namespace beeline {
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <beeline/control/simulate.h>
+#include <beeline/error.h>
 #include <beeline/kinematics/task.h>
 
 namespace beeline {

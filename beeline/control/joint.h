@@ -4,6 +4,7 @@
 
 #include <beeline/control/pid.h>
 #include <beeline/control/simulate.h>
+#include <beeline/error.h>
 
 namespace beeline {
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <beeline/draw/figure.h>
+#include <beeline/error.h>
 #include <beeline/model/arm.h>
 
 namespace beeline {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include <beeline/draw/figure.h>
+#include <beeline/error.h>
 
 namespace beeline {
 

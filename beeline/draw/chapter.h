@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <beeline/draw/figure.h>
+#include <beeline/error.h>
 #include <beeline/model/arm.h>
 #include <beeline/pose/se2.h>
 

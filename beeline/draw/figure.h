@@ -5,6 +5,7 @@
 
 #include <beeline/draw/paper.h>
 #include <beeline/draw/scene.h>
+#include <beeline/error.h>
 
 namespace beeline {
 

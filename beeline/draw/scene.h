@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include <beeline/error.h>
 #include <beeline/model/joint.h>
 
 namespace beeline {

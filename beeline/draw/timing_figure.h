@@ -6,6 +6,7 @@
 
 #include <beeline/certificate/path_deviation.h>
 #include <beeline/draw/paper.h>
+#include <beeline/error.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
@@ -13,7 +14,8 @@ namespace beeline {
 /// The path that a motion follows.
 struct FollowedPath {
   ToolPath path;
-  std::vector<double> path_parameters;  ///< path parameter of each sample, as far as they follow the path
+  std::vector<double>
+      path_parameters;  ///< path parameter of each sample, as far as they follow the path
   Task task;
   std::optional<Deviation> tolerance = std::nullopt;  ///< drawn as a reference line
 };

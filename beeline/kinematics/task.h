@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <beeline/error.h>
 #include <beeline/kinematics/jacobian.h>
 
 namespace beeline {

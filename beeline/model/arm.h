@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <beeline/error.h>
 #include <beeline/model/chain.h>
 #include <beeline/model/joint.h>
 

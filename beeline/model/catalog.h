@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include <beeline/error.h>
 #include <beeline/model/arm.h>
 
 namespace beeline {

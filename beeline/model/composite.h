@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <beeline/error.h>
 #include <beeline/model/joint.h>
 
 namespace beeline {

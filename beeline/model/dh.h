@@ -1,5 +1,6 @@
 #pragma once
 
+#include <beeline/error.h>
 #include <beeline/model/joint.h>
 
 namespace beeline {

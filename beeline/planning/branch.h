@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <beeline/certificate/path_deviation.h>
+#include <beeline/error.h>
 #include <beeline/planning/status.h>
 
 namespace beeline {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <beeline/certificate/path_deviation.h>
+#include <beeline/error.h>
 #include <beeline/planning/nearby_path.h>
 #include <beeline/planning/status.h>
 #include <beeline/timing/retime.h>

@@ -2,6 +2,7 @@
 
 #include <iosfwd>
 
+#include <beeline/error.h>
 #include <beeline/pose/se3.h>
 
 namespace beeline {
