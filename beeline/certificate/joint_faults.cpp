@@ -38,7 +38,8 @@ class FaultSearch {
       for (int i = 0; i < arm_.dof() && !found_; ++i) check_derivatives(k, i);
       if (found_) break;
     }
-    // A jump in position already shows in the differences before it; report the jump itself.
+    // A jump in position also exceeds limits in the differences before it; the jump itself is
+    // reported.
     const std::optional<JointFault> derivative_fault = found_;
     if (!derivative_fault) return {};
     const std::size_t end = std::min(derivative_fault->sample + stencil + 1, t_.size());

@@ -9,7 +9,7 @@
 
 namespace beeline {
 
-/// The ways in which a trajectory can fail, see verify().
+/// The faults that verify() finds in a trajectory.
 enum class Fault {
   none,
   limits,       ///< a joint exceeds its position limits, at a sample or between two

@@ -27,16 +27,16 @@ PathDeviation path_deviation(const Arm& arm, std::span<const Configuration> samp
                              std::span<const double> path_parameters, const ToolPath& path,
                              const Task& task);
 
-/// Computes the path parameters of samples that pass along the path; sample `arrivals[i]` reaches
-/// the end of segment i. The samples between two arrivals get the parameter of the nearest point,
-/// those after the last arrival its segment's end.
-/// Throws Error when the arrivals are not indices of samples in order, or more than segments.
+/// Computes the path parameters of samples along the path; sample `arrivals[i]` is at the end of
+/// segment i. Samples between two of these get the parameter of the nearest point, and those after
+/// the last one its segment's end. Throws Error when the arrivals are not indices of samples in
+/// order, or more than segments.
 std::vector<double> path_parameters_along(const Arm& arm, std::span<const Configuration> samples,
                                           const ToolPath& path,
                                           std::span<const std::size_t> arrivals, const Task& task);
 
-/// Returns for each segment the first sample at or after its end, as far as the path parameters
-/// reach.
+/// Returns the index of the first sample at or after the end of each segment, for the segments
+/// whose end the path parameters reach.
 std::vector<std::size_t> arrivals(std::span<const double> path_parameters);
 
 }  // namespace beeline

@@ -65,14 +65,14 @@ struct Verifier {
   };
 
   /// Finds the path parameters of the samples from `first` on, from `begin` to the end of
-  /// `segment`. Stops at a sample that leaves the end again, except at the route's end, where the
-  /// tool may pass near it before; and at one that is off the path.
+  /// `segment`. Stops at a sample that is off the path, and at one that leaves the segment's end
+  /// again. The route's end is an exception: the tool may pass near it before.
   Located locate(std::size_t first, double begin, std::size_t segment) const {
     const auto end = static_cast<double>(segment + 1);
     const bool last = segment + 1 == route.path.segments.size();
     const Pose goal = pose_at(route.path.segments[segment], 1);
     const bool line = begin == end - 1 && is_line(segment);
-    // On a closed path the begin is near the end too: only its last half segment counts as the end.
+    // The begin of a closed path is near its end too: only the last half segment counts as the end.
     double closing = end - 0.5;
     for (std::size_t i = segment + 1; i-- > 0 && near_its_end(route.path.segments[i]);) {
       closing -= 1;
@@ -96,8 +96,8 @@ struct Verifier {
     return found;
   }
 
-  /// Cuts the samples off at the one that arrives: the nearest to the end among the first ones in a
-  /// row that are at it, or among the last ones at the end of the route.
+  /// Keeps the samples up to the one nearest to the end. It is chosen among the first consecutive
+  /// samples that are at the end; at the end of the route, among the last ones.
   static void cut_at_arrival(Located& found, bool last) {
     const std::vector<double>& from_end = found.from_end;
     std::size_t k = 0;
@@ -126,7 +126,7 @@ struct Verifier {
     const std::size_t i = segment_at(route.path, s);
     const Deviation deviation = deviation_from(route.path, s, world_T_tool[k], task);
     if (!check_sample(k, deviation, name_of(i))) return false;
-    // Path parameters do not decrease: on a line, the nearest point may lie before s.
+    // Path parameters do not decrease, but the nearest point of a line may lie before s.
     const Deviation back = task_deviation(task, pose_at(route.path, s), world_T_tool[k]);
     if (near(back)) return true;
     fail(Fault::deviation, k,
@@ -163,7 +163,7 @@ struct Verifier {
                               metres_and_radians(measured) + jump);
   }
 
-  /// Checks the samples from `first` on that have path parameters, and the steps between them.
+  /// Checks the samples that have path parameters, from `first` on, and the steps between them.
   void check_samples(std::size_t first, const std::vector<double>& path_parameters) {
     for (std::size_t i = 0; i < path_parameters.size(); ++i) {
       if (!check_sample(first + i, path_parameters[i])) return;
@@ -233,7 +233,7 @@ struct Verifier {
     result.arrivals = arrivals(result.path_parameters);
   }
 
-  /// A joint's fault is reported in place of a deviation at the same time or later.
+  /// A fault of a joint replaces a deviation at the same time or later.
   void check_joints() {
     constexpr std::size_t stencil = 3;  // samples by which a difference may precede its cause
     const auto fault = first_joint_fault(arm, trajectory);

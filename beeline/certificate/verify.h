@@ -35,16 +35,17 @@ struct Verification {
 /// Prints the fault with its reason, or the proved deviation.
 std::ostream& operator<<(std::ostream& out, const Verification& verification);
 
-/// Proves from the samples alone, or refutes, that a trajectory moves the tool along the whole
-/// route and keeps the arm's limits, whatever made it. The joints move linearly between samples.
+/// Proves or refutes, from the samples alone, that a trajectory moves the tool along the whole
+/// route within the arm's limits, whichever program computed it. The joints move linearly between
+/// samples.
 ///
 /// - Deviation: finds the path parameter of each sample; these do not decrease, so the tool may not
 ///   move backwards. path_deviation() bounds the deviation between samples.
 /// - Position limits hold at the samples and, where there are velocities, for the cubic Hermite
 ///   polynomial between them.
 /// - Velocity, acceleration and jerk: divided differences of the positions times the factorial of
-///   the order are weighted means of these derivatives. A smooth motion through the samples that
-///   keeps a limit passes, whatever its sampling rate. Unknown limits are not checked.
+///   the order are weighted means of these derivatives. Samples of a smooth motion that is within a
+///   limit pass at every sampling rate. Unknown limits are not checked.
 ///
 /// Throws Error when the trajectory is empty or does not fit the arm, for a route without segments,
 /// a task that its segments do not allow, and tolerances that are not above zero.

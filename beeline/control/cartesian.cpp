@@ -13,9 +13,9 @@ namespace beeline {
 namespace {
 
 constexpr double damped_below = 1e-2;    // relative to the largest singular value
-constexpr double max_damped_step = 0.1;  // rad, of any joint: next to a singularity J changes fast
-constexpr double max_step = 1;    // rad, of any joint: beyond it the linearisation is meaningless
-constexpr double max_jump = 1.5;  // rad between neighbouring solutions; more is another branch
+constexpr double max_damped_step = 0.1;  // rad, of any joint; J changes fast next to a singularity
+constexpr double max_step = 1;           // rad, of any joint: range of the linear model
+constexpr double max_jump = 1.5;         // rad; solutions farther apart are on different branches
 
 /// Returns the largest rotation of a revolute or helical joint, radians.
 double largest_rotation(const Arm& arm, const Configuration& step) {
@@ -49,7 +49,7 @@ DampedStep damped_step(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& e
   return {svd.matrixV() * components, sigma[sigma.size() - 1] < threshold};
 }
 
-// Metres. On a shorter line the overshoot is mostly the error that the last line left.
+// Metres. On a shorter line the overshoot is mostly the remaining error of the previous line.
 constexpr double min_line = 1e-3;
 
 /// Returns the largest distance of the tool beyond the end of the line, relative to its length.
@@ -86,7 +86,7 @@ bool control_by_jacobian(const Arm& arm, const Pose& goal, const Task& task,
                        }};
   if (simulate(arm, law, options.simulation, motion)) return true;
   if (motion.status != MotionStatus::not_converged) return false;
-  // Inverse kinematics distinguishes a bad gain from a pose that cannot be reached.
+  // Inverse kinematics shows whether the gain is unsuitable or the pose cannot be reached.
   const Configuration& q = motion.trajectory.positions.back();
   const InverseResult answer = inverse_kinematics(arm, goal, {.seed = q, .task = task});
   if (answer.status != InverseStatus::solved) {

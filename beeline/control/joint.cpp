@@ -7,8 +7,8 @@
 namespace beeline {
 namespace {
 
-// Radians or metres. A joint that starts this near to its goal has no overshoot: the ratio would be
-// rounding.
+// Radians or metres. A joint that starts this near its goal has no overshoot, since the ratio would
+// be rounding.
 constexpr double at_goal = 1e-9;
 
 }  // namespace

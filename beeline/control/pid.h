@@ -26,8 +26,8 @@ class Pid {
   /// Throws Error when the size of q is not the goal's.
   void start(const ConfigurationRef& q);
 
-  /// Changes the goal and keeps the state; the change itself does not count as a difference of the
-  /// error. Throws Error when its size is not the old goal's.
+  /// Changes the goal and keeps the state. The change of the goal does not enter the difference of
+  /// the error. Throws Error when its size is not the old goal's.
   void set_goal(const ConfigurationRef& goal);
 
   /// Returns the change of q, valid until the next step. A first step without start() starts at q.

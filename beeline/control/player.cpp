@@ -145,7 +145,7 @@ void Playback::sample_at(double time) {
 /// Returns the largest change of the speed s in a step: the joint acceleration a s² + v ṡ must be
 /// within the limits.
 double Playback::max_speed_change() const {
-  constexpr double min_rate = 0.05;  // of the ramp: a recording at its limits must be able to pause
+  constexpr double min_rate = 0.05;  // of the ramp; a recording at its limits must be able to pause
   double rate = 1 / options_.ramp;
   for (Eigen::Index k = 0; k < velocity_.size(); ++k) {
     const double limit = arm_.limits(k).acceleration;

@@ -41,9 +41,9 @@ std::string first_violation(const Arm& arm, const Trajectory& recording);
 /// down to zero, which is a pause. Between samples it plays the cubic of their positions and
 /// velocities, or a straight line if there are no velocities.
 ///
-/// The speed changes linearly, within the acceleration limits that are known, but at no less than
-/// a twentieth of the ramp's rate: otherwise a recording that uses its accelerations fully could
-/// not pause. No step allocates. One object plays once.
+/// The speed changes linearly, within the known acceleration limits. Its rate is at least a
+/// twentieth of the ramp's rate; otherwise a recording at its acceleration limits could not pause.
+/// No step allocates. One object plays once.
 class Player {
  public:
   /// Starts at rest at `start`. Throws Error when the recording does not fit the arm or leaves its

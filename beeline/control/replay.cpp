@@ -10,8 +10,8 @@ namespace beeline {
 namespace {
 
 constexpr std::size_t max_samples = 1'000'000;
-constexpr double min_lead_in_samples = 64;  // so that linear interpolation shows a short motion
-constexpr double at_start = 1e-9;           // rad or m; from this near no motion is needed
+constexpr double min_lead_in_samples = 64;  // for linear interpolation of a short motion
+constexpr double at_start = 1e-9;           // rad or m; no motion is needed from this near
 
 void check(const ReplayOptions& options) {
   for (const double positive : {options.rate, options.speed}) {
@@ -41,8 +41,8 @@ void check(const ReplayOptions& options) {
               " samples per second makes more than " + std::to_string(max_samples) + " samples");
 }
 
-/// Refuses a rate that leaves too few steps to show the motion: steps do not keep every recorded
-/// sample.
+/// Throws Error for a rate that leaves too few steps to represent the motion. Not every recorded
+/// sample is kept.
 void check_steps(const Trajectory& recording, double rate) {
   constexpr double min_steps = 4;        // a cubic has four coefficients
   constexpr double round_up = 1 + 1e-5;  // number() rounds to six digits
@@ -88,7 +88,7 @@ Trajectory lead_in(const Arm& arm, const Configuration& start, const Configurati
   return sampled(arm, motion, std::max(rate, min_lead_in_samples / motion.duration));
 }
 
-/// Appends every recorded sample, so that no corner is cut, and samples at the rate between them.
+/// Appends every recorded sample, so that corners are kept, and samples at the rate between them.
 void append_resampled(Trajectory& played, const Trajectory& recording,
                       const ReplayOptions& options) {
   const double begin = played.times.empty() ? 0 : played.times.back();
@@ -102,7 +102,7 @@ void append_resampled(Trajectory& played, const Trajectory& recording,
     played.times.push_back(begin + t);
     played.positions.push_back(q);
   };
-  const double equal = 1e-6 / options.rate;  // times this near are the same
+  const double equal = 1e-6 / options.rate;  // times that differ by less are the same
   double grid = 0;                           // counts the samples at the rate
   for (std::size_t k = 0; k < recording.size(); ++k) {
     const double t = (recording.times[k] - first) / options.speed;

@@ -14,15 +14,16 @@ namespace internal {
 namespace {
 
 // Speed of the null-space motion away from limits, relative to the largest joint speed of the
-// command: the arm reorients while it moves, and stops with the command.
+// command. The arm reconfigures while it moves, and stops with the command.
 constexpr double null_space_speed = 0.5;
 
-// The acceleration limits are divided: J̇ q̇ may take half of them, which leaves half for slowing
-// down, and the null-space motion may change by half of them in a step.
+// The acceleration limits are divided: J̇ q̇ may use half of them, the other half is available for
+// slowing down, and the null-space motion may change by half of them in a step.
 constexpr double path_acceleration = 0.5;
 constexpr double null_space_acceleration = 0.5;
 
-constexpr double still = 1e-9;  // relative to the largest change of a velocity: counts as zero
+/// Relative to the largest change of a velocity; smaller changes count as zero.
+constexpr double still = 1e-9;
 
 void check_servo(const ServoOptions& options) {
   if (!(options.time_step > 0) || !std::isfinite(options.time_step)) {
@@ -93,7 +94,7 @@ void ServoLoop::set_velocity(const ConfigurationRef& velocity) {
   last_ = velocity;
 }
 
-/// The largest change of a joint velocity in one step.
+/// Returns the largest change of a joint velocity in one step.
 double ServoLoop::max_change(Eigen::Index k) const {
   return arm_.limits(k).acceleration * options_.time_step;
 }
@@ -112,9 +113,9 @@ double ServoLoop::scale_within_bounds(const Rates& rates, ServoStep& result) con
   return scale;
 }
 
-/// Reduces the scale until acceleration limits suffice for the joint acceleration of the motion,
-/// scale^2 q̈, and until one step does not pass the singularity, which is at the distance
-/// |x|^2 / (x . ẍ) where x . ẍ > 0.
+/// Reduces the scale until the joint acceleration of the motion, scale^2 q̈, is within the
+/// acceleration limits and one step does not pass the singularity, which is at the distance |x|^2 /
+/// (x . ẍ) if x . ẍ > 0.
 double ServoLoop::scale_for_acceleration(const Rates& rates, double scale,
                                          ServoStep& result) const {
   const Eigen::VectorXd& weight = solver_.task().weight();
@@ -138,8 +139,8 @@ double ServoLoop::scale_for_acceleration(const Rates& rates, double scale,
   return scale;
 }
 
-/// Computes the null-space velocity for this scale: from that of the last step towards the gradient
-/// that leads away from the position limits.
+/// Computes the null-space velocity for this scale. It changes from that of the last step towards
+/// the gradient that leads away from the position limits.
 void ServoLoop::fill_null_velocity(const ConfigurationRef& q, const Rates& rates, double scale) {
   const Eigen::VectorXd& weight = solver_.task().weight();
   const double speed = scale * rates.velocity.cwiseQuotient(weight).lpNorm<Eigen::Infinity>();
@@ -214,8 +215,8 @@ void ServoLoop::apply_acceleration_limits(const Rates& rates, double scale, doub
   }
 }
 
-/// Sets next_ on the straight line from the last velocity towards the rates at this scale, as far
-/// as acceleration limits allow.
+/// Sets next_ on the straight line from the last velocity to the rates at this scale, as near to
+/// them as the acceleration limits allow.
 void ServoLoop::approach(const Rates& rates, double scale, ServoStep& result) {
   next_ = scale * rates.velocity + null_;
   double part = 1;

@@ -22,7 +22,7 @@ struct ServoOptions {
   double angular_speed = Limits::none;  ///< bound on the command of step_towards(), rad/s
 };
 
-/// What determines the scale of a step.
+/// The limit that determines the scale of a step.
 enum class ServoLimit {
   none,
   velocity,      ///< a joint's velocity limit

@@ -8,13 +8,13 @@
 namespace beeline {
 namespace {
 
-// The motion diverges when the error exceeds this multiple of the first error. Errors of converging
-// motions grow by less, also where a tool first moves away from its goal.
+// The motion diverges when the error exceeds this multiple of the first error. The errors of
+// converging motions grow by less, even if a tool first moves away from its goal.
 constexpr double diverged = 100;
 constexpr int recent = 100;  // steps after a reversal in which the motion counts as oscillating
 
-/// Detects an error that no longer decreases. A slow approach has new minima, a decaying
-/// oscillation has lower peaks; without either for `patience` steps the motion stagnates.
+/// Detects an error that no longer decreases. A slow approach has new minima, and a decaying
+/// oscillation has lower peaks. The motion stagnates if neither occurs within `patience` steps.
 class Progress {
  public:
   static constexpr int patience = 1000;
@@ -22,7 +22,7 @@ class Progress {
 
   /// Takes the error after each step; returns false when the motion stagnates.
   bool decreases(double error) {
-    constexpr double min_decrease = 1e-12, min_decay = 1e-2;  // relative; less is none
+    constexpr double min_decrease = 1e-12, min_decay = 1e-2;  // relative
     ++since_minimum_;
     if (error < minimum_ * (1 - min_decrease)) {
       minimum_ = error;

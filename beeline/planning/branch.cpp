@@ -11,11 +11,11 @@ using namespace internal;
 
 namespace {
 
-// Solutions per pose in the layered graph, roughly, each tried when the one before fails: the cost
-// grows with the square, and 16 suffice for most paths.
+// Approximate numbers of solutions per pose in the layered graph, each tried if the one before
+// fails. The cost grows with the square; 16 suffice for most paths.
 constexpr int grids[] = {16, 64, 256};
 
-/// From one solution for the path's begin, or why there is none.
+/// Returns the branch from one solution for the path's begin, or the reason why there is none.
 Branch from_first_solution(const Arm& arm, const ToolPath& path, const BranchOptions& options) {
   const InverseResult begin = inverse_kinematics(arm, pose_at(path, 0), {.task = options.task});
   if (begin.status == InverseStatus::solved) {
@@ -27,8 +27,9 @@ Branch from_first_solution(const Arm& arm, const ToolPath& path, const BranchOpt
   return branch;
 }
 
-/// Whether a finer grid may succeed where this one failed. The finest is for one redundant joint,
-/// whose solutions lie close together on it; and not where the path leaves the workspace.
+/// Whether a finer grid may succeed after this one failed. The finest is only useful for one
+/// redundant joint, since its solutions are then close together, and if the path does not leave the
+/// workspace.
 bool refine(const Arm& arm, const ToolPath& path, const BranchOptions& options, int grid,
             const std::optional<Branch>& best) {
   if (grid >= options.finest_grid) return false;
@@ -39,7 +40,8 @@ bool refine(const Arm& arm, const ToolPath& path, const BranchOptions& options, 
   return explained.status != MotionStatus::unreachable;
 }
 
-/// The branch that reaches farthest of those that layered graphs guide; none where they are empty.
+/// Returns the branch that reaches farthest among those guided by layered graphs; nothing if the
+/// graphs are empty.
 std::optional<Branch> track_layered_graphs(const Arm& arm,
                                            const std::optional<Configuration>& start,
                                            const ToolPath& path, const BranchOptions& options) {
@@ -74,7 +76,7 @@ Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, cons
   std::optional<Branch> planned = track_layered_graphs(arm, start, path, options);
   if (planned && *planned) return *planned;
   if (!planned && !start) return from_first_solution(arm, path, options);
-  // Where solutions are too rare for a layered graph: redundancy resolved step by step.
+  // If solutions are too rare for a layered graph, redundancy is resolved step by step.
   const Branch greedy = track_branch(arm, start ? *start : planned->start, path, options);
   if (!planned || planned->path_parameter <= greedy.path_parameter) return greedy;
   if (options.reasons != BranchOptions::Reasons::none) explain(arm, path, options, *planned);
@@ -84,7 +86,8 @@ Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, cons
 std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, BranchOptions options) {
   options.reasons = BranchOptions::Reasons::all;
   if (arm.dof() <= options.task.size()) return track_branches(arm, path, options);
-  constexpr int coarse = 6;  // solutions at the begin, roughly: each is planned on its own
+  // Approximate number of solutions at the begin; each is planned separately.
+  constexpr int coarse = 6;
   options.finest_grid = grids[1];
   const InverseResult starts = inverse_kinematics(
       arm, pose_at(path, 0),

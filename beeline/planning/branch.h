@@ -42,22 +42,20 @@ struct BranchOptions {
   Deviation tolerance = {1e-4, 1e-4};  ///< metres and radians, between samples too
   std::size_t max_samples = 200'000;   ///< of one branch
   int finest_grid = 256;  ///< for redundant arms: most solutions per pose in the layered graph
-  /// For which branches to find the reason why they end, which takes milliseconds each: all, the
-  /// best one, or none.
+  /// The branches whose reason for ending is determined, which takes milliseconds for each.
   enum class Reasons { all, best, none } reasons = Reasons::best;
-  /// Where inverse kinematics has a choice, as for redundant arms: the preferred configuration at a
-  /// path parameter.
+  /// Returns the preferred configuration at a path parameter, for poses with several solutions.
   std::function<Configuration(double)> guide = {};
   std::function<void(double)> progress = {};  ///< called now and then with the fraction computed
 };
 
-/// Plans the arm's motion along a path, without times, from `start` or else from the best
-/// configuration for the path's begin. Arms that are redundant for the task: the shortest path
-/// through a layered graph of configurations (Ferrentino & Chiacchio 2020), on grids that are
-/// refined until a motion is complete. Other arms: the best of all branches. When none is complete,
-/// returns the one that reaches farthest, with its reason.
-/// Throws Error for a path without segments, a task that its segments do not allow, and a start
-/// that does not fit the arm or whose tool is not at the path's begin.
+/// Plans the arm's motion along a path, without times, from `start` or, without a start, from the
+/// best configuration for the path's begin. An arm that is redundant for the task follows the
+/// shortest path through a layered graph of configurations (Ferrentino & Chiacchio 2020), on grids
+/// that are refined until a motion is complete. Any other arm follows the best of all branches. If
+/// none is complete, returns the one that reaches farthest, with its reason. Throws Error for a
+/// path without segments, a task that its segments do not allow, and a start that does not fit the
+/// arm or whose tool is not at the path's begin.
 Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, const ToolPath& path,
                  const BranchOptions& options);
 

@@ -17,10 +17,11 @@ using namespace internal;
 
 namespace {
 
-constexpr double min_tolerance = 1e-8;    // below it the rounding of samples would use it up
-constexpr double planned_fraction = 0.9;  // of the tolerance, for a plan that timing may change
-// The same where samples at a rate lie on a spline between the plan's samples, or the spline has to
-// keep near a limit: the bound falls with the square of the step, so steps are an eighth as long.
+constexpr double min_tolerance = 1e-8;  // smaller ones are comparable with the rounding of samples
+constexpr double planned_fraction = 0.9;  // of the tolerance; timing may use the remainder
+// The same if samples at a rate are on a spline between the plan's samples, or if the spline must
+// stay near a limit. The bound is proportional to the square of the step, so steps are an eighth as
+// long.
 constexpr double fine_fraction = 1.0 / 64;
 
 /// Throws Error for tolerances, speeds, rates or numbers of samples out of range.
@@ -42,7 +43,7 @@ void check_options(const PathMotionOptions& options) {
   }
 }
 
-/// The start, clamped to the limits. Throws Error where it exceeds them by more than rounding.
+/// Returns the start, clamped to the limits. Throws Error if it exceeds them by more than rounding.
 Configuration checked_start(const Arm& arm, const Configuration& start) {
   const auto outside = limit_violations(arm, start);
   if (!outside.empty()) throw Error("the motion cannot start: " + outside.front());
@@ -50,7 +51,8 @@ Configuration checked_start(const Arm& arm, const Configuration& start) {
   return start.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
 }
 
-/// The same arm with limits moved inwards by `inset`, except where `start` is outside of these.
+/// Returns the arm with limits moved inwards by `inset`, except those that `start` would then
+/// violate.
 Arm with_inset_limits(const Arm& arm, const std::optional<Configuration>& start, double inset) {
   std::vector<Joint> joints = arm.joints();
   for (int k = 0; k < arm.dof(); ++k) {
@@ -68,7 +70,7 @@ Arm with_inset_limits(const Arm& arm, const std::optional<Configuration>& start,
   return {arm.name(), joints, arm.tool(), arm.base()};
 }
 
-/// A branch as a motion with times, or why there is none.
+/// Returns a branch as a motion with times, or the reason why there is none.
 PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
                  const PathMotionOptions& options) {
   PathMotion motion;
@@ -113,12 +115,12 @@ void prove(const Arm& arm, const Route& route, const Task& task, const PathMotio
   }
 }
 
-/// Plans and times again with other options: a smooth motion of a joint that stays on its limit for
-/// a while may exceed it between samples. `motion` is replaced by the first that does not.
+/// Plans and times again with other options, because a smooth motion of a joint along its limit may
+/// exceed it between samples. Replaces `motion` by the first that does not.
 void retry_inside_limits(const Arm& arm, const std::optional<Configuration>& start,
                          const Route& route, const BranchOptions& planning,
                          const PathMotionOptions& options, PathMotion& motion) {
-  // Inset of the limits, radians or metres, and fraction of the tolerance: the mildest first.
+  // Inset of the limits, radians or metres, and fraction of the tolerance, smallest change first.
   constexpr std::pair<double, double> attempts[] = {{1e-3, 1}, {1e-2, 1}, {1e-3, fine_fraction}};
   for (const auto& [inset, fraction] : attempts) {
     BranchOptions again = planning;
@@ -138,7 +140,7 @@ PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const
   const auto part_of_tolerance = [&](double fraction) {
     return Deviation{fraction * options.tolerance, fraction * options.orientation_tolerance};
   };
-  // Where the bound is linear in the step, the samples are already close enough for the spline.
+  // If the bound is linear in the step, the samples are already close enough for the spline.
   const bool fine = options.rate > 0 && !bound_is_linear(arm, task);
   BranchOptions planning{.task = task,
                          .tolerance = part_of_tolerance(fine ? fine_fraction : planned_fraction),

@@ -17,8 +17,8 @@
 namespace beeline {
 
 struct PathMotionOptions {
-  /// Default: planar for a planar arm, else spatial. Any task along lines; along other segments all
-  /// orientation rows or none, and position rows in base axes.
+  /// Default: planar for a planar arm, otherwise spatial. Lines allow any task; other segments need
+  /// all orientation rows or none, and position rows in base axes.
   std::optional<Task> task = std::nullopt;
   double tolerance = 1e-4;                        ///< largest deviation in position, metres
   double orientation_tolerance = 1e-4;            ///< largest deviation in orientation, radians
@@ -59,23 +59,24 @@ std::ostream& operator<<(std::ostream& out, const PathMotion& motion);
 ///   the tolerance. Hence no change of branch can occur.
 /// - Starts at `start`, whose tool must be at the path's begin, or at the best configuration there;
 ///   redundancy is resolved for the whole path (plan_path()).
-/// - Times are the shortest that the profile and the joint limits allow. A velocity limit that is
-///   not known counts as `assumed_velocity_limit`.
+/// - The duration is the shortest that the profile and the joint limits allow. An unknown velocity
+///   limit counts as `assumed_velocity_limit`.
 ///
 /// Throws Error for a start outside the limits or with the tool elsewhere, an option out of range,
 /// a route without segments, and a task that its segments do not allow.
 PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
                       const PathMotionOptions& options = {});
 
-/// The same in straight lines from the tool's pose at `start` through the waypoints (world_T_tool),
-/// at rest at each; orientations take the shortest rotation.
+/// Moves the tool in straight lines from its pose at `start` through the waypoints (world_T_tool),
+/// at rest at each. Orientations follow the shortest rotation.
 PathMotion move_in_lines(const Arm& arm, const Configuration& start,
                          std::span<const Pose> waypoints, const PathMotionOptions& options = {});
 PathMotion move_in_lines(const Arm& arm, const Configuration& start,
                          std::initializer_list<Pose> waypoints,
                          const PathMotionOptions& options = {});
 
-/// The same from the first pose, with the best configuration there. The first arrival is sample 0.
+/// Does the same from the first pose, with the best configuration there. The first arrival is
+/// sample 0.
 PathMotion move_in_lines(const Arm& arm, std::span<const Pose> poses,
                          const PathMotionOptions& options = {});
 PathMotion move_in_lines(const Arm& arm, std::initializer_list<Pose> poses,

@@ -4,10 +4,10 @@
 namespace beeline {
 namespace {
 
-// From what is hardly visible to what is no longer the same task; doubled sizes meet the ends.
+// Sizes of the changes that are tried; each is twice the one before.
 constexpr double min_translation = 1e-3, max_translation = 0.26;  // metres
 constexpr double min_rotation = 1e-2, max_rotation = 0.64;        // radians
-constexpr int bisections = 5;                                     // to 1/64 of the size found
+constexpr int bisections = 5;  // to 1/64 of the size that was found
 
 /// A translation in world axes and a rotation in tool axes, applied to poses and segments.
 struct Change {
@@ -63,7 +63,8 @@ struct Trial {
     return static_cast<bool>(plan_path(arm, start, other, options));
   }
 
-  /// The smallest step along `unit` that works, given that `size` does and half of it does not.
+  /// Returns the smallest step along `unit` with which planning succeeds, given that it succeeds
+  /// with `size` and fails with half of it.
   Vector3 refined(const Vector3& unit, double size) const {
     double fails = size / 2, succeeds = size;
     for (int i = 0; i < bisections; ++i) {

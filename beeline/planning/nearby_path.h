@@ -17,9 +17,10 @@ struct NearbyPath {
 
 /// Searches for the shortest translation along one of the world's axes, or, if `rotate`, the
 /// smallest rotation of the tool about one of its own axes, with which plan_path() succeeds. Sizes
-/// double from 1 mm to 0.26 m, or from 0.01 to 0.64 rad; the first that works is refined by
-/// bisection. Planar arms move in their plane. With a start, the path's first pose stays and its
-/// first line leads to the moved path; paths with other segments then have no result.
+/// double from 1 mm to 0.26 m, or from 0.01 to 0.64 rad; the first that succeeds is refined by
+/// bisection. Paths of planar arms move in the plane. With a start, the path's first pose is kept
+/// and its first line leads to the moved path; paths with other segments than lines then have no
+/// result.
 std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Configuration>& start,
                                       const ToolPath& path, const BranchOptions& options,
                                       bool rotate);

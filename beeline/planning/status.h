@@ -7,7 +7,7 @@
 
 namespace beeline {
 
-/// How a motion ended. Every status other than `reached` comes with a reason of one sentence.
+/// The outcome of a motion. Every status except `reached` has a reason of one sentence.
 enum class MotionStatus {
   reached,           ///< the goal is reached, within tolerance
   unreachable,       ///< no configuration of the arm reaches a pose of the path: proved
@@ -21,7 +21,7 @@ enum class MotionStatus {
 std::string name(MotionStatus status);
 std::ostream& operator<<(std::ostream& out, MotionStatus status);  ///< name(status)
 
-/// The status of a motion through a pose for which inverse kinematics has this status.
+/// Returns the status of a motion through a pose for which inverse kinematics has this status.
 MotionStatus motion_status(InverseStatus status);
 
 }  // namespace beeline

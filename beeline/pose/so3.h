@@ -19,14 +19,14 @@ Rotation so3_exp(const Vector3& rotation_vector);
 /// [0, pi]. Accurate near 0 and near pi; at pi one of the two opposite vectors. Does not check that
 /// the matrix is a rotation.
 ///
-/// The kernels have two more versions, of the same definition: rotation_log() for eight rotations
-/// in the lanes of registers (kinematics/task-inl.h), where a branch costs all eight, and the
-/// series near zero alone, on plain numbers (inverse/numerical/descent_near.cpp), where the
-/// quaternion would take a third of an iteration.
+/// The kernels have two more versions of the same definition. rotation_log() in
+/// kinematics/task-inl.h processes eight rotations in the lanes of registers, where a branch costs
+/// all eight. inverse/numerical/gauss_newton.cpp uses the series near zero on plain numbers,
+/// because the quaternion would take a third of an iteration.
 Vector3 so3_log(const Rotation& rotation);
 
-/// The left Jacobian of SO(3): the angular velocity of so3_exp(r), in the axes that r is written
-/// in, is w = J(r) r', with
+/// The left Jacobian of SO(3): the angular velocity of so3_exp(r), in the axes of r, is w = J(r)
+/// r', with
 ///     J(r) = I + (1 - cos a)/a^2 [r] + (a - sin a)/a^3 [r]^2,   a = |r|
 /// (Chirikjian, "Stochastic Models, Information Theory, and Lie Groups", vol. 2, 2011, eq. 10.86).
 /// The right Jacobian, of the angular velocity in the rotated axes, is J(-r), the transpose.

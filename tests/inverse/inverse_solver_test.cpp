@@ -76,7 +76,7 @@ TEST(InverseSolver, IntoColumnsSolvesEveryBuiltInArm) {
       const Configuration from = random.configuration(arm);
       const Pose pose = forward_kinematics(arm, from);
       if (solver.solve(pose, seed, column) != 1) {
-        // A few poses in a million are missed where a joint to spare has to be searched for.
+        // A few poses in a million are missed where a redundant joint has to be searched for.
         EXPECT_EQ(arm.dof(), 7) << name << ' ' << from.transpose();
         ++missed;
         continue;

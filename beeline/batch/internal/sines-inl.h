@@ -1,5 +1,4 @@
-// Compiled once for each instruction set (Highway's folargest_angle_target.h), so there is no
-// #pragma once.
+// Compiled once for each instruction set (Highway's foreach_target.h), so there is no #pragma once.
 #if defined(BEELINE_BATCH_INTERNAL_SINES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BEELINE_BATCH_INTERNAL_SINES_INL_H
 #undef BEELINE_BATCH_INTERNAL_SINES_INL_H

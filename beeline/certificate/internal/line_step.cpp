@@ -29,26 +29,26 @@ bool whole_rotations(const Arm& arm, const Line& line, const LineExtent& extent,
                              pose_difference(forward_kinematics(arm, q), line.from).tail<3>());
 }
 
-/// A step of the arm along a line, and what its bounds are made of.
+/// A step of the arm along a line, and the quantities in its bounds.
 struct LineStep {
   LineExtent extent;
   ChordBound chord;
   Deviation ends = {};         ///< the larger deviation at both ends
   bool fixed_rows = true;      ///< the position rows do not rotate with the tool
   bool whole_rotation = true;  ///< see whole_rotations()
-  /// Whether the nearest point stays inside the line: then the component of curvature_term along
-  /// the step moves the tool along the line, not away from it.
+  /// Whether the nearest point stays inside the line. The component of curvature_term along the
+  /// step then moves the tool along the line, not away from it.
   bool inside_line = false;
   Vector3 step = Vector3::Zero();       ///< of the tool's origin, in the position rows
   Vector3 curvature = Vector3::Zero();  ///< chord.curvature_term in the position rows
-  double beyond = 0;      ///< how far, in lengths of the line, the ends project beyond it
-  double change = 0;      ///< |s_b - s_a|
-  double distance = 0;    ///< between the origins of tool and line at s_a or s_b, the larger
+  double beyond = 0;                    ///< the larger beyond_ends() of both ends of the step
+  double change = 0;                    ///< |s_b - s_a|
+  double distance = 0;  ///< the larger distance between the origins of tool and line at s_a and s_b
   double full_angle = 0;  ///< between the orientations there, free rows included
   double length = 0;      ///< least length of the line in the position rows, metres
 };
 
-/// By how much of its length the projection of the tool on the line lies beyond the line's ends.
+/// The distance of the tool's projection beyond the line's ends, as a fraction of its length.
 double beyond_ends(const Line& line, const LineExtent& extent, const Pose& pose, const Task& task) {
   const Vector3 moved = in_position_rows(task, pose, pose.translation() - line.from.translation());
   const double s = moved.dot(extent.translation) / extent.translation.squaredNorm();
@@ -91,7 +91,7 @@ LineStep line_step(const Arm& arm, const Line& line, const Task& task, const Con
   return step;
 }
 
-/// Deviation in position from the line's point at s'.
+/// Bounds the deviation in position from the line's point at s'.
 double position_bound(const LineStep& step, const Task& task) {
   if (!step.fixed_rows) {  // at most half of all motion away from the nearer end
     return step.ends.position + (step.chord.path_length + step.extent.length * step.change +
@@ -106,9 +106,10 @@ double position_bound(const LineStep& step, const Task& task) {
   return step.ends.position + std::min(step.chord.position, across.norm() + step.chord.remainder);
 }
 
-/// ChordBound::orientation, but relative to the line's orientation at the point nearest by
-/// position, whose parameter s has s'' = p''.way / length^2. The line's angular acceleration is
-/// compared in the axes of the tool's, which differ by at most ChordBound::rotation.
+/// The bound ChordBound::orientation, but relative to the line's orientation at the point nearest
+/// by position. Its parameter s satisfies s'' = p'' . d / |d|^2 with the line's translation d. The
+/// angular acceleration of the line is expressed in the tool's axes; these rotate by at most
+/// ChordBound::rotation.
 double orientation_at_nearest(const LineStep& step) {
   const LineExtent& extent = step.extent;
   const ChordBound& chord = step.chord;
@@ -124,8 +125,8 @@ double orientation_at_nearest(const LineStep& step) {
 
 /// For a task with one free orientation row, along an axis e of its frame: the rotation in the
 /// other two is at most f / (2 sin(f/2)) times the distance of the tool's e from the line's e, f
-/// being the whole angle. As for positions |e''| counts: |w'| + |w|^2 <= 3/2 rotation^2 for the
-/// tool, and `line_rotation`^2 for the line.
+/// being the whole angle. |e''| is bounded as p'' is for positions: |w'| + |w|^2 <= 3/2 rotation^2
+/// for the tool, and `line_rotation`^2 for the line.
 double bound_with_free_row(const LineStep& step, double line_rotation) {
   const double rotation = step.chord.rotation;
   const double f = std::min(pi, step.full_angle + rotation + line_rotation);
@@ -134,7 +135,8 @@ double bound_with_free_row(const LineStep& step, double line_rotation) {
          (step.ends.orientation + (1.5 * rotation * rotation + line_rotation * line_rotation) / 8);
 }
 
-/// Deviation in orientation from the line's at s', or at the nearest point where inside_line.
+/// Bounds the deviation in orientation from the line's orientation at s', or at the nearest point
+/// if inside_line.
 double orientation_bound(const LineStep& step, const Task& task, const Deviation& a,
                          const Deviation& b) {
   const double ends = step.ends.orientation;
@@ -170,7 +172,7 @@ Deviation line_step_bound(const Arm& arm, const Line& line, const Task& task,
   LineStep step = line_step(arm, line, task, q_a, q_b);
   step.ends = {std::max(a.position, b.position), std::max(a.orientation, b.orientation)};
   Deviation bound{position_bound(step, task), orientation_bound(step, task, a, b)};
-  // From s' to the nearest point: the line's change of pose over the difference of parameters.
+  // Adds the line's change of pose between s' and the parameter of the nearest point.
   if (step.extent.by_position() && !(step.whole_rotation && step.inside_line)) {
     const double shift =
         step.fixed_rows ? step.ends.position + step.chord.position : 2 * bound.position;

@@ -5,7 +5,7 @@
 
 namespace beeline::internal {
 
-/// Whether line_step_bound() is of first order in the step only, not of second: for a task that
+/// Whether line_step_bound() converges linearly in the step, not quadratically: for a task that
 /// leaves two of the orientation rows free, or some position rows in tool axes.
 bool bound_is_linear(const Arm& arm, const Task& task);
 
@@ -14,9 +14,8 @@ bool bound_is_linear(const Arm& arm, const Task& task);
 ///
 /// Let s_a and s_b be the parameters of the nearest points at the ends, and s' linear between them.
 /// The bound is the sum of a bound on the deviation from the line's pose at s', by chord_bound(),
-/// and one on the change from s' to the nearest point's parameter. It falls with the square of the
-/// step, except where bound_is_linear(): there the task's rows rotate with the tool.
-/// Throws Error when q_a or q_b does not fit the arm.
+/// and one on the change from s' to the nearest point's parameter. It is proportional to the square
+/// of the step, except where bound_is_linear(). Throws Error when q_a or q_b does not fit the arm.
 Deviation line_step_bound(const Arm& arm, const Line& line, const Task& task,
                           const ConfigurationRef& q_a, const ConfigurationRef& q_b,
                           const Deviation& a, const Deviation& b);

@@ -16,13 +16,13 @@ struct StepEnd {
 /// configuration and s move linearly from `a` to `b`.
 ///
 /// With chord_bound() for the tool (p_1, w_1) and segment_chord_bound() for the segment (p_2, w_2),
-/// the triangle inequality gives the sum of both bounds and the larger deviation at the ends. Where
-/// the curvatures agree the difference of the motions is smaller: d'' = p_1'' - p_2'' for
+/// the triangle inequality gives the sum of both bounds and the larger deviation at the ends. If
+/// the curvatures agree, the difference of the motions is smaller: d'' = p_1'' - p_2'' for
 /// positions, and for the angle f between the orientations
 ///     f'' >= -|w_1' - w_2'| - W^2 tan(f/4),   W the larger integral of |w|,
 /// as in orientation_gap() (in world axes w' is the acceleration in SO(3), and a shortest rotation
-/// has a constant axis). The bound is the lesser of the two, and falls with the square of the step.
-/// Throws Error when a configuration does not fit the arm.
+/// has a constant axis). The result is the smaller of the two bounds, and is proportional to the
+/// square of the step. Throws Error when a configuration does not fit the arm.
 Deviation matched_step_bound(const Arm& arm, const Segment& segment, const Task& task,
                              const StepEnd& a, const StepEnd& b);
 

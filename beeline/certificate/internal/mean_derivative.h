@@ -6,13 +6,13 @@ namespace beeline::internal {
 
 /// A lower bound on the largest magnitude of a coordinate's derivative of the given order (1, 2 or
 /// 3) for any smooth motion through samples k to k + order: their divided difference times order!,
-/// which is a weighted mean of that derivative (the weight is a B-spline), less its rounding error.
-/// Not negative; 0 where there are too few samples.
+/// which is a weighted mean of that derivative (the weight is a B-spline), minus its rounding
+/// error. Not negative; 0 if there are too few samples.
 double mean_derivative(const Trajectory& trajectory, std::size_t k, int coordinate, int order);
 
-/// The least factor >= 1 by which a motion has to last longer so that its mean_derivative() keeps
-/// the arm's limits of velocity (velocity_limit_of()), acceleration and, where `keep_jerk`, jerk.
-/// Throws Error when the trajectory does not fit the arm.
+/// Returns the smallest factor >= 1 on the duration of a motion with which its mean_derivative() is
+/// within the arm's limits of velocity (velocity_limit_of()), acceleration and, if `keep_jerk`,
+/// jerk. Throws Error when the trajectory does not fit the arm.
 double slowdown_for_limits(const Arm& arm, const Trajectory& trajectory, bool keep_jerk);
 
 /// Throws Error unless the trajectory has as many joints as the arm, and check_trajectory().

@@ -11,11 +11,11 @@ namespace beeline::internal {
 /// check_matched() along other segments.
 void check_task(const Arm& arm, const Segment& segment, const Task& task);
 
-/// The same for every segment. Throws Error for a path without segments.
+/// Does the same for every segment. Throws Error for a path without segments.
 void check_task(const Arm& arm, const ToolPath& path, const Task& task);
 
-/// The same for the route's path. Throws Error unless the route has a span and a stop for each of
-/// its segments.
+/// Does the same for the route's path. Throws Error unless the route has a span and a stop for each
+/// of its segments.
 void check_route(const Arm& arm, const Route& route, const Task& task);
 
 /// Throws Error unless the path parameters are on the path and do not decrease.

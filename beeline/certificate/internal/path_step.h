@@ -8,8 +8,8 @@
 
 namespace beeline::internal {
 
-/// The deviation of `pose` from the segment, in the rows of the task: from the nearest point of a
-/// line (nearest_on_line.h), from the pose at s of another segment.
+/// Returns the deviation of `pose` from the segment, in the rows of the task: from the nearest
+/// point of a line (nearest_on_line.h), or from the pose at s of another segment.
 Deviation deviation_from(const Segment& segment, double s, const Pose& pose, const Task& task);
 
 /// The same at the path parameter s: whole segments, with a fraction of the next.
@@ -34,9 +34,9 @@ std::vector<SegmentStep> split_at_segments(const ToolPath& path, const Task& tas
                                            const ConfigurationRef& q_a, double s_a,
                                            const ConfigurationRef& q_b, double s_b);
 
-/// The deviations of a step at its ends and half-way, and a bound of them in between: the lesser of
-/// the step's step_bound() and the larger one of its halves. A half's bound is smaller, as it falls
-/// with the square of the step and the deviation half-way is known.
+/// The deviations of a step at its ends and at its midpoint, and a bound between them: the smaller
+/// of the step's step_bound() and the larger one of its halves. The bounds of the halves are
+/// smaller because they are proportional to the square of the step.
 struct MeasuredStep {
   Deviation begin, middle, end;
   Deviation bound;

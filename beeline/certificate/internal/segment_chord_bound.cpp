@@ -24,7 +24,7 @@ SegmentChordBound bound_of(const Line& line, double s_a, double s_b) {
 ///     g(x) = |exp(ix) - cos h - i (x/h) sin h|^2,   h = f/2, x = f (t - 1/2).
 /// With k = sin(h)/h and 0 <= x <= h <= pi
 ///     g'/2 = (cos h - k) sin x + k x (k - cos x) <= (k x - sin x)(k - cos x),
-/// where cos h <= k and k x <= sin x. Where k <= cos x the left side is not positive, elsewhere the
+/// where cos h <= k and k x <= sin x. If k <= cos x, the left side is not positive; otherwise the
 /// right side is not. Hence the distance is largest at t = 1/2.
 SegmentChordBound circle_bound(const SegmentMotion& middle, const Vector3& turn, double step) {
   const double size = middle.acceleration.head<3>().norm() * step * step;  // r f^2

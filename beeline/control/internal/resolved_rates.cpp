@@ -6,8 +6,8 @@
 namespace beeline::internal {
 namespace {
 
-// Relative to the norm of A: damps directions with singular values of this size. Its square is just
-// above the rounding of A A^T, and two passes leave an error of 1e-14 elsewhere.
+// Relative to the norm of A. Damps directions with singular values of this size or less. Its square
+// is just above the rounding of A A^T; for other directions the error after two passes is 1e-14.
 constexpr double damping = 1e-7;
 
 }  // namespace
@@ -73,7 +73,7 @@ bool ResolvedRates::solve_within_bounds(const std::vector<VelocityBounds>& bound
     previous_ = x_;
     fixed_[worst] = 1;
     x_[worst] = (x_[worst] > 0 ? bounds[worst].upper : bounds[worst].lower) / task_.weight()[worst];
-    if (!solve_least_squares()) {  // the others alone cannot: restores the last solution
+    if (!solve_least_squares()) {  // the others do not suffice: restores the last solution
       fixed_[worst] = 0;
       solve_least_squares();
       x_ = previous_;

@@ -13,7 +13,7 @@ namespace beeline::internal {
 ///   minimise |x|^2  subject to  A x = c,    q̇ = W x    (weighted_task.h)
 /// A coordinate whose bound for its position limit is exceeded is fixed at that bound, and the
 /// others solve for the remainder, as long as there are more coordinates than rows (after Flacco,
-/// De Luca & Khatib 2015). Where A x = c has no solution, SingularRates takes over.
+/// De Luca & Khatib 2015). If A x = c has no solution, SingularRates computes the result.
 class ResolvedRates {
  public:
   ResolvedRates(const Arm& arm, const Task& task);
@@ -21,7 +21,7 @@ class ResolvedRates {
   /// Sets q and the command; see WeightedTask::set().
   bool set(const ConfigurationRef& q, const Twist& command) { return task_.set(q, command); }
 
-  /// `last` is the joint velocity of the last step, which decides between equal solutions at a
+  /// `last` is the joint velocity of the last step, which selects between equal solutions at a
   /// singularity.
   const Rates& solve(const ConfigurationRef& q, const std::vector<VelocityBounds>& bounds,
                      const Eigen::VectorXd& last, double time_step);

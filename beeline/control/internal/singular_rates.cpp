@@ -7,21 +7,21 @@
 namespace beeline::internal {
 namespace {
 
-// Thresholds on singular values, relative to the largest one. Between `lost` and `zero` n still
-// moves the tool along u to first order, which decides its sign; below `exact` the direction of
+// Thresholds on singular values, relative to the largest one. Between `lost` and `zero`, n still
+// moves the tool along u to first order, which determines its sign. Below `exact`, the direction of
 // A^T u is rounding.
 constexpr double lost_below = 1e-5;
 constexpr double zero_below = 1e-6;
 constexpr double exact_above = 1e-12;
 
-constexpr double still_below = 1e-6;  // of full speed: slower counts as standing still
+constexpr double still_below = 1e-6;  // relative to full speed; slower motions count as rest
 
-// Relative to the largest singular value: an absolute curvature below this counts as zero. Greater
+// Relative to the largest singular value; a curvature of smaller magnitude counts as zero. Greater
 // than the error of the difference quotient in WeightedTask::derivative().
 constexpr double flat_below = 1e-4;
 
-// The share of the acceleration limits for the null motion: half of it accelerates, and the same
-// motion has to stop again within the distance that it may go.
+// The fraction of the acceleration limits for the null motion. Half of it accelerates the motion,
+// which must be able to stop again within its distance.
 constexpr double null_acceleration = 0.25;
 
 }  // namespace
@@ -65,7 +65,7 @@ bool SingularRates::fill_null_motion(Eigen::Index index) {
   for (Eigen::Index joint = 0; joint < null_.size(); ++joint) {
     candidate_.setZero();
     candidate_[joint] = 1;
-    for (int pass = 0; pass < 2; ++pass) {  // the second removes the rounding of the first
+    for (int pass = 0; pass < 2; ++pass) {  // the second removes the first one's rounding
       for (Eigen::Index i = 0; i < 6; ++i) {
         if (!(values[i] > exact_above * largest_)) continue;
         const auto row = svd_.scaled_right.col(i);
@@ -131,7 +131,8 @@ double SingularRates::solve_lost_direction(const LostDirection& lost, const Weig
     sign = current < 0 ? -1 : 1;
   }
   double speed = max_null_speed(lost, sign, task, rates, time_step);
-  // The tool's velocity along u for this speed, with what the curvature adds within the step.
+  // The tool's velocity along u at this speed, including the effect of the curvature within the
+  // step.
   const double gain = lost.achievable ? std::abs(lost.curvature) * time_step / 2 : 0;
   const auto achieved = [&](double s) { return (lost.value + gain * s) * s; };
   if (achieved(speed) > demand) {

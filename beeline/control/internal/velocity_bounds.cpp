@@ -8,7 +8,7 @@ namespace beeline::internal {
 double max_stopping_speed(double distance, double acceleration, double time_step) {
   if (!(distance > 0)) return 0;
   if (!std::isfinite(acceleration) || !std::isfinite(distance)) return distance / time_step;
-  // The positive root of the quadratic equation, in the form without cancellation.
+  // The positive root of the quadratic equation, computed without cancellation.
   return 2 * distance /
          (time_step + std::sqrt(time_step * time_step + 2 * distance / acceleration));
 }

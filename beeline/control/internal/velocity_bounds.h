@@ -24,8 +24,8 @@ struct VelocityBounds {
 /// an acceleration limit v = distance / h.
 double max_stopping_speed(double distance, double acceleration, double time_step);
 
-/// Computes the bounds of every coordinate at q. Outside the position bounds a coordinate can only
-/// return.
+/// Computes the bounds of every coordinate at q. A coordinate outside its position bounds can only
+/// move back towards them.
 void fill_velocity_bounds(const Arm& arm, const Bounds& positions, const ConfigurationRef& q,
                           double time_step, std::vector<VelocityBounds>& bounds);
 

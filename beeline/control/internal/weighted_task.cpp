@@ -35,8 +35,8 @@ bool WeightedTask::set(const ConfigurationRef& q, const Twist& command) {
 
 WeightedTask::Rows WeightedTask::derivative(const ConfigurationRef& q,
                                             const Eigen::VectorXd& velocity) {
-  // Radians or metres. The truncation error is of this order and the rounding error 1e-16 / 1e-5:
-  // both are far below what a bound on accelerations needs.
+  // Radians or metres. The truncation error is of this order and the rounding error is 1e-16 /
+  // 1e-5; both are negligible in a bound on accelerations.
   constexpr double difference = 1e-5;
   step_ = difference / std::max(velocity.lpNorm<Eigen::Infinity>(), 1e-300);
   next_ = q + step_ * velocity;

@@ -10,8 +10,8 @@
 namespace beeline::internal {
 namespace {
 
-/// The solutions that a closed form claims, limits ignored: each is corrected, checked, and counted
-/// as evidence.
+/// Candidate solutions of a closed form, limits ignored. Each is corrected and checked by forward
+/// kinematics, and counts as evidence.
 class Claims {
  public:
   Claims(const Request& request, StageResult& found) : request_(request), found_(found) {}
@@ -25,7 +25,7 @@ class Claims {
     }
     evidence().continuum = evidence().continuum || continuum;
     const double error = error_at(request_, q);
-    // Of the arm's size: not a rounding error, but an added joint that is not at zero.
+    // Relative to the arm's size. A larger error is not rounding: a virtual joint is not at zero.
     constexpr double not_a_solution = 1e-3;
     const double size = std::max(1.0, unit_of_length(request_.arm));
     if (!(error <= not_a_solution * size)) return;
@@ -33,7 +33,7 @@ class Claims {
       const NumericalResult corrected =
           levenberg_marquardt(request_.arm, request_.goal, request_.task, no_bounds(request_.arm),
                               q, {.tolerance = request_.tolerance});
-      constexpr double another = 1e-2;  // radians: beyond, it is a solution of another branch
+      constexpr double another = 1e-2;  // radians; a larger correction leads to another branch
       if (!corrected.converged || (corrected.q - q).norm() > another) {
         evidence().doubtful = true;
         return;
@@ -107,8 +107,8 @@ void solve_branches(SolverState& state, const Request& request, Claims& claims) 
   PieperBranches found;
   form.branches(request.goal, 0, six, found);
   add_branches(form, found, 0, request.arm.dof(), claims);
-  // An added joint may share a singular rotation with the arm's joints: then only one of infinitely
-  // many solutions was examined.
+  // The axis of a virtual joint may coincide with that of an arm's joint. Then only one of
+  // infinitely many solutions was examined.
   claims.evidence().complete = !form.has_virtual_joints() || found.continuum == 0;
   claims.evidence().doubtful |= !state.closed_is_sure || nearly_found(form, found);
 }

@@ -8,10 +8,10 @@ namespace beeline::internal {
 /// Whether a closed form or the general solver of six joints was prepared.
 bool has_analytic_stage(const SolverState& state);
 
-/// Adds the solutions by formulas. Requires has_analytic_stage().
+/// Adds the solutions of the closed form or of the general solver. Requires has_analytic_stage().
 void solve_analytic(SolverState& state, const Request& request, StageResult& found);
 
-/// Adds the solutions of six revolute joints of any geometry; what was known before is replaced.
+/// Adds the solutions of six revolute joints of any geometry, and replaces the evidence.
 void solve_general_six(const RaghavanRothSolver& general, const Request& request,
                        StageResult& found);
 

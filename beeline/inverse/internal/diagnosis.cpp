@@ -13,11 +13,11 @@
 namespace beeline::internal {
 namespace {
 
-// Starts of a search for the nearest pose. Each ends at a local minimum of the error; more starts
-// miss the global one less often, and take longer.
+// Max starts of a search for the nearest pose. Each converges to a local minimum of the error. More
+// starts find the global minimum more often, and take longer.
 constexpr int max_starts = 64;
-// Joints of an arm for which the minimum is then located to rounding; the Hessian of a longer chain
-// takes too long.
+// Max joints of an arm for which Newton's method then locates the minimum to rounding. The Hessian
+// of a longer chain takes too long.
 constexpr int max_refined = 12;
 
 Deviation deviation_at(const Request& request, const Configuration& q) {
@@ -32,11 +32,11 @@ NearestMiss nearest_miss(const Request& request, const Configuration& q) {
   return miss;
 }
 
-/// Returns the goal, moved along the line to the arm where it is so far away that the error's
-/// digits would be lost to the distance.
+/// Returns the goal. A goal far beyond the reach is moved towards the arm, so that the error keeps
+/// its digits.
 Pose goal_within_digits(const Request& request) {
   const Arm::Reach& reach = request.arm.reach();
-  constexpr double far = 100;  // times the reach: two of sixteen digits
+  constexpr double far = 100;  // times the reach; costs two of sixteen digits
   const Vector3 offset = request.goal.translation() - reach.centre;
   Pose goal = request.goal;
   if (offset.norm() > far * reach.radius) {
@@ -45,7 +45,7 @@ Pose goal_within_digits(const Request& request) {
   return goal;
 }
 
-/// Returns the configuration of least error in a part of the task, limits ignored.
+/// Returns the configuration of least error in the rows of `task`, limits ignored.
 Configuration nearest_for(const Request& request, const Task& task, SolverState& state,
                           const Configuration& start) {
   const PreparedSearch prepared =
@@ -62,7 +62,7 @@ Configuration nearest_for(const Request& request, const Task& task, SolverState&
   return nearest_for_task(request.arm, goal, task, nearest.q);
 }
 
-/// Returns, of many configurations at the goal's position, the one of least orientation error.
+/// Returns the configuration of least orientation error among many at the goal's position.
 Configuration nearest_orientation_of_many(const Request& request, const Task& position,
                                           SolverState& state, const Configuration& start) {
   if (deviation_at(request, start).position > request.tolerance) return start;
@@ -106,7 +106,7 @@ void set_not_found(const Request& request, const Configuration& q, const std::st
                   miss(error, request.tolerance) + "; that none exists is not shown";
 }
 
-/// Sets what a proof of infeasibility says instead of a search.
+/// Fills in the result from a proof of infeasibility.
 void set_violation(const Infeasibility& violation, InverseResult& result) {
   result.method = "geometry";
   result.reason = violation.reason;
@@ -141,8 +141,7 @@ void set_orientation_unreachable(const Request& request, const UnconstrainedResu
                   ": the nearest that was found is off by " + angle(result.residual);
 }
 
-/// If q solves the request after all, which the stages missed, completes the result and returns
-/// true.
+/// Completes the result and returns true if q is a solution that the stages missed.
 bool accept_if_solution(const Request& request, const Configuration& q, InverseResult& result) {
   if (error_at(request, q) > request.tolerance) return false;
   if (request.options.method == InverseMethod::closed_form) {
@@ -159,8 +158,8 @@ bool accept_if_solution(const Request& request, const Configuration& q, InverseR
   return true;
 }
 
-/// Runs all stages again without joint limits, for all solutions; accept_if_solution() of the one
-/// that is least outside the limits.
+/// Runs all stages again without joint limits, for all solutions, and calls accept_if_solution()
+/// with the one that exceeds the limits least.
 bool solve_without_limits(const Request& request, InverseResult& result) {
   if (!any_finite(request.bounds) || request.options.method != InverseMethod::automatic) {
     return false;
@@ -183,8 +182,8 @@ bool solve_without_limits(const Request& request, InverseResult& result) {
   return accept_if_solution(request, *least.least, result);
 }
 
-/// The nearest pose, limits ignored: by position first, then by orientation. Empty where that
-/// search found a solution, which then completes the result.
+/// Returns the configuration with the nearest pose, limits ignored: by position first, then by
+/// orientation. If the search finds a solution, completes the result and returns nothing.
 std::optional<Configuration> nearest_configuration(SolverState& state, const Request& request,
                                                    InverseResult& result) {
   Configuration q = nearest_for(request, request.task, state, request.seed);
@@ -197,13 +196,13 @@ std::optional<Configuration> nearest_configuration(SolverState& state, const Req
   return q;
 }
 
-/// Chooses the status for a request that has no solutions even without limits, as far as is known.
+/// Chooses the status for a request for which no solution is known, with or without limits.
 void set_nearest(const Request& request, const UnconstrainedResult& evidence, bool proved,
                  const Configuration& q, InverseResult& result) {
   result.nearest = nearest_miss(request, q);
   const Deviation& error = result.nearest->error;
-  // A pose at the edge of reach is reached to the square root of rounding only: a smaller error is
-  // no sign that it is beyond.
+  // At the boundary of the workspace the error is only determined to the square root of rounding,
+  // so a smaller error does not show that the pose is outside.
   constexpr double at_the_edge = 1e-6;  // radians, or of the arm's size
   const bool has_position = position_part(request.task).size() > 0;
   const bool away =
@@ -211,7 +210,7 @@ void set_nearest(const Request& request, const UnconstrainedResult& evidence, bo
   if (has_position && (away || (proved && error.position > request.tolerance))) {
     return set_unreachable(request, evidence, result);
   }
-  // The search for the nearest orientation is good to about this much: see nearest_orientation().
+  // The accuracy of nearest_orientation().
   constexpr double clear = 1e-3;  // radians
   const bool searched = result.restarts >= max_starts && error.orientation > clear;
   const bool examined = evidence.complete && error.orientation > at_the_edge;

@@ -6,8 +6,8 @@
 namespace beeline::internal {
 
 /// Fills in status, residual, nearest miss and reason of a result without solutions, from the
-/// evidence and from searches for the nearest pose; or, where one of these finds a solution, that.
-/// Every status but `solved` is chosen here.
+/// evidence and from searches for the nearest pose. If a search finds a solution, the result is
+/// that solution. This function chooses every status except `solved`.
 void diagnose(SolverState& state, const Request& request, const UnconstrainedResult& evidence,
               InverseResult& result);
 

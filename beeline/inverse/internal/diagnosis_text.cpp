@@ -7,7 +7,7 @@
 namespace beeline::internal {
 
 std::string point(const Vector3& exact) {
-  // What rounding leaves beside the other coordinates is noise to the reader.
+  // Coordinates that are rounding errors relative to the others are shown as 0.
   const double noise = 1e-9 * exact.cwiseAbs().maxCoeff();
   const Vector3 p = (exact.array().abs() < noise).select(0, exact);
   return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";

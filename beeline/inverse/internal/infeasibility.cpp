@@ -11,8 +11,9 @@
 namespace beeline::internal {
 namespace {
 
-/// Axes that differ by less count as parallel: a few roundings of a product of rotations. What that
-/// amounts to over the arm is added to the tolerance, so that infeasibility stays proved.
+/// Max sine of the angle between axes that count as parallel: a few roundings of a product of
+/// rotations. Its effect over the length of the arm is added to the tolerance, so that
+/// infeasibility remains proved.
 constexpr double parallel = 1e-12;
 
 bool rows(const Task& task, std::size_t first) {
@@ -32,8 +33,8 @@ std::vector<Twist> screws(const Arm& arm) {
 
 bool turns(const Twist& screw) { return !screw.tail<3>().isZero(0); }
 
-/// All joints are parallel to `axis`: none changes the tilt against it, nor, unless one moves along
-/// it, the height.
+/// For an arm whose joint axes are all parallel to `axis`. No joint changes the tilt relative to
+/// the axis, and none changes the height unless one moves along the axis.
 std::optional<Infeasibility> against_parallel_axes(const Arm& arm, const Vector3& axis,
                                                    const std::vector<Twist>& motions,
                                                    const Pose& goal, const Task& task,
@@ -67,7 +68,7 @@ std::optional<Infeasibility> against_parallel_axes(const Arm& arm, const Vector3
   return std::nullopt;
 }
 
-/// No joint rotates: the orientation is constant, and the position linear in q.
+/// For an arm of prismatic joints: the orientation is constant, and the position is linear in q.
 std::optional<Infeasibility> against_slides(const Arm& arm, const std::vector<Twist>& motions,
                                             const Pose& goal, const Task& task, double tolerance) {
   const Pose at_zero = forward_kinematics(arm, Configuration::Zero(arm.dof()));

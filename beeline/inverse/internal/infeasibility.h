@@ -18,14 +18,14 @@ struct Infeasibility {
 std::optional<Infeasibility> beyond_reach(const Arm& arm, const Pose& world_T_tool,
                                           const Task& task, double tolerance);
 
-/// Whether beyond_reach() holds without joint limits too: then no search is needed. True only for
-/// arms whose moving joints are all revolute, since their ball does not depend on limits.
+/// Whether beyond_reach() holds without joint limits too, so that no search is needed. Only for
+/// arms whose moving joints are all revolute: the reach of others depends on their limits.
 bool out_of_reach(const Arm& arm, const Pose& world_T_tool, const Task& task, double tolerance);
 
-/// Whether the pose differs from the tool's in a quantity that no joint changes. For arms whose
-/// axes are all parallel these are the tilt against the axes and, where nothing moves along them,
-/// the height; for arms with prismatic joints only, the orientation and the components of the
-/// position outside the span of the directions.
+/// Whether the pose violates an invariant of the tool's motion. If all axes are parallel, the
+/// invariants are the tilt relative to the axes and, if no joint moves along them, the height. If
+/// all joints are prismatic, they are the orientation and the components of the position outside
+/// the span of the directions.
 std::optional<Infeasibility> invariant_violation(const Arm& arm, const Pose& world_T_tool,
                                                  const Task& task, double tolerance);
 

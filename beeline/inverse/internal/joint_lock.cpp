@@ -6,7 +6,7 @@ namespace beeline::internal {
 Arm with_locked(const Arm& arm, int k, double value) {
   if (arm.dof() < 2) throw Error("arm " + arm.name() + " has one joint, which cannot be locked");
   std::vector<Joint> joints;
-  Pose fixed = Pose::Identity();  // the product of fixed joints since the last one that moves
+  Pose fixed = Pose::Identity();  // the product of the fixed joints since the last moving joint
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
     const Joint& joint = arm.joints()[i];
     const Arm::Drive& drive = arm.drives()[i];

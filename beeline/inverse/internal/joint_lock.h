@@ -8,7 +8,7 @@ namespace beeline::internal {
 /// parts of the links, and the arm has one coordinate less. Throws Error when it has only one.
 Arm with_locked(const Arm& arm, int k, double value);
 
-/// Returns q without coordinate k, and with it at `value`.
+/// Returns q without coordinate k, and q with coordinate k inserted at `value`.
 Configuration without(const Configuration& q, int k);
 Configuration with(const Configuration& q, int k, double value);
 

@@ -9,7 +9,7 @@
 namespace beeline::internal {
 namespace {
 
-// Newton's method converges in ten or so steps, Gauss-Newton at a stretched arm linearly.
+// Newton's method converges in about ten steps; Gauss-Newton at a stretched arm converges linearly.
 constexpr int max_steps = 100;
 
 double half_square(const Arm& arm, const Pose& goal, const Task& task, const Configuration& q) {
@@ -25,7 +25,8 @@ Configuration gradient(const Arm& arm, const Pose& goal, const Task& task, const
 
 Eigen::MatrixXd hessian(const Arm& arm, const Pose& goal, const Task& task,
                         const Configuration& q) {
-  // Central differences: an error of h^2 and one of rounding / h, both about 1e-10.
+  // Step of central differences: truncation error h^2 and rounding error 1e-16 / h, both about
+  // 1e-10.
   constexpr double h = 1e-5;  // radians or metres
   Eigen::MatrixXd matrix(q.size(), q.size());
   for (Eigen::Index k = 0; k < q.size(); ++k) {
@@ -47,8 +48,9 @@ Task position_part(const Task& task) {
 
 Configuration nearest_for_task(const Arm& arm, const Pose& world_T_tool, const Task& task,
                                const Configuration& q) {
-  // Levenberg's rule: ten times less damping after a step that descends, ten times more after one
-  // that does not. Between the ends a Newton step and one too short to change the cost.
+  // Levenberg's rule: a tenth of the damping after a step that reduces the cost, ten times the
+  // damping after one that does not. At the minimum it is a Newton step, at the maximum a step too
+  // short to change the cost.
   constexpr double first_damping = 1e-3, least_damping = 1e-12, most_damping = 1e6;
   constexpr double converged = 1e-15;  // relative decrease of the cost: rounding
   Configuration best = q;
@@ -91,8 +93,7 @@ Configuration nearest_orientation(const Arm& arm, const Pose& world_T_tool, cons
     const Configuration correction = inverse * error.head(positions);
     const Eigen::MatrixXd null_space =
         Eigen::MatrixXd::Identity(q.size(), q.size()) - inverse * linear;
-    // Of the square of a rotation by a joint: steps at singularities stay finite, and others lose a
-    // millionth of their length.
+    // Keeps steps at singularities finite; shortens regular steps by about 1e-6.
     constexpr double damping = 1e-6;
     const Eigen::MatrixXd rotation = angular * null_space;
     const Eigen::VectorXd remainder = error.tail(angles) - angular * correction;
@@ -101,8 +102,8 @@ Configuration nearest_orientation(const Arm& arm, const Pose& world_T_tool, cons
     if (change.norm() > longest) change *= longest / change.norm();
     at += change;
     const Eigen::VectorXd now = error_at(at);
-    // A longer step leaves the position by its square; it counts when the next ones have corrected
-    // that.
+    // A step changes the position in second order. The result is accepted once later steps have
+    // corrected that.
     constexpr double in_position = 1e-9;  // metres
     if (now.head(positions).norm() < in_position && now.tail(angles).norm() < least) {
       least = now.tail(angles).norm();

@@ -4,18 +4,18 @@
 
 namespace beeline::internal {
 
-/// Returns a local minimum, from q, of half the squared error of the task, limits ignored: Newton's
-/// method with Levenberg's damping. Metres and radians weigh alike.
+/// Returns the local minimum of |e|^2 / 2 that Newton's method with Levenberg's damping finds from
+/// q, e being the task's error in metres and radians. Limits are ignored.
 Configuration nearest_for_task(const Arm& arm, const Pose& world_T_tool, const Task& task,
                                const Configuration& q);
 
 /// Returns the task's rows for the position.
 Task position_part(const Task& task);
 
-/// Returns a local minimum, from q, of the orientation error subject to the position:
-/// Gauss-Newton steps in the null space of the position's Jacobian. q satisfies the position part
-/// of the task, which has rows of both. Good to about 1e-3 rad where the minimum is at a stretched
-/// arm.
+/// Minimises the orientation error from q subject to the position, to a local minimum, by
+/// Gauss-Newton steps in the null space of the position's Jacobian. Requires that q satisfies the
+/// position part of the task and that the task has rows of both. Accurate to about 1e-3 rad if the
+/// arm is stretched at the minimum.
 Configuration nearest_orientation(const Arm& arm, const Pose& world_T_tool, const Task& task,
                                   const Configuration& q);
 

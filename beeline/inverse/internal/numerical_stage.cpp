@@ -8,7 +8,7 @@
 namespace beeline::internal {
 namespace {
 
-/// Searches from many starts and adds what it finds; `all`: with all restarts.
+/// Calls multi_start() and adds its solutions; with `all`, uses all restarts.
 void search(SolverState& state, const Request& request, const PreparedSearch& prepared,
             int restarts, bool all, InverseResult& result) {
   Configuration start = request.seed;
@@ -35,14 +35,14 @@ void solve_from(const Request& request, const Configuration& start, InverseResul
   if (run.converged) add_solution(request, run.q, result);
 }
 
-/// Searches without limits for what a search within them missed: a posture of which another
-/// representative is within them, or one from which Levenberg-Marquardt converges within them.
+/// Searches without limits for a posture that has another representative within them, or from which
+/// Levenberg-Marquardt converges to a solution within them.
 void search_without_limits(SolverState& state, const Request& request, StageResult& found) {
   if (!state.without_limits) {
     state.without_limits = prepared_search(request.arm, request.task, no_bounds(request.arm),
                                            request.options.random_seed);
   }
-  // More restarts find more postures of arms with many, but most requests that come here have none.
+  // More restarts find more postures, but most requests in this stage have no solution.
   constexpr int max_restarts = 100;
   search(state, request, *state.without_limits, std::min(request.options.restarts, max_restarts),
          true, found.result);
@@ -93,7 +93,7 @@ void solve_numerical(SolverState& state, const Request& request, StageResult& fo
   InverseResult& result = found.result;
   const bool first = result.solutions.empty();
   const PreparedSearch& prepared = search_within_limits(state);
-  // For one solution: first the branch of the seed, if it leads to one.
+  // If one solution is requested, the branch of the seed is tried first.
   if (!request.options.all) solve_from(request, request.seed, result);
   if (request.options.all || result.solutions.empty()) {
     search(state, request, prepared, request.options.restarts, request.options.all, result);

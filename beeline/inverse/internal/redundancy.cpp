@@ -23,8 +23,8 @@ Cost distance_from_seed(const Request& request, const Configuration& q) {
   return {away.squaredNorm() / 2, away, Configuration::Ones(q.size())};
 }
 
-/// The sum of x_k^8, where x_k from -1 to 1 is the joint's position in its range: a smooth stand-in
-/// for the largest |x_k|. A higher power is nearer to it, but makes Newton's steps shorter.
+/// The sum of x_k^8, where x_k in [-1, 1] is the position of coordinate k in its range: a smooth
+/// approximation of max |x_k|. A higher power approximates it better, but shortens Newton's steps.
 Cost nearness_to_limits(const Request& request, const Configuration& q) {
   constexpr int power = 8;
   constexpr double stiffness = 1e-3;  // keeps the Hessian regular in the middle of the ranges
@@ -45,9 +45,9 @@ Cost cost_at(const Request& request, const Configuration& q) {
                                                            : nearness_to_limits(request, q);
 }
 
-/// Newton's step for the cost in the null space of the task's Jacobian: with N a basis of it,
+/// Returns Newton's step for the cost in the null space of the task's Jacobian, with basis N:
 ///   dq = -N (N^T H N)^-1 N^T g.
-/// A joint at a bound that the step would leave is held.
+/// A joint at a bound that the step would pass is fixed.
 Configuration null_space_step(const Request& request, const Configuration& q, const Cost& cost) {
   const Eigen::MatrixXd jacobian = task_jacobian(request.arm, q, request.task);
   std::vector<Eigen::Index> free;
@@ -72,7 +72,7 @@ Configuration null_space_step(const Request& request, const Configuration& q, co
   }
 }
 
-/// The objective itself, to be minimised: the distance from the seed, or minus the least margin.
+/// The objective to be minimised: the distance from the seed, or minus the smallest margin.
 double objective(const Request& request, const Configuration& q) {
   if (request.options.redundancy == Redundancy::nearest) return (q - request.seed).norm();
   double least = 1;
@@ -101,7 +101,7 @@ void optimise_redundancy(const Request& request, InverseResult& result) {
 Configuration optimised(const Request& request, const Configuration& q) {
   Configuration best = q;
   Cost cost = cost_at(request, best);
-  constexpr int rounds = 100;          // Newton's method needs far fewer, except along bounds
+  constexpr int rounds = 100;          // Newton's method takes far fewer steps, except along bounds
   constexpr double negligible = 1e-8;  // radians or metres: the cost is flat to rounding there
   for (int round = 0; round < rounds; ++round) {
     const Configuration step = null_space_step(request, best, cost);

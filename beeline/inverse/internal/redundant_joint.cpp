@@ -25,7 +25,8 @@ void insert(const PieperSolver& form, const LockedBranch& branch, int lane, Leas
                      Eigen::Map<Eigen::Matrix<double, 7, 1>>(outside.q[place]));
 }
 
-/// To be minimised: the squared distance from the seed, or minus the least margin to a limit.
+/// The objective to be minimised: the squared distance from the seed, or minus the smallest margin
+/// to a limit.
 double cost(const PieperRequest& six, const PieperBranches& found, int lane,
             const LockedRange& range, double value, Redundancy redundancy) {
   if (redundancy == Redundancy::nearest) {
@@ -71,7 +72,7 @@ int nearest_lane(const PieperRequest& six, const PieperBranches& found) {
 }
 
 bool nearly_found(const PieperSolver& form, const PieperBranches& found) {
-  // Added joints may stand still only where other lanes are at the edge of theirs.
+  // Virtual joints may be zero only where other lanes are at the boundary of the workspace.
   if (form.has_virtual_joints() && found.found != 0) return false;
   if (found.weak != 0) return true;
   const double near = 1e-6 * std::max(1.0, form.size());
@@ -97,7 +98,7 @@ LockedBranch first_within(const PieperSolver& form, const Pose& goal, const Lock
     return false;
   };
   if (succeeds(range.seed)) return branch;
-  // Each round halves the step and takes the values between those that were tried.
+  // Each round halves the step and tries the values between the previous ones.
   const double width = range.upper - range.lower;
   double step = width / 4;
   for (bool first = true; tried < tries && step > 0; first = false, step /= 2) {
@@ -148,8 +149,8 @@ LockedBranch best_within(const PieperSolver& form, const Pose& goal, const Locke
   ranked.emplace_back(cost_at(range.seed), range.seed);
   std::sort(ranked.begin(), ranked.end());
   const double step = (range.upper - range.lower) / (grid - 1);
-  // Branches end where limits cut them off, so the best of the grid need not be next to the best of
-  // all; more values to refine take longer.
+  // Branches end at limits, so the global optimum need not be next to the best value of the grid.
+  // Refining more values takes longer.
   constexpr std::size_t places = 3;
   for (std::size_t i = 0; i < std::min(places, ranked.size()); ++i) {
     constexpr int max_rounds = 40;  // 0.618^40 = 4e-9 of two steps of the grid

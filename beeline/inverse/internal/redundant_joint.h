@@ -7,8 +7,9 @@
 
 namespace beeline::internal {
 
-/// The values to try of the coordinate that a PieperSolver takes as given, the redundant joint: its
-/// limits, or one turn (for a prismatic joint, the arm's size to both sides) about the seed.
+/// The range of the coordinate that a PieperSolver takes as given, the redundant joint: its limits
+/// or, without limits, one revolution (for a prismatic joint, the arm's size to both sides) about
+/// the seed.
 struct LockedRange {
   double lower = 0, upper = 0;
   double seed = 0;
@@ -24,27 +25,28 @@ struct LockedBranch {
   PieperBranches found;
 };
 
-/// The lane nearest to the seed among those within limits whose loops close; -1: none.
+/// Returns the lane nearest to the seed among those within limits whose loops close; -1 if there is
+/// none.
 int nearest_lane(const PieperRequest& six, const PieperBranches& found);
 
-/// Whether a lane without a solution is so near to one that rounding may have hidden it.
+/// Whether a lane may have a solution that rounding hides.
 bool nearly_found(const PieperSolver& form, const PieperBranches& found);
 
-/// Of the branches that were examined, those that exceed the limits least.
+/// The branches that exceed the limits least among those examined.
 struct LeastOutside {
   int count = 0;
   double excess[8] = {};  ///< ascending
   double q[8][7] = {};    ///< by coordinate
 };
 
-/// Tries up to `tries` values of the redundant joint until there is a branch within limits: the
-/// seed's, then steps of a quarter of the range from it, then of an eighth, and so on, nearest to
-/// the seed first. Does not allocate.
+/// Tries up to `tries` values of the redundant joint until a branch is within limits: the seed's
+/// value, then values at multiples of a quarter of the range from it, then of an eighth, and so on,
+/// nearest to the seed first. Does not allocate.
 LockedBranch first_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
                           int tries, PieperRequest& six, LeastOutside& outside);
 
-/// Returns the branch within limits that is nearest to the seed, or farthest from the limits: the
-/// three best values of a grid, each refined between its neighbours by golden-section search.
+/// Returns the branch within limits that is nearest to the seed, or farthest from the limits.
+/// Refines the three best values of a grid between their neighbours by golden-section search.
 LockedBranch best_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
                          int grid, Redundancy redundancy, PieperRequest& six);
 

@@ -11,7 +11,7 @@ namespace beeline::internal {
 namespace {
 
 /// The rounding error of forward kinematics, metres: a few units in the last place of the arm's
-/// size for each joint, added as random errors are.
+/// size, times the square root of the number of joints.
 double rounding_of(const Arm& arm, const Pose& goal) {
   const double reach = std::isfinite(arm.reach().radius) ? arm.reach().radius : 0;
   const double size = std::max(reach, goal.translation().norm());

@@ -14,14 +14,16 @@ double error_at(const Request& request, const Configuration& q) {
 }
 
 void add_solution(const Request& request, const Configuration& q, InverseResult& result) {
-  // Near a singular solution a value is only known to the square root of rounding, 1e-8 to 1e-7.
+  // A value near a singular solution is determined only to the square root of rounding, 1e-8 to
+  // 1e-7.
   constexpr double slack = 1e-6;  // radians or metres
   Configuration nearest = nearest_representative(request.arm, q, request.seed, request.bounds);
   if (excess(request.bounds, nearest) > slack) return;
   nearest = nearest.cwiseMax(request.bounds.lower).cwiseMin(request.bounds.upper);
   double error = error_at(request, nearest);
   if (error > std::max(1e-13, request.tolerance / 100)) {
-    // It was clamped to a bound, is ill conditioned, or lost digits in turns far from zero.
+    // q was clamped to a bound, is ill conditioned, or lost digits because its angles are far from
+    // zero.
     const Configuration& near = within(request.bounds, q) ? q : nearest;
     const NumericalResult corrected =
         levenberg_marquardt(request.arm, request.goal, request.task, request.bounds, near,

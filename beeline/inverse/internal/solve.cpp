@@ -8,8 +8,8 @@
 namespace beeline::internal {
 namespace {
 
-/// With a coordinate locked it is an arm with one coordinate less, whose solver is kept while the
-/// value stays the same.
+/// Solves for the arm with the locked coordinate fixed. Its solver is kept while the value stays
+/// the same.
 InverseResult solve_with_lock(SolverState& state, const Pose& world_T_tool,
                               const Configuration& seed, Diagnosis diagnosis) {
   check_configuration(state.arm, seed);

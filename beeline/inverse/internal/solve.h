@@ -4,10 +4,11 @@
 
 namespace beeline::internal {
 
-/// Whether a request without solutions is diagnosed: that takes longer than most solutions.
+/// Whether a request without solutions is diagnosed, which takes longer than solving most requests.
 enum class Diagnosis { wanted, skipped };
 
-/// Solves one pose: request, stages, diagnosis or redundancy, order of the solutions.
+/// Solves one pose: checks the request, runs the stages, then diagnoses a failure or resolves
+/// redundancy and sorts the solutions.
 InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configuration& seed,
                     Diagnosis diagnosis);
 

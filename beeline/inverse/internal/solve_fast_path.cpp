@@ -12,8 +12,9 @@ namespace {
 
 std::optional<int> one_if(bool solved) { return solved ? std::optional(1) : std::nullopt; }
 
-/// One solution of an arm with a redundant joint. A few values of that joint suffice for most
-/// poses; for the others the numerical search from near them finds more than more values would.
+/// Writes one solution of an arm with a redundant joint. A few values of that joint suffice for
+/// most poses. For the others the numerical search from the nearest branches succeeds more often
+/// than further values.
 std::optional<int> solve_redundant(SolverState& state, const Pose& goal,
                                    const ConfigurationRef& seed, PieperRequest& six,
                                    Eigen::Ref<Eigen::MatrixXd> solutions) {
@@ -35,20 +36,20 @@ std::optional<int> solve_redundant(SolverState& state, const Pose& goal,
   return one_if(search_fast_path(state, goal, seed, solutions));
 }
 
-/// The lanes within limits, nearest first.
+/// The lanes within limits, sorted by distance from the seed.
 struct OrderedLanes {
   int count = 0;
   int lane[8];
 };
 
-/// Empty where a lane needs the corrections of the full solution.
+/// Returns nothing if a lane needs the corrections of solve().
 std::optional<OrderedLanes> lanes_in_order(const PieperRequest& six, const PieperBranches& found) {
   OrderedLanes order;
   for (unsigned rest = found.found; rest != 0; rest &= rest - 1) {
     const int lane = std::countr_zero(rest);
     if (!(found.residual[lane] <= six.max_residual)) return std::nullopt;
     if ((found.within >> lane & 1) == 0) {
-      // As in add_solution(): with so little outside it may be within limits when corrected.
+      // As in add_solution(): a lane outside by less may be within limits once it is corrected.
       constexpr double slack = 1e-6;
       if (found.excess[lane] < slack) return std::nullopt;
       continue;
@@ -62,9 +63,10 @@ std::optional<OrderedLanes> lanes_in_order(const PieperRequest& six, const Piepe
   return order;
 }
 
-/// Whether two of these lanes are one posture.
+/// Whether two of these lanes are the same posture.
 bool has_twins(const PieperBranches& found, const OrderedLanes& order) {
-  constexpr double twin = 1e-4;  // radians or metres; at the edge of reach two solutions merge
+  // Two solutions merge at the boundary of the workspace.
+  constexpr double twin = 1e-4;  // radians or metres
   for (int i = 0; i < order.count; ++i) {
     for (int j = 0; j < i; ++j) {
       const bool same = std::all_of(std::begin(found.q), std::end(found.q), [&](const auto& q) {
@@ -76,7 +78,7 @@ bool has_twins(const PieperBranches& found, const OrderedLanes& order) {
   return false;
 }
 
-/// All solutions of six branches.
+/// Writes all solutions of six joints.
 std::optional<int> write_all(const PieperSolver& form, const PieperRequest& six,
                              const PieperBranches& found, double value,
                              Eigen::Ref<Eigen::MatrixXd> solutions) {
@@ -106,7 +108,7 @@ std::optional<int> solve_fast_path(SolverState& state, const Pose& goal,
     return one_if(search_fast_path(state, goal, seed, solutions));
   }
   const PieperSolver& form = *state.closed;
-  // Of joints that may have any value, distances and solutions would depend on the value chosen.
+  // Solutions and distances would depend on the values chosen for free joints.
   if (form.has_free_joints() || !state.closed_is_sure) return std::nullopt;
   PieperRequest six = form.request(seed, state.bounds.lower, state.bounds.upper, options.tolerance);
   double value = 0;  // of a locked joint

@@ -6,9 +6,9 @@
 
 namespace beeline::internal {
 
-/// Writes solutions into the columns by the fastest method, without the stages, where none of them
-/// needs a correction; returns how many, or nothing where solve() is needed. A closed form's
-/// solution is checked by closing the loop. Does not allocate in the ordinary case.
+/// Writes solutions into the columns by the fastest method, without the stages, if none of them
+/// needs a correction. Returns their number, or nothing if solve() is needed. A solution of a
+/// closed form is checked by closing the loop. Does not allocate in the ordinary case.
 std::optional<int> solve_fast_path(SolverState& state, const Pose& goal,
                                    const ConfigurationRef& seed,
                                    Eigen::Ref<Eigen::MatrixXd> solutions);

@@ -17,8 +17,8 @@ bool is_general_six(const Arm& arm, const Task& task) {
                      [](const Joint& joint) { return kind(joint) == JointKind::revolute; });
 }
 
-/// With options.lock: keeps the closed form that takes that coordinate's value as an input, if
-/// there is one. Otherwise the arm is another one for each value: see solve().
+/// Prepares for options.lock: keeps the closed form that takes the coordinate's value as an input,
+/// if there is one. Otherwise solve() prepares an arm for each value.
 SolverState prepare_locked(SolverState state) {
   if (state.options.method == InverseMethod::numerical) return state;
   state.closed = PieperSolver::make(state.arm, state.task);
@@ -26,9 +26,10 @@ SolverState prepare_locked(SolverState state) {
   return state;
 }
 
-/// Whether the closed form recovers random configurations of the arm, or reports a continuum. Where
-/// axes of its loop coincide it may miss both. Sixteen trials, since an arm for which it fails
-/// fails almost everywhere; within 1e-4, far from other solutions and far above rounding.
+/// Whether the closed form recovers random configurations of the arm, or reports a continuum. It
+/// may do neither if axes of its loop coincide. Sixteen trials suffice, because it then fails
+/// almost everywhere. The tolerance 1e-4 is far below the distance of other solutions and far above
+/// rounding.
 bool recovers_configurations(const PieperSolver& form, const Arm& arm) {
   constexpr int trials = 16;
   const Configuration zero = Configuration::Zero(arm.dof());
@@ -66,7 +67,7 @@ SolverState make_solver_state(const Arm& arm, const InverseOptions& options) {
   if (formulas && !state.planar) state.closed = PieperSolver::make(arm, state.task);
   if (state.closed) state.closed_is_sure = recovers_configurations(*state.closed, arm);
   state.general_six = formulas && !state.closed && is_general_six(arm, state.task);
-  // For one solution the numerical stage is faster there.
+  // The numerical stage is faster for one solution.
   if (options.all || options.method == InverseMethod::closed_form) {
     state.general = make_general_six(state);
   }

@@ -47,11 +47,11 @@ std::optional<RaghavanRothSolver> make_general_six(const SolverState& state);
 /// The name of the method, such as "closed form: planar".
 std::string method_name(const SolverState& state);
 
-/// Throws Error where options.lock would hold a coordinate outside its limits.
+/// Throws Error if options.lock fixes a coordinate outside its limits.
 void check_lock(const SolverState& state, const ConfigurationRef& seed);
 
-/// A seed with an angle beyond this loses too many digits for the fast path: see
-/// wrap_unlimited_angles().
+/// The fast path is used for seeds with angles up to this; larger angles lose too many digits (see
+/// wrap_unlimited_angles()).
 inline constexpr double farthest_seed = 1e3;  // radians
 
 }  // namespace beeline::internal

@@ -7,8 +7,8 @@
 
 namespace beeline::internal {
 
-/// What the stages know of the solutions when joint limits are ignored: the evidence from which
-/// diagnose() derives the status of a request without solutions.
+/// The stages' evidence about solutions when joint limits are ignored. diagnose() derives the
+/// status of a request without solutions from it.
 struct UnconstrainedResult {
   bool complete = false;                   ///< all solutions that exist have been examined
   bool doubtful = false;                   ///< rounding may have hidden one
@@ -17,11 +17,11 @@ struct UnconstrainedResult {
   std::optional<Configuration> least;      ///< the solution that is least outside the limits ...
   double excess = 0;                       ///< ... and by how much: see excess(Bounds)
 
-  /// Takes q's representative nearest to the seed as `least` where it is less outside.
+  /// Replaces `least` by q's representative nearest to the seed if that exceeds the limits less.
   void consider(const Request& request, const Configuration& q);
 };
 
-/// What the stages have found so far.
+/// The solutions and evidence that the stages have found so far.
 struct StageResult {
   InverseResult result;  ///< the solutions within limits, how they were found, what it took
   UnconstrainedResult unconstrained;

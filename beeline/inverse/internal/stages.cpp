@@ -6,14 +6,14 @@ namespace beeline::internal {
 namespace {
 
 struct Stage {
-  /// Whether the stage has something to add to what was found before it.
+  /// Whether the stage can add solutions or evidence to `found`.
   bool (*applies)(const SolverState& state, const Request& request, const StageResult& found);
   void (*run)(SolverState& state, const Request& request, StageResult& found);
 };
 
 bool always(const SolverState&, const Request&, const StageResult&) { return true; }
 
-/// Looks for a proof that there are no solutions at all.
+/// Searches for a proof that there is no solution.
 void check_invariants(SolverState&, const Request& request, StageResult& found) {
   UnconstrainedResult& evidence = found.unconstrained;
   evidence.violation =
@@ -25,18 +25,18 @@ bool wants_formulas(const SolverState& state, const Request&, const StageResult&
   return !found.unconstrained.violation && has_analytic_stage(state);
 }
 
-/// Whether solutions are missing, or may be, and a search can find them.
+/// Whether solutions may be missing that a search can find.
 bool wants_search(const SolverState& state, const Request& request, const StageResult& found) {
   const UnconstrainedResult& evidence = found.unconstrained;
   const bool none = found.result.solutions.empty();
   const bool missing = none || (evidence.doubtful && request.options.all);
-  // All solutions were examined; but of a continuum another member may be within limits.
+  // All solutions were examined, except that another member of a continuum may be within limits.
   const bool proved = evidence.complete && !(evidence.continuum && none);
   return missing && !proved && state.options.method != InverseMethod::closed_form &&
          !out_of_reach(request.arm, request.goal, request.task, request.tolerance);
 }
 
-/// Whether the search found nothing, which proves nothing, and formulas have not been tried.
+/// Whether the search found nothing, which proves nothing, and no analytic solver has run.
 bool wants_second_opinion(const SolverState& state, const Request& request,
                           const StageResult& found) {
   return found.result.solutions.empty() && state.general_six && !state.general &&
@@ -48,7 +48,7 @@ void solve_by_second_opinion(SolverState& state, const Request& request, StageRe
   if (state.second_opinion) solve_general_six(*state.second_opinion, request, found);
 }
 
-/// A new stage is a line here.
+/// A new stage is added as a row here.
 constexpr Stage stages[] = {
     {always, check_invariants},
     {wants_formulas, solve_analytic},

@@ -5,9 +5,9 @@
 
 namespace beeline::internal {
 
-/// Runs the stages of inverse kinematics in the order of their table in stages.cpp: each adds
-/// solutions within limits, and evidence about those that exist when limits are ignored.
-/// diagnose() turns the evidence into a status where there are no solutions.
+/// Runs the stages of inverse kinematics in the order of their table in stages.cpp. Each adds
+/// solutions within limits, and evidence about solutions when limits are ignored. If there are no
+/// solutions, diagnose() derives the status from the evidence.
 StageResult run_stages(SolverState& state, const Request& request);
 
 }  // namespace beeline::internal

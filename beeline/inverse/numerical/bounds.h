@@ -16,14 +16,15 @@ Bounds no_bounds(const Arm& arm);
 bool any_finite(const Bounds& bounds);
 bool within(const Bounds& bounds, const Configuration& q);
 
-/// The sum over the coordinates of how far q is outside the bounds, radians and metres.
+/// The sum over the coordinates of the distances of q from the interval between its bounds, radians
+/// and metres.
 double excess(const Bounds& bounds, const Configuration& q);
 
 /// Throws Error unless the task has rows, in the base or tool frame, and the bounds fit the arm.
 void check_task(const Arm& arm, const Task& task, const Bounds& bounds);
 
-/// The length that weighs like one radian where errors are added: the radius of the arm's reach,
-/// or 1 m where that is infinite or zero.
+/// The length that is equivalent to one radian in sums of errors: the radius of the arm's reach, or
+/// 1 m if that is infinite or zero.
 double unit_of_length(const Arm& arm);
 
 }  // namespace beeline::internal

@@ -3,8 +3,8 @@
 
 #include <beeline/inverse/numerical/gauss_newton.h>
 
-// One configuration leaves most of a 512-bit register empty, and stores of single numbers stall the
-// wide loads behind them: 256 bits are faster.
+// 256-bit registers are faster here: one configuration leaves a 512-bit register nearly empty, and
+// stores of single numbers delay the wide loads that follow them.
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
@@ -19,18 +19,18 @@ namespace {
 
 using namespace internal;
 
-// The tolerances are those of levenberg_marquardt_lanes.cpp. The damping is smaller, since a start
-// near the pose needs none except at singularities.
+// The tolerances are those of levenberg_marquardt_lanes.cpp. The damping is smaller: a start near
+// the pose needs it at singularities only.
 constexpr double least_damping = 1e-13;     // keeps J J^T regular at singularities
 constexpr double damping_factor = 0.01;     // damping over squared error
-constexpr double acceleration_from = 1e-6;  // squared error; below, a plain step suffices
+constexpr double acceleration_from = 1e-6;  // squared error; a plain step suffices below
 constexpr double largest_step = 1;          // radians, or units of length
 constexpr double polished = 1e-26;          // squared error at the level of rounding
-constexpr double fine = 1e-21;              // squared error that suffices where it falls no more
+constexpr double fine = 1e-21;              // squared error that suffices once it stops decreasing
 constexpr double whole_turn = 0x1.921fb54442d18p+2;
 
-/// Computes the error to the goal (four columns of four) and the tool's position; false where the
-/// orientation is a quarter turn or more away.
+/// Computes the error to the goal (four columns of four) and the tool's position. Returns false if
+/// the orientation error is 90 degrees or more.
 HWY_INLINE bool evaluate(const NumericalProblem& problem, const double* goal,
                          GaussNewtonState& near, double* tool_position) {
   double frame[16], turn[3][3];
@@ -45,7 +45,7 @@ HWY_INLINE bool evaluate(const NumericalProblem& problem, const double* goal,
       turn[r][c] = goal[r] * frame[c] + goal[4 + r] * frame[4 + c] + goal[8 + r] * frame[8 + c];
     }
   }
-  // The axis, of length sin(angle).
+  // The rotation axis times sin(angle).
   const double v[3] = {(turn[2][1] - turn[1][2]) / 2, (turn[0][2] - turn[2][0]) / 2,
                        (turn[1][0] - turn[0][1]) / 2};
   const double u = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
@@ -97,10 +97,10 @@ HWY_INLINE void linearise(const NumericalProblem& problem, const double* tool_po
   for (int r = 0; r < 6; ++r) sum[r].store(near.normal + r * lane_count);
 }
 
-/// Factorises a + damping I = L D L^T in place: L^T above the diagonal, 1 / D on it. The
-/// elimination of solve_damped() (symmetric6_lanes-inl.h) for one matrix: in rows of eight numbers,
-/// as linearise() sums them, and apart from the solution, since its factors serve up to three
-/// times.
+/// Factorises a + damping I = L D L^T in place: L^T above the diagonal, 1 / D on it. This is the
+/// elimination of solve_damped() (symmetric6_lanes-inl.h) for one matrix, in rows of eight numbers
+/// as linearise() sums them. It is separate from the solution because its factors are used up to
+/// three times.
 HWY_INLINE void factorise(double damping, double (&a)[6 * lane_count]) {
 #pragma GCC unroll 6
   for (int j = 0; j < 6; ++j) a[j * lane_count + j] += damping;
@@ -130,7 +130,7 @@ HWY_INLINE void solve(const double (&a)[6 * lane_count], double (&y)[6]) {
 #pragma GCC unroll 6
   for (int j = 0; j < 6; ++j) y[j] *= a[j * lane_count + j];
 #pragma GCC unroll 6
-  for (int i = 5; i >= 0; --i) {  // by columns, so that each waits for one product only
+  for (int i = 5; i >= 0; --i) {  // by columns, so that each step depends on one product only
 #pragma GCC unroll 6
     for (int j = i - 1; j >= 0; --j) y[j] -= a[j * lane_count + i] * y[i];
   }
@@ -142,7 +142,7 @@ HWY_INLINE double along(const double* c, const double (&y)[6]) {
 
 /// Computes half the second derivative of the tool's motion along `near.move`,
 ///   1/2 sum_jk d2f / (dq_j dq_k) move_j move_k:
-/// a joint rotates the columns of all joints after it, and its own.
+/// a joint rotates its own column and those of all joints after it.
 HWY_INLINE void half_second_derivative(const GaussNewtonState& near, double (&half)[6]) {
   double turn[3] = {0, 0, 0}, linear[3] = {0, 0, 0}, angular[3] = {0, 0, 0};
   for (size_t k = 0; k < near.move.size(); ++k) {
@@ -163,8 +163,8 @@ HWY_INLINE void half_second_derivative(const GaussNewtonState& near, double (&ha
   }
 }
 
-/// Takes the step of the factors in `near.normal`. Returns its largest component. A joint that
-/// reaches its bound stays there.
+/// Takes the step given by the factors in `near.normal`. Returns its largest component. A joint
+/// that reaches its bound stays there.
 HWY_INLINE double step(const NumericalProblem& problem, bool accelerated, GaussNewtonState& near) {
   double dual[6];
   for (int r = 0; r < 6; ++r) dual[r] = near.error[r];
@@ -210,7 +210,7 @@ bool iterate(const NumericalProblem& problem, const double* goal, const LaneOpti
     const double cost = position + orientation;
     if (!(cost < before / 2)) {
       if (!within || before > fine) return false;
-      if (!(cost < before)) {  // the level of rounding: the step before was as good
+      if (!(cost < before)) {  // at the level of rounding, the previous step was as good
         near.q.swap(near.before);
         for (int r = 0; r < 6; ++r) near.error[r] = error_before[r];
       }
@@ -221,8 +221,8 @@ bool iterate(const NumericalProblem& problem, const double* goal, const LaneOpti
     if (within && (!options.polish || cost <= polished)) return true;
     if (near.iterations >= options.iterations) return within && cost <= fine;
     before = cost;
-    // The last Jacobian is off by about the last step: where the error of the next step is then
-    // small enough, its factors serve again.
+    // The last Jacobian differs from the present one by about the last step. If that error leaves
+    // the next step accurate enough, its factors are used again.
     const bool again = cost * longest * longest < enough / 4;
     if (!again) {
       linearise(problem, tool_position, near);

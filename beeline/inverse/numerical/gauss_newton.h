@@ -20,10 +20,10 @@ struct GaussNewtonState {
 
 /// Solves a task with all six rows by Gauss-Newton with geodesic acceleration (Transtrum & Sethna
 /// 2012) from `start`, clamped to the bounds: two or three steps from a tenth of a radian away, as
-/// when a path is tracked. One configuration alone is faster than eight lanes there. Returns
-/// whether it converges. It does not where |e|^2 does not halve in each step, nor from a quarter
-/// turn away, where run_lanes() may. A joint that reaches a bound stays there.
-/// The pose must be finite and the start fit.
+/// when a path is tracked. One configuration is then faster than eight lanes. Returns whether it
+/// converges; it gives up when |e|^2 does not halve in a step or the orientation error is 90
+/// degrees or more, where run_lanes() may still converge. A joint that reaches a bound stays there.
+/// Requires a finite pose and a start that fits the arm.
 bool gauss_newton(const NumericalProblem& problem, const Pose& world_T_tool, const double* start,
                   const LaneOptions& options, GaussNewtonState& near);
 

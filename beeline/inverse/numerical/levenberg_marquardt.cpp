@@ -26,13 +26,13 @@ Eigen::VectorXd coordinate_units(const Arm& arm, double length) {
   return units;
 }
 
-// The factors and the patience were found by trial over random poses of the built-in arms; the
-// optimum is flat. Less patience gives up starts that would converge, more wastes iterations.
+// The factors and the patience were chosen by trial over random poses of the built-in arms; the
+// optimum is flat. Less patience abandons starts that would converge, more wastes iterations.
 constexpr double first_factor = 0.2;     // damping over squared error
 constexpr double least_factor = 1e-3;    // the same, after steps that were all accepted
 constexpr double least_damping = 1e-13;  // keeps J J^T regular at singularities
-constexpr double largest_step = 1;  // radians, or units of length: the range of the linear model
-constexpr int patience = 8;         // steps in which the squared error must halve
+constexpr double largest_step = 1;       // radians, or units of length; range of the linear model
+constexpr int patience = 8;              // max steps in which the squared error must halve
 
 /// The problem of one run, and its units.
 struct Goal {
@@ -52,9 +52,9 @@ void linearise(const Goal& goal, const Configuration& q, Linearised& at) {
   const auto partly = [&](std::size_t first) {
     return !(rows[first] && rows[first + 1] && rows[first + 2]);
   };
-  // With all three rows, the plain Jacobian suffices: its error vanishes with the task's error.
-  // With some, the free part of the error stays large and contributes to the derivative of the
-  // others.
+  // The plain Jacobian suffices with all three rows, because its error vanishes with the task's
+  // error. With some rows, the free part of the error stays large and contributes to the derivative
+  // of the others.
   if (tool_axes && partly(0)) {
     at.columns.topRows<3>() -= hat(error.head<3>()) * at.columns.bottomRows<3>();
   }
@@ -86,10 +86,10 @@ void clamp_to(const Bounds& bounds, Configuration& q) {
   q = q.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
 }
 
-/// Computes the damped step within the bounds: joints that it would carry through a bound stop
-/// there, and the step of the others is solved again for the remaining error.
+/// Computes the damped step within the bounds. Joints that would pass a bound stop there, and the
+/// step of the others is solved again for the remaining error.
 void bounded_step(const Goal& goal, const Configuration& q, double damping, Workspace& work) {
-  constexpr int max_rounds = 10;  // a joint or more stops in each; after these the step is clamped
+  constexpr int max_rounds = 10;  // at least one joint stops in each; then the step is clamped
   work.free = work.now.columns;
   std::fill(work.held.begin(), work.held.end(), 0);
   Twist left = work.now.error;

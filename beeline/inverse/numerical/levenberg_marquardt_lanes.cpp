@@ -17,19 +17,18 @@ namespace {
 
 using namespace internal;
 
-// The factors and the patience were found by trial over random poses of the built-in arms, for the
-// least time to the first solution; the optimum is flat. levenberg_marquardt() starts with more
-// damping and more patience: it has one start to make the most of, the lanes have restarts.
+// The factors and the patience were chosen by trial over random poses of the built-in arms, for the
+// shortest time to the first solution; the optimum is flat. levenberg_marquardt() has more damping
+// and patience, because it has one start and the lanes have restarts.
 constexpr double first_factor = 0.05;    // damping over squared error
 constexpr double least_factor = 1e-3;    // the same, after steps that were all accepted
 constexpr double least_damping = 1e-13;  // keeps J J^T regular at singularities
-constexpr double largest_step = 1;  // radians, or units of length: the range of the linear model
-constexpr int patience = 5;         // steps in which the squared error must halve
-constexpr double polished = 1e-26;  // squared error at the level of rounding
-constexpr double fine = 1e-21;      // squared error that suffices where it falls by less than 4
-constexpr double near_goal =
-    0.1;  // squared error above which joints at bounds are not solved again:
-          // the step is rough there anyway, and this saves a solution
+constexpr double largest_step = 1;       // radians, or units of length; range of the linear model
+constexpr int patience = 5;              // max steps in which the squared error must halve
+constexpr double polished = 1e-26;       // squared error at the level of rounding
+constexpr double fine = 1e-21;  // squared error that suffices once a step reduces it by less than 4
+constexpr double near_goal = 0.1;  // squared error above which joints at bounds are not solved
+                                   // again: the step is inaccurate there in any case
 constexpr double whole_turn = 0x1.921fb54442d18p+2;
 
 HWY_INLINE Lanes load(const EightNumbers& numbers) { return Lanes::load(numbers.lane); }
@@ -130,7 +129,7 @@ HWY_INLINE void load_column(const LevenbergMarquardtLanes& lanes, size_t k, Lane
   for (size_t r = 0; r < 6; ++r) column[r] = load(lanes.column[6 * k + r]);
 }
 
-/// Accepts the trial's Jacobian where `better`, holds joints that are at a bound and whose gradient
+/// Accepts the trial's Jacobian where `better`, fixes joints that are at a bound and whose gradient
 /// points out of it, and adds J J^T of the others to `normal`.
 HWY_NOINLINE void linearise(const NumericalProblem& problem, const Evaluation& at, LaneMask better,
                             const Lanes (&error)[6], LevenbergMarquardtLanes& lanes,
@@ -175,9 +174,9 @@ HWY_NOINLINE void normal_equations(const LevenbergMarquardtLanes& lanes, Symmetr
   }
 }
 
-/// Computes the damped step of the free joints for the error `left`. Joints that it would carry
-/// through a bound stop there. Near the goal these are then held, and their part is subtracted from
-/// `left`; returns in which lanes.
+/// Computes the damped step of the free joints for the error `left`. Joints that would pass a bound
+/// stop there. Near the goal these are then fixed, and their contribution is subtracted from
+/// `left`; returns the lanes in which this happens.
 HWY_NOINLINE unsigned damped_step(const NumericalProblem& problem, Symmetric6& normal,
                                   Lanes (&left)[6], bool again, LevenbergMarquardtLanes& lanes) {
   const Lanes damping = fma(load(lanes.factor), load(lanes.cost), Lanes(least_damping));

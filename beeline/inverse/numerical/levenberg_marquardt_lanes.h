@@ -13,8 +13,8 @@ struct LaneOptions {
   bool first_is_enough = false;  ///< stop all lanes as soon as one has converged
 };
 
-/// The state of eight runs of Levenberg-Marquardt that step together. One for each thread;
-/// start_lane() sizes it for its first problem, later calls do not allocate.
+/// The state of eight runs of Levenberg-Marquardt that step together. Each thread needs its own.
+/// start_lane() sizes it for its first problem; later calls do not allocate.
 struct LevenbergMarquardtLanes {
   unsigned active = 0;              ///< bit i: lane i still iterates
   unsigned converged = 0;           ///< bit i: lane i has ended within the tolerance
@@ -43,10 +43,10 @@ void lane_configuration(const NumericalProblem& problem, const LevenbergMarquard
 Deviation lane_deviation(const NumericalProblem& problem, const LevenbergMarquardtLanes& lanes,
                          int lane);
 
-/// Iterates the active lanes towards the pose, all in step, until one or more of them end
-/// (converged, stagnated, or out of iterations; no longer active), or for `max_steps`. Each lane
-/// does what levenberg_marquardt() does, except for rounding and details at the bounds, whatever
-/// the other lanes do. The pose must be finite.
+/// Iterates all active lanes together until at least one of them ends and becomes inactive
+/// (converged, stagnated, or out of iterations), or for `max_steps`. Each lane computes what
+/// levenberg_marquardt() does, except for rounding and details at the bounds, independently of the
+/// other lanes. Requires a finite pose.
 void run_lanes(const NumericalProblem& problem, const Pose& world_T_tool,
                const LaneOptions& options, int max_steps, LevenbergMarquardtLanes& lanes);
 

@@ -10,14 +10,14 @@
 namespace beeline::internal {
 namespace {
 
-// Steps between two looks at the clock: most runs end within so many, so it is rarely read, and a
-// deadline is overrun by no more.
+// Steps between two checks of the deadline, which may be exceeded by as many. Most runs end within
+// this number, so the clock is rarely read.
 constexpr int steps_per_check = 16;
-// Restarts after a lane that stagnated within the tolerance, in search of one that converges fully:
-// bounds the time that a nearly singular pose takes.
+// Max restarts after a lane has stagnated within the tolerance, in search of one that converges to
+// rounding. Bounds the time that a nearly singular pose takes.
 constexpr int restarts_for_fine = 256;
 
-/// How a lane ended, worst first.
+/// Outcomes of a lane, worst first.
 enum class Grade { none, not_converged, coarse, converged };
 
 /// One call of multi_start().
@@ -93,7 +93,7 @@ class Run {
     return true;
   }
 
-  /// Starts every empty lane anew, as long as there are restarts.
+  /// Starts a new run in every empty lane, as long as there are restarts.
   void fill() {
     int block[solver_lane_count];
     const bool from_table = result_.restarts == 0 && seeds_.blocks > 0;
@@ -149,7 +149,7 @@ class Run {
                                                            : Grade::converged;
     const Eigen::Map<const Configuration> q(q_.data(), start_.size());
     result_.iterations += std::max(0, static_cast<int>(lanes_.iterations.lane[lane]));
-    // Of those that converged the one nearest to the start, of others that nearest to the pose.
+    // Converged lanes are compared by their distance from the start, others by their error.
     const double rank = converged ? away : cost;
     if (grade > grade_ || (grade == grade_ && rank < rank_)) {
       if (grade == Grade::coarse && grade_ < Grade::coarse)

@@ -14,7 +14,7 @@ struct MultiStartOptions {
   int restarts = 1000;      ///< max starts after the first
   bool all = false;         ///< use all restarts, and collect the distinct solutions
   std::uint64_t random_seed = 1;
-  /// Checked every few steps; the result is then what has been found so far.
+  /// Checked every few steps. After it the result holds what has been found so far.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 };
 
@@ -25,7 +25,7 @@ struct SearchResult {
   int restarts = 0;                      ///< starts after the first
 };
 
-/// One thread's buffers, so that calls do not allocate.
+/// Buffers that keep calls from allocating. Each thread needs its own.
 struct MultiStartBuffers {
   GaussNewtonState near;
   LevenbergMarquardtLanes lanes;
@@ -40,14 +40,13 @@ struct PreparedSearch {
 PreparedSearch prepared_search(const Arm& arm, const Task& task, const Bounds& bounds,
                                std::uint64_t random_seed);
 
-/// Searches for a solution from several starts. First gauss_newton() from `start`, which may be
-/// near the pose. Then levenberg_marquardt_lanes(), eight at a time: one lane from `start`, seven
-/// from the seeds nearest to the pose; a lane that ends without converging starts again from a
-/// random configuration. Ends when a lane converges; of several in the same step the one nearest to
-/// `start` is the solution, as its representative nearest to `start`. The same seed table and
-/// random_seed give the same result, where there is no deadline. `result` is overwritten.
-/// Throws Error for a start or a pose that is not finite or does not fit, and for an option out of
-/// range.
+/// Searches for a solution from several starts. First runs gauss_newton() from `start`, which may
+/// be near the pose. Then runs run_lanes(): one lane from `start`, seven from the seeds nearest to
+/// the pose; a lane that ends without converging starts again from a random configuration. Ends
+/// when a lane converges. If several converge in the same step, the solution is the one nearest to
+/// `start`. It is given as its representative nearest to `start`. The same seed table and
+/// random_seed give the same result if there is no deadline. `result` is overwritten. Throws Error
+/// for a start or a pose that is not finite or does not fit, and for an option out of range.
 void multi_start(const NumericalProblem& problem, const SeedTable& seeds, const Pose& world_T_tool,
                  const ConfigurationRef& start, const MultiStartOptions& options,
                  MultiStartBuffers& buffers, SearchResult& result);

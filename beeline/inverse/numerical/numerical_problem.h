@@ -7,7 +7,7 @@
 
 namespace beeline::internal {
 
-/// The number of configurations that the kernels treat at once.
+/// The number of configurations that the kernels process together.
 inline constexpr int solver_lane_count = 8;
 
 /// One number for each lane, aligned for the widest registers.
@@ -15,9 +15,9 @@ struct alignas(64) EightNumbers {
   double lane[solver_lane_count] = {};
 };
 
-/// Arm, task and bounds in the form that the iterative solvers use, made once for many poses.
-/// Lengths, and the coordinates of prismatic joints, are in units of `length`, so that they weigh
-/// like radians; it is a power of two, so the conversion is exact.
+/// Arm, task and bounds in the form that the iterative solvers use, computed once for many poses.
+/// Lengths and the coordinates of prismatic joints are in units of `length`, so that they are
+/// comparable with radians. `length` is a power of two, so the conversion is exact.
 struct NumericalProblem {
   Arm arm;
   Task task;
@@ -37,7 +37,7 @@ struct NumericalProblem {
   std::vector<int> links;  ///< indices into chain.links, ordered by coordinate
 };
 
-/// Throws Error for an arm, task and bounds for which levenberg_marquardt() does.
+/// Throws Error for a task and bounds that check_task() refuses.
 NumericalProblem numerical_problem(const Arm& arm, const Task& task, const Bounds& bounds);
 
 }  // namespace beeline::internal

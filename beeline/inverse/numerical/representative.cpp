@@ -9,8 +9,8 @@
 namespace beeline::internal {
 namespace {
 
-// What a solution at a limit may be outside it, radians or metres: ten times the default tolerance
-// of a solution. It is then set on the limit.
+// Max distance outside a limit at which a solution is clamped to the limit, radians or metres: ten
+// times the default tolerance of a solution.
 constexpr double rounding = 1e-9;
 constexpr double turn = 2 * std::numbers::pi;
 

@@ -6,8 +6,8 @@
 
 namespace beeline::internal {
 
-/// SplitMix64 (Steele, Lea & Flood 2014): the same numbers on every machine, and no state to set
-/// up.
+/// The pseudorandom number generator SplitMix64 (Steele, Lea & Flood 2014). It gives the same
+/// numbers on every machine.
 class Splitmix {
  public:
   explicit Splitmix(std::uint64_t seed) : state_(seed) {}
@@ -25,18 +25,20 @@ class Splitmix {
 };
 
 /// Draws a configuration uniformly within the bounds, radians and metres, into the dof numbers at
-/// q. Where a coordinate has no bound: one turn for an angle, `far` units of length each way for a
-/// prismatic joint, and as many turns as travel that far for a helical joint.
+/// q. A coordinate without bounds is drawn from one revolution for an angle, from `far` units of
+/// length to both sides for a prismatic joint, and from the revolutions with that travel for a
+/// helical joint.
 void draw_configuration(const NumericalProblem& problem, double far, Splitmix& random, double* q);
 
-/// Random configurations and their tool poses, made once for many goals: the solver needs fewer
-/// steps from those whose tool is nearest to the goal, and converges more often.
+/// Random configurations and their tool poses, computed once for many goals. From those whose tool
+/// is nearest to the goal the solver needs fewer steps and converges more often.
 struct SeedTable {
   int blocks = 0;                  ///< of eight configurations
   std::vector<EightNumbers> q;     ///< block by block, one for each coordinate
   std::vector<EightNumbers> tool;  ///< block by block: columns x, y, z and origin, 12 rows
 };
-/// More blocks save steps of the solver, but every search reads the whole table.
+/// Returns a table of `blocks` times eight seeds. More blocks reduce the solver's steps, but every
+/// search reads the whole table.
 SeedTable seed_table(const NumericalProblem& problem, std::uint64_t random_seed, int blocks = 64);
 
 /// Finds, for each of the eight lanes, the block whose tool is nearest to the pose, in the

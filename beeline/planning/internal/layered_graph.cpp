@@ -13,18 +13,18 @@
 namespace beeline::internal {
 namespace {
 
-// Largest change of one joint over an edge, radians or metres. Regular arms change by a tenth of
-// that over a layer's spacing; other branches are mostly farther away, and the test at the midpoint
-// refuses the others. It only saves time.
+// Largest change of one joint over an edge, radians or metres. Joints usually change by a tenth of
+// that between layers. The limit saves time: most edges between different branches exceed it, and
+// the test at the midpoint refuses the others.
 constexpr double longest_edge = 1.2;
-// Most edges that the test at the midpoint may remove; each costs a relaxation of the layers
-// behind it. A bound on time: what is found by then is used.
+// Max edges that the test at the midpoint may remove; each costs a relaxation of the layers after
+// it. It bounds the time; the path found by then is used.
 constexpr std::size_t max_removed_edges = 60;
-// Layers of one segment: enough for a cubic spline on the shortest, a bound on time for the
-// longest.
+// Number of layers of one segment: the minimum suffices for a cubic spline, the maximum bounds the
+// time.
 constexpr double min_layers = 4, max_layers = 400;
-// w and the summand of c(q), see the header: in the inner half of its range a joint costs below
-// 0.006 s^2 per layer, less than a step of a tenth of a second; on a limit 0.15 s^2.
+// The weight w of c(q), see the header. A joint in the inner half of its range costs less than
+// 0.006 s^2 per layer, which is less than a step of 0.1 s; a joint at a limit costs 0.15 s^2.
 constexpr double limit_weight = 0.003;  // seconds squared
 constexpr double limit_offset = 0.02;
 // Caps seconds per radian or metre, so that their squares are finite for any velocity limit.
@@ -59,7 +59,7 @@ double size_of(const Segment& segment) {
   return size;
 }
 
-/// Layers without solutions. None on segments that stand still in the rows of the task.
+/// Returns layers without solutions. Segments at rest in the rows of the task have no layers.
 std::vector<Layer> empty_layers(const ToolPath& path, const Task& task, double spacing) {
   std::vector<Layer> layers{{0, pose_at(path, 0), {}, {}, {}}};
   for (std::size_t w = 0; w < path.segments.size(); ++w) {
@@ -105,7 +105,8 @@ std::optional<Configuration> solved_near(const Arm& arm, const Pose& pose, const
   return found.converged ? std::optional(found.q) : std::nullopt;
 }
 
-/// Fills in the solutions of the layers, and drops them from the first on that has none.
+/// Fills in the solutions of the layers, and removes the first layer that has none and all after
+/// it.
 void solve(std::vector<Layer>& layers, const Arm& arm, const Costs& costs,
            const LayeredGraphOptions& options) {
   InverseSolver solver(arm, {.task = options.task,
@@ -116,7 +117,7 @@ void solve(std::vector<Layer>& layers, const Arm& arm, const Costs& costs,
                              .restarts = 4 * options.grid});
   const Configuration middle = middle_configuration(arm);
   Eigen::MatrixXd columns(arm.dof(), 16 * options.grid);
-  // The start is not on the grid: its continuation is a solution of each layer too.
+  // The start is not on the grid: its continuation is added to the solutions of each layer.
   std::optional<Configuration> continuation = options.start;
   for (std::size_t r = 0; r < layers.size(); ++r) {
     std::vector<Configuration>& solutions = layers[r].solutions;
@@ -137,7 +138,7 @@ void solve(std::vector<Layer>& layers, const Arm& arm, const Costs& costs,
   }
 }
 
-/// The shortest paths to the solutions of one layer; returns whether any can be reached.
+/// Computes the shortest paths to the solutions of one layer; returns whether any can be reached.
 bool relax(const Layer& before, Layer& layer, std::size_t r, const Costs& costs,
            const std::vector<Edge>& removed) {
   bool reached = false;
@@ -161,7 +162,7 @@ bool relax(const Layer& before, Layer& layer, std::size_t r, const Costs& costs,
   return reached;
 }
 
-/// The same for all layers from `first` on; returns how many of all layers can be reached.
+/// Does the same for all layers from `first` on; returns the number of layers that can be reached.
 std::size_t relax(std::vector<Layer>& layers, const Costs& costs, const std::vector<Edge>& removed,
                   std::size_t first) {
   for (std::size_t r = first; r < layers.size(); ++r) {
@@ -179,7 +180,7 @@ std::size_t relax(std::vector<Layer>& layers, const Costs& costs, const std::vec
   return layers.size();
 }
 
-/// The shortest path to the layer before `end`: the index of its solution in each layer.
+/// Returns the shortest path to the layer before `end`: the index of its solution in each layer.
 std::vector<int> shortest_path(const std::vector<Layer>& layers, std::size_t end) {
   std::vector<int> chosen(end);
   const auto& costs = layers[end - 1].cost;
@@ -190,8 +191,8 @@ std::vector<int> shortest_path(const std::vector<Layer>& layers, std::size_t end
   return chosen;
 }
 
-/// Whether a continuous motion is likely to join two knots: at the path's pose half-way there is a
-/// solution near their midpoint, within a third of the edge. The offset is for short edges.
+/// Whether a continuous motion is likely to join two knots: the path's pose half-way has a solution
+/// near their midpoint, within 0.3 of the edge's length plus an offset for short edges.
 bool is_continuous(const Arm& arm, const ToolPath& path, const Task& task, const Bounds& bounds,
                    const Knot& a, const Knot& b) {
   constexpr double fraction = 0.3, offset = 0.02;  // of the edge; radians or metres
@@ -202,15 +203,16 @@ bool is_continuous(const Arm& arm, const ToolPath& path, const Task& task, const
   return q && (*q - middle).lpNorm<Eigen::Infinity>() < fraction * length + offset;
 }
 
-/// Smooths the knots in the null space: moves each towards its neighbours' line and away from the
-/// joint limits, and back to the tool's pose by damped least squares.
+/// Smooths the knots in the null space: moves each towards the line between its neighbours and away
+/// from the joint limits, then restores the tool's pose by damped least squares.
 void smooth(const Arm& arm, const ToolPath& path, const Task& task, const Costs& costs,
             const std::vector<Layer>& layers, bool keep_first, std::vector<Knot>& knots) {
-  // Gauss-Seidel with relaxation 1/2: 12 passes remove the steps of the grid, which alternate from
-  // knot to knot; longer waves cost little time. The push is small beside the steps of the grid.
+  // Gauss-Seidel passes with relaxation 1/2. 12 passes remove the alternating steps of the grid;
+  // oscillations over many knots remain, which take little time. The push away from the limits is
+  // small relative to the steps of the grid.
   constexpr int passes = 12;
   constexpr double relaxation = 0.5, push = 0.02;
-  constexpr double largest_move = 0.3;  // of a joint: beyond, the solution is on another branch
+  constexpr double largest_move = 0.3;  // of a joint; a larger one leads to another branch
   std::vector<double> spans;
   for (const Knot& knot : knots) spans.push_back(span_to(path, knot.s));
   for (int pass = 0; pass < passes; ++pass) {

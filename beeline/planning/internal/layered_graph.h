@@ -32,10 +32,10 @@ struct KnotSequence {
 /// kinematics within limits for the pose at path parameter s_r. The chosen knots solve
 ///     min  sum_r c(q_r) + sum_{r>0} sum_k ((q_{r,k} - q_{r-1,k}) / v_k)^2   over q_r in Q_r,
 ///     c(q) = w sum_k 1 / (margin of joint k to its limits + 0.02),
-/// v_k being velocity limits, over edges that a continuous motion is likely to join: whose ends are
-/// near each other, with a solution near their midpoint. The knots are then smoothed in the null
-/// space, at constant tool pose.
-/// That the arm can move from knot to knot is not proved by this: see track_segment().
+/// where v_k are the velocity limits. An edge joins nodes that are near each other and have a
+/// solution near their midpoint, so that a continuous motion between them is likely. The knots are
+/// then smoothed in the null space, at constant tool pose. This does not prove that the arm can
+/// move from knot to knot: see track_segment().
 KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
                                   const LayeredGraphOptions& options);
 

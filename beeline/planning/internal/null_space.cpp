@@ -16,8 +16,8 @@ double push_from_limits(double q, double lower, double upper) {
 Configuration predict_configuration(const Arm& arm, const Configuration& q, const Pose& target,
                                     const Task& task, const Bounds& bounds) {
   constexpr double damping = 1e-8;  // far below the squared singular values of a regular Jacobian
-  constexpr double gain = 5;  // of the push: less lets joints reach their limits, more makes them
-                              // move more than the tool needs
+  constexpr double gain = 5;  // of the push: with less, joints reach their limits; with more, they
+                              // move more than the tool requires
   const Eigen::MatrixXd j = task_jacobian(arm, q, task);
   const Eigen::VectorXd error = task_error(task, target, forward_kinematics(arm, q));
   Configuration step = damped_least_squares(j, error, damping);

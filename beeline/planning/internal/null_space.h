@@ -11,8 +11,8 @@ namespace beeline::internal {
 Configuration predict_configuration(const Arm& arm, const Configuration& q, const Pose& target,
                                     const Task& task, const Bounds& bounds);
 
-/// A coordinate's push towards the middle of its limits, from -1 to 1: 0 in the inner half of its
-/// range and where that is infinite, growing with the square of the depth to 1 at the limit.
+/// The push of a coordinate towards the middle of its limits, in [-1, 1]. It is 0 in the inner half
+/// of the range and in an infinite range, and grows quadratically to magnitude 1 at the limit.
 double push_from_limits(double q, double lower, double upper);
 
 }  // namespace beeline::internal

@@ -9,7 +9,8 @@
 namespace beeline::internal {
 namespace {
 
-/// The given samples of a retimed motion, which has them all in order and others between them.
+/// Returns the given samples of a retimed motion, which contains them in order and others between
+/// them.
 Trajectory only_samples(const Trajectory& timed, std::span<const Configuration> samples) {
   Trajectory kept{timed.joint_names, {}, {}, {}, {}};
   std::size_t next = 0;
@@ -58,7 +59,7 @@ std::string append_retimed(Trajectory& trajectory, const Arm& arm,
                            std::span<const Configuration> samples, const RetimeOptions& options,
                            const MoveSamples& move) {
   constexpr int max_attempts = 8;  // two suffice, unless moved samples change their speed
-  constexpr double excess = 1e-3;  // of each slowdown, so that it ends
+  constexpr double excess = 1e-3;  // of each slowdown, so that the attempts end
   constexpr double still = 1e-11;  // radians or metres; retime() ignores a tenth of it
   const bool moves = std::any_of(samples.begin(), samples.end(), [&](const Configuration& q) {
     return (q - samples.front()).lpNorm<Eigen::Infinity>() > still;

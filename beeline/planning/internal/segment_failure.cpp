@@ -11,7 +11,7 @@ namespace {
 constexpr double regular_condition = 1e3;  // above it the arm counts as near a singularity
 constexpr double same_branch = 0.2;        // radians or metres: farther away is another branch
 
-/// The joints that q has outside their limits, as a phrase; empty when there are none.
+/// Returns a phrase that lists the joints outside their limits at q; empty when there are none.
 std::string joints_outside(const Arm& arm, const Configuration& q) {
   std::string text;
   for (const int k : outside_limits(arm, q, 0)) {
@@ -20,8 +20,8 @@ std::string joints_outside(const Arm& arm, const Configuration& q) {
   return text;
 }
 
-/// The limits that the motion would pass if it continued without limits. Empty where it could not
-/// continue even then, up to 1e-4 of the segment or more ahead.
+/// Returns the limits that the motion would pass if it continued without limits; empty if it cannot
+/// continue so for at least 1e-4 of the segment.
 std::string passed_limits(const Arm& arm, const Segment& segment, const Task& task,
                           const Configuration& q, double s) {
   constexpr double continued = 1e-4;
@@ -36,8 +36,8 @@ std::string passed_limits(const Arm& arm, const Segment& segment, const Task& ta
   return {};
 }
 
-/// Inverse kinematics for the pose ahead. Just outside the workspace it may find no proof that no
-/// solution exists: then poses farther ahead are asked for.
+/// Solves inverse kinematics for the pose ahead. Just outside the workspace it may not prove that
+/// no solution exists; then poses farther ahead are tried.
 InverseResult solve_ahead(const Arm& arm, const Segment& segment, const Task& task,
                           const Configuration& q, double s) {
   InverseResult answer;

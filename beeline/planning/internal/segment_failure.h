@@ -6,7 +6,7 @@
 
 namespace beeline::internal {
 
-/// Why a segment cannot be tracked to its end.
+/// The status and reason of a segment that cannot be tracked to its end.
 struct SegmentFailure {
   MotionStatus status = MotionStatus::singular;
   std::string reason;  ///< "stops after 63.1 % of its length, at x, y, z: ..."
@@ -19,8 +19,8 @@ std::string stop_message(const Segment& segment, double s);
 /// "joint joint2 would have to pass its upper limit of 2 rad".
 std::string limit_message(const Arm& arm, int coordinate, bool lower);
 
-/// Finds out why the arm cannot move on from configuration q at the fraction s of the segment, by
-/// inverse kinematics for the poses just ahead, with limits and without.
+/// Determines why the arm cannot continue from configuration q at the fraction s of the segment, by
+/// inverse kinematics for the poses just ahead, with and without limits.
 SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Task& task,
                                const Configuration& q, double s);
 

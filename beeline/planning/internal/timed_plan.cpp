@@ -46,7 +46,7 @@ void add(Section& section, const TrackedSegment& segment, std::size_t i) {
     section.samples.push_back(segment.samples[k]);
     section.path_parameters.push_back(static_cast<double>(i) + segment.fractions[k]);
   }
-  // A segment that stands still has no sample of its own.
+  // A segment at rest has no sample of its own.
   section.path_parameters.back() = static_cast<double>(i + 1);
 }
 

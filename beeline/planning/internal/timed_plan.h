@@ -12,8 +12,8 @@ struct TimedPlan {
   std::vector<double> path_parameters = {};  ///< of each sample
 };
 
-/// Retimes a complete branch along the route's path, from stop to stop (append_retimed()): its own
-/// samples, or, where options.rate is given, samples at equal times, each moved onto the path at
+/// Retimes a complete branch along the route's path from stop to stop by append_retimed(). Keeps
+/// its samples or, with options.rate, takes samples at equal times and moves each onto the path at
 /// the nearest path parameter.
 TimedPlan time_plan(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
                     const RetimeOptions& options);

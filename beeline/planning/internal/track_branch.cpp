@@ -88,8 +88,9 @@ double leaves_at(const Branch& branch, int k, double lower, double upper) {
   return branch.path_parameter;
 }
 
-/// The multiple of 2 pi to add to coordinate k with which the branch stays longest within the
-/// limits; of equal ones that with the largest margin to them, and of these the smallest.
+/// Returns the multiple of 2 pi that keeps coordinate k within its limits for the longest part of
+/// the branch. Among equal ones it has the largest margin to the limits, then the smallest
+/// magnitude.
 double best_shift(const Branch& branch, int k, double lower, double upper) {
   constexpr int max_turns = 16;  // to either side; limits may be infinite
   const Range range = range_of(branch, k);
@@ -116,7 +117,7 @@ void add_to_coordinate(Branch& branch, int k, double shift) {
   }
 }
 
-/// Cuts the branch off where it first leaves the limits; the reason names the joint.
+/// Truncates the branch where it first leaves the limits; the reason names the joint.
 void keep_limits(const Arm& arm, const ToolPath& path, Branch& branch) {
   const Bounds bounds = bounds_of(arm);
   int blocking = -1;
@@ -176,7 +177,7 @@ bool is_singular(const Arm& arm, const Task& task, const Configuration& q) {
   return 1 / dexterity(task_jacobian(arm, q, task)).condition < lost_rank;
 }
 
-/// All branches, in no order, without reasons for those that end inside the limits.
+/// Computes all branches, unsorted, without reasons for those that end inside the limits.
 std::vector<Branch> unordered_branches(const Arm& arm, const ToolPath& path,
                                        const BranchOptions& options) {
   const InverseResult starts = inverse_kinematics(

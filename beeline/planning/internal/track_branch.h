@@ -7,11 +7,11 @@ namespace beeline::internal {
 /// Computes every branch of a non-redundant arm along the path, one for each solution of inverse
 /// kinematics at its begin; see better() for their order.
 ///
-/// Coordinates of joints that can rotate by more than a turn are tracked without limits; each then
-/// gets the multiple of 2 pi for which the branch stays longest, and farthest, within the limits.
-/// Where no branch is complete and a solution at the begin is singular, where it stands for
-/// infinitely many, complete branches are also sought from the path's end backwards.
-/// Empty when inverse kinematics finds no solution. Throws Error as plan_path() does.
+/// Coordinates of joints with a range above 2 pi are tracked without limits. Each then gets the
+/// multiple of 2 pi for which the branch stays within the limits longest, and with the largest
+/// margin. If no branch is complete and a solution at the begin is singular, and so represents
+/// infinitely many, complete branches are also searched backwards from the path's end. Returns
+/// nothing when inverse kinematics finds no solution. Throws Error as plan_path() does.
 std::vector<Branch> track_branches(const Arm& arm, const ToolPath& path,
                                    const BranchOptions& options);
 

@@ -11,24 +11,24 @@
 namespace beeline::internal {
 namespace {
 
-// Largest deviation of a sample of an arm of 1 m reach, metres and radians: some hundred times the
-// rounding of forward kinematics, so that every regular pose is solved to it.
+// Max deviation of a sample for an arm of 1 m reach, metres and radians: about a hundred times the
+// rounding of forward kinematics, so that every regular pose can be solved to it.
 constexpr double sample_tolerance = 1e-11;
-// Of the tool from the segment's begin at the start, for an arm of 1 m reach: what a configuration
-// typed with nine digits may miss.
+// Max deviation of the tool at the start from the segment's begin, for an arm of 1 m reach: the
+// rounding of a configuration typed with nine digits.
 constexpr double start_tolerance = 1e-8;
 
 // Lengths of a step as fractions of the segment. The first is a guess, corrected after one step.
-// With at most a quarter the segment is also sampled inside. Below the shortest the arm would have
-// to jump: the bound falls with the square of the step, so a continuous motion allows 1e-5 and
+// The longest ensures samples inside the segment. If the shortest fails, the arm would have to
+// jump: the bound is proportional to the square of the step, so a continuous motion allows 1e-5 and
 // more.
 constexpr double first_step = 1.0 / 32;
 constexpr double longest_step = 1.0 / 4;
 constexpr double shortest_step = 1e-7;
 
-constexpr double max_rotation = 0.5;  // of one joint in one step, radians: far below another branch
-constexpr double side_step = 0.01;    // radians or metres: from a singular start, to find a side
-// The step length aims at this fraction of the tolerance: closer to 1, more steps fail and are
+constexpr double max_rotation = 0.5;  // of one joint in one step, radians
+constexpr double side_step = 0.01;    // radians or metres, from a singular start
+// The step length aims at this fraction of the tolerance. Closer to 1, more steps fail and are
 // repeated.
 constexpr double aimed_fraction = 0.8;
 
@@ -48,8 +48,8 @@ struct SegmentTracker {
   Deviation ends;    ///< largest deviation of a sample
   double usage = 0;  ///< bound / tolerance of the last step tried; 0 where it had no configuration
 
-  /// The configuration at the fraction `s` that continues the last one. None where there is none,
-  /// or where the deviation of the step is not proved to be within tolerance.
+  /// Returns the configuration at the fraction `s` that continues the last one; nothing if there is
+  /// none, or if the deviation of the step is not proved to be within tolerance.
   std::optional<Step> step(const StepEnd& last, double s) {
     const Pose target = pose_at(segment, s);
     return proved(last, s, target,
@@ -57,8 +57,8 @@ struct SegmentTracker {
                                 : predict_configuration(arm, last.q, target, task, bounds));
   }
 
-  /// The same from a singular configuration such as a stretched arm, where the Jacobian gives no
-  /// direction: tries each joint to both sides.
+  /// Does the same from a singular configuration such as a stretched arm, at which the Jacobian
+  /// gives no direction: tries each joint to both sides.
   std::optional<Step> step_aside(const StepEnd& last, double s) {
     const Pose target = pose_at(segment, s);
     for (int k = 0; k < arm.dof(); ++k) {
@@ -87,7 +87,7 @@ struct SegmentTracker {
     return usage <= 1 ? std::optional(Step{found.q, bound}) : std::nullopt;
   }
 
-  /// The factor from the length of the last step tried to that of the next: the bound falls with
+  /// Returns the ratio of the next step's length to the last one's: the bound is proportional to
   /// the square of the length.
   double length_factor() const {
     if (usage == 0) return 0.5;
@@ -117,8 +117,8 @@ TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task&
                              const TrackOptions& options) {
   check_task(arm, segment, task);
   const double exact = tolerance_of_samples(arm);
-  // The nearest point of a line may be known by its position only, to `exact`: the orientation then
-  // differs by as much as the line rotates over that length.
+  // The nearest point of a line may be determined by position only, to `exact`. Its orientation is
+  // then uncertain by the rotation of the line over that length.
   const double rotated =
       std::holds_alternative<Line>(segment) ? 1 + 1 / least_metres_per_radian : 1;
   SegmentTracker tracker{arm, segment, task, bounds, options, exact, {exact, exact * rotated}};
@@ -131,7 +131,7 @@ TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task&
   while (!tracked.complete() && length >= shortest_step &&
          tracked.samples.size() < options.max_samples) {
     const double s_a = tracked.fractions.back(), left = 1 - s_a;
-    // Equal steps to the end, so that none is as short as rounding.
+    // Equal steps to the end, so that no step is as short as rounding.
     const double steps = std::ceil(left / length);
     const double s = steps > 1 ? s_a + left / steps : 1;
     const Configuration& q = tracked.samples.back();
