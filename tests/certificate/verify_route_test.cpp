@@ -11,7 +11,7 @@ namespace {
 
 using namespace testing;
 
-constexpr const char* arms[] = {"puma560", "ur5", "panda", "iiwa14"};
+constexpr const char* arm_names[] = {"puma560", "ur5", "panda", "iiwa14"};
 
 Configuration start_of(const Arm& arm) {
   if (arm.dof() == 7) return Configuration{{0, 0.3, 0, -1.6, 0, 1.2, 0.785}};
@@ -59,7 +59,7 @@ std::vector<MadeAlong> made_along(const std::string& name) {
 }
 
 TEST(Verify, PassesWhatMovesAlongEveryKindOfPath) {
-  for (const std::string name : arms) {
+  for (const std::string name : arm_names) {
     int number = 0;
     for (const auto& [arm, route, trajectory] : made_along(name)) {
       const Verification found = verify(arm, trajectory, route);

@@ -10,6 +10,7 @@
 #include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>
 
+#include <tests/degrees.h>
 #include <tests/random.h>
 #include <tests/refusal.h>
 
@@ -17,7 +18,7 @@ namespace beeline {
 namespace {
 
 using std::numbers::pi;
-constexpr double deg = pi / 180;
+using testing::deg;
 constexpr auto by_jacobian = CartesianMethod::inverse_jacobian;
 constexpr auto by_solutions = CartesianMethod::inverse_kinematics;
 

@@ -1,19 +1,19 @@
 #include <cmath>
 #include <gtest/gtest.h>
-#include <numbers>
 
 #include <beeline/control/joint.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/pose/se2.h>
 
+#include <tests/degrees.h>
 #include <tests/random.h>
 #include <tests/refusal.h>
 
 namespace beeline {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
+using testing::deg;
 
 bool says(const ControlledMotion& motion, const std::string& part) {
   return motion.reason.find(part) != std::string::npos;

@@ -15,7 +15,7 @@ namespace {
 
 using namespace internal;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 using testing::expect_no;
 using testing::expect_solved;

@@ -1,20 +1,20 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
-#include <numbers>
 
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/model/composite.h>
 #include <beeline/pose/se2.h>
 
+#include <tests/degrees.h>
 #include <tests/random_arm.h>
 #include <tests/refusal.h>
 
 namespace beeline {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
+using testing::deg;
 
 void expect_planar(const Arm& arm, const Configuration& q, const Pose2& expected,
                    double tolerance) {

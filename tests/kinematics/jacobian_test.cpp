@@ -9,14 +9,15 @@
 #include <beeline/model/composite.h>
 #include <beeline/pose/orientation.h>
 
+#include <tests/degrees.h>
 #include <tests/random_arm.h>
 #include <tests/refusal.h>
 
 namespace beeline {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double deg = pi / 180;
+using std::numbers::pi;
+using testing::deg;
 constexpr Frame frames[] = {Frame::base, Frame::tool, Frame::space};
 
 /// Column k by central differences of forward kinematics, from the definition of each frame.

@@ -16,7 +16,7 @@
 namespace beeline {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// The x and y rows of a planar 2R arm's Jacobian.

@@ -15,7 +15,7 @@
 namespace beeline {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// All 63 masks in both frames.
 std::vector<Task> all_tasks() {

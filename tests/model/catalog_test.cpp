@@ -6,14 +6,15 @@
 #include <beeline/model/catalog.h>
 #include <beeline/model/composite.h>
 
+#include <tests/degrees.h>
 #include <tests/random.h>
 #include <tests/refusal.h>
 
 namespace beeline {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double deg = pi / 180;
+using std::numbers::pi;
+using testing::deg;
 using Matrix4 = Eigen::Matrix4d;
 
 struct Row {

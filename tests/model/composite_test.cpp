@@ -13,7 +13,7 @@
 namespace beeline {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The motion of the composite's joints in their order.
 Pose motion(const std::vector<Joint>& joints, const std::vector<double>& q) {

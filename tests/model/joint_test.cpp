@@ -12,7 +12,7 @@
 namespace beeline {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr JointKind kinds[] = {JointKind::revolute, JointKind::prismatic, JointKind::helical};
 
 TEST(ScrewMotion, IsTheMatrixExponentialForEveryKindAndPlace) {

@@ -10,7 +10,7 @@
 namespace beeline {
 namespace {
 
-Joint turning(const std::string& name, Limits limits = {}) {
+Joint turning_joint(const std::string& name, Limits limits = {}) {
   Joint joint;
   joint.name = name;
   joint.screw = rotation_screw(Vector3::UnitZ());
@@ -19,15 +19,15 @@ Joint turning(const std::string& name, Limits limits = {}) {
 }
 
 Joint follower(const std::string& name, const Mimic& mimic, Limits limits = {}) {
-  Joint joint = turning(name, limits);
+  Joint joint = turning_joint(name, limits);
   joint.mimic = mimic;
   return joint;
 }
 
 TEST(Mimic, ChainsMultiplyTheirRatiosAndCarryTheirShiftsInAnyOrder) {
   // c = 2 b + 1 and b = -3 a + 0.5, so c = -6 a + 2; c comes first, its leader's leader last.
-  const Arm arm("arm", {follower("c", {"b", 2, 1}), turning("free"), follower("b", {"a", -3, 0.5}),
-                        turning("a")});
+  const Arm arm("arm", {follower("c", {"b", 2, 1}), turning_joint("free"),
+                        follower("b", {"a", -3, 0.5}), turning_joint("a")});
   EXPECT_EQ(arm.dof(), 2);
   EXPECT_EQ(arm.joint_names(), (std::vector<std::string>{"free", "a"}));
   const Arm::Drive& c = arm.drives()[0];
@@ -70,7 +70,7 @@ TEST(Mimic, LimitsOfLeadersAreTightenedToThoseOfFollowers) {
     const double kept = ratio * random.uniform(mine.lower, mine.upper) + shift;  // by both
     Limits its{kept - random.uniform(0.01, 2), kept + random.uniform(0.01, 2), 1.5, 1.5, 1.5};
     if (i % 3 == 0) its.lower = -Limits::none;
-    const Arm arm("arm", {turning("a", mine), follower("b", {"a", ratio, shift}, its)});
+    const Arm arm("arm", {turning_joint("a", mine), follower("b", {"a", ratio, shift}, its)});
     const Limits& both = arm.limits(0);
     for (const double q : {both.lower, both.upper}) {
       ASSERT_GE(q, mine.lower);
@@ -90,18 +90,18 @@ TEST(Mimic, LimitsOfLeadersAreTightenedToThoseOfFollowers) {
 
 TEST(Mimic, WithIncompatibleLimitsIsRefused) {
   const Limits narrow{.lower = 1, .upper = 2};
-  EXPECT_REFUSED(Arm("arm", {turning("a", narrow), follower("b", {"a", 1, 5}, narrow)}),
+  EXPECT_REFUSED(Arm("arm", {turning_joint("a", narrow), follower("b", {"a", 1, 5}, narrow)}),
                  "mimic joint b with its leader: lower limit");
-  EXPECT_REFUSED(Arm("arm", {turning("a"), follower("b", {"a", 0, 5}, narrow)}),
+  EXPECT_REFUSED(Arm("arm", {turning_joint("a"), follower("b", {"a", 0, 5}, narrow)}),
                  "mimic joint b is fixed at 5, outside its limits 1 to 2");
-  EXPECT_NO_THROW(Arm("arm", {turning("a"), follower("b", {"a", 0, 1.5}, narrow)}));
+  EXPECT_NO_THROW(Arm("arm", {turning_joint("a"), follower("b", {"a", 0, 1.5}, narrow)}));
 }
 
 TEST(Mimic, WithoutALeaderOrInACircleIsRefusedNamingTheCulprit) {
-  EXPECT_REFUSED(Arm("arm", {turning("elbow"), follower("b", {"elbw"})}),
+  EXPECT_REFUSED(Arm("arm", {turning_joint("elbow"), follower("b", {"elbw"})}),
                  "joint b mimics an unknown joint \"elbw\"; did you mean \"elbow\"?");
-  EXPECT_REFUSED(Arm("arm", {turning("a"), follower("b", {"b"})}), "joint b mimics itself");
-  EXPECT_REFUSED(Arm("arm", {turning("a"), follower("b", {"c"}), follower("c", {"b"})}),
+  EXPECT_REFUSED(Arm("arm", {turning_joint("a"), follower("b", {"b"})}), "joint b mimics itself");
+  EXPECT_REFUSED(Arm("arm", {turning_joint("a"), follower("b", {"c"}), follower("c", {"b"})}),
                  "joint b mimics itself through its leaders");
   EXPECT_REFUSED(Arm("arm", {follower("a", {"b"}), follower("b", {"c"}), follower("c", {"b"})}),
                  "through its leaders");
@@ -109,13 +109,13 @@ TEST(Mimic, WithoutALeaderOrInACircleIsRefusedNamingTheCulprit) {
 
 TEST(Mimic, WithNumbersThatAreNotFiniteIsRefusedAlsoWhenTheyArise) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_REFUSED(Arm("arm", {turning("a"), follower("b", {"a", nan, 0})}),
+  EXPECT_REFUSED(Arm("arm", {turning_joint("a"), follower("b", {"a", nan, 0})}),
                  "joint b: its mimic multiplier or offset");
-  EXPECT_REFUSED(Arm("arm", {turning("a"), follower("b", {"a", 1, -Limits::none})}),
+  EXPECT_REFUSED(Arm("arm", {turning_joint("a"), follower("b", {"a", 1, -Limits::none})}),
                  "joint b: its mimic multiplier or offset");
-  EXPECT_REFUSED(
-      Arm("arm", {turning("a"), follower("b", {"a", 1e200, 0}), follower("c", {"b", 1e200, 0})}),
-      "joint c: its mimic multiplier or offset is not finite");
+  EXPECT_REFUSED(Arm("arm", {turning_joint("a"), follower("b", {"a", 1e200, 0}),
+                             follower("c", {"b", 1e200, 0})}),
+                 "joint c: its mimic multiplier or offset is not finite");
 }
 
 TEST(Mimic, ALongChainOfLeadersIsResolvedInLinearTime) {
@@ -124,7 +124,7 @@ TEST(Mimic, ALongChainOfLeadersIsResolvedInLinearTime) {
   for (int i = 0; i < count; ++i) {
     joints.push_back(follower("j" + std::to_string(i), {"j" + std::to_string(i + 1), -1, 1}));
   }
-  joints.push_back(turning("j" + std::to_string(count)));
+  joints.push_back(turning_joint("j" + std::to_string(count)));
   const Arm arm("arm", joints);
   EXPECT_EQ(arm.dof(), 1);
   EXPECT_EQ(arm.drives()[0].ratio, 1) << "an even number of sign changes";

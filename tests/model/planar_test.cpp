@@ -12,7 +12,7 @@
 namespace beeline {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Arm chain(const std::string& letters, const Pose& tool = Pose::Identity(),
           const Pose& base = Pose::Identity(), double pitch = 0.1) {

@@ -12,6 +12,7 @@
 #include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>
 
+#include <tests/degrees.h>
 #include <tests/path/random_line.h>
 #include <tests/refusal.h>
 
@@ -19,7 +20,7 @@
 namespace beeline::testing {
 
 using std::numbers::pi;
-constexpr double deg = pi / 180;
+using testing::deg;
 
 inline Pose planar(double x, double y, double theta) { return to_space({x, y, theta}); }
 

@@ -9,7 +9,7 @@
 namespace beeline {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double any_magnitude(testing::Random& random) {
   return random.uniform(-1, 1) * std::pow(10, random.uniform(-300, 308));

@@ -10,7 +10,7 @@
 namespace beeline {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Pose2 random_pose(testing::Random& random) {
   return {random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-pi, pi)};
@@ -28,7 +28,7 @@ Twist in_space(const Twist2& twist) {
   return spatial;
 }
 
-Twist2 any_twist(testing::Random& random) {
+Twist2 any_planar_twist(testing::Random& random) {
   const double size = std::min(std::pow(10, random.uniform(-12, 0.5)), pi - 1e-9);
   const double far = pi - std::pow(10, random.uniform(-9, 0));
   const double sign = random.integer(0, 1) == 0 ? -1 : 1;
@@ -56,7 +56,7 @@ TEST(Se2, IsASubgroupOfSe3) {
     const Pose product = to_space(a) * to_space(b);
     ASSERT_LT((to_space(a * b).matrix() - product.matrix()).norm(), 3e-14);
     expect_same(to_plane(to_space(a, random.uniform(-1, 1))), a, 3e-15);
-    const Twist2 twist = any_twist(random);
+    const Twist2 twist = any_planar_twist(random);
     ASSERT_LT((to_space(se2_exp(twist)).matrix() - se3_exp(in_space(twist)).matrix()).norm(),
               2e-14);
   }
@@ -73,7 +73,7 @@ TEST(Se2Exp, EqualsItsPowerSeriesInExtendedPrecision) {
   testing::Random random;
   using LongMatrix = Eigen::Matrix<long double, 3, 3>;
   for (int i = 0; i < 3000; ++i) {
-    const Twist2 twist = any_twist(random);
+    const Twist2 twist = any_planar_twist(random);
     LongMatrix xi;
     xi << 0, -twist.z(), twist.x(), twist.z(), 0, twist.y(), 0, 0, 0;
     LongMatrix term = LongMatrix::Identity(), sum = term;
@@ -91,7 +91,7 @@ TEST(Se2Exp, EqualsItsPowerSeriesInExtendedPrecision) {
 TEST(Se2Log, IsTheInverseOfExpUpToAlmostPi) {
   testing::Random random;
   for (int i = 0; i < 10000; ++i) {
-    const Twist2 twist = any_twist(random);
+    const Twist2 twist = any_planar_twist(random);
     const Twist2 back = se2_log(se2_exp(twist));
     ASSERT_LT((back - twist).head<2>().norm(), 3e-14) << twist.transpose();
     ASSERT_EQ(back.z(), twist.z());

@@ -10,16 +10,16 @@
 namespace beeline {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using Matrix4 = Eigen::Matrix4d;
-using LongMatrix = Eigen::Matrix<long double, 4, 4>;
+using LongMatrix4 = Eigen::Matrix<long double, 4, 4>;
 
 /// exp as its power series, in extended precision.
 Matrix4 exp_series(const Twist& twist) {
-  LongMatrix xi = LongMatrix::Zero();
+  LongMatrix4 xi = LongMatrix4::Zero();
   xi.topLeftCorner<3, 3>() = hat(twist.tail<3>()).cast<long double>();
   xi.topRightCorner<3, 1>() = twist.head<3>().cast<long double>();
-  LongMatrix term = LongMatrix::Identity(), sum = term;
+  LongMatrix4 term = LongMatrix4::Identity(), sum = term;
   for (int k = 1; k < 60; ++k) {
     term = term * xi / k;
     sum += term;

@@ -11,13 +11,13 @@
 namespace beeline {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-using LongMatrix = Eigen::Matrix<long double, 3, 3>;
+using std::numbers::pi;
+using LongMatrix3 = Eigen::Matrix<long double, 3, 3>;
 
 /// exp as its power series, in extended precision.
 Rotation exp_series(const Vector3& w) {
-  const LongMatrix w_hat = hat(w).cast<long double>();
-  LongMatrix term = LongMatrix::Identity(), sum = term;
+  const LongMatrix3 w_hat = hat(w).cast<long double>();
+  LongMatrix3 term = LongMatrix3::Identity(), sum = term;
   for (int k = 1; k < 60; ++k) {
     term = term * w_hat / k;
     sum += term;

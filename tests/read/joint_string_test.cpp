@@ -12,7 +12,7 @@
 namespace beeline {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void expect_same_joints(const Arm& a, const Arm& b) {
   ASSERT_EQ(a.joints().size(), b.joints().size());

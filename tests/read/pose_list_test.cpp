@@ -12,7 +12,7 @@
 namespace beeline {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::string row(const std::vector<double>& values) {
   std::string text;

@@ -18,7 +18,7 @@ using testing::holds;
 using testing::Random;
 using Family = PieperLoop::Family;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Joint types with a prismatic joint d or f (see PieperLoop); d follows the three special axes,
 /// which start at `first`.

@@ -17,7 +17,7 @@ using testing::largest;
 using testing::Random;
 using Family = PieperLoop::Family;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const Task rolling = task_named("111110:tool");
 

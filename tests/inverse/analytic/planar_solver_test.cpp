@@ -18,7 +18,7 @@ namespace {
 
 using namespace internal;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double largest(const Deviation& error) { return std::max(error.position, error.orientation); }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <vector>
 
 #include <beeline/error.h>
@@ -19,7 +20,7 @@ namespace {
 
 using testing::Random;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 using Columns = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 using Rows = std::array<std::array<double, 3>, 6>;  // a, alpha, d, standard
 

@@ -12,7 +12,7 @@ namespace {
 
 using namespace internal;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Joint follower(const Joint& like, const std::string& name, const std::string& leader,
                double ratio) {
