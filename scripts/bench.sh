@@ -2,7 +2,7 @@
 # Beeline beside others on the same poses, one pinned thread: prints tables in Markdown and writes
 # build/bench/results.json. Peers that cannot be had are left out and said to be.
 # Then looks for solutions that Beeline missed and for wrong ones; fails if there are any.
-# BENCH_COUNT (poses an arm), BENCH_PASSES, BENCH_CORE, BENCH_ARMS, BENCH_COMPLETE (poses an arm),
+# BENCH_COUNT (poses an arm), BENCH_PASSES (rounds), BENCH_CORE, BENCH_ARMS, BENCH_COMPLETE (poses an arm),
 # BENCH_HONEST (poses in all) and BENCH_STEPS (of the servo) change what is run.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -11,16 +11,21 @@ count=${BENCH_COUNT:-10000}
 passes=${BENCH_PASSES:-3}
 read -ra arms <<<"${BENCH_ARMS:-puma560 ur5 stanford general_6r panda iiwa14 panda_q7 iiwa14_q7}"
 
-# Arm by arm, so that what disturbs the machine meets Beeline and its peers alike.
+# Round by round and arm by arm, so that what disturbs the machine meets Beeline and its peers alike,
+# and shows as spread.
 rm -f "$folder"/*/*.jsonl
-for arm in "${arms[@]}"; do
-  "$folder/bench_inverse" "$arm" --count "$count" --passes "$passes" --folder "$folder" >&2
-  .venv-bench/bin/python -B bench/inverse/peers.py "$folder/$arm" --passes "$passes" >&2
+for ((round = 1; round <= passes; ++round)); do
+  for arm in "${arms[@]}"; do
+    "$folder/bench_inverse" "$arm" --count "$count" --passes 1 --folder "$folder" >&2
+    .venv-bench/bin/python -B bench/inverse/peers.py "$folder/$arm" --passes 1 >&2
+    mv "$folder/$arm/native.jsonl" "$folder/$arm/native.$round.jsonl"
+    mv "$folder/$arm/peers.jsonl" "$folder/$arm/peers.$round.jsonl"
+  done
 done
 
 model=$(sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo | head -n 1)
 echo "Machine: ${model:-unknown processor}, $(nproc) cores, $(uname -sm), $("${CXX:-c++}" --version | head -n 1)," \
-  "$(.venv-bench/bin/python --version); one pinned thread, $count poses an arm, median of $passes passes"
+  "$(.venv-bench/bin/python --version); one pinned thread, $count poses an arm, median of $passes rounds"
 .venv-bench/bin/python -B bench/inverse/table.py "$folder"
 
 status=0

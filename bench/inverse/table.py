@@ -3,7 +3,9 @@
 Usage: table.py FOLDER, with a folder an arm"""
 
 import json
+import statistics
 import sys
+from collections import defaultdict
 from pathlib import Path
 
 ARMS = ["puma560", "ur5", "stanford", "general_6r", "panda", "iiwa14", "panda_q7", "iiwa14_q7"]
@@ -29,17 +31,27 @@ HEAD = f"| {' | '.join(COLUMNS)} |\n|{'---|' * len(COLUMNS)}"
 
 
 def load(folder):
-    records, left_out = [], {}
+    """The records of all rounds, those of one arm, case and solver merged."""
+    rounds, left_out = defaultdict(list), {}
     for arm in ARMS:
-        for name in ("native.jsonl", "peers.jsonl"):
-            path = folder / arm / name
-            for line in path.read_text().splitlines() if path.exists() else []:
+        for path in [*sorted((folder / arm).glob("native.*.jsonl")),
+                     *sorted((folder / arm).glob("peers.*.jsonl"))]:
+            for line in path.read_text().splitlines():
                 record = json.loads(line)
                 if "left_out" in record:
                     left_out[record["left_out"]] = record["why"]
                 else:
-                    records.append(record)
-    return records, left_out
+                    rounds[arm, record["case"], record["solver"]].append(record)
+    return [merged(records) for records in rounds.values()], left_out
+
+
+def merged(records):
+    """Medians over the rounds; `spread` is the range of the mean's, over its median."""
+    times = {key: statistics.median(record[key] for record in records)
+             for key in records[0] if key.endswith("_us")}
+    means = [inside(record) for record in records]
+    median = max(statistics.median(means), 1e-9)
+    return {**records[0], **times, "spread": (max(means) - min(means)) / median}
 
 
 def microseconds(value):
@@ -77,6 +89,7 @@ def result(case, record, ours):
             "beeline_p999_ns": 1000 * ours["p999_us"], "beeline_solved": ours["solved"],
             "beeline_solutions": ours["solutions"], "beeline_wrong": ours["wrong"],
             "beeline_worst_error": ours["worst_error"], "peer": record["solver"],
+            "spread": ours["spread"] + record["spread"],
             "peer_ns": 1000 * record["mean_us"], "peer_inside_ns": 1000 * inside(record),
             "ratio": ours["mean_us"] / record["mean_us"],
             "ratio_inside": ours["mean_us"] / max(inside(record), 1e-9),
