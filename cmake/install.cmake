@@ -22,6 +22,10 @@ install(FILES
   ${PROJECT_BINARY_DIR}/package/beeline-config-version.cmake
   DESTINATION ${package_dir})
 
+install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES docs/arm.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/beeline)
+
 # The manual page and the shell completions: the command prints them itself.
 set(printed ${PROJECT_BINARY_DIR}/package)
 install(CODE "

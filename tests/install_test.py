@@ -71,14 +71,31 @@ def test_an_unknown_component_is_refused(prefix, tmp_path):
     assert "beeline has no component 'legs': core, batch, read, draw" in done.stderr
 
 
-def test_every_header_but_the_kernels_is_installed(prefix, root):
-    """-inl.h is for Highway to compile once for each kind of machine, and nothing to others."""
+def test_every_public_header_is_installed(prefix, root):
+    """Not those of folders internal/, nor -inl.h, which Highway compiles once for each instruction set."""
+    private = re.compile(r"-inl\.h$|/internal/|beeline/math/|/inverse/(analytic|numerical)/")
     headers = {path.relative_to(root) for path in (root / "beeline").rglob("*.h")}
     installed = {path.relative_to(prefix / "include") for path in prefix.rglob("*.h")}
-    assert installed == {path for path in headers if not path.name.endswith("-inl.h")}
+    assert installed == {path for path in headers if not private.search(path.as_posix())}
 
 
 def test_what_an_installed_header_includes_is_installed(prefix):
     for header in prefix.rglob("*.h"):
         for name in re.findall(r"#include <(beeline/[^>]*)>", header.read_text()):
             assert (prefix / "include" / name).is_file(), f"{header.name} includes {name}"
+
+
+@pytest.mark.parametrize(
+    "name, word",
+    [
+        ("doc/beeline/LICENSE", "Copyright"),
+        ("doc/beeline/examples/00_ten_lines.cpp", "beeline"),
+        ("beeline/arm.schema.json", "$schema"),
+        ("bash-completion/completions/beeline", "retime"),
+        ("zsh/site-functions/_beeline", "retime"),
+        ("fish/vendor_completions.d/beeline.fish", "retime"),
+        ("man/man1/beeline.1", "retime"),
+    ],
+)
+def test_documents_and_completions_are_installed(prefix, name, word):
+    assert word in (prefix / "share" / name).read_text()
