@@ -11,7 +11,7 @@
 namespace beeline {
 namespace {
 
-constexpr double dt = 1e-3;
+constexpr double period = 1e-3;
 
 /// A recording within the panda's limits, through a few random configurations.
 Trajectory recording(testing::Random& random, const Arm& arm) {
@@ -40,13 +40,13 @@ Played play(Player& player, const Arm& arm, Speed&& speed_at, int max_steps = 10
     played.v.push_back(command.velocity);
   }
   for (std::size_t k = 2; k < played.q.size(); ++k) {
-    const Configuration v = (played.q[k] - played.q[k - 1]) / dt;
-    const Configuration before = (played.q[k - 1] - played.q[k - 2]) / dt;
+    const Configuration v = (played.q[k] - played.q[k - 1]) / period;
+    const Configuration before = (played.q[k - 1] - played.q[k - 2]) / period;
     for (int i = 0; i < arm.dof(); ++i) {
       const Limits& limits = arm.limits(i);
       played.largest_velocity = std::max(played.largest_velocity, std::abs(v[i]) / limits.velocity);
-      played.largest_acceleration = std::max(played.largest_acceleration,
-                                             std::abs(v[i] - before[i]) / dt / limits.acceleration);
+      played.largest_acceleration = std::max(
+          played.largest_acceleration, std::abs(v[i] - before[i]) / period / limits.acceleration);
     }
   }
   return played;
@@ -58,7 +58,7 @@ TEST(Player, LeadsInAndPlaysToTheEnd) {
   for (int i = 0; i < 5; ++i) {
     const Trajectory path = recording(random, arm);
     const Configuration start = 0.5 * (random.configuration(arm) + middle_configuration(arm));
-    Player player(arm, path, start, {.time_step = dt});
+    Player player(arm, path, start, {.time_step = period});
     EXPECT_TRUE(player.leading_in());
     const Played played = play(player, arm, [](int) { return 1.0; });
     EXPECT_TRUE(player.done());
@@ -74,9 +74,9 @@ TEST(Player, PausesAndContinuesOnThePath) {
   testing::Random random;
   const Arm arm = built_in("panda");
   const Trajectory path = recording(random, arm);
-  Player steady(arm, path, path.positions.front(), {.time_step = dt});
+  Player steady(arm, path, path.positions.front(), {.time_step = period});
   const Played whole = play(steady, arm, [](int) { return 1.0; });
-  Player paused(arm, path, path.positions.front(), {.time_step = dt, .ramp = 0.2});
+  Player paused(arm, path, path.positions.front(), {.time_step = period, .ramp = 0.2});
   const Played stops = play(paused, arm, [](int step) { return step / 700 % 2 == 0 ? 0.6 : 0.0; });
   EXPECT_TRUE(paused.done());
   EXPECT_GT(stops.q.size(), 1.5 * static_cast<double>(whole.q.size()));
@@ -96,12 +96,12 @@ TEST(Player, ChangesItsSpeedLinearly) {
   testing::Random random;
   const Arm arm = built_in("panda");
   const Trajectory path = recording(random, arm);
-  Player player(arm, path, path.positions.front(), {.time_step = dt, .ramp = 0.5});
+  Player player(arm, path, path.positions.front(), {.time_step = period, .ramp = 0.5});
   double before = player.speed();
   for (int i = 0; i < 3000 && !player.done(); ++i) {
     player.set_speed(random.uniform(0, 1));
     player.step();
-    ASSERT_LE(std::abs(player.speed() - before), dt / 0.5 + 1e-12);
+    ASSERT_LE(std::abs(player.speed() - before), period / 0.5 + 1e-12);
     before = player.speed();
   }
 }
@@ -110,7 +110,7 @@ TEST(Player, ReportsTheTrackingError) {
   const Arm arm = built_in("panda");
   testing::Random random;
   const Trajectory path = recording(random, arm);
-  Player player(arm, path, path.positions.front(), {.time_step = dt});
+  Player player(arm, path, path.positions.front(), {.time_step = period});
   for (int i = 0; i < 100; ++i) {
     Configuration q = player.step().q;
     q[2] += i % 2 == 0 ? 0.01 : -0.03;
@@ -127,7 +127,7 @@ TEST(Player, CopiesContinueIndependentlyAndMovesKeepTheState) {
   testing::Random random;
   const Arm arm = built_in("panda");
   const Trajectory path = recording(random, arm);
-  Player player(arm, path, path.positions.front(), {.time_step = dt});
+  Player player(arm, path, path.positions.front(), {.time_step = period});
   for (int i = 0; i < 100; ++i) player.step();
   Player copy = player;
   const Command next = player.step();
@@ -162,12 +162,12 @@ TEST(Player, PausesDuringTheLeadInWithContinuousVelocity) {
   testing::Random random;
   const Trajectory path = recording(random, arm);
   const Configuration start = 0.5 * (random.configuration(arm) + middle_configuration(arm));
-  Player player(arm, path, start, {.time_step = dt});
+  Player player(arm, path, start, {.time_step = period});
   Configuration before = start;
   for (int i = 0; i < 600 && player.leading_in(); ++i) {
     player.set_speed(i / 100 % 2 == 0 ? 1 : 0);
     const Command& command = player.step();
-    const Configuration v = (command.q - before) / dt;
+    const Configuration v = (command.q - before) / period;
     ASSERT_LT((v - command.velocity).lpNorm<Eigen::Infinity>(), 0.02) << "step " << i;
     before = command.q;
   }

@@ -12,7 +12,7 @@
 namespace beeline {
 namespace {
 
-Arm parse(const std::string& text) { return arm_from_json(text, "a.json"); }
+Arm parse_arm(const std::string& text) { return arm_from_json(text, "a.json"); }
 
 void expect_same(const Arm& a, const Arm& b) {
   EXPECT_EQ(a.name(), b.name());
@@ -58,10 +58,10 @@ TEST(ArmJson, AnyArmReadsBackToTheLastBit) {
   testing::Random random;
   for (int i = 0; i < 500; ++i) {
     const Arm arm = adorned_arm(random);
-    expect_same(parse(arm_to_json(arm)), arm);
+    expect_same(parse_arm(arm_to_json(arm)), arm);
   }
   for (const std::string& name : built_in_names()) {
-    expect_same(parse(arm_to_json(built_in(name))), built_in(name));
+    expect_same(parse_arm(arm_to_json(built_in(name))), built_in(name));
   }
 }
 
@@ -75,14 +75,14 @@ TEST(ArmJson, UnknownLimitsAreLeftOut) {
 }
 
 TEST(ArmJson, JointsDefaultToTurningAboutZ) {
-  const Arm arm = parse(R"({"name": "a", "joints": [{"name": "j", "type": "revolute"}]})");
+  const Arm arm = parse_arm(R"({"name": "a", "joints": [{"name": "j", "type": "revolute"}]})");
   EXPECT_EQ(arm.joints()[0].screw, rotation_screw(Vector3::UnitZ()));
   EXPECT_EQ(arm.joints()[0].offset.matrix(), Pose::Identity().matrix());
   EXPECT_EQ(arm.limits(0).upper, Limits::none);
 }
 
 TEST(ArmJson, EveryKeyIsHeard) {
-  const Arm arm = parse(R"({
+  const Arm arm = parse_arm(R"({
     "name": "arm", "base": {"xyz": [0, 0, 1]}, "tool": {"xyz": [0.1, 0, 0]},
     "joints": [
       {"name": "turn", "type": "revolute", "origin": {"xyz": [1, 0, 0]}, "axis": [0, 2, 0],
@@ -103,7 +103,7 @@ TEST(ArmJson, EveryKeyIsHeard) {
 }
 
 TEST(ArmJson, CompositesExpand) {
-  const Arm arm = parse(R"({"name": "a", "joints": [
+  const Arm arm = parse_arm(R"({"name": "a", "joints": [
     {"name": "j", "type": "revolute"},
     {"name": "wrist", "type": "spherical", "origin": {"xyz": [1, 0, 0]}, "link": "hand"},
     {"name": "c", "type": "cylindrical"}, {"name": "e", "type": "planar"},
@@ -117,11 +117,11 @@ TEST(ArmJson, CompositesExpand) {
 
 TEST(ArmJson, JointStringsAndDhTablesDescribeArmsToo) {
   const Arm rrr =
-      parse(R"({"name": "r", "joint_string": "RRR:3.5,3.5,2", "tool": {"xyz": [1,0,0]}})");
+      parse_arm(R"({"name": "r", "joint_string": "RRR:3.5,3.5,2", "tool": {"xyz": [1,0,0]}})");
   EXPECT_EQ(rrr.joints().size(), 3u);
   EXPECT_EQ(rrr.name(), "r");
   EXPECT_EQ(forward_kinematics(rrr, Configuration::Zero(3)).translation(), Vector3(10, 0, 0));
-  const Arm ur5 = parse(R"({"name": "ur5", "dh": {"convention": "standard", "rows": [
+  const Arm ur5 = parse_arm(R"({"name": "ur5", "dh": {"convention": "standard", "rows": [
     {"d": 0.089159, "alpha": 1.5707963267948966}, {"a": -0.425}, {"a": -0.39225},
     {"d": 0.10915, "alpha": 1.5707963267948966}, {"d": 0.09465, "alpha": -1.5707963267948966},
     {"d": 0.0823, "limits": {"lower": -1, "upper": 1}}]}})");
@@ -132,7 +132,7 @@ TEST(ArmJson, JointStringsAndDhTablesDescribeArmsToo) {
     EXPECT_EQ(ur5.joints()[i].name, expected.joints()[i].name);
   }
   EXPECT_EQ(ur5.limits(5).upper, 1);
-  const Arm slide = parse(R"({"name": "a", "dh": {"convention": "modified", "rows": [
+  const Arm slide = parse_arm(R"({"name": "a", "dh": {"convention": "modified", "rows": [
     {"name": "q", "type": "prismatic", "a": 1, "theta": 0.5}]}})");
   EXPECT_EQ(kind(slide.joints()[0]), JointKind::prismatic);
   EXPECT_EQ(slide.joints()[0].name, "q");
@@ -145,43 +145,45 @@ std::string with_joint(const std::string& joint) {
 }
 
 TEST(ArmJson, MistakesInJointsAreNamed) {
-  EXPECT_REFUSED(parse(with_joint(R"({"type": "revolute"})")),
+  EXPECT_REFUSED(parse_arm(with_joint(R"({"type": "revolute"})")),
                  "a.json:2: joints[1] needs the key \"name\"");
-  EXPECT_REFUSED(parse(with_joint(R"({"name": "j"})")), "joints[1] needs the key \"type\"");
-  EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "revolut"})")),
+  EXPECT_REFUSED(parse_arm(with_joint(R"({"name": "j"})")), "joints[1] needs the key \"type\"");
+  EXPECT_REFUSED(parse_arm(with_joint(R"({"name": "j", "type": "revolut"})")),
                  "joints[1].type is an unknown joint type \"revolut\"; did you mean \"revolute\"?");
-  EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "revolute", "axes": [0,0,1]})")),
+  EXPECT_REFUSED(parse_arm(with_joint(R"({"name": "j", "type": "revolute", "axes": [0,0,1]})")),
                  "a.json:2: joints[1]: unknown key \"axes\"; did you mean \"axis\"? (known: name,");
-  EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "revolute", "axis": [0,0,0]})")),
+  EXPECT_REFUSED(parse_arm(with_joint(R"({"name": "j", "type": "revolute", "axis": [0,0,0]})")),
                  "joints[1] is not a screw axis: axis 0 0 0 has no direction");
-  EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "revolute", "pitch": 1})")),
+  EXPECT_REFUSED(parse_arm(with_joint(R"({"name": "j", "type": "revolute", "pitch": 1})")),
                  "has a pitch; only a helical joint has one");
-  EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "helical"})")),
+  EXPECT_REFUSED(parse_arm(with_joint(R"({"name": "j", "type": "helical"})")),
                  "is helical and needs the key \"pitch\"");
-  EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "helical", "pitch": 0})")),
+  EXPECT_REFUSED(parse_arm(with_joint(R"({"name": "j", "type": "helical", "pitch": 0})")),
                  "joints[1].type contradicts the joint's screw, which is revolute");
-  EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "prismatic", "point": [0,0,0]})")),
+  EXPECT_REFUSED(parse_arm(with_joint(R"({"name": "j", "type": "prismatic", "point": [0,0,0]})")),
                  "has a point; a prismatic joint has an axis only");
-  EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "revolute", "screw": [0,0,0,0,0,2]})")),
-                 "joints[1].screw must have an axis of length 1, not 2");
   EXPECT_REFUSED(
-      parse(with_joint(
+      parse_arm(with_joint(R"({"name": "j", "type": "revolute", "screw": [0,0,0,0,0,2]})")),
+      "joints[1].screw must have an axis of length 1, not 2");
+  EXPECT_REFUSED(
+      parse_arm(with_joint(
           R"({"name": "j", "type": "revolute", "screw": [0,0,0,0,0,1], "axis": [0,0,1]})")),
       "has both screw and axis");
-  EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "revolute", "screw": [1,0,0,0,0,0]})")),
-                 "the joint's screw, which is prismatic");
-  EXPECT_REFUSED(parse(with_joint(R"({"name": "j", "type": "spherical", "limits": {}})")),
+  EXPECT_REFUSED(
+      parse_arm(with_joint(R"({"name": "j", "type": "revolute", "screw": [1,0,0,0,0,0]})")),
+      "the joint's screw, which is prismatic");
+  EXPECT_REFUSED(parse_arm(with_joint(R"({"name": "j", "type": "spherical", "limits": {}})")),
                  "joints[1].limits is not for composite joints");
-  EXPECT_REFUSED(parse(with_joint(R"({"name": "k", "type": "revolute"})")),
+  EXPECT_REFUSED(parse_arm(with_joint(R"({"name": "k", "type": "revolute"})")),
                  "a.json: two joints are called k");
-  EXPECT_REFUSED(parse(with_joint(R"({"name": "a\nb", "type": "revolute"})")),
+  EXPECT_REFUSED(parse_arm(with_joint(R"({"name": "a\nb", "type": "revolute"})")),
                  "joints[1].name is refused: the name \"a?b\" contains a control character");
-  EXPECT_REFUSED(parse(with_joint("3")), "joints[1] must be an object, not a number");
+  EXPECT_REFUSED(parse_arm(with_joint("3")), "joints[1] must be an object, not a number");
 }
 
 TEST(ArmJson, MistakesInLimitsAndMimicsAreNamed) {
   const auto limited = [](const std::string& limits) {
-    return parse(with_joint(R"({"name": "j", "type": "revolute", "limits": )" + limits + "}"));
+    return parse_arm(with_joint(R"({"name": "j", "type": "revolute", "limits": )" + limits + "}"));
   };
   EXPECT_REFUSED(limited(R"({"lower": 1, "upper": -1})"),
                  "joints[1].limits are inconsistent: lower 1 exceeds upper -1");
@@ -191,7 +193,7 @@ TEST(ArmJson, MistakesInLimitsAndMimicsAreNamed) {
   EXPECT_REFUSED(limited(R"({"jerk": -1})"), "joints[1].limits.jerk must be at least 1e-09");
   EXPECT_REFUSED(limited(R"({"acceleration": 1e-310})"), "joints[1].limits.acceleration must be");
   const auto mimicking = [](const std::string& mimic) {
-    return parse(with_joint(R"({"name": "j", "type": "revolute", "mimic": )" + mimic + "}"));
+    return parse_arm(with_joint(R"({"name": "j", "type": "revolute", "mimic": )" + mimic + "}"));
   };
   EXPECT_REFUSED(mimicking(R"({"joint": "x"})"), "a.json: joint j mimics an unknown joint \"x\"");
   EXPECT_REFUSED(mimicking(R"({"joint": "j"})"), "joint j mimics itself through its leaders");
@@ -199,34 +201,37 @@ TEST(ArmJson, MistakesInLimitsAndMimicsAreNamed) {
 }
 
 TEST(ArmJson, MistakesInTheWholeAreNamed) {
-  EXPECT_REFUSED(parse("[]"), "the document must be an object, not a list");
-  EXPECT_REFUSED(parse(R"({"joints": []})"), "the document needs the key \"name\"");
-  EXPECT_REFUSED(parse(R"({"name": "a"})"),
+  EXPECT_REFUSED(parse_arm("[]"), "the document must be an object, not a list");
+  EXPECT_REFUSED(parse_arm(R"({"joints": []})"), "the document needs the key \"name\"");
+  EXPECT_REFUSED(parse_arm(R"({"name": "a"})"),
                  "needs exactly one of the keys joints, joint_string, dh; it has none");
-  EXPECT_REFUSED(parse(R"({"name": "a", "joints": [], "dh": {}})"), "it has joints, dh");
-  EXPECT_REFUSED(parse(R"({"name": "a", "joints": []})"), "a.json: arm a has no joints");
-  EXPECT_REFUSED(parse(R"({"name": "", "joint_string": "R"})"), "the arm's name is empty");
-  EXPECT_REFUSED(parse(R"({"name": "a", "joint": []})"),
+  EXPECT_REFUSED(parse_arm(R"({"name": "a", "joints": [], "dh": {}})"), "it has joints, dh");
+  EXPECT_REFUSED(parse_arm(R"({"name": "a", "joints": []})"), "a.json: arm a has no joints");
+  EXPECT_REFUSED(parse_arm(R"({"name": "", "joint_string": "R"})"), "the arm's name is empty");
+  EXPECT_REFUSED(parse_arm(R"({"name": "a", "joint": []})"),
                  "a.json:1: unknown key \"joint\"; did you mean \"joints\"?");
-  EXPECT_REFUSED(parse(R"({"name": "a", "joint_string": "RR:1"})"),
+  EXPECT_REFUSED(parse_arm(R"({"name": "a", "joint_string": "RR:1"})"),
                  "joint_string is not readable: joint string RR has 2 letters but 1 items");
-  EXPECT_REFUSED(parse(R"({"name": "a", "base": {"xyz": [0]}, "joint_string": "R"})"), "base.xyz");
-  EXPECT_REFUSED(parse("{\"name\": \"a\",\n\"joints\": [}"), "a.json:2: is not JSON");
+  EXPECT_REFUSED(parse_arm(R"({"name": "a", "base": {"xyz": [0]}, "joint_string": "R"})"),
+                 "base.xyz");
+  EXPECT_REFUSED(parse_arm("{\"name\": \"a\",\n\"joints\": [}"), "a.json:2: is not JSON");
   std::string many = R"({"name": "a", "dh": {"convention": "standard", "rows": [{})";
   for (int i = 0; i < 10000; ++i) many += ",{}";
-  EXPECT_REFUSED(parse(many + "]}}"), "has 10001 joints; at most 10000 are accepted");
+  EXPECT_REFUSED(parse_arm(many + "]}}"), "has 10001 joints; at most 10000 are accepted");
 }
 
 TEST(ArmJson, DhTablesMustSayTheirConvention) {
-  EXPECT_REFUSED(parse(R"({"name": "a", "dh": {"rows": [{}]}})"),
+  EXPECT_REFUSED(parse_arm(R"({"name": "a", "dh": {"rows": [{}]}})"),
                  "dh needs the key \"convention\": it must say standard or modified, because the "
                  "numbers do not determine which");
-  EXPECT_REFUSED(parse(R"({"name": "a", "dh": {"convention": "craig", "rows": [{}]}})"),
+  EXPECT_REFUSED(parse_arm(R"({"name": "a", "dh": {"convention": "craig", "rows": [{}]}})"),
                  "dh.convention must be standard or modified");
-  EXPECT_REFUSED(parse(R"({"name": "a", "dh": {"convention": "standard", "rows": [{"b": 1}]}})"),
-                 "dh.rows[0]: unknown key \"b\"");
   EXPECT_REFUSED(
-      parse(R"({"name": "a", "dh": {"convention": "standard", "rows": [{"type": "helical"}]}})"),
+      parse_arm(R"({"name": "a", "dh": {"convention": "standard", "rows": [{"b": 1}]}})"),
+      "dh.rows[0]: unknown key \"b\"");
+  EXPECT_REFUSED(
+      parse_arm(
+          R"({"name": "a", "dh": {"convention": "standard", "rows": [{"type": "helical"}]}})"),
       "dh.rows[0].type must be revolute or prismatic in a DH table");
 }
 

@@ -17,7 +17,7 @@ using testing::joint;
 using testing::link;
 using testing::robot;
 
-Arm parse(const std::string& text, const ChainEnds& ends = {}) {
+Arm parse_urdf(const std::string& text, const ChainEnds& ends = {}) {
   return arm_from_urdf(text, "a.urdf", ends);
 }
 
@@ -31,7 +31,7 @@ Pose turn(double angle, const Vector3& axis) { return Pose(Eigen::AngleAxisd(ang
 Pose shift(double x, double y, double z) { return make_pose({x, y, z}); }
 
 TEST(Urdf, TheToolGoesWhereTheFileSays) {
-  const Arm arm = parse(testing::whole_urdf, {.base = "", .tip = "left"});
+  const Arm arm = parse_urdf(testing::whole_urdf, {.base = "", .tip = "left"});
   EXPECT_EQ(arm.name(), "small arm");
   EXPECT_EQ(arm.joint_names(), (std::vector<std::string>{"pan", "lift", "left_finger"}));
   testing::Random random;
@@ -46,7 +46,7 @@ TEST(Urdf, TheToolGoesWhereTheFileSays) {
 }
 
 TEST(Urdf, LimitsAreRead) {
-  const Arm arm = parse(testing::whole_urdf, {.base = "", .tip = "left"});
+  const Arm arm = parse_urdf(testing::whole_urdf, {.base = "", .tip = "left"});
   EXPECT_EQ(arm.limits(0).lower, -Limits::none);
   EXPECT_EQ(arm.limits(0).upper, Limits::none);
   EXPECT_EQ(arm.limits(0).velocity, 3);
@@ -58,17 +58,17 @@ TEST(Urdf, LimitsAreRead) {
 }
 
 TEST(Urdf, MissingPartsHaveTheFormatsDefaults) {
-  const Arm bare = parse(single("revolute"));
+  const Arm bare = parse_urdf(single("revolute"));
   EXPECT_EQ(bare.joints()[0].screw, rotation_screw(Vector3::UnitX()));
   EXPECT_EQ(bare.joints()[0].offset.matrix(), Pose::Identity().matrix());
   EXPECT_EQ(bare.limits(0).upper, Limits::none);
   EXPECT_EQ(bare.joints()[0].link, "b");
-  const Arm slide = parse(single("prismatic", "<axis/><limit velocity=\"-1\" upper=\"2\"/>"));
+  const Arm slide = parse_urdf(single("prismatic", "<axis/><limit velocity=\"-1\" upper=\"2\"/>"));
   EXPECT_EQ(slide.joints()[0].screw, translation_screw(Vector3::UnitX()));
   EXPECT_EQ(slide.limits(0).lower, 0);
   EXPECT_EQ(slide.limits(0).upper, 2);
   EXPECT_EQ(slide.limits(0).velocity, Limits::none);
-  const Arm still = parse(single("revolute", "<limit effort=\"1\" velocity=\"1\"/>"));
+  const Arm still = parse_urdf(single("revolute", "<limit effort=\"1\" velocity=\"1\"/>"));
   EXPECT_EQ(still.limits(0).lower, 0);
   EXPECT_EQ(still.limits(0).upper, 0);
 }
@@ -80,10 +80,10 @@ TEST(Urdf, ARobotWithoutANameIsCalledLikeItsFile) {
 }
 
 TEST(Urdf, TrailingFixedJointsAreTheTool) {
-  const Arm arm = parse(robot(link("a") + link("b") + link("c") + link("d") +
-                              joint("f", "fixed", "a", "b", "<origin xyz=\"1 0 0\"/>") +
-                              joint("j", "revolute", "b", "c", "<origin xyz=\"0 1 0\"/>") +
-                              joint("t", "fixed", "c", "d", "<origin xyz=\"0 0 1\"/>")));
+  const Arm arm = parse_urdf(robot(link("a") + link("b") + link("c") + link("d") +
+                                   joint("f", "fixed", "a", "b", "<origin xyz=\"1 0 0\"/>") +
+                                   joint("j", "revolute", "b", "c", "<origin xyz=\"0 1 0\"/>") +
+                                   joint("t", "fixed", "c", "d", "<origin xyz=\"0 0 1\"/>")));
   EXPECT_EQ(arm.joints()[0].offset.translation(), Vector3(1, 1, 0));
   EXPECT_EQ(arm.tool().translation(), Vector3(0, 0, 1));
   EXPECT_EQ(arm.joints()[0].link, "c");
@@ -95,22 +95,22 @@ TEST(Urdf, FollowersFollowWithinTheChainAndAreFreeOutside) {
             joint("follow", "revolute", "b", "c",
                   "<mimic joint=\"lead\" multiplier=\"-2\" offset=\"0.5\"/>") +
             joint("lost", "revolute", "b", "d", "<mimic joint=\"follow\"/>"));
-  const Arm inside = parse(text, {.base = "", .tip = "c"});
+  const Arm inside = parse_urdf(text, {.base = "", .tip = "c"});
   EXPECT_EQ(inside.dof(), 1);
   ASSERT_TRUE(inside.joints()[1].mimic.has_value());
   EXPECT_EQ(inside.drives()[1].ratio, -2);
   EXPECT_EQ(inside.drives()[1].shift, 0.5);
-  EXPECT_EQ(parse(text, {.base = "", .tip = "d"}).dof(), 2);
-  EXPECT_EQ(parse(text, {.base = "b", .tip = "c"}).dof(), 1);
-  EXPECT_EQ(parse(testing::whole_urdf, {.base = "", .tip = "right"}).dof(), 3);
+  EXPECT_EQ(parse_urdf(text, {.base = "", .tip = "d"}).dof(), 2);
+  EXPECT_EQ(parse_urdf(text, {.base = "b", .tip = "c"}).dof(), 1);
+  EXPECT_EQ(parse_urdf(testing::whole_urdf, {.base = "", .tip = "right"}).dof(), 3);
 }
 
 TEST(Urdf, ALeaderThatIsNotInTheFileIsRefusedWithinTheChainOnly) {
   const std::string text =
       robot(link("a") + link("b") + link("c") + joint("j", "revolute", "a", "b") +
             joint("lost", "revolute", "a", "c", "<mimic joint=\"jay\"/>"));
-  EXPECT_EQ(parse(text, {.base = "", .tip = "b"}).dof(), 1);
-  EXPECT_REFUSED(parse(text, {.base = "", .tip = "c"}),
+  EXPECT_EQ(parse_urdf(text, {.base = "", .tip = "b"}).dof(), 1);
+  EXPECT_REFUSED(parse_urdf(text, {.base = "", .tip = "c"}),
                  "a.urdf:6: joint lost mimics an unknown joint");
 }
 
@@ -119,8 +119,8 @@ TEST(Urdf, OtherTypesAreRefusedWithinTheChainOnly) {
     const std::string text =
         robot(link("a") + link("b") + link("c") + joint("j", "revolute", "a", "b") +
               joint("loose", type, "a", "c"));
-    EXPECT_EQ(parse(text, {.base = "", .tip = "b"}).dof(), 1);
-    EXPECT_REFUSED(parse(text, {.base = "", .tip = "c"}),
+    EXPECT_EQ(parse_urdf(text, {.base = "", .tip = "b"}).dof(), 1);
+    EXPECT_REFUSED(parse_urdf(text, {.base = "", .tip = "c"}),
                    "a.urdf:6: joint loose is \"" + type +
                        "\"; a chain has revolute, continuous, prismatic and "
                        "fixed joints");
@@ -128,68 +128,71 @@ TEST(Urdf, OtherTypesAreRefusedWithinTheChainOnly) {
 }
 
 TEST(Urdf, MistakesInJointsAreNamedWithTheirLine) {
-  EXPECT_REFUSED(parse(single("revolute", "\n<axis xyz=\"0 0 0\"/>")),
+  EXPECT_REFUSED(parse_urdf(single("revolute", "\n<axis xyz=\"0 0 0\"/>")),
                  "a.urdf:5: joint j: axis 0 0 0 has no direction");
-  EXPECT_REFUSED(parse(single("revolute", "\n\n<limit lower=\"1\" upper=\"-1\"/>")),
+  EXPECT_REFUSED(parse_urdf(single("revolute", "\n\n<limit lower=\"1\" upper=\"-1\"/>")),
                  "a.urdf:6: joint j: lower limit 1 exceeds upper limit -1");
-  EXPECT_REFUSED(parse(single("revolute", "<limit lower=\"0\" upper=\"1\" velocity=\"1e-310\"/>")),
-                 "a.urdf:4: joint j: velocity limit 1e-310 is below 1e-09");
-  EXPECT_REFUSED(parse(single("revolute", "<axis xyz=\"0 1\"/>")),
+  EXPECT_REFUSED(
+      parse_urdf(single("revolute", "<limit lower=\"0\" upper=\"1\" velocity=\"1e-310\"/>")),
+      "a.urdf:4: joint j: velocity limit 1e-310 is below 1e-09");
+  EXPECT_REFUSED(parse_urdf(single("revolute", "<axis xyz=\"0 1\"/>")),
                  "a.urdf:4: <axis>: xyz has 2 numbers; it must have three");
-  EXPECT_REFUSED(parse(single("revolute", "<origin xyz=\"0 1 2 3\"/>")), "xyz has 4 numbers");
-  EXPECT_REFUSED(parse(single("revolute", "<origin rpy=\"0 1 2x\"/>")),
+  EXPECT_REFUSED(parse_urdf(single("revolute", "<origin xyz=\"0 1 2 3\"/>")), "xyz has 4 numbers");
+  EXPECT_REFUSED(parse_urdf(single("revolute", "<origin rpy=\"0 1 2x\"/>")),
                  "<origin>: rpy: \"2x\" is not a number");
-  EXPECT_REFUSED(parse(single("revolute", "<origin xyz=\"0 1 nan\"/>")), "must be finite");
-  EXPECT_REFUSED(parse(single("revolute", "<limit lower=\"low\"/>")),
+  EXPECT_REFUSED(parse_urdf(single("revolute", "<origin xyz=\"0 1 nan\"/>")), "must be finite");
+  EXPECT_REFUSED(parse_urdf(single("revolute", "<limit lower=\"low\"/>")),
                  "a.urdf:4: <limit>: lower: \"low\" is not a number");
-  EXPECT_REFUSED(parse(single("revolute", "<limit lower=\"${low}\"/>")), "run xacro first");
-  EXPECT_REFUSED(parse(single("revolute", "<mimic/>")), "<mimic> needs the attribute joint");
-  EXPECT_REFUSED(parse(single("revolute", "<mimic joint=\"j\"/>")),
+  EXPECT_REFUSED(parse_urdf(single("revolute", "<limit lower=\"${low}\"/>")), "run xacro first");
+  EXPECT_REFUSED(parse_urdf(single("revolute", "<mimic/>")), "<mimic> needs the attribute joint");
+  EXPECT_REFUSED(parse_urdf(single("revolute", "<mimic joint=\"j\"/>")),
                  "mimics itself through its leaders");
-  EXPECT_REFUSED(parse(single("revolute", "\n<mimic joint=\"jj\"/>")),
+  EXPECT_REFUSED(parse_urdf(single("revolute", "\n<mimic joint=\"jj\"/>")),
                  "a.urdf:5: joint j mimics an unknown joint \"jj\"");
-  EXPECT_REFUSED(parse(single("")), "a chain has revolute");
-  EXPECT_REFUSED(parse(robot("<joint name=\"j\"/>")), "a.urdf:2: <joint> needs the attribute type");
-  EXPECT_REFUSED(parse(robot("<joint type=\"fixed\"/>")), "<joint> needs the attribute name");
-  EXPECT_REFUSED(parse(robot("<joint name=\"j\" type=\"fixed\"><parent link=\"a\"/></joint>")),
+  EXPECT_REFUSED(parse_urdf(single("")), "a chain has revolute");
+  EXPECT_REFUSED(parse_urdf(robot("<joint name=\"j\"/>")),
+                 "a.urdf:2: <joint> needs the attribute type");
+  EXPECT_REFUSED(parse_urdf(robot("<joint type=\"fixed\"/>")), "<joint> needs the attribute name");
+  EXPECT_REFUSED(parse_urdf(robot("<joint name=\"j\" type=\"fixed\"><parent link=\"a\"/></joint>")),
                  "joint \"j\" needs a <child link=...>");
-  EXPECT_REFUSED(parse(robot("<joint name=\"j\" type=\"fixed\"><parent/></joint>")),
+  EXPECT_REFUSED(parse_urdf(robot("<joint name=\"j\" type=\"fixed\"><parent/></joint>")),
                  "<parent> needs the attribute link");
-  EXPECT_REFUSED(parse(robot("<link name=\"\"/>")), "a.urdf:2: <link>: name is empty");
-  EXPECT_REFUSED(parse(robot("<link name=\"\xff\"/>")), "is not UTF-8 text");
-  EXPECT_REFUSED(parse(single("fixed")),
+  EXPECT_REFUSED(parse_urdf(robot("<link name=\"\"/>")), "a.urdf:2: <link>: name is empty");
+  EXPECT_REFUSED(parse_urdf(robot("<link name=\"\xff\"/>")), "is not UTF-8 text");
+  EXPECT_REFUSED(parse_urdf(single("fixed")),
                  "a.urdf: has no moving joints between its base and its tip");
 }
 
 TEST(Urdf, OtherTextIsRefused) {
-  EXPECT_REFUSED(parse(""), "a.urdf: is not well-formed XML: it is empty");
-  EXPECT_REFUSED(parse("{\"name\": \"a\"}"), "a.urdf");
-  EXPECT_REFUSED(parse("<mujoco/>"),
+  EXPECT_REFUSED(parse_urdf(""), "a.urdf: is not well-formed XML: it is empty");
+  EXPECT_REFUSED(parse_urdf("{\"name\": \"a\"}"), "a.urdf");
+  EXPECT_REFUSED(parse_urdf("<mujoco/>"),
                  "a.urdf:1: is not URDF: its root must be <robot>, not <mujoco>");
-  EXPECT_REFUSED(parse("<robot>\n<link>\n</robot>"), "is not well-formed XML");
-  EXPECT_REFUSED(parse("<robot name=\"r\"/>"), "a.urdf: has no links");
-  EXPECT_REFUSED(parse(robot(link("a") + "<xacro:include filename=\"b\"/>\n")),
+  EXPECT_REFUSED(parse_urdf("<robot>\n<link>\n</robot>"), "is not well-formed XML");
+  EXPECT_REFUSED(parse_urdf("<robot name=\"r\"/>"), "a.urdf: has no links");
+  EXPECT_REFUSED(parse_urdf(robot(link("a") + "<xacro:include filename=\"b\"/>\n")),
                  "a.urdf:3: is a xacro file (it contains <xacro:include>); run xacro first");
-  EXPECT_REFUSED(parse(std::string((std::size_t{8} << 20) + 1, ' ')),
+  EXPECT_REFUSED(parse_urdf(std::string((std::size_t{8} << 20) + 1, ' ')),
                  "a.urdf: is larger than 8 MiB");
   EXPECT_REFUSED(
-      parse("<robot>\n<link name=\"a\" name=\"b\"/></robot>"),
+      parse_urdf("<robot>\n<link name=\"a\" name=\"b\"/></robot>"),
       "a.urdf:2: is not well-formed XML: an attribute is not name=\"value\", or is given twice");
   // What xacro leaves behind in its output is no xacro.
-  EXPECT_NO_THROW(parse("<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">" +
-                        link("a") + link("b") + joint("j", "revolute", "a", "b") + "</robot>"));
+  EXPECT_NO_THROW(parse_urdf("<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">" +
+                             link("a") + link("b") + joint("j", "revolute", "a", "b") +
+                             "</robot>"));
 }
 
 TEST(Urdf, HostileXmlIsHarmless) {
   std::string deep;
   for (int i = 0; i < 1'000'000; ++i) deep += "<a>";
-  EXPECT_REFUSED(parse(deep), "nested deeper than 100 levels");
-  EXPECT_REFUSED(parse("<robot name=\"r\">" + deep), "nested deeper than 100 levels");
+  EXPECT_REFUSED(parse_urdf(deep), "nested deeper than 100 levels");
+  EXPECT_REFUSED(parse_urdf("<robot name=\"r\">" + deep), "nested deeper than 100 levels");
   std::string attributes;  // the parser compares each with all before it
   for (int i = 0; i < 500'000; ++i) attributes += " a" + std::to_string(i) + "='>'";
   for (const char* before :
        {"", "<a b='>' c=\"'\"/>", "<!-- ' -->", "it's", "<![CDATA[ <a ' ]]>"}) {
-    EXPECT_REFUSED(parse(robot(std::string(before) + "\n<link" + attributes + "/>")),
+    EXPECT_REFUSED(parse_urdf(robot(std::string(before) + "\n<link" + attributes + "/>")),
                    "a.urdf:3: a tag has more than 100 attributes");
   }
   // A "billion laughs": entities are not expanded, so the name stays short.
@@ -209,8 +212,8 @@ TEST(Urdf, LongChainsAreReadAndEndlessOnesRefused) {
         link("l" + std::to_string(i)) + joint("j" + std::to_string(i), "revolute",
                                               "l" + std::to_string(i - 1), "l" + std::to_string(i));
   }
-  EXPECT_EQ(parse(robot(text), {.base = "", .tip = "l1000"}).dof(), 1000);
-  EXPECT_REFUSED(parse(robot(text)), "has more than 10000 moving joints");
+  EXPECT_EQ(parse_urdf(robot(text), {.base = "", .tip = "l1000"}).dof(), 1000);
+  EXPECT_REFUSED(parse_urdf(robot(text)), "has more than 10000 moving joints");
 }
 
 TEST(Urdf, IsReadFromAFile) {

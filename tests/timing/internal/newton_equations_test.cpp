@@ -14,13 +14,13 @@ using Eigen::VectorXd;
 
 /// A random motion and a spline of squared rates well inside all its limits, which are all 1, of
 /// acceleration or of jerk.
-struct Case {
+struct NewtonCase {
   SquaredRateSpline spline;
   DurationProblem problem;
   std::vector<MotionSample> samples;  ///< at problem.times()
   double acceleration, jerk;
 };
-Case random_case(testing::Random& random, bool jerks) {
+NewtonCase random_case(testing::Random& random, bool jerks) {
   const int joints = random.integer(1, 9);
   std::vector<double> knots{0};
   const int steps = random.integer(9, 30);
@@ -55,7 +55,7 @@ struct Slacks {
   std::vector<double> slack;
   double duration = 0;
 };
-Slacks slacks_of(const Case& made, const VectorXd& coefficients) {
+Slacks slacks_of(const NewtonCase& made, const VectorXd& coefficients) {
   const DurationProblem& problem = made.problem;
   SquaredRateSpline spline = made.spline;
   spline.coefficients = coefficients;
@@ -93,7 +93,7 @@ Slacks slacks_of(const Case& made, const VectorXd& coefficients) {
   return all;
 }
 
-double barrier(const Case& made, const VectorXd& c, double gap) {
+double barrier(const NewtonCase& made, const VectorXd& c, double gap) {
   const Slacks all = slacks_of(made, c);
   double value = all.duration;
   for (const double slack : all.slack) value -= gap * std::log(slack);
@@ -101,13 +101,13 @@ double barrier(const Case& made, const VectorXd& c, double gap) {
 }
 
 /// The multipliers with exactly this gap.
-std::vector<double> fitting(const Case& made, const VectorXd& c, double gap) {
+std::vector<double> fitting(const NewtonCase& made, const VectorXd& c, double gap) {
   std::vector<double> multipliers = slacks_of(made, c).slack;
   for (double& m : multipliers) m = gap / m;
   return multipliers;
 }
 
-VectorXd gradient(const Case& made, const VectorXd& c, double gap) {
+VectorXd gradient(const NewtonCase& made, const VectorXd& c, double gap) {
   const DurationProblem& problem = made.problem;
   NewtonEquations equations(problem);
   const auto multipliers = fitting(made, c, gap);
@@ -118,7 +118,7 @@ VectorXd gradient(const Case& made, const VectorXd& c, double gap) {
 TEST(NewtonEquations, GradientIsThatOfTheBarrier) {
   testing::Random random;
   for (int i = 0; i < 20; ++i) {
-    const Case made = random_case(random, i % 2 == 0);
+    const NewtonCase made = random_case(random, i % 2 == 0);
     const DurationProblem& problem = made.problem;
     const VectorXd& c = made.spline.coefficients;
     const VectorXd found = gradient(made, c, 0.01);
@@ -135,7 +135,7 @@ TEST(NewtonEquations, GradientIsThatOfTheBarrier) {
 TEST(NewtonEquations, HessianIsTheDerivativeOfTheGradientWhereLimitsAreLinear) {
   testing::Random random;
   for (int i = 0; i < 10; ++i) {
-    const Case made = random_case(random, false);
+    const NewtonCase made = random_case(random, false);
     const DurationProblem& problem = made.problem;
     const VectorXd& c = made.spline.coefficients;
     NewtonEquations equations(problem);
@@ -158,7 +158,7 @@ TEST(NewtonEquations, HessianIsTheDerivativeOfTheGradientWhereLimitsAreLinear) {
 TEST(NewtonEquations, StepOfTheMultipliersBringsTheProductsToTheGap) {
   testing::Random random;
   for (int i = 0; i < 20; ++i) {
-    const Case made = random_case(random, i % 2 == 0);
+    const NewtonCase made = random_case(random, i % 2 == 0);
     const DurationProblem& problem = made.problem;
     const VectorXd& c = made.spline.coefficients;
     VectorXd dc(c.size());
@@ -191,7 +191,7 @@ TEST(NewtonEquations, StepOfTheMultipliersBringsTheProductsToTheGap) {
 TEST(MinimiseDuration, EndsAtTheLimits) {
   testing::Random random;
   for (int i = 0; i < 20; ++i) {
-    Case made = random_case(random, i % 2 == 0);
+    NewtonCase made = random_case(random, i % 2 == 0);
     VectorXd& c = made.spline.coefficients;
     const double before = slacks_of(made, c).duration;
     minimise_duration(made.spline, made.problem);
@@ -216,7 +216,7 @@ TEST(MinimiseDuration, EndsAtTheLimits) {
 
 TEST(MinimiseDuration, LeavesCoefficientsThatViolateLimits) {
   testing::Random random;
-  Case made = random_case(random, true);
+  NewtonCase made = random_case(random, true);
   VectorXd& c = made.spline.coefficients;
   c.setConstant(1e3);
   minimise_duration(made.spline, made.problem);
