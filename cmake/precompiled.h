@@ -1,5 +1,5 @@
 // What nearly every source includes, compiled once (target_precompile_headers). Each source still
-// includes what it uses: `make lint` compiles without this header.
+// includes what it uses: the lint's builds do without this header.
 #include <algorithm>
 #include <array>
 #include <cmath>
