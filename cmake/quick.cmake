@@ -8,10 +8,9 @@ target_link_libraries(beeline_precompiled PRIVATE Eigen3::Eigen)
 target_precompile_headers(beeline_precompiled PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
 set_target_properties(beeline_precompiled PROPERTIES UNITY_BUILD OFF)
 
-# beeline_quick(target): the sources of a folder are compiled as one (CMAKE_UNITY_BUILD, on in the
-# presets), except for the kernels, which Highway compiles once for each instruction set; all with the
-# header that beeline_precompiled compiles beforehand.
-function(beeline_quick target)
+# beeline_group(target): the sources of a folder are compiled as one (CMAKE_UNITY_BUILD, on in the
+# presets), except for the kernels, which Highway compiles once for each instruction set.
+function(beeline_group target)
   get_target_property(sources ${target} SOURCES)
   get_target_property(folder ${target} SOURCE_DIR)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
@@ -21,15 +20,18 @@ function(beeline_quick target)
       continue()
     endif()
     file(STRINGS ${source} kernel REGEX "foreach_target\\.h" LIMIT_COUNT 1)
-    if(kernel)
-      set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-    else()
+    if(NOT kernel)
       cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE group)
       cmake_path(GET group PARENT_PATH group)
       string(REPLACE "/" "_" group ${group})
-      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+      set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${group})
     endif()
   endforeach()
+endfunction()
+
+# beeline_quick(target): so, and with the header that beeline_precompiled compiles beforehand.
+function(beeline_quick target)
+  beeline_group(${target})
   target_precompile_headers(${target} REUSE_FROM beeline_precompiled)
 endfunction()
 

@@ -7,6 +7,7 @@
 #include <beeline/model/catalog.h>
 #include <beeline/model/composite.h>
 
+#include <tests/path/random_segment.h>
 #include <tests/random.h>
 #include <tests/random_arm.h>
 #include <tests/refusal.h>
@@ -15,10 +16,9 @@ namespace beeline::internal {
 namespace {
 
 using std::numbers::pi;
+using testing::turn_between;
 
 constexpr int points = 20;  // at which a motion is looked at between its ends
-
-double turn_between(const Pose& a, const Pose& b) { return pose_difference(a, b).tail<3>().norm(); }
 
 /// The largest distances from the chord, at the same share of the way.
 ChordBound sampled(const Arm& arm, const Configuration& q_a, const Configuration& q_b) {
