@@ -11,6 +11,7 @@
 #include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>
 
+#include <tests/inverse/answer.h>
 #include <tests/random.h>
 
 namespace beeline::internal {
@@ -19,8 +20,7 @@ namespace {
 using namespace internal;
 
 using std::numbers::pi;
-
-double largest(const Deviation& error) { return std::max(error.position, error.orientation); }
+using testing::largest;
 
 /// A pose that maps the xy plane to a parallel plane: any heading and offset, upside down if asked.
 Pose planar_offset(testing::Random& random, double size, bool upside_down) {

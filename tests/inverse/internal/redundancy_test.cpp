@@ -6,6 +6,7 @@
 #include <beeline/pose/orientation.h>
 
 #include <tests/inverse/answer.h>
+#include <tests/inverse/internal/relative_margin.h>
 #include <tests/random.h>
 
 namespace beeline {
@@ -14,6 +15,7 @@ namespace {
 using namespace internal;
 
 using testing::expect_solved;
+using testing::relative_margin;
 
 /// Joints about random axes, within 2 rad, 2 m in all.
 Arm chain_of_joints(int joints, testing::Random& random) {
@@ -25,15 +27,6 @@ Arm chain_of_joints(int joints, testing::Random& random) {
     chain.push_back(joint);
   }
   return {"chain", chain, make_pose({0, 0, 2.0 / joints})};
-}
-
-/// The least margin of a joint to its limits, relative to its range.
-double least_margin(const Arm& arm, const Configuration& q) {
-  const Bounds bounds = bounds_of(arm);
-  return (q - bounds.lower)
-      .cwiseMin(bounds.upper - q)
-      .cwiseQuotient(bounds.upper - bounds.lower)
-      .minCoeff();
 }
 
 /// At the optimum the gradient is normal to the self-motion of the joints that are not at a limit.
@@ -106,8 +99,8 @@ TEST(Redundancy, CentredLeavesMoreOfTheRangesOnLongChains) {
       options.redundancy = Redundancy::centred;
       const InverseResult centred = inverse_kinematics(arm, pose, options);
       expect_solved(arm, pose, Task::spatial(), centred);
-      before += least_margin(arm, any.solutions[0]);
-      after += least_margin(arm, centred.solutions[0]);
+      before += relative_margin(arm, any.solutions[0]);
+      after += relative_margin(arm, centred.solutions[0]);
     }
     EXPECT_GT(after, 1.2 * before) << joints;
   }

@@ -7,6 +7,7 @@
 
 #include <tests/inverse/answer.h>
 #include <tests/inverse/families.h>
+#include <tests/inverse/internal/relative_margin.h>
 #include <tests/refusal.h>
 
 namespace beeline {
@@ -17,6 +18,7 @@ using namespace internal;
 using testing::expect_solved;
 using testing::holds;
 using testing::Random;
+using testing::relative_margin;
 
 TEST(LockedJoint, IsRecognisedAtEitherEnd) {
   Random random;
@@ -135,14 +137,6 @@ std::vector<Configuration> sweep(const Arm& arm, const Pose& pose, const Configu
   return found;
 }
 
-/// The least margin of a coordinate to its limits, relative to its range.
-double least_margin(const Arm& arm, const Configuration& q) {
-  const Bounds bounds = bounds_of(arm);
-  return ((q - bounds.lower).cwiseMin(bounds.upper - q).array() /
-          (bounds.upper - bounds.lower).array())
-      .minCoeff();
-}
-
 TEST(LockedJoint, TheNearestIsNearerThanAnyOfItsGrid) {
   Random random;
   for (const char* name : {"panda", "iiwa14"}) {
@@ -175,8 +169,8 @@ TEST(LockedJoint, TheCentredIsFartherFromLimitsThanAnyOfItsGrid) {
       expect_solved(arm, pose, Task::spatial(), centred);
       double most = 0;
       for (const auto& q : sweep(arm, pose, seed, grid))
-        most = std::max(most, least_margin(arm, q));
-      EXPECT_GE(least_margin(arm, centred.solutions[0]), most - 1e-9) << name;
+        most = std::max(most, relative_margin(arm, q));
+      EXPECT_GE(relative_margin(arm, centred.solutions[0]), most - 1e-9) << name;
     }
   }
 }
