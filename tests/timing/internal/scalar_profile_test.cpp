@@ -16,8 +16,8 @@ PathLimits with_jerk(testing::Random& random, PathLimits limits) {
 }
 
 /// The largest fraction of a limit, from differences of the points of the scaling.
-double largest_fraction(const JointPath& path, const PathLimits& limits,
-                        const TimeScaling& scaling) {
+double largest_fraction_with_jerk(const JointPath& path, const PathLimits& limits,
+                                  const TimeScaling& scaling) {
   double largest = 0;
   std::size_t step = 0;
   Configuration acceleration_before, velocity_before;
@@ -58,7 +58,7 @@ TEST(ScalarProfile, KeepsTheLimitsAndUsesThemFromRestToRest) {
         ASSERT_GT(scaling.t[k], scaling.t[k - 1]);
         ASSERT_GT(scaling.s[k], scaling.s[k - 1]);
       }
-      const double fraction = largest_fraction(path, limits, scaling);
+      const double fraction = largest_fraction_with_jerk(path, limits, scaling);
       ASSERT_LE(fraction, 1 + 1e-3);
       ASSERT_GE(fraction, 0.8);
     }
