@@ -1,9 +1,9 @@
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <beeline/inverse/analytic/planar_subproblems.h>
+#include <beeline/math/minimum_norm.h>
 #include <beeline/pose/angle.h>
 
 namespace beeline::internal {
@@ -91,16 +91,14 @@ class PlanarChain {
       directions.col(static_cast<Eigen::Index>(k)) << g.real(), g.imag();
       translation -= g * preferred(prismatic_[k]);
     }
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(1e-12);  // sine of the angle below which directions are parallel
-    decomposition.compute(directions);
-    const Eigen::VectorXd change =
-        decomposition.solve(Eigen::Vector2d(translation.real(), translation.imag()));
+    constexpr double parallel = 1e-12;  // sine of the angle below which directions are parallel
+    const MinimumNormSolution change = minimum_norm_solution(
+        directions, Eigen::Vector2d(translation.real(), translation.imag()), parallel);
     for (std::size_t k = 0; k < prismatic_.size(); ++k) {
       candidate.q[static_cast<Eigen::Index>(prismatic_[k])] =
-          preferred(prismatic_[k]) + change[static_cast<Eigen::Index>(k)];
+          preferred(prismatic_[k]) + change.x[static_cast<Eigen::Index>(k)];
     }
-    if (decomposition.rank() < directions.cols()) candidate.continuum = true;
+    if (change.rank < directions.cols()) candidate.continuum = true;
     return candidate;
   }
 

@@ -1,4 +1,3 @@
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -7,6 +6,7 @@
 #include <beeline/inverse/internal/diagnosis_text.h>
 #include <beeline/inverse/internal/infeasibility.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/math/minimum_norm.h>
 
 namespace beeline::internal {
 namespace {
@@ -88,10 +88,9 @@ std::optional<Infeasibility> against_slides(const Arm& arm, const std::vector<Tw
   for (int i = 0; i < 3; ++i) {
     if (!task.rows[i]) directions.row(i).setZero();
   }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  decomposition.setThreshold(parallel);  // parallel prismatic joints span a line
-  decomposition.compute(directions);
-  const double off = (directions * decomposition.solve(offset) - offset).norm();
+  // `parallel`: parallel prismatic joints span a line.
+  const double off =
+      (directions * minimum_norm_solution(directions, offset, parallel).x - offset).norm();
   if (off <= tolerance) return std::nullopt;
   return Infeasibility{off, false,
                        "the position is " + number(off) +
