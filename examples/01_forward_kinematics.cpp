@@ -1,5 +1,5 @@
-// Forward kinematics (Dellaert, *Serial Link Manipulators*, eq. 1.1 and Figure 1.6) of the chapter's
-// planar arm and of a Panda.
+// Forward kinematics (Dellaert, *Serial Link Manipulators*, eq. 1.1 and Figure 1.6) of the
+// chapter's planar arm and of a Panda.
 #include <iostream>
 #include <numbers>
 
@@ -18,5 +18,6 @@ int main() {
 
   const beeline::Arm panda = beeline::built_in("panda");
   const beeline::Pose world_T_tool = forward_kinematics(panda, middle_configuration(panda));
-  std::cout << "panda, all joints at the middle of their limits:\n" << world_T_tool.matrix() << '\n';
+  std::cout << "panda, all joints at the middle of their limits:\n"
+            << world_T_tool.matrix() << '\n';
 }

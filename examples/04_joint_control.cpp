@@ -1,5 +1,5 @@
-// Proportional joint control (Dellaert, *Serial Link Manipulators*, eq. 1.3): a small gain K_p is slow, a
-// large one overshoots, and 2 does not converge.
+// Proportional joint control (Dellaert, *Serial Link Manipulators*, eq. 1.3): a small gain K_p is
+// slow, a large one overshoots, and 2 does not converge.
 #include <iostream>
 #include <numbers>
 

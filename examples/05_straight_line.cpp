@@ -22,9 +22,8 @@ int main(int argc, char** argv) {
     return 1;
   }
   std::cout << motion.trajectory.size() << " samples; deviation "
-            << motion.deviation.measured.position
-            << " m measured, at most " << motion.deviation.bound.position
-            << " m at any time\n";
+            << motion.deviation.measured.position << " m measured, at most "
+            << motion.deviation.bound.position << " m at any time\n";
   write_trajectory("05_straight_line.csv", motion.trajectory);
   save(motion_figure(rrr, motion.trajectory.positions, poses), "05_straight_line.svg");
 }

@@ -1,5 +1,5 @@
-// A control loop at 1 kHz: the tool of a Panda follows a figure of eight; prints the duration of the
-// steps and the latency of the loop.
+// A control loop at 1 kHz: the tool of a Panda follows a figure of eight; prints the duration of
+// the steps and the latency of the loop.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -1,6 +1,5 @@
 // What nearly every test includes, compiled once; see cmake/quick.cmake.
-#include "../cmake/precompiled.h"
-
+#include <gtest/gtest.h>
 #include <random>
 
-#include <gtest/gtest.h>
+#include "../cmake/precompiled.h"

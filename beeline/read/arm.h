@@ -17,7 +17,8 @@ struct ChainEnds {
 /// Readers refuse descriptions with more joints.
 constexpr std::size_t max_joints = 10000;
 
-/// Returns the arm that `text` names: a built-in arm (`panda`, in any case), a joint string with link lengths
+/// Returns the arm that `text` names: a built-in arm (`panda`, in any case), a joint string with
+/// link lengths
 /// (`RRR:3.5,3.5,2`), or a file, whose format is given by its ending (`.urdf`, `.json`). `ends` is
 /// for URDF files only.
 /// Throws Error for a text that is none of these (it suggests the most similar built-in name), and

@@ -3,8 +3,8 @@
 #include <beeline/certificate/verify.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/planning/move_along.h>
 #include <beeline/planning/branch.h>
+#include <beeline/planning/move_along.h>
 
 #include <benchmark/benchmark.h>
 

@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-/// The variable that an option sets. Its value before parsing is the option's default. Whole numbers
-/// are not negative, real numbers are finite; bool makes the option a flag.
+/// The variable that an option sets. Its value before parsing is the option's default. Whole
+/// numbers are not negative, real numbers are finite; bool makes the option a flag.
 using Target =
     std::variant<bool*, int*, std::uint64_t*, double*, std::optional<double>*, std::string*>;
 
