@@ -13,7 +13,7 @@ std::vector<Option> PathArgument::options(const std::vector<std::string>& method
                "two more poses, of which the first gives a position only; spline: one smooth "
                "curve through all poses.",
        .target = &kind,
-       .choices = {"line", "screw", "arc", "spline"},
+       .choices = path_kind_names(),
        .methods = methods},
       {.name = "--blend",
        .value = "METRES",

@@ -5,11 +5,6 @@
 using namespace beeline;
 
 Option ProfileArgument::option(const std::vector<std::string>& methods) {
-  std::vector<std::string> names;
-  for (const Profile profile : {Profile::fastest, Profile::jerk, Profile::trapezoidal,
-                                Profile::quintic, Profile::s_curve}) {
-    names.push_back(name(profile));
-  }
   return {.name = "--profile",
           .value = "PROFILE",
           .help =
@@ -19,7 +14,7 @@ Option ProfileArgument::option(const std::vector<std::string>& methods) {
               "that form from stop to stop. Default: jerk for an arm with jerk limits, "
               "otherwise fastest.",
           .target = &text,
-          .choices = names,
+          .choices = profile_names(),
           .methods = methods};
 }
 

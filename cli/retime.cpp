@@ -76,7 +76,7 @@ std::string retime_text(const RetimeArguments& arguments, const Arm& arm, const 
   const std::string before =
       duration_before ? fmt::format(", before {} s", shown(*duration_before)) : "";
   const std::string stops =
-      retimed.parts > 1 ? fmt::format(", with {} stops between", retimed.parts - 1) : "";
+      retimed.sections > 1 ? fmt::format(", with {} stops between", retimed.sections - 1) : "";
   return fmt::format("retimed       {} samples of {}, profile {}\n", retimed.trajectory.size(),
                      arm.name(), name(retimed.profile)) +
          fmt::format("duration      {} s{}{}\n", shown(retimed.trajectory.times.back()), before,
@@ -103,7 +103,7 @@ Answer retime_file(const RetimeArguments& arguments) {
                              {"samples", retimed.trajectory.size()},
                              {"duration", found ? Json(retimed.trajectory.times.back()) : Json()},
                              {"duration_before", duration_before},
-                             {"sections", retimed.parts},
+                             {"sections", retimed.sections},
                              {"limits", json_limits(retimed.limits)},
                              {"tool_speed", retimed.tool_speed},
                              {"reason", retimed.reason}},

@@ -14,7 +14,7 @@ int main() {
   const beeline::Jacobian j = jacobian(arm, q);  // base frame, rows vx vy vz wx wy wz
   const beeline::Pose higher = Eigen::Translation3d(0, 0, 0.1) * tool;
   const auto answer = inverse_kinematics(arm, higher, {.seed = q});
-  const auto motion = move_in_lines(arm, q, std::array{higher, tool});
+  const auto motion = move_in_lines(arm, q, {higher, tool});
   std::cout << "tool\n" << tool.matrix() << "\nJacobian\n" << j << '\n';
   std::cout << "inverse kinematics: " << name(answer.status) << answer.reason << '\n';
   std::cout << "up and down: " << name(motion.status) << ", deviation at most "

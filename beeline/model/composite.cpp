@@ -18,29 +18,63 @@ Joint prismatic(const std::string& name, const Vector3& axis) {
   return joint;
 }
 
+const Vector3 x_axis = Vector3::UnitX(), y_axis = Vector3::UnitY(), z_axis = Vector3::UnitZ();
+
+struct Row {
+  JointType type;
+  std::vector<Joint> (*expand)(const std::string& name, double pitch);
+};
+
+const std::vector<Row>& table() {
+  static const std::vector<Row> rows{
+      {{'R', "revolute", false},
+       [](const std::string& name, double) { return std::vector{revolute(name, z_axis)}; }},
+      {{'P', "prismatic", false},
+       [](const std::string& name, double) { return std::vector{prismatic(name, x_axis)}; }},
+      {{'H', "helical", false},
+       [](const std::string& name, double pitch) {
+         return std::vector{revolute(name, z_axis, pitch)};
+       }},
+      {{'S', "spherical", true},
+       [](const std::string& name, double) {
+         return std::vector{revolute(name + "_z", z_axis), revolute(name + "_y", y_axis),
+                            revolute(name + "_x", x_axis)};
+       }},
+      {{'C', "cylindrical", true},
+       [](const std::string& name, double) {
+         return std::vector{revolute(name + "_z", z_axis), prismatic(name + "_slide_z", z_axis)};
+       }},
+      {{'E', "planar", true},
+       [](const std::string& name, double) {
+         return std::vector{prismatic(name + "_slide_x", x_axis),
+                            prismatic(name + "_slide_y", y_axis), revolute(name + "_z", z_axis)};
+       }},
+      {{'U', "universal", true},
+       [](const std::string& name, double) {
+         return std::vector{revolute(name + "_z", z_axis), revolute(name + "_y", y_axis)};
+       }},
+  };
+  return rows;
+}
+
 }  // namespace
 
+const std::vector<JointType>& joint_types() {
+  static const std::vector<JointType> types = [] {
+    std::vector<JointType> all;
+    for (const Row& row : table()) all.push_back(row.type);
+    return all;
+  }();
+  return types;
+}
+
 std::vector<Joint> composite_joint(char letter, const std::string& name, double pitch) {
-  const Vector3 x = Vector3::UnitX(), y = Vector3::UnitY(), z = Vector3::UnitZ();
-  switch (letter) {
-    case 'R':
-      return {revolute(name, z)};
-    case 'P':
-      return {prismatic(name, x)};
-    case 'H':
-      return {revolute(name, z, pitch)};
-    case 'S':
-      return {revolute(name + "_z", z), revolute(name + "_y", y), revolute(name + "_x", x)};
-    case 'U':
-      return {revolute(name + "_z", z), revolute(name + "_y", y)};
-    case 'C':
-      return {revolute(name + "_z", z), prismatic(name + "_slide_z", z)};
-    case 'E':
-      return {prismatic(name + "_slide_x", x), prismatic(name + "_slide_y", y),
-              revolute(name + "_z", z)};
-    default:
-      throw unknown_name("joint type", std::string(1, letter), {"R", "P", "H", "S", "C", "E", "U"});
+  std::vector<std::string> letters;
+  for (const Row& row : table()) {
+    if (row.type.letter == letter) return row.expand(name, pitch);
+    letters.emplace_back(1, row.type.letter);
   }
+  throw unknown_name("joint type", std::string(1, letter), letters);
 }
 
 }  // namespace beeline

@@ -8,6 +8,17 @@
 
 namespace beeline {
 
+/// A joint type: its letter in joint strings, its name in JSON, and whether it has several degrees
+/// of freedom.
+struct JointType {
+  char letter;
+  std::string name;
+  bool composite;
+};
+
+/// All joint types. To add one, add a row to the table in composite.cpp.
+const std::vector<JointType>& joint_types();
+
 /// Expands a joint type (Dellaert, *Serial Link Manipulators*, Figures 1.1 and 1.2) into
 /// one-degree-of-freedom joints with coincident frames, in this order:
 ///   R  revolute: rotation about z

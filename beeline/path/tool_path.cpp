@@ -15,11 +15,13 @@ constexpr std::array<std::string_view, 4> kinds{"line", "screw", "arc", "spline"
 
 std::string name(PathKind kind) { return std::string(kinds[static_cast<std::size_t>(kind)]); }
 
+std::vector<std::string> path_kind_names() { return {kinds.begin(), kinds.end()}; }
+
 PathKind path_kind_named(std::string_view name) {
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     if (name == kinds[i]) return static_cast<PathKind>(i);
   }
-  throw unknown_name("path", name, {kinds.begin(), kinds.end()});
+  throw unknown_name("path", name, path_kind_names());
 }
 
 Route route_of(ToolPath path, PathKind kind) {

@@ -13,6 +13,7 @@ namespace beeline {
 
 enum class PathKind { line, screw, arc, spline };
 std::string name(PathKind kind);
+std::vector<std::string> path_kind_names();
 
 /// Throws Error listing the kinds for another name.
 PathKind path_kind_named(std::string_view name);

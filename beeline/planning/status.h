@@ -10,7 +10,8 @@ namespace beeline {
 /// The outcome of a motion. Every status except `reached` has a reason of one sentence.
 enum class MotionStatus {
   reached,           ///< the goal is reached, within tolerance
-  unreachable,       ///< no configuration of the arm reaches a pose of the path: proved
+  unreachable,       ///< no configuration reaches a pose of the path: by geometry or search, see
+                     ///< InverseStatus
   not_found,         ///< no configuration was found for a pose of the path; one may exist
   outside_limits,    ///< a joint would have to leave its limits
   singular,          ///< at a singularity, where only a jump to another branch would lead on

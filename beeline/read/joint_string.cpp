@@ -16,7 +16,10 @@ using internal::in_quotes;
 using internal::parse_number;
 using internal::printable;
 
-constexpr std::string_view known_letters = "RPHSCEU";
+bool is_joint_letter(char c) {
+  return std::any_of(joint_types().begin(), joint_types().end(),
+                     [c](const JointType& type) { return type.letter == c; });
+}
 
 struct Item {
   double length = 0;  // metres
@@ -77,7 +80,7 @@ bool is_joint_string(std::string_view text) {
   const std::string_view letters = text.substr(0, colon);
   if (letters.empty()) return false;
   if (colon == std::string_view::npos) {
-    return letters.find_first_not_of(known_letters) == std::string_view::npos;
+    return std::all_of(letters.begin(), letters.end(), is_joint_letter);
   }
   return std::all_of(letters.begin(), letters.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
 }

@@ -33,19 +33,32 @@ constexpr Row table[] = {
     {Profile::s_curve, "s-curve", true, scalar<ScalarForm::s_curve>},
 };
 
+constexpr bool in_order() {
+  int k = 0;
+  for (const Row& row : table) {
+    if (static_cast<int>(row.profile) != k++) return false;
+  }
+  return true;
+}
+static_assert(in_order());
+
 const Row& row(Profile profile) { return table[static_cast<int>(profile)]; }
 
 }  // namespace
 
 std::string name(Profile profile) { return row(profile).name; }
 
-Profile profile_named(const std::string& name) {
+std::vector<std::string> profile_names() {
   std::vector<std::string> names;
+  for (const Row& row : table) names.emplace_back(row.name);
+  return names;
+}
+
+Profile profile_named(const std::string& name) {
   for (const Row& row : table) {
     if (name == row.name) return row.profile;
-    names.emplace_back(row.name);
   }
-  throw unknown_name("profile", name, names);
+  throw unknown_name("profile", name, profile_names());
 }
 
 bool keeps_jerk(Profile profile) { return row(profile).keeps_jerk; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <beeline/error.h>
 #include <beeline/timing/time_scaling.h>
@@ -27,6 +28,9 @@ enum class Profile {
 
 /// The profile's name, as in "s-curve".
 std::string name(Profile profile);
+
+/// The names of all profiles.
+std::vector<std::string> profile_names();
 
 /// Throws Error listing the names of the profiles for another name.
 Profile profile_named(const std::string& name);

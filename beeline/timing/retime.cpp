@@ -198,7 +198,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
     duration += motion.scaling.duration();
   }
   check_rate(options, duration);
-  timed.parts = motions.size();
+  timed.sections = motions.size();
   slow_down_to_limits(arm, timed, motions, options);
   return timed;
 }

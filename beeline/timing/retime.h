@@ -24,9 +24,9 @@ struct Retimed {
   Trajectory trajectory;  ///< empty when there is none
   /// With a rate: arc length along the joint-space polyline, for each sample (chord_length()).
   std::vector<double> arc_lengths;
-  LimitUsage limits;      ///< of the trajectory, relative to the arm's own limits
-  double tool_speed = 0;  ///< the largest at the samples and between, m/s
-  std::size_t parts = 0;  ///< number of parts of the path, between its stops
+  LimitUsage limits;         ///< of the trajectory, relative to the arm's own limits
+  double tool_speed = 0;     ///< the largest at the samples and between, m/s
+  std::size_t sections = 0;  ///< number of sections of the path between stops
 
   bool found() const { return reason.empty(); }
 };

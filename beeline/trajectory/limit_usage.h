@@ -19,7 +19,7 @@ struct LimitUsage {
 };
 
 /// Returns the fractions of the arm's limits that a trajectory uses: the largest of its velocities
-/// and accelerations at the samples, and of the differences quotients of positions, velocities and
+/// and accelerations at the samples, and of the difference quotients of positions, velocities and
 /// accelerations between samples. Those are the rates of a controller that interpolates these
 /// columns linearly. By the mean value theorem a motion that keeps its limits at all times passes
 /// at any sampling rate. Differences of the size of rounding are ignored. An unknown velocity limit

@@ -40,7 +40,7 @@ TEST(Retime, KeepsEverySampleAndItsLimitsWithEveryProfile) {
       if (profile != Profile::fastest && profile != Profile::trapezoidal) {
         ASSERT_LE(timed.limits.jerk.fraction, 1 + 1e-9);
       }
-      ASSERT_EQ(timed.parts, 1u);
+      ASSERT_EQ(timed.sections, 1u);
       std::size_t kept = 0;
       for (const Configuration& q : timed.trajectory.positions) {
         if (kept < given.size() && q == given.positions[kept]) ++kept;
@@ -134,7 +134,7 @@ TEST(Retime, StandsStillWhereTheRecordingDid) {
   }
   const auto expect_square = [&](const Retimed& timed) {
     ASSERT_EQ(timed.reason, "");
-    ASSERT_EQ(timed.parts, 2u);
+    ASSERT_EQ(timed.sections, 2u);
     const auto& [names, t, q, v, a] = timed.trajectory;
     int still = 0;
     for (std::size_t k = 0; k < t.size(); ++k) {

@@ -60,8 +60,8 @@ void add_branches(const PieperSolver& form, const PieperBranches& found, double 
 }
 
 void solve_locked(SolverState& state, const Request& request, Claims& claims) {
-  const PieperSolver& form = *state.closed;
-  PieperRequest six =
+  const PieperSolver& form = *state.pieper;
+  PieperRequest loop =
       form.request(request.seed, request.bounds.lower, request.bounds.upper, request.tolerance);
   const LockedRange range = locked_range(request.arm, request.bounds, request.seed, form);
   const int dof = request.arm.dof();
@@ -70,7 +70,7 @@ void solve_locked(SolverState& state, const Request& request, Claims& claims) {
   if (request.options.all) {
     for (const double value : grid_values(range, grid)) {
       PieperBranches found;
-      form.branches(request.goal, value, six, found);
+      form.branches(request.goal, value, loop, found);
       add_branches(form, found, value, dof, claims);
     }
     return;
@@ -78,8 +78,8 @@ void solve_locked(SolverState& state, const Request& request, Claims& claims) {
   LeastOutside outside;
   const LockedBranch branch =
       request.options.redundancy == Redundancy::any
-          ? first_within(form, request.goal, range, grid, six, outside)
-          : best_within(form, request.goal, range, grid, request.options.redundancy, six);
+          ? first_within(form, request.goal, range, grid, loop, outside)
+          : best_within(form, request.goal, range, grid, request.options.redundancy, loop);
   Configuration q(dof);
   if (branch.lane >= 0) {
     form.configuration(branch.found, branch.lane, branch.value, q);
@@ -101,22 +101,22 @@ void solve_planar(const Request& request, Claims& claims) {
 }
 
 void solve_branches(SolverState& state, const Request& request, Claims& claims) {
-  const PieperSolver& form = *state.closed;
-  PieperRequest six =
+  const PieperSolver& form = *state.pieper;
+  PieperRequest loop =
       form.request(request.seed, request.bounds.lower, request.bounds.upper, request.tolerance);
   PieperBranches found;
-  form.branches(request.goal, 0, six, found);
+  form.branches(request.goal, 0, loop, found);
   add_branches(form, found, 0, request.arm.dof(), claims);
   // The axis of a virtual joint may coincide with that of an arm's joint. Then only one of
   // infinitely many solutions was examined.
   claims.evidence().complete = !form.has_virtual_joints() || found.continuum == 0;
-  claims.evidence().doubtful |= !state.closed_is_sure || nearly_found(form, found);
+  claims.evidence().doubtful |= !state.pieper_verified || nearly_found(form, found);
 }
 
 }  // namespace
 
-void solve_general_six(const RaghavanRothSolver& general, const Request& request,
-                       StageResult& found) {
+void solve_raghavan_roth(const RaghavanRothSolver& general, const Request& request,
+                         StageResult& found) {
   found.unconstrained = {};
   Claims claims(request, found);
   Eigen::Matrix<double, 6, RaghavanRothSolver::max_solutions> q;
@@ -127,17 +127,18 @@ void solve_general_six(const RaghavanRothSolver& general, const Request& request
 }
 
 bool has_analytic_stage(const SolverState& state) {
-  return state.planar || state.closed || state.general;
+  return state.planar || state.pieper || state.raghavan_roth;
 }
 
 void solve_analytic(SolverState& state, const Request& request, StageResult& found) {
-  if (!state.planar && !state.closed) return solve_general_six(*state.general, request, found);
+  if (!state.planar && !state.pieper)
+    return solve_raghavan_roth(*state.raghavan_roth, request, found);
   Claims claims(request, found);
   UnconstrainedResult& evidence = claims.evidence();
   evidence.complete = true;
   if (state.planar) {
     solve_planar(request, claims);
-  } else if (state.closed->locked()) {
+  } else if (state.pieper->locked()) {
     solve_locked(state, request, claims);
   } else {
     solve_branches(state, request, claims);

@@ -12,7 +12,7 @@ bool has_analytic_stage(const SolverState& state);
 void solve_analytic(SolverState& state, const Request& request, StageResult& found);
 
 /// Adds the solutions of six revolute joints of any geometry, and replaces the evidence.
-void solve_general_six(const RaghavanRothSolver& general, const Request& request,
-                       StageResult& found);
+void solve_raghavan_roth(const RaghavanRothSolver& general, const Request& request,
+                         StageResult& found);
 
 }  // namespace beeline::internal

@@ -27,14 +27,14 @@ void insert(const PieperSolver& form, const LockedBranch& branch, int lane, Leas
 
 /// The objective to be minimised: the squared distance from the seed, or minus the smallest margin
 /// to a limit.
-double cost(const PieperRequest& six, const PieperBranches& found, int lane,
+double cost(const PieperRequest& loop, const PieperBranches& found, int lane,
             const LockedRange& range, double value, Redundancy redundancy) {
   if (redundancy == Redundancy::nearest) {
     return found.distance[lane] + (value - range.seed) * (value - range.seed);
   }
   double least = range.limited ? limit_margin(value, range.lower, range.upper) : 1;
   for (std::size_t k = 0; k < 6; ++k) {
-    least = std::min(least, limit_margin(found.q[k][lane], six.lower[k], six.upper[k]));
+    least = std::min(least, limit_margin(found.q[k][lane], loop.lower[k], loop.upper[k]));
   }
   return -least;
 }
@@ -61,11 +61,11 @@ LockedRange locked_range(const Arm& arm, const Bounds& bounds, const Configurati
   return range;
 }
 
-int nearest_lane(const PieperRequest& six, const PieperBranches& found) {
+int nearest_lane(const PieperRequest& loop, const PieperBranches& found) {
   int nearest = -1;
   for (unsigned rest = found.within; rest != 0; rest &= rest - 1) {
     const int lane = std::countr_zero(rest);
-    if (!(found.residual[lane] <= six.max_residual)) continue;
+    if (!(found.residual[lane] <= loop.max_residual)) continue;
     if (nearest < 0 || found.distance[lane] < found.distance[nearest]) nearest = lane;
   }
   return nearest;
@@ -83,14 +83,14 @@ bool nearly_found(const PieperSolver& form, const PieperBranches& found) {
 }
 
 LockedBranch first_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                          int tries, PieperRequest& six, LeastOutside& outside) {
+                          int tries, PieperRequest& loop, LeastOutside& outside) {
   LockedBranch branch;
   int tried = 0;
   const auto succeeds = [&](double value) {
     ++tried;
     branch.value = value;
-    form.branches(goal, value, six, branch.found);
-    branch.lane = nearest_lane(six, branch.found);
+    form.branches(goal, value, loop, branch.found);
+    branch.lane = nearest_lane(loop, branch.found);
     if (branch.lane >= 0) return true;
     for (unsigned rest = branch.found.found; rest != 0; rest &= rest - 1) {
       insert(form, branch, std::countr_zero(rest), outside);
@@ -122,17 +122,17 @@ std::vector<double> grid_values(const LockedRange& range, int grid) {
 }
 
 LockedBranch best_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                         int grid, Redundancy redundancy, PieperRequest& six) {
+                         int grid, Redundancy redundancy, PieperRequest& loop) {
   constexpr double none = std::numeric_limits<double>::infinity();
   LockedBranch best, branch;
   double least = none;
   const auto cost_at = [&](double value) {
-    form.branches(goal, value, six, branch.found);
+    form.branches(goal, value, loop, branch.found);
     double lowest = none;
     for (unsigned rest = branch.found.within; rest != 0; rest &= rest - 1) {
       const int lane = std::countr_zero(rest);
-      if (!(branch.found.residual[lane] <= six.max_residual)) continue;
-      const double here = cost(six, branch.found, lane, range, value, redundancy);
+      if (!(branch.found.residual[lane] <= loop.max_residual)) continue;
+      const double here = cost(loop, branch.found, lane, range, value, redundancy);
       lowest = std::min(lowest, here);
       if (here < least) {
         least = here;

@@ -27,7 +27,7 @@ struct LockedBranch {
 
 /// Returns the lane nearest to the seed among those within limits whose loops close; -1 if there is
 /// none.
-int nearest_lane(const PieperRequest& six, const PieperBranches& found);
+int nearest_lane(const PieperRequest& loop, const PieperBranches& found);
 
 /// Whether a lane may have a solution that rounding hides.
 bool nearly_found(const PieperSolver& form, const PieperBranches& found);
@@ -43,12 +43,12 @@ struct LeastOutside {
 /// value, then values at multiples of a quarter of the range from it, then of an eighth, and so on,
 /// nearest to the seed first. Does not allocate.
 LockedBranch first_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                          int tries, PieperRequest& six, LeastOutside& outside);
+                          int tries, PieperRequest& loop, LeastOutside& outside);
 
 /// Returns the branch within limits that is nearest to the seed, or farthest from the limits.
 /// Refines the three best values of a grid between their neighbours by golden-section search.
 LockedBranch best_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                         int grid, Redundancy redundancy, PieperRequest& six);
+                         int grid, Redundancy redundancy, PieperRequest& loop);
 
 /// Returns the values of a grid over the range, its ends included.
 std::vector<double> grid_values(const LockedRange& range, int grid);

@@ -22,7 +22,7 @@ InverseResult solve_with_lock(SolverState& state, const Pose& world_T_tool,
     options.seed.reset();
     options.task = state.task;
     state.locked = {make_solver_state(with_locked(state.arm, k, value), options)};
-    state.locked.front().missing = k;
+    state.locked.front().removed_coordinate = k;
     state.locked_value = value;
   }
   InverseResult result = solve(state.locked.front(), world_T_tool, without(seed, k), diagnosis);

@@ -11,7 +11,7 @@ namespace beeline::internal {
 namespace {
 
 /// Whether the arm has six revolute joints, each driven by its own coordinate.
-bool is_general_six(const Arm& arm, const Task& task) {
+bool has_six_revolute_joints(const Arm& arm, const Task& task) {
   return arm.dof() == 6 && arm.joints().size() == 6 && task.size() == 6 &&
          std::all_of(arm.joints().begin(), arm.joints().end(),
                      [](const Joint& joint) { return kind(joint) == JointKind::revolute; });
@@ -21,8 +21,8 @@ bool is_general_six(const Arm& arm, const Task& task) {
 /// if there is one. Otherwise solve() prepares an arm for each value.
 SolverState prepare_locked(SolverState state) {
   if (state.options.method == InverseMethod::numerical) return state;
-  state.closed = PieperSolver::make(state.arm, state.task);
-  if (state.closed && state.closed->locked() != state.options.lock) state.closed.reset();
+  state.pieper = PieperSolver::make(state.arm, state.task);
+  if (state.pieper && state.pieper->locked() != state.options.lock) state.pieper.reset();
   return state;
 }
 
@@ -34,14 +34,14 @@ bool recovers_configurations(const PieperSolver& form, const Arm& arm) {
   constexpr int trials = 16;
   const Configuration zero = Configuration::Zero(arm.dof());
   const Bounds open = no_bounds(arm);
-  PieperRequest six = form.request(zero, open.lower, open.upper);
+  PieperRequest loop = form.request(zero, open.lower, open.upper);
   Splitmix random(1);
   for (int trial = 0; trial < trials; ++trial) {
     Configuration q(arm.dof()), recovered(arm.dof());
     for (double& value : q) value = 2 * random.next() - 1;
     PieperBranches found;
     const double value = form.locked() ? q[*form.locked()] : 0;
-    form.branches(forward_kinematics(arm, q), value, six, found);
+    form.branches(forward_kinematics(arm, q), value, loop, found);
     bool met = found.continuum != 0;
     for (int lane = 0; lane < 8 && !met; ++lane) {
       if ((found.found >> lane & 1) == 0) continue;
@@ -64,15 +64,15 @@ SolverState make_solver_state(const Arm& arm, const InverseOptions& options) {
   if (options.lock) return prepare_locked(std::move(state));
   const bool formulas = options.method != InverseMethod::numerical;
   state.planar = formulas && has_planar_closed_form(arm, state.task);
-  if (formulas && !state.planar) state.closed = PieperSolver::make(arm, state.task);
-  if (state.closed) state.closed_is_sure = recovers_configurations(*state.closed, arm);
-  state.general_six = formulas && !state.closed && is_general_six(arm, state.task);
+  if (formulas && !state.planar) state.pieper = PieperSolver::make(arm, state.task);
+  if (state.pieper) state.pieper_verified = recovers_configurations(*state.pieper, arm);
+  state.six_revolute = formulas && !state.pieper && has_six_revolute_joints(arm, state.task);
   // The numerical stage is faster for one solution.
   if (options.all || options.method == InverseMethod::closed_form) {
-    state.general = make_general_six(state);
+    state.raghavan_roth = make_raghavan_roth(state);
   }
-  if (options.method == InverseMethod::closed_form && !state.planar && !state.closed &&
-      !state.general) {
+  if (options.method == InverseMethod::closed_form && !state.planar && !state.pieper &&
+      !state.raghavan_roth) {
     throw Error("arm " + arm.name() + " has no closed form for the task " + name(state.task) +
                 "; method numerical solves it");
   }
@@ -89,8 +89,8 @@ void check_lock(const SolverState& state, const ConfigurationRef& seed) {
               "; its limits are " + with_unit(joint, lower) + " to " + with_unit(joint, upper));
 }
 
-std::optional<RaghavanRothSolver> make_general_six(const SolverState& state) {
-  if (!state.general_six) return std::nullopt;
+std::optional<RaghavanRothSolver> make_raghavan_roth(const SolverState& state) {
+  if (!state.six_revolute) return std::nullopt;
   RaghavanRothSolver general(state.arm.chain());
   return general.reliable() ? std::optional(std::move(general)) : std::nullopt;
 }
@@ -105,8 +105,8 @@ const PreparedSearch& search_within_limits(SolverState& state) {
 
 std::string method_name(const SolverState& state) {
   if (state.planar) return "closed form: planar";
-  if (state.closed) return "closed form: " + state.closed->family(state.missing);
-  if (state.general) return "closed form: general six joints";
+  if (state.pieper) return "closed form: " + state.pieper->family(state.removed_coordinate);
+  if (state.raghavan_roth) return "closed form: general six joints";
   return "numerical";
 }
 

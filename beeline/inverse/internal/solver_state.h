@@ -19,16 +19,16 @@ struct SolverState {
   Bounds bounds;         ///< the joint limits, or none where they are ignored
   Configuration middle;  ///< the default seed
   bool planar = false;   ///< has_planar_closed_form()
-  std::optional<PieperSolver> closed = std::nullopt;
-  bool closed_is_sure = true;  ///< whether it recovered random configurations of the arm
-  bool general_six = false;    ///< six revolute joints without a closed form of a known family
-  std::optional<RaghavanRothSolver> general = std::nullopt;  ///< for all solutions
-  std::optional<RaghavanRothSolver> second_opinion =
+  std::optional<PieperSolver> pieper = std::nullopt;
+  bool pieper_verified = true;  ///< whether it recovered random configurations of the arm
+  bool six_revolute = false;    ///< six revolute joints without a closed form of a known family
+  std::optional<RaghavanRothSolver> raghavan_roth = std::nullopt;  ///< for all solutions
+  std::optional<RaghavanRothSolver> raghavan_roth_fallback =
       std::nullopt;  ///< where the numerical stage fails
   std::optional<PreparedSearch> within_limits = std::nullopt;
   std::optional<PreparedSearch> without_limits = std::nullopt;
   /// The coordinate of a longer arm that is locked in this one.
-  std::optional<int> missing = std::nullopt;
+  std::optional<int> removed_coordinate = std::nullopt;
   std::vector<SolverState> locked = {};  ///< empty, or the solver of the arm with options.lock ...
   double locked_value = 0;               ///< ... at this value
   MultiStartBuffers buffers = {};
@@ -42,7 +42,7 @@ SolverState make_solver_state(const Arm& arm, const InverseOptions& options);
 const PreparedSearch& search_within_limits(SolverState& state);
 
 /// The solver of six revolute joints, if it is reliable for the arm. Takes milliseconds.
-std::optional<RaghavanRothSolver> make_general_six(const SolverState& state);
+std::optional<RaghavanRothSolver> make_raghavan_roth(const SolverState& state);
 
 /// The name of the method, such as "closed form: planar".
 std::string method_name(const SolverState& state);

@@ -39,13 +39,14 @@ bool wants_search(const SolverState& state, const Request& request, const StageR
 /// Whether the search found nothing, which proves nothing, and no analytic solver has run.
 bool wants_second_opinion(const SolverState& state, const Request& request,
                           const StageResult& found) {
-  return found.result.solutions.empty() && state.general_six && !state.general &&
+  return found.result.solutions.empty() && state.six_revolute && !state.raghavan_roth &&
          wants_search(state, request, found);
 }
 
 void solve_by_second_opinion(SolverState& state, const Request& request, StageResult& found) {
-  if (!state.second_opinion) state.second_opinion = make_general_six(state);
-  if (state.second_opinion) solve_general_six(*state.second_opinion, request, found);
+  if (!state.raghavan_roth_fallback) state.raghavan_roth_fallback = make_raghavan_roth(state);
+  if (state.raghavan_roth_fallback)
+    solve_raghavan_roth(*state.raghavan_roth_fallback, request, found);
 }
 
 /// A new stage is added as a row here.

@@ -103,17 +103,14 @@ Twist screw_from_json(const JsonDocument& document, const Json& json, const std:
 
 /// Returns the letter of a composite type, 0 for a single joint. Refuses unknown types.
 char composite_letter(const JsonDocument& document, const Json& json) {
-  const std::string& type = document.text(json);
-  if (type == "revolute" || type == "prismatic" || type == "helical") return 0;
-  if (type == "spherical") return 'S';
-  if (type == "cylindrical") return 'C';
-  if (type == "planar") return 'E';
-  if (type == "universal") return 'U';
+  const std::string& text = document.text(json);
+  std::vector<std::string> names;
+  for (const JointType& type : joint_types()) {
+    if (type.name == text) return type.composite ? type.letter : '\0';
+    names.push_back(type.name);
+  }
   document.refuse(
-      json, std::string("is an ") + unknown_name("joint type", printable(type),
-                                                 {"revolute", "prismatic", "helical", "spherical",
-                                                  "cylindrical", "planar", "universal"})
-                                        .what());
+      json, std::string("is an ") + unknown_name("joint type", printable(text), names).what());
 }
 
 std::vector<Joint> composite_from_json(const JsonDocument& document, const Json& json,
