@@ -5,11 +5,15 @@
 namespace beeline::internal {
 
 MinimumNormSolution minimum_norm_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
-                                          double threshold) {
+                                          std::optional<double> threshold) {
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  decomposition.setThreshold(threshold);
+  if (threshold) decomposition.setThreshold(*threshold);
   decomposition.compute(a);
   return {decomposition.solve(b), decomposition.rank()};
+}
+
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a) {
+  return a.completeOrthogonalDecomposition().pseudoInverse();
 }
 
 }  // namespace beeline::internal

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 namespace beeline::internal {
 
@@ -11,8 +12,11 @@ struct MinimumNormSolution {
 };
 
 /// Minimises |A x - b|, and |x| among the minimisers, by a complete orthogonal decomposition.
-/// `threshold`: pivots below this fraction of the largest count as zero.
+/// `threshold`: pivots below this fraction of the largest count as zero; Eigen's default, rounding.
 MinimumNormSolution minimum_norm_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
-                                          double threshold);
+                                          std::optional<double> threshold = std::nullopt);
+
+/// Returns the Moore-Penrose inverse of A, by the same decomposition.
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a);
 
 }  // namespace beeline::internal

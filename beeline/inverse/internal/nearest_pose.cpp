@@ -5,6 +5,7 @@
 #include <beeline/inverse/internal/nearest_pose.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/math/damped_least_squares.h>
+#include <beeline/math/minimum_norm.h>
 
 namespace beeline::internal {
 namespace {
@@ -89,7 +90,7 @@ Configuration nearest_orientation(const Arm& arm, const Pose& world_T_tool, cons
     const Eigen::MatrixXd j = task_jacobian(arm, at, task);
     const Eigen::VectorXd error = error_at(at);
     const Eigen::MatrixXd linear = j.topRows(positions), angular = j.bottomRows(angles);
-    const Eigen::MatrixXd inverse = linear.completeOrthogonalDecomposition().pseudoInverse();
+    const Eigen::MatrixXd inverse = pseudo_inverse(linear);
     const Configuration correction = inverse * error.head(positions);
     const Eigen::MatrixXd null_space =
         Eigen::MatrixXd::Identity(q.size(), q.size()) - inverse * linear;
@@ -114,7 +115,7 @@ Configuration nearest_orientation(const Arm& arm, const Pose& world_T_tool, cons
   }
   for (int step = 0; step < 2; ++step) {  // the position to rounding
     const Eigen::MatrixXd linear = task_jacobian(arm, best, task).topRows(positions);
-    best += linear.completeOrthogonalDecomposition().solve(error_at(best).head(positions));
+    best += minimum_norm_solution(linear, error_at(best).head(positions)).x;
   }
   return best;
 }
