@@ -80,7 +80,7 @@ def test_a_file_cut_off_anywhere(refused, tmp_path):
     for size in [0, 1, 7, 9, 10, 50, 127, 128, 129, len(whole) - 1]:
         (tmp_path / "q.npy").write_bytes(whole[:size])
         line = refused(3, "batch", "fk", "rrr", "--in", "q.npy", "--out", "o.npy", says=["q.npy"])
-        assert size < 128 or ("10 rows of 3" in line and f"it has {(size - 128) // 24}" in line)
+        assert size < 128 or ("10 rows of 3" in line and f"and has {(size - 128) // 24}" in line)
     (tmp_path / "q.npy").write_bytes(whole + b"more")
     refused(3, "batch", "fk", "rrr", "--in", "q.npy", "--out", "o.npy", says=["4 bytes after"])
 

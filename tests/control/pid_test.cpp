@@ -40,8 +40,8 @@ TEST(Pid, RefusesInvalidArguments) {
   EXPECT_REFUSED((Pid({.kp = 0}, goal)), "kp");
   EXPECT_REFUSED((Pid({.ki = -1}, goal)), "ki");
   Pid pid({}, goal);
-  EXPECT_REFUSED((pid.step(Configuration::Zero(3))), "goal has 2");
-  EXPECT_REFUSED((pid.set_goal(Configuration::Zero(3))), "goal has 2");
+  EXPECT_REFUSED((pid.step(Configuration::Zero(3))), "has 2 joint values, the configuration 3");
+  EXPECT_REFUSED((pid.set_goal(Configuration::Zero(3))), "has 2 joint values, the configuration 3");
 }
 
 }  // namespace

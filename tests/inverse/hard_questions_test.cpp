@@ -74,14 +74,15 @@ TEST(HardQuestions, ATimeLimitMakesNothingUnreachable) {
     joints.back() = testing::named(joints.back(), "j" + std::to_string(i), -0.6, 0.6);
   }
   const Arm arm("snake", joints);
+  constexpr int iterations = 2;  // too few for most poses
   int unsolved = 0;
   for (int i = 0; i < 50; ++i) {
     const Pose pose = forward_kinematics(arm, random.configuration(arm));
     const InverseResult result =
-        inverse_kinematics(arm, pose, {.iterations = 5, .time_limit = 1e-9});
+        inverse_kinematics(arm, pose, {.iterations = iterations, .time_limit = 1e-9});
     // Two searches, of which each fills its eight lanes twice at most before it looks at the clock.
     EXPECT_LE(result.restarts, 2 * 15);
-    EXPECT_LE(result.iterations, 2 * 16 * 5 + 5);
+    EXPECT_LE(result.iterations, (2 * 16 + 1) * iterations);
     if (result.status == InverseStatus::solved) continue;
     ++unsolved;
     EXPECT_EQ(result.status, InverseStatus::not_found) << result.reason;

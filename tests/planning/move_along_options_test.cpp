@@ -164,9 +164,9 @@ TEST(MoveInLines, RefusesWhatMakesNoSense) {
   EXPECT_REFUSED(moved({from, nan}), "waypoint 2");
   EXPECT_REFUSED(moved({skew}), "rigid");
   EXPECT_REFUSED(moved({from}, {.tolerance = 0}), "tolerance");
-  EXPECT_REFUSED(moved({from}, {.orientation_tolerance = NAN}), "orientation tolerance");
+  EXPECT_REFUSED(moved({from}, {.orientation_tolerance = NAN}), "orientation_tolerance");
   EXPECT_REFUSED(moved({from}, {.tool_speed = -1}), "speed");
-  EXPECT_REFUSED(moved({from}, {.max_samples = 1}), "needs two");
+  EXPECT_REFUSED(moved({from}, {.max_samples = 1}), "max_samples must be at least 2");
   Task nothing = Task::spatial();
   nothing.rows.fill(false);
   EXPECT_REFUSED(moved({from}, {.task = nothing}), "row");

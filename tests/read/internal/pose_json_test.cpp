@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <beeline/pose/orientation.h>
+#include <beeline/read/internal/json_write.h>
 #include <beeline/read/internal/pose_json.h>
 
 #include <tests/random.h>
