@@ -145,8 +145,10 @@ TEST(Sheet, RefusesWhatCannotBeDrawn) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double inf = std::numeric_limits<double>::infinity();
   for (const double value : {nan, inf, -inf, 1e200}) {
-    EXPECT_REFUSED(compose(sheet_of({{.x = {0, 1, 2}, .y = {0, value, 1}}})), "must be finite and within 1e150");
-    EXPECT_REFUSED(compose(sheet_of({{.x = {0, value, 2}, .y = {0, 1, 1}}})), "must be finite and within 1e150");
+    EXPECT_REFUSED(compose(sheet_of({{.x = {0, 1, 2}, .y = {0, value, 1}}})),
+                   "must be finite and within 1e150");
+    EXPECT_REFUSED(compose(sheet_of({{.x = {0, value, 2}, .y = {0, 1, 1}}})),
+                   "must be finite and within 1e150");
   }
   EXPECT_REFUSED(compose(sheet_of({{.x = {0, 1}, .y = {0}}})), "2 x values and 1 y values");
   EXPECT_REFUSED(compose(Sheet{}), "at least one column");

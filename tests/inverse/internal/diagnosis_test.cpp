@@ -177,7 +177,8 @@ TEST(InverseKinematics, RefusesWhatMakesNoSense) {
   EXPECT_REFUSED(inverse_kinematics(arm, pose, {.seed = no_number}), "joint1 is nan");
   EXPECT_REFUSED(inverse_kinematics(arm, pose, {.task = Task{.rows = {}}}), "at least one row");
   const Task spatial{.frame = Frame::space};
-  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.task = spatial}), "in the axes of the base or of the tool");
+  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.task = spatial}),
+                 "in the axes of the base or of the tool");
   for (const double tolerance : {0.0, -1e-9, std::nan(""), Limits::none}) {
     EXPECT_REFUSED(inverse_kinematics(arm, pose, {.tolerance = tolerance}), "tolerance is ");
   }
