@@ -1,5 +1,4 @@
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <cmath>
 
 #include <beeline/inverse/internal/nearest_pose.h>
