@@ -294,7 +294,7 @@ Servo& Servo::operator=(Servo&& other) noexcept = default;
 Servo::~Servo() = default;
 
 ServoStep Servo::step(const ConfigurationRef& q, const Twist& command,
-                      Eigen::Ref<Eigen::VectorXd> velocity) {
+                      Eigen::Ref<Eigen::VectorXd> velocity) {  // NOLINT: a reference
   return loop_->step(q, command, velocity);
 }
 
