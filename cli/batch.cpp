@@ -46,7 +46,7 @@ BatchReport process(const BatchArguments& arguments, const BatchWork& work) {
   Progress progress;
   for (;;) {
     reader.read(block, report.bad);
-    if (block.places.empty()) break;
+    if (block.positions.empty()) break;
     work.step(reader.form(), block, results, report.counts, report.bad);
     writer.write(results);
     report.rows += results.cols();

@@ -27,12 +27,12 @@ template <class Good>
 void keep_rows(RowBlock& block, Eigen::MatrixXd& values, Good&& good) {
   Eigen::Index kept = 0;
   for (Eigen::Index i = 0; i < block.count(); ++i) {
-    const RowPlace place = block.places[i];
-    if (!good(i, place)) continue;
+    const RowPosition position = block.positions[i];
+    if (!good(i, position)) continue;
     if (kept != i) values.col(kept) = values.col(i);
-    block.places[kept++] = place;
+    block.positions[kept++] = position;
   }
-  block.places.resize(static_cast<std::size_t>(kept));
+  block.positions.resize(static_cast<std::size_t>(kept));
 }
 
 /// Converts the rows of a block to configurations, and checks results.
@@ -59,7 +59,7 @@ class Configurations {
       }
       if ((q.array() >= lower_).all() && (q.array() <= upper_).all()) continue;
       if (counts.outside_limits++ > 0) continue;
-      counts.first_outside = block.places[i].row;
+      counts.first_outside = block.positions[i].row;
     }
   }
 
@@ -71,9 +71,9 @@ class Configurations {
       return (numbers.array().abs() <= largest).all();
     };
     if (fits(results)) return;
-    keep_rows(block, results, [&](Eigen::Index i, const RowPlace& place) {
+    keep_rows(block, results, [&](Eigen::Index i, const RowPosition& position) {
       if (fits(results.col(i))) return true;
-      bad.report(bad_row(arguments_.source(), place,
+      bad.report(bad_row(arguments_.source(), position,
                          arguments_.single && results.col(i).allFinite()
                              ? "a result is too large for 32 bits; omit --float"
                              : "the tool's position exceeds the range of numbers"));
@@ -115,7 +115,7 @@ void read_goals(const BatchArguments& arguments, const Arm& arm, std::size_t wid
                 Eigen::MatrixXd& goals, BadRows& bad) {
   const bool planar_form = width == pose_forms()[0].size();
   goals.resize(16, block.count());
-  keep_rows(block, goals, [&](Eigen::Index i, const RowPlace& place) {
+  keep_rows(block, goals, [&](Eigen::Index i, const RowPosition& position) {
     try {
       const auto row = block.numbers.col(i).head(static_cast<Eigen::Index>(width));
       const Pose pose = checked_pose(pose_in(row, arguments.unit));
@@ -123,7 +123,7 @@ void read_goals(const BatchArguments& arguments, const Arm& arm, std::size_t wid
       goals.col(i) = pose.matrix().reshaped();
       return true;
     } catch (const Error& error) {
-      bad.report(bad_row(arguments.source(), place, error.what()));
+      bad.report(bad_row(arguments.source(), position, error.what()));
       return false;
     }
   });

@@ -19,7 +19,7 @@ struct DiffArguments {
   bool json = false;
 };
 
-int most_different_joint(const Arm& arm, const TrajectoryDifference& difference) {
+int joint_of_largest_difference(const Arm& arm, const TrajectoryDifference& difference) {
   int worst = 0;
   for (int k = 1; k < arm.dof(); ++k) {
     if (difference.joints[k].largest > difference.joints[worst].largest) worst = k;
@@ -35,7 +35,7 @@ Answer diff_files(const DiffArguments& arguments) {
   const Arm arm = arguments.arm.read();
   const TrajectoryDifference differences =
       difference(arm, read_recording(arguments.a, arm), read_recording(arguments.b, arm));
-  const int worst = most_different_joint(arm, differences);
+  const int worst = joint_of_largest_difference(arm, differences);
   const JointDifference& joint = differences.joints[worst];
   const bool within = joint.largest <= tolerance;
   Answer answer{.text = difference_text(arm, differences, arguments.unit),

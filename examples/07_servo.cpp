@@ -52,7 +52,7 @@ int main() {
   beeline::Servo servo(panda, {.time_step = dt});
   std::vector<beeline::Configuration> trail;
   std::vector<double> took, late;
-  double farthest = 0, least_scale = 1;
+  double farthest = 0, min_scale = 1;
   Clock::time_point due = Clock::now();
   for (int i = 0; i < steps; ++i) {
     std::this_thread::sleep_until(due);
@@ -72,12 +72,12 @@ int main() {
     q += dt * velocity;  // an ideal arm
     const beeline::Vector3 off = forward_kinematics(panda, q).translation() - middle.translation();
     farthest = std::max(farthest, (off - eight(t + dt)).norm());
-    least_scale = std::min(least_scale, step.scale);
+    min_scale = std::min(min_scale, step.scale);
     if (i % 25 == 0) trail.push_back(q);
   }
   print("duration of a step", took);
   print("latency", late);
-  std::cout << "at most " << 1000 * farthest << " mm from the path, at least " << 100 * least_scale
+  std::cout << "at most " << 1000 * farthest << " mm from the path, at least " << 100 * min_scale
             << " % of the commanded speed\n";
   save(motion_figure(panda, trail, {middle}), "07_servo.svg");
   return farthest < 1e-3 ? 0 : 1;

@@ -31,7 +31,7 @@ std::string violation_after(const Arm& arm, const Trajectory& recording, std::si
   for (int i = 0; i < arm.dof(); ++i) {
     const internal::Cubic cubic =
         internal::cubic_between(q[k][i], q[k + 1][i], v[k][i], v[k + 1][i], t[k + 1] - t[k]);
-    lowest[i] = internal::extremes(cubic).least;
+    lowest[i] = internal::extremes(cubic).smallest;
     highest[i] = internal::extremes(cubic).largest;
   }
   for (const Configuration& extreme : {lowest, highest}) {

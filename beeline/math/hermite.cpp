@@ -16,7 +16,7 @@ Extremes extremes(const Cubic& cubic) {
   Extremes found{std::min(ends[0], ends[1]), std::max(ends[0], ends[1])};
   const auto take = [&](double u) {
     if (!(u > 0 && u < 1)) return;
-    found = {std::min(found.least, cubic.value(u)), std::max(found.largest, cubic.value(u))};
+    found = {std::min(found.smallest, cubic.value(u)), std::max(found.largest, cubic.value(u))};
   };
   // 3 c3 u^2 + 2 c2 u + c1 = 0, without cancellation; a division by zero yields no u within the
   // step

@@ -21,7 +21,7 @@ Cubic cubic_between(double from, double to, double velocity_from, double velocit
 
 /// The least and the largest value of the cubic over the step, ends included.
 struct Extremes {
-  double least, largest;
+  double smallest, largest;
 };
 Extremes extremes(const Cubic& cubic);
 

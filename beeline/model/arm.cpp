@@ -30,9 +30,9 @@ void check_limits(const Limits& limits, const std::string& what) {
   const std::pair<const char*, double> rates[] = {
       {"velocity", limits.velocity}, {"acceleration", limits.acceleration}, {"jerk", limits.jerk}};
   for (const auto& [quantity, rate] : rates) {
-    if (rate >= Limits::least_rate) continue;
+    if (rate >= Limits::min_rate) continue;
     throw Error(what + ": " + quantity + " limit " + number(rate) + " is below " +
-                number(Limits::least_rate) + "; leave it out where there is none");
+                number(Limits::min_rate) + "; leave it out where there is none");
   }
 }
 

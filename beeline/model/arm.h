@@ -42,7 +42,7 @@ class Arm {
   /// `base` is the pose of link 0 in the world, `tool` the pose of the tool in link n.
   /// Throws Error for: no joints; two joints of one name; a number that is not finite; a screw that
   /// is not of unit length; an offset, base or tool that is not a rigid motion; a lower limit above
-  /// the upper one; a velocity, acceleration or jerk limit below Limits::least_rate; a mimic joint
+  /// the upper one; a velocity, acceleration or jerk limit below Limits::min_rate; a mimic joint
   /// whose leader does not exist, depends on itself, or cannot keep it within its limits.
   Arm(std::string name, std::vector<Joint> joints, const Pose& tool = Pose::Identity(),
       const Pose& base = Pose::Identity());

@@ -35,11 +35,11 @@ Arm dh_arm(const std::string& name, DhConvention convention, const std::vector<D
 }
 
 Arm planar_arm(const std::string& name, std::string_view letters,
-               const std::vector<double>& lengths, const std::vector<double>& bends) {
+               const std::vector<double>& lengths, const std::vector<double>& angles) {
   std::vector<Joint> joints;
   for (std::size_t i = 0; i < letters.size(); ++i) {
     const Joint joint = composite_joint(letters[i], "joint" + std::to_string(i + 1)).front();
-    joints.push_back(planar_link(joint, lengths[i], bends[i]));
+    joints.push_back(planar_link(joint, lengths[i], angles[i]));
   }
   return {name, joints};
 }
@@ -162,8 +162,8 @@ std::string built_in_summary(std::string_view name) { return std::string(entry(n
 
 Arm built_in(std::string_view name) { return entry(name).build(); }
 
-Joint planar_link(Joint joint, double length, double bend) {
-  joint.offset = Eigen::AngleAxisd(bend, Vector3::UnitZ()) * joint.offset;
+Joint planar_link(Joint joint, double length, double angle) {
+  joint.offset = Eigen::AngleAxisd(angle, Vector3::UnitZ()) * joint.offset;
   return with_link_frame(std::move(joint), make_pose({length, 0, 0}));
 }
 

@@ -24,8 +24,8 @@ std::string built_in_summary(std::string_view name);
 /// Returns the built-in arm. Throws Error for an unknown name, suggesting the nearest one.
 Arm built_in(std::string_view name);
 
-/// A planar link (section 1.4 of the chapter): `joint`, rotated by `bend` (rad) about z, then
+/// A planar link (section 1.4 of the chapter): `joint`, rotated by `angle` (rad) about z, then
 /// `length` metres along x to the link frame.
-Joint planar_link(Joint joint, double length, double bend = 0);
+Joint planar_link(Joint joint, double length, double angle = 0);
 
 }  // namespace beeline

@@ -19,7 +19,7 @@ struct Limits {
   static constexpr double none = std::numeric_limits<double>::infinity();
   /// The least limit of velocity, acceleration and jerk. An arm at 1e-9 rad/s needs a century for
   /// one turn; far below, the ratios of limits in time scaling leave the range of a double.
-  static constexpr double least_rate = 1e-9;
+  static constexpr double min_rate = 1e-9;
 
   double lower = -none;        ///< of the position
   double upper = none;         ///< of the position

@@ -8,8 +8,8 @@
 namespace beeline {
 namespace {
 
-constexpr double nothing = 1e-12;        // metres or radians that count as zero
-constexpr double least_fraction = 1e-9;  // of a line: shorter remainders are left out
+constexpr double nothing = 1e-12;      // metres or radians that count as zero
+constexpr double min_fraction = 1e-9;  // of a line: shorter remainders are left out
 
 /// Both lines at a corner: translation and rotation vector per metre of their span.
 struct Sides {
@@ -141,7 +141,7 @@ BlendedPath blended_lines(std::span<const Pose> given, const Deviation& within) 
   }
   for (std::size_t i = 0; i < lines; ++i) {
     const double from = radius[i] / span[i], to = 1 - radius[i + 1] / span[i];
-    if (to - from > least_fraction) {
+    if (to - from > min_fraction) {
       blended.path.segments.emplace_back(
           Line{interpolate(poses[i], poses[i + 1], from), interpolate(poses[i], poses[i + 1], to)});
       blended.path.spans.push_back((to - from) * span[i]);

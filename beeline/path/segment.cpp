@@ -32,18 +32,18 @@ SegmentMotion motion(const ScrewLine& screw, double s) {
   const Twist body = se3_log(screw.from.inverse() * screw.to);
   const Pose pose = screw.from * se3_exp(s * body);
   const Vector3 velocity = pose.linear() * body.head<3>();
-  const Vector3 turn = screw.from.linear() * body.tail<3>();
-  return {pose, joined(velocity, turn), joined(turn.cross(velocity), Vector3::Zero())};
+  const Vector3 rotation = screw.from.linear() * body.tail<3>();
+  return {pose, joined(velocity, rotation), joined(rotation.cross(velocity), Vector3::Zero())};
 }
 
 SegmentMotion motion(const Arc& arc, double s) {
-  // (exp(s turn) - 1) times the radius, without cancellation where the centre is far away.
+  // (exp(s rotation) - 1) times the radius, without cancellation where the centre is far away.
   const Vector3 radius = arc.from.translation() - arc.centre;
-  const double angle = arc.turn.norm(), half = std::sin(s * angle / 2);
-  const Vector3 axis = arc.turn / angle, across = axis.cross(radius);
+  const double angle = arc.rotation.norm(), half = std::sin(s * angle / 2);
+  const Vector3 axis = arc.rotation / angle, across = axis.cross(radius);
   const Vector3 moved = std::sin(s * angle) * across + 2 * half * half * axis.cross(across);
-  const Vector3 velocity = arc.turn.cross(radius + moved);
-  SegmentMotion at = rotating_motion(arc.from, arc.to, s, velocity, arc.turn.cross(velocity));
+  const Vector3 velocity = arc.rotation.cross(radius + moved);
+  SegmentMotion at = rotating_motion(arc.from, arc.to, s, velocity, arc.rotation.cross(velocity));
   at.pose.translation() = arc.from.translation() + moved;
   return at;
 }
@@ -67,7 +67,7 @@ SegmentMotion motion(const SplineSegment& segment, double s) {
 
 Segment back(const Line& line) { return Line{line.to, line.from}; }
 Segment back(const ScrewLine& screw) { return ScrewLine{screw.to, screw.from}; }
-Segment back(const Arc& arc) { return Arc{arc.to, arc.from, arc.centre, -arc.turn}; }
+Segment back(const Arc& arc) { return Arc{arc.to, arc.from, arc.centre, -arc.rotation}; }
 
 /// The polynomial in 1 - s.
 Segment back(const SplineSegment& segment) {
@@ -134,7 +134,7 @@ double length_of(const Segment& segment) {
   return sum / (2 * parts);
 }
 
-bool turns_about_z(const Segment& segment) {
+bool rotates_about_z(const Segment& segment) {
   constexpr double tilt = 1e-9;
   if (const auto* spline = std::get_if<SplineSegment>(&segment)) {
     return spline->terms.middleRows<2>(3).cwiseAbs().maxCoeff() <= tilt;

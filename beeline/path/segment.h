@@ -20,14 +20,14 @@ struct ScrewLine {
   Pose to;
 };
 
-/// A circular arc: the tool origin rotates about the axis through `centre` along `turn`, whose
+/// A circular arc: the tool origin rotates about the axis through `centre` along `rotation`, whose
 /// length is the arc's angle, at most 2 pi. The orientation follows the shortest rotation from
 /// `from` to `to`. Both rates are constant. See arc_through().
 struct Arc {
   Pose from;
   Pose to;
   Vector3 centre;
-  Vector3 turn;
+  Vector3 rotation;
 };
 
 /// A segment of a spline, or a blend. With the vectors x and r of the polynomial
@@ -73,6 +73,6 @@ double length_of(const Segment& segment);
 Segment reversed(const Segment& segment);
 
 /// Whether the segment rotates about the world's z axis only, as planar arms do.
-bool turns_about_z(const Segment& segment);
+bool rotates_about_z(const Segment& segment);
 
 }  // namespace beeline

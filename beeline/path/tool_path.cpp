@@ -31,7 +31,7 @@ Route route_of(ToolPath path, PathKind kind) {
 
 double span_of(const Line& line) {
   const Twist whole = pose_difference(line.to, line.from);
-  return std::max(whole.head<3>().norm(), least_metres_per_radian * whole.tail<3>().norm());
+  return std::max(whole.head<3>().norm(), min_metres_per_radian * whole.tail<3>().norm());
 }
 
 std::size_t segment_at(const ToolPath& path, double s) {

@@ -43,9 +43,9 @@ constexpr double metres_per_radian = 0.2;
 
 /// A line that translates by less than this per radian of its rotation is parameterised by its
 /// rotation: metres per radian.
-constexpr double least_metres_per_radian = 0.01;
+constexpr double min_metres_per_radian = 0.01;
 
-/// The span of a line, metres: its length, or least_metres_per_radian times its rotation angle
+/// The span of a line, metres: its length, or min_metres_per_radian times its rotation angle
 /// where that is larger.
 double span_of(const Line& line);
 

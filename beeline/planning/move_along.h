@@ -34,7 +34,7 @@ struct PathMotionOptions {
 /// reached.
 struct PathMotion {
   MotionStatus status = MotionStatus::not_found;
-  std::string reason;                   ///< one sentence, with the place; empty when reached
+  std::string reason;                   ///< one sentence, with the position; empty when reached
   std::vector<NearbyPath> nearby;       ///< paths that work, if options.suggest
   Trajectory trajectory;                ///< from rest to rest
   ToolPath path;                        ///< the path that it follows

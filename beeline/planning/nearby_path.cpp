@@ -24,7 +24,7 @@ struct Change {
     return ScrewLine{(*this)(screw.from), (*this)(screw.to)};
   }
   Segment operator()(const Arc& arc) const {
-    return Arc{(*this)(arc.from), (*this)(arc.to), arc.centre + translation, arc.turn};
+    return Arc{(*this)(arc.from), (*this)(arc.to), arc.centre + translation, arc.rotation};
   }
   Segment operator()(const SplineSegment& segment) const {
     return SplineSegment{(*this)(segment.centre), segment.terms};

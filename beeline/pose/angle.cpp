@@ -11,9 +11,9 @@ double angle_difference(double a, double b) {
   return wrap_angle(wrap_angle(a) - wrap_angle(b));  // a - b could overflow, or lose b to rounding
 }
 
-double nearest_turn(double radians, double reference) {
-  constexpr double turn = 2 * std::numbers::pi;
-  return radians + turn * std::nearbyint((reference - radians) / turn);
+double nearest_angle(double radians, double reference) {
+  constexpr double two_pi = 2 * std::numbers::pi;
+  return radians + two_pi * std::nearbyint((reference - radians) / two_pi);
 }
 
 }  // namespace beeline

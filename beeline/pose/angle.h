@@ -10,6 +10,6 @@ double wrap_angle(double radians);
 double angle_difference(double a, double b);
 
 /// Returns `radians` plus the multiple of 2 pi that brings it nearest to `reference`.
-double nearest_turn(double radians, double reference);
+double nearest_angle(double radians, double reference);
 
 }  // namespace beeline

@@ -31,10 +31,10 @@ Joint moving_joint(const UrdfFile& file, const UrdfFile::Joint& urdf, const Pose
                     "joint " + urdf.name + ": lower limit " + number(urdf.limits.lower) +
                         " exceeds upper limit " + number(urdf.limits.upper));
   }
-  if (urdf.limits.velocity < Limits::least_rate) {
+  if (urdf.limits.velocity < Limits::min_rate) {
     throw FileError(file.path, urdf.limit_line,
                     "joint " + urdf.name + ": velocity limit " + number(urdf.limits.velocity) +
-                        " is below " + number(Limits::least_rate) + "; 0 stands for none");
+                        " is below " + number(Limits::min_rate) + "; 0 stands for none");
   }
   return joint;
 }

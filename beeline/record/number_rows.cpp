@@ -27,8 +27,8 @@ class NpyRows {
   const InputFile& file() const { return reader_.file(); }
 
   void read(RowBlock& block, BadRows& bad) {
-    block.places.clear();
-    while (block.places.empty()) {  // a block with only bad rows is not the end
+    block.positions.clear();
+    while (block.positions.empty()) {  // a block with only bad rows is not the end
       const Eigen::Index count = reader_.read(block.numbers);
       if (count == 0) return;
       for (Eigen::Index i = 0; i < count; ++i) take_row(i, block, bad);
@@ -51,17 +51,17 @@ class NpyRows {
 
   /// Moves row i of the block to the end of its valid rows, unless it is bad.
   void take_row(Eigen::Index i, RowBlock& block, BadRows& bad) {
-    const RowPlace place{++row_, 0};
+    const RowPosition position{++row_, 0};
     const auto row = block.numbers.col(i);
     for (Eigen::Index k = 0; k < row.size(); ++k) {
       if (std::isfinite(row[k])) continue;
       const std::string column = printable(columns_[static_cast<std::size_t>(k)]);
-      bad.report(bad_row(file().path(), place,
+      bad.report(bad_row(file().path(), position,
                          "column " + column + " is " + number(row[k]) + "; it must be finite"));
       return;
     }
     if (block.count() != i) block.numbers.col(block.count()) = row;
-    block.places.push_back(place);
+    block.positions.push_back(position);
   }
 
   NpyReader reader_;

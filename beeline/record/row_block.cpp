@@ -4,10 +4,11 @@
 
 namespace beeline {
 
-FileError bad_row(const std::string& path, const RowPlace& place, const std::string& message) {
-  const bool counted = place.line <= std::numeric_limits<int>::max();
-  return {path, counted ? static_cast<int>(place.line) : 0,
-          "row " + std::to_string(place.row) + ": " + message};
+FileError bad_row(const std::string& path, const RowPosition& position,
+                  const std::string& message) {
+  const bool counted = position.line <= std::numeric_limits<int>::max();
+  return {path, counted ? static_cast<int>(position.line) : 0,
+          "row " + std::to_string(position.row) + ": " + message};
 }
 
 void BadRows::report(const FileError& error) {

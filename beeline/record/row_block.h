@@ -11,20 +11,20 @@ namespace beeline {
 
 /// The position of a row, counted from 1: row 1 is the first with numbers. Formats without lines
 /// have line 0.
-struct RowPlace {
+struct RowPosition {
   std::int64_t row = 0, line = 0;
 };
 
 /// Some rows of a table. Row i is column i of `numbers`; the first count() columns are valid.
 struct RowBlock {
   Eigen::MatrixXd numbers;
-  std::vector<RowPlace> places;
+  std::vector<RowPosition> positions;
 
-  Eigen::Index count() const { return static_cast<Eigen::Index>(places.size()); }
+  Eigen::Index count() const { return static_cast<Eigen::Index>(positions.size()); }
 };
 
 /// Returns the error of a bad row, which names the file, the line and the row.
-FileError bad_row(const std::string& path, const RowPlace& place, const std::string& message);
+FileError bad_row(const std::string& path, const RowPosition& position, const std::string& message);
 
 /// What happens to bad rows: the first one throws, or all are skipped and counted.
 struct BadRows {

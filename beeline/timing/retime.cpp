@@ -13,7 +13,7 @@ namespace {
 using internal::TimedPath;
 
 constexpr double repeated = 1e-12;        // radians, metres: positions as near as that are one
-constexpr double standing = 1e-9;         // of the largest velocity: below, the arm stands still
+constexpr double rest_speed = 1e-9;       // of the largest velocity: below, the arm stands still
 constexpr double longest_gap = 0.005;     // of a part's duration, between its samples
 constexpr double max_rate_samples = 1e6;  // at a rate: some 300 MB for seven joints
 constexpr double slowest_tool = 1e-9;     // metres per second
@@ -35,7 +35,7 @@ std::vector<std::vector<Configuration>> parts_between_stops(const Trajectory& tr
     if (stop && all.back().size() > 1) all.push_back({all.back().back()});
     all.back().push_back(q);
     stop = !trajectory.velocities.empty() &&
-           trajectory.velocities[k].lpNorm<Eigen::Infinity>() <= standing * largest;
+           trajectory.velocities[k].lpNorm<Eigen::Infinity>() <= rest_speed * largest;
   }
   return all;
 }

@@ -5,10 +5,10 @@
 namespace beeline {
 
 PathLimits path_limits(const Arm& arm, double speed_scale) {
-  constexpr double least = 1e-6;  // its cube scales the jerk and must remain far above rounding
+  constexpr double min_scale = 1e-6;  // its cube scales the jerk and must remain far above rounding
   const double k = speed_scale;
-  if (!(k >= least && k <= 1)) {
-    throw Error("the speed scale must be from " + number(least) + " to 1, not " + number(k));
+  if (!(k >= min_scale && k <= 1)) {
+    throw Error("the speed scale must be from " + number(min_scale) + " to 1, not " + number(k));
   }
   PathLimits limits;
   limits.velocity = limits.acceleration = limits.jerk = Configuration(arm.dof());
@@ -22,7 +22,7 @@ PathLimits path_limits(const Arm& arm, double speed_scale) {
 }
 
 void check_limits(const PathLimits& limits, const JointPath& path) {
-  constexpr double least = 1e-100;  // squares of its inverse are still finite
+  constexpr double min_limit = 1e-100;  // squares of its inverse are still finite
   const Eigen::Index joints = path.q.at(0).size();
   for (const Configuration& kind : {limits.velocity, limits.acceleration, limits.jerk}) {
     if (kind.size() != joints) {
@@ -30,9 +30,9 @@ void check_limits(const PathLimits& limits, const JointPath& path) {
                   "kind, not " + std::to_string(kind.size()));
     }
     for (const double limit : kind) {
-      if (limit >= least) continue;
-      throw Error("a velocity, acceleration or jerk limit must be above zero, " + number(least) +
-                  " at least, not " + number(limit));
+      if (limit >= min_limit) continue;
+      throw Error("a velocity, acceleration or jerk limit must be above zero, " +
+                  number(min_limit) + " at min_limit, not " + number(limit));
     }
   }
   if (!limits.speed.empty() && limits.speed.size() != path.size()) {
@@ -40,9 +40,9 @@ void check_limits(const PathLimits& limits, const JointPath& path) {
                 std::to_string(limits.speed.size()) + " limits of its speed");
   }
   for (const double speed : limits.speed) {
-    if (speed >= least) continue;
-    throw Error("a speed limit of a path must be above zero, " + number(least) + " at least, not " +
-                number(speed));
+    if (speed >= min_limit) continue;
+    throw Error("a speed limit of a path must be above zero, " + number(min_limit) +
+                " at min_limit, not " + number(speed));
   }
 }
 

@@ -35,9 +35,9 @@ TEST(Cubic, ReportsItsExtremesOverTheStep) {
       least = std::min(least, cubic.value(k / 2000.0));
       largest = std::max(largest, cubic.value(k / 2000.0));
     }
-    EXPECT_LE(extremes(cubic).least, least);
+    EXPECT_LE(extremes(cubic).smallest, least);
     EXPECT_GE(extremes(cubic).largest, largest);
-    EXPECT_NEAR(extremes(cubic).least, least, 1e-5);
+    EXPECT_NEAR(extremes(cubic).smallest, least, 1e-5);
     EXPECT_NEAR(extremes(cubic).largest, largest, 1e-5);
   }
 }

@@ -115,7 +115,7 @@ TEST(Arm, RefusesInconsistentAndTooSmallLimits) {
     EXPECT_REFUSED(with({.acceleration = bad}), "joint 2 (elbow): acceleration limit");
     EXPECT_REFUSED(with({.jerk = bad}), "joint 2 (elbow): jerk limit");
   }
-  EXPECT_EQ(with({.velocity = Limits::least_rate}).limits(1).velocity, 1e-9);
+  EXPECT_EQ(with({.velocity = Limits::min_rate}).limits(1).velocity, 1e-9);
   EXPECT_EQ(with({.lower = 1, .upper = 1}).limits(1).lower, 1) << "a held joint is allowed";
 }
 

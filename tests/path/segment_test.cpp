@@ -85,16 +85,16 @@ TEST(Arc, IsACircleThroughItsThreePositions) {
     const double radius = (arc.from.translation() - arc.centre).norm();
     const double slack = 1e-12 * (1 + radius) * (1 + radius);
     double nearest = radius;
-    ASSERT_LE(arc.turn.norm(), 2 * pi);
-    const double angle = arc.turn.norm();
+    ASSERT_LE(arc.rotation.norm(), 2 * pi);
+    const double angle = arc.rotation.norm();
     for (int k = 0; k <= 50; ++k) {
       const Vector3 p = pose_at(arc, k / 50.0).translation();
       ASSERT_NEAR((p - arc.centre).norm(), radius, slack);
-      ASSERT_NEAR((p - arc.centre).dot(arc.turn), 0, slack * angle);
+      ASSERT_NEAR((p - arc.centre).dot(arc.rotation), 0, slack * angle);
     }
     // where it passes: by the angle at the centre
     const Vector3 a = arc.from.translation() - arc.centre, b = passed - arc.centre;
-    double turned = std::atan2(a.cross(b).dot(arc.turn) / angle, a.dot(b));
+    double turned = std::atan2(a.cross(b).dot(arc.rotation) / angle, a.dot(b));
     if (turned < 0) turned += 2 * pi;
     ASSERT_LT(turned, angle);
     nearest = (pose_at(arc, turned / angle).translation() - passed).norm();

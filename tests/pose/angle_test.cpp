@@ -70,15 +70,15 @@ TEST(NearestTurn, IsEquivalentAndWithinPiOfTheReference) {
   testing::Random random;
   for (int i = 0; i < 20000; ++i) {
     const double a = random.uniform(-50, 50), reference = random.uniform(-50, 50);
-    const double near = nearest_turn(a, reference);
+    const double near = nearest_angle(a, reference);
     ASSERT_LE(std::abs(near - reference), pi + 1e-13);
     const double turns = (near - a) / (2 * pi);
     ASSERT_NEAR(turns, std::round(turns), 3e-13);
-    ASSERT_EQ(nearest_turn(near, reference), near)
+    ASSERT_EQ(nearest_angle(near, reference), near)
         << "a value within pi of the reference is unchanged";
   }
-  EXPECT_EQ(nearest_turn(1e-20, 3), 1e-20) << "the reference does not enter the sum";
-  EXPECT_EQ(nearest_turn(pi, 0), pi);
+  EXPECT_EQ(nearest_angle(1e-20, 3), 1e-20) << "the reference does not enter the sum";
+  EXPECT_EQ(nearest_angle(pi, 0), pi);
 }
 
 }  // namespace

@@ -56,31 +56,33 @@ HWY_INLINE void pair_blocks(hn::Vec512<double>& a, hn::Vec512<double>& b) {
 }
 #endif
 
-/// Loads blocks of `piece` numbers that are `apart` numbers from each other into one register; and
-/// stores them.
+/// Loads blocks of `block_size` numbers that are `apart` numbers from each other into one register;
+/// and stores them.
 template <class D, class Real>
-HWY_INLINE hn::Vec<D> gather_blocks(D d, int piece, const Real* from, Eigen::Index apart) {
+HWY_INLINE hn::Vec<D> gather_blocks(D d, int block_size, const Real* from, Eigen::Index apart) {
   if constexpr (hn::MaxLanes(D()) * sizeof(Real) <= 16) {
     return hn::LoadU(d, from);
   } else {
     const int lanes = static_cast<int>(hn::MaxLanes(d));
     const hn::Half<D> half;
-    if (lanes == piece) return hn::LoadU(d, from);
-    const auto low = gather_blocks(half, piece, from, apart);
-    const auto high = gather_blocks(half, piece, from + apart * (lanes / piece / 2), apart);
+    if (lanes == block_size) return hn::LoadU(d, from);
+    const auto low = gather_blocks(half, block_size, from, apart);
+    const auto high =
+        gather_blocks(half, block_size, from + apart * (lanes / block_size / 2), apart);
     return hn::Combine(d, high, low);
   }
 }
 template <class D, class Real>
-HWY_INLINE void scatter_blocks(D d, hn::Vec<D> v, int piece, Real* to, Eigen::Index apart) {
+HWY_INLINE void scatter_blocks(D d, hn::Vec<D> v, int block_size, Real* to, Eigen::Index apart) {
   if constexpr (hn::MaxLanes(D()) * sizeof(Real) <= 16) {
     hn::StoreU(v, d, to);
   } else {
     const int lanes = static_cast<int>(hn::MaxLanes(d));
     const hn::Half<D> half;
-    if (lanes == piece) return hn::StoreU(v, d, to);
-    scatter_blocks(half, hn::LowerHalf(half, v), piece, to, apart);
-    scatter_blocks(half, hn::UpperHalf(half, v), piece, to + apart * (lanes / piece / 2), apart);
+    if (lanes == block_size) return hn::StoreU(v, d, to);
+    scatter_blocks(half, hn::LowerHalf(half, v), block_size, to, apart);
+    scatter_blocks(half, hn::UpperHalf(half, v), block_size, to + apart * (lanes / block_size / 2),
+                   apart);
   }
 }
 

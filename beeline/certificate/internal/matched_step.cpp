@@ -16,7 +16,8 @@ namespace {
 bool planar(const Arm& arm, const Segment& segment) {
   constexpr double tilt = 1e-9;
   const Rotation r = pose_at(segment, 0).linear();
-  return arm.planar() && turns_about_z(segment) && r.col(2).head<2>().norm() <= tilt && r(2, 2) > 0;
+  return arm.planar() && rotates_about_z(segment) && r.col(2).head<2>().norm() <= tilt &&
+         r(2, 2) > 0;
 }
 
 /// Bounds the angle f between the orientations of tool and segment; `ends` bounds it at both ends.

@@ -26,9 +26,9 @@ SegmentChordBound bound_of(const Line& line, double s_a, double s_b) {
 ///     g'/2 = (cos h - k) sin x + k x (k - cos x) <= (k x - sin x)(k - cos x),
 /// where cos h <= k and k x <= sin x. If k <= cos x, the left side is not positive; otherwise the
 /// right side is not. Hence the distance is largest at t = 1/2.
-SegmentChordBound circle_bound(const SegmentMotion& middle, const Vector3& turn, double step) {
+SegmentChordBound circle_bound(const SegmentMotion& middle, const Vector3& rotation, double step) {
   const double size = middle.acceleration.head<3>().norm() * step * step;  // r f^2
-  const double angle = turn.norm() * std::abs(step);
+  const double angle = rotation.norm() * std::abs(step);
   const double sinc = angle > 1e-8 ? std::sin(angle / 4) / (angle / 4) : 1;
   SegmentChordBound bound;
   bound.rotation = middle.velocity.tail<3>().norm() * std::abs(step);
@@ -46,7 +46,7 @@ SegmentChordBound bound_of(const ScrewLine& screw, double s_a, double s_b) {
 }
 
 SegmentChordBound bound_of(const Arc& arc, double s_a, double s_b) {
-  return circle_bound(motion_at(arc, (s_a + s_b) / 2), arc.turn, s_b - s_a);
+  return circle_bound(motion_at(arc, (s_a + s_b) / 2), arc.rotation, s_b - s_a);
 }
 
 /// The polynomial [x; r] and its five derivatives at s.

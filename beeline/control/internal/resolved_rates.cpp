@@ -49,7 +49,7 @@ bool ResolvedRates::solve_least_squares() {
 
 /// Returns the coordinate that exceeds its bound for a position limit by the largest factor; -1
 /// when none does.
-Eigen::Index ResolvedRates::most_exceeding(const std::vector<VelocityBounds>& bounds) const {
+Eigen::Index ResolvedRates::farthest_outside(const std::vector<VelocityBounds>& bounds) const {
   Eigen::Index worst = -1;
   double largest = 1;
   for (Eigen::Index k = 0; k < x_.size(); ++k) {
@@ -68,7 +68,7 @@ bool ResolvedRates::solve_within_bounds(const std::vector<VelocityBounds>& bound
   std::fill(fixed_.begin(), fixed_.end(), char{0});
   bool solved = solve_least_squares();
   for (Eigen::Index redundant = x_.size() - 6; solved && redundant > 0; --redundant) {
-    const Eigen::Index worst = most_exceeding(bounds);
+    const Eigen::Index worst = farthest_outside(bounds);
     if (worst < 0) break;
     previous_ = x_;
     fixed_[worst] = 1;

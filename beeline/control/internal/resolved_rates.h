@@ -34,7 +34,7 @@ class ResolvedRates {
  private:
   bool solve_least_squares();
   bool solve_within_bounds(const std::vector<VelocityBounds>& bounds);
-  Eigen::Index most_exceeding(const std::vector<VelocityBounds>& bounds) const;
+  Eigen::Index farthest_outside(const std::vector<VelocityBounds>& bounds) const;
   void fill_acceleration(const ConfigurationRef& q);
 
   WeightedTask task_;

@@ -56,12 +56,13 @@ Scale upright_scale(const Chart& chart, bool right) {
     if (line.right == right && shown(chart, line)) range.include(line.y);
   }
   if (chart.from_zero) range.include(0);
-  double least = chart.min_span;
-  if (range.low == range.high) least = std::max(least, range.low == 0 ? 1 : std::abs(range.low));
-  Scale scale = spanning(range.low, range.high, least);
+  double min_span = chart.min_span;
+  if (range.low == range.high)
+    min_span = std::max(min_span, range.low == 0 ? 1 : std::abs(range.low));
+  Scale scale = spanning(range.low, range.high, min_span);
   const double span = scale.high - scale.low;
   scale = spanning(scale.low - (chart.from_zero && range.low >= 0 ? 0 : padding * span),
-                   scale.high + padding * span, least);
+                   scale.high + padding * span, min_span);
   if (chart.from_zero && range.low >= 0) scale.low = 0;
   return scale;
 }

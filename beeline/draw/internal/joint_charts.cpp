@@ -64,14 +64,14 @@ LimitScale limit_scale(const Limits& limits, double Limits::*kind) {
 
 /// Returns the units of the joints without a limit: "rad/s", "m/s" or both.
 std::string units_of(const Arm& arm, const std::vector<LimitScale>& scales, const char* per) {
-  bool turns = false, slides = false;
+  bool rotates = false, slides = false;
   for (std::size_t k = 0; k < scales.size(); ++k) {
     if (scales[k].half > 0) continue;
     const bool slide = kind(arm.joint_of(static_cast<int>(k))) == JointKind::prismatic;
-    (slide ? slides : turns) = true;
+    (slide ? slides : rotates) = true;
   }
   const std::string tail = per;
-  if (turns && slides) return "rad" + tail + ", m" + tail;
+  if (rotates && slides) return "rad" + tail + ", m" + tail;
   return (slides ? "m" : "rad") + tail;
 }
 

@@ -65,7 +65,7 @@ void place_labels(const std::vector<Label>& labels, const Projection& projection
     const Point anchor = projection(label.at);
     const Point half = text_size(label.text, label.size) / 2;
     const double wanted = std::atan2(label.up, label.right);
-    double least = 1e300;
+    double lowest_cost = 1e300;
     Text best{drawable(label.text), anchor, label.size, label.colour};
     best.halo = true;
     Box best_box;
@@ -73,16 +73,16 @@ void place_labels(const std::vector<Label>& labels, const Projection& projection
       constexpr int directions = 16;
       for (int k = 0; k < directions; ++k) {
         const int steps = k % 2 == 0 ? k / 2 : -(k + 1) / 2;  // to either side in turn
-        const double turn = 2 * std::numbers::pi * steps / directions;
-        const Point direction(std::cos(wanted + turn), -std::sin(wanted + turn));
+        const double offset = 2 * std::numbers::pi * steps / directions;
+        const Point direction(std::cos(wanted + offset), -std::sin(wanted + offset));
         const Point centre = anchor + direction * gap + direction.cwiseProduct(half);
         Box box;
         box.include(centre, half + Point(1, -0.5));
-        double cost = 0.35 * gap + 1.6 * std::abs(turn);
+        double cost = 0.35 * gap + 1.6 * std::abs(offset);
         for (const StrokeSegment& segment : segments) cost += length_inside(segment, box);
         for (const Box& other : taken) cost += 5 * common_area(box, other);
-        if (cost >= least) continue;
-        least = cost;
+        if (cost >= lowest_cost) continue;
+        lowest_cost = cost;
         best.centre = centre;
         best_box = box;
       }

@@ -30,7 +30,7 @@ void measure_content(Cell& cell, double scale) {
 }
 
 /// Gives panels with the same horizontal (0) or vertical (1) ruler the same range on it.
-void share_range(const std::vector<Cell*>& cells, int axis) {
+void equalise_range(const std::vector<Cell*>& cells, int axis) {
   const auto same = [axis](const Cell& a, const Cell& b) {
     return a.rulers && b.rulers && a.scale == b.scale &&
            a.panel->view.row(axis) == b.panel->view.row(axis);
@@ -86,10 +86,10 @@ void measure(Columns& columns, double scale) {
       measure_content(cell, scale);
       cells.push_back(&cell);
     }
-    share_range(cells, 0);
+    equalise_range(cells, 0);
     if (cells.size() == 1) row.push_back(cells.front());
   }
-  share_range(row, 1);
+  equalise_range(row, 1);
   for (auto& column : columns) {
     for (Cell& cell : column) measure_plot(cell);
     measure_left(column);

@@ -51,13 +51,13 @@ std::vector<Vector3> polyline_of(const ToolPath& path) {
 PathTrace trace_path(const Arm& arm, std::span<const Configuration> samples,
                      const FollowedPath& followed) {
   const ToolPath& path = followed.path;
-  const std::vector<double>& places = followed.path_parameters;
+  const std::vector<double>& path_parameters = followed.path_parameters;
   const Task& task = followed.task;
-  if (places.empty() || places.size() > samples.size() || path.segments.empty() ||
+  if (path_parameters.empty() || path_parameters.size() > samples.size() || path.segments.empty() ||
       path.spans.size() != path.segments.size()) {
-    throw Error("a trace along a path needs its segments, samples, and their places");
+    throw Error("a trace along a path needs its segments, samples, and their path parameters");
   }
-  check_path_parameters(path, places);
+  check_path_parameters(path, path_parameters);
   constexpr std::size_t wanted = 3000;  // points; a chart does not resolve more
   const std::size_t parts = std::clamp<std::size_t>(wanted / samples.size(), 2, 16);
   PathTrace trace;
@@ -66,16 +66,17 @@ PathTrace trace_path(const Arm& arm, std::span<const Configuration> samples,
   double begin = 0;
   for (const Segment& segment : path.segments) {
     const Pose from = pose_at(segment, 0), to = pose_at(segment, 1);
-    const double turn = least_metres_per_radian * pose_difference(to, from).tail<3>().norm();
+    const double rotation_length =
+        min_metres_per_radian * pose_difference(to, from).tail<3>().norm();
     const double length = length_of(segment);
-    intervals.push_back({segment, begin, std::max(length, turn)});
-    trace.has_pure_rotation = trace.has_pure_rotation || length < turn;
+    intervals.push_back({segment, begin, std::max(length, rotation_length)});
+    trace.has_pure_rotation = trace.has_pure_rotation || length < rotation_length;
     begin += intervals.back().length;
   }
   std::size_t on = path.segments.size();  // the segment before
-  for (std::size_t k = 1; k < places.size(); ++k) {
-    for (const SegmentStep& step :
-         split_at_segments(path, task, samples[k - 1], places[k - 1], samples[k], places[k])) {
+  for (std::size_t k = 1; k < path_parameters.size(); ++k) {
+    for (const SegmentStep& step : split_at_segments(
+             path, task, samples[k - 1], path_parameters[k - 1], samples[k], path_parameters[k])) {
       const Interval& interval = intervals[step.segment];
       const auto at = [&](double fraction, std::size_t number) {
         return measure(arm, step.q_a + fraction * (step.q_b - step.q_a),
@@ -94,7 +95,7 @@ PathTrace trace_path(const Arm& arm, std::span<const Configuration> samples,
   if (trace.points.empty()) {
     trace.points.push_back(measure(arm, samples.front(), 0, 0, intervals.front(), task));
   }
-  const std::size_t reached = arrivals(places).size();
+  const std::size_t reached = arrivals(path_parameters).size();
   for (std::size_t i = 0; i < reached; ++i) {
     trace.segment_ends.push_back(intervals[i].begin + intervals[i].length);
   }

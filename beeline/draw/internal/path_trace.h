@@ -27,7 +27,7 @@ struct PathTrace {
   std::vector<Step> steps;
   std::vector<double> segment_ends;  ///< arc length at the end of each segment
   std::vector<Vector3> polyline;     ///< the path, metres
-  /// Some segment's length is that of its rotation (`least_metres_per_radian` for each radian).
+  /// Some segment's length is that of its rotation (`min_metres_per_radian` for each radian).
   bool has_pure_rotation = false;
 };
 

@@ -19,10 +19,10 @@ Point Projection::direction(const Vector3& d) const {
   return {view.row(0).dot(d), -view.row(1).dot(d)};
 }
 
-double round_step(double least) {
-  const double power = std::pow(10, std::floor(std::log10(least)));
+double round_step(double minimum) {
+  const double power = std::pow(10, std::floor(std::log10(minimum)));
   for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= least * (1 - 1e-9)) return factor * power;
+    if (factor * power >= minimum * (1 - 1e-9)) return factor * power;
   }
   return 10 * power;
 }

@@ -19,8 +19,8 @@ struct Projection {
   double depth(const Vector3& p) const { return view.row(2).dot(p); }
 };
 
-/// Returns the smallest of 1, 2, 5 times a power of ten that is at least `least` (> 0).
-double round_step(double least);
+/// Returns the smallest of 1, 2, 5 times a power of ten that is at least `minimum` (> 0).
+double round_step(double minimum);
 
 /// Returns the number of decimals that multiples of a round step need.
 int decimals_of(double step);

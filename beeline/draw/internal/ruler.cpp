@@ -103,12 +103,12 @@ std::vector<Polyline> floor_grid(const Scene& scene) {
   if (size < 1e-12) return {};
   const double step = round_step(size / 8);
   // At least a third of the size, so that the grid of an upright or flat arm is not a narrow strip.
-  const double least = size / 3;
+  const double min_half = size / 3;
   const auto first = [&](int axis) {
-    return std::floor(std::min(low[axis], (low[axis] + high[axis]) / 2 - least) / step - 0.1);
+    return std::floor(std::min(low[axis], (low[axis] + high[axis]) / 2 - min_half) / step - 0.1);
   };
   const auto last = [&](int axis) {
-    return std::ceil(std::max(high[axis], (low[axis] + high[axis]) / 2 + least) / step + 0.1);
+    return std::ceil(std::max(high[axis], (low[axis] + high[axis]) / 2 + min_half) / step + 0.1);
   };
   const double first_x = first(0), last_x = last(0), first_y = first(1), last_y = last(1);
   std::vector<Polyline> lines;

@@ -54,7 +54,7 @@ HWY_INLINE RigidMotion closing_motion(const PieperLoop& loop, const double* goal
 /// extremes, where the outer axes are nearly parallel, b is computed from the axis's other
 /// components, which determine it better.
 HWY_NOINLINE void solve_intersecting(const PieperLoop& loop, const LanePose& to, Lanes sign,
-                                     const CosSine& preferred, CosSine* turn, LaneStatus& status) {
+                                     const CosSine& preferred, CosSine* joint, LaneStatus& status) {
   const double sa = loop.sin_alpha[0], ca = loop.cos_alpha[0];
   const double sc = loop.sin_alpha[1], cc = loop.cos_alpha[1];
   const double sum = ca * cc - sa * sc, difference = ca * cc + sa * sc;
@@ -71,32 +71,32 @@ HWY_NOINLINE void solve_intersecting(const PieperLoop& loop, const LanePose& to,
   // looks for it.
   status.found = status.found & ((product >= Lanes(-root_slack)) | status.continuum);
   status.twin = status.twin | (product <= Lanes(nearly_double));
-  turn[1].c = min(max((below - above) * Lanes(scale), Lanes(-1)), Lanes(1));
-  turn[1].s = sign * sqrt(max(product, Lanes(0))) * Lanes(std::abs(2 * scale));
+  joint[1].c = min(max((below - above) * Lanes(scale), Lanes(-1)), Lanes(1));
+  joint[1].s = sign * sqrt(max(product, Lanes(0))) * Lanes(std::abs(2 * scale));
 
-  const Lanes vx = Lanes(sc) * turn[1].s;
-  const Lanes vy = -fma(Lanes(ca * sc), turn[1].c, Lanes(sa * cc));
+  const Lanes vx = Lanes(sc) * joint[1].s;
+  const Lanes vy = -fma(Lanes(ca * sc), joint[1].c, Lanes(sa * cc));
   LaneMask free;
   constexpr double singular = 1e-12;  // sine between axes a and c below which only a + c counts
-  turn[0] = rotation_between(vx, vy, to.z.x, to.z.y, singular * singular, free);
-  turn[0] = {choose(free, preferred.c, turn[0].c), choose(free, preferred.s, turn[0].s)};
+  joint[0] = rotation_between(vx, vy, to.z.x, to.z.y, singular * singular, free);
+  joint[0] = {choose(free, preferred.c, joint[0].c), choose(free, preferred.s, joint[0].s)};
   status.continuum = status.continuum | (free & status.found);
 
-  LanePose reached = rotated_z(LanePose::identity(), turn[0]);
-  reached = rotated_z(rotated_x(reached, ca, sa), turn[1]);
+  LanePose reached = rotated_z(LanePose::identity(), joint[0]);
+  reached = rotated_z(rotated_x(reached, ca, sa), joint[1]);
   reached = rotated_x(reached, cc, sc);
   // Joint c from the whole rotation: exact also where axes a and c are nearly parallel.
   const Lanes c = dot(reached.x, to.x) + dot(reached.y, to.y);
   const Lanes s = dot(reached.y, to.x) - dot(reached.x, to.y);
-  turn[2] = normalised(c * Lanes(0.5), s * Lanes(0.5));
-  reached = rotated_z(reached, turn[2]);
+  joint[2] = normalised(c * Lanes(0.5), s * Lanes(0.5));
+  reached = rotated_z(reached, joint[2]);
   status.residual = norm1(reached.x - to.x) + norm1(reached.z - to.z) + norm1(to.origin);
 }
 
 /// Solves joints a, b, c of parallel axes, a planar 3R arm, from the motion `to` = J_a K_b J_b K_c
 /// J_c.
 HWY_NOINLINE void solve_parallel(const PieperLoop& loop, const LanePose& to, Lanes sign,
-                                 const CosSine& preferred, CosSine* turn, LaneStatus& status) {
+                                 const CosSine& preferred, CosSine* joint, LaneStatus& status) {
   const double* ab = loop.before[4].translation;
   const double* bc = loop.before[5].translation;
   const Lanes x = to.origin.x, y = to.origin.y;
@@ -106,70 +106,70 @@ HWY_NOINLINE void solve_parallel(const PieperLoop& loop, const LanePose& to, Lan
   LaneMask free;
   const LaneMask reached = solve_rotation(
       Lanes(ab[0] * bc[0] + ab[1] * bc[1]), Lanes(ab[1] * bc[0] - ab[0] * bc[1]), -cosine_law, sign,
-      loop.size * loop.size, preferred, turn[1], free, status.twin);
+      loop.size * loop.size, preferred, joint[1], free, status.twin);
   status.found = status.found & (reached | status.continuum);
   status.continuum = status.continuum | (free & status.found);
-  const Lanes reach_x = Lanes(ab[0]) + fma(turn[1].c, Lanes(bc[0]), -(turn[1].s * Lanes(bc[1])));
-  const Lanes reach_y = Lanes(ab[1]) + fma(turn[1].s, Lanes(bc[0]), turn[1].c * Lanes(bc[1]));
-  turn[0] = rotation_between(reach_x, reach_y, x, y, 1e-14 * loop.size * loop.size, free);
-  turn[0] = {choose(free, preferred.c, turn[0].c), choose(free, preferred.s, turn[0].s)};
+  const Lanes reach_x = Lanes(ab[0]) + fma(joint[1].c, Lanes(bc[0]), -(joint[1].s * Lanes(bc[1])));
+  const Lanes reach_y = Lanes(ab[1]) + fma(joint[1].s, Lanes(bc[0]), joint[1].c * Lanes(bc[1]));
+  joint[0] = rotation_between(reach_x, reach_y, x, y, 1e-14 * loop.size * loop.size, free);
+  joint[0] = {choose(free, preferred.c, joint[0].c), choose(free, preferred.s, joint[0].s)};
   status.continuum = status.continuum | (free & status.found);
-  turn[2] = difference(difference({to.x.x, to.x.y}, turn[0]), turn[1]);
-  turn[2] = normalised(turn[2].c, turn[2].s);
-  status.residual = abs(x - fma(turn[0].c, reach_x, -(turn[0].s * reach_y))) +
-                    abs(y - fma(turn[0].s, reach_x, turn[0].c * reach_y)) +
+  joint[2] = difference(difference({to.x.x, to.x.y}, joint[0]), joint[1]);
+  joint[2] = normalised(joint[2].c, joint[2].s);
+  status.residual = abs(x - fma(joint[0].c, reach_x, -(joint[0].s * reach_y))) +
+                    abs(y - fma(joint[0].s, reach_x, joint[0].c * reach_y)) +
                     abs(to.origin.z - Lanes(loop.height)) + abs(to.z.x) + abs(to.z.y);
 }
 
 /// Solves joint e, which takes J_f p, seen from behind it, to J_d^-1 x, seen from before it.
 HWY_NOINLINE void solve_middle(const PieperLoop& loop, const RigidMotion* k,
                                const PieperEquations& equations, const CosSine& preferred,
-                               CosSine* turn, LaneStatus& status) {
+                               CosSine* joint, LaneStatus& status) {
   const bool points = loop.family == PieperLoop::Family::intersecting;
   const Vector from =
-      times(k[2], joint_times(equations.p, turn[2], loop.prismatic[2], points), points);
+      times(k[2], joint_times(equations.p, joint[2], loop.prismatic[2], points), points);
   const Vector to = inverse_times(
-      k[1], joint_inverse_times(equations.x, turn[0], loop.prismatic[0], points), points);
+      k[1], joint_inverse_times(equations.x, joint[0], loop.prismatic[0], points), points);
   // Relative distances from axis e: where it vanishes, and where it determines the angle to no
   // better than about 1e-6 rad, as at the workspace boundary of an arm whose wrist lies on the
   // axis.
   LaneMask free;
   const double zero = points ? 1e-12 * loop.size : 1e-12;
   const double small = points ? 1e-5 * loop.size : 1e-5;
-  turn[1] =
+  joint[1] =
       rotation_between(from.x, from.y, to.x, to.y, zero * zero, free, small * small, &status.weak);
-  turn[1] = {choose(free, preferred.c, turn[1].c), choose(free, preferred.s, turn[1].s)};
+  joint[1] = {choose(free, preferred.c, joint[1].c), choose(free, preferred.s, joint[1].s)};
   status.continuum = status.continuum | (free & status.found);
 }
 
 /// Solves all joints; `preferred` are the values of those that are free.
 HWY_INLINE void solve_joints(const PieperLoop& loop, const RigidMotion* k,
                              const PieperEquations& equations, const CosSine* preferred,
-                             CosSine* turn, LaneStatus& status) {
+                             CosSine* joint, LaneStatus& status) {
   status.continuum = status.twin = Lanes(1) < Lanes(0);
-  solve_pieper_equations(loop, equations, preferred, turn[2], turn[0], status);
-  solve_middle(loop, k, equations, preferred[1], turn, status);
-  LanePose whole = after(space(k[0]), turn[0], loop.prismatic[0]);
-  whole = after(times(whole, k[1]), turn[1], false);
-  whole = after(times(whole, k[2]), turn[2], loop.prismatic[2]);
+  solve_pieper_equations(loop, equations, preferred, joint[2], joint[0], status);
+  solve_middle(loop, k, equations, preferred[1], joint, status);
+  LanePose whole = after(space(k[0]), joint[0], loop.prismatic[0]);
+  whole = after(times(whole, k[1]), joint[1], false);
+  whole = after(times(whole, k[2]), joint[2], loop.prismatic[2]);
   const LanePose to = inverse(times(whole, k[3]));
   const Lanes sign = Lanes::load(third_sign);
   if (loop.family == PieperLoop::Family::intersecting) {
-    solve_intersecting(loop, to, sign, preferred[3], turn + 3, status);
+    solve_intersecting(loop, to, sign, preferred[3], joint + 3, status);
   } else {
-    solve_parallel(loop, to, sign, preferred[3], turn + 3, status);
+    solve_parallel(loop, to, sign, preferred[3], joint + 3, status);
   }
 }
 
 /// Joint angles to coordinates: adds the multiple of 2 pi that is nearest to the seed within
 /// limits.
 HWY_NOINLINE void to_coordinates(const PieperLoop& loop, const PieperRequest& request,
-                                 const CosSine* turn, PieperBranches& branches) {
+                                 const CosSine* joint, PieperBranches& branches) {
   Lanes distance(0), excess(0);
   for (int i = 0; i < 6; ++i) {
     const int k = loop.order[i];
     const bool prismatic = i < 3 && loop.prismatic[i];
-    const Lanes value = prismatic ? turn[i].c : arc_tangent(turn[i].s, turn[i].c);
+    const Lanes value = prismatic ? joint[i].c : arc_tangent(joint[i].s, joint[i].c);
     Lanes q = (value - Lanes(loop.offset[i])) * Lanes(loop.sign[i]);
     const Lanes seed(request.seed[k]), lower(request.lower[k]), upper(request.upper[k]);
     // A value outside a limit by this much, the rounding of the angles, is set to the limit.
@@ -179,8 +179,8 @@ HWY_NOINLINE void to_coordinates(const PieperLoop& loop, const PieperRequest& re
       const Lanes highest = floor((upper + Lanes(rounding) - q) * Lanes(1 / two_pi));
       const Lanes lowest = ceil((lower - Lanes(rounding) - q) * Lanes(1 / two_pi));
       // Where no multiple is within limits, `lowest` is `highest` + 1, and is taken.
-      const Lanes turns = max(min(round((seed - q) * Lanes(1 / two_pi)), highest), lowest);
-      q = fma(turns, Lanes(two_pi), q);
+      const Lanes revolutions = max(min(round((seed - q) * Lanes(1 / two_pi)), highest), lowest);
+      q = fma(revolutions, Lanes(two_pi), q);
     }
     const Lanes on_limit = min(max(q, lower), upper);
     const LaneMask inside = abs(on_limit - q) <= Lanes(rounding);
@@ -211,11 +211,11 @@ void pieper_branches_kernel(const PieperLoop& loop, const PieperRequest& request
       preferred[i] = {Lanes(std::cos(angle)), Lanes(std::sin(angle))};
     }
   };
-  CosSine turn[6];
+  CosSine joint[6];
   LaneStatus status;
   // Free joints take the seed's values in a second pass: it costs six sines, and is rare.
   for (int pass = 0; pass < 2; ++pass) {
-    solve_joints(loop, k, equations, preferred, turn, status);
+    solve_joints(loop, k, equations, preferred, joint, status);
     if (HWY_LIKELY(pass == 1 || bits(status.continuum) == 0)) break;
     prefer_seed();
   }
@@ -224,7 +224,7 @@ void pieper_branches_kernel(const PieperLoop& loop, const PieperRequest& request
   branches.weak = bits(status.weak & !status.found);
   branches.twin = bits(status.twin & status.found);
   status.residual.store(branches.residual);
-  to_coordinates(loop, request, turn, branches);
+  to_coordinates(loop, request, joint, branches);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ struct LaneStatus {
 /// is `preferred`, and `free` is set. Sets `twin` where both signs give nearly the same angle.
 /// Returns the lanes with a solution.
 HWY_INLINE LaneMask solve_rotation(Lanes nx, Lanes ny, Lanes k, Lanes sign, double unit,
-                                   const CosSine& preferred, CosSine& turn, LaneMask& free,
+                                   const CosSine& preferred, CosSine& unknown, LaneMask& free,
                                    LaneMask& twin) {
   const Lanes nn = fma(nx, nx, ny * ny), kk = k * k;
   const Lanes radicand = nn - kk;
@@ -54,14 +54,15 @@ HWY_INLINE LaneMask solve_rotation(Lanes nx, Lanes ny, Lanes k, Lanes sign, doub
   const LaneMask vanishes = nn <= Lanes(0);
   const Lanes scale = Lanes(1) / choose(vanishes, Lanes(1), nn);
   const Lanes signed_root = sign * root;
-  turn = normalised(-fma(k, nx, signed_root * ny) * scale, fma(signed_root, nx, -(k * ny)) * scale);
-  turn = {choose(free, preferred.c, turn.c), choose(free, preferred.s, turn.s)};
+  unknown =
+      normalised(-fma(k, nx, signed_root * ny) * scale, fma(signed_root, nx, -(k * ny)) * scale);
+  unknown = {choose(free, preferred.c, unknown.c), choose(free, preferred.s, unknown.s)};
   return free | ((radicand >= Lanes(-root_slack) * nn) & !vanishes);
 }
 
 /// Solves n1 t + n2 t^2 + k = 0 for the displacement t, as (t, t^2). Where n2 = 0 there is one
 /// solution, found in the lanes of positive sign. Returns the lanes with a solution.
-HWY_INLINE LaneMask solve_displacement(Lanes n1, Lanes n2, Lanes k, Lanes sign, CosSine& turn,
+HWY_INLINE LaneMask solve_displacement(Lanes n1, Lanes n2, Lanes k, Lanes sign, CosSine& unknown,
                                        LaneMask& twin) {
   const Lanes radicand = fma(n1, n1, Lanes(-4) * n2 * k);
   twin = twin | (radicand <= Lanes(nearly_double) * fma(n1, n1, abs(Lanes(4) * n2 * k)));
@@ -72,9 +73,9 @@ HWY_INLINE LaneMask solve_displacement(Lanes n1, Lanes n2, Lanes k, Lanes sign, 
   const LaneMask by_half = upper | linear;
   const Lanes numerator = choose(by_half, k, half), denominator = choose(by_half, half, n2);
   const LaneMask vanishes = denominator == Lanes(0);
-  turn.c = numerator / choose(vanishes, Lanes(1), denominator);
+  unknown.c = numerator / choose(vanishes, Lanes(1), denominator);
   // At a double root t = 0 both k and half vanish.
-  turn.s = turn.c * turn.c;
+  unknown.s = unknown.c * unknown.c;
   const LaneMask real = radicand >= Lanes(-root_slack) * fma(n1, n1, abs(Lanes(4) * n2 * k));
   return real & ((!linear) | upper) & ((!vanishes) | (k == Lanes(0)));
 }
@@ -196,11 +197,12 @@ inline LaneMask solve_quartic(const double (*first)[2], bool prismatic, const do
 /// Solves one equation for one unknown, with the roots of the given signs.
 HWY_NOINLINE inline LaneMask solve_one(Lanes nx, Lanes ny, Lanes k, bool prismatic,
                                        const double* signs, double unit, const CosSine& preferred,
-                                       CosSine& turn, LaneStatus& status) {
+                                       CosSine& unknown, LaneStatus& status) {
   const Lanes sign = Lanes::load(signs);
-  if (prismatic) return solve_displacement(nx, ny, k, sign, turn, status.twin);
+  if (prismatic) return solve_displacement(nx, ny, k, sign, unknown, status.twin);
   LaneMask free;
-  const LaneMask found = solve_rotation(nx, ny, k, sign, unit, preferred, turn, free, status.twin);
+  const LaneMask found =
+      solve_rotation(nx, ny, k, sign, unit, preferred, unknown, free, status.twin);
   status.continuum = status.continuum | free;
   return found;
 }

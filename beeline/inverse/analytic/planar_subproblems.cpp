@@ -54,7 +54,7 @@ class PlanarChain {
   void rotate(Configuration& q, std::size_t number, Complex rho) const {
     const std::size_t joint = revolute_[number];
     q[static_cast<Eigen::Index>(joint)] =
-        nearest_turn(joints_[joint].sign * std::arg(rho), preferred(joint));
+        nearest_angle(joints_[joint].sign * std::arg(rho), preferred(joint));
   }
 
   /// Sets revolute joints of which only the sum of angles matters, arg(rho). The difference to

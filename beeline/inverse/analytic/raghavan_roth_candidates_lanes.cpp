@@ -256,7 +256,7 @@ void elimination_candidates_kernel(const Elimination& e, const TrigonometricTabl
   eliminate(reduced);
 
   const bool usual = e.degree <= TrigonometricTables::usual_degree;
-  const SampleAngles& samples = usual ? tables.usual : tables.most;
+  const SampleAngles& samples = usual ? tables.usual : tables.largest;
   double determinants[SampleAngles::max_count];
   for (int k = 0; k < samples.count; k += lane_count) {
     TriangularSystem system;

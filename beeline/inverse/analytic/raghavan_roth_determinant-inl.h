@@ -98,9 +98,9 @@ HWY_NOINLINE inline void null_vector(const TriangularSystem& t, const Lanes* kno
   Lanes inverse[12];
   Lanes largest(0);
   for (int k = 0; k < 12; ++k) largest = max(largest, abs(t.a[k][k]));
-  const Lanes least = max(largest * Lanes(1e-17), Lanes(1e-300));
+  const Lanes min_pivot = max(largest * Lanes(1e-17), Lanes(1e-300));
   for (int k = 0; k < 12; ++k) {
-    inverse[k] = Lanes(1) / with_sign(max(abs(t.a[k][k]), least), t.a[k][k]);
+    inverse[k] = Lanes(1) / with_sign(max(abs(t.a[k][k]), min_pivot), t.a[k][k]);
     x[k] = Lanes(1 - 0.37 * (k * 7 % 5));  // arbitrary, orthogonal to no particular vector
   }
   for (int round = 0; round < 2; ++round) {

@@ -67,15 +67,15 @@ Split split(int index) {
 void fill_left(const std::array<Line, 6>& axes, const Split& split, Elimination& e) {
   const int s = split.start;
   Eigen::Matrix<double, 14, 27> values;
-  int turns[3];
-  for (turns[0] = 0; turns[0] < 3; ++turns[0]) {
-    for (turns[1] = 0; turns[1] < 3; ++turns[1]) {
-      for (turns[2] = 0; turns[2] < 3; ++turns[2]) {
-        const Pose motion = rotation_about(axes[s], turns[0]) *
-                            rotation_about(axes[s + 1], turns[1]) *
-                            rotation_about(axes[s + 2], turns[2]);
+  int quarters[3];
+  for (quarters[0] = 0; quarters[0] < 3; ++quarters[0]) {
+    for (quarters[1] = 0; quarters[1] < 3; ++quarters[1]) {
+      for (quarters[2] = 0; quarters[2] < 3; ++quarters[2]) {
+        const Pose motion = rotation_about(axes[s], quarters[0]) *
+                            rotation_about(axes[s + 1], quarters[1]) *
+                            rotation_about(axes[s + 2], quarters[2]);
         const int column =
-            9 * turns[split.role[0]] + 3 * turns[split.role[1]] + turns[split.role[2]];
+            9 * quarters[split.role[0]] + 3 * quarters[split.role[1]] + quarters[split.role[2]];
         values.col(column) = features(transformed(motion, axes[s + 3]));
       }
     }

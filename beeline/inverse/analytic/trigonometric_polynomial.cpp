@@ -26,7 +26,7 @@ void fill(int count, SampleAngles& samples) {
 TrigonometricTables make_tables() {
   TrigonometricTables tables;
   fill(24, tables.usual);
-  fill(32, tables.most);
+  fill(32, tables.largest);
   for (int k = 0; k < TrigonometricTables::max_degree; ++k) {
     for (int j = 0; j < TrigonometricTables::grid / 2; ++j) {
       tables.cosine[k][j] = std::cos(angle(k + 1, j, TrigonometricTables::grid));

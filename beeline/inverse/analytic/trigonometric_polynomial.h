@@ -17,7 +17,7 @@ struct SampleAngles {
 struct TrigonometricTables {
   static constexpr int usual_degree = 8;  ///< sixteen zeros
   static constexpr int max_degree = 12;
-  SampleAngles usual, most;  ///< 24 samples up to usual_degree, 32 up to max_degree
+  SampleAngles usual, largest;  ///< 24 samples up to usual_degree, 32 up to max_degree
   static constexpr int grid = 256;
   /// cos and sin of (k + 1) x in row k, over half the grid.
   alignas(64) double cosine[max_degree][grid / 2], sine[max_degree][grid / 2];

@@ -177,9 +177,9 @@ bool solve_without_limits(const Request& request, InverseResult& result) {
   StageResult found = run_stages(state, unlimited);
   if (found.result.solutions.empty()) return false;
   finish(unlimited, found.result);
-  UnconstrainedResult least;
-  for (const Configuration& q : found.result.solutions) least.consider(request, q);
-  return accept_if_solution(request, *least.least, result);
+  UnconstrainedResult evidence;
+  for (const Configuration& q : found.result.solutions) evidence.consider(request, q);
+  return accept_if_solution(request, *evidence.least_outside, result);
 }
 
 /// Returns the configuration with the nearest pose, limits ignored: by position first, then by
@@ -230,7 +230,7 @@ void diagnose(SolverState& state, const Request& request, const UnconstrainedRes
   const bool late = std::chrono::steady_clock::now() >= request.deadline;
   const bool proved = evidence.violation ||
                       out_of_reach(request.arm, request.goal, request.task, request.tolerance);
-  const bool outside = evidence.least && evidence.excess > 0;
+  const bool outside = evidence.least_outside && evidence.excess > 0;
   if (late && !proved && !(outside && evidence.complete)) {
     const Configuration& met = state.search.nearest.q;
     const bool nearer = met.size() == request.seed.size() &&
@@ -239,7 +239,7 @@ void diagnose(SolverState& state, const Request& request, const UnconstrainedRes
   }
   if (outside) {
     const bool all_examined = evidence.complete && !evidence.continuum;
-    return set_outside_limits(request, *evidence.least, all_examined, result);
+    return set_outside_limits(request, *evidence.least_outside, all_examined, result);
   }
   const std::optional<Configuration> nearest = nearest_configuration(state, request, result);
   if (!nearest || (!proved && solve_without_limits(request, result))) return;

@@ -31,7 +31,7 @@ std::vector<Twist> screws(const Arm& arm) {
   return all;
 }
 
-bool turns(const Twist& screw) { return !screw.tail<3>().isZero(0); }
+bool rotates(const Twist& screw) { return !screw.tail<3>().isZero(0); }
 
 /// For an arm whose joint axes are all parallel to `axis`. No joint changes the tilt relative to
 /// the axis, and none changes the height unless one moves along the axis.
@@ -72,10 +72,10 @@ std::optional<Infeasibility> against_parallel_axes(const Arm& arm, const Vector3
 std::optional<Infeasibility> against_slides(const Arm& arm, const std::vector<Twist>& motions,
                                             const Pose& goal, const Task& task, double tolerance) {
   const Pose at_zero = forward_kinematics(arm, Configuration::Zero(arm.dof()));
-  const double turn = task_deviation(task, goal, at_zero).orientation;
-  if (turn > tolerance) {
-    return Infeasibility{turn, true,
-                         "the orientation differs by " + angle(turn) +
+  const double orientation = task_deviation(task, goal, at_zero).orientation;
+  if (orientation > tolerance) {
+    return Infeasibility{orientation, true,
+                         "the orientation differs by " + angle(orientation) +
                              " from the tool's, which no joint of arm " + arm.name() + " rotates"};
   }
   const Rotation axes =
@@ -126,7 +126,7 @@ bool out_of_reach(const Arm& arm, const Pose& world_T_tool, const Task& task, do
 std::optional<Infeasibility> invariant_violation(const Arm& arm, const Pose& world_T_tool,
                                                  const Task& task, double tolerance) {
   const std::vector<Twist> motions = screws(arm);
-  const auto first = std::find_if(motions.begin(), motions.end(), turns);
+  const auto first = std::find_if(motions.begin(), motions.end(), rotates);
   if (first == motions.end()) {
     return against_slides(arm, motions, world_T_tool, task, tolerance);
   }

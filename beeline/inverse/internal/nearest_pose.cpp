@@ -51,11 +51,11 @@ Configuration nearest_for_task(const Arm& arm, const Pose& world_T_tool, const T
   // Levenberg's rule: a tenth of the damping after a step that reduces the cost, ten times the
   // damping after one that does not. At the minimum it is a Newton step, at the maximum a step too
   // short to change the cost.
-  constexpr double first_damping = 1e-3, least_damping = 1e-12, most_damping = 1e6;
+  constexpr double first_damping = 1e-3, min_damping = 1e-12, max_damping = 1e6;
   constexpr double converged = 1e-15;  // relative decrease of the cost: rounding
   Configuration best = q;
-  double least = half_square(arm, world_T_tool, task, q), damping = first_damping;
-  for (int step = 0; step < max_steps && damping < most_damping; ++step) {
+  double smallest = half_square(arm, world_T_tool, task, q), damping = first_damping;
+  for (int step = 0; step < max_steps && damping < max_damping; ++step) {
     const Configuration slope = gradient(arm, world_T_tool, task, best);
     Eigen::MatrixXd matrix = hessian(arm, world_T_tool, task, best);
     matrix.diagonal().array() += damping;
@@ -63,15 +63,15 @@ Configuration nearest_for_task(const Arm& arm, const Pose& world_T_tool, const T
     const Configuration next = best - factor.solve(slope);
     const double cost = factor.info() == Eigen::Success && next.allFinite()
                             ? half_square(arm, world_T_tool, task, next)
-                            : least;
-    if (!(cost < least)) {
+                            : smallest;
+    if (!(cost < smallest)) {
       damping *= 10;
       continue;
     }
-    const bool done = least - cost < converged * least;
+    const bool done = smallest - cost < converged * smallest;
     best = next;
-    least = cost;
-    damping = std::max(damping / 10, least_damping);
+    smallest = cost;
+    damping = std::max(damping / 10, min_damping);
     if (done) break;
   }
   return best;
@@ -84,7 +84,7 @@ Configuration nearest_orientation(const Arm& arm, const Pose& world_T_tool, cons
     return task_error(task, world_T_tool, forward_kinematics(arm, at));
   };
   Configuration best = q, at = q;
-  double least = error_at(q).tail(angles).norm();
+  double smallest = error_at(q).tail(angles).norm();
   for (int step = 0; step < max_steps; ++step) {
     const Eigen::MatrixXd j = task_jacobian(arm, at, task);
     const Eigen::VectorXd error = error_at(at);
@@ -105,8 +105,8 @@ Configuration nearest_orientation(const Arm& arm, const Pose& world_T_tool, cons
     // A step changes the position in second order. The result is accepted once later steps have
     // corrected that.
     constexpr double in_position = 1e-9;  // metres
-    if (now.head(positions).norm() < in_position && now.tail(angles).norm() < least) {
-      least = now.tail(angles).norm();
+    if (now.head(positions).norm() < in_position && now.tail(angles).norm() < smallest) {
+      smallest = now.tail(angles).norm();
       best = at;
     }
     constexpr double converged = 1e-12;  // radians or metres

@@ -75,11 +75,11 @@ Configuration null_space_step(const Request& request, const Configuration& q, co
 /// The objective to be minimised: the distance from the seed, or minus the smallest margin.
 double objective(const Request& request, const Configuration& q) {
   if (request.options.redundancy == Redundancy::nearest) return (q - request.seed).norm();
-  double least = 1;
+  double margin = 1;
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    least = std::min(least, limit_margin(q[k], request.bounds.lower[k], request.bounds.upper[k]));
+    margin = std::min(margin, limit_margin(q[k], request.bounds.lower[k], request.bounds.upper[k]));
   }
-  return -least;
+  return -margin;
 }
 
 }  // namespace

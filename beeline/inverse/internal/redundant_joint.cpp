@@ -12,17 +12,17 @@ namespace {
 
 /// Inserts a branch in the order of its excess.
 void insert(const PieperSolver& form, const LockedBranch& branch, int lane, LeastOutside& outside) {
-  constexpr int room = 8;
+  constexpr int capacity = 8;
   const double excess = branch.found.excess[lane];
-  if (outside.count == room && !(excess < outside.excess[room - 1])) return;
-  int place = outside.count < room ? outside.count++ : room - 1;
-  for (; place > 0 && outside.excess[place - 1] > excess; --place) {
-    outside.excess[place] = outside.excess[place - 1];
-    std::copy_n(outside.q[place - 1], 7, outside.q[place]);
+  if (outside.count == capacity && !(excess < outside.excess[capacity - 1])) return;
+  int index = outside.count < capacity ? outside.count++ : capacity - 1;
+  for (; index > 0 && outside.excess[index - 1] > excess; --index) {
+    outside.excess[index] = outside.excess[index - 1];
+    std::copy_n(outside.q[index - 1], 7, outside.q[index]);
   }
-  outside.excess[place] = excess;
+  outside.excess[index] = excess;
   form.configuration(branch.found, lane, branch.value,
-                     Eigen::Map<Eigen::Matrix<double, 7, 1>>(outside.q[place]));
+                     Eigen::Map<Eigen::Matrix<double, 7, 1>>(outside.q[index]));
 }
 
 /// The objective to be minimised: the squared distance from the seed, or minus the smallest margin
@@ -32,11 +32,11 @@ double cost(const PieperRequest& loop, const PieperBranches& found, int lane,
   if (redundancy == Redundancy::nearest) {
     return found.distance[lane] + (value - range.seed) * (value - range.seed);
   }
-  double least = range.limited ? limit_margin(value, range.lower, range.upper) : 1;
+  double margin = range.limited ? limit_margin(value, range.lower, range.upper) : 1;
   for (std::size_t k = 0; k < 6; ++k) {
-    least = std::min(least, limit_margin(found.q[k][lane], loop.lower[k], loop.upper[k]));
+    margin = std::min(margin, limit_margin(found.q[k][lane], loop.lower[k], loop.upper[k]));
   }
-  return -least;
+  return -margin;
 }
 
 }  // namespace
@@ -125,7 +125,7 @@ LockedBranch best_within(const PieperSolver& form, const Pose& goal, const Locke
                          int grid, Redundancy redundancy, PieperRequest& loop) {
   constexpr double none = std::numeric_limits<double>::infinity();
   LockedBranch best, branch;
-  double least = none;
+  double smallest = none;
   const auto cost_at = [&](double value) {
     form.branches(goal, value, loop, branch.found);
     double lowest = none;
@@ -134,8 +134,8 @@ LockedBranch best_within(const PieperSolver& form, const Pose& goal, const Locke
       if (!(branch.found.residual[lane] <= loop.max_residual)) continue;
       const double here = cost(loop, branch.found, lane, range, value, redundancy);
       lowest = std::min(lowest, here);
-      if (here < least) {
-        least = here;
+      if (here < smallest) {
+        smallest = here;
         best = branch;
         best.value = value;
         best.lane = lane;
@@ -151,8 +151,8 @@ LockedBranch best_within(const PieperSolver& form, const Pose& goal, const Locke
   const double step = (range.upper - range.lower) / (grid - 1);
   // Branches end at limits, so the global optimum need not be next to the best value of the grid.
   // Refining more values takes longer.
-  constexpr std::size_t places = 3;
-  for (std::size_t i = 0; i < std::min(places, ranked.size()); ++i) {
+  constexpr std::size_t refined_count = 3;
+  for (std::size_t i = 0; i < std::min(refined_count, ranked.size()); ++i) {
     constexpr int max_rounds = 40;  // 0.618^40 = 4e-9 of two steps of the grid
     const double a = std::max(range.lower, ranked[i].second - step);
     const double b = std::min(range.upper, ranked[i].second + step);

@@ -19,10 +19,10 @@ double rounding_of(const Arm& arm, const Pose& goal) {
          std::sqrt(static_cast<double>(arm.joints().size()));
 }
 
-void check_count(const char* what, int value, int least) {
-  if (value >= least) return;
+void check_count(const char* what, int value, int minimum) {
+  if (value >= minimum) return;
   throw Error(std::string(what) + " is " + std::to_string(value) + "; it must be " +
-              std::to_string(least) + " or more");
+              std::to_string(minimum) + " or more");
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ Request make_request(const Arm& arm, const InverseOptions& options, const Task& 
 void wrap_unlimited_angles(const Arm& arm, const Bounds& bounds, double beyond, Configuration& q) {
   for (int k = 0; k < q.size(); ++k) {
     const bool unlimited = !std::isfinite(bounds.lower[k]) && !std::isfinite(bounds.upper[k]);
-    if (unlimited && std::abs(q[k]) > beyond && turns_around(arm, k)) q[k] = wrap_angle(q[k]);
+    if (unlimited && std::abs(q[k]) > beyond && is_periodic(arm, k)) q[k] = wrap_angle(q[k]);
   }
 }
 

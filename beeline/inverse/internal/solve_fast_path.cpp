@@ -54,11 +54,11 @@ std::optional<OrderedLanes> lanes_in_order(const PieperRequest& loop, const Piep
       if (found.excess[lane] < slack) return std::nullopt;
       continue;
     }
-    int place = order.count++;
-    for (; place > 0 && found.distance[order.lane[place - 1]] > found.distance[lane]; --place) {
-      order.lane[place] = order.lane[place - 1];
+    int index = order.count++;
+    for (; index > 0 && found.distance[order.lane[index - 1]] > found.distance[lane]; --index) {
+      order.lane[index] = order.lane[index - 1];
     }
-    order.lane[place] = lane;
+    order.lane[index] = lane;
   }
   return order;
 }

@@ -7,8 +7,8 @@ void UnconstrainedResult::consider(const Request& request, const Configuration& 
   const Configuration nearest =
       nearest_representative(request.arm, q, request.seed, request.bounds);
   const double outside = internal::excess(request.bounds, nearest);
-  if (least && !(outside < excess)) return;
-  least = nearest;
+  if (least_outside && !(outside < excess)) return;
+  least_outside = nearest;
   excess = outside;
 }
 

@@ -14,10 +14,12 @@ struct UnconstrainedResult {
   bool doubtful = false;                   ///< rounding may have hidden one
   bool continuum = false;                  ///< some of them stand for infinitely many
   std::optional<Infeasibility> violation;  ///< a proof that there are none
-  std::optional<Configuration> least;      ///< the solution that is least outside the limits ...
-  double excess = 0;                       ///< ... and by how much: see excess(Bounds)
+  /// The solution with the smallest excess() over the limits.
+  std::optional<Configuration> least_outside;
+  double excess = 0;  ///< of `least_outside`
 
-  /// Replaces `least` by q's representative nearest to the seed if that exceeds the limits less.
+  /// Replaces `least_outside` by q's representative nearest to the seed if that exceeds the limits
+  /// less.
   void consider(const Request& request, const Configuration& q);
 };
 

@@ -21,19 +21,19 @@ using namespace internal;
 
 // The tolerances are those of levenberg_marquardt_lanes.cpp. The damping is smaller: a start near
 // the pose needs it at singularities only.
-constexpr double least_damping = 1e-13;     // keeps J J^T regular at singularities
+constexpr double min_damping = 1e-13;       // keeps J J^T regular at singularities
 constexpr double damping_factor = 0.01;     // damping over squared error
 constexpr double acceleration_from = 1e-6;  // squared error; a plain step suffices below
 constexpr double largest_step = 1;          // radians, or units of length
 constexpr double polished = 1e-26;          // squared error at the level of rounding
 constexpr double fine = 1e-21;              // squared error that suffices once it stops decreasing
-constexpr double whole_turn = 0x1.921fb54442d18p+2;
+constexpr double two_pi = 0x1.921fb54442d18p+2;
 
 /// Computes the error to the goal (four columns of four) and the tool's position. Returns false if
 /// the orientation error is 90 degrees or more.
 HWY_INLINE bool evaluate(const NumericalProblem& problem, const double* goal,
                          GaussNewtonState& near, double* tool_position) {
-  double frame[16], turn[3][3];
+  double frame[16], relative[3][3];
   last_frame_of_one(problem.chain, near.q.data(), near.angle[0].lane, near.sine[0].lane,
                     near.cosine[0].lane, near.axes.data(), frame);
   const double* tool = problem.chain.tool.data() + 12;
@@ -42,14 +42,14 @@ HWY_INLINE bool evaluate(const NumericalProblem& problem, const double* goal,
         frame[12 + r] + frame[r] * tool[0] + frame[4 + r] * tool[1] + frame[8 + r] * tool[2];
     near.error[r] = goal[12 + r] - tool_position[r];
     for (int c = 0; c < 3; ++c) {
-      turn[r][c] = goal[r] * frame[c] + goal[4 + r] * frame[4 + c] + goal[8 + r] * frame[8 + c];
+      relative[r][c] = goal[r] * frame[c] + goal[4 + r] * frame[4 + c] + goal[8 + r] * frame[8 + c];
     }
   }
   // The rotation axis times sin(angle).
-  const double v[3] = {(turn[2][1] - turn[1][2]) / 2, (turn[0][2] - turn[2][0]) / 2,
-                       (turn[1][0] - turn[0][1]) / 2};
+  const double v[3] = {(relative[2][1] - relative[1][2]) / 2, (relative[0][2] - relative[2][0]) / 2,
+                       (relative[1][0] - relative[0][1]) / 2};
   const double u = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-  const double twice_cosine = turn[0][0] + turn[1][1] + turn[2][2] - 1;
+  const double twice_cosine = relative[0][0] + relative[1][1] + relative[2][2] - 1;
   if (!(twice_cosine > 0)) return false;
   double scale = 1;
   if (u < 0.01) {  // asin(s) / s in powers of s^2
@@ -144,18 +144,19 @@ HWY_INLINE double along(const double* c, const double (&y)[6]) {
 ///   1/2 sum_jk d2f / (dq_j dq_k) move_j move_k:
 /// a joint rotates its own column and those of all joints after it.
 HWY_INLINE void half_second_derivative(const GaussNewtonState& near, double (&half)[6]) {
-  double turn[3] = {0, 0, 0}, linear[3] = {0, 0, 0}, angular[3] = {0, 0, 0};
+  double rotation[3] = {0, 0, 0}, linear[3] = {0, 0, 0}, angular[3] = {0, 0, 0};
   for (size_t k = 0; k < near.move.size(); ++k) {
     const double *v = near.column[k].lane, *w = v + 3, move = near.move[k];
     const double own[3] = {move * w[0], move * w[1], move * w[2]};
-    const double t[3] = {turn[0] + own[0] / 2, turn[1] + own[1] / 2, turn[2] + own[2] / 2};
+    const double t[3] = {rotation[0] + own[0] / 2, rotation[1] + own[1] / 2,
+                         rotation[2] + own[2] / 2};
     linear[0] += move * (t[1] * v[2] - t[2] * v[1]);
     linear[1] += move * (t[2] * v[0] - t[0] * v[2]);
     linear[2] += move * (t[0] * v[1] - t[1] * v[0]);
-    angular[0] += turn[1] * own[2] - turn[2] * own[1];
-    angular[1] += turn[2] * own[0] - turn[0] * own[2];
-    angular[2] += turn[0] * own[1] - turn[1] * own[0];
-    for (int r = 0; r < 3; ++r) turn[r] += own[r];
+    angular[0] += rotation[1] * own[2] - rotation[2] * own[1];
+    angular[1] += rotation[2] * own[0] - rotation[0] * own[2];
+    angular[2] += rotation[0] * own[1] - rotation[1] * own[0];
+    for (int r = 0; r < 3; ++r) rotation[r] += own[r];
   }
   for (int r = 0; r < 3; ++r) {
     half[r] = linear[r];
@@ -183,8 +184,8 @@ HWY_INLINE double step(const NumericalProblem& problem, bool accelerated, GaussN
     const auto& coordinate = problem.coordinates[k];
     double q = near.q[k] + near.move[k];
     if (coordinate.wraps) {
-      if (q > coordinate.upper) q -= whole_turn;
-      if (q < coordinate.lower) q += whole_turn;
+      if (q > coordinate.upper) q -= two_pi;
+      if (q < coordinate.lower) q += two_pi;
     }
     near.before[k] = near.q[k];
     near.q[k] = std::min(std::max(q, coordinate.lower), coordinate.upper);
@@ -226,7 +227,7 @@ bool iterate(const NumericalProblem& problem, const double* goal, const LaneOpti
     const bool again = cost * longest * longest < enough / 4;
     if (!again) {
       linearise(problem, tool_position, near);
-      factorise(damping_factor * cost + least_damping, near.normal);
+      factorise(damping_factor * cost + min_damping, near.normal);
     }
     longest = step(problem, !again && in_order && cost > acceleration_from, near);
     if (!(longest <= largest_step)) return false;

@@ -28,11 +28,11 @@ Eigen::VectorXd coordinate_units(const Arm& arm, double length) {
 
 // The factors and the patience were chosen by trial over random poses of the built-in arms; the
 // optimum is flat. Less patience abandons starts that would converge, more wastes iterations.
-constexpr double first_factor = 0.2;     // damping over squared error
-constexpr double least_factor = 1e-3;    // the same, after steps that were all accepted
-constexpr double least_damping = 1e-13;  // keeps J J^T regular at singularities
-constexpr double largest_step = 1;       // radians, or units of length; range of the linear model
-constexpr int patience = 8;              // max steps in which the squared error must halve
+constexpr double first_factor = 0.2;   // damping over squared error
+constexpr double min_factor = 1e-3;    // the same, after steps that were all accepted
+constexpr double min_damping = 1e-13;  // keeps J J^T regular at singularities
+constexpr double largest_step = 1;     // radians, or units of length; range of the linear model
+constexpr int patience = 8;            // max steps in which the squared error must halve
 
 /// The problem of one run, and its units.
 struct Goal {
@@ -59,9 +59,9 @@ void linearise(const Goal& goal, const Configuration& q, Linearised& at) {
     at.columns.topRows<3>() -= hat(error.head<3>()) * at.columns.bottomRows<3>();
   }
   if (partly(3)) {
-    const Vector3 turn = error.tail<3>();
+    const Vector3 rotation = error.tail<3>();
     at.columns.bottomRows<3>() =
-        so3_left_jacobian_inverse(tool_axes ? turn : -turn) * at.columns.bottomRows<3>();
+        so3_left_jacobian_inverse(tool_axes ? rotation : -rotation) * at.columns.bottomRows<3>();
   }
   error = masked(goal.task, error);
   mask_rows(goal.task, at.columns);
@@ -151,7 +151,7 @@ NumericalResult levenberg_marquardt(const Arm& arm, const Pose& world_T_tool, co
     const bool polishing = within(work.now.deviation);
     const double before = work.now.cost;
     // Damping that falls with the error's square keeps convergence quadratic (Sugihara 2011).
-    bounded_step(goal, run.q, factor * before + least_damping, work);
+    bounded_step(goal, run.q, factor * before + min_damping, work);
     const double longest = work.step.cwiseAbs().maxCoeff();
     if (longest > largest_step) work.step *= largest_step / longest;
     work.trial = run.q + goal.units.cwiseProduct(work.step);
@@ -161,7 +161,7 @@ NumericalResult levenberg_marquardt(const Arm& arm, const Pose& world_T_tool, co
     if (finite && work.next.cost < before) {
       run.q.swap(work.trial);
       std::swap(work.now, work.next);
-      factor = std::max(factor / 2, least_factor);
+      factor = std::max(factor / 2, min_factor);
     } else {
       factor *= 4;
     }

@@ -20,16 +20,16 @@ using namespace internal;
 // The factors and the patience were chosen by trial over random poses of the built-in arms, for the
 // shortest time to the first solution; the optimum is flat. levenberg_marquardt() has more damping
 // and patience, because it has one start and the lanes have restarts.
-constexpr double first_factor = 0.05;    // damping over squared error
-constexpr double least_factor = 1e-3;    // the same, after steps that were all accepted
-constexpr double least_damping = 1e-13;  // keeps J J^T regular at singularities
-constexpr double largest_step = 1;       // radians, or units of length; range of the linear model
-constexpr int patience = 5;              // max steps in which the squared error must halve
-constexpr double polished = 1e-26;       // squared error at the level of rounding
+constexpr double first_factor = 0.05;  // damping over squared error
+constexpr double min_factor = 1e-3;    // the same, after steps that were all accepted
+constexpr double min_damping = 1e-13;  // keeps J J^T regular at singularities
+constexpr double largest_step = 1;     // radians, or units of length; range of the linear model
+constexpr int patience = 5;            // max steps in which the squared error must halve
+constexpr double polished = 1e-26;     // squared error at the level of rounding
 constexpr double fine = 1e-21;  // squared error that suffices once a step reduces it by less than 4
 constexpr double near_goal = 0.1;  // squared error above which joints at bounds are not solved
                                    // again: the step is inaccurate there in any case
-constexpr double whole_turn = 0x1.921fb54442d18p+2;
+constexpr double two_pi = 0x1.921fb54442d18p+2;
 
 HWY_INLINE Lanes load(const EightNumbers& numbers) { return Lanes::load(numbers.lane); }
 HWY_INLINE void store(Lanes lanes, EightNumbers& numbers) { lanes.store(numbers.lane); }
@@ -85,8 +85,7 @@ HWY_NOINLINE LaneMask accept_error(const NumericalProblem& problem, const Evalua
   }
   const Lanes now = choose(better, cost, before);
   const Lanes factor = load(lanes.factor);
-  const Lanes next =
-      choose(better, max(factor * Lanes(0.5), Lanes(least_factor)), factor * Lanes(4));
+  const Lanes next = choose(better, max(factor * Lanes(0.5), Lanes(min_factor)), factor * Lanes(4));
   store(now, lanes.cost);
   store(choose(before == Lanes(HUGE_VAL), Lanes(first_factor), next), lanes.factor);
 
@@ -100,8 +99,8 @@ HWY_NOINLINE LaneMask accept_error(const NumericalProblem& problem, const Evalua
   const LaneMask spent = iterations >= Lanes(options.iterations);
   const LaneMask judged = iterations >= due;
   const LaneMask stuck = judged & !(now < milestone * Lanes(0.5));
-  const LaneMask settled = (now <= Lanes(polished)) | slow;
-  const LaneMask converged = options.polish ? within & settled : within;
+  const LaneMask finished = (now <= Lanes(polished)) | slow;
+  const LaneMask converged = options.polish ? within & finished : within;
   const LaneMask ended = converged | stuck | spent;
   store(choose(active, iterations, load(lanes.iterations)), lanes.iterations);
   store(choose(judged, now, milestone), lanes.milestone);
@@ -179,7 +178,7 @@ HWY_NOINLINE void normal_equations(const LevenbergMarquardtLanes& lanes, Symmetr
 /// `left`; returns the lanes in which this happens.
 HWY_NOINLINE unsigned damped_step(const NumericalProblem& problem, Symmetric6& normal,
                                   Lanes (&left)[6], bool again, LevenbergMarquardtLanes& lanes) {
-  const Lanes damping = fma(load(lanes.factor), load(lanes.cost), Lanes(least_damping));
+  const Lanes damping = fma(load(lanes.factor), load(lanes.cost), Lanes(min_damping));
   const LaneMask near = load(lanes.cost) < Lanes(near_goal);
   Lanes dual[6];
   for (int r = 0; r < 6; ++r) dual[r] = left[r];
@@ -210,10 +209,10 @@ HWY_NOINLINE void set_trial(const NumericalProblem& problem, LevenbergMarquardtL
   const Lanes scale = Lanes(largest_step) / longest;
   for (size_t k = 0; k < problem.coordinates.size(); ++k) {
     const auto& coordinate = problem.coordinates[k];
-    const Lanes lower(coordinate.lower), upper(coordinate.upper), turn(whole_turn);
+    const Lanes lower(coordinate.lower), upper(coordinate.upper), period(two_pi);
     Lanes q = fma(load(lanes.step[k]), scale, load(lanes.q[k]));
     if (coordinate.wraps) {
-      q = choose(q > upper, q - turn, choose(q < lower, q + turn, q));
+      q = choose(q > upper, q - period, choose(q < lower, q + period, q));
     }
     store(min(max(q, lower), upper), lanes.trial[k]);
   }

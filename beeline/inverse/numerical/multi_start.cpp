@@ -83,7 +83,7 @@ class Run {
   bool converges_nearby() {
     if (!gauss_newton(problem_, world_T_tool_, start_.data(), lane_options(), near_)) return false;
     for (std::size_t k = 0; k < q_.size(); ++k) q_[k] = near_.q[k] * problem_.coordinates[k].unit;
-    turn_to_start();
+    wrap_to_start();
     result_.nearest.q = Eigen::Map<const Configuration>(q_.data(), start_.size());
     const double* e = near_.error;
     result_.nearest.error = {std::sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) * problem_.length,
@@ -118,14 +118,14 @@ class Run {
   }
 
   /// Replaces q_ by its representative nearest to the start; returns their squared distance.
-  double turn_to_start() {
+  double wrap_to_start() {
     double square = 0;
     for (std::size_t k = 0; k < q_.size(); ++k) {
       const NumericalProblem::Coordinate& coordinate = problem_.coordinates[k];
       const double start = start_[static_cast<Eigen::Index>(k)];
       const double lower = coordinate.lower, upper = coordinate.upper;
-      if (coordinate.turns_around && std::abs(q_[k] - start) > std::numbers::pi) {
-        q_[k] = std::clamp(nearest_turn_within(q_[k], start, lower, upper), lower, upper);
+      if (coordinate.periodic && std::abs(q_[k] - start) > std::numbers::pi) {
+        q_[k] = std::clamp(nearest_angle_within(q_[k], start, lower, upper), lower, upper);
       }
       const double away = (q_[k] - start) / coordinate.unit;
       square += away * away;
@@ -142,7 +142,7 @@ class Run {
   void collect(int lane) {
     held_ &= ~(1u << lane);
     lane_configuration(problem_, lanes_, lane, q_.data());
-    const double cost = lanes_.cost.lane[lane], away = turn_to_start();
+    const double cost = lanes_.cost.lane[lane], away = wrap_to_start();
     const bool converged = (lanes_.converged >> lane & 1) != 0;
     const Grade grade = !converged                         ? Grade::not_converged
                         : (lanes_.coarse >> lane & 1) != 0 ? Grade::coarse

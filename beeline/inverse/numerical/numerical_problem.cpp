@@ -34,8 +34,8 @@ NumericalProblem numerical_problem(const Arm& arm, const Task& task, const Bound
     if (coordinate.slides) coordinate.unit = problem.length;
     coordinate.lower = coordinate.lowest = bounds.lower[k] / coordinate.unit;
     coordinate.upper = coordinate.highest = bounds.upper[k] / coordinate.unit;
-    coordinate.turns_around = turns_around(arm, k);
-    if (coordinate.turns_around && coordinate.upper - coordinate.lower >= 2 * std::numbers::pi) {
+    coordinate.periodic = is_periodic(arm, k);
+    if (coordinate.periodic && coordinate.upper - coordinate.lower >= 2 * std::numbers::pi) {
       coordinate.wraps = std::isfinite(coordinate.lower) || std::isfinite(coordinate.upper);
       coordinate.lowest = -HUGE_VAL;
       coordinate.highest = HUGE_VAL;

@@ -30,7 +30,7 @@ struct NumericalProblem {
     bool wraps = false;                ///< a step beyond a bound continues one turn away
     double lowest = 0, highest = 0;    ///< the bounds of a step: infinite where it wraps
     bool slides = false;               ///< prismatic
-    bool turns_around = false;         ///< see turns_around()
+    bool periodic = false;             ///< see is_periodic()
     int first_link = 0, end_link = 0;  ///< its links are links[first_link] to links[end_link - 1]
   };
   std::vector<Coordinate> coordinates;

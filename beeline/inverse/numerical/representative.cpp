@@ -12,25 +12,25 @@ namespace {
 // Max distance outside a limit at which a solution is clamped to the limit, radians or metres: ten
 // times the default tolerance of a solution.
 constexpr double rounding = 1e-9;
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double two_pi = 2 * std::numbers::pi;
 
 }  // namespace
 
-double nearest_turn_within(double angle, double reference, double lower, double upper,
-                           double slack) {
-  const double nearest = nearest_turn(angle, std::clamp(reference, lower, upper));
+double nearest_angle_within(double angle, double reference, double lower, double upper,
+                            double slack) {
+  const double nearest = nearest_angle(angle, std::clamp(reference, lower, upper));
   if (nearest < lower - slack) {
-    const double raised = nearest + turn;
+    const double raised = nearest + two_pi;
     return raised - upper < lower - nearest ? raised : nearest;
   }
   if (nearest > upper + slack) {
-    const double lowered = nearest - turn;
+    const double lowered = nearest - two_pi;
     return lower - lowered < nearest - upper ? lowered : nearest;
   }
   return nearest;
 }
 
-bool turns_around(const Arm& arm, int k) {
+bool is_periodic(const Arm& arm, int k) {
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
     const Arm::Drive& drive = arm.drives()[i];
     if (drive.coordinate != k || drive.ratio == 0) continue;
@@ -45,8 +45,8 @@ Configuration nearest_representative(const Arm& arm, const Configuration& q,
   Configuration moved = q;
   for (int k = 0; k < arm.dof(); ++k) {
     const double lower = bounds.lower[k], upper = bounds.upper[k];
-    if (turns_around(arm, k))
-      moved[k] = nearest_turn_within(q[k], reference[k], lower, upper, rounding);
+    if (is_periodic(arm, k))
+      moved[k] = nearest_angle_within(q[k], reference[k], lower, upper, rounding);
     const double on_bound = std::clamp(moved[k], lower, upper);
     if (std::abs(on_bound - moved[k]) <= rounding) moved[k] = on_bound;
   }
@@ -56,25 +56,26 @@ Configuration nearest_representative(const Arm& arm, const Configuration& q,
 std::vector<Configuration> every_representative(const Arm& arm,
                                                 const std::vector<Configuration>& postures,
                                                 const Bounds& bounds) {
-  constexpr std::size_t most =
+  constexpr std::size_t max_count =
       100'000;  // bounds the memory: the number grows as a power of the dof
   std::vector<Configuration> all = postures;
   for (int k = 0; k < arm.dof(); ++k) {
     const double lower = bounds.lower[k], upper = bounds.upper[k];
-    if (!turns_around(arm, k) || !std::isfinite(lower) || !std::isfinite(upper)) continue;
-    std::vector<Configuration> turned;
+    if (!is_periodic(arm, k) || !std::isfinite(lower) || !std::isfinite(upper)) continue;
+    std::vector<Configuration> result;
     for (const Configuration& q : all) {
-      const double first = std::ceil((lower - rounding - q[k]) / turn);
-      for (double turns = first; q[k] + turns * turn <= upper + rounding; ++turns) {
-        if (turned.size() == most) {
+      const double first = std::ceil((lower - rounding - q[k]) / two_pi);
+      for (double revolutions = first; q[k] + revolutions * two_pi <= upper + rounding;
+           ++revolutions) {
+        if (result.size() == max_count) {
           throw Error("arm " + arm.name() +
                       " has more than 100000 turns of this pose within limits");
         }
-        turned.push_back(q);
-        turned.back()[k] = std::clamp(q[k] + turns * turn, lower, upper);
+        result.push_back(q);
+        result.back()[k] = std::clamp(q[k] + revolutions * two_pi, lower, upper);
       }
     }
-    all = turned;
+    all = result;
   }
   return all;
 }
@@ -82,7 +83,7 @@ std::vector<Configuration> every_representative(const Arm& arm,
 bool same_posture(const Arm& arm, const Configuration& a, const Configuration& b,
                   double tolerance) {
   for (int k = 0; k < arm.dof(); ++k) {
-    const double apart = turns_around(arm, k) ? angle_difference(a[k], b[k]) : a[k] - b[k];
+    const double apart = is_periodic(arm, k) ? angle_difference(a[k], b[k]) : a[k] - b[k];
     if (!(std::abs(apart) <= tolerance)) return false;
   }
   return true;

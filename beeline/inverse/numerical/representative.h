@@ -11,13 +11,13 @@ namespace beeline::internal {
 
 /// Whether adding 2 pi to coordinate k leaves the posture unchanged: its joint is revolute, and so
 /// are all joints that mimic it, with integer ratios.
-bool turns_around(const Arm& arm, int k);
+bool is_periodic(const Arm& arm, int k);
 
 /// Returns the angle plus the multiple of 2 pi that brings it nearest to `reference` within [lower,
 /// upper], extended by `slack` on both sides. If no multiple is within, returns the one that
 /// exceeds the interval least. Radians.
-double nearest_turn_within(double angle, double reference, double lower, double upper,
-                           double slack = 0);
+double nearest_angle_within(double angle, double reference, double lower, double upper,
+                            double slack = 0);
 
 /// Returns the representative of q's posture that is nearest to `reference` within the bounds.
 /// Coordinates that are not periodic are unchanged. A coordinate without a value within the bounds

@@ -24,10 +24,10 @@ void tools(const Chain& chain, const double* q, double* axes, double* tool) {
 }
 
 /// Finds, in each lane, the block b that minimises
-///   |weight (origin_b - origin_goal)|^2 - turn trace(R_goal^T R_b).
-void nearest(const double* tool, int blocks, const double* goal, const double* weight, double turn,
-             double* block) {
-  Lanes least(HUGE_VAL), at(0);
+///   |weight (origin_b - origin_goal)|^2 - rotation_weight trace(R_goal^T R_b).
+void nearest(const double* tool, int blocks, const double* goal, const double* weight,
+             double rotation_weight, double* block) {
+  Lanes lowest(HUGE_VAL), at(0);
   for (int b = 0; b < blocks; ++b, tool += 12 * lane_count) {
     Lanes score(0), agreement(0);
     for (int r = 0; r < 9; ++r) {
@@ -37,9 +37,9 @@ void nearest(const double* tool, int blocks, const double* goal, const double* w
       const Lanes away = Lanes::load(tool + (9 + r) * lane_count) - Lanes(goal[9 + r]);
       score = fma(away * away, Lanes(weight[r]), score);
     }
-    score = fnma(agreement, Lanes(turn), score);
-    const LaneMask less = score < least;
-    least = choose(less, score, least);
+    score = fnma(agreement, Lanes(rotation_weight), score);
+    const LaneMask less = score < lowest;
+    lowest = choose(less, score, lowest);
     at = choose(less, Lanes(b), at);
   }
   at.store(block);
@@ -65,8 +65,8 @@ void draw_configuration(const NumericalProblem& problem, double far, Splitmix& r
     for (int i = coordinate.first_link; i < coordinate.end_link && !coordinate.slides; ++i) {
       const auto link = static_cast<std::size_t>(problem.links[i]);
       const double travel = std::abs(problem.chain.links[link].d_per_q);
-      constexpr double most = 1e4;  // radians
-      if (travel > 0) away = std::max(away, std::min(2 * far / travel, most));
+      constexpr double max_angle = 1e4;  // radians
+      if (travel > 0) away = std::max(away, std::min(2 * far / travel, max_angle));
     }
     double lower = coordinate.lower, upper = coordinate.upper;
     if (!std::isfinite(lower)) lower = std::min(-away, upper - 2 * away);
@@ -101,7 +101,7 @@ void nearest_seeds(const NumericalProblem& problem, const SeedTable& seeds,
   const auto& rows = problem.task.rows;
   const bool base = problem.task.frame == Frame::base;
   const bool whole_place = rows[0] && rows[1] && rows[2],
-             whole_turn = rows[3] && rows[4] && rows[5];
+             all_rotations = rows[3] && rows[4] && rows[5];
   double goal[12], weight[3], at[solver_lane_count];
   for (std::size_t column = 0; column < 4; ++column) {
     for (std::size_t i = 0; i < 3; ++i) goal[3 * column + i] = world_T_tool.data()[4 * column + i];
@@ -111,7 +111,7 @@ void nearest_seeds(const NumericalProblem& problem, const SeedTable& seeds,
     weight[i] = whole_place || (base && rows[i]) ? 1 : 0;
   }
   HWY_DYNAMIC_DISPATCH(nearest)
-  (seeds.tool[0].lane, seeds.blocks, goal, weight, whole_turn ? 1 : 0, at);
+  (seeds.tool[0].lane, seeds.blocks, goal, weight, all_rotations ? 1 : 0, at);
   for (int lane = 0; lane < solver_lane_count; ++lane) block[lane] = static_cast<int>(at[lane]);
 }
 

@@ -11,8 +11,8 @@ struct LineExtent {
       rotation;       ///< world axes; zero where the task leaves all rows of the kind free
   double length = 0;  ///< metres; for tasks in base axes of the constrained rows only
   double angle = 0;   ///< radians
-  /// Which of the two determines the nearest point: see least_metres_per_radian.
-  bool by_position() const { return length > nothing && length >= least_metres_per_radian * angle; }
+  /// Which of the two determines the nearest point: see min_metres_per_radian.
+  bool by_position() const { return length > nothing && length >= min_metres_per_radian * angle; }
   bool by_rotation() const { return !by_position() && angle > nothing; }
 
   static constexpr double nothing = 1e-12;  // metres or radians that count as zero
@@ -28,7 +28,7 @@ Vector3 in_position_rows(const Task& task, const Pose& pose, const Vector3& v);
 bool rotates_within_rows(const Task& task, const Vector3& rotation);
 
 /// The fraction of the line, from 0 to 1, at which its pose is nearest to `pose`: by position, or
-/// by orientation for a line that translates less than least_metres_per_radian. 1 for a line that
+/// by orientation for a line that translates less than min_metres_per_radian. 1 for a line that
 /// does not move in the constrained rows.
 double nearest_fraction(const Line& line, const Pose& pose, const Task& task);
 

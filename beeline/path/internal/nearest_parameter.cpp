@@ -54,20 +54,20 @@ double nearest_parameter(const ToolPath& path, const Task& task, const Pose& pos
   if (line != nullptr && from >= begin) {
     return std::clamp(begin + nearest_fraction(*line, pose, task), from, to);
   }
-  double scanned = from, low = from, high = to, least = distance(path, task, pose, from);
+  double scanned = from, low = from, high = to, smallest = distance(path, task, pose, from);
   for (double next = from; next < to;) {
     next = std::min(next + stride, to);
     const double there = distance(path, task, pose, next);
-    if (there > least) {
+    if (there > smallest) {
       high = next;
       break;
     }
     low = scanned;
     scanned = next;
-    least = there;
+    smallest = there;
   }
   const double s = refined(path, task, pose, scanned, low, high, last);
-  return distance(path, task, pose, s) <= least ? s : scanned;
+  return distance(path, task, pose, s) <= smallest ? s : scanned;
 }
 
 double fitting_parameter(const ToolPath& path, const Task& task, const Pose& pose, double from,

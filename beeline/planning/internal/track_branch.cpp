@@ -92,10 +92,10 @@ double leaves_at(const Branch& branch, int k, double lower, double upper) {
 /// the branch. Among equal ones it has the largest margin to the limits, then the smallest
 /// magnitude.
 double best_shift(const Branch& branch, int k, double lower, double upper) {
-  constexpr int max_turns = 16;  // to either side; limits may be infinite
+  constexpr int max_revolutions = 16;  // to either side; limits may be infinite
   const Range range = range_of(branch, k);
   double best = 0, best_parameter = -1, best_margin = 0;
-  for (int i = 0; i <= 2 * max_turns; ++i) {
+  for (int i = 0; i <= 2 * max_revolutions; ++i) {
     const double shift = (i % 2 == 0 ? -(i / 2) : (i + 1) / 2) * full_turn;
     const double low = lower - shift - position_slack, high = upper - shift + position_slack;
     if (branch.start[k] < low || branch.start[k] > high) continue;
@@ -185,14 +185,14 @@ std::vector<Branch> unordered_branches(const Arm& arm, const ToolPath& path,
   const Bounds limits = bounds_of(arm);
   Bounds bounds = limits;
   for (int k = 0; k < arm.dof(); ++k) {
-    if (!turns_around(arm, k)) continue;
+    if (!is_periodic(arm, k)) continue;
     bounds.lower[k] = -Limits::none;
     bounds.upper[k] = Limits::none;
   }
   std::vector<Branch> branches;
   const auto add = [&](Branch branch) {
     for (int k = 0; k < arm.dof(); ++k) {
-      if (!turns_around(arm, k)) continue;
+      if (!is_periodic(arm, k)) continue;
       add_to_coordinate(branch, k, best_shift(branch, k, limits.lower[k], limits.upper[k]));
     }
     keep_limits(arm, path, branch);

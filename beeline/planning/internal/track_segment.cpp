@@ -119,8 +119,7 @@ TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task&
   const double exact = tolerance_of_samples(arm);
   // The nearest point of a line may be determined by position only, to `exact`. Its orientation is
   // then uncertain by the rotation of the line over that length.
-  const double rotated =
-      std::holds_alternative<Line>(segment) ? 1 + 1 / least_metres_per_radian : 1;
+  const double rotated = std::holds_alternative<Line>(segment) ? 1 + 1 / min_metres_per_radian : 1;
   SegmentTracker tracker{arm, segment, task, bounds, options, exact, {exact, exact * rotated}};
   TrackedSegment tracked{{start}, {0}, {}};
   const Deviation at_start = deviation_from(segment, 0, forward_kinematics(arm, start), task);

@@ -31,8 +31,8 @@ Limits limits_from_json(const JsonDocument& document, const Json& json) {
   const auto rate = [&](const char* key) {
     const Json* found = document.find(json, key);
     const double value = number_or(document, json, key, Limits::none);
-    if (!(value >= Limits::least_rate)) {
-      document.refuse(*found, "must be at least " + number(Limits::least_rate) +
+    if (!(value >= Limits::min_rate)) {
+      document.refuse(*found, "must be at least " + number(Limits::min_rate) +
                                   "; omit it when it is not known");
     }
     return value;

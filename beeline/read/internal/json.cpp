@@ -15,22 +15,22 @@ const char* kind_of(const Json& json) {
   return kinds[json.value.index()];
 }
 
-/// Appends the path from `from` to `target` to `place`, as `joints[2].limits`; returns false when
-/// `target` is not below `from`.
-bool find_place(const Json& from, const Json& target, std::string& place) {
+/// Appends the path from `from` to `target` to `value_path`, as `joints[2].limits`; returns false
+/// when `target` is not below `from`.
+bool find_value_path(const Json& from, const Json& target, std::string& value_path) {
   if (&from == &target) return true;
-  const std::size_t length = place.size();
+  const std::size_t length = value_path.size();
   if (const auto* items = std::get_if<Json::Items>(&from.value)) {
     for (std::size_t i = 0; i < items->size(); ++i) {
-      place += '[' + std::to_string(i) + ']';
-      if (find_place((*items)[i], target, place)) return true;
-      place.resize(length);
+      value_path += '[' + std::to_string(i) + ']';
+      if (find_value_path((*items)[i], target, value_path)) return true;
+      value_path.resize(length);
     }
   } else if (const auto* members = std::get_if<Json::Members>(&from.value)) {
     for (const auto& [key, value] : *members) {
-      place += (place.empty() ? "" : ".") + printable(key);
-      if (find_place(value, target, place)) return true;
-      place.resize(length);
+      value_path += (value_path.empty() ? "" : ".") + printable(key);
+      if (find_value_path(value, target, value_path)) return true;
+      value_path.resize(length);
     }
   }
   return false;
@@ -91,17 +91,18 @@ const Json& JsonDocument::need(const Json& object, std::string_view key) const {
 void JsonDocument::check_keys(const Json& object, const std::vector<std::string>& known) const {
   for (const auto& [key, value] : members(object)) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    std::string place;
-    find_place(root_, object, place);
+    std::string value_path;
+    find_value_path(root_, object, value_path);
     const std::string error = unknown_name("key", printable(key), known).what();
-    throw FileError(path_, value.line, place.empty() ? error : place + ": " + error);
+    throw FileError(path_, value.line, value_path.empty() ? error : value_path + ": " + error);
   }
 }
 
 void JsonDocument::refuse(const Json& at, const std::string& message) const {
-  std::string place;
-  find_place(root_, at, place);
-  throw FileError(path_, at.line, (place.empty() ? "the document" : place) + " " + message);
+  std::string value_path;
+  find_value_path(root_, at, value_path);
+  throw FileError(path_, at.line,
+                  (value_path.empty() ? "the document" : value_path) + " " + message);
 }
 
 }  // namespace beeline::internal

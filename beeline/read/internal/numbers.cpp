@@ -54,8 +54,8 @@ std::vector<double> parse_numbers(std::string_view text, std::string_view what) 
   std::vector<double> values;
   for (;;) {
     const std::size_t comma = text.find(',');
-    const std::string place = std::string(what) + ": item " + std::to_string(values.size() + 1);
-    values.push_back(parse_number(text.substr(0, comma), place));
+    const std::string item = std::string(what) + ": item " + std::to_string(values.size() + 1);
+    values.push_back(parse_number(text.substr(0, comma), item));
     if (comma == std::string_view::npos) return values;
     text.remove_prefix(comma + 1);
   }

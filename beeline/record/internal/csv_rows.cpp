@@ -147,29 +147,29 @@ void CsvReader::parse_quoted(std::string_view line, double* numbers) const {
 }
 
 void CsvReader::read(RowBlock& block, BadRows& bad) {
-  block.places.clear();
+  block.positions.clear();
   std::string_view line;
   while (block.count() < block.numbers.cols()) {
-    RowPlace place;
+    RowPosition position;
     if (!first_.empty() && row_ == 0) {
       line = first_;
-      place.line = first_line_;
+      position.line = first_line_;
     } else if (lines_.next(line)) {
-      place.line = lines_.number();
+      position.line = lines_.number();
     } else {
       return;
     }
-    place.row = ++row_;
+    position.row = ++row_;
     double* const numbers = block.numbers.col(block.count()).data();
     if (!parse_plain(line, numbers)) {
       try {
         parse_quoted(line, numbers);
       } catch (const Error& error) {
-        bad.report(bad_row(file().path(), place, error.what()));
+        bad.report(bad_row(file().path(), position, error.what()));
         continue;
       }
     }
-    block.places.push_back(place);
+    block.positions.push_back(position);
   }
 }
 

@@ -153,7 +153,7 @@ std::string squared_speeds(const JointPath& path, const EndSpeeds& ends, Constra
            number(std::sqrt(constraints.largest(last)));
   }
   std::vector<SquaredSpeeds> controllable(last + 1);
-  controllable[last].least = controllable[last].most = squared(ends.end);
+  controllable[last].min = controllable[last].max = squared(ends.end);
   for (std::size_t k = last; k-- > 0;) {
     controllable[k] = constraints.begins(k, controllable[k + 1]);
     if (!controllable[k].none()) continue;
@@ -162,11 +162,11 @@ std::string squared_speeds(const JointPath& path, const EndSpeeds& ends, Constra
   }
   b.assign(last + 1, 0);
   b[0] = squared(ends.begin);
-  if (b[0] > controllable[0].most * within || b[0] * within < controllable[0].least) {
-    const bool high = b[0] > controllable[0].most;
+  if (b[0] > controllable[0].max * within || b[0] * within < controllable[0].min) {
+    const bool high = b[0] > controllable[0].max;
     return "the speed at the path's begin, " + number(ends.begin) + ", is too " +
            (high ? "high" : "low") + " for the rest of the path, which needs " +
-           number(std::sqrt(high ? controllable[0].most : controllable[0].least));
+           number(std::sqrt(high ? controllable[0].max : controllable[0].min));
   }
   for (std::size_t k = 0; k < last; ++k) {
     b[k + 1] = constraints.furthest_end(k, b[k], controllable[k + 1]);

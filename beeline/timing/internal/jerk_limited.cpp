@@ -15,10 +15,10 @@ namespace {
 
 // Knots of the spline. Its time grows linearly with their number; with fewer, the optimum is missed
 // by more than 1e-3.
-constexpr double least_steps = 256;
+constexpr double min_steps = 256;
 constexpr double steps_per_point = 0.6;  // of the path's grid, at least
-constexpr double least_jump = 1e-3;      // of a jerk limit: larger jumps of d3q/ds3 get a knot
-constexpr double least_distance =
+constexpr double min_jump = 1e-3;        // of a jerk limit: larger jumps of d3q/ds3 get a knot
+constexpr double smallest_distance =
     0.3;                           // between knots, in steps: closer ones are badly conditioned
 constexpr double distinct = 0.05;  // of a step: a knot nearer to a grid point gets no point
 constexpr double side = 1e-6;      // of a step: on both sides of grid points, where jerk jumps
@@ -44,7 +44,7 @@ constexpr int max_bisections = 8;  // of the path, each with another stop
 std::vector<double> knots_for(const QuinticMotion& motion) {
   const std::vector<double> jumps = motion.jerk_jumps();
   const std::vector<double>& times = motion.times();
-  const double steps = std::max(least_steps, steps_per_point * double(times.size()));
+  const double steps = std::max(min_steps, steps_per_point * double(times.size()));
   const double step = motion.duration() / steps;
   std::vector<double> knots{0};
   const auto add_until = [&](double end) {
@@ -54,10 +54,10 @@ std::vector<double> knots_for(const QuinticMotion& motion) {
     }
     knots.push_back(end);
   };
-  const double gap = least_distance * step;
+  const double gap = smallest_distance * step;
   for (std::size_t k = 1; k + 1 < times.size(); ++k) {
     const bool apart = times[k] > knots.back() + gap && times[k] < motion.duration() - gap;
-    if (jumps[k] > least_jump && apart) add_until(times[k]);
+    if (jumps[k] > min_jump && apart) add_until(times[k]);
   }
   add_until(motion.duration());
   return knots;
@@ -215,7 +215,7 @@ TimeScaling without_stops(const JointPath& path, const PathLimits& limits) {
 std::size_t best_stop(const std::vector<double>& speed) {
   const std::size_t points = speed.size();
   std::vector<double> depth(points);  // the speed as a fraction of the largest on either side
-  double largest = 0, least = 1;
+  double largest = 0, smallest = 1;
   for (std::size_t k = 0; k < points; ++k) {
     largest = std::max(largest, speed[k]);
     depth[k] = largest;
@@ -224,9 +224,9 @@ std::size_t best_stop(const std::vector<double>& speed) {
   for (std::size_t k = points - 2; k > 0; --k) {  // both ends are at rest
     largest = std::max(largest, speed[k]);
     depth[k] = speed[k] / std::min(depth[k], largest);
-    least = std::min(least, depth[k]);
+    smallest = std::min(smallest, depth[k]);
   }
-  const double enough = std::min(deep, similar * least);
+  const double enough = std::min(deep, similar * smallest);
   const auto longer_part = [&](std::size_t k) { return std::max(k, points - 1 - k); };
   std::size_t best = 0;
   for (std::size_t k = 1; k + 1 < points; ++k) {

@@ -72,12 +72,12 @@ struct Local {
     h22 = fma(weight * by.ddb, by.ddb, h22);
   }
 
-  /// Adds the limit |z| <= 1; `least` becomes at most the product of its two slacks.
+  /// Adds the limit |z| <= 1; `smallest` becomes at most the product of its two slacks.
   HWY_INLINE void add_limit(Lanes z, const Row& by, const double* multipliers, Lanes gap,
-                            Lanes& least) {
+                            Lanes& smallest) {
     const Lanes above = Lanes(1) - z, below = Lanes(1) + z;
     const Lanes both = above * below;
-    least = min(least, both);
+    smallest = min(smallest, both);
     const Lanes inverse = Lanes(1) / both;
     const Lanes weight = inverse * fma(Lanes::load(multipliers), below,
                                        Lanes::load(multipliers + lane_count) * above);
@@ -113,7 +113,7 @@ bool equations(const DurationProblem& problem, const double* c, const double* mu
     const Lanes seconds = Lanes::load(numbers + 9 * lane_count) * root * inverse;  // w / sqrt(b)
     const Lanes fastest = Lanes::load(numbers + 10 * lane_count);
     const Lanes left = fnma(rate.b, fastest, Lanes(1)), steep = fastest / left;
-    Lanes least = min(left, rate.b);
+    Lanes smallest = min(left, rate.b);
     local.gradient.b = fma(Lanes(gap), steep, -seconds * half_inverse);
     local.h00 = fma(Lanes::load(multipliers) * fastest, steep,
                     Lanes(1.5) * seconds * half_inverse * inverse);
@@ -121,12 +121,12 @@ bool equations(const DurationProblem& problem, const double* c, const double* mu
     const double* motion = numbers + 11 * lane_count;
     for (std::size_t i = 0; i < problem.joints(); ++i) {
       const Joint joint(motion, inverse_limits + 2 * i, rate, root, half_inverse);
-      local.add_limit(joint.acceleration, joint.acceleration_by, multipliers, gap, least);
-      local.add_limit(joint.jerk, joint.jerk_by, multipliers + 2 * lane_count, gap, least);
+      local.add_limit(joint.acceleration, joint.acceleration_by, multipliers, gap, smallest);
+      local.add_limit(joint.jerk, joint.jerk_by, multipliers + 2 * lane_count, gap, smallest);
       motion += 3 * lane_count;
       multipliers += 4 * lane_count;
     }
-    if (bits(least > Lanes(0)) != 0xff) return false;
+    if (bits(smallest > Lanes(0)) != 0xff) return false;
     double* const at[3] = {bands[0] + first, bands[1] + first, bands[2] + first};
     local.add_to(gradient + first, at, numbers);
   }

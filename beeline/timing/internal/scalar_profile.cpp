@@ -12,8 +12,8 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double least_ramp = 1e-3;  // of the duration: nearly a step of the velocity
-constexpr int grid_count = 400;      // path parameters at which shapes are compared, as refined()
+constexpr double min_ramp = 1e-3;  // of the duration: nearly a step of the velocity
+constexpr int grid_count = 400;    // path parameters at which shapes are compared, as refined()
 
 /// A profile of duration 1: `ramp` is the fraction of the duration in which ds/dt increases,
 /// `round` the fraction of the ramp in each of its two phases of constant jerk.
@@ -147,12 +147,12 @@ double duration(const Shape& shape, const DerivativeGrid& grid, const PathLimits
   return fractions.slowdown_of(shape.form);
 }
 
-/// Minimises f over [least_ramp, 0.5]: a scan of geometric steps, then golden sections.
+/// Minimises f over [min_ramp, 0.5]: a scan of geometric steps, then golden sections.
 template <class Function>
-Minimum least(int sections, Function&& f) {
+Minimum minimised(int sections, Function&& f) {
   constexpr int intervals = 8;
   const auto point = [](int k) {
-    return least_ramp * std::pow(0.5 / least_ramp, double(k) / intervals);
+    return min_ramp * std::pow(0.5 / min_ramp, double(k) / intervals);
   };
   return scan_and_refine(intervals, point, sections, f);
 }
@@ -167,13 +167,14 @@ Shape best_shape(ScalarForm form, const JointPath& path, const PathLimits& limit
   // Sections: 24 to 1e-5 of the interval. The nested search does with fewer, as its duration is
   // stationary in the parameter that is not yet exact.
   if (form == ScalarForm::trapezoidal) {
-    return {form, length, least(24, [&](double ramp) { return lasts(ramp, 0); }).x};
+    return {form, length, minimised(24, [&](double ramp) { return lasts(ramp, 0); }).x};
   }
   const auto best_round = [&](double ramp) {
-    return least(12, [&](double round) { return lasts(ramp, round); }).x;
+    return minimised(12, [&](double round) { return lasts(ramp, round); }).x;
   };
-  const double ramp = least(16, [&](double tried) { return lasts(tried, best_round(tried)); }).x;
-  const double round = least(24, [&](double tried) { return lasts(ramp, tried); }).x;
+  const double ramp =
+      minimised(16, [&](double tried) { return lasts(tried, best_round(tried)); }).x;
+  const double round = minimised(24, [&](double tried) { return lasts(ramp, tried); }).x;
   return {form, length, ramp, round};
 }
 

@@ -14,12 +14,12 @@ constexpr double negligible =
 /// The edge that bounds x from above at y (side 1), or -x at -y mirrored (side -1).
 StepPolygon::Edge StepPolygon::edge(double y, double side) const {
   Edge lowest;
-  double least = std::numeric_limits<double>::max();
+  double smallest = std::numeric_limits<double>::max();
   const double signed_y = side * y;
   for (std::size_t i = 0; i < edges_; ++i) {
     const double x = p_[i] - m_[i] * signed_y;
-    const bool lower = x < least;
-    least = lower ? x : least;
+    const bool lower = x < smallest;
+    smallest = lower ? x : smallest;
     lowest.p = lower ? p_[i] : lowest.p;
     lowest.m = lower ? m_[i] : lowest.m;
   }
@@ -30,13 +30,13 @@ StepPolygon::Edge StepPolygon::edge(double y, double side) const {
 /// The y in `ends` at which the upper bound of side * x is largest, or the first found at which it
 /// is at least `enough`. The bound is concave: the edges at both ends enclose its maximum.
 double StepPolygon::summit(SquaredSpeeds ends, double side, double enough) const {
-  Edge right = edge(ends.most, side);
-  if (right.m <= 0 || right.at(ends.most) >= enough) return ends.most;
-  Edge left = edge(ends.least, side);
-  if (left.m >= 0 || left.at(ends.least) >= enough) return ends.least;
-  double y = ends.least;
+  Edge right = edge(ends.max, side);
+  if (right.m <= 0 || right.at(ends.max) >= enough) return ends.max;
+  Edge left = edge(ends.min, side);
+  if (left.m >= 0 || left.at(ends.min) >= enough) return ends.min;
+  double y = ends.min;
   for (std::size_t i = 0; i < edges_; ++i) {
-    y = std::clamp((right.p - left.p) / (right.m - left.m), ends.least, ends.most);
+    y = std::clamp((right.p - left.p) / (right.m - left.m), ends.min, ends.max);
     const double top = left.at(y);
     const Edge between = edge(y, side);
     const double x = between.at(y);
@@ -59,40 +59,40 @@ double StepPolygon::retreat(double y) const {
   return y;
 }
 
-SquaredSpeeds StepPolygon::begins(SquaredSpeeds ends, double most) {
+SquaredSpeeds StepPolygon::begins(SquaredSpeeds ends, double max_begin) {
   edges_ = 0;
   const double* along = &strips_.along[first_];
   const double* across = &strips_.across[first_];
   for (std::size_t i = 0; i < count_; ++i) {
-    const double x = along[i] * most, y = across[i] * ends.most;
+    const double x = along[i] * max_begin, y = across[i] * ends.max;
     if (std::abs(x) <= 1 && std::abs(y) <= 1 && std::abs(x + y) <= 1) continue;  // never active
     if (std::abs(x) > negligible) {
       p_[edges_] = 1 / std::abs(along[i]);
       m_[edges_++] = across[i] / along[i];
     } else {
-      ends.most = std::min(ends.most, 1 / std::abs(across[i]));
+      ends.max = std::min(ends.max, 1 / std::abs(across[i]));
     }
   }
   constexpr SquaredSpeeds impossible{1, 0};
   if (ends.none()) return impossible;
-  if (ends.least > 0) {
-    ends.most = retreat(ends.most);
+  if (ends.min > 0) {
+    ends.max = retreat(ends.max);
     if (ends.none()) return impossible;
   }
-  double y = summit(ends, 1, most);
-  if (ends.least == 0) {
+  double y = summit(ends, 1, max_begin);
+  if (ends.min == 0) {
     // If the maximum is beyond the largest possible y, the bound increases up to that y.
     const double possible = retreat(y);
     if (possible < y) y = std::max(possible, 0.0);
-    return {0, std::min(most, std::max(edge(y, 1).at(y), 0.0))};
+    return {0, std::min(max_begin, std::max(edge(y, 1).at(y), 0.0))};
   }
   const double top = edge(y, 1).at(y);
   const double low = summit(ends, -1, 0);
-  return {std::max(0.0, -edge(low, -1).at(low)), std::min(most, top)};
+  return {std::max(0.0, -edge(low, -1).at(low)), std::min(max_begin, top)};
 }
 
 double StepPolygon::furthest_end(double x, SquaredSpeeds ends) const {
-  double y = ends.most;
+  double y = ends.max;
   const double* along = &strips_.along[first_];
   const double* across = &strips_.across[first_];
   for (std::size_t i = 0; i < count_; ++i) {
@@ -100,7 +100,7 @@ double StepPolygon::furthest_end(double x, SquaredSpeeds ends) const {
     if (std::abs(here + step) <= 1 || std::abs(step) <= negligible) continue;
     y = std::min(y, across[i] > 0 ? (1 - here) / across[i] : (1 + here) / -across[i]);
   }
-  return std::max(y, ends.least);
+  return std::max(y, ends.min);
 }
 
 }  // namespace beeline::internal

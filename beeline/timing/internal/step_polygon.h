@@ -7,8 +7,8 @@ namespace beeline::internal {
 
 /// An interval of squared speeds (ds/dt)^2.
 struct SquaredSpeeds {
-  double least = 0, most = 0;
-  bool none() const { return !(least <= most); }
+  double min = 0, max = 0;
+  bool none() const { return !(min <= max); }
 };
 
 /// Constraints |along x + across y| <= 1 on two squared speeds x and y.
@@ -29,7 +29,7 @@ class StepPolygon {
   void go_to(std::size_t first) { first_ = first; }
 
   /// The interval of x, up to `most`, from which some y in `ends` can be reached.
-  SquaredSpeeds begins(SquaredSpeeds ends, double most);
+  SquaredSpeeds begins(SquaredSpeeds ends, double max_begin);
 
   /// The largest y in `ends` that can be reached from x; if rounding has left none, the nearest.
   double furthest_end(double x, SquaredSpeeds ends) const;

@@ -72,7 +72,7 @@ TEST(SegmentChordBound, OfAnArcIsItsSagitta) {
     const Arc arc = arc_through(poses[0], poses[1].translation(), poses[2]);
     const double radius = (arc.from.translation() - arc.centre).norm();
     const double s_a = random.uniform(0, 1), s_b = random.uniform(0, 1);
-    const double angle = arc.turn.norm() * std::abs(s_b - s_a);
+    const double angle = arc.rotation.norm() * std::abs(s_b - s_a);
     const SegmentChordBound bound = segment_chord_bound(arc, s_a, s_b);
     const double sagitta = 2 * radius * std::pow(std::sin(angle / 4), 2);
     ASSERT_NEAR(bound.position, sagitta, 1e-9 * sagitta);

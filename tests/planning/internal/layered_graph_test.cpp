@@ -82,7 +82,7 @@ TEST(KnotSequence, EndsWhereSolutionsDo) {
 // and more, and still order the paths through the graph.
 TEST(LayeredGraph, TakesTheLeastVelocityLimits) {
   std::vector<Joint> joints = built_in("panda").joints();
-  for (Joint& joint : joints) joint.limits.velocity = Limits::least_rate;
+  for (Joint& joint : joints) joint.limits.velocity = Limits::min_rate;
   const Arm arm("slow", joints, built_in("panda").tool());
   const Configuration q{{0, -0.785, 0, -2.356, 0, 1.571, 0.785}};
   const Pose from = forward_kinematics(arm, q);
