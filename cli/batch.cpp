@@ -25,7 +25,7 @@ struct BatchReport {
   double rate() const { return seconds > 0 ? static_cast<double>(rows) / seconds : 0; }
 };
 
-/// Rows in a block, so that what is read and what is written take a few megabytes.
+/// Returns the number of rows in a block, for which input and output take a few megabytes.
 Eigen::Index rows_in_a_block(const BatchWork& work) {
   constexpr std::size_t numbers = std::size_t{1} << 19;
   std::size_t width = work.columns.size();
@@ -139,7 +139,7 @@ constexpr const char* poses_help =
     "x,y,z,roll,pitch,yaw; the matrix m11,m12,...,m44 row by row; or x,y,theta (planar arms). "
     "Without a header, as many numbers in this order.";
 
-/// The verb `batch NAME` without what is its own.
+/// The arguments and options that all verbs `batch NAME` have.
 Verb common(BatchArguments& arguments, const char* name, const char* rows,
             const std::vector<Option>& own, MakeWork make_work) {
   Verb verb{.name = name, .summary = ""};

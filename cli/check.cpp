@@ -28,7 +28,7 @@ struct CheckArguments {
   bool json = false;
 };
 
-/// Plots the motion beside its limits, and its deviation as far as it follows the path.
+/// Plots the motion with its limits, and its deviation from the path up to the last sample on it.
 void write_check_plot(const CheckArguments& arguments, const Arm& arm, const Trajectory& trajectory,
                       const Verification& verification, const VerifyOptions& options) {
   const Deviation tolerance{options.tolerance, options.orientation_tolerance};

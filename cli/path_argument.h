@@ -15,7 +15,7 @@ struct PathArgument {
   std::string kind = "line";
   std::optional<double> blend = {};
 
-  /// The options; `methods` are the values of --method that they go with.
+  /// The options; `methods` are the values of --method that they require.
   std::vector<Option> options(const std::vector<std::string>& methods = {});
   /// Whether the path is straight lines with a stop at each pose.
   bool straight() const;

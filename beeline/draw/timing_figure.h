@@ -14,8 +14,7 @@ namespace beeline {
 /// The path that a motion follows.
 struct FollowedPath {
   ToolPath path;
-  std::vector<double>
-      path_parameters;  ///< path parameter of each sample, as far as they follow the path
+  std::vector<double> path_parameters;  ///< of the samples that follow the path
   Task task;
   std::optional<Deviation> tolerance = std::nullopt;  ///< drawn as a reference line
 };

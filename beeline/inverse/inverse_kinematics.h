@@ -21,9 +21,9 @@ enum class InverseMethod {
 InverseMethod inverse_method_named(std::string_view name);  ///< throws Error, naming the choices
 std::string name(InverseMethod method);
 
-/// Which of infinitely many solutions to return, where the arm has more joints than the task has
-/// rows. With a closed form it is the best over the whole range of the redundant joint, else a
-/// local optimum in the null space.
+/// Selects one of infinitely many solutions if the arm has more joints than the task has rows. With
+/// a closed form it is the best over the whole range of the redundant joint, otherwise a local
+/// optimum in the null space.
 enum class Redundancy {
   any,      ///< the first that is found, searching outwards from the seed
   nearest,  ///< minimise the distance from the seed
@@ -72,8 +72,8 @@ std::string name(InverseStatus status);
 /// The configuration nearest to the requested pose.
 struct NearestMiss {
   /// outside_limits: the solution that is least outside the limits. not_found: the configuration of
-  /// least error that was found. Otherwise, limits ignored, a configuration of least position error
-  /// and, among those, of least orientation error, as far as a search from many starts shows.
+  /// least error that was found. Otherwise a configuration of least position error and, among
+  /// those, of least orientation error, limits ignored, found by a search from many starts.
   Configuration q;
   Pose world_T_tool;  ///< the tool pose at q
   Deviation error;    ///< of that pose from the requested one
@@ -85,8 +85,8 @@ struct InverseResult {
   InverseStatus status = InverseStatus::not_found;
   std::vector<Configuration> solutions;  ///< by distance from the seed; empty unless solved
   bool complete = false;  ///< with `all`: these are all solutions, which are finitely many
-  /// Solved by a closed form at a singular configuration: each solution stands for infinitely many,
-  /// connected by motions of the arm with the tool at rest, and is the nearest of them to the seed.
+  /// Solved by a closed form at a singular configuration: each solution represents infinitely many,
+  /// connected by self-motions, and is the nearest of them to the seed.
   bool singular = false;
   /// Metres or radians, the larger of both. solved: the largest error of a solution.
   /// unreachable: the least position error. orientation_unreachable: the nearest miss's angle.
@@ -106,11 +106,11 @@ std::ostream& operator<<(std::ostream& out, const InverseResult& result);
 
 /// Computes joint configurations that bring the tool to `world_T_tool`, in the components of the
 /// task. The method follows from the arm's geometry: see InverseSolver::method(). Every q returned
-/// is checked by forward kinematics, finite and within limits. Angles are given by the turn nearest
-/// to the seed within limits (nearest to zero where a joint without limits has a seed beyond
-/// 1e3 rad); prismatic and helical joints, and joints with a mimic joint of another ratio than a
-/// whole one, are not wrapped. Distances from the seed are Euclidean; radians and metres weigh
-/// alike. Throws Error when the pose, the seed or an option is not valid.
+/// is checked by forward kinematics, finite and within limits. Angles are given as the equivalent
+/// value nearest to the seed within limits (nearest to zero if a joint without limits has a seed
+/// beyond 1e3 rad); prismatic and helical joints, and joints with a mimic joint of another ratio
+/// than a whole one, are not wrapped. Distances from the seed are Euclidean; radians and metres
+/// weigh alike. Throws Error when the pose, the seed or an option is not valid.
 InverseResult inverse_kinematics(const Arm& arm, const Pose& world_T_tool,
                                  const InverseOptions& options = {});
 
@@ -134,7 +134,7 @@ class InverseSolver {
   InverseResult solve(const Pose& world_T_tool, const ConfigurationRef& seed);
 
   /// For control loops: writes the solutions, nearest to `seed` first, into the columns of
-  /// `solutions`, as many as fit (one suffices unless options.all), and returns how many; 0 where
+  /// `solutions`, as many as fit (one suffices unless options.all), and returns their number; 0 if
   /// there is none, without a diagnosis. Solutions of a closed form are checked by closing the
   /// loop. Does not allocate in the ordinary case; a lock with a new value in each call does,
   /// unless it is the first or last of seven joints. Throws Error when a size does not fit or a

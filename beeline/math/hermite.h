@@ -57,8 +57,8 @@ Quintic<Value> quintic_between(const Value& change, const Value& d0, const Value
       {d0, half, 10 * r0 - 4 * r1 + 0.5 * r2, -15 * r0 + 7 * r1 - r2, 6 * r0 - 3 * r1 + 0.5 * r2}};
 }
 
-/// The rest-to-rest quintic 10 u^3 - 15 u^4 + 6 u^5, which goes from 0 to 1 with first and second
-/// derivatives zero at both ends, and its derivatives with respect to u.
+/// The rest-to-rest quintic 10 u^3 - 15 u^4 + 6 u^5, which increases from 0 to 1 with first and
+/// second derivatives zero at both ends, and its derivatives with respect to u.
 struct RestToRest {
   double value, first, second, third;
 };

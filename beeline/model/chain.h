@@ -39,7 +39,7 @@ Pose link_transform(const Chain::Link& link, double q);
 
 /// The angles of all links as arrays, padded to a multiple of eight with links that do not move, so
 /// that the kernels compute all sines and cosines of a configuration together. theta_offset enters
-/// by the addition theorems, not by a sum: where q is many turns, theta_offset + q loses digits.
+/// by the addition theorems, not by a sum: if q is many revolutions, theta_offset + q loses digits.
 struct ChainAngles {
   std::vector<double> theta_per_q, cos_offset, sin_offset;
   bool in_order = true;  ///< link i is driven by coordinate i

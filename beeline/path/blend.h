@@ -6,7 +6,7 @@
 
 namespace beeline {
 
-/// How the corner between two lines is blended. Lengths count as in span_of().
+/// The blend of the corner between two lines. Lengths are measured as by span_of().
 struct Blend {
   double radius = 0;       ///< the part of each line that the blend replaces; 0: no blend
   bool shortened = false;  ///< the lines are too short for the radius that the tolerances allow
@@ -33,9 +33,9 @@ struct BlendedPath {
 /// corner the blend is
 ///     x(s) = -f(1 - s) in + f(s) out,   f(s) = 2 s^3 - s^4,
 /// so poses in reverse order give the reversed path. Blends do not overlap: each may use half of a
-/// line, or more where the blend at the other end leaves more.
-/// Throws Error for fewer than two poses, a pose that is not a rigid motion or repeats the one
-/// before it, and tolerances that are not positive.
+/// line, or more if the blend at the other end uses less. Throws Error for fewer than two poses, a
+/// pose that is not a rigid motion or repeats the one before it, and tolerances that are not
+/// positive.
 BlendedPath blended_lines(std::span<const Pose> poses, const Deviation& within);
 
 /// The route along the path; the tool stops at sharp corners only.

@@ -11,7 +11,8 @@
 
 namespace beeline {
 
-/// The samples of an arm along one segment of a path, as far as it can track it.
+/// The samples of an arm along one segment of a path, up to the point where it can no longer track
+/// it.
 struct TrackedSegment {
   std::vector<Configuration> samples;  ///< the first is at the segment's begin
   std::vector<double> fractions;       ///< of the segment, at each sample: 0 first
@@ -32,7 +33,7 @@ struct Branch {
   /// Smallest inverse condition number of the task's Jacobian, lengths in units of the arm's reach;
   /// 0 at a singularity.
   double dexterity = 1;
-  std::vector<TrackedSegment> segments = {};  ///< one sample where the task's rows stand still
+  std::vector<TrackedSegment> segments = {};  ///< one sample if the task's rows are at rest
 
   explicit operator bool() const { return status == MotionStatus::reached; }
 };

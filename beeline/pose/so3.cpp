@@ -6,8 +6,8 @@
 namespace beeline {
 namespace {
 
-// Each quotient cancels near zero. Below 0.1 its series stands instead, of as many terms as leave
-// an error under 1e-16.
+// Each quotient cancels near zero. Below this angle a series is used, with enough terms for an
+// error under 1e-16.
 constexpr double small_angle = 0.1;
 
 /// (a - sin a) / a^3

@@ -59,7 +59,7 @@ void check_leaders(const UrdfFile& file, const std::vector<std::size_t>& chain) 
   }
 }
 
-/// Gives mimic joints whose leader is not on the chain a coordinate of their own.
+/// Gives each mimic joint whose leader is not on the chain its own coordinate.
 void free_followers(std::vector<Joint>& joints) {
   std::unordered_set<std::string> names;
   for (const Joint& joint : joints) names.insert(joint.name);

@@ -26,7 +26,7 @@ struct RowBlock {
 /// Returns the error of a bad row, which names the file, the line and the row.
 FileError bad_row(const std::string& path, const RowPosition& position, const std::string& message);
 
-/// What happens to bad rows: the first one throws, or all are skipped and counted.
+/// Handling of bad rows: the first one throws, or all are skipped and counted.
 struct BadRows {
   bool skip = false;
   std::int64_t count = 0;

@@ -9,7 +9,7 @@
 
 namespace beeline {
 
-/// How the joints that could arrive earlier are synchronised with the slowest one.
+/// The synchronisation of the faster joints with the slowest one.
 enum class Synchronise {
   time,      ///< each joint has an s-curve of its own, stretched to the duration of the slowest
   straight,  ///< all joints have one s-curve in proportion: a straight line in joint space

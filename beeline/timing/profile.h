@@ -8,8 +8,8 @@
 
 namespace beeline {
 
-/// Time profile: which time scaling s(t) of a path is chosen. All go from rest to rest and keep
-/// the limits of velocity and acceleration. To add one, add its name here and its row, in the same
+/// The form of a time scaling s(t) of a path. All profiles begin and end at rest and are within the
+/// limits of velocity and acceleration. To add one, add its name here and its row, in the same
 /// order, to the table in profile.cpp.
 enum class Profile {
   /// Minimum time under velocity and acceleration limits; jerk is not limited.

@@ -12,13 +12,13 @@ namespace {
 
 using internal::TimedPath;
 
-constexpr double repeated = 1e-12;        // radians, metres: positions as near as that are one
-constexpr double rest_speed = 1e-9;       // of the largest velocity: below, the arm stands still
+constexpr double repeated = 1e-12;        // radians or metres; nearer positions count as equal
+constexpr double rest_speed = 1e-9;       // relative to the largest velocity; slower is rest
 constexpr double longest_gap = 0.005;     // of a part's duration, between its samples
 constexpr double max_rate_samples = 1e6;  // at a rate: some 300 MB for seven joints
 constexpr double slowest_tool = 1e-9;     // metres per second
 
-/// The positions of each part of the path. A stop ends one part and begins the next.
+/// Returns the positions of each part of the path. A stop ends one part and begins the next.
 std::vector<std::vector<Configuration>> parts_between_stops(const Trajectory& trajectory) {
   double largest = 0;
   for (const Configuration& v : trajectory.velocities) {
@@ -40,7 +40,7 @@ std::vector<std::vector<Configuration>> parts_between_stops(const Trajectory& tr
   return all;
 }
 
-/// Why the path leaves the arm's position limits; empty when it does not.
+/// Returns the reason if the path leaves the arm's position limits, otherwise an empty text.
 std::string outside(const Arm& arm, const JointPath& path,
                     const std::vector<Configuration>& samples) {
   for (const Configuration& q : samples) {
@@ -127,7 +127,7 @@ void measure(const Arm& arm, Retimed& timed) {
   for (std::size_t k = 0; k < t.size(); ++k) {
     const auto [position, velocity] = tool_at(arm, q[k], v[k], columns);
     const double distance = k == 0 ? 0 : (position - before).norm();
-    // A distance of the size of rounding gives no speed.
+    // The speed over a distance of the size of rounding is not defined.
     const double between = distance > 1e-9 ? distance / (t[k] - t[k - 1]) : 0;
     timed.tool_speed = std::max({timed.tool_speed, velocity.norm(), between});
     before = position;

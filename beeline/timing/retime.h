@@ -39,11 +39,11 @@ void check_moves(const Trajectory& trajectory);
 /// time_scaling() in profile.h). The geometric path q(s) is the cubic spline through its positions
 /// by chord length (joint_spline() in path/joint_path.h). Its times and velocities are ignored,
 /// except that stops are kept (a stop is a repeated position or a zero velocity vector) and the
-/// path may have a corner there. Without a rate every position remains a sample; with one only the
-/// first and the last do. Returns no motion, with the reason, when a position or the spline between
-/// two leaves the arm's limits. Throws Error when the trajectory does not fit the arm or has no two
-/// different positions, for options out of range, and when the rate has too few steps in the
-/// motion.
+/// path may have a corner there. Without a rate every position remains a sample; with a rate only
+/// the first and the last do. Returns no motion, with the reason, when a position or the spline
+/// between two leaves the arm's limits. Throws Error when the trajectory does not fit the arm or
+/// has no two different positions, for options out of range, and when the rate has too few steps in
+/// the motion.
 Retimed retime(const Arm& arm, const Trajectory& trajectory, const RetimeOptions& options = {});
 
 }  // namespace beeline

@@ -26,9 +26,9 @@ PathLimits path_limits(const Arm& arm, double speed_scale = 1);
 /// path, and no speed or one for each grid point.
 void check_limits(const PathLimits& limits, const JointPath& path);
 
-/// A time scaling s(t) of a path: how fast the path is traversed.
+/// A time scaling s(t) of a path: the path parameter as a function of time.
 struct TimeScaling {
-  std::string reason;                ///< why there is none; empty when there is one
+  std::string reason;                ///< the reason if there is no time scaling, otherwise empty
   std::vector<double> s;             ///< path parameter, strictly increasing
   std::vector<double> t;             ///< seconds, strictly increasing from 0
   std::vector<double> speed;         ///< ds/dt at the points

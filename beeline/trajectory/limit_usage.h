@@ -20,16 +20,16 @@ struct LimitUsage {
 
 /// Returns the fractions of the arm's limits that a trajectory uses: the largest of its velocities
 /// and accelerations at the samples, and of the difference quotients of positions, velocities and
-/// accelerations between samples. Those are the rates of a controller that interpolates these
-/// columns linearly. By the mean value theorem a motion that keeps its limits at all times passes
+/// accelerations between samples. These quotients are the rates of a controller that interpolates
+/// the columns linearly. By the mean value theorem a motion within its limits at all times passes
 /// at any sampling rate. Differences of the size of rounding are ignored. An unknown velocity limit
 /// counts as assumed_velocity_limit; other unknown limits are infinite. Throws Error where
 /// matched_to() does.
 LimitUsage limit_usage(const Trajectory& trajectory, const Arm& arm);
 
-/// The least factor k by which a motion that uses these fractions of its limits must be slowed down
-/// to keep them: slowed down by k it uses v / k, a / k^2 and j / k^3. Below 1 where it may be
-/// faster.
+/// Returns the smallest factor k on the duration with which a motion that uses these fractions of
+/// its limits is within them: slowed down by k it uses v / k, a / k^2 and j / k^3. The factor is
+/// below 1 if the motion may be faster.
 double slowdown(double velocity, double acceleration, double jerk);
 
 /// Slows the trajectory down by k: times are multiplied by it, velocities divided, accelerations

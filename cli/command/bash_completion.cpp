@@ -59,7 +59,7 @@ std::string bash_words(const std::vector<std::string>& words, const char* separa
   return text;
 }
 
-/// The words that stand for an argument or a value, @file for names of files.
+/// The words offered for an argument or a value; @file represents names of files.
 std::vector<std::string> bash_offered(Completes completes, std::vector<std::string> words) {
   if (completes == Completes::arm) words = beeline::built_in_names();
   if (completes != Completes::nothing) words.push_back("@file");

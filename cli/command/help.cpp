@@ -41,7 +41,7 @@ std::string help_entry(const std::string& name, const std::string& help) {
   return left + right.substr(left.size());
 }
 
-/// The options that go with the same values of --method, in their order.
+/// The options that require the same values of --method, in their order.
 std::vector<std::vector<std::string>> method_groups(const std::vector<Option>& options) {
   std::vector<std::vector<std::string>> groups{{}};
   for (const Option& option : options) {

@@ -15,7 +15,7 @@ std::string overview(const std::vector<Verb>& verbs);
 /// What all verbs share, in paragraphs: arms, units, output, exit codes.
 const std::string& conventions();
 
-/// The help of an option with its default and what it goes with, in sentences.
+/// The help of an option with its default and the options that it requires, in sentences.
 std::string full_help(const Option& option);
 
 /// "--kp, --gain K", and "-h, --help".

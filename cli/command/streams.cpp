@@ -18,7 +18,7 @@ void prepare_streams() {
     const int opened = open("/dev/null", mode);  // the lowest free number, which is `stream`
     if (opened != stream && opened >= 0) close(opened);
   };
-  // Opened the wrong way round, a filled stream fails when it is used, as a closed one does.
+  // Opened in the opposite direction, so that using the stream fails, as for a closed one.
   fill(STDIN_FILENO, O_WRONLY);
   fill(STDOUT_FILENO, O_RDONLY);
   fill(STDERR_FILENO, O_WRONLY);

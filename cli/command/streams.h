@@ -5,7 +5,7 @@
 /// The standard streams. An stderr that is closed or full never changes the exit code; an stdout
 /// that cannot be written does.
 
-/// Fills the places of closed standard streams, so that no output file gets the number of one, and
+/// Opens /dev/null for each closed standard stream, so that no output file gets its descriptor, and
 /// ignores SIGPIPE, so that writing to a closed pipe fails instead of ending the process.
 void prepare_streams();
 

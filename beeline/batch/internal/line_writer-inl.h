@@ -43,7 +43,7 @@ class LineWriter {
   /// Where the results of the next packet of configurations are to be stored.
   HWY_INLINE Real* next() const { return !buffered ? to_ : buffer_ + held_; }
 
-  /// Takes over the results stored at next().
+  /// Adds the results stored at next().
   HWY_INLINE void push() {
     if (!buffered) {
       to_ += packet_size_;

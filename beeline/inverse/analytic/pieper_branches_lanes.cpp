@@ -67,8 +67,8 @@ HWY_NOINLINE void solve_intersecting(const PieperLoop& loop, const LanePose& to,
   // above = height - sum, below = difference - height; their sum is 2 sin(alpha) sin(gamma).
   const double scale = 1 / (2 * sa * sc);
   const Lanes product = above * below;
-  // Where a joint before was free, another of its values may have a solution: the numerical method
-  // looks for it.
+  // If a previous joint was free, another of its values may have a solution, which the numerical
+  // method searches for.
   status.found = status.found & ((product >= Lanes(-root_slack)) | status.continuum);
   status.twin = status.twin | (product <= Lanes(nearly_double));
   joint[1].c = min(max((below - above) * Lanes(scale), Lanes(-1)), Lanes(1));
@@ -213,7 +213,7 @@ void pieper_branches_kernel(const PieperLoop& loop, const PieperRequest& request
   };
   CosSine joint[6];
   LaneStatus status;
-  // Free joints take the seed's values in a second pass: it costs six sines, and is rare.
+  // Free joints take the seed's values in a second pass, which is rare and costs six sines.
   for (int pass = 0; pass < 2; ++pass) {
     solve_joints(loop, k, equations, preferred, joint, status);
     if (HWY_LIKELY(pass == 1 || bits(status.continuum) == 0)) break;

@@ -9,7 +9,7 @@ namespace beeline::internal {
 namespace {
 
 /// Axes count as intersecting or parallel up to this sine of an angle, or distance over size.
-/// Models from text with ten digits pass; what remains is an error of the solutions below their
+/// Models read from text with ten digits pass. The resulting error of the solutions is below their
 /// tolerance.
 constexpr double special = 1e-10;
 
@@ -80,7 +80,7 @@ void decouple(PieperLoop& loop) {
   };
   const auto vector = [](const RigidMotion& k) { return Eigen::Map<const Vector3>(k.translation); };
   if (loop.family == PieperLoop::Family::parallel && (loop.prismatic[0] || loop.prismatic[2])) {
-    // The first equation is the angle between axes, which a translation does not change.
+    // The first equation contains the angle between axes, which a translation does not change.
     decouple_by(loop, 1, 0, 1);
     loop.first = loop.prismatic[0] ? PieperLoop::First::w : PieperLoop::First::u;
     return;

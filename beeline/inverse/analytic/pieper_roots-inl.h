@@ -18,14 +18,14 @@ HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
 
 /// A root counts as zero where its radicand is at most this much below zero, relative. At the
-/// workspace boundary rounding decides the sign, the more so where several boundaries meet. A root
-/// taken wrongly fails the check of the residual afterwards, so this may be generous.
+/// workspace boundary rounding determines the sign, especially where several boundaries meet. The
+/// check of the residual rejects a root that does not exist, so this may be generous.
 inline constexpr double root_slack = 1e-6;
 
 /// The relative radicand below which the two solutions of a root are within about 1e-4 rad.
 inline constexpr double nearly_double = 1e-9;
 
-/// What is known of the lanes, as the equations are solved one after the other.
+/// The status of each lane while the equations are solved in sequence.
 struct LaneStatus {
   LaneMask found;      ///< every equation has a solution, to rounding
   LaneMask continuum;  ///< some joint was free

@@ -5,20 +5,20 @@
 
 namespace beeline::internal {
 
-/// Configurations at the zeros of an elimination's determinant: near every solution, and some that
-/// are none.
+/// Configurations at the zeros of an elimination's determinant: one near every solution, and others
+/// that are not solutions.
 struct EliminationCandidates {
   static constexpr int max_count = 32 + 32 + 8;  ///< simple zeros, double zeros, padding
   int count = 0;
-  /// The zeros of the determinant, those included that are complex within its error. There are more
-  /// candidates than zeros where some may be double.
+  /// The number of zeros of the determinant, including those that are complex within its error.
+  /// There are more candidates than zeros if some may be double.
   int expected = 0;
   alignas(64) double q[6][max_count];  ///< by joint; joint `last` is zero
   /// The error of the determinant relative to its largest Fourier coefficient, measured by the
   /// coefficients beyond its degree.
   double noise = 0;
-  /// With a larger error the determinant is no polynomial of that degree: the bound is far above
-  /// rounding and far below a coefficient that counts.
+  /// With a larger error the determinant is not a polynomial of that degree. The bound is far above
+  /// rounding and far below significant coefficients.
   static constexpr double max_noise = 1e-7;
 };
 

@@ -12,7 +12,7 @@ namespace beeline::internal {
 struct UnconstrainedResult {
   bool complete = false;                   ///< all solutions that exist have been examined
   bool doubtful = false;                   ///< rounding may have hidden one
-  bool continuum = false;                  ///< some of them stand for infinitely many
+  bool continuum = false;                  ///< some of them represent infinitely many
   std::optional<Infeasibility> violation;  ///< a proof that there are none
   /// The solution with the smallest excess() over the limits.
   std::optional<Configuration> least_outside;

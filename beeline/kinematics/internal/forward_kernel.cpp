@@ -36,10 +36,10 @@ HWY_INLINE void sines(const Arm& arm, const double* q, std::size_t first, double
   fnma(s, offset_s, c * offset_c).store(cosine);
 }
 
-/// Multiplies `frame` by a block's link transforms: by two halves of them in the lanes of one
-/// register, then by the product of the halves, which takes half the time of one link after the
-/// other. With `keep`, writes eight numbers to `axes` for each link: the direction of its axis, and
-/// from the fifth on its origin.
+/// Multiplies `frame` by a block's link transforms: computes the products of two halves of the
+/// links in the lanes of one register, then their product, which takes half the time of a
+/// sequential product. With `keep`, writes eight numbers to `axes` for each link: the direction of
+/// its axis, and from the fifth on its origin.
 template <bool keep>
 HWY_INLINE Columns through_links(const Arm& arm, const double* q, std::size_t first,
                                  const Columns& frame, double* axes) {

@@ -8,7 +8,7 @@ namespace beeline::internal {
 /// The path parameter in [from, to] that belongs to a tool at `pose`. On a single line it is the
 /// nearest point (nearest_on_line.h). Else it is the first local minimum of the distance, in the
 /// rows that the task constrains and with rotations weighted by metres_per_radian: a scan in steps
-/// of 1/32 of a segment, within which a path should not turn back, then Gauss-Newton.
+/// of 1/32 of a segment, within which the distance should have one minimum, then Gauss-Newton.
 double nearest_parameter(const ToolPath& path, const Task& task, const Pose& pose, double from,
                          double to);
 

@@ -10,7 +10,7 @@
 namespace beeline::internal {
 namespace {
 
-/// No line of the forms is longer, whatever spaces it has between its numbers.
+/// Max length of a line of the forms, including spaces between its numbers.
 std::size_t max_line(const RowForms& forms) {
   std::size_t width = 0;
   for (const auto& form : forms) width = std::max(width, form.size());

@@ -9,9 +9,9 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double near_limit = 0.9;  // of a squared velocity limit: below, steps are not checked
-constexpr double simply_slower = 1.001;     // a violation up to this is removed without a new pass
-constexpr double shortest_duration = 1e-3;  // seconds, where nothing moves: times must increase
+constexpr double near_limit = 0.9;       // of a squared velocity limit; steps are not checked below
+constexpr double simply_slower = 1.001;  // a violation up to this is removed without a new pass
+constexpr double shortest_duration = 1e-3;  // seconds, if nothing moves; times must increase
 
 double squared(double x) { return x * x; }
 
@@ -216,7 +216,7 @@ TimeScaling fastest(const JointPath& path, const PathLimits& limits, const EndSp
   std::vector<double> b;
   std::string reason = squared_speeds(path, ends, constraints, b);
   const double found = reason.empty() ? constraints.velocity_fraction(b) : 0;
-  // The peaks lie between the eighths at which it is evaluated: a quarter more covers a parabola.
+  // The peaks are between the eighths at which it is evaluated; a quarter more bounds a parabola.
   const double over = found + 0.25 * std::max(0.0, found - 1);
   const bool at_rest = ends.begin == 0 && ends.end == 0;
   if (at_rest && over <= simply_slower) {

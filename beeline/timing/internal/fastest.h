@@ -19,7 +19,7 @@ struct EndSpeeds {
 /// point from which the end can be reached; a forward pass takes the largest of them. Between grid
 /// points d2s/dt2 is constant, and the limits are kept there too: those of acceleration exactly for
 /// a cubic path, else to the error of a parabola through both ends and the middle of a step. Linear
-/// in the number of grid points. Where nothing moves, the path takes a millisecond in all or more.
+/// in the number of grid points. A path along which nothing moves takes at least 1 ms in total.
 /// Returns no time scaling, with the reason, where the speeds at the ends are too high. Throws
 /// Error for speeds at the ends that are negative or not finite, and what check_path() and
 /// check_limits() refuse.

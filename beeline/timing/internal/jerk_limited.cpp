@@ -13,8 +13,8 @@
 namespace beeline::internal {
 namespace {
 
-// Knots of the spline. Its time grows linearly with their number; with fewer, the optimum is missed
-// by more than 1e-3.
+// Min number of steps of the spline. The computing time is linear in their number; with fewer, the
+// result differs from the optimum by more than 1e-3.
 constexpr double min_steps = 256;
 constexpr double steps_per_point = 0.6;  // of the path's grid, at least
 constexpr double min_jump = 1e-3;        // of a jerk limit: larger jumps of d3q/ds3 get a knot
@@ -23,24 +23,24 @@ constexpr double smallest_distance =
 constexpr double distinct = 0.05;  // of a step: a knot nearer to a grid point gets no point
 constexpr double side = 1e-6;      // of a step: on both sides of grid points, where jerk jumps
 
-// Starting point: strictly inside the velocity limits; 1 would be on them.
+// The starting point as a fraction of the velocity limits: strictly inside them.
 constexpr double start_fraction = 0.7;
 
-// Refinement where the limits are violated between the constrained times: the whole motion is
-// slowed down by the largest violation, so large ones are worth more knots.
+// Refinement where the limits are violated between the constrained times. The whole motion is
+// slowed down by the largest violation, so large ones justify more knots.
 constexpr double acceptable = 1.02;  // slowdown of the motion
 constexpr double kept = 1.003;       // slowdown of a step that counts as within the limits
 constexpr int refined_parts = 4;     // into which a violating step and its neighbours are divided
 constexpr int max_attempts = 5;
 
-// Stops: tried where the motion is much slower than without jerk limits, at a minimum of the speed.
+// Stops are tried at minima of the speed if the motion is much slower than without jerk limits.
 constexpr double slow = 1.3;       // times the duration of fastest()
 constexpr double deep = 0.25;      // of the speed on both sides: a minimum that may be a stop
 constexpr double similar = 2;      // ratio of two such depths that are taken as equal
 constexpr int max_bisections = 8;  // of the path, each with another stop
 
-/// Knots at the path's grid points where d3q/ds3 jumps, as the third derivative of the time scaling
-/// can follow that there, and at equal distances between them.
+/// Returns knots at the path's grid points where d3q/ds3 is discontinuous, so that the third
+/// derivative of the time scaling can be too, and at equal distances between them.
 std::vector<double> knots_for(const QuinticMotion& motion) {
   const std::vector<double> jumps = motion.jerk_jumps();
   const std::vector<double>& times = motion.times();
@@ -190,8 +190,9 @@ TimeScaling scaling_of(const QuinticMotion& motion, const SquaredRateSpline& spl
   return scaling;
 }
 
-/// The best time scaling of the whole path by one spline, of several attempts: each has more knots
-/// where the one before violates limits, as slowing down costs time everywhere.
+/// Returns the best time scaling of the whole path by one spline among several attempts. Each has
+/// more knots where the previous one violates limits, because slowing the whole motion down
+/// increases the duration everywhere.
 TimeScaling without_stops(const JointPath& path, const PathLimits& limits) {
   TimeScaling best = scalar_profile(ScalarForm::quintic, path, limits);
   QuinticMotion motion(path, limits, best);
@@ -209,9 +210,9 @@ TimeScaling without_stops(const JointPath& path, const PathLimits& limits) {
   return best;
 }
 
-/// The grid point at which a stop costs least: a minimum of the speed that is deep relative to the
-/// speeds on both sides. Of the minima about as deep as the deepest it is the one nearest to the
-/// middle, which leaves the fewest points to both parts. 0: there is none.
+/// Returns the grid point at which a stop increases the duration least: a minimum of the speed that
+/// is deep relative to the speeds on both sides. Among minima of similar depth it is the one
+/// nearest to the middle, which makes both parts short. Returns 0 if there is none.
 std::size_t best_stop(const std::vector<double>& speed) {
   const std::size_t points = speed.size();
   std::vector<double> depth(points);  // the speed as a fraction of the largest on either side
@@ -261,8 +262,8 @@ void append(TimeScaling& scaling, const TimeScaling& next) {
   }
 }
 
-/// The faster of the time scaling without stops and, where that is slow for a tight corner, of
-/// those of both parts that meet at rest there; each part in the same way, to this depth.
+/// Returns the time scaling without stops or, if that is slow because of a tight corner, the faster
+/// of it and the one that stops there. Both parts are computed by recursion, to this depth.
 TimeScaling with_stops(const JointPath& path, const PathLimits& limits, int bisections) {
   TimeScaling scaling = without_stops(path, limits);
   if (bisections == 0 || best_stop(scaling.speed) == 0) return scaling;
