@@ -43,7 +43,7 @@ struct SplineSegment {
 /// added here; the compiler then asks for its overload in each std::visit over it: motion() and
 /// back() in segment.cpp, bound_of() in certificate/internal/segment_chord_bound.cpp (the bound on
 /// its deviation from the chord), and Change in planning/nearby_path.cpp. length_of() and
-/// turns_about_z() have a general case that holds for constant speed and a constant axis only:
+/// rotates_about_z() have a general case that holds for constant speed and a constant axis only:
 /// check these too.
 using Segment = std::variant<Line, ScrewLine, Arc, SplineSegment>;
 
