@@ -19,7 +19,7 @@ TEST(FirstJointFault, TellsEachKind) {
   EXPECT_FALSE(first_joint_fault(two_joints(), still()));
   Trajectory motion = still();
   motion.positions[7][0] = 1.1;
-  expect_first(motion, Fault::limits, 7);  // though the velocity before it shows it too
+  expect_first(motion, Fault::limits, 7);  // although the velocity before it exceeds its limit too
   motion = still();
   for (std::size_t k = 9; k < motion.size(); ++k) motion.positions[k][1] = 2 * pi;
   expect_first(motion, Fault::flip, 8);
@@ -36,7 +36,7 @@ TEST(FirstJointFault, LooksAtTheCubicBetweenSamplesWithVelocities) {
   motion.velocities.assign(motion.size(), Configuration::Zero(2));
   EXPECT_FALSE(first_joint_fault(two_joints(), motion));
   const double h = motion.times[6] - motion.times[5];
-  // Of a cubic from rest at 0 to 0 the peak is 4/27 of the slope at its end times h.
+  // The peak of a cubic from 0 at rest to 0 is 4/27 of the slope at its end times h.
   motion.velocities[6][0] = -6.5 / h;
   EXPECT_FALSE(first_joint_fault(two_joints(), motion));
   motion.velocities[6][0] = -6.8 / h;

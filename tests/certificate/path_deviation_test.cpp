@@ -73,8 +73,8 @@ ToolPath path_ahead(Random& random, const Arm& arm, const Pose& from, int kind) 
   return path_through(poses, static_cast<PathKind>(kind));
 }
 
-/// Follows a path with joints in proportion between a few samples that lie on it, none of them at
-/// the end of a segment but the last one.
+/// Follows a path with joints linear between a few samples on it, of which only the last is at the
+/// end of a segment.
 struct Coarse {
   std::vector<Configuration> samples;
   std::vector<double> path_parameters;
@@ -99,7 +99,7 @@ Coarse coarse(const Arm& arm, const ToolPath& path, Configuration q) {
   return way;
 }
 
-// Round the corners of lines too, where it is large: whatever is between the samples is counted.
+// The deviation between samples is included, also at the corners of lines, where it is large.
 TEST(PathDeviation, BoundsWhatIsBetweenSamplesAlsoOverTheEndsOfSegments) {
   Random random;
   int cut = 0;
@@ -133,7 +133,7 @@ TEST(PathDeviation, BoundsWhatIsBetweenSamplesAlsoOverTheEndsOfSegments) {
   EXPECT_GT(cut, 20);
 }
 
-TEST(NearestParameter, FindsTheSamplesOfAWay) {
+TEST(NearestParameter, FindsTheSamplesOfAPath) {
   Random random;
   for (int i = 0; i < 40; ++i) {
     const Arm arm = built_in("ur5");
@@ -157,8 +157,9 @@ TEST(NearestParameter, FindsTheSamplesOfAWay) {
   }
 }
 
-// Where the turn counts more than the way, the nearest place by both together may fit worse.
-TEST(FittingParameter, IsWithinTheToleranceWhereThereIsSuchAPlace) {
+// If the rotation dominates, the nearest path parameter by both together may have a larger position
+// error.
+TEST(FittingParameter, IsWithinTheToleranceWherePossible) {
   Random random;
   const Deviation tolerance{1e-4, 1e-4};
   int nearest_is_none = 0;
@@ -182,7 +183,7 @@ TEST(FittingParameter, IsWithinTheToleranceWhereThereIsSuchAPlace) {
   EXPECT_GT(nearest_is_none, 10);
 }
 
-TEST(CornerAt, IsWhereLinesMeetAndNotWhereASplineGoesOn) {
+TEST(CornerAt, IsWhereLinesMeetAndNotOnASpline) {
   Random random;
   const std::vector<Pose> poses = testing::random_poses(random, 4, 1, 1);
   const ToolPath lines = lines_through(poses), spline = path_through(poses, PathKind::spline);

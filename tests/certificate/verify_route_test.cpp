@@ -19,7 +19,7 @@ Configuration start_of(const Arm& arm) {
                                  : Configuration{{0.2, -1.2, 1.5, -0.5, 1.2, 0}};
 }
 
-/// A closed way of every kind, and its motion at a rate or with few samples.
+/// A closed path of every kind, and its motion at a rate or with few samples.
 struct MadeAlong {
   Arm arm;
   Route route;
@@ -129,7 +129,7 @@ TEST(Verify, TellsFaultsOnEveryKindOfPath) {
   }
 }
 
-// On the same poses each kind of path is another one.
+// Paths of different kinds through the same poses differ.
 TEST(Verify, TellsAnotherKindOfPath) {
   const std::vector<MadeAlong> all = made_along("puma560");
   for (std::size_t i = 0; i < all.size(); i += 2) {
@@ -141,8 +141,8 @@ TEST(Verify, TellsAnotherKindOfPath) {
   }
 }
 
-// It is on its line all the time, but not so far as it has been.
-TEST(Verify, TellsAMotionThatGoesBack) {
+// The tool stays on its line, but moves backwards.
+TEST(Verify, FindsABackwardMotion) {
   const Arm arm = built_in("ur5");
   const Configuration start = start_of(arm);
   Pose to = forward_kinematics(arm, start);

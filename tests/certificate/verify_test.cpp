@@ -71,7 +71,7 @@ TEST(Verify, TellsASampleThatWasMoved) {
   }
 }
 
-TEST(Verify, TellsAWholeTurn) {
+TEST(Verify, FindsAWholeRevolution) {
   for (const std::string name : arms) {
     Made motion = made(name);
     const std::size_t half = motion.trajectory.size() / 2;
@@ -89,7 +89,7 @@ TEST(Verify, TellsAChangeOfBranch) {
   for (const std::string name : {"ur5", "puma560"}) {
     Made motion = made(name);
     const std::size_t half = motion.trajectory.size() / 2;
-    for (std::size_t k = half; k < motion.trajectory.size(); ++k) {  // the wrist turned over
+    for (std::size_t k = half; k < motion.trajectory.size(); ++k) {  // the wrist flipped
       Configuration& q = motion.trajectory.positions[k];
       const auto all = inverse_kinematics(motion.arm, forward_kinematics(motion.arm, q),
                                           {.seed = q, .all = true, .ignore_limits = true});
@@ -122,7 +122,7 @@ TEST(Verify, TellsALimitThatIsPassedBetweenSamplesOnly) {
   EXPECT_EQ(verify(rail, trajectory, end).fault, Fault::none) << "joints in proportion stay inside";
 }
 
-TEST(Verify, TellsAWaypointThatIsLeftOut) {
+TEST(Verify, FindsAnOmittedWaypoint) {
   Made motion = made("ur5");
   std::swap(motion.poses[1], motion.poses[2]);
   EXPECT_NE(told(motion).fault, Fault::none);
@@ -165,7 +165,7 @@ TEST(Verify, RefusesWhatIsNoTrajectory) {
 }
 
 // Two samples at one pose, elbow up and elbow down, behind the last waypoint.
-TEST(Verify, SeesAJumpAfterTheLastWaypoint) {
+TEST(Verify, FindsAJumpAfterTheLastWaypoint) {
   const Arm arm = built_in("rrr");
   const Configuration up{{0.2, 1, 0.3}};
   const Pose pose = forward_kinematics(arm, up);

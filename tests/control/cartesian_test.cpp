@@ -131,7 +131,7 @@ TEST(ControlInLines, IsStraighterWithASmallerGain) {
   }
 }
 
-// The error in the workspace falls by the gain, as far as J is constant during a step.
+// The error in the workspace decreases by the gain if J is constant during a step.
 TEST(ControlInLines, ReducesTheErrorByTheGainInEveryStep) {
   const Arm gantry = built_in("gantry");
   const Configuration start{{0.3, -1}};

@@ -81,7 +81,7 @@ TEST(ControlJoints, SaysThatTheGainIsTooLarge) {
     EXPECT_NO_THROW(check_trajectory(motion.trajectory));
     EXPECT_LT(motion.steps, 20'000);
   }
-  // Within limits the oscillation meets one of them, which the gain causes as well.
+  // With limits, the oscillation that the gain causes reaches one of them.
   const Arm panda = built_in("panda");
   const Configuration middle = middle_configuration(panda);
   Configuration goal = middle;

@@ -86,9 +86,9 @@ TEST(Servo, AchievesACommandWithinTheLimits) {
         continue;
       }
       ASSERT_LT(step.scale, 1) << name << ' ' << step;
-      if (step.limit == ServoLimit::singular) continue;  // other directions may come along
+      if (step.limit == ServoLimit::singular) continue;  // other directions may have a velocity too
       ASSERT_TRUE(step.joint.has_value()) << name << ' ' << step;
-      // From rest, limits of all kinds leave the direction as it is.
+      // From rest, no limit changes the direction.
       ASSERT_LT(error, 1e-6) << name << ' ' << step;
     }
     EXPECT_GT(whole, 800) << name;
@@ -131,7 +131,7 @@ TEST(Servo, KeepsTheCommandedDirectionNextToSingularities) {
         q += v * dt;
         if (step.limit == ServoLimit::position) break;
       }
-      // Where acceleration limits do not suffice for a rotation it deviates, by little.
+      // If the acceleration limits do not suffice for a rotation, the direction deviates slightly.
       ASSERT_GT(least, -0.02) << name << ' ' << i;
       if (least < -1e-4) ++against;
     }

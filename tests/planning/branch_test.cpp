@@ -10,8 +10,8 @@ namespace {
 
 using namespace testing;
 
-// These lines are feasible only with a joint that goes along its limit, or next to it.
-TEST(PlanPath, GoesAlongLimits) {
+// These lines are feasible only with a joint that moves along its limit, or next to it.
+TEST(PlanPath, MovesAlongLimits) {
   const Arm arm = built_in("panda");
   Random random(20);
   for (int i = 0; i < 500; ++i) {
@@ -62,13 +62,13 @@ TEST(PlanPath, TellsABeginningThatCannotBe) {
     Pose near = far;
     far.translation().x() += 50;
     const PathMotion motion = move_in_lines(arm, std::vector<Pose>{far, near});
-    if (motion.status == MotionStatus::reached) continue;  // a slide without end
+    if (motion.status == MotionStatus::reached) continue;  // a prismatic joint without limits
     expect_nothing_made(motion, MotionStatus::unreachable);
     EXPECT_NE(motion.reason.find("beginning"), std::string::npos) << motion.reason;
   }
 }
 
-// The elbow stretched out as far as it goes, short of that and beyond it.
+// The elbow at the stretched configuration, before it and beyond it.
 TEST(PlanPath, ComesToTheElbowsLimitAndNotBeyond) {
   const Arm arm = built_in("panda");
   constexpr double stretched = -0.46671;  // of joint 4: both parts of the arm in one line
@@ -91,7 +91,7 @@ TEST(PlanPath, ComesToTheElbowsLimitAndNotBeyond) {
   }
 }
 
-// Rows that do not matter: the finished motion is proved on the very line that was planned.
+// Rows that the task ignores: the finished motion is proved on the line that was planned.
 TEST(PlanPath, LeavesRowsFree) {
   Random random;
   int reached = 0;
@@ -116,7 +116,7 @@ TEST(PlanPath, LeavesRowsFree) {
   EXPECT_GE(reached, 5);
 }
 
-// Any arm of 1 to 10 joints of any kind, some of them driven together: an answer, with a reason.
+// Every arm of 1 to 10 joints of any kind, with mimic joints, gets an answer with a reason.
 TEST(PlanPath, AnswersForAnyArm) {
   Random random;
   for (int i = 0; i < 60; ++i) {

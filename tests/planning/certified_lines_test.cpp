@@ -14,7 +14,8 @@ INSTANTIATE_TEST_SUITE_P(Arms, CertifiedLines,
                          ::testing::Values("puma560", "ur5", "panda", "iiwa14"),
                          [](const auto& arm) { return std::string(arm.param); });
 
-/// What is proved holds at 2,000 places, and is at most three times what is measured there.
+/// The bound holds at 2,000 path parameters, and is at most three times the largest deviation
+/// there.
 void expect_proof_is_tight(const Arm& arm, const Line& line, const PathMotion& motion) {
   const auto& q = motion.trajectory.positions;
   const int parts = 2'000 / static_cast<int>(q.size()) + 4;
@@ -34,7 +35,7 @@ void expect_proof_is_tight(const Arm& arm, const Line& line, const PathMotion& m
   EXPECT_LE(bound.orientation, 3 * worst.orientation + 1e-5);
 }
 
-/// A search that knows nothing of the planner comes no farther, and sees the same obstacle.
+/// An independent search reaches no farther, and finds the same obstacle.
 void expect_rightly_refused(const Arm& arm, const Line& line, const PathMotion& motion) {
   const double told = told_fraction(motion);
   if (arm.dof() == 7) {

@@ -7,7 +7,7 @@ namespace {
 
 using namespace testing;
 
-/// The line with joint motions of least size alone, by eq. 1.5 in tiny steps.
+/// The line by minimum-norm joint motions, by eq. 1.5 in small steps.
 bool reached_by_least_motion(const Arm& arm, Configuration q, const Pose& to) {
   const Pose from = forward_kinematics(arm, q);
   const int steps = 3000;
@@ -42,7 +42,7 @@ TEST(MoveInLines, KeepsRedundantJointsFromTheirLimits) {
   EXPECT_GT(ours, 1.5 * least) << least << " lines with least motions, " << ours << " with ours";
 }
 
-TEST(MoveInLines, LeavesFreeWhatTheTaskDoesNotAsk) {
+TEST(MoveInLines, LeavesTheOtherRowsOfTheTaskFree) {
   const Arm arm = built_in("ur5");
   const Configuration start{{0.5, -1, 1.5, -0.5, 1, 0}};
   const Pose from = forward_kinematics(arm, start);
@@ -70,7 +70,7 @@ TEST(MoveInLines, LeavesFreeWhatTheTaskDoesNotAsk) {
   }
 }
 
-TEST(MoveInLines, TurnsInPlaceAlsoWithAFreeRoll) {
+TEST(MoveInLines, RotatesInPlaceWithAFreeRoll) {
   const Arm arm = built_in("ur5");
   const Configuration start{{0.5, -1, 1.5, -0.5, 1, 0}};
   const Pose from = forward_kinematics(arm, start);

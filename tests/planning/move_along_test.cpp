@@ -22,8 +22,8 @@ TEST(MoveInLines, DrawsTheChaptersLinesWithThePlanarArm) {
   }
 }
 
-// Of random lines, those that cannot be gone must be told so for a true reason; the others be kept.
-TEST(MoveInLines, KeepsEveryPromiseOnRandomLinesOfBuiltInArms) {
+// Random lines: each is either followed, or refused with a reason that holds.
+TEST(MoveInLines, MeetsItsGuaranteesOnRandomLinesOfBuiltInArms) {
   testing::Random random;
   for (const std::string name : {"rrr", "panda", "ur5", "puma560", "iiwa14", "scara", "stanford"}) {
     const Arm arm = built_in(name);
@@ -83,8 +83,8 @@ TEST(MoveInLines, GivesTheSameAnswerTwice) {
   EXPECT_EQ(a.trajectory.times, b.trajectory.times);
 }
 
-// Without a turn the wrist of rrr goes straight as well, and leaves the disc of radius 7.
-TEST(MoveInLines, TellsWhereALineLeavesTheWorkspace) {
+// Without a rotation the wrist of rrr moves on a line too, and leaves the disc of radius 7.
+TEST(MoveInLines, ReportsWhereALineLeavesTheWorkspace) {
   testing::Random random;
   const Arm arm = built_in("rrr");
   for (int i = 0; i < 40; ++i) {
@@ -96,7 +96,7 @@ TEST(MoveInLines, TellsWhereALineLeavesTheWorkspace) {
     way *= 20 / way.norm();
     const Pose to = make_pose(from.translation() + way, from.linear());
     const Vector3 wrist = from.translation() - 2 * from.linear().col(0);
-    // |wrist + s way| = 7
+    // |wrist + s direction| = 7
     const double a = way.squaredNorm(), b = wrist.dot(way), c = wrist.squaredNorm() - 49;
     const double s = (-b + std::sqrt(b * b - a * c)) / a;
     const double nearest = std::sqrt(std::max(0.0, wrist.squaredNorm() - b * b / a));
@@ -109,7 +109,7 @@ TEST(MoveInLines, TellsWhereALineLeavesTheWorkspace) {
 }
 
 // The elbow's limit is met where the wrist is at the distance that the limit leaves it.
-TEST(MoveInLines, NamesTheJointWhoseLimitIsInTheWay) {
+TEST(MoveInLines, NamesTheJointWhoseLimitStopsTheMotion) {
   testing::Random random;
   std::vector<Joint> joints = built_in("rrr").joints();
   joints[1].limits = {.lower = 0.5, .upper = 2};
@@ -147,7 +147,7 @@ TEST(MoveInLines, NamesASlidesLimitInMetres) {
   EXPECT_NEAR(told_fraction(motion), 1.0 / 7, 1e-6);
 }
 
-// The wrist at the base: there the folded arm may point anywhere, but turns on only one way.
+// The wrist at the base: the folded arm may have any direction there, but can continue in only one.
 TEST(MoveInLines, StopsAtASingularityWhereItWouldHaveToJump) {
   const Arm arm = built_in("rrr");
   const std::vector<Pose> waypoints{planar(2, 0, 0), planar(2, -3, 0)};
@@ -180,7 +180,7 @@ TEST(MoveInLines, LeavesAndReachesTheStretchedArm) {
   expect_straight(ur5, rest, {inwards}, move_in_lines(ur5, rest, std::vector{inwards}));
 }
 
-TEST(MoveInLines, TurnsInPlaceByUpToHalfATurn) {
+TEST(MoveInLines, RotatesInPlaceByUpToPi) {
   testing::Random random;
   const Arm arm = built_in("panda");
   const Configuration start{{0, -0.785, 0, -2.356, 0, 1.571, 0}};
@@ -199,7 +199,7 @@ TEST(MoveInLines, TurnsInPlaceByUpToHalfATurn) {
   }
 }
 
-TEST(MoveInLines, TakesLinesThatHardlyMoveOrTurn) {
+TEST(MoveInLines, AcceptsLinesThatHardlyTranslateOrRotate) {
   const Arm arm = built_in("panda");
   const Configuration start{{0.3, -0.785, 0.2, -2.356, -0.3, 1.571, 0.785}};
   const Pose from = forward_kinematics(arm, start);

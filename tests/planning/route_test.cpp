@@ -51,7 +51,7 @@ void expect_kept(const Arm& arm, const PathMotion& motion, const Route& route) {
   }
 }
 
-TEST(MoveAlong, TakesARateWithFewStepsOnAShortWayThatIsProved) {
+TEST(MoveAlong, AcceptsARateWithFewStepsOnAShortProvedPath) {
   const Arm arm = built_in("ur5");
   const Configuration start{{0, -1, 1.2, -1.5, -1.5, 0}};
   const Pose from = forward_kinematics(arm, start);
@@ -63,7 +63,7 @@ TEST(MoveAlong, TakesARateWithFewStepsOnAShortWayThatIsProved) {
   expect_kept(arm, motion, route);
 }
 
-TEST(MoveAlong, KeepsEveryKindOfPathAndStopsWhereItShould) {
+TEST(MoveAlong, FollowsEveryKindOfPathAndStopsWhereItShould) {
   const Arm arm = built_in("panda");
   const std::vector<Pose> poses = square(arm);
   for (const PathKind kind : {PathKind::line, PathKind::screw, PathKind::arc, PathKind::spline}) {
@@ -98,7 +98,7 @@ TEST(MoveAlong, PassesRoundedCornersWithoutAStop) {
   }
 }
 
-// At a rate all samples are on the path too, and it takes hardly longer.
+// At a rate all samples are on the path too, and the duration is nearly the same.
 TEST(MoveAlong, KeepsTheRateOnEveryKindOfPath) {
   const Arm arm = built_in("panda");
   const std::vector<Pose> poses = square(arm);
@@ -115,7 +115,7 @@ TEST(MoveAlong, KeepsTheRateOnEveryKindOfPath) {
       EXPECT_LE(motion.deviation.bound.position, 1e-4);
       EXPECT_FALSE(first_joint_fault(arm, motion.trajectory).has_value());
       EXPECT_LT(motion.trajectory.times.back(), 1.4 * sparse.trajectory.times.back());
-      int uneven = 0;  // but before stops
+      int uneven = 0;  // except before stops
       for (std::size_t k = 1; k < motion.trajectory.size(); ++k) {
         const double step = motion.trajectory.times[k] - motion.trajectory.times[k - 1];
         uneven += std::abs(step * rate - 1) > 1e-6;
@@ -125,7 +125,7 @@ TEST(MoveAlong, KeepsTheRateOnEveryKindOfPath) {
   }
 }
 
-TEST(MoveAlong, TurnsBackWithAStop) {
+TEST(MoveAlong, ReversesWithAStop) {
   const Arm arm = built_in("panda");
   std::vector<Pose> poses = square(arm);
   poses = {poses[0], poses[1], poses[0]};
@@ -166,7 +166,7 @@ TEST(MoveAlong, RefusesOptionsThatMakeNoSense) {
   EXPECT_REFUSED(move_along(arm, ready, route, {.max_samples = -5}), "samples");
 }
 
-// Rows that do not matter alone move: the arm does not, and needs no time.
+// Only rows that the task ignores change: the arm stays at rest, and the duration is zero.
 TEST(MoveAlong, StaysWhereNothingThatMattersMoves) {
   const Arm arm = built_in("rrr");
   const Configuration start{{0.3, 1, 0.2}};

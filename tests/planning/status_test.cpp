@@ -28,7 +28,7 @@ TEST(MotionStatus, HasANameOfItsOwnThatIsPrinted) {
   }
 }
 
-// What is proved of a pose is proved of the motion; what was only not found is not.
+// A proof for a pose holds for the motion; a failed search proves nothing.
 TEST(MotionStatus, FollowsFromTheStatusOfAPose) {
   EXPECT_EQ(motion_status(InverseStatus::unreachable), MotionStatus::unreachable);
   EXPECT_EQ(motion_status(InverseStatus::orientation_unreachable), MotionStatus::unreachable);

@@ -74,7 +74,7 @@ TEST(ArmJson, UnknownLimitsAreLeftOut) {
       << panda;
 }
 
-TEST(ArmJson, JointsDefaultToTurningAboutZ) {
+TEST(ArmJson, JointsDefaultToRotationAboutZ) {
   const Arm arm = parse_arm(R"({"name": "a", "joints": [{"name": "j", "type": "revolute"}]})");
   EXPECT_EQ(arm.joints()[0].screw, rotation_screw(Vector3::UnitZ()));
   EXPECT_EQ(arm.joints()[0].offset.matrix(), Pose::Identity().matrix());

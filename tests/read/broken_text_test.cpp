@@ -12,8 +12,8 @@
 #include <tests/read/urdf_samples.h>
 #include <tests/refusal.h>
 
-// Whatever is left of a text, or becomes of it, is read or refused with one line; nothing else
-// happens. What "nothing else" means is watched by the address and undefined-behaviour sanitizers.
+// Truncated and modified texts are read, or refused with a message of one line. The address and
+// undefined-behaviour sanitizers detect everything else.
 
 namespace beeline {
 namespace {

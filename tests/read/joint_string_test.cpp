@@ -30,7 +30,8 @@ TEST(JointString, NamesTheChaptersArms) {
   EXPECT_EQ(arm_from_joint_string("RRR:3.5,3.5,2").name(), "RRR:3.5,3.5,2");
 }
 
-/// The chapter's eq. 1.2 with a slide and a bend, by angles and lengths in the plane.
+/// The chapter's eq. 1.2 with a prismatic joint and a fixed angle, by angles and lengths in the
+/// plane.
 TEST(JointString, PlanarArmsGoWhereTrigonometrySays) {
   testing::Random random;
   for (int i = 0; i < 1000; ++i) {
@@ -65,22 +66,22 @@ TEST(JointString, DefaultLengthsAreOneButNotForSlides) {
   EXPECT_TRUE(rest_pose.translation().isApprox(Vector3(2, 0, 0), 1e-15));
 }
 
-TEST(JointString, CompositesBendFirstAndReachOutLast) {
+TEST(JointString, CompositesRotateFirstAndExtendLast) {
   const Arm arm = arm_from_joint_string("RS:1,2@90");
   ASSERT_EQ(arm.dof(), 4);
   EXPECT_EQ(arm.joint_names(),
             (std::vector<std::string>{"joint1", "joint2_z", "joint2_y", "joint2_x"}));
   const Pose rest = forward_kinematics(arm, Configuration::Zero(4));
   EXPECT_TRUE(rest.translation().isApprox(Vector3(1, 2, 0), 1e-15));
-  // The bent wrist's y axis is the base's -x: turning about it by 90 degrees lifts the arm's end
-  // from +y to... Rz(90) Ry(90) x = Rz(90) (-z) = -z.
+  // The y axis of the rotated wrist is the base's -x: a rotation about it by 90 degrees moves the
+  // arm's end from +y to... Rz(90) Ry(90) x = Rz(90) (-z) = -z.
   Configuration q = Configuration::Zero(4);
   q[2] = pi / 2;
   EXPECT_TRUE(forward_kinematics(arm, q).translation().isApprox(Vector3(1, 0, -2), 1e-15));
   EXPECT_EQ(arm_from_joint_string("SCEU").dof(), 3 + 2 + 3 + 2);
 }
 
-TEST(JointString, PitchIsTravelInATurn) {
+TEST(JointString, PitchIsTravelPerRevolution) {
   const Arm arm = arm_from_joint_string("H:0.5p0.05");
   const Pose turned = forward_kinematics(arm, Configuration::Constant(1, 2 * pi));
   EXPECT_TRUE(turned.translation().isApprox(Vector3(0.5, 0, 0.05), 1e-14));

@@ -51,7 +51,7 @@ TEST(PoseList, PlanarPosesLieInThePlane) {
   EXPECT_FALSE(parse_pose("1,2,3,0,0,90").planar);
 }
 
-TEST(PoseList, ColumnsStandInAnyOrder) {
+TEST(PoseList, ColumnsMayBeInAnyOrder) {
   const Pose straight = parse_pose("1,2,3,0.1,0.2,0.3").pose;
   const PoseList list =
       poses_from_csv("yaw,z,roll,x,pitch,y\n0.3,3,0.1,1,0.2,2\n", "a.csv", AngleUnit::radians);

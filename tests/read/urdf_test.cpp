@@ -30,7 +30,7 @@ Pose turn(double angle, const Vector3& axis) { return Pose(Eigen::AngleAxisd(ang
 
 Pose shift(double x, double y, double z) { return make_pose({x, y, z}); }
 
-TEST(Urdf, TheToolGoesWhereTheFileSays) {
+TEST(Urdf, TheToolHasThePoseOfTheFile) {
   const Arm arm = parse_urdf(testing::whole_urdf, {.base = "", .tip = "left"});
   EXPECT_EQ(arm.name(), "small arm");
   EXPECT_EQ(arm.joint_names(), (std::vector<std::string>{"pan", "lift", "left_finger"}));
@@ -177,7 +177,7 @@ TEST(Urdf, OtherTextIsRefused) {
   EXPECT_REFUSED(
       parse_urdf("<robot>\n<link name=\"a\" name=\"b\"/></robot>"),
       "a.urdf:2: is not well-formed XML: an attribute is not name=\"value\", or is given twice");
-  // What xacro leaves behind in its output is no xacro.
+  // The comments that xacro writes into its output are not xacro.
   EXPECT_NO_THROW(parse_urdf("<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">" +
                              link("a") + link("b") + joint("j", "revolute", "a", "b") +
                              "</robot>"));

@@ -84,7 +84,7 @@ TEST(NumberRows, ColumnsGoByTheirNamesAndTheHeaderMayBeLeftOut) {
   EXPECT_EQ(sample.parse("a,b\n").cols(), 0);
 }
 
-TEST(NumberRows, TheFormGoesByTheHeaderOrTheCount) {
+TEST(NumberRows, TheHeaderOrTheCountSelectsTheForm) {
   Sample sample;
   const RowForms forms{{"a", "b"}, {"x", "y", "z"}};
   EXPECT_EQ(sample.parse("1,2,3\n", forms), Eigen::Vector3d(1, 2, 3));

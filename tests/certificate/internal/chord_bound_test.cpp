@@ -18,9 +18,9 @@ namespace {
 using std::numbers::pi;
 using testing::turn_between;
 
-constexpr int points = 20;  // at which a motion is looked at between its ends
+constexpr int points = 20;  // at which a motion is evaluated between its ends
 
-/// The largest distances from the chord, at the same share of the way.
+/// The largest distances from the chord at equal fractions.
 ChordBound sampled(const Arm& arm, const Configuration& q_a, const Configuration& q_b) {
   const Pose from = forward_kinematics(arm, q_a), to = forward_kinematics(arm, q_b);
   ChordBound seen;
@@ -76,7 +76,7 @@ TEST(ChordBound, HoldsForBuiltInArmsAndIsNotWasteful) {
     const Arm arm = built_in(name);
     std::vector<double> tightness;
     for (int i = 0; i < 500; ++i) expect_bound(random, arm, tightness);
-    if (tightness.empty()) continue;  // nothing turns
+    if (tightness.empty()) continue;  // nothing rotates
     std::sort(tightness.begin(), tightness.end());
     EXPECT_GT(tightness[tightness.size() / 2], 0.1) << name;
   }
@@ -97,8 +97,8 @@ TEST(ChordBound, HoldsForComposites) {
   }
 }
 
-// One turning joint alone moves the tool on an arc: its rise over the chord is r (1 - cos(dq/2)),
-// of which r dq^2 / 8 is the first term.
+// A single revolute joint moves the tool on an arc, whose sagitta is r (1 - cos(dq/2)) with the
+// first term r dq^2 / 8.
 TEST(ChordBound, IsTheRiseOfTheArcForOneJoint) {
   testing::Random random;
   for (int i = 0; i < 200; ++i) {
@@ -114,7 +114,8 @@ TEST(ChordBound, IsTheRiseOfTheArcForOneJoint) {
   }
 }
 
-// Two joints at right angles: A = dq_1 dq_2, and the orientation leaves the shortest turn by A/8.
+// Two joints at right angles: A = dq_1 dq_2, and the orientation deviates from the shortest
+// rotation by A/8.
 TEST(ChordBound, OfTheOrientationIsTightForAxesAtRightAngles) {
   std::vector<Joint> joints = composite_joint('U', "j");
   const Arm arm("universal", joints);
@@ -126,7 +127,7 @@ TEST(ChordBound, OfTheOrientationIsTightForAxesAtRightAngles) {
   }
 }
 
-TEST(ChordBound, OfTheOrientationIsAHalfTurnAtMostAndThatFromAHalfTurnOn) {
+TEST(ChordBound, OfTheOrientationIsAtMostPi) {
   testing::Random random;
   for (int i = 0; i < 500; ++i) {
     const Arm arm = testing::random_arm(random, random.integer(2, 6));

@@ -20,7 +20,7 @@ Pose moved_by(const Pose& pose, const Vector3& way, const Vector3& turn) {
   return make_pose(pose.translation() + way, so3_exp(turn) * pose.linear());
 }
 
-/// A line in the neighbourhood of two poses, of every sort.
+/// A line of any kind in the neighbourhood of two poses.
 Line random_line(testing::Random& random, const Pose& a, const Pose& b) {
   const Vector3 way = b.translation() - a.translation();
   switch (random.integer(0, 6)) {
@@ -31,7 +31,7 @@ Line random_line(testing::Random& random, const Pose& a, const Pose& b) {
     case 2:
       return {interpolate(a, b, 0.3), interpolate(a, b, 0.6)};  // ends within the step
     case 3:
-      return {a, moved_by(a, Vector3::Zero(), random.vector())};  // only turns
+      return {a, moved_by(a, Vector3::Zero(), random.vector())};  // rotation only
     case 4:
       return {a, moved_by(a, random.vector(1e-3), random.vector())};
     case 5:
@@ -59,7 +59,7 @@ void expect_step_bound(testing::Random& random, const Arm& arm, const Task& task
   const Deviation bound = line_step_bound(arm, line, task, q_a, q_b, measured(0), measured(1));
   for (int i = 0; i <= 20; ++i) {
     const Deviation seen = measured(i / 20.0);
-    // Three decimals short of rounding, where log's derivative or a search magnifies that.
+    // A thousand times the rounding error, because log's derivative or a search magnifies it.
     ASSERT_LE(seen.position, bound.position + 1e-9)
         << name(task) << " step " << size << " at " << i;
     ASSERT_LE(seen.orientation, bound.orientation + 1e-9)
@@ -83,7 +83,8 @@ TEST(LineStepBound, HoldsForBuiltInArmsInTheirOwnTask) {
   }
 }
 
-// On a line of the step's own chord the bound is the chord's: it must not cost more samples.
+// On a line that is the step's own chord the bound is that of the chord, so that no more samples
+// are needed.
 TEST(LineStepBound, FallsWithTheSquareOfTheStep) {
   testing::Random random;
   for (const std::string name : {"rrr", "panda", "ur5", "scara"}) {
@@ -148,8 +149,9 @@ TEST(DeviationFrom, CountsOnlyTheRowsOfTheTask) {
   EXPECT_NEAR(internal::deviation_from(line, pose, task_named("000111")).position, 0, 0);
 }
 
-// A turn in place is told by the turn, also by half a turn, where its two directions meet.
-TEST(DeviationFrom, IsTheAngleToTheArcWhereTheLineOnlyTurns) {
+// On a line without translation the orientation determines the nearest point, also for a rotation
+// by pi, for which both directions are equivalent.
+TEST(DeviationFrom, IsTheAngleToTheArcForALineWithoutTranslation) {
   testing::Random random;
   for (int i = 0; i < 2000; ++i) {
     const double angle = i % 4 == 0 ? pi : random.uniform(0.01, pi);
@@ -171,7 +173,7 @@ TEST(DeviationFrom, IsTheAngleToTheArcWhereTheLineOnlyTurns) {
   }
 }
 
-TEST(DeviationFrom, IsTheLeastOverTheArc) {
+TEST(DeviationFrom, IsTheMinimumOverTheArc) {
   testing::Random random;
   for (int i = 0; i < 300; ++i) {
     const Pose from = random.pose();

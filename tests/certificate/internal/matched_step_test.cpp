@@ -28,7 +28,7 @@ Pose moved_off(Random& random, Pose pose, double size) {
   return pose;
 }
 
-// Any segment and any step, however far from one another.
+// Any segment and any step, at any distance from each other.
 TEST(MatchedStepBound, HoldsForAnySegmentAndAnyStep) {
   Random random;
   std::vector<double> ratios;
@@ -67,8 +67,9 @@ TEST(MatchedStepBound, HoldsForAnySegmentAndAnyStep) {
   }
 }
 
-// Three slides and one joint that turns: the tool keeps to its chord, and all is the segment's.
-TEST(MatchedStepBound, HoldsWhereTheToolKeepsToItsChord) {
+// Three prismatic joints and one revolute joint: the tool stays on its chord, so only the segment
+// contributes.
+TEST(MatchedStepBound, HoldsWhereTheToolIsOnItsChord) {
   Random random;
   double tightest = 0, tightest_turn = 0;
   for (int i = 0; i < 5000; ++i) {
@@ -110,7 +111,7 @@ TEST(MatchedStepBound, HoldsWhereTheToolKeepsToItsChord) {
   EXPECT_GT(tightest_turn, 0.99);
 }
 
-TEST(MatchedStepBound, RefusesTasksThatLeaveTurnsFree) {
+TEST(MatchedStepBound, RefusesTasksWithFreeRotations) {
   Random random;
   const Arm ur5 = built_in("ur5"), rrr = built_in("rrr");
   const auto poses = testing::random_poses(random, 2, 1, 1);

@@ -22,7 +22,8 @@ TEST(MeanDerivative, IsExactForPolynomials) {
   }
 }
 
-// The mean value theorem: whatever the rate, a divided difference is no more than the derivative.
+// By the mean value theorem a divided difference does not exceed the derivative at any sampling
+// rate.
 TEST(MeanDerivative, IsNeverMoreThanASmoothMotionNeeds) {
   for (const int count : {4, 10, 100, 1000, 30'000}) {
     const Trajectory motion = along([](double t) { return std::sin(t); },

@@ -22,7 +22,7 @@ double size_of(const Segment& segment) {
   return 1 + at.velocity.norm() + at.acceleration.norm();
 }
 
-/// The largest distances from the chord at the same share.
+/// The largest distances from the chord at equal fractions.
 Deviation sampled(const Segment& segment, double s_a, double s_b, int points) {
   const Pose from = pose_at(segment, s_a), to = pose_at(segment, s_b);
   Deviation seen;

@@ -42,7 +42,8 @@ TEST(InverseKinematics, OutOfReachSaysByHowMuch) {
     EXPECT_GE(far.residual, 0.25 - 1e-9);  // an offset may keep it farther away
     EXPECT_LE(far.residual, 0.25 + 0.15 * spatial.reach().radius);
   }
-  // What a longer slide would reach is the limits' doing, and the reason names it.
+  // A pose that is reachable with a longer prismatic joint is outside the limits, and the reason
+  // names the joint.
   const Arm stanford = built_in("stanford");
   const Pose pose =
       make_pose(stanford.reach().centre + Vector3(stanford.reach().radius + 0.25, 0, 0));
@@ -55,22 +56,23 @@ TEST(InverseKinematics, OutOfReachSaysByHowMuch) {
 }
 
 TEST(InverseKinematics, InsideTheShouldersOffsetNoWristArrives) {
-  // A point on the axis of joint 1, where the tool's offset keeps it off; found by searches, and by
-  // hand: the tool never comes nearer to that axis than the offset of 0.15005 m.
+  // A point on the axis of joint 1. The tool never comes nearer to that axis than the offset of
+  // 0.15005 m.
   const InverseResult puma = inverse_kinematics(built_in("puma560"), make_pose({0.01, 0, 0}));
   expect_no(puma, InverseStatus::unreachable);
   EXPECT_NEAR(puma.residual, 0.15005 - 0.01, 1e-6);
 }
 
 TEST(InverseKinematics, AReachedPositionWithTheWrongOrientationSaysHowMuchTurnIsMissing) {
-  // The wrist would have to be at (-9, 0), 2 m out of its reach of 7 m: with the hand turned by
-  // acos(...) it is at the edge. The triangle of sides 7 (wrist), 2 (hand) and 7 (tool) gives it.
+  // The wrist would have to be at (-9, 0), 2 m beyond its reach of 7 m. With the hand rotated by
+  // acos(...), from the triangle of sides 7 (wrist), 2 (hand) and 7 (tool), it is at the boundary.
   const InverseResult turned = inverse_kinematics(built_in("rrr"), to_space({-7, 0, 0}));
   expect_no(turned, InverseStatus::orientation_unreachable);
   const double least = std::acos((7 * 7 - 7 * 7 - 2 * 2) / (2.0 * 7 * 2));
   EXPECT_NEAR(turned.residual, least, 2e-3);  // a stretched arm is approached slowly
-  // Five joints and a spatial task: the tool of a puma without its last joint has one direction
-  // less. Of the pose turned about the tool's z axis, all of the turn is missing.
+  // Five joints and a spatial task: the tool of a puma without its last joint has one degree of
+  // freedom less. For the pose rotated about the tool's z axis, the whole rotation remains as an
+  // error.
   std::vector<Joint> joints = built_in("puma560").joints();
   joints.pop_back();
   const Arm five("five", joints);
@@ -120,7 +122,7 @@ TEST(InverseKinematics, ReachableOnlyOutsideLimitsNamesTheJoint) {
   testing::Random random;
   const Arm chapter = built_in("rrr");
   std::vector<Joint> joints = chapter.joints();
-  joints[1].limits.lower = 0.2;  // joint 2 bends little, and to the left only
+  joints[1].limits.lower = 0.2;  // joint 2 has a small range, to one side
   joints[1].limits.upper = 0.4;
   const Arm planar("narrow", joints);
   for (int i = 0; i < 100; ++i) {
@@ -136,7 +138,7 @@ TEST(InverseKinematics, ReachableOnlyOutsideLimitsNamesTheJoint) {
         inverse_kinematics(planar, forward_kinematics(planar, q), {.ignore_limits = true}).status,
         InverseStatus::solved);
   }
-  // A puma whose elbow is nearly locked: its distance from shoulder to wrist is settled by joint 3.
+  // A puma whose elbow is nearly locked: joint 3 determines the distance from shoulder to wrist.
   joints = built_in("puma560").joints();
   joints[2].limits.lower = -1.6;
   joints[2].limits.upper = -1.5;
@@ -150,7 +152,7 @@ TEST(InverseKinematics, ReachableOnlyOutsideLimitsNamesTheJoint) {
     EXPECT_NE(no.reason.find("joint"), std::string::npos);
     EXPECT_GT(no.residual, 1e-9);
   }
-  // A slide that is too short: limits, not geometry.
+  // A prismatic joint that is too short: the reason is its limits, not the geometry.
   const Arm rp("short",
                {built_in("rp").joints()[0], named(built_in("rp").joints()[1], "slide", 0, 0.5)});
   const InverseResult no = inverse_kinematics(rp, to_space({3, 0, 0}));
@@ -184,7 +186,7 @@ TEST(InverseKinematics, RefusesWhatMakesNoSense) {
   }
   EXPECT_REFUSED(inverse_kinematics(arm, pose, {.iterations = -1}), "iterations is -1");
   EXPECT_REFUSED(inverse_kinematics(arm, pose, {.restarts = -1}), "restarts is -1");
-  // Rounded from text, a rotation is mended, not refused.
+  // A rotation rounded in text is orthonormalised, not refused.
   Pose rounded = pose;
   rounded.linear()(0, 0) += 1e-7;
   EXPECT_EQ(inverse_kinematics(arm, rounded).status, InverseStatus::solved);

@@ -43,7 +43,8 @@ TEST(LockedJoint, OfSevenComesBackAndStays) {
   for (const char* name : {"panda", "iiwa14"}) {
     const Arm arm = built_in(name);
     for (int k = 0; k < 7; ++k) {
-      // With its elbow locked an iiwa swivels, and comes to some poses in infinitely many ways.
+      // With its elbow locked an iiwa has self-motions, and reaches some poses by infinitely many
+      // configurations.
       if (k == 3 && arm.name() == "iiwa14") continue;
       SCOPED_TRACE(std::string(name) + " with coordinate " + std::to_string(k) + " locked");
       const bool quick = k == 6 || (k == 0 && arm.name() == "iiwa14");  // a family's closed form
@@ -102,7 +103,7 @@ TEST(LockedJoint, OutsideItsLimitsIsRefused) {
   }
 }
 
-/// A whole turn of the locked joint is another value of it.
+/// The locked coordinate plus 2 pi is another value of it.
 TEST(LockedJoint, IsNotTurnedAround) {
   Random random;
   std::vector<Joint> joints = built_in("iiwa14").joints();

@@ -14,7 +14,7 @@ namespace {
 
 using namespace internal;
 
-/// A way from nearby, and what must hold when it arrives.
+/// A run from a nearby start, and what must hold when it converges.
 bool arrives(const NumericalProblem& problem, const Configuration& q, const Configuration& start,
              const LaneOptions& options, double tolerance, GaussNewtonState& near) {
   const Pose pose = forward_kinematics(problem.arm, q);

@@ -65,7 +65,7 @@ TEST(DescentLanes, ErrorIsTheTasksAtEveryAngleUpToAHalfTurn) {
         const double seen = lanes.error[r].lane[0] * (r < 3 ? problem.length : 1);
         if (!task.rows[r]) {
           EXPECT_EQ(seen, 0);
-        } else if (angle < 3.14159) {  // at a half turn both signs are right
+        } else if (angle < 3.14159) {  // for a rotation by pi both signs are right
           EXPECT_NEAR(seen, error[row], 1e-14 + 1e-9 * angle * angle) << angle;
           ++row;
         } else {

@@ -79,7 +79,7 @@ TEST(DescentLanes, ComesToRoundingLevelAndToWhereDescendComes) {
         if (!one.converged || (lanes.converged >> lane & 1) == 0) continue;
         EXPECT_LT(largest(lane_deviation(problem, lanes, lane)), 1e-11) << name;
         ++both;
-        // Where there are more joints than rows or the arm is singular, the ways differ a little.
+        // If there are more joints than rows, or the arm is singular, the iterates differ slightly.
         same += same_posture(arm, found(problem, lanes, lane), one.q, 0.02);
       }
     }
@@ -177,7 +177,7 @@ TEST(DescentLanes, WorksFrom1To100Joints) {
                                 {.tolerance = 1e-9 * std::max(1.0, size)}, lanes);
       all += solver_lane_count;
       arrived += std::popcount(lanes.converged);
-      // Six joints may have a lesser valley nearby, but with many there is a way round.
+      // Six joints may have a local minimum nearby; with many joints it is avoided.
       if (dof >= 30) {
         EXPECT_EQ(lanes.converged, 255u) << dof << " joints of " << size;
       }

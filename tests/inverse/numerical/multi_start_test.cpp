@@ -14,7 +14,7 @@ namespace {
 
 using namespace internal;
 
-/// An arm with what a caller keeps for it.
+/// An arm with its problem, seeds and buffers.
 struct Solver {
   NumericalProblem problem;
   SeedTable seeds;
@@ -58,7 +58,7 @@ TEST(MultiStart, SolvesWhatIsWithinLimitsToRoundingLevel) {
       EXPECT_TRUE(result.nearest.converged);
       EXPECT_EQ(result.nearest.q, result.solutions[0]);
     }
-    EXPECT_GE(fine, 499) << name;  // next to a singularity a lesser valley may be within tolerance
+    EXPECT_GE(fine, 499) << name;  // a local minimum next to a singularity may be within tolerance
   }
 }
 
@@ -86,7 +86,7 @@ TEST(MultiStart, StaysWithTheStartsBranchFromNearby) {
     ASSERT_EQ(solve.result.solutions.size(), 1u);
     same += (solve.result.solutions[0] - q).cwiseAbs().maxCoeff() < 0.1;
   }
-  EXPECT_GE(same, 485);  // next to a singularity it may go over to the other branch
+  EXPECT_GE(same, 485);  // next to a singularity it may converge to the other branch
 }
 
 TEST(MultiStart, AllFindsTheEightBranches) {

@@ -38,7 +38,7 @@ TEST(Representative, KeepsThePoseAndIsTheNearestWithinBounds) {
     EXPECT_TRUE(same_posture(arm, moved, q, 1e-12));
     EXPECT_TRUE(forward_kinematics(arm, moved).isApprox(forward_kinematics(arm, q), 1e-12));
     for (int k = 0; k < 6; ++k) {
-      // Among all turns, counted one by one.
+      // Compared with all multiples of 2 pi.
       double best = Limits::none, best_outside = Limits::none;
       for (int turns = -10; turns <= 10; ++turns) {
         const double value = q[k] + 2 * pi * turns;

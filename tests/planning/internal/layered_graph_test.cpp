@@ -53,7 +53,7 @@ TEST(KnotSequence, LeadsThroughPosesOnTheLinesWithinLimits) {
   EXPECT_GE(through, 6);
 }
 
-TEST(KnotSequence, BeginsWhereItIsTold) {
+TEST(KnotSequence, BeginsAtTheStart) {
   Random random;
   for (int i = 0; i < 6; ++i) {
     const Case a = spare_case(random, "panda");
@@ -78,9 +78,9 @@ TEST(KnotSequence, EndsWhereSolutionsDo) {
           .knots.empty());
 }
 
-// Costs are seconds squared: with the least velocity limits that an arm can have they are of 1e17
+// Costs are seconds squared. With the smallest velocity limits that an arm can have they are 1e17
 // and more, and still order the paths through the graph.
-TEST(LayeredGraph, TakesTheLeastVelocityLimits) {
+TEST(LayeredGraph, AcceptsTheSmallestVelocityLimits) {
   std::vector<Joint> joints = built_in("panda").joints();
   for (Joint& joint : joints) joint.limits.velocity = Limits::min_rate;
   const Arm arm("slow", joints, built_in("panda").tool());
@@ -94,7 +94,7 @@ TEST(LayeredGraph, TakesTheLeastVelocityLimits) {
   for (const Knot& knot : sequence.knots) EXPECT_TRUE(knot.q.allFinite());
 }
 
-TEST(KnotSpline, GoesThroughItsKnotsSmoothly) {
+TEST(KnotSpline, InterpolatesItsKnotsSmoothly) {
   Random random;
   std::vector<Knot> knots;
   double place = 0;
@@ -122,7 +122,7 @@ TEST(KnotSpline, GoesThroughItsKnotsSmoothly) {
   EXPECT_EQ(KnotSpline({knots.front()}, path).at(3), knots.front().q);
 }
 
-// The end of a short segment next to a long one makes no kink by the way.
+// The end of a short segment next to a long one does not cause a kink.
 TEST(KnotSpline, IsSmoothWhereSegmentsOfDifferentLengthMeet) {
   const std::vector<Pose> poses{make_pose({0, 0, 0}), make_pose({1, 0, 0}), make_pose({1.1, 0, 0})};
   const ToolPath path = lines_through(poses);

@@ -18,7 +18,7 @@ Pose a_little_away(testing::Random& random, const Pose& from, double way) {
   return to;
 }
 
-// One Gauss-Newton step: what is left is of second order, wherever the Jacobian is regular.
+// The error after one Gauss-Newton step is of second order if the Jacobian is regular.
 TEST(PredictConfiguration, BringsTheToolNextToTheTarget) {
   testing::Random random;
   for (const std::string name : {"panda", "ur5", "stanford"}) {
@@ -59,7 +59,7 @@ TEST(PredictConfiguration, StaysWithinTheBounds) {
   }
 }
 
-TEST(PredictConfiguration, StandsStillWhereTheToolIsAlready) {
+TEST(PredictConfiguration, StaysAtRestWhereTheToolIsAtTheTarget) {
   testing::Random random;
   const Arm arm = built_in("iiwa14");
   const Configuration q = random.configuration(arm);

@@ -11,7 +11,7 @@
 namespace beeline::internal {
 namespace {
 
-// What a reason claims is looked up by other means at the place where the line stops.
+// The reason is checked independently at the pose where the line stops.
 TEST(SegmentFailure, GivesTheTrueReason) {
   testing::Random random;
   int seen[8] = {};  // by status

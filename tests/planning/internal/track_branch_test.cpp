@@ -66,8 +66,8 @@ TEST(TrackBranches, ComesToAnEndWithoutLimitsAndWithFarOnes) {
   }
 }
 
-// A joint that turns by 400 degrees on the way needs the right turn to begin with.
-TEST(TrackBranches, BeginsAJointAtTheTurnThatLastsLongest) {
+// A joint that rotates by 400 degrees along the path must start from the right multiple of 2 pi.
+TEST(TrackBranches, BeginsAJointAtTheMultipleThatLastsLongest) {
   const Arm arm = built_in("ur5");  // +- 360 degrees
   const Pose first = forward_kinematics(arm, joints({0.2, -1.2, 1.5, -0.5, 1.2, 3.0}));
   std::vector<Pose> poses{first};
@@ -88,7 +88,7 @@ struct Singular {
   std::vector<double> q;
 };
 
-// Through the wrist stretched straight, turning so that joint 5 has to change its sign; and by it.
+// Through and past the straight wrist, with a rotation for which joint 5 changes its sign.
 TEST(TrackBranches, PassesTheWristsSingularity) {
   const std::vector<Singular> places{{"puma560", {0.2, -0.6, 0.3, 0, 0, 0}},
                                      {"ur5", {0.3, -1.2, 1.5, -0.5, 0, 0.4}}};
@@ -116,7 +116,7 @@ TEST(TrackBranches, PassesTheWristsSingularity) {
   }
 }
 
-// At a singular begin one solution stands for infinitely many: the right one is found backwards.
+// At a singular begin one solution represents infinitely many; the right one is found backwards.
 TEST(TrackBranches, LeavesASingularBeginning) {
   Random random;
   for (const auto& [name, values] : std::vector<Singular>{
@@ -135,8 +135,8 @@ TEST(TrackBranches, LeavesASingularBeginning) {
   }
 }
 
-// The wrist's centre comes no nearer to axis 1 of ur5 than the shoulder's offset: a line that leads
-// past it at that distance is followed, one that leads nearer is refused.
+// The wrist's centre comes no nearer to axis 1 of ur5 than the shoulder's offset: a line that
+// passes it at that distance is tracked, a nearer one is refused.
 TEST(TrackBranches, PassesTheShoulderButNotThroughIt) {
   const Arm arm = built_in("ur5");
   const double offset = 0.10915, hand = 0.0823;

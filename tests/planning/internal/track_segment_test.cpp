@@ -52,7 +52,7 @@ void expect_proved(const Arm& arm, const Segment& segment, const Task& task,
   }
 }
 
-TEST(TrackSegment, StaysWithinTheProvedBoundAllTheWay) {
+TEST(TrackSegment, StaysWithinTheProvedBound) {
   Random random;
   for (const std::string arm_name : {"puma560", "ur5", "panda", "rrr"}) {
     const Arm arm = built_in(arm_name);
@@ -87,7 +87,7 @@ TEST(TrackSegment, StaysWithinTheProvedBoundAllTheWay) {
   }
 }
 
-// A line as a line, and the same line as a segment of a spline: the same way but for the proof.
+// A line as Line and as SplineSegment: the same motion with different proofs.
 TEST(TrackSegment, OfALineIsTheLine) {
   Random random;
   const Arm arm = built_in("puma560");

@@ -16,7 +16,7 @@ namespace {
 using testing::TemporaryFolder;
 namespace fs = std::filesystem;
 
-/// Nothing is protected from root: the tests' owner of the folder is nobody in particular.
+/// Root ignores permissions, so the tests run as another user.
 class AsNobody {
  public:
   explicit AsNobody(const std::string& folder) : root_(::geteuid() == 0) {

@@ -52,7 +52,7 @@ TEST(Json, AnyTextReadsBack) {
   EXPECT_REFUSED(json_string("a\xff"), "\"a?\" is not UTF-8 text");
 }
 
-TEST(Json, RefusalsNameLineAndPlace) {
+TEST(Json, ErrorsNameLineAndPath) {
   const JsonDocument document = parse("{\"joints\": [{}, {\n\"limits\": {\"lower\": \"x\"}}]}");
   const Json& joint = document.items(document.need(document.root(), "joints")).at(1);
   const Json& limits = document.need(joint, "limits");

@@ -59,7 +59,7 @@ TEST(Npy, ReadsBackWhatWasWritten) {
   }
 }
 
-TEST(Npy, NothingIsThereUntilItIsInItsPlace) {
+TEST(Npy, NothingIsWrittenBeforeCommit) {
   const TemporaryFolder folder;
   {
     NpyWriter writer(folder.file("a.npy"), 2, false);

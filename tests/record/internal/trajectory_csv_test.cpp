@@ -53,7 +53,7 @@ TEST(TrajectoryCsv, NamesThatWouldBeReadAsAnotherColumnAreNotWritten) {
   EXPECT_REFUSED(write({"a", "a"}), "two joints of the trajectory have the name \"a\"");
 }
 
-TEST(TrajectoryCsv, ColumnsStandInAnyOrder) {
+TEST(TrajectoryCsv, ColumnsMayBeInAnyOrder) {
   const Trajectory trajectory = parse("b_vel,a,t,a_vel,b\n1,2,0,3,4\n5,6,0.5,7,8\n");
   EXPECT_EQ(trajectory.joint_names, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(trajectory.times, (std::vector<double>{0, 0.5}));

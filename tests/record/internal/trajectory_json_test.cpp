@@ -28,7 +28,7 @@ TEST(TrajectoryJson, AnyTrajectoryReadsBackToTheLastBit) {
   EXPECT_TRUE(same(parse_json(trajectory_to_json(odd)), odd));
 }
 
-/// A ROS reader sees time_from_start alone: right to half a nanosecond.
+/// A ROS reader uses time_from_start only, which is accurate to half a nanosecond.
 TEST(TrajectoryJson, TheDurationIsTheTimeToANanosecond) {
   testing::Random random;
   for (int i = 0; i < 1000; ++i) {
