@@ -8,7 +8,7 @@
 #include "arguments.h"
 #include "command/json.h"
 
-/// How answers are written: rounded in texts, exact in JSON.
+/// Formatting of answers: numbers are rounded in texts and exact in JSON.
 
 /// A number with six significant digits; rounding errors near zero are shown as 0.
 std::string shown(double value);

@@ -19,8 +19,8 @@ struct IkArguments {
   bool json = false;
 };
 
-/// The residual in the unit of what the status is about: metres, an angle, or that of the joint
-/// outside its limits; without a unit where it is the larger of a distance and an angle.
+/// The residual with the unit that follows from the status: metres, an angle, or the unit of the
+/// joint outside its limits; without a unit if it is the larger of a distance and an angle.
 struct Residual {
   double value = 0;
   std::string unit = {};

@@ -12,9 +12,10 @@ struct InverseArgument {
   std::string redundancy = name(beeline::Redundancy::any);
   beeline::InverseOptions values = {};
 
-  /// Which solutions are wanted: --seed, --task, --ignore-limits, --lock, --redundancy, --grid.
+  /// The options that select solutions: --seed, --task, --ignore-limits, --lock, --redundancy,
+  /// --grid.
   std::vector<Option> choice_options();
-  /// How they are searched for: --method to --time-limit.
+  /// The options of the search: --method to --time-limit.
   std::vector<Option> search_options();
   beeline::InverseOptions read(const beeline::Arm& arm, const UnitArgument& unit) const;
 };

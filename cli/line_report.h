@@ -7,7 +7,7 @@
 #include "motion_report.h"
 #include "result_files.h"
 
-/// What `line` reports, by any method.
+/// The report of `line`, by any method.
 struct LineReport {
   std::string method = {};
   std::size_t waypoints = 0;

@@ -12,7 +12,7 @@
 #include "arguments.h"
 #include "command/json.h"
 
-/// What several verbs report of a motion: as text, and as members that are added to a document.
+/// Reports of a motion that several verbs print: as text, and as members added to a JSON document.
 
 /// The deviation of a motion from its path: at the samples, measured, proved.
 std::string deviation_text(const beeline::PathDeviation& deviation, const UnitArgument& unit);

@@ -27,7 +27,8 @@ std::string limit_text(double limit, bool prismatic, const UnitArgument& unit) {
   return shown(prismatic ? limit : unit.shown(limit));
 }
 
-/// The limits of joint i. Those of a joint with followers are narrowed so that these keep theirs.
+/// The limits of joint i. Those of a joint that mimic joints follow are tightened so that these
+/// stay within theirs.
 const Limits& limits_of(const Arm& arm, std::size_t i) {
   const Joint& joint = arm.joints()[i];
   return joint.mimic ? joint.limits : arm.limits(arm.drives()[i].coordinate);

@@ -7,7 +7,7 @@
 namespace beeline {
 namespace {
 
-/// For arms with mimic joints, which share columns. Returns the tool's pose.
+/// For arms with mimic joints, whose columns are added to their leader's. Returns the tool's pose.
 Pose joint_by_joint(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> columns) {
   columns.setZero();
   Pose world_T_link = arm.base(), world_T_tool;

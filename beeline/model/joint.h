@@ -13,12 +13,12 @@ namespace beeline {
 /// and 1.2).
 enum class JointKind { revolute, prismatic, helical };
 
-/// Limits of one joint, in rad, or m for a prismatic joint, and s. Infinite where there is none, or
-/// none is known.
+/// Limits of one joint, in rad, or m for a prismatic joint, and s. Infinite if there is no limit,
+/// or none is known.
 struct Limits {
   static constexpr double none = std::numeric_limits<double>::infinity();
-  /// The least limit of velocity, acceleration and jerk. An arm at 1e-9 rad/s needs a century for
-  /// one turn; far below, the ratios of limits in time scaling leave the range of a double.
+  /// Min limit of velocity, acceleration and jerk. A revolution at 1e-9 rad/s takes a century. With
+  /// much smaller limits, the ratios of limits in time scaling leave the range of a double.
   static constexpr double min_rate = 1e-9;
 
   double lower = -none;        ///< of the position
@@ -37,8 +37,8 @@ constexpr bool within_position_limits(const Limits& limits, double q,
   return q >= limits.lower - slack && q <= limits.upper + slack;
 }
 
-/// Where q is in the range from `lower` to `upper`: -1 at the lower end, 0 in the middle, 1 at the
-/// upper end. 0 where the range is infinite or empty.
+/// The position of q in the range from `lower` to `upper`: -1 at the lower end, 0 in the middle, 1
+/// at the upper end. 0 if the range is infinite or empty.
 inline double position_in_range(double q, double lower, double upper) {
   const double half = (upper - lower) / 2;
   return half > 0 && half < Limits::none ? (q - lower) / half - 1 : 0;

@@ -16,13 +16,14 @@ using Pose = Eigen::Isometry3d;
 using Twist = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// Why `pose` is not a rigid motion, as the rest of a sentence; empty where it is one. It needs
+/// Returns the reason why `pose` is not a rigid motion, as a clause; empty if it is one. It needs
 /// finite numbers, coordinates of at most 1e100 m (beyond, squares overflow), the last row 0 0 0 1,
 /// and a right-handed rotation that is orthonormal to 1e-6, as numbers of seven digits are.
 std::string rigid_motion_fault(const Pose& pose);
 
-/// Returns `pose` with its rotation orthonormal to rounding: replaced by the nearest quaternion's
-/// where it is off by more than 1e-14. Throws Error, calling it `what`, for a rigid_motion_fault().
+/// Returns `pose` with its rotation orthonormal to rounding: replaced by that of the nearest unit
+/// quaternion if it deviates by more than 1e-14. Throws Error, calling it `what`, for a
+/// rigid_motion_fault().
 Pose checked_pose(const Pose& pose, const char* what = "the pose");
 Pose checked_pose(const Pose& pose, const std::string& what);
 

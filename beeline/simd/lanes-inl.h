@@ -65,7 +65,7 @@ struct Lanes {
   }
 };
 
-// One line for each operation, which acts on each register.
+// Each line defines an operation on all registers.
 #define BEELINE_LANES(RESULT, SIGNATURE, EXPRESSION)                     \
   HWY_INLINE RESULT SIGNATURE {                                          \
     RESULT r;                                                            \

@@ -65,7 +65,8 @@ SCurve scaled(const SCurve& curve, double fraction) {
   return part;
 }
 
-/// All joints follow the curve of the one that moves farthest, with limits that keep the others'.
+/// All joints follow the curve of the one that moves farthest, with limits tightened for the
+/// others.
 void set_one_curve(std::span<const Limits> limits, PointToPoint& motion) {
   const Eigen::Index joints = motion.from.size();
   double farthest = 0;
@@ -95,7 +96,7 @@ void plan(std::span<const Limits> limits, const ConfigurationRef& from, const Co
           PointToPoint& motion, const PointToPointOptions& options) {
   motion.from.resize(from.size());
   motion.to.resize(to.size());
-  // Number by number: `from` and `to` may be those of `motion`, exchanged.
+  // Element by element, because `from` and `to` may be those of `motion`, exchanged.
   for (Eigen::Index k = 0; k < from.size(); ++k) {
     const double begin = from[k], end = to[k];
     motion.from[k] = begin;

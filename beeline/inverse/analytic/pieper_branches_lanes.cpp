@@ -121,7 +121,7 @@ HWY_NOINLINE void solve_parallel(const PieperLoop& loop, const LanePose& to, Lan
                     abs(to.origin.z - Lanes(loop.height)) + abs(to.z.x) + abs(to.z.y);
 }
 
-/// Solves joint e, which takes J_f p, seen from behind it, to J_d^-1 x, seen from before it.
+/// Solves joint e, which maps K_f J_f p to K_e^-1 J_d^-1 x.
 HWY_NOINLINE void solve_middle(const PieperLoop& loop, const RigidMotion* k,
                                const PieperEquations& equations, const CosSine& preferred,
                                CosSine* joint, LaneStatus& status) {

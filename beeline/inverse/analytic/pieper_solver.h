@@ -26,13 +26,13 @@ class PieperSolver {
     return description(loop_, locked_ == 0 ? locked_ : removed);
   }
 
-  /// The coordinate that has to be given, of an arm of seven joints: the first or the last.
+  /// The coordinate of an arm of seven joints that is an input: the first or the last.
   std::optional<int> locked() const { return locked_; }
 
-  /// Whether there are virtual joints. A continuum of solutions may then be theirs alone.
+  /// Whether there are virtual joints. A continuum of solutions may then concern only these.
   bool has_virtual_joints() const { return dof_ < 6; }
 
-  /// Whether some of these are free: branches that differ in them only are one solution.
+  /// Whether some virtual joints are free. Branches that differ only in these are one solution.
   bool has_free_joints() const {
     return std::find(free_.begin(), free_.end(), true) != free_.end();
   }

@@ -108,8 +108,8 @@ std::vector<PlanarSolution> nearest_planar_solutions(const Arm& arm, const Pose&
   std::vector<PlanarSolution> near_seed =
       refined_candidates(arm, world_T_tool, task, seed, tolerance);
   if (std::any_of(near_seed.begin(), near_seed.end(), reaches)) return near_seed;
-  // Angles near a distant seed have fewer digits, so a pose counts as out of reach only if it is so
-  // with angles near zero too.
+  // Angles near a distant seed have fewer digits. A pose counts as out of reach only if it is also
+  // out of reach with angles near zero.
   return refined_candidates(arm, world_T_tool, task, Configuration::Zero(arm.dof()), tolerance);
 }
 

@@ -17,9 +17,9 @@ struct PlanarSolution {
   Deviation error;         ///< of the task at q
 };
 
-/// Returns planar_solutions() with what is known of each. For a pose out of reach, returns the
-/// configurations at the workspace boundary: the best of them has the least position error of those
-/// with the requested orientation.
+/// Returns planar_solutions() with their errors. For a pose out of reach, returns the
+/// configurations at the workspace boundary: the best of them has the least position error at the
+/// requested orientation.
 std::vector<PlanarSolution> nearest_planar_solutions(const Arm& arm, const Pose& world_T_tool,
                                                      const Task& task, const Configuration& seed,
                                                      double tolerance = 1e-9);

@@ -12,7 +12,7 @@ namespace {
 using Complex = std::complex<double>;
 using Candidates = std::vector<PlanarCandidate>;
 
-/// Which revolute joints come before a prismatic joint, and so rotate its direction.
+/// The revolute joints that precede a prismatic joint and therefore rotate its direction.
 enum class RotatedBy { none, first, all };
 
 /// The equation J_1 ... J_n p = r p + t. Revolute joint k, numbered among the revolute joints, has
@@ -45,7 +45,8 @@ class PlanarChain {
   Configuration zero() const {
     return Configuration::Zero(static_cast<Eigen::Index>(joints_.size()));
   }
-  /// Whether a length is rounding: a thousand units in the last place of the lengths it came from.
+  /// Whether a length is a rounding error: below a thousand units in the last place of the lengths
+  /// from which it is computed.
   bool vanishes(double length) const { return length <= 1e-13 * size_; }
 
   double preferred(std::size_t joint) const { return joints_[joint].preferred.value_or(0); }
@@ -57,8 +58,9 @@ class PlanarChain {
         nearest_angle(joints_[joint].sign * std::arg(rho), preferred(joint));
   }
 
-  /// Sets revolute joints of which only the sum of angles matters, arg(rho). The difference to
-  /// their preferred values is divided equally: among those without one if there are any.
+  /// Sets revolute joints of which only the sum of angles is determined, arg(rho). The difference
+  /// to their preferred values is divided equally, among those without a preferred value if there
+  /// are any.
   void rotate_together(PlanarCandidate& candidate, const std::vector<std::size_t>& numbers,
                        Complex rho) const {
     double difference = std::arg(rho);
@@ -184,7 +186,7 @@ class PlanarChain {
   }
 
   /// The solution where a side of the triangle vanishes: two axes coincide, or the third axis
-  /// returns to the first. The others then have only their sum determined.
+  /// returns to the first. Only the sum of the others is then determined.
   PlanarCandidate degenerate_triangle(Complex b, Complex u, Complex v) const {
     PlanarCandidate candidate{zero(), false};
     const auto direction_to = [](Complex to, Complex from) {

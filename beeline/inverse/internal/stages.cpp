@@ -21,12 +21,12 @@ void check_invariants(SolverState&, const Request& request, StageResult& found) 
   evidence.complete = evidence.violation.has_value();
 }
 
-bool wants_formulas(const SolverState& state, const Request&, const StageResult& found) {
+bool applies_analytic(const SolverState& state, const Request&, const StageResult& found) {
   return !found.unconstrained.violation && has_analytic_stage(state);
 }
 
 /// Whether solutions may be missing that a search can find.
-bool wants_search(const SolverState& state, const Request& request, const StageResult& found) {
+bool applies_numerical(const SolverState& state, const Request& request, const StageResult& found) {
   const UnconstrainedResult& evidence = found.unconstrained;
   const bool none = found.result.solutions.empty();
   const bool missing = none || (evidence.doubtful && request.options.all);
@@ -37,13 +37,12 @@ bool wants_search(const SolverState& state, const Request& request, const StageR
 }
 
 /// Whether the search found nothing, which proves nothing, and no analytic solver has run.
-bool wants_second_opinion(const SolverState& state, const Request& request,
-                          const StageResult& found) {
+bool applies_fallback(const SolverState& state, const Request& request, const StageResult& found) {
   return found.result.solutions.empty() && state.six_revolute && !state.raghavan_roth &&
-         wants_search(state, request, found);
+         applies_numerical(state, request, found);
 }
 
-void solve_by_second_opinion(SolverState& state, const Request& request, StageResult& found) {
+void solve_fallback(SolverState& state, const Request& request, StageResult& found) {
   if (!state.raghavan_roth_fallback) state.raghavan_roth_fallback = make_raghavan_roth(state);
   if (state.raghavan_roth_fallback)
     solve_raghavan_roth(*state.raghavan_roth_fallback, request, found);
@@ -52,9 +51,9 @@ void solve_by_second_opinion(SolverState& state, const Request& request, StageRe
 /// A new stage is added as a row here.
 constexpr Stage stages[] = {
     {always, check_invariants},
-    {wants_formulas, solve_analytic},
-    {wants_search, solve_numerical},
-    {wants_second_opinion, solve_by_second_opinion},
+    {applies_analytic, solve_analytic},
+    {applies_numerical, solve_numerical},
+    {applies_fallback, solve_fallback},
 };
 
 }  // namespace

@@ -4,9 +4,9 @@
 
 namespace beeline::internal {
 
-/// First and second derivative by time: r', r'' of a rotation vector r, or the angular velocity w
-/// and acceleration w' of so3_exp(r) in the axes that r is written in. They are related by the left
-/// Jacobian: w = J(r) r', w' = J(r) r'' + J'(r) r'.
+/// First and second time derivatives: r', r'' of a rotation vector r, or the angular velocity w and
+/// acceleration w' of so3_exp(r) in the axes of r. They are related by the left Jacobian: w = J(r)
+/// r', w' = J(r) r'' + J'(r) r'.
 struct RotationRates {
   Vector3 velocity;
   Vector3 acceleration;

@@ -14,15 +14,15 @@ namespace beeline::internal {
 ///                 |q_i'' b + q_i' b' / 2| <= acceleration_i,
 ///                 |b^(1/2) (q_i''' b + 3/2 q_i'' b' + q_i' b'' / 2)| <= jerk_i,
 /// by an interior-point method (minimise_duration.h). The constraints are imposed at three times of
-/// each step of the spline and checked at more; where they are violated by more than 2 %, the
-/// spline gets more knots, and what remains is removed by slowing the whole motion down. Where the
-/// result is much slower than fastest(), as with a tight corner that needs nearly a stop, a stop
+/// each step of the spline and checked at more; if they are violated by more than 2 %, the spline
+/// gets more knots; the remaining violation is removed by slowing the whole motion down. If the
+/// result is much slower than fastest(), as with a tight corner that nearly requires a stop, a stop
 /// there is tried as well. The result is a local optimum, to about 1e-3 without a tight corner, and
 /// never slower than the quintic. The limits hold at the checked times. The quintic between two
 /// points of the result (see TimeScaling::smooth) exceeds the jerk limit where the jerk of the
-/// optimum jumps between them: by less than 10 % on 900 random paths. retime() measures its
-/// samples and slows down for that. Throws Error
-/// for what check_path() and check_limits() refuse, and without any jerk limit.
+/// optimum jumps between them: by less than 10 % on 900 random paths. retime() measures its samples
+/// and slows down for that. Throws Error for what check_path() and check_limits() refuse, and
+/// without any jerk limit.
 TimeScaling jerk_limited(const JointPath& path, const PathLimits& limits);
 
 }  // namespace beeline::internal

@@ -9,13 +9,13 @@ namespace {
 // The gap of a limit is its slack times its multiplier, in units of the duration of one step of the
 // spline.
 constexpr double first_gap = 1;
-constexpr double last_gap = 1e-4;       // smaller changes the duration by less than the knots do
+constexpr double last_gap = 1e-4;       // the error of a smaller one is below that of the knots
 constexpr double step_fraction = 0.95;  // of the step to the first bound (fraction to the boundary)
 constexpr int max_steps = 50;           // a bound; the gap usually ends the iteration
 constexpr int max_backtracks = 20;      // of factor 0.7: to 1e-3 of the step
 
-/// The factor for the next gap, after a step of this fraction of a Newton step: after a short one
-/// the coefficients have to catch up with the multipliers first.
+/// Returns the factor for the next gap after a step of this fraction of a Newton step. The gap is
+/// reduced less after a short step, so that the coefficients can follow the multipliers.
 double gap_reduction(double fraction) { return fraction > 0.9 ? 0.2 : fraction > 0.5 ? 0.6 : 1; }
 
 /// Solves the equations for the first `size` coefficients by the LDL^T factorisation of the banded
@@ -72,7 +72,7 @@ void minimise_duration(SquaredRateSpline& spline, const DurationProblem& problem
     add(multipliers, dual, change);
     const double reached = step.products_after(primal, dual) / count;
     gap = reached * gap_reduction(std::min(primal, dual));
-    // The limits are not linear: coefficients inside to first order may be outside.
+    // The limits are not linear, so coefficients that satisfy them to first order may violate them.
     for (int tries = 0; tries < max_backtracks; ++tries, primal *= 0.7) {
       next = c;
       add(next, primal, dc);

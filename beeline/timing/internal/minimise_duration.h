@@ -5,10 +5,10 @@
 namespace beeline::internal {
 
 /// Minimises the duration over the spline coefficients of the squared path speed, to a relative gap
-/// of 1e-3, from coefficients that satisfy all limits strictly; where they do not, nothing changes.
-/// A primal-dual interior-point method (Boyd and Vandenberghe, *Convex Optimization*, section 11.7;
-/// Nocedal and Wright, *Numerical Optimization*, section 19.3). The limits of jerk are not convex,
-/// so the result is a local optimum.
+/// of 1e-3, from coefficients that satisfy all limits strictly; otherwise the coefficients are
+/// unchanged. A primal-dual interior-point method (Boyd and Vandenberghe, *Convex Optimization*,
+/// section 11.7; Nocedal and Wright, *Numerical Optimization*, section 19.3). The limits of jerk
+/// are not convex, so the result is a local optimum.
 void minimise_duration(SquaredRateSpline& spline, const DurationProblem& problem);
 
 }  // namespace beeline::internal

@@ -16,7 +16,7 @@ struct NewtonEquations {
 };
 
 /// Computes the equations at the coefficients c; false where these violate a limit. The second
-/// derivatives of the limits are left out of the Hessian, so that it is positive definite.
+/// derivatives of the limits are omitted from the Hessian, so that it is positive definite.
 bool set_up(NewtonEquations& equations, const DurationProblem& problem, const double* c,
             const double* multipliers, double gap);
 

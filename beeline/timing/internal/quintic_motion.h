@@ -7,7 +7,7 @@
 
 namespace beeline::internal {
 
-/// The motion q(tau) along a path by the rest-to-rest quintic, slow enough to keep the limits.
+/// The motion q(tau) along a path by the rest-to-rest quintic, within the limits.
 class QuinticMotion {
  public:
   /// `quintic` is scalar_profile(ScalarForm::quintic, path, limits). Keeps references to path and

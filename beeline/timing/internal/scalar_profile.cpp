@@ -121,15 +121,15 @@ struct DerivativeGrid {
     }
   }
 
-  /// Those nearest to this fraction of the path length.
+  /// Returns the derivatives at the grid point nearest to this fraction of the path length.
   const double* nearest(double fraction) const {
     const double index = std::clamp(fraction * grid_count + 0.5, 0.0, grid_count + 0.5);
     return rates.data() + 3 * joints * static_cast<std::size_t>(index);
   }
 };
 
-/// The duration that the shape needs, from the limits at some times, with the derivatives of the
-/// path at the nearest grid points.
+/// Returns the smallest duration of the shape that the limits allow at some times, with the
+/// derivatives of the path at the nearest grid points.
 double duration(const Shape& shape, const DerivativeGrid& grid, const PathLimits& limits) {
   LimitFractions fractions(limits);
   const auto take = [&](double u) {
@@ -164,7 +164,7 @@ Shape best_shape(ScalarForm form, const JointPath& path, const PathLimits& limit
   const auto lasts = [&](double ramp, double round) {
     return duration(Shape(form, length, ramp, round), grid, limits);
   };
-  // Sections: 24 to 1e-5 of the interval. The nested search does with fewer, as its duration is
+  // Sections: 24 to 1e-5 of the interval. The nested search needs fewer, because its duration is
   // stationary in the parameter that is not yet exact.
   if (form == ScalarForm::trapezoidal) {
     return {form, length, minimised(24, [&](double ramp) { return lasts(ramp, 0); }).x};
@@ -210,7 +210,8 @@ std::vector<Point> points_of(const Shape& shape, const JointPath& path) {
   return kept;
 }
 
-/// The duration T that the limits need at the points, on both sides, and half-way between them.
+/// Returns the smallest duration T that the limits allow at the points, on both sides of each, and
+/// half-way between them.
 double seconds_for(const Shape& shape, const std::vector<Point>& points, const JointPath& path,
                    const PathLimits& limits) {
   const PathDerivatives derivatives(path);
@@ -247,7 +248,7 @@ TimeScaling scalar_profile(ScalarForm form, const JointPath& path, const PathLim
   scaling.smooth = form != ScalarForm::trapezoidal;
   for (const Point& point : points) {
     const JointState state = shape.at(point.u);
-    // Where the acceleration of the trapezoid jumps, the mean; at the ends, the inner value.
+    // At a jump of the trapezoid's acceleration the mean is taken; at the ends, the inner value.
     const double before = shape.at(std::max(point.u - 1e-9, 1e-12)).acceleration;
     const double after = shape.at(std::min(point.u + 1e-9, 1 - 1e-12)).acceleration;
     const bool first = point.u == 0, last = point.u == 1;

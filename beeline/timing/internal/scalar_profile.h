@@ -6,7 +6,8 @@
 namespace beeline::internal {
 
 /// Time scalings from rest to rest whose form does not depend on the path: s(t) has at most two
-/// shape parameters, and its duration is what the limits need at the worst path parameter.
+/// shape parameters, and its duration is the smallest that the limits allow at every path
+/// parameter.
 enum class ScalarForm {
   trapezoidal,  ///< ds/dt: constant acceleration, cruise, constant deceleration; jerk is not
                 ///< limited

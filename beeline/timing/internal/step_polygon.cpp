@@ -46,8 +46,8 @@ double StepPolygon::summit(SquaredSpeeds ends, double side, double enough) const
   return y;
 }
 
-/// The largest y, up to this one, at which the polygon has an x: Newton's method on the difference
-/// of the concave upper and the convex lower bound, both made of edges.
+/// Returns the largest y, up to this one, at which the polygon has an x, by Newton's method on the
+/// difference of the concave upper and the convex lower bound, which are piecewise linear.
 double StepPolygon::retreat(double y) const {
   for (std::size_t i = 0; i < 2 * edges_; ++i) {
     const Edge upper = edge(y, 1), lower = edge(y, -1);

@@ -28,10 +28,11 @@ class StepPolygon {
   /// Uses the strips from number `first` on.
   void go_to(std::size_t first) { first_ = first; }
 
-  /// The interval of x, up to `most`, from which some y in `ends` can be reached.
+  /// Returns the interval of x, up to `max_begin`, from which some y in `ends` can be reached.
   SquaredSpeeds begins(SquaredSpeeds ends, double max_begin);
 
-  /// The largest y in `ends` that can be reached from x; if rounding has left none, the nearest.
+  /// Returns the largest y in `ends` that can be reached from x; the nearest one if there is none
+  /// because of rounding.
   double furthest_end(double x, SquaredSpeeds ends) const;
 
  private:

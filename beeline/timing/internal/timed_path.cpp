@@ -92,7 +92,7 @@ Trajectory at_rate(const std::vector<TimedPath>& motions, double rate,
                    std::vector<double>& arc_lengths) {
   Trajectory trajectory;
   arc_lengths.clear();
-  const double tolerance = 1e-6 / rate;  // a time this near to the end is the end
+  const double tolerance = 1e-6 / rate;  // times this near to the end count as the end
   double begin = 0, count = 0, length = 0;
   for (const TimedPath& motion : motions) {
     const TimeScaling& scaling = motion.scaling;

@@ -15,8 +15,8 @@ struct TimedPath {
 /// Slows the scaling down by the factor k.
 void slow_down(TimeScaling& scaling, double k);
 
-/// Appends the motion to the trajectory, from its end if it has samples: every point of the
-/// scaling, and more where `gap` seconds would pass between two.
+/// Appends the motion to the trajectory, starting at its end if it has samples: every point of the
+/// scaling, and further samples so that successive ones are at most `gap` seconds apart.
 void append_points(Trajectory& trajectory, const TimedPath& motion, double gap);
 
 /// Samples the motions, one after the other, `rate` times a second and at the end of the last.
