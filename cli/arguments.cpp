@@ -108,8 +108,8 @@ std::vector<Option> JacobianArgument::options() {
 Task JacobianArgument::read(const Arm& arm) const {
   Task rows = task.read(arm);
   if (rows.frame == Frame::tool && frame != name(Frame::tool)) {
-    throw Error("--task " + task.text + " is in the tool's axes and does not go with --frame " +
-                frame);
+    throw Error("--task " + task.text +
+                " is in the tool's axes and cannot be combined with --frame " + frame);
   }
   rows.frame = frame_named(frame);
   return rows;

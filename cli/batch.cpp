@@ -116,7 +116,7 @@ Answer batch(const BatchArguments& arguments, const std::string& kind, MakeWork 
   }
   const bool rows_on_stdout = arguments.out == "-";
   if (arguments.json && rows_on_stdout) {
-    throw Error("--json does not go with --out -: both would write to stdout");
+    throw Error("--json cannot be combined with --out -: both would write to stdout");
   }
   const Arm arm = arguments.arm.read();
   const BatchWork work = make_work(arguments, arm);
@@ -218,7 +218,7 @@ Verb batch_ik() {
              inverse_work);
   verb.summary = "Inverse kinematics: a configuration for each pose";
   verb.description =
-      "Writes the joint values of one solution in each row of the output, nan where there is none; "
+      "Writes the joint values of one solution in each row of the output, nan if there is none; "
       "then the exit code is 1.";
   verb.examples = {{"Two poses of the planar arm, solutions in degrees",
                     "printf 'x,y,theta\\n4,3,0\\n4.5,5.2,30\\n' > poses.csv\n"

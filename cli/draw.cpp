@@ -28,7 +28,8 @@ Figure drawn_figure(const DrawArguments& arguments, const Arm& arm) {
   options.azimuth = to_radians(arguments.azimuth, AngleUnit::degrees);
   options.elevation = to_radians(arguments.elevation, AngleUnit::degrees);
   if (!arguments.motion.empty()) {
-    if (!arguments.q.empty()) throw Error("--q does not go with a motion, which has joint values");
+    if (!arguments.q.empty())
+      throw Error("--q cannot be combined with a motion, which has joint values");
     return motion_figure(arm, at_equal_times(read_recording(arguments.motion, arm)), {}, options);
   }
   if (arguments.q.empty()) return arm_figure(arm, middle_configuration(arm), options);

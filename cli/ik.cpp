@@ -120,7 +120,7 @@ std::vector<Option> ik_options(IkArguments& arguments) {
                    .help = "Print every solution found, the nearest to the seed first.",
                    .target = &inverse.values.all},
                   {.name = "--every-turn",
-                   .help = "Print each solution once for every whole turn of its revolute joints "
+                   .help = "Print each solution with every multiple of 2 pi of its revolute joints "
                            "within the position limits.",
                    .target = &inverse.values.every_turn,
                    .needs = "--all"}},

@@ -27,7 +27,7 @@ bool PathArgument::straight() const { return path_kind_named(kind) == PathKind::
 
 Route PathArgument::through(std::span<const Pose> poses) const {
   const PathKind path = path_kind_named(kind);
-  if (blend && path != PathKind::line) throw Error("--blend goes with --path line only");
+  if (blend && path != PathKind::line) throw Error("--blend requires --path line");
   if (blend) return route_of(blended_lines(poses, {*blend, *blend / metres_per_radian}));
   return route_of(straight() ? lines_through(poses) : path_through(poses, path), path);
 }

@@ -66,7 +66,7 @@ class FaultSearch {
     if (!prismatic && std::abs(step) >= std::numbers::pi) {
       return report(Fault::flip, k, i,
                     "rotates by " + number(step) + " rad to the next sample, " +
-                        number(std::abs(step) / (2 * std::numbers::pi)) + " of a turn");
+                        number(std::abs(step) / (2 * std::numbers::pi)) + " revolutions");
     }
     if (v_.empty() || !inside(q_[k + 1][i])) return;  // reported at the next sample
     const auto [lowest, highest] =

@@ -40,7 +40,7 @@ struct InverseOptions {
   /// All solutions instead of one. Closed form: all that exist; of a redundant arm, all on a grid
   /// of values of the redundant joint. Numerical: those found in all restarts, some may be missing.
   bool all = false;
-  bool every_turn = false;     ///< with `all`: also solutions that differ by whole turns of joints
+  bool every_turn = false;     ///< with `all`: also solutions that differ by multiples of 2 pi
   bool ignore_limits = false;  ///< ignore the joint limits
   std::optional<int> lock = std::nullopt;  ///< a coordinate that keeps the seed's value
   Redundancy redundancy = Redundancy::any;

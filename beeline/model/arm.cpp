@@ -32,7 +32,7 @@ void check_limits(const Limits& limits, const std::string& what) {
   for (const auto& [quantity, rate] : rates) {
     if (rate >= Limits::min_rate) continue;
     throw Error(what + ": " + quantity + " limit " + number(rate) + " is below " +
-                number(Limits::min_rate) + "; leave it out where there is none");
+                number(Limits::min_rate) + "; omit it if there is no limit");
   }
 }
 

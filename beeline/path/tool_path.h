@@ -65,7 +65,7 @@ double span_to(const ToolPath& path, double s);
 /// The path traversed from its end to its begin.
 ToolPath reversed(const ToolPath& path);
 
-/// Whether the tool's velocity with respect to the common parameter is discontinuous at s, as it is
+/// Whether the tool's velocity with respect to the common parameter is discontinuous at s, as
 /// where lines meet.
 bool corner_at(const ToolPath& path, double s);
 

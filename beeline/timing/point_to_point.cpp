@@ -15,7 +15,7 @@ void check_limits(std::span<const Limits> limits) {
       if (rate > 0) continue;
       throw Error("joint " + std::to_string(k + 1) +
                   " has a velocity, acceleration or jerk limit of " + number(rate) +
-                  "; it must be above zero, or infinite where there is none");
+                  "; it must be above zero, or infinite if there is no limit");
     }
   }
 }

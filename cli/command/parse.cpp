@@ -70,7 +70,7 @@ void check_needs(const Option& option, const std::string& name, const Words& typ
     throw Error(name + " needs " + option.needs);
   }
   if (option.methods.empty() || has(option.methods, method)) return;
-  throw Error(name + " has no effect with --method " + method + "; it goes with --method " +
+  throw Error(name + " has no effect with --method " + method + "; it requires --method " +
               beeline::listed(option.methods));
 }
 

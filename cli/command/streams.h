@@ -15,7 +15,7 @@ void print_error(std::string_view text);
 /// Prints the line `beeline: warning: TEXT` on stderr.
 void warn(std::string_view text);
 
-/// Writes text on stderr as it is.
+/// Writes text on stderr without changes.
 void write_stderr(std::string_view text);
 
 /// Writes text on stdout, to the last byte. Throws FileError if that fails.

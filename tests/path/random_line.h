@@ -6,7 +6,7 @@
 
 namespace beeline::testing {
 
-/// A configuration well inside the limits: within 70 % of their range, or of a turn either way.
+/// A configuration well inside the limits: within 70 % of their range, or of 2 pi to either side.
 inline Configuration inner_configuration(Random& random, const Arm& arm) {
   Configuration q(arm.dof());
   for (int k = 0; k < arm.dof(); ++k) {

@@ -69,7 +69,7 @@ std::vector<Configuration> every_representative(const Arm& arm,
            ++revolutions) {
         if (result.size() == max_count) {
           throw Error("arm " + arm.name() +
-                      " has more than 100000 turns of this pose within limits");
+                      " has more than 100000 equivalent configurations within limits");
         }
         result.push_back(q);
         result.back()[k] = std::clamp(q[k] + revolutions * two_pi, lower, upper);

@@ -67,7 +67,7 @@ void append(TimedPlan& timed, const Arm& arm, const ToolPath& path, const Sectio
   if (added > 0 && added + 1 != path_parameters.size()) {
     timed.status = MotionStatus::not_found;
     timed.reason =
-        "the joints stand still on a part of the path without a stop, so there is no smooth time "
+        "the joints are at rest on a part of the path without a stop, so there is no smooth time "
         "scaling; put a stop there";
     return;
   }
