@@ -72,7 +72,7 @@ struct Verifier {
     const bool last = segment + 1 == route.path.segments.size();
     const Pose goal = pose_at(route.path.segments[segment], 1);
     const bool line = begin == end - 1 && is_line(segment);
-    // The begin of a closed path is near its end too: only the last half segment counts as the end.
+    // The beginning of a closed path is near its end too: only its last half segment is the end.
     double closing = end - 0.5;
     for (std::size_t i = segment + 1; i-- > 0 && near_its_end(route.path.segments[i]);) {
       closing -= 1;
@@ -212,7 +212,7 @@ struct Verifier {
     result.path_parameters = {0};
     std::size_t first = 0, begin = 0;
     check_sample(0, task_deviation(task, pose_at(route.path, 0), world_T_tool[0]),
-                 "the path's begin");
+                 "the path's beginning");
     for (std::size_t i = 0; i < segments && result.fault == Fault::none; ++i) {
       if (i + 1 < segments && !route.stops[i]) continue;
       Located found = locate(first, static_cast<double>(begin), i);

@@ -68,8 +68,8 @@ SegmentMotion motion_at(const Segment& segment, double s);
 /// Gauss-Legendre quadrature with 80 points (about ten digits unless the origin comes to rest).
 double length_of(const Segment& segment);
 
-/// The segment traversed from its end to its begin. One that rotates by exactly pi may rotate in
-/// the other direction.
+/// The segment traversed from its end to its beginning. One that rotates by exactly pi may rotate
+/// in the other direction.
 Segment reversed(const Segment& segment);
 
 /// Whether the segment rotates about the world's z axis only, as planar arms do.

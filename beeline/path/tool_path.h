@@ -59,10 +59,10 @@ struct SplineEnds {
 /// The pose at path parameter s.
 Pose pose_at(const ToolPath& path, double s);
 
-/// The span from the path's begin to path parameter s.
+/// The span from the path's beginning to path parameter s.
 double span_to(const ToolPath& path, double s);
 
-/// The path traversed from its end to its begin.
+/// The path traversed from its end to its beginning.
 ToolPath reversed(const ToolPath& path);
 
 /// Whether the tool's velocity with respect to the common parameter is discontinuous at s, as

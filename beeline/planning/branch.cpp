@@ -15,7 +15,7 @@ namespace {
 // fails. The cost grows with the square; 16 suffice for most paths.
 constexpr int grids[] = {16, 64, 256};
 
-/// Returns the branch from one solution for the path's begin, or the reason why there is none.
+/// Returns the branch from one solution for the path's beginning, or the reason why there is none.
 Branch from_first_solution(const Arm& arm, const ToolPath& path, const BranchOptions& options) {
   const InverseResult begin = inverse_kinematics(arm, pose_at(path, 0), {.task = options.task});
   if (begin.status == InverseStatus::solved) {
@@ -86,7 +86,7 @@ Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, cons
 std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, BranchOptions options) {
   options.reasons = BranchOptions::Reasons::all;
   if (arm.dof() <= options.task.size()) return track_branches(arm, path, options);
-  // Approximate number of solutions at the begin; each is planned separately.
+  // Approximate number of solutions at the beginning; each is planned separately.
   constexpr int coarse = 6;
   options.finest_grid = grids[1];
   const InverseResult starts = inverse_kinematics(

@@ -14,14 +14,14 @@ namespace beeline {
 /// The samples of an arm along one segment of a path, up to the point where it can no longer track
 /// it.
 struct TrackedSegment {
-  std::vector<Configuration> samples;  ///< the first is at the segment's begin
+  std::vector<Configuration> samples;  ///< the first is at the segment's beginning
   std::vector<double> fractions;       ///< of the segment, at each sample: 0 first
   PathDeviation deviation;
   bool complete() const { return fractions.back() == 1; }
 };
 
 /// One continuous motion of the arm along a path, without times: a solution of inverse kinematics
-/// at its begin, tracked as far as possible.
+/// at its beginning, tracked as far as possible.
 struct Branch {
   Configuration start = {};
   MotionStatus status = MotionStatus::reached;
@@ -51,17 +51,17 @@ struct BranchOptions {
 };
 
 /// Plans the arm's motion along a path, without times, from `start` or, without a start, from the
-/// best configuration for the path's begin. An arm that is redundant for the task follows the
+/// best configuration for the path's beginning. An arm that is redundant for the task follows the
 /// shortest path through a layered graph of configurations (Ferrentino & Chiacchio 2020), on grids
 /// that are refined until a motion is complete. Any other arm follows the best of all branches. If
 /// none is complete, returns the one that reaches farthest, with its reason. Throws Error for a
 /// path without segments, a task that its segments do not allow, and a start that does not fit the
-/// arm or whose tool is not at the path's begin.
+/// arm or whose tool is not at the path's beginning.
 Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, const ToolPath& path,
                  const BranchOptions& options);
 
 /// Computes all branches along a path with their reasons, best first: one for each solution of
-/// inverse kinematics at the path's begin, on a coarse grid of them where the arm is redundant.
+/// inverse kinematics at the path's beginning, on a coarse grid of them where the arm is redundant.
 /// Throws Error as plan_path() does.
 std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, BranchOptions options);
 

@@ -179,7 +179,7 @@ PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start,
   const Deviation off = task_deviation(task, pose_at(route.path, 0), forward_kinematics(arm, from));
   if (!within(off, {start_tolerance, start_tolerance})) {
     throw Error("the motion cannot start: the tool is " + number(off.position) + " m and " +
-                angle(off.orientation) + " away from the path's begin");
+                angle(off.orientation) + " away from the path's beginning");
   }
   return move(arm, from, route, task, options);
 }

@@ -57,8 +57,8 @@ std::ostream& operator<<(std::ostream& out, const PathMotion& motion);
 /// - path_deviation() proves that between samples, the joints moving linearly, the tool stays
 /// within
 ///   the tolerance. Hence no change of branch can occur.
-/// - Starts at `start`, whose tool must be at the path's begin, or at the best configuration there;
-///   redundancy is resolved for the whole path (plan_path()).
+/// - Starts at `start`, whose tool must be at the path's beginning, or at the best configuration
+///   there; redundancy is resolved for the whole path (plan_path()).
 /// - The duration is the shortest that the profile and the joint limits allow. An unknown velocity
 ///   limit counts as `assumed_velocity_limit`.
 ///

@@ -42,7 +42,7 @@ std::vector<MadeAlong> made_along(const std::string& name) {
   for (const PathKind kind : {PathKind::line, PathKind::screw, PathKind::arc, PathKind::spline}) {
     routes.push_back(route_of(path_through(poses, kind), kind));
   }
-  // A whole circle: its end is its begin.
+  // A whole circle: its end is its beginning.
   const Pose& begin = pose_at(routes[3].path, 0);
   const Arc round{begin, begin, begin.translation() + Vector3(0, 0.03, 0), Vector3(0, 0, 2 * pi)};
   routes.push_back({{{round, round}, {0.2, 0.2}}, {true, true}});
@@ -101,7 +101,7 @@ TEST(Verify, TellsThatAMotionBeginsBehindThePathsBegin) {
     const Verification found = verify(arm, rest, route);
     EXPECT_EQ(found.fault, Fault::deviation);
     EXPECT_EQ(found.sample, 0u);
-    EXPECT_NE(found.reason.find("off the path's begin"), std::string::npos) << found.reason;
+    EXPECT_NE(found.reason.find("off the path's beginning"), std::string::npos) << found.reason;
   }
 }
 

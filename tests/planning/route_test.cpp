@@ -151,7 +151,7 @@ TEST(MoveAlong, RefusesAStartElsewhere) {
   const Route route = route_through(square(arm), PathKind::screw);
   Configuration other = ready;
   other[0] += 0.1;
-  EXPECT_REFUSED(move_along(arm, other, route), "away from the path's begin");
+  EXPECT_REFUSED(move_along(arm, other, route), "away from the path's beginning");
   other[3] = 1;
   EXPECT_REFUSED(move_along(arm, other, route), "joint4");
   EXPECT_REFUSED(move_along(arm, ready, Route{}), "segments");

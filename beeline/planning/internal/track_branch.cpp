@@ -15,7 +15,7 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
-/// "line 2 of 3 ", the begin of a reason.
+/// "line 2 of 3 ", the beginning of a reason.
 std::string segment_number(const ToolPath& path, std::size_t i) {
   return (all_lines(path) ? "line " : "segment ") + std::to_string(i + 1) + " of " +
          std::to_string(path.segments.size()) + " ";
@@ -146,7 +146,7 @@ void keep_limits(const Arm& arm, const ToolPath& path, Branch& branch) {
                   limit_message(arm, blocking, low);
 }
 
-/// The complete branches from the path's end to its begin, reversed.
+/// The complete branches from the path's end to its beginning, reversed.
 std::vector<Branch> backward_branches(const Arm& arm, const ToolPath& path, const Bounds& bounds,
                                       const BranchOptions& options) {
   const ToolPath back = reversed(path);

@@ -5,11 +5,11 @@
 namespace beeline::internal {
 
 /// Computes every branch of a non-redundant arm along the path, one for each solution of inverse
-/// kinematics at its begin; see better() for their order.
+/// kinematics at its beginning; see better() for their order.
 ///
 /// Coordinates of joints with a range above 2 pi are tracked without limits. Each then gets the
 /// multiple of 2 pi for which the branch stays within the limits longest, and with the largest
-/// margin. If no branch is complete and a solution at the begin is singular, and so represents
+/// margin. If no branch is complete and a solution at the beginning is singular, and so represents
 /// infinitely many, complete branches are also searched backwards from the path's end. Returns
 /// nothing when inverse kinematics finds no solution. Throws Error as plan_path() does.
 std::vector<Branch> track_branches(const Arm& arm, const ToolPath& path,

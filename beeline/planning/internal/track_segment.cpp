@@ -14,7 +14,7 @@ namespace {
 // Max deviation of a sample for an arm of 1 m reach, metres and radians: about a hundred times the
 // rounding of forward kinematics, so that every regular pose can be solved to it.
 constexpr double sample_tolerance = 1e-11;
-// Max deviation of the tool at the start from the segment's begin, for an arm of 1 m reach: the
+// Max deviation of the tool at the start from the segment's beginning, for an arm of 1 m reach: the
 // rounding of a configuration typed with nine digits.
 constexpr double start_tolerance = 1e-8;
 
@@ -101,13 +101,13 @@ double tolerance_of_samples(const Arm& arm) {
   return sample_tolerance * (std::isfinite(reach) ? std::max(1.0, reach) : 1);
 }
 
-/// Throws Error unless the tool is at the segment's begin.
+/// Throws Error unless the tool is at the segment's beginning.
 void check_start(const Deviation& deviation, double exact) {
   const double allowed = start_tolerance * exact / sample_tolerance;
   if (std::max(deviation.position, deviation.orientation) <= allowed) return;
   throw Error("at the start the tool is " + number(deviation.position) + " m and " +
-              angle(deviation.orientation) + " from the path's begin; at most " + number(allowed) +
-              " m and rad are allowed");
+              angle(deviation.orientation) + " from the path's beginning; at most " +
+              number(allowed) + " m and rad are allowed");
 }
 
 }  // namespace

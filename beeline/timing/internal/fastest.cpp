@@ -164,7 +164,7 @@ std::string squared_speeds(const JointPath& path, const EndSpeeds& ends, Constra
   b[0] = squared(ends.begin);
   if (b[0] > controllable[0].max * within || b[0] * within < controllable[0].min) {
     const bool high = b[0] > controllable[0].max;
-    return "the speed at the path's begin, " + number(ends.begin) + ", is too " +
+    return "the speed at the path's beginning, " + number(ends.begin) + ", is too " +
            (high ? "high" : "low") + " for the rest of the path, which needs " +
            number(std::sqrt(high ? controllable[0].max : controllable[0].min));
   }

@@ -25,7 +25,7 @@ class SquaredRateSpline {
   std::size_t steps() const { return knots_.size() - 1; }
   const std::vector<double>& knots() const { return knots_; }
 
-  /// The squared rate at the begin of a step.
+  /// The squared rate at the beginning of a step.
   SquaredRate begin_of(std::size_t step) const;
 
   /// The matrix that maps the coefficients step, step + 1, step + 2 to b, b' and b'' at the

@@ -16,10 +16,10 @@ struct Strips {
   std::vector<double> along, across;
 };
 
-/// The pairs (x, y) of squared speeds at the begin and the end of one step of a path's grid that
-/// satisfy the constraints of the step. With x, y >= 0 they form a convex polygon with the origin
-/// inside. Each query is a linear program in two variables, solved by walking over the edges. The
-/// polygon uses `count` strips from number `first` on; only the constructor allocates.
+/// The pairs (x, y) of squared speeds at the beginning and the end of one step of a path's grid
+/// that satisfy the constraints of the step. With x, y >= 0 they form a convex polygon with the
+/// origin inside. Each query is a linear program in two variables, solved by walking over the
+/// edges. The polygon uses `count` strips from number `first` on; only the constructor allocates.
 class StepPolygon {
  public:
   StepPolygon(const Strips& strips, std::size_t count)

@@ -128,7 +128,7 @@ TEST(DeviationFrom, IsTheDistanceToTheSegment) {
   };
   EXPECT_NEAR(position({2, 0.5, 0}), 0.5, 1e-15);
   EXPECT_NEAR(position({2, 3, 4}), 5, 1e-15);
-  EXPECT_NEAR(position({0, 0, 0}), 1, 1e-15) << "before the line's begin";
+  EXPECT_NEAR(position({0, 0, 0}), 1, 1e-15) << "before the line's beginning";
   EXPECT_NEAR(position({6, 4, 0}), 5, 1e-15) << "behind its end";
 }
 

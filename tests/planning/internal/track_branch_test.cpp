@@ -116,7 +116,8 @@ TEST(TrackBranches, PassesTheWristsSingularity) {
   }
 }
 
-// At a singular begin one solution represents infinitely many; the right one is found backwards.
+// At a singular beginning one solution represents infinitely many; the right one is found
+// backwards.
 TEST(TrackBranches, LeavesASingularBeginning) {
   Random random;
   for (const auto& [name, values] : std::vector<Singular>{
