@@ -25,7 +25,7 @@ double microseconds(Clock::duration time) {
 void print(const char* what, std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const auto at = [&](double part) {
-    return values[part * static_cast<double>(values.size() - 1)];
+    return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
   };
   std::cout << what << ", microseconds: median " << at(0.5) << ", 99.9 % below " << at(0.999)
             << ", worst " << values.back() << '\n';

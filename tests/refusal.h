@@ -23,8 +23,9 @@ std::string refusal(Call&& call) {
 /// Expects that the call throws beeline::Error with one line that contains `culprit`.
 #define EXPECT_REFUSED(call, culprit)                                                     \
   do {                                                                                    \
-    const std::string refused = beeline::testing::refusal([&] { (void)(call); });         \
-    EXPECT_NE(refused.find(culprit), std::string::npos) << #call << " said: " << refused; \
-    EXPECT_NE(refused, "accepted") << #call;                                              \
-    EXPECT_EQ(refused.find('\n'), std::string::npos) << refused;                          \
+    const std::string refused_message = beeline::testing::refusal([&] { (void)(call); }); \
+    EXPECT_NE(refused_message.find(culprit), std::string::npos)                           \
+        << #call << " said: " << refused_message;                                         \
+    EXPECT_NE(refused_message, "accepted") << #call;                                      \
+    EXPECT_EQ(refused_message.find('\n'), std::string::npos) << refused_message;          \
   } while (false)

@@ -119,7 +119,6 @@ TEST(NewtonEquations, GradientIsThatOfTheBarrier) {
   testing::Random random;
   for (int i = 0; i < 20; ++i) {
     const NewtonCase made = random_case(random, i % 2 == 0);
-    const DurationProblem& problem = made.problem;
     const VectorXd& c = made.spline.coefficients;
     const VectorXd found = gradient(made, c, 0.01);
     constexpr double h = 1e-5;
