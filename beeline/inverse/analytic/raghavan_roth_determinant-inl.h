@@ -29,7 +29,7 @@ constexpr int first_free_row = 8;
 /// two, and the twelve equations of the dialytic elimination, made triangular: M and M multiplied
 /// by one power of the first angle's half tangent.
 struct TriangularSystem {
-  Lanes M[6][9];
+  Lanes m[6][9];  ///< M
   Lanes a[12][12];
   Lanes determinant;
 };
@@ -64,7 +64,7 @@ HWY_NOINLINE inline void set_angle(const ReducedEquations& reduced, Lanes cosine
   for (int r = 0; r < 6; ++r) {
     const double* k = reduced.row[first_free_row + r] + left_column;
     for (int i = 0; i < 9; ++i) {
-      t.M[r][i] = fma(Lanes(k[18 + i]), sine, fma(Lanes(k[9 + i]), cosine, Lanes(k[i])));
+      t.m[r][i] = fma(Lanes(k[18 + i]), sine, fma(Lanes(k[9 + i]), cosine, Lanes(k[i])));
     }
   }
 }
@@ -72,7 +72,7 @@ HWY_NOINLINE inline void set_angle(const ReducedEquations& reduced, Lanes cosine
 /// Makes the twelve equations of M triangular.
 HWY_NOINLINE inline void triangulate(TriangularSystem& t) {
   for (int r = 0; r < 6; ++r) {
-    for (int c = 0; c < 9; ++c) t.a[r][c] = t.a[6 + r][3 + c] = t.M[r][c];
+    for (int c = 0; c < 9; ++c) t.a[r][c] = t.a[6 + r][3 + c] = t.m[r][c];
   }
   for (int r = 3; r < 6; ++r) {
     for (int c = 9; c < 12; ++c) t.a[r][c] = Lanes(0);
@@ -184,7 +184,7 @@ HWY_NOINLINE inline Lanes angle_correction(const ReducedEquations& reduced,
     for (int i = 0; i < 9; ++i) {
       const Lanes change = fma(Lanes(k[18 + i]), cosine, -(Lanes(k[9 + i]) * sine));
       for (int shift = 0; shift < 2; ++shift) {
-        value[shift] = fma(t.M[r][i], x[i + 3 * shift], value[shift]);
+        value[shift] = fma(t.m[r][i], x[i + 3 * shift], value[shift]);
         slope[shift] = fma(change, x[i + 3 * shift], slope[shift]);
       }
     }
