@@ -16,7 +16,9 @@ nlohmann::ordered_json converted(const Json& json) {
           return list;
         } else if constexpr (std::is_same_v<Value, Json::Object>) {
           Document object = Document::object();
-          for (const Json::Member& member : value) object[member.key] = converted(member.value);
+          for (std::size_t i = 0; i < value.keys.size(); ++i) {
+            object[value.keys[i]] = converted(value.values[i]);
+          }
           return object;
         } else {
           return Document(value);
@@ -35,7 +37,9 @@ Json::Json(const std::vector<std::string>& texts) : value_(List(texts.begin(), t
 
 Json::Json(const Eigen::VectorXd& values) : value_(List(values.begin(), values.end())) {}
 
-Json::Json(std::initializer_list<Member> members) : value_(Object(members)) {}
+Json::Json(std::initializer_list<Member> members) : value_(Object{}) {
+  for (const Member& member : members) add(member.key, member.value);
+}
 
 Json Json::object() {
   Json json;
@@ -56,11 +60,14 @@ void Json::append(Json element) {
 
 void Json::add(std::string key, Json value) {
   if (std::holds_alternative<std::nullptr_t>(value_)) value_ = Object();
-  std::get<Object>(value_).push_back({std::move(key), std::move(value)});
+  Object& object = std::get<Object>(value_);
+  object.keys.push_back(std::move(key));
+  object.values.push_back(std::move(value));
 }
 
 void Json::add(const Json& members) {
-  for (const Member& member : std::get<Object>(members.value_)) add(member.key, member.value);
+  const Object& object = std::get<Object>(members.value_);
+  for (std::size_t i = 0; i < object.keys.size(); ++i) add(object.keys[i], object.values[i]);
 }
 
 std::string Json::text() const {

@@ -16,7 +16,10 @@ class Json {
  public:
   struct Member;
   using List = std::vector<Json>;
-  using Object = std::vector<Member>;
+  struct Object {
+    std::vector<std::string> keys;
+    List values;  ///< one for each key
+  };
 
   Json() = default;  ///< null
   Json(std::nullptr_t) {}

@@ -27,13 +27,7 @@ std::string roff_paragraphs(const std::string& text) {
   std::istringstream lines(text);
   std::string result;
   for (std::string line; std::getline(lines, line);) {
-    if (line.empty()) {
-      result += ".PP\n";
-    } else if (line.starts_with(' ')) {
-      result += roff_escaped(line) + "\n";  // a leading blank begins a new line
-    } else {
-      result += roff_escaped(line) + "\n";
-    }
+    result += line.empty() ? ".PP\n" : roff_escaped(line) + "\n";
   }
   return result;
 }
