@@ -191,7 +191,7 @@ TEST(TimingFigure, RefusesWhatDoesNotFit) {
   const ToolPath still = lines_through(std::vector{Pose::Identity(), Pose::Identity()});
   const FollowedPath path{still, {0, 5}, Task::planar()};
   EXPECT_REFUSED(timing_figure(arm, at_rest(arm, Configuration::Zero(3)), {.path = path}),
-                 "places");
+                 "path parameters");
 }
 
 TEST(PathTrace, AgreesWithTheDeviationReported) {

@@ -110,8 +110,8 @@ TEST(Arm, RefusesInconsistentAndTooSmallLimits) {
   EXPECT_REFUSED(with({.lower = inf, .upper = inf}), "no finite value");
   EXPECT_REFUSED(with({.lower = -inf, .upper = -inf}), "no finite value");
   for (const double bad : {0.0, -1.0, nan, -inf, 1e-310, 9e-10}) {
-    EXPECT_REFUSED(with({.velocity = bad}), "joint 2 (elbow): velocity limit " + number(bad) +
-                                                " is below 1e-09; leave it out");
+    EXPECT_REFUSED(with({.velocity = bad}),
+                   "joint 2 (elbow): velocity limit " + number(bad) + " is below 1e-09; omit it");
     EXPECT_REFUSED(with({.acceleration = bad}), "joint 2 (elbow): acceleration limit");
     EXPECT_REFUSED(with({.jerk = bad}), "joint 2 (elbow): jerk limit");
   }
