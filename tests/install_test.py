@@ -6,6 +6,8 @@ import subprocess
 
 import pytest
 
+from layers import is_public
+
 
 def run(*command, **options):
     done = subprocess.run(
@@ -73,10 +75,10 @@ def test_an_unknown_component_is_refused(prefix, tmp_path):
 
 def test_every_public_header_is_installed(prefix, root):
     """Not those of folders internal/, nor -inl.h, which Highway compiles once for each instruction set."""
-    private = re.compile(r"-inl\.h$|/internal/|beeline/math/|/inverse/(analytic|numerical)/")
-    headers = {path.relative_to(root) for path in (root / "beeline").rglob("*.h")}
+    library = root / "beeline"
+    headers = {path for path in library.rglob("*.h") if is_public(path.relative_to(library))}
     installed = {path.relative_to(prefix / "include") for path in prefix.rglob("*.h")}
-    assert installed == {path for path in headers if not private.search(path.as_posix())}
+    assert installed == {path.relative_to(root) for path in headers}
 
 
 def test_what_an_installed_header_includes_is_installed(prefix):

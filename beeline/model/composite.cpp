@@ -69,11 +69,11 @@ const std::vector<JointType>& joint_types() {
 }
 
 std::vector<Joint> composite_joint(char letter, const std::string& name, double pitch) {
-  std::vector<std::string> letters;
   for (const Row& row : table()) {
     if (row.type.letter == letter) return row.expand(name, pitch);
-    letters.emplace_back(1, row.type.letter);
   }
+  std::vector<std::string> letters;
+  for (const JointType& type : joint_types()) letters.emplace_back(1, type.letter);
   throw unknown_name("joint type", std::string(1, letter), letters);
 }
 

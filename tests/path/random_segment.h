@@ -45,6 +45,12 @@ inline const char* kind_of(const Segment& segment) {
   return names[segment.index()];
 }
 
+/// A scale for tolerances: 1 plus the velocity and acceleration of the segment at its middle.
+inline double size_of(const Segment& segment) {
+  const SegmentMotion at = motion_at(segment, 0.5);
+  return 1 + at.velocity.norm() + at.acceleration.norm();
+}
+
 inline double turn_between(const Pose& a, const Pose& b) {
   return pose_difference(a, b).tail<3>().norm();
 }

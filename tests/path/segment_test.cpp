@@ -17,12 +17,8 @@ using testing::kind_of;
 using testing::Random;
 using testing::random_poses;
 using testing::random_segment;
+using testing::size_of;
 using testing::turn_between;
-
-double size_of(const Segment& segment) {
-  const SegmentMotion at = motion_at(segment, 0.5);
-  return 1 + at.velocity.norm() + at.acceleration.norm();
-}
 
 TEST(Segment, HasTheDerivativesThatDifferencesHave) {
   Random random;
