@@ -20,7 +20,7 @@
 #endif
 
 namespace {
-thread_local long allocations = 0;
+[[maybe_unused]] thread_local long allocations = 0;
 }
 
 #if BEELINE_COUNTS_ALLOCATIONS
