@@ -1,4 +1,3 @@
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +6,7 @@
 #include <beeline/error.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/math/six_row_svd.h>
 #include <beeline/path/tool_path.h>
 
 namespace beeline {
@@ -36,17 +36,19 @@ struct DampedStep {
 /// away from singularities, bounded at them. Unlike math/damped_least_squares.h, which damps all
 /// directions alike, it leaves eq. 1.6 unchanged for regular configurations.
 DampedStep damped_step(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& error) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::VectorXd& sigma = svd.singularValues();
+  const internal::SixRowSvd svd = internal::six_row_svd(jacobian);
+  const auto& sigma = svd.singular_values;
   const double threshold = damped_below * sigma[0];
-  Eigen::VectorXd components = svd.matrixU().transpose() * error;
-  for (Eigen::Index i = 0; i < sigma.size(); ++i) {
+  const Eigen::Index count = std::min(jacobian.rows(), jacobian.cols());
+  DampedStep result{Configuration::Zero(jacobian.cols()), sigma[count - 1] < threshold};
+  for (Eigen::Index i = 0; i < count; ++i) {
     const double deficit = std::max(0.0, 1 - sigma[i] / threshold);
     const double damping = threshold * deficit;
     const double denominator = sigma[i] * sigma[i] + damping * damping;
-    components[i] = denominator > 0 ? components[i] * sigma[i] / denominator : 0;
+    const double component = svd.left.col(i).head(error.size()).dot(error);
+    if (denominator > 0) result.step += component / denominator * svd.scaled_right.col(i);
   }
-  return {svd.matrixV() * components, sigma[sigma.size() - 1] < threshold};
+  return result;
 }
 
 // Metres. On a shorter line the overshoot is mostly the remaining error of the previous line.

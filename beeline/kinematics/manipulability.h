@@ -17,7 +17,7 @@ struct Dexterity {
 
 /// Returns the measures of a Jacobian, or of some of its rows. Linear and angular rows have
 /// different units: scale one of them first where the condition number matters (task_jacobian()).
-/// Throws Error for an empty matrix or one that is not finite.
+/// Throws Error for an empty matrix, one of more than six rows, or one that is not finite.
 Dexterity dexterity(const Eigen::Ref<const Eigen::MatrixXd>& jacobian);
 
 }  // namespace beeline

@@ -1,19 +1,46 @@
-#include <Eigen/QR>
+#include <algorithm>
+#include <limits>
 
 #include <beeline/math/minimum_norm.h>
+#include <beeline/math/six_row_svd.h>
 
 namespace beeline::internal {
+namespace {
+
+/// Singular values above this one are not zero.
+double rank_tolerance(const SixRowSvd& svd, std::optional<double> threshold) {
+  const auto size = static_cast<double>(std::max<Eigen::Index>(6, svd.scaled_right.rows()));
+  return threshold.value_or(size * std::numeric_limits<double>::epsilon()) * svd.singular_values[0];
+}
+
+}  // namespace
 
 MinimumNormSolution minimum_norm_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
                                           std::optional<double> threshold) {
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  if (threshold) decomposition.setThreshold(*threshold);
-  decomposition.compute(a);
-  return {decomposition.solve(b), decomposition.rank()};
+  const SixRowSvd svd = six_row_svd(a);
+  const double zero = rank_tolerance(svd, threshold);
+  MinimumNormSolution solution{Eigen::VectorXd::Zero(a.cols())};
+  for (int i = 0; i < 6; ++i) {
+    const double sigma = svd.singular_values[i];
+    if (!(sigma > zero)) continue;
+    ++solution.rank;
+    const double component = svd.left.col(i).head(b.size()).dot(b);
+    solution.x += component / (sigma * sigma) * svd.scaled_right.col(i);
+  }
+  return solution;
 }
 
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a) {
-  return a.completeOrthogonalDecomposition().pseudoInverse();
+  const SixRowSvd svd = six_row_svd(a);
+  const double zero = rank_tolerance(svd, std::nullopt);
+  Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(a.cols(), a.rows());
+  for (int i = 0; i < 6; ++i) {
+    const double sigma = svd.singular_values[i];
+    if (!(sigma > zero)) continue;
+    const Eigen::VectorXd left = svd.left.col(i).head(a.rows()) / (sigma * sigma);
+    inverse += svd.scaled_right.col(i) * left.transpose();
+  }
+  return inverse;
 }
 
 }  // namespace beeline::internal

@@ -11,8 +11,9 @@ struct MinimumNormSolution {
   Eigen::Index rank = 0;  ///< of A
 };
 
-/// Minimises |A x - b|, and |x| among the minimisers, by a complete orthogonal decomposition.
-/// `threshold`: pivots below this fraction of the largest count as zero; Eigen's default, rounding.
+/// Minimises |A x - b|, and |x| among the minimisers, by the singular value decomposition of A,
+/// which has at most six rows. `threshold`: singular values up to this fraction of the largest
+/// count as zero; the default is rounding.
 MinimumNormSolution minimum_norm_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
                                           std::optional<double> threshold = std::nullopt);
 

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include <beeline/math/six_row_svd.h>
 
@@ -42,6 +43,22 @@ void SixRowSvd::compute(const Eigen::Matrix<double, 6, Eigen::Dynamic>& a) {
     }
   }
   singular_values = scaled_right.colwise().norm().transpose();
+}
+
+SixRowSvd six_row_svd(const Eigen::Ref<const Eigen::MatrixXd>& a) {
+  Eigen::Matrix<double, 6, Eigen::Dynamic> six =
+      Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, a.cols());
+  six.topRows(a.rows()) = a;
+  SixRowSvd svd;
+  svd.compute(six);
+  for (int i = 0; i < 5; ++i) {
+    Eigen::Index largest = 0;
+    svd.singular_values.tail(6 - i).maxCoeff(&largest);
+    std::swap(svd.singular_values[i], svd.singular_values[i + largest]);
+    svd.left.col(i).swap(svd.left.col(i + largest));
+    svd.scaled_right.col(i).swap(svd.scaled_right.col(i + largest));
+  }
+  return svd;
 }
 
 }  // namespace beeline::internal

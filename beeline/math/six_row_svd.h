@@ -15,4 +15,8 @@ struct SixRowSvd {
   void compute(const Eigen::Matrix<double, 6, Eigen::Dynamic>& a);
 };
 
+/// Returns the decomposition of a matrix of at most six rows, extended by rows of zeros, singular
+/// values in decreasing order.
+SixRowSvd six_row_svd(const Eigen::Ref<const Eigen::MatrixXd>& a);
+
 }  // namespace beeline::internal

@@ -157,7 +157,7 @@ HWY_INLINE void run(const BatchJob<Real>& job) {
 
 template <class Real>
 HWY_INLINE void run(const BatchJob<Real>& job) {
-#if HWY_TARGET != HWY_SSE2  // there arithmetic takes longer than writing: not worth compiling
+#if HWY_TARGET != HWY_SCALAR  // there arithmetic takes longer than writing: not worth compiling
   if (job.write != BatchWrite::directly) return run<true>(job);
 #endif
   run<false>(job);

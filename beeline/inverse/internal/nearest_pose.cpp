@@ -1,4 +1,5 @@
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include <beeline/inverse/internal/nearest_pose.h>
@@ -59,9 +60,9 @@ Configuration nearest_for_task(const Arm& arm, const Pose& world_T_tool, const T
     const Configuration slope = gradient(arm, world_T_tool, task, best);
     Eigen::MatrixXd matrix = hessian(arm, world_T_tool, task, best);
     matrix.diagonal().array() += damping;
-    const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
+    const Eigen::LDLT<Eigen::MatrixXd> factor(matrix);
     const Configuration next = best - factor.solve(slope);
-    const double cost = factor.info() == Eigen::Success && next.allFinite()
+    const double cost = factor.isPositive() && next.allFinite()
                             ? half_square(arm, world_T_tool, task, next)
                             : smallest;
     if (!(cost < smallest)) {

@@ -1,5 +1,3 @@
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -7,6 +5,7 @@
 #include <beeline/inverse/internal/redundancy.h>
 #include <beeline/inverse/internal/solution_set.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
+#include <beeline/math/minimum_norm.h>
 
 namespace beeline::internal {
 namespace {
@@ -45,8 +44,9 @@ Cost cost_at(const Request& request, const Configuration& q) {
                                                            : nearness_to_limits(request, q);
 }
 
-/// Returns Newton's step for the cost in the null space of the task's Jacobian, with basis N:
-///   dq = -N (N^T H N)^-1 N^T g.
+/// Returns Newton's step for the cost, with gradient g and diagonal Hessian H, in the null space of
+/// the task's Jacobian:
+///   dq = -S (I - (J S)^+ J S) S g with S = H^-1/2.
 /// A joint at a bound that the step would pass is fixed.
 Configuration null_space_step(const Request& request, const Configuration& q, const Cost& cost) {
   const Eigen::MatrixXd jacobian = task_jacobian(request.arm, q, request.task);
@@ -56,14 +56,13 @@ Configuration null_space_step(const Request& request, const Configuration& q, co
   }
   while (true) {
     Configuration step = Configuration::Zero(q.size());
-    const Eigen::MatrixXd columns = jacobian(Eigen::all, free);
-    const Eigen::FullPivLU<Eigen::MatrixXd> factor(columns);
-    if (free.empty() || factor.dimensionOfKernel() == 0) return step;
-    const Eigen::MatrixXd basis = factor.kernel();
-    const Configuration curvature = cost.curvature(free), slope = cost.slope(free);
-    const Eigen::MatrixXd hessian = basis.transpose() * curvature.asDiagonal() * basis;
-    step(free) = -basis * hessian.ldlt().solve(basis.transpose() * slope);
     const std::size_t before = free.size();
+    const Eigen::VectorXd scale = cost.curvature(free).cwiseSqrt().cwiseInverse();
+    const Eigen::MatrixXd scaled = jacobian(Eigen::all, free) * scale.asDiagonal();
+    const Eigen::VectorXd slope = scale.cwiseProduct(cost.slope(free));
+    const MinimumNormSolution moving = minimum_norm_solution(scaled, scaled * slope);
+    if (moving.rank == scaled.cols()) return step;  // the null space is empty
+    step(free) = -scale.cwiseProduct(slope - moving.x);
     std::erase_if(free, [&](Eigen::Index k) {
       return (q[k] <= request.bounds.lower[k] && step[k] < 0) ||
              (q[k] >= request.bounds.upper[k] && step[k] > 0);

@@ -26,8 +26,8 @@ constexpr double first_step = 1.0 / 32;
 constexpr double longest_step = 1.0 / 4;
 constexpr double shortest_step = 1e-7;
 
-constexpr double max_rotation = 0.5;  // of one joint in one step, radians
-constexpr double side_step = 0.01;    // radians or metres, from a singular start
+constexpr double max_joint_rotation = 0.5;  // of one joint in one step, radians
+constexpr double side_step = 0.01;          // radians or metres, from a singular start
 // The step length aims at this fraction of the tolerance. Closer to 1, more steps fail and are
 // repeated.
 constexpr double aimed_fraction = 0.8;
@@ -79,7 +79,7 @@ struct SegmentTracker {
     if (!found.converged) return {};
     for (int k = 0; k < arm.dof(); ++k) {
       const bool rotates = kind(arm.joint_of(k)) != JointKind::prismatic;
-      if (rotates && std::abs(found.q[k] - last.q[k]) > max_rotation) return {};
+      if (rotates && std::abs(found.q[k] - last.q[k]) > max_joint_rotation) return {};
     }
     const Deviation bound = step_bound(arm, segment, task, last, {found.q, s, ends});
     usage = std::max(bound.position / options.tolerance.position,
