@@ -6,7 +6,7 @@
 #define BEELINE_SIMD_VECTOR_INL_H
 #endif
 
-#include <hwy/highway.h>
+#include <beeline/simd/fallback-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace beeline::HWY_NAMESPACE {
