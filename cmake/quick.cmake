@@ -11,13 +11,15 @@ function(beeline_optimise target level)
   endif()
 endfunction()
 
-# A library of its own: GCC takes a precompiled header only where every macro that was defined when it
-# was made is defined again.
+# Libraries of their own: GCC takes a precompiled header only where every macro that was defined when
+# it was made is defined again, and with the header its -O level.
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "")
-add_library(beeline_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
-target_link_libraries(beeline_precompiled PRIVATE Eigen3::Eigen)
-target_precompile_headers(beeline_precompiled PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
-set_target_properties(beeline_precompiled PROPERTIES UNITY_BUILD OFF)
+foreach(name precompiled precompiled_core)
+  add_library(beeline_${name} OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
+  target_link_libraries(beeline_${name} PRIVATE Eigen3::Eigen)
+  target_precompile_headers(beeline_${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
+  set_target_properties(beeline_${name} PROPERTIES UNITY_BUILD OFF)
+endforeach()
 beeline_optimise(beeline_precompiled -O2)
 
 # beeline_group(target): the sources of a folder and its internal/ are compiled as one
@@ -50,9 +52,15 @@ function(beeline_group target)
   endforeach()
 endfunction()
 
-# beeline_quick(target): so, and with the header that beeline_precompiled compiles beforehand.
+# beeline_quick(target): so, and with a header that is compiled beforehand. The core is compiled with
+# -O3: with -O2 its loops over links and samples take 5 to 35 % longer, as Eigen's small products are
+# calls, and it is compiled no quicker.
 function(beeline_quick target)
   beeline_group(${target})
-  beeline_optimise(${target} -O2)
-  target_precompile_headers(${target} REUSE_FROM beeline_precompiled)
+  if(target STREQUAL beeline_core)
+    target_precompile_headers(${target} REUSE_FROM beeline_precompiled_core)
+  else()
+    beeline_optimise(${target} -O2)
+    target_precompile_headers(${target} REUSE_FROM beeline_precompiled)
+  endif()
 endfunction()

@@ -1,78 +1,89 @@
 #!/usr/bin/env bash
 # Beeline beside others on the same poses, one pinned thread: prints tables in Markdown and writes
 # build/bench/results.json. Peers that cannot be had are left out and said to be.
-# Then looks for solutions that Beeline missed and for wrong ones; fails if there are any.
-# BENCH_COUNT (poses an arm), BENCH_PASSES (rounds), BENCH_CORE, BENCH_ARMS, BENCH_COMPLETE (poses an arm),
-# BENCH_HONEST (poses in all) and BENCH_STEPS (of the servo) change what is run.
+# Then looks for solutions that Beeline missed and for wrong ones, and compares with
+# bench/baseline.json; fails where it finds any or Beeline lost. BENCH_COUNT (poses an arm),
+# BENCH_PASSES (rounds), BENCH_REPETITIONS, BENCH_CORE, BENCH_ARMS, BENCH_COMPLETE (poses an arm),
+# BENCH_HONEST (poses in all), BENCH_SPLINES and BENCH_STEPS (of the servo) change what is run.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-folder=build/bench
-count=${BENCH_COUNT:-10000}
+folder=${BENCH_FOLDER:-build/bench}
+results=$folder/results.json
+python=.venv-bench/bin/python
+count=${BENCH_COUNT:-1000}
 passes=${BENCH_PASSES:-3}
 read -ra arms <<<"${BENCH_ARMS:-puma560 ur5 stanford general_6r panda iiwa14 panda_q7 iiwa14_q7}"
-
-# Round by round and arm by arm, so that what disturbs the machine meets Beeline and its peers alike,
-# and shows as spread.
-rm -f "$folder"/*/*.jsonl
-for ((round = 1; round <= passes; ++round)); do
-  for arm in "${arms[@]}"; do
-    "$folder/bench_inverse" "$arm" --count "$count" --passes 1 --folder "$folder" >&2
-    .venv-bench/bin/python -B bench/inverse/peers.py "$folder/$arm" --passes 1 >&2
-    mv "$folder/$arm/native.jsonl" "$folder/$arm/native.$round.jsonl"
-    mv "$folder/$arm/peers.jsonl" "$folder/$arm/peers.$round.jsonl"
-  done
-done
-
-model=$(sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo | head -n 1)
-echo "Machine: ${model:-unknown processor}, $(nproc) cores, $(uname -sm), $("${CXX:-c++}" --version | head -n 1)," \
-  "$(.venv-bench/bin/python --version); one pinned thread, $count poses an arm, median of $passes rounds"
-.venv-bench/bin/python -B bench/inverse/table.py "$folder"
-
 status=0
-echo -e "\n### Completeness: exhaustive numerical search against \`all solutions\`\n"
-"$folder/bench_inverse_completeness" --count "${BENCH_COMPLETE:-1000}" || status=1
-echo -e "\n### Honesty: every configuration returned, put through forward kinematics\n"
-"$folder/bench_inverse_honesty" --count "${BENCH_HONEST:-1000000}" || status=1
-echo -e "\n### Cost of an iteration of the numerical solver by the number of joints\n"
-"$folder/bench_inverse_growth" | tee "$folder/inverse_growth.md" || status=1
-.venv-bench/bin/python -B bench/draw_growth.py joints "µs an iteration" \
-  "$folder/inverse_growth.svg" <"$folder/inverse_growth.md" || status=1
-echo -e "\nDrawn: $folder/inverse_growth.svg"
 
-echo -e "\n### Kinematics, one configuration at a time, nanoseconds\n"
-"$folder/bench_kinematics" --benchmark_enable_random_interleaving=true \
-  --benchmark_repetitions="${BENCH_REPETITIONS:-9}" --benchmark_min_time=0.05 \
-  --benchmark_out="$folder/kinematics.json" --benchmark_out_format=json >&2
-python3 -B bench/kinematics/report.py "$folder/results.json" "$folder/kinematics.json"
-echo -e "\n### Kinematics of many configurations, nanoseconds a configuration\n"
-"$folder/bench_peak"
-echo
-"$folder/bench_batch" --benchmark_enable_random_interleaving=true \
-  --benchmark_repetitions="${BENCH_REPETITIONS:-9}" --benchmark_min_time=0.05 \
-  --benchmark_out="$folder/batch.json" --benchmark_out_format=json >&2
-python3 -B bench/kinematics/report.py "$folder/results.json" "$folder/batch.json"
-echo -e "\n### A step of the servo\n"
-"$folder/bench_servo" "${BENCH_STEPS:-10000000}"
-for by in joints configurations; do
-  echo -e "\n### Forward kinematics by the number of $by\n"
-  "$folder/bench_kinematics_growth" "$by" | tee "$folder/forward_by_$by.md"
-  what="ns a call"
-  if [[ $by == configurations ]]; then what=µs; fi
-  .venv-bench/bin/python -B bench/draw_growth.py "$by" "$what" \
-    "$folder/forward_by_$by.svg" <"$folder/forward_by_$by.md" || status=1
-  echo -e "\nDrawn: $folder/forward_by_$by.svg"
-done
-echo -e "\n### Motions from rest to rest, nanoseconds\n"
-"$folder/bench_point_to_point" --benchmark_enable_random_interleaving=true \
-  --benchmark_repetitions="${BENCH_REPETITIONS:-9}" --benchmark_min_time=0.05 \
-  --benchmark_out="$folder/point_to_point.json" --benchmark_out_format=json >&2 || status=1
-python3 -B bench/kinematics/report.py "$folder/results.json" "$folder/point_to_point.json"
-echo -e "\n### Time-optimal laws along splines\n"
-.venv-bench/bin/python -B bench/motion/retime.py "$folder/bench_retime" || status=1
-echo -e "\n### Instructions of a single call (AVX2)\n"
+# section TITLE: a heading, and on the terminal how long everything has taken so far.
+section() {
+  printf '\n### %s\n\n' "$1"
+  printf '%d:%02d  %s\n' $((SECONDS / 60)) $((SECONDS % 60)) "$1" >&2
+}
+
+# google PROGRAM: repetitions in mixed order, so that what disturbs the machine meets Beeline and its
+# peers alike, and shows as spread.
+google() {
+  "$folder/bench_$1" --benchmark_enable_random_interleaving=true \
+    --benchmark_repetitions="${BENCH_REPETITIONS:-9}" --benchmark_min_time=0.02 \
+    --benchmark_out="$folder/$1.json" --benchmark_out_format=json >"$folder/$1.log" ||
+    { cat "$folder/$1.log" && return 1; }
+  python3 -B bench/kinematics/report.py "$results" "$folder/$1.json"
+}
+
+# draw FILE.md XLABEL YLABEL
+draw() {
+  "$python" -B bench/draw_growth.py "$2" "$3" "${1%.md}.svg" <"$1"
+  echo -e "\nDrawn: ${1%.md}.svg"
+}
+
+section "Instructions of a single call (AVX2)"
 python3 -B bench/kinematics/count.py "$folder/bench_instructions" "$folder/instructions.json" ||
   status=1
+
+rm -f "$folder"/*/*.jsonl
+for ((round = 1; round <= passes; ++round)); do
+  section "Inverse kinematics, round $round of $passes"
+  for arm in "${arms[@]}"; do
+    "$folder/bench_inverse" "$arm" --count "$count" --passes 1 --folder "$folder" >&2
+    mv "$folder/$arm/native.jsonl" "$folder/$arm/native.$round.jsonl"
+  done
+  "$python" -B bench/inverse/peers.py "${arms[@]/#/$folder/}" --passes 1 >&2
+  for arm in "${arms[@]}"; do mv "$folder/$arm/peers.jsonl" "$folder/$arm/peers.$round.jsonl"; done
+done
+model=$(sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo | head -n 1)
+echo "Machine: ${model:-unknown processor}, $(nproc) cores, $(uname -sm), $("${CXX:-c++}" --version | head -n 1)," \
+  "$("$python" --version); one pinned thread, $count poses an arm, median of $passes rounds"
+"$python" -B bench/inverse/table.py "$folder"
+
+section "Completeness: exhaustive numerical search against \`all solutions\`"
+"$folder/bench_inverse_completeness" --count "${BENCH_COMPLETE:-100}" || status=1
+section "Honesty: every configuration returned, put through forward kinematics"
+"$folder/bench_inverse_honesty" --count "${BENCH_HONEST:-100000}" || status=1
+section "Cost of an iteration of the numerical solver by the number of joints"
+"$folder/bench_inverse_growth" | tee "$folder/inverse_growth.md" || status=1
+draw "$folder/inverse_growth.md" joints "µs an iteration" || status=1
+
+section "Kinematics, one configuration at a time, nanoseconds"
+google kinematics || status=1
+section "Kinematics of many configurations, nanoseconds a configuration"
+"$folder/bench_peak"
 echo
-python3 -B bench/baseline.py check "$folder/results.json" "$folder/instructions.json" \
-  bench/baseline.json || status=1
+google batch || status=1
+section "Forward kinematics by the number of joints"
+"$folder/bench_kinematics_growth" joints | tee "$folder/forward_by_joints.md"
+draw "$folder/forward_by_joints.md" joints "ns a call" || status=1
+section "Forward kinematics by the number of configurations"
+"$folder/bench_kinematics_growth" configurations | tee "$folder/forward_by_configurations.md"
+draw "$folder/forward_by_configurations.md" configurations µs || status=1
+section "Motions from rest to rest, nanoseconds"
+google point_to_point || status=1
+section "Time-optimal scaling of splines"
+"$python" -B bench/motion/retime.py "$folder/bench_retime" --count "${BENCH_SPLINES:-50}" || status=1
+section "A step of the servo"
+"$folder/bench_servo" "${BENCH_STEPS:-1000000}"
+
+section "Against bench/baseline.json"
+python3 -B bench/baseline.py check "$results" "$folder/instructions.json" bench/baseline.json ||
+  status=1
 exit "$status"

@@ -8,27 +8,32 @@ double orthonormality_error(const Rotation& r) {
   return (r * r.transpose() - Rotation::Identity()).cwiseAbs().maxCoeff();
 }
 
-}  // namespace
-
-std::string rigid_motion_fault(const Pose& pose) {
+/// What is wrong with a pose whose rotation has this orthonormality error; nullptr: nothing.
+const char* fault_of(const Pose& pose, double error) {
   constexpr double farthest = 1e100, rounding_of_text = 1e-6;
   if (!pose.matrix().allFinite()) return "has a number that is not finite";
   if (pose.translation().cwiseAbs().maxCoeff() > farthest) return "has a length above 1e100 m";
-  const Rotation r = pose.linear();
-  if (!(orthonormality_error(r) <= rounding_of_text) || r.determinant() < 0) {
+  if (!(error <= rounding_of_text) || pose.linear().determinant() < 0) {
     return "is not a rigid motion: its rotation must be orthonormal and right-handed";
   }
   if (pose.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
     return "is not a rigid motion: its last row must be 0 0 0 1";
   }
-  return {};
+  return nullptr;
+}
+
+}  // namespace
+
+std::string rigid_motion_fault(const Pose& pose) {
+  const char* fault = fault_of(pose, orthonormality_error(pose.linear()));
+  return fault == nullptr ? "" : fault;
 }
 
 Pose checked_pose(const Pose& pose, const char* what) {
   constexpr double exact = 1e-14;
-  const std::string fault = rigid_motion_fault(pose);
-  if (!fault.empty()) throw Error(what + (" " + fault));
-  if (orthonormality_error(pose.linear()) <= exact) return pose;
+  const double error = orthonormality_error(pose.linear());
+  if (const char* fault = fault_of(pose, error)) throw Error(std::string(what) + " " + fault);
+  if (error <= exact) return pose;
   Pose rigid = pose;
   rigid.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();
   return rigid;

@@ -3,7 +3,7 @@
 Usage: peers.py FOLDER..., each as bench_inverse left it: gets peers.jsonl
 
 A peer that cannot be imported is left out, and the reason stands in its place. Times are those of
-the call from Python. `wrapper_us` is what a call takes that does almost nothing beside handing its
+the call from Python; the mean is CPU time, which other programs on the machine do not lengthen. `wrapper_us` is what a call takes that does almost nothing beside handing its
 arguments over (the peer's forward kinematics, as a rule): what is left of the mean without it is
 about the time inside."""
 
@@ -41,20 +41,35 @@ def clock_cost():
     return statistics.median(costs)
 
 
+def one_pass(ask, count):
+    """Nanoseconds of each call, and of CPU time for all."""
+    row = []
+    begin = time.process_time_ns()
+    for i in range(count):
+        start = time.perf_counter_ns()
+        ask(i)
+        row.append(time.perf_counter_ns() - start)
+    return row, time.process_time_ns() - begin
+
+
+def nothing(_):
+    pass
+
+
 def timed(ask, count, passes):
-    """Microseconds of each call, a row a pass, less the clock's own cost."""
+    """Microseconds: of each call the shortest of all passes, less the clock's own cost; the mean call
+    of the median pass in CPU time, less that of a loop that calls nothing."""
     cost = clock_cost()
-    rows = []
+    empty = min(one_pass(nothing, 1000)[1] for _ in range(5)) / 1000
+    rows, means = [], []
     for _ in range(passes):
-        row = []
-        for i in range(count):
-            start = time.perf_counter_ns()
-            ask(i)
-            row.append(time.perf_counter_ns() - start)
+        row, whole = one_pass(ask, count)
         rows.append(row)
-        if sum(row) > PATIENCE / 10 * 1e9:
+        means.append(whole / count - empty)
+        if whole > PATIENCE / 10 * 1e9:
             break
-    return np.maximum(0, np.array(rows) - cost) / 1000
+    best = np.maximum(0, np.min(rows, axis=0) - cost) / 1000
+    return best, max(0.0, statistics.median(means) / 1000)
 
 
 def poses_in_time(ask, count):
@@ -110,12 +125,10 @@ def measured(arm, module, case, question, passes):
     record = {"arm": arm.name, "case": case, "solver": module.SOLVER,
               "version": version(module.PACKAGE), "poses": count,
               **checked(arm, limits, ask, read, count)}
-    times = timed(ask, count, passes)
-    best = times.min(axis=0)
-    own = timed(wrapper, min(count, 2000), passes)
-    record.update(mean_us=float(np.median(times.mean(axis=1))), median_us=float(np.median(best)),
+    best, mean = timed(ask, count, passes)
+    record.update(mean_us=mean, median_us=float(np.median(best)),
                   p99_us=float(np.quantile(best, 0.99)), p999_us=float(np.quantile(best, 0.999)),
-                  max_us=float(best.max()), wrapper_us=float(np.median(own)))
+                  max_us=float(best.max()), wrapper_us=timed(wrapper, min(count, 2000), passes)[1])
     return record
 
 

@@ -23,22 +23,25 @@ double clock_cost();
 
 double microseconds_since(std::chrono::steady_clock::time_point start);
 
+/// CPU time of the process, microseconds: other programs on the machine do not lengthen it.
+double cpu_microseconds();
+
 /// `passes`: the mean of each pass, timed as a whole. `calls`: the shortest call of each pose.
 Timing timing_of(std::vector<double> passes, std::vector<double> calls);
 
-/// Times solve(0) ... solve(count - 1). The mean is that of the median pass, each pass timed as a
-/// whole. The percentiles come from passes with each call timed, minus the cost of the clock; the
-/// time of a pose is its shortest of all passes, so that the tail shows hard poses and not
-/// interruptions. A solver that takes more than a few seconds for each pass gets one pass of each.
+/// Times solve(0) ... solve(count - 1). The mean is that of the median pass, the CPU time of each
+/// pass measured as a whole. The percentiles come from passes with each call timed, minus the cost
+/// of the clock; the time of a pose is its shortest of all passes, so that the tail shows hard poses
+/// and not interruptions. A solver that takes more than a few seconds for each pass gets one pass of each.
 template <class Solve>
 Timing timed(int count, int passes, Solve solve) {
   constexpr double patience = 5e6;  // microseconds
   const double cost = clock_cost();
   std::vector<double> means, calls(static_cast<std::size_t>(count), 1e300);
   for (int pass = 0; pass < passes; ++pass) {
-    const auto start = std::chrono::steady_clock::now();
+    const double start = cpu_microseconds();
     for (int i = 0; i < count; ++i) solve(i);
-    const double whole = microseconds_since(start);
+    const double whole = cpu_microseconds() - start;
     means.push_back(whole / count);
     for (int i = 0; i < count; ++i) {
       const auto begin = std::chrono::steady_clock::now();

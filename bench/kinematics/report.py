@@ -2,8 +2,8 @@
 
 Usage: report.py RESULTS.json MEASURED.json..., written with --benchmark_repetitions,
 --benchmark_enable_random_interleaving and --benchmark_out; names are arm/case/solver. A solver's time
-is the median of its repetitions, `spread` the interquartile range over the median, added up over the
-two solvers of a ratio."""
+is the median CPU time of its repetitions, `spread` the interquartile range over the median, added up
+over the two solvers of a ratio."""
 
 import json
 import statistics
@@ -21,7 +21,7 @@ def measured(paths):
                 continue
             arm, case, solver = run["run_name"].split("/")[:3]
             scale = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}[run["time_unit"]]
-            times[arm, case][solver].append(run.get("each_ns", run["real_time"] * scale))
+            times[arm, case][solver].append(run.get("each_ns", run["cpu_time"] * scale))
     return {key: {solver: median_and_spread(runs) for solver, runs in solvers.items()}
             for key, solvers in times.items()}
 

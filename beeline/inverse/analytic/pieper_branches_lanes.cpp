@@ -53,8 +53,8 @@ HWY_INLINE RigidMotion closing_motion(const PieperLoop& loop, const double* goal
 /// component of the third axis is cos(alpha) cos(gamma) - sin(alpha) sin(gamma) cos(b). Near its
 /// extremes, where the outer axes are nearly parallel, b is computed from the axis's other
 /// components, which determine it better.
-HWY_NOINLINE void solve_intersecting(const PieperLoop& loop, const LanePose& to, Lanes sign,
-                                     const CosSine& preferred, CosSine* joint, LaneStatus& status) {
+HWY_INLINE void solve_intersecting(const PieperLoop& loop, const LanePose& to, Lanes sign,
+                                   const CosSine& preferred, CosSine* joint, LaneStatus& status) {
   const double sa = loop.sin_alpha[0], ca = loop.cos_alpha[0];
   const double sc = loop.sin_alpha[1], cc = loop.cos_alpha[1];
   const double sum = ca * cc - sa * sc, difference = ca * cc + sa * sc;
@@ -95,8 +95,8 @@ HWY_NOINLINE void solve_intersecting(const PieperLoop& loop, const LanePose& to,
 
 /// Solves joints a, b, c of parallel axes, a planar 3R arm, from the motion `to` = J_a K_b J_b K_c
 /// J_c.
-HWY_NOINLINE void solve_parallel(const PieperLoop& loop, const LanePose& to, Lanes sign,
-                                 const CosSine& preferred, CosSine* joint, LaneStatus& status) {
+HWY_INLINE void solve_parallel(const PieperLoop& loop, const LanePose& to, Lanes sign,
+                               const CosSine& preferred, CosSine* joint, LaneStatus& status) {
   const double* ab = loop.before[4].translation;
   const double* bc = loop.before[5].translation;
   const Lanes x = to.origin.x, y = to.origin.y;
@@ -122,9 +122,9 @@ HWY_NOINLINE void solve_parallel(const PieperLoop& loop, const LanePose& to, Lan
 }
 
 /// Solves joint e, which maps K_f J_f p to K_e^-1 J_d^-1 x.
-HWY_NOINLINE void solve_middle(const PieperLoop& loop, const RigidMotion* k,
-                               const PieperEquations& equations, const CosSine& preferred,
-                               CosSine* joint, LaneStatus& status) {
+HWY_INLINE void solve_middle(const PieperLoop& loop, const RigidMotion* k,
+                             const PieperEquations& equations, const CosSine& preferred,
+                             CosSine* joint, LaneStatus& status) {
   const bool points = loop.family == PieperLoop::Family::intersecting;
   const Vector from =
       times(k[2], joint_times(equations.p, joint[2], loop.prismatic[2], points), points);
@@ -163,8 +163,8 @@ HWY_INLINE void solve_joints(const PieperLoop& loop, const RigidMotion* k,
 
 /// Joint angles to coordinates: adds the multiple of 2 pi that is nearest to the seed within
 /// limits.
-HWY_NOINLINE void to_coordinates(const PieperLoop& loop, const PieperRequest& request,
-                                 const CosSine* joint, PieperBranches& branches) {
+HWY_INLINE void to_coordinates(const PieperLoop& loop, const PieperRequest& request,
+                               const CosSine* joint, PieperBranches& branches) {
   Lanes distance(0), excess(0);
   for (int i = 0; i < 6; ++i) {
     const int k = loop.order[i];

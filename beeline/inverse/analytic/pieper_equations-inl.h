@@ -27,7 +27,7 @@ struct PieperEquations {
 /// J_e K_f s = K_e^-1 y. J_e leaves the height along axis e and the length of that vector
 /// unchanged: the first equation compares the heights, the second half the squared lengths (points)
 /// or the heights of the parallel links (directions).
-HWY_NOINLINE inline PieperEquations pieper_equations(const PieperLoop& loop, const RigidMotion* k) {
+HWY_INLINE PieperEquations pieper_equations(const PieperLoop& loop, const RigidMotion* k) {
   PieperEquations equations;
   const bool points = loop.family == PieperLoop::Family::intersecting;
   const RigidMotion &d = k[0], &e = k[1], &f = k[2], &a = k[3];

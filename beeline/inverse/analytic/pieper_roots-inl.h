@@ -195,9 +195,9 @@ inline LaneMask solve_quartic(const double (*first)[2], bool prismatic, const do
 }
 
 /// Solves one equation for one unknown, with the roots of the given signs.
-HWY_NOINLINE inline LaneMask solve_one(Lanes nx, Lanes ny, Lanes k, bool prismatic,
-                                       const double* signs, double unit, const CosSine& preferred,
-                                       CosSine& unknown, LaneStatus& status) {
+HWY_INLINE LaneMask solve_one(Lanes nx, Lanes ny, Lanes k, bool prismatic, const double* signs,
+                              double unit, const CosSine& preferred, CosSine& unknown,
+                              LaneStatus& status) {
   const Lanes sign = Lanes::load(signs);
   if (prismatic) return solve_displacement(nx, ny, k, sign, unknown, status.twin);
   LaneMask free;

@@ -76,6 +76,7 @@ bool nearly_found(const PieperSolver& form, const PieperBranches& found) {
   if (form.has_virtual_joints() && found.found != 0) return false;
   if (found.weak != 0) return true;
   const double near = 1e-6 * std::max(1.0, form.size());
+  if (found.found == 0xff) return false;  // no lane is left
   for (int lane = 0; lane < 8; ++lane) {
     if ((found.found >> lane & 1) == 0 && found.residual[lane] < near) return true;
   }
