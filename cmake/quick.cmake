@@ -23,8 +23,9 @@ endforeach()
 beeline_optimise(beeline_precompiled -O2)
 
 # beeline_group(target): the sources of a folder and its internal/ are compiled as one
-# (CMAKE_UNITY_BUILD, on in the presets), except for the kernels, which Highway compiles once for each instruction set. These have
-# no precompiled header either: with it, GCC takes the -O level from the header.
+# (CMAKE_UNITY_BUILD, on in the presets), except for the kernels, which Highway compiles once for each
+# instruction set. These have no precompiled header either: with it, GCC takes the -O level from the
+# header.
 function(beeline_group target)
   set(kernel_options)
   if(CMAKE_CXX_FLAGS_RELEASE MATCHES "-O3")
