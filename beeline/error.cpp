@@ -11,21 +11,36 @@
 namespace beeline {
 namespace {
 
-/// The Levenshtein distance of `a` and `b`, ignoring case.
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
+
+/// The number of characters inserted, left out or replaced, or of neighbours exchanged, between `a`
+/// and `b`, ignoring case: the optimal string alignment distance.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-  std::vector<std::size_t> row(b.size() + 1);
+  const auto equal = [&](std::size_t i, std::size_t j) { return lower(a[i]) == lower(b[j]); };
+  std::vector<std::size_t> before, last, row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
+    before = std::exchange(last, row);
     row[0] = i + 1;
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (lower(a[i]) == lower(b[j]) ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+      row[j + 1] = std::min({last[j] + (equal(i, j) ? 0 : 1), row[j] + 1, last[j + 1] + 1});
+      const bool exchanged = i > 0 && j > 0 && equal(i, j - 1) && equal(i - 1, j);
+      if (exchanged) row[j + 1] = std::min(row[j + 1], before[j - 1] + 1);
     }
   }
   return row.back();
+}
+
+std::string_view without_dashes(std::string_view name) {
+  return name.substr(std::min(name.find_first_not_of('-'), name.size()));
+}
+
+/// Twice the edits between a name and a choice, but 1 if the name is an abbreviation: the beginning
+/// of the choice. Names of options are compared without their dashes.
+std::size_t name_distance(std::string_view name, std::string_view choice) {
+  const std::string_view a = without_dashes(name), b = without_dashes(choice);
+  const bool begins = a.size() < b.size() && edit_distance(a, b.substr(0, a.size())) == 0;
+  return begins && a.size() > 1 ? 1 : 2 * edit_distance(a, b);
 }
 
 std::string located(std::string_view path, int line, std::string_view message) {
@@ -60,11 +75,12 @@ Error unknown_name(std::string_view what, std::string_view name,
   const std::string shown(front(name, longest_compared));
   std::string text = "unknown " + std::string(what) + " \"" + shown + "\"";
   const std::string* nearest = nullptr;
-  std::size_t fewest = shown.size() / 3 + 2;
+  // With more edits than a third of the characters it is another word.
+  std::size_t least = 2 * ((without_dashes(shown).size() + 1) / 3) + 1;
   for (const std::string& choice : choices) {
-    const std::size_t edits = edit_distance(shown, choice);
-    if (edits < fewest && edits < std::max(shown.size(), choice.size())) {  // some characters agree
-      fewest = edits;
+    const std::size_t distance = name_distance(shown, choice);
+    if (distance < least) {
+      least = distance;
       nearest = &choice;
     }
   }

@@ -29,7 +29,10 @@ TEST(UnknownName, SuggestsTheNearestIgnoringCaseAndListsAll) {
   const std::string known = " (known: rrr, puma560, ur5, ur5e, panda)";
   EXPECT_EQ(says("pandda"), "unknown arm \"pandda\"; did you mean \"panda\"?" + known);
   EXPECT_EQ(says("PANDA"), "unknown arm \"PANDA\"; did you mean \"panda\"?" + known);
-  EXPECT_EQ(says("puma"), "unknown arm \"puma\"" + known);
+  EXPECT_EQ(says("puma"), "unknown arm \"puma\"; did you mean \"puma560\"?" + known);
+  EXPECT_EQ(says("UR5"), "unknown arm \"UR5\"; did you mean \"ur5\"?" + known);
+  EXPECT_EQ(says("pnada"), "unknown arm \"pnada\"; did you mean \"panda\"?" + known);
+  EXPECT_EQ(says("iiwa"), "unknown arm \"iiwa\"" + known);
   EXPECT_EQ(says("puma56"), "unknown arm \"puma56\"; did you mean \"puma560\"?" + known);
   EXPECT_EQ(says("ur5_e"), "unknown arm \"ur5_e\"; did you mean \"ur5e\"?" + known);
   EXPECT_EQ(says(""), "unknown arm \"\"" + known);
@@ -41,6 +44,22 @@ TEST(UnknownName, SuggestsNoNameWithoutACommonLetter) {
                "unknown joint type \"Q\" (known: R, P)");
   EXPECT_STREQ(unknown_name("joint type", "p", {"R", "P"}).what(),
                "unknown joint type \"p\"; did you mean \"P\"? (known: R, P)");
+}
+
+TEST(UnknownName, PrefersTheNameThatWasAbbreviated) {
+  const auto suggested = [](std::string_view name, const std::vector<std::string>& choices) {
+    const std::string said = unknown_name("option", name, choices).what();
+    const std::size_t at = said.find("did you mean \"");
+    return at == std::string::npos ? "" : said.substr(at + 14, said.find("\"?") - at - 14);
+  };
+  EXPECT_EQ(suggested("--tol", {"--all", "--tolerance"}), "--tolerance");
+  EXPECT_EQ(suggested("--deg", {"--seed", "--degrees"}), "--degrees");
+  EXPECT_EQ(suggested("-q", {"--to", "--q"}), "--q");
+  EXPECT_EQ(suggested("--seed", {"--help"}), "");
+  EXPECT_EQ(suggested("--frame", {"--base"}), "");
+  EXPECT_EQ(suggested("--speed", {"--blend"}), "");
+  EXPECT_EQ(suggested("--law", {"--draw"}), "");
+  EXPECT_EQ(suggested("--version", {"--json"}), "");
 }
 
 TEST(UnknownName, CutsLongNamesBetweenCharactersAndStaysShort) {
