@@ -97,7 +97,7 @@ PoseList poses_from_csv(std::string_view text, const std::string& path, AngleUni
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
       line = table.lines[row];
       for (std::size_t i = 0; i < form.size(); ++i) values[i] = table.rows[row][column_of[i]];
-      list.poses.push_back(pose_of(values, unit));
+      list.poses.push_back(checked_pose(pose_of(values, unit)));
     }
   } catch (const Error& error) {
     throw FileError(path, line, error.what());

@@ -14,6 +14,19 @@ TrajectoryFormat trajectory_format(const std::string& path) {
   throw Error("trajectories are .csv or .json files, not " + internal::in_quotes(path));
 }
 
+TrajectoryFormat trajectory_format(const std::string& path, std::string_view text) {
+  if (internal::extension(path).empty()) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    const bool brace = first != std::string_view::npos && text[first] == '{';
+    return brace ? TrajectoryFormat::json : TrajectoryFormat::csv;
+  }
+  try {
+    return trajectory_format(path);
+  } catch (const Error&) {
+    throw FileError(path, 0, "is not a known kind of trajectory file; known are .csv, .json");
+  }
+}
+
 std::string trajectory_text(const Trajectory& trajectory, TrajectoryFormat format) {
   return format == TrajectoryFormat::csv ? internal::trajectory_to_csv(trajectory)
                                          : internal::trajectory_to_json(trajectory);
@@ -24,10 +37,14 @@ void write_trajectory(const std::string& path, const Trajectory& trajectory) {
 }
 
 Trajectory read_trajectory(const std::string& path) {
-  const TrajectoryFormat format = trajectory_format(path);
-  const std::string text = internal::read_file(path);
-  return format == TrajectoryFormat::csv ? internal::trajectory_from_csv(text, path)
-                                         : internal::trajectory_from_json(text, path);
+  trajectory_format(path, "");  // refuses another ending before the file is read
+  return parse_trajectory(internal::read_file(path), path);
+}
+
+Trajectory parse_trajectory(std::string_view text, const std::string& path) {
+  return trajectory_format(path, text) == TrajectoryFormat::csv
+             ? internal::trajectory_from_csv(text, path)
+             : internal::trajectory_from_json(text, path);
 }
 
 }  // namespace beeline

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <beeline/error.h>
 #include <beeline/trajectory/trajectory.h>
@@ -16,6 +17,10 @@ enum class TrajectoryFormat { csv, json };
 /// Throws Error for another ending.
 TrajectoryFormat trajectory_format(const std::string& path);
 
+/// Returns the format of a file that was read. A file without an ending, such as a pipe, is .json
+/// if its text begins with a brace and otherwise .csv. Throws FileError for another ending.
+TrajectoryFormat trajectory_format(const std::string& path, std::string_view text);
+
 /// Returns the content of a file of this format. Throws Error for a trajectory that is not valid
 /// (check_trajectory()), has no samples, or whose joints have names that the format cannot hold.
 std::string trajectory_text(const Trajectory& trajectory, TrajectoryFormat format);
@@ -26,5 +31,8 @@ void write_trajectory(const std::string& path, const Trajectory& trajectory);
 
 /// Throws FileError that names the line and the column or value.
 Trajectory read_trajectory(const std::string& path);
+
+/// The same from the text of the file at `path`.
+Trajectory parse_trajectory(std::string_view text, const std::string& path);
 
 }  // namespace beeline

@@ -63,7 +63,7 @@ TEST(Urdf, MissingPartsHaveTheFormatsDefaults) {
   EXPECT_EQ(bare.joints()[0].offset.matrix(), Pose::Identity().matrix());
   EXPECT_EQ(bare.limits(0).upper, Limits::none);
   EXPECT_EQ(bare.joints()[0].link, "b");
-  const Arm slide = parse_urdf(single("prismatic", "<axis/><limit velocity=\"-1\" upper=\"2\"/>"));
+  const Arm slide = parse_urdf(single("prismatic", "<axis/><limit velocity=\"0\" upper=\"2\"/>"));
   EXPECT_EQ(slide.joints()[0].screw, translation_screw(Vector3::UnitX()));
   EXPECT_EQ(slide.limits(0).lower, 0);
   EXPECT_EQ(slide.limits(0).upper, 2);
@@ -71,6 +71,11 @@ TEST(Urdf, MissingPartsHaveTheFormatsDefaults) {
   const Arm still = parse_urdf(single("revolute", "<limit effort=\"1\" velocity=\"1\"/>"));
   EXPECT_EQ(still.limits(0).lower, 0);
   EXPECT_EQ(still.limits(0).upper, 0);
+}
+
+TEST(Urdf, ANegativeVelocityLimitIsRefused) {
+  EXPECT_REFUSED(parse_urdf(single("prismatic", "<limit velocity=\"-1\" upper=\"2\"/>")),
+                 "joint j: velocity limit -1 is below 1e-09; 0 stands for none");
 }
 
 TEST(Urdf, ARobotWithoutANameIsCalledLikeItsFile) {

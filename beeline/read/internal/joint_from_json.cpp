@@ -123,11 +123,21 @@ std::vector<Joint> composite_from_json(const JsonDocument& document, const Json&
   return composite_joint(letter, name_from_json(document, document.need(json, "name")));
 }
 
+constexpr double max_pitch = 1e100;  // metres per radian; beyond, squares overflow
+
 Joint single_from_json(const JsonDocument& document, const Json& json) {
   Joint joint;
   const Json& type = document.need(json, "type");
   joint.name = name_from_json(document, document.need(json, "name"));
   joint.screw = screw_from_json(document, json, document.text(type));
+  if (const Json* pitch = document.find(json, "pitch")) {
+    if (std::abs(document.number(*pitch)) > max_pitch) {
+      document.refuse(*pitch, "is a pitch above " + number(max_pitch) + " m/rad");
+    }
+    if (kind(joint) == JointKind::revolute) {
+      document.refuse(*pitch, "is a pitch of 0 to rounding; such a joint is revolute");
+    }
+  }
   if (document.text(type) != name(kind(joint))) {
     document.refuse(type,
                     std::string("contradicts the joint's screw, which is ") + name(kind(joint)));

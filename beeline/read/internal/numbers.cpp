@@ -45,7 +45,8 @@ double parse_number(std::string_view text, std::string_view what) {
   if (fault == std::errc::invalid_argument || end != digits.data() + digits.size()) {
     refuse("is not a number");
   }
-  if (fault == std::errc::result_out_of_range) refuse("is out of the range of numbers, 1e+-308");
+  if (fault == std::errc::result_out_of_range)
+    refuse("is out of the range of numbers, 1e-308 to 1e308");
   if (!std::isfinite(value)) refuse("must be finite");
   return value;
 }

@@ -103,7 +103,7 @@ Limits read_limits(const Elements& elements, const XMLElement& limit, bool conti
     limits.upper = elements.number_or(limit, "upper", 0);
   }
   const double velocity = elements.number_or(limit, "velocity", 0);
-  if (velocity > 0) limits.velocity = velocity;
+  if (velocity != 0) limits.velocity = velocity;
   return limits;
 }
 

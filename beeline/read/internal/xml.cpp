@@ -56,10 +56,17 @@ std::string reason(const tinyxml2::XMLDocument& document) {
       return "an element is not closed";
     case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
       return "an attribute is not name=\"value\", or is given twice";
+    case tinyxml2::XML_ERROR_PARSING_COMMENT:
+    case tinyxml2::XML_ERROR_PARSING_CDATA:
+    case tinyxml2::XML_ERROR_PARSING_UNKNOWN:
+    case tinyxml2::XML_ERROR_PARSING_DECLARATION:
+      return "a comment or a declaration has no end";
+    case tinyxml2::XML_ERROR_PARSING_TEXT:
+      return "text is outside of an element";
     case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
       return "its elements are nested deeper than 100 levels";
     default:
-      return document.ErrorName();
+      return "a tag or a name is cut off or malformed";
   }
 }
 
