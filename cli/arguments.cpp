@@ -92,7 +92,11 @@ std::vector<Option> TaskArgument::options() {
 }
 
 Task TaskArgument::read(const Arm& arm) const {
-  return text.empty() ? default_task(arm) : task_named(text);
+  try {
+    return text.empty() ? default_task(arm) : task_named(text);
+  } catch (const Error& error) {
+    throw Error(std::string("--task: ") + error.what());
+  }
 }
 
 std::vector<Option> JacobianArgument::options() {
@@ -115,22 +119,27 @@ Task JacobianArgument::read(const Arm& arm) const {
   return rows;
 }
 
-Option joint_values_option(std::string name, std::string help, std::string* target) {
-  return {.name = std::move(name), .value = "Q", .help = std::move(help), .target = target};
+Option joint_values_option(std::string name, std::string help, std::string* target,
+                           std::vector<std::string> phrases) {
+  return {.name = std::move(name),
+          .value = "Q",
+          .help = std::move(help),
+          .target = target,
+          .phrases = std::move(phrases)};
 }
 
 WrittenPose parse_pose_option(const std::string& text, const UnitArgument& unit) {
   try {
     return parse_pose(text, unit.angle_unit());
   } catch (const Error& error) {
-    throw Error(std::string("--pose: ") + error.what());
+    const std::string message = error.what();  // many begin with "pose"
+    throw Error((message.starts_with("pose") ? "--" : "--pose: ") + message);
   }
 }
 
-void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgument& task,
-                     const std::string& where) {
+void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgument& task) {
   if (written.planar && !arm.planar()) {
-    throw Error(where + ": x,y,theta is for planar arms; " + arm.name() +
+    throw Error("x,y,theta is for planar arms; " + arm.name() +
                 " needs x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz");
   }
   if (written.planar || !arm.planar() || !task.text.empty()) return;
@@ -139,8 +148,8 @@ void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgum
   const bool in_plane = std::abs(written.pose.translation().z() - height) < tolerance &&
                         (written.pose.linear().col(2) - Vector3::UnitZ()).norm() < tolerance;
   if (in_plane) return;
-  throw Error(where + ": the pose is outside the plane z = " + number(height) + " m of arm " +
-              arm.name() + "; give x,y,theta, or --task planar to ignore height and tilt");
+  throw Error("the pose is outside the plane z = " + number(height) + " m of arm " + arm.name() +
+              "; give x,y,theta, or --task planar to ignore height and tilt");
 }
 
 void warn_outside_limits(const Arm& arm, const Configuration& q) {

@@ -64,8 +64,9 @@ struct JacobianArgument {
   beeline::Task read(const beeline::Arm& arm) const;
 };
 
-/// --q, or another option that takes joint values.
-Option joint_values_option(std::string name, std::string help, std::string* target);
+/// --q, or another option that takes joint values, with the Option::phrases.
+Option joint_values_option(std::string name, std::string help, std::string* target,
+                           std::vector<std::string> phrases = {});
 
 /// A pose as typed for --pose, in one of the three forms. Throws Error that begins with --pose.
 beeline::WrittenPose parse_pose_option(const std::string& text, const UnitArgument& unit);
@@ -73,7 +74,7 @@ beeline::WrittenPose parse_pose_option(const std::string& text, const UnitArgume
 /// Throws Error for a planar pose given to an arm that is not planar and, without --task, for a
 /// spatial pose outside the plane of a planar arm, whose height and tilt would be ignored.
 void check_pose_form(const beeline::Arm& arm, const beeline::WrittenPose& pose,
-                     const TaskArgument& task, const std::string& where);
+                     const TaskArgument& task);
 
 /// Warns on stderr of each coordinate of q that is outside the arm's limits.
 void warn_outside_limits(const beeline::Arm& arm, const beeline::Configuration& q);

@@ -110,10 +110,6 @@ Answer batch(const BatchArguments& arguments, const std::string& kind, MakeWork 
   row_format(arguments.in);
   row_format(arguments.out);
   refuse_overwriting(arguments.out, {arguments.in, arguments.arm.text});
-  constexpr int max_threads = 1024;  // more would only exhaust memory
-  if (arguments.threads > max_threads) {
-    throw Error("--threads must be at most " + std::to_string(max_threads));
-  }
   const bool rows_on_stdout = arguments.out == "-";
   if (arguments.json && rows_on_stdout) {
     throw Error("--json cannot be combined with --out -: both would write to stdout");
@@ -163,7 +159,8 @@ Verb common(BatchArguments& arguments, const char* name, const char* rows,
          .value = "N",
          .help = "Number of threads; 0: as many as the machine has. The results do not depend on "
                  "it.",
-         .target = &arguments.threads},
+         .target = &arguments.threads,
+         .range = {0, 1024}},
         {.name = "--float",
          .help = "Write 32-bit numbers to a .npy file.",
          .target = &arguments.single},

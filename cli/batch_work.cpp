@@ -119,7 +119,7 @@ void read_goals(const BatchArguments& arguments, const Arm& arm, std::size_t wid
     try {
       const auto row = block.numbers.col(i).head(static_cast<Eigen::Index>(width));
       const Pose pose = checked_pose(pose_in(row, arguments.unit));
-      if (arm.planar()) check_pose_form(arm, {pose, planar_form}, arguments.inverse.task, "pose");
+      if (arm.planar()) check_pose_form(arm, {pose, planar_form}, arguments.inverse.task);
       goals.col(i) = pose.matrix().reshaped();
       return true;
     } catch (const Error& error) {

@@ -58,9 +58,9 @@ Json check_document(const CheckArguments& arguments, const Verification& verific
 std::string check_text(const CheckArguments& arguments, const Verification& verification,
                        std::size_t samples, std::size_t waypoints) {
   const bool passed = verification.fault == Fault::none;
-  std::string text =
-      fmt::format("{}: {} samples through {}\n", passed ? "passed" : "failed", samples,
-                  counted(static_cast<std::int64_t>(waypoints), "waypoint"));
+  std::string text = fmt::format("{}: {} through {}\n", passed ? "passed" : "failed",
+                                 counted(static_cast<std::int64_t>(samples), "sample"),
+                                 counted(static_cast<std::int64_t>(waypoints), "waypoint"));
   text += passed ? deviation_text(verification.deviation, arguments.unit)
                  : fmt::format("fault         {}\n", name(verification.fault));
   if (!arguments.plot.empty()) text += fmt::format("plot          {}\n", arguments.plot);
@@ -92,11 +92,13 @@ std::vector<Option> tolerance_options(VerifyOptions& options) {
   return {{.name = "--tolerance",
            .value = "METRES",
            .help = "Largest distance of the tool origin from the path.",
-           .target = &options.tolerance},
+           .target = &options.tolerance,
+           .range = above_zero},
           {.name = "--orientation-tolerance",
            .value = "RAD",
            .help = "Largest angle from the path's orientation, radians.",
-           .target = &options.orientation_tolerance}};
+           .target = &options.orientation_tolerance,
+           .range = above_zero}};
 }
 
 }  // namespace

@@ -29,9 +29,6 @@ int joint_of_largest_difference(const Arm& arm, const TrajectoryDifference& diff
 
 Answer diff_files(const DiffArguments& arguments) {
   const double tolerance = arguments.tolerance.value_or(Limits::none);
-  if (!(tolerance >= 0)) {
-    throw Error("--tolerance must be zero or above, not " + number(tolerance));
-  }
   const Arm arm = arguments.arm.read();
   const TrajectoryDifference differences =
       difference(arm, read_recording(arguments.a, arm), read_recording(arguments.b, arm));
@@ -68,7 +65,8 @@ Verb diff_verb() {
                            .value = "E",
                            .help = "Exit with code 1 if a joint differs by more than this, radians "
                                    "or metres.",
-                           .target = &arguments.tolerance}},
+                           .target = &arguments.tolerance,
+                           .range = zero_or_more}},
                          arguments.arm.options()}),
       .examples = {{"Two gains of joint control, compared",
                     "beeline move rrr --from 0,0,0 --to 1,1,1 --kp 0.1 --out slow.csv\n"

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <beeline/error.h>
 #include <beeline/inverse/inverse_kinematics.h>
 
 #include "command/streams.h"
@@ -94,12 +95,16 @@ Answer ik(const IkArguments& arguments) {
   const Arm arm = arguments.arm.read();
   const WrittenPose goal = parse_pose_option(arguments.pose, arguments.unit);
   const InverseOptions options = arguments.inverse.read(arm, arguments.unit);
-  check_pose_form(arm, goal, arguments.inverse.task, "--pose");
+  try {
+    check_pose_form(arm, goal, arguments.inverse.task);
+  } catch (const Error& error) {
+    throw Error(std::string("--pose: ") + error.what());
+  }
   const InverseResult result = inverse_kinematics(arm, goal.pose, options);
   const bool solved = result.status == InverseStatus::solved;
   if (solved && result.residual > options.tolerance) {
     warn(fmt::format("rounding limits the error to {} m or rad for an arm of this size",
-                     shown(result.residual)));
+                     number(result.residual)));
   }
   return {.text = ik_text(arm, result, arguments.unit),
           .document = ik_document(arm, result, arguments.unit),

@@ -1,5 +1,6 @@
 #include "input_files.h"
 
+#include <cmath>
 #include <fmt/core.h>
 
 #include <beeline/error.h>
@@ -7,21 +8,50 @@
 
 using namespace beeline;
 
-Trajectory read_recording(const std::string& path, const Arm& arm) {
-  const Trajectory recorded = read_trajectory(path);
+namespace {
+
+/// Refuses values whose squares overflow.
+void check_size(const std::string& path, const Arm& arm, const std::vector<Configuration>& column) {
+  constexpr double largest = 1e100;
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    for (int k = 0; k < arm.dof(); ++k) {
+      if (std::abs(column[i][k]) <= largest) continue;
+      throw FileError(
+          path, 0,
+          fmt::format("sample {}: joint {} has the value {}; the largest accepted is {}", i + 1,
+                      arm.joint_of(k).name, number(column[i][k]), number(largest)));
+    }
+  }
+}
+
+}  // namespace
+
+Trajectory fitted(const std::string& path, const Arm& arm, const Trajectory& recorded) {
+  Trajectory trajectory;
   try {
-    return matched_to(arm, recorded);
+    trajectory = matched_to(arm, recorded);
   } catch (const Error& error) {
     throw FileError(path, 0, error.what());
   }
+  check_size(path, arm, trajectory.positions);
+  check_size(path, arm, trajectory.velocities);
+  check_size(path, arm, trajectory.accelerations);
+  return trajectory;
+}
+
+Trajectory read_recording(const std::string& path, const Arm& arm) {
+  return fitted(path, arm, read_trajectory(path));
 }
 
 PoseList read_waypoints(const std::string& path, const Arm& arm, const TaskArgument& task,
                         const UnitArgument& unit) {
   PoseList list = read_poses(path, unit.angle_unit());
   for (std::size_t i = 0; i < list.poses.size(); ++i) {
-    check_pose_form(arm, {list.poses[i], list.planar}, task,
-                    fmt::format("{}:{}", path, list.lines[i]));
+    try {
+      check_pose_form(arm, {list.poses[i], list.planar}, task);
+    } catch (const Error& error) {
+      throw FileError(path, list.lines[i], error.what());
+    }
   }
   return list;
 }

@@ -44,7 +44,8 @@ std::vector<Option> InverseArgument::choice_options() {
         {.name = "--lock",
          .value = "JOINT[=VALUE]",
          .help = "Keep this joint at the value given, or at the seed's.",
-         .target = &lock},
+         .target = &lock,
+         .phrases = {"is locked at"}},
         {.name = "--redundancy",
          .value = "CHOICE",
          .help = "Which of infinitely many solutions of a redundant arm: any; the one nearest to "
@@ -54,7 +55,8 @@ std::vector<Option> InverseArgument::choice_options() {
         {.name = "--grid",
          .value = "N",
          .help = "Number of values of the redundant joint at which solutions are first sought.",
-         .target = &values.grid}}});
+         .target = &values.grid,
+         .range = {2, 10'000}}}});
 }
 
 std::vector<Option> InverseArgument::search_options() {
@@ -65,11 +67,13 @@ std::vector<Option> InverseArgument::search_options() {
                    "automatic: closed form where there is one.",
            .target = &method,
            .choices = {name(InverseMethod::automatic), name(InverseMethod::closed_form),
-                       name(InverseMethod::numerical)}},
+                       name(InverseMethod::numerical)},
+           .phrases = {"has no closed form"}},
           {.name = "--tolerance",
            .value = "E",
            .help = "Largest error of a solution, in metres and in radians.",
-           .target = &values.tolerance},
+           .target = &values.tolerance,
+           .range = above_zero},
           {.name = "--max-iterations",
            .value = "N",
            .help = "Largest number of iterations from one start of the numerical method.",
@@ -85,7 +89,8 @@ std::vector<Option> InverseArgument::search_options() {
           {.name = "--time-limit",
            .value = "SECONDS",
            .help = "End a numerical search after this time with the solutions found so far.",
-           .target = &values.time_limit}};
+           .target = &values.time_limit,
+           .range = above_zero}};
 }
 
 InverseOptions InverseArgument::read(const Arm& arm, const UnitArgument& unit) const {

@@ -38,7 +38,7 @@ PathMotionOptions exact_motion_options(const LineArguments& arguments, const Tas
   options.profile = arguments.profile.read();
   options.suggest = true;
   if (arguments.tool_speed) options.tool_speed = *arguments.tool_speed;
-  if (arguments.rate) options.rate = checked_rate(*arguments.rate);
+  if (arguments.rate) options.rate = *arguments.rate;
   return options;
 }
 
@@ -134,7 +134,7 @@ std::vector<Option> line_options(LineArguments& arguments) {
           joint_values_option("--from",
                               "Joint values at the start. Default: the joint values at the first "
                               "pose that are best for the whole path.",
-                              &arguments.from),
+                              &arguments.from, {"the motion cannot start"}),
           {.name = "--method",
            .value = "METHOD",
            .help = "exact: a planned motion with a certificate; inverse-jacobian: feedback by the "
@@ -153,26 +153,32 @@ std::vector<Option> exact_options(LineArguments& arguments) {
          .value = "V",
          .help = "Largest speed of the tool origin, m/s.",
          .target = &arguments.tool_speed,
+         .range = {.lowest = 1e-8},
          .methods = {exact}},
         {.name = "--rate",
          .value = "HZ",
          .help = "Samples per second. Default: as few samples as the tolerance needs.",
          .target = &arguments.rate,
-         .methods = {exact}},
+         .range = above_zero,
+         .methods = {exact},
+         .phrases = {"samples a second", "samples per second"}},
         {.name = "--tolerance",
          .value = "METRES",
          .help = "Largest distance of the tool origin from the path between samples.",
          .target = &motion.tolerance,
+         .range = {.lowest = 1e-8},
          .methods = {exact}},
         {.name = "--orientation-tolerance",
          .value = "RAD",
          .help = "Largest angle from the path's orientation between samples, radians.",
          .target = &motion.orientation_tolerance,
+         .range = {.lowest = 1e-8},
          .methods = {exact}},
         {.name = "--max-samples",
          .value = "N",
          .help = "Give up if more samples are needed.",
          .target = &motion.max_samples,
+         .range = {2, 10'000'000},
          .methods = {exact}},
         {.name = "--branches",
          .help = "Also list every inverse-kinematics branch at the first pose: how many segments "
@@ -189,21 +195,25 @@ std::vector<Option> control_options(LineArguments& arguments) {
            .value = "K",
            .help = "Proportional gain K_p.",
            .target = &control.gain,
+           .range = above_zero,
            .methods = {jacobian, kinematics}},
           {.name = "--time-step",
            .value = "SECONDS",
            .help = "Duration of one step.",
            .target = &control.simulation.time_step,
+           .range = above_zero,
            .methods = {jacobian, kinematics}},
           {.name = "--max-steps",
            .value = "N",
            .help = "Give up after this many steps.",
            .target = &control.simulation.max_steps,
+           .range = {1, 10'000'000},
            .methods = {jacobian, kinematics}},
           {.name = "--intermediate",
            .value = "N",
            .help = "Poses on each line at which inverse kinematics is solved.",
            .target = &control.intermediate,
+           .range = {1, 100'000},
            .methods = {kinematics}}};
 }
 

@@ -19,7 +19,7 @@ std::string motion_text(const LineReport& report, const UnitArgument& unit) {
                shown(100 * report.limit_margin), shown(report.dexterity));
   }
   return text +
-         fmt::format("control       {} steps, overshoot {} % of a line\n", report.steps,
+         fmt::format("control       {}, overshoot {} % of a line\n", counted(report.steps, "step"),
                      shown(100 * report.overshoot)) +
          deviation_text(report.deviation, unit);
 }

@@ -30,10 +30,17 @@ struct MoveArguments {
 /// The motion in minimum time, all joints beginning and ending together.
 ControlledMotion move_quickest(const MoveArguments& arguments, const Arm& arm,
                                const Configuration& from, const Configuration& to) {
+  ControlledMotion result = begin_motion(arm, from);
+  const std::vector<std::string> outside = limit_violations(arm, to);
+  if (!outside.empty()) {
+    result.error = (to - from).lpNorm<Eigen::Infinity>();
+    result.status = MotionStatus::outside_limits;
+    result.reason = "the goal is outside the limits: " + outside.front();
+    return result;
+  }
   const Synchronise synchronise =
       arguments.synchronise == "time" ? Synchronise::time : Synchronise::straight;
   const PointToPoint motion = point_to_point(arm, from, to, {.synchronise = synchronise});
-  ControlledMotion result;
   result.trajectory = sampled(arm, motion, arguments.rate);
   result.steps = static_cast<int>(result.trajectory.size()) - 1;
   return result;
@@ -43,7 +50,7 @@ std::string move_text(const MoveArguments& arguments, const Arm& arm,
                       const ControlledMotion& motion, const Pose& goal) {
   std::string text;
   if (arguments.method == feedback) {
-    text = fmt::format("{} after {} steps of {} s\n", name(motion.status), motion.steps,
+    text = fmt::format("{} after {} of {} s\n", name(motion.status), counted(motion.steps, "step"),
                        shown(arguments.simulation.time_step)) +
            fmt::format("error         {} (largest joint error, rad or m)\n", shown(motion.error)) +
            fmt::format("overshoot     {} % of the distance\n", shown(100 * motion.overshoot));
@@ -52,7 +59,8 @@ std::string move_text(const MoveArguments& arguments, const Arm& arm,
         fmt::format("{} after {} s\n", name(motion.status), shown(motion.trajectory.times.back()));
   }
   if (motion.slowed > 0) {
-    text += fmt::format("slowed        {} steps, to respect the velocity limits\n", motion.slowed);
+    text += fmt::format("slowed        {}, to respect the velocity limits\n",
+                        counted(motion.slowed, "step"));
   }
   if (motion.status != MotionStatus::reached) return text;
   return text + "tool at the goal\n" + pose_text(goal, arm.planar(), arguments.unit) +
@@ -88,7 +96,8 @@ Answer move_joints(const MoveArguments& arguments) {
 }
 
 std::vector<Option> move_options(MoveArguments& arguments) {
-  Option from = joint_values_option("--from", "Joint values at the start.", &arguments.from);
+  Option from = joint_values_option("--from", "Joint values at the start.", &arguments.from,
+                                    {"the motion cannot start"});
   Option to = joint_values_option("--to", "Joint values at the goal.", &arguments.to);
   from.required = to.required = true;
   return {from,
@@ -110,31 +119,37 @@ std::vector<Option> move_method_options(MoveArguments& arguments) {
            .help = "Proportional gain K_p, per step; the joints overshoot if it is above 1.",
            .target = &gains.kp,
            .alias = "--gain",
+           .range = above_zero,
            .methods = {feedback}},
           {.name = "--ki",
            .value = "K",
            .help = "Integral gain.",
            .target = &gains.ki,
+           .range = zero_or_more,
            .methods = {feedback}},
           {.name = "--kd",
            .value = "K",
            .help = "Derivative gain.",
            .target = &gains.kd,
+           .range = zero_or_more,
            .methods = {feedback}},
           {.name = "--tolerance",
            .value = "E",
            .help = "The goal is reached when every joint error is below this, rad or m.",
            .target = &simulation.tolerance,
+           .range = above_zero,
            .methods = {feedback}},
           {.name = "--time-step",
            .value = "SECONDS",
            .help = "Duration of one step.",
            .target = &simulation.time_step,
+           .range = above_zero,
            .methods = {feedback}},
           {.name = "--max-steps",
            .value = "N",
            .help = "Give up after this many steps.",
            .target = &simulation.max_steps,
+           .range = {1, 10'000'000},
            .methods = {feedback}},
           {.name = "--synchronise",
            .value = "KIND",
@@ -147,7 +162,9 @@ std::vector<Option> move_method_options(MoveArguments& arguments) {
            .value = "HZ",
            .help = "Samples per second.",
            .target = &arguments.rate,
-           .methods = {quickest}}};
+           .range = above_zero,
+           .methods = {quickest},
+           .phrases = {"samples a second"}}};
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ std::vector<Option> PathArgument::options(const std::vector<std::string>& method
        .help = "Blend the corners of straight lines, so that the tool passes them without a "
                "stop, at most this far from the corner (and 5 rad for each metre).",
        .target = &blend,
+       .range = above_zero,
        .methods = methods}};
 }
 

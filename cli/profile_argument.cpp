@@ -1,7 +1,5 @@
 #include "profile_argument.h"
 
-#include <beeline/error.h>
-
 using namespace beeline;
 
 Option ProfileArgument::option(const std::vector<std::string>& methods) {
@@ -15,15 +13,11 @@ Option ProfileArgument::option(const std::vector<std::string>& methods) {
               "otherwise fastest.",
           .target = &text,
           .choices = profile_names(),
-          .methods = methods};
+          .methods = methods,
+          .phrases = {"profile jerk"}};
 }
 
 std::optional<Profile> ProfileArgument::read() const {
   if (text.empty()) return std::nullopt;
   return profile_named(text);
-}
-
-double checked_rate(double rate) {
-  if (rate > 0) return rate;
-  throw Error("--rate must be above zero, not " + number(rate));
 }

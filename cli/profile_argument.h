@@ -15,6 +15,3 @@ struct ProfileArgument {
   Option option(const std::vector<std::string>& methods = {});
   std::optional<beeline::Profile> read() const;
 };
-
-/// Throws Error unless a rate is above zero.
-double checked_rate(double rate);

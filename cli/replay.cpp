@@ -62,9 +62,10 @@ Json replay_document(const Replay& played) {
 }
 
 std::string replay_text(const Replay& played) {
-  std::string text = fmt::format("played        {} samples in {} s, of which {} s lead-in\n",
-                                 played.trajectory.size(), shown(played.trajectory.times.back()),
-                                 shown(played.lead_in));
+  std::string text =
+      fmt::format("played        {} in {} s, of which {} s lead-in\n",
+                  counted(static_cast<std::int64_t>(played.trajectory.size()), "sample"),
+                  shown(played.trajectory.times.back()), shown(played.lead_in));
   if (played.velocity_usage > 0) {
     text += fmt::format("velocity      at most {} % of a joint's limit\n",
                         shown(100 * played.velocity_usage));
@@ -82,11 +83,13 @@ Answer replay_file(const ReplayArguments& arguments) {
   const Replay played = replay(arm, recording, options);
   const bool reached = played.status == MotionStatus::reached;
   if (reached) arguments.files.write(arm, played.trajectory, {});
-  Answer answer{.text = fmt::format("{}: {} recorded samples on {}\n", name(played.status),
-                                    recording.size(), arm.name()),
-                .document = replay_document(played),
-                .yes = reached,
-                .reason = played.reason};
+  Answer answer{
+      .text = fmt::format("{}: {} on {}\n", name(played.status),
+                          counted(static_cast<std::int64_t>(recording.size()), "recorded sample"),
+                          arm.name()),
+      .document = replay_document(played),
+      .yes = reached,
+      .reason = played.reason};
   if (!reached) return answer;
   answer.text += replay_text(played);
   if (measured) {
@@ -109,22 +112,28 @@ std::vector<Option> playing_options(ReplayArguments& arguments) {
           {.name = "--speed",
            .value = "K",
            .help = "Playback speed; at 0.5 the motion takes twice the recorded time.",
-           .target = &replay.speed},
+           .target = &replay.speed,
+           .range = above_zero},
           {.name = "--speed-at",
            .value = "T:K,...",
            .help = "Playback speeds from 0 (pause) to 1 and the times at which they begin, lead-in "
                    "included: 2:0.5,4:0,6:1 is half speed from 2 s on, a pause at 4 s, full speed "
                    "from 6 s on. The speed changes gradually, starting from 0.",
-           .target = &arguments.speed_at},
+           .target = &arguments.speed_at,
+           .excludes = "--speed",
+           .phrases = {"a replay's speed at a time", "a replay's speeds", "the replay pauses"}},
           {.name = "--ramp",
            .value = "SECONDS",
            .help = "Time in which the playback speed changes by 1.",
            .target = &replay.ramp,
+           .range = above_zero,
            .needs = "--speed-at"},
           {.name = "--rate",
            .value = "HZ",
            .help = "Samples per second of the output.",
-           .target = &replay.rate},
+           .target = &replay.rate,
+           .range = above_zero,
+           .phrases = {"samples per second"}},
           {.name = "--measured",
            .value = "FILE",
            .help = "A measured trajectory, to report the tracking error as `beeline diff` does.",

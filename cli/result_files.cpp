@@ -11,11 +11,23 @@
 
 using namespace beeline;
 
+namespace {
+
+/// Whether two paths name the same file, which need not exist: ./q.svg is q.svg.
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code fault;
+  if (std::filesystem::equivalent(a, b, fault) && !fault) return true;
+  const auto resolved = [&fault](const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, fault), fault);
+  };
+  return resolved(a) == resolved(b) && !fault;
+}
+
+}  // namespace
+
 void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs) {
   for (const std::string& input : inputs) {
-    std::error_code missing;
-    const std::string file = input == "-" ? "/dev/stdin" : input;
-    if (std::filesystem::equivalent(output, file, missing) && !missing) {
+    if (!input.empty() && same_file(output, input == "-" ? "/dev/stdin" : input)) {
       throw Error("the output " + output + " is an input as well; choose another name");
     }
   }
@@ -45,7 +57,8 @@ std::vector<Option> ResultFiles::options() {
            .value = "FILE",
            .help = "Write the joint trajectory: .csv, or .json as a ROS JointTrajectory.",
            .target = &out,
-           .completes = Completes::file},
+           .completes = Completes::file,
+           .phrases = {"cannot be written to a .csv file"}},
           {.name = "--draw",
            .value = "FILE",
            .help = "Draw the arm and the path of its tool: .svg, .png or .pdf.",
@@ -59,12 +72,15 @@ void ResultFiles::check(const std::vector<std::string>& inputs) const {
   if (!draw.empty()) format_of(draw);
   if (!plot.empty()) format_of(plot);
   const auto refuse_same = [](const char* options, const std::string& a, const std::string& b) {
-    if (!a.empty() && a == b) throw Error(options + std::string(" name the same file: ") + a);
+    if (a.empty() || b.empty() || !same_file(a, b)) return;
+    throw Error(options + std::string(" name the same file: ") + a);
   };
   refuse_same("--out and --draw", out, draw);
   refuse_same("--out and --plot", out, plot);
   refuse_same("--draw and --plot", draw, plot);
-  for (const std::string& file : {out, draw, plot}) refuse_overwriting(file, inputs);
+  for (const std::string& file : {out, draw, plot}) {
+    if (!file.empty()) refuse_overwriting(file, inputs);
+  }
 }
 
 void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,

@@ -4,6 +4,7 @@
 #include <beeline/error.h>
 #include <beeline/read/internal/csv.h>
 #include <beeline/read/internal/file.h>
+#include <beeline/record/trajectory_file.h>
 #include <beeline/timing/retime.h>
 
 #include "format.h"
@@ -46,15 +47,16 @@ Trajectory untimed(const internal::CsvTable& table) {
 
 RetimeInput read_input(const std::string& file, const Arm& arm) {
   RetimeInput input;
-  if (internal::extension(file) == "csv") {
-    const internal::CsvTable table = internal::parse_csv(internal::read_file(file), file);
+  const std::string text = internal::read_file(file);
+  if (trajectory_format(file, text) == TrajectoryFormat::csv) {
+    const internal::CsvTable table = internal::parse_csv(text, file);
     const auto& columns = table.columns;
     input.has_times = std::find(columns.begin(), columns.end(), "t") != columns.end();
     if (!input.has_times) input.trajectory = untimed(table);
   }
-  if (input.has_times) input.trajectory = read_recording(file, arm);
+  if (input.has_times) input.trajectory = parse_trajectory(text, file);
+  input.trajectory = fitted(file, arm, input.trajectory);
   try {
-    input.trajectory = matched_to(arm, input.trajectory);
     check_moves(input.trajectory);
   } catch (const Error& error) {
     throw FileError(file, 0, error.what());
@@ -65,7 +67,7 @@ RetimeInput read_input(const std::string& file, const Arm& arm) {
 RetimeOptions retime_options(const RetimeArguments& arguments) {
   RetimeOptions options = arguments.retime;
   options.profile = arguments.profile.read();
-  if (arguments.rate) options.rate = checked_rate(*arguments.rate);
+  if (arguments.rate) options.rate = *arguments.rate;
   if (arguments.tool_speed) options.tool_speed = *arguments.tool_speed;
   return options;
 }
@@ -76,7 +78,8 @@ std::string retime_text(const RetimeArguments& arguments, const Arm& arm, const 
   const std::string before =
       duration_before ? fmt::format(", before {} s", shown(*duration_before)) : "";
   const std::string stops =
-      retimed.sections > 1 ? fmt::format(", with {} stops between", retimed.sections - 1) : "";
+      retimed.sections > 1 ? fmt::format(", with {} between", counted(retimed.sections - 1, "stop"))
+                           : "";
   return fmt::format("retimed       {} samples of {}, profile {}\n", retimed.trajectory.size(),
                      arm.name(), name(retimed.profile)) +
          fmt::format("duration      {} s{}{}\n", shown(retimed.trajectory.times.back()), before,
@@ -119,15 +122,19 @@ std::vector<Option> timing_options(RetimeArguments& arguments) {
            .value = "K",
            .help = "Speed scale k in (0, 1]: velocity limits x k, acceleration x k^2, "
                    "jerk x k^3.",
-           .target = &arguments.retime.speed_scale},
+           .target = &arguments.retime.speed_scale,
+           .range = {1e-6, 1}},
           {.name = "--tool-speed",
            .value = "V",
            .help = "Largest speed of the tool origin, m/s.",
-           .target = &arguments.tool_speed},
+           .target = &arguments.tool_speed,
+           .range = {.lowest = 1e-9}},
           {.name = "--rate",
            .value = "HZ",
            .help = "Samples per second. Default: every sample of the file, and more between.",
-           .target = &arguments.rate}};
+           .target = &arguments.rate,
+           .range = above_zero,
+           .phrases = {"samples a second"}}};
 }
 
 }  // namespace

@@ -42,6 +42,7 @@ _beeline() {
   else
     local -a kinds=($arguments)
     offered=${kinds[position]//,/ }
+    [[ $offered != "-" ]] || offered=
   fi
   COMPREPLY=()
   if [[ " $offered " == *" @file "* ]]; then

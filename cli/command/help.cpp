@@ -88,7 +88,9 @@ std::string full_help(const Option& option) {
   if (option.required) text += " Required.";
   const std::string default_value = default_text(option);
   if (!default_value.empty()) text += " Default: " + default_value + ".";
+  if (!range_text(option).empty()) text += " Range: " + range_text(option) + ".";
   if (!option.needs.empty()) text += " Needs " + option.needs + ".";
+  if (!option.excludes.empty()) text += " Excludes " + option.excludes + ".";
   return text;
 }
 
@@ -136,23 +138,30 @@ Verb help_verb(const std::vector<Verb>& verbs) {
   Verb verb{.name = "help",
             .summary = "Describe a verb, its options and examples",
             .description = "Prints what `beeline VERB --help` prints, or the list of verbs."};
-  std::vector<std::string> names;
-  for (const Verb& other : verbs) names.push_back(other.name);
+  std::vector<std::string> names, kinds;
+  for (const Verb& other : verbs) {
+    names.push_back(other.name);
+    for (const Verb& kind : other.verbs) kinds.push_back(kind.name);
+  }
+  names.push_back(verb.name);
   verb.arguments = {{.name = "VERB",
                      .help = "The verb to describe.",
                      .target = &name,
                      .required = false,
-                     .choices = names},
+                     .choices = names,
+                     .other_values = true},  // find_verb() explains a former name
                     {.name = "KIND",
                      .help = "The kind of computation, for `batch`: fk, jacobian or ik.",
                      .target = &part,
-                     .required = false}};
+                     .required = false,
+                     .choices = kinds}};
   verb.examples = {{"All options of the verb fk", "beeline help fk"},
                    {"Those of batch ik", "beeline help batch ik"}};
   verb.run = [&verbs]() -> Answer {
     if (name.empty()) return {.text = overview(verbs)};
     const Verb& described = find_verb(verbs, name);
     if (part.empty()) return {.text = help_text(described, "beeline " + name)};
+    if (described.verbs.empty()) throw beeline::Error("the verb " + name + " has no kinds");
     return {.text = help_text(find_verb(described.verbs, part), "beeline " + name + " " + part)};
   };
   return verb;

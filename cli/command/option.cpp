@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 #include <beeline/error.h>
@@ -12,35 +13,68 @@ using namespace beeline;
 namespace {
 
 template <class Integer>
-Integer whole_number(const std::string& text, const std::string& name) {
+Integer whole_number(const Option& option, const std::string& text, const std::string& name) {
   Integer value = 0;  // counts and seeds: none is negative
   const char* const last = text.data() + text.size();
   const auto [end, fault] = std::from_chars(text.data(), last, value);
-  if (fault == std::errc() && end == last && !text.starts_with('-')) return value;
-  throw Error(name + " must be a whole number from 0 to " +
-              std::to_string(std::numeric_limits<Integer>::max()) + ", not " + text);
+  const bool whole = fault == std::errc() && end == last && !text.starts_with('-');
+  const auto [lowest, highest, above] = option.range;
+  if (whole && static_cast<double>(value) >= lowest && static_cast<double>(value) <= highest) {
+    return value;
+  }
+  Option bounded = option;
+  bounded.range.lowest = std::max(lowest, 0.0);
+  std::string accepted = range_text(bounded);
+  if (!std::isfinite(highest)) {
+    accepted = "from " + number(bounded.range.lowest) + " to " +
+               std::to_string(std::numeric_limits<Integer>::max());
+  }
+  throw Error(name + " must be a whole number " + accepted + ", not " + text);
+}
+
+double real_number(const Option& option, const std::string& text, const std::string& name) {
+  const double value = internal::parse_number(text, name);
+  const auto [lowest, highest, above] = option.range;
+  if (value >= lowest && value <= highest && !(above && value == lowest)) return value;
+  throw Error(name + " must be " + range_text(option) + ", not " + text);
+}
+
+/// A bound with all its digits if it is a whole number.
+std::string bound_text(double bound) {
+  const bool whole = bound == std::floor(bound) && std::abs(bound) < 1e15;
+  return whole ? std::to_string(static_cast<std::int64_t>(bound)) : number(bound);
 }
 
 }  // namespace
 
+void check_choice(const std::string& what, const std::string& text,
+                  const std::vector<std::string>& choices) {
+  if (std::find(choices.begin(), choices.end(), text) != choices.end()) return;
+  throw unknown_name("value of " + what, text, choices);
+}
+
 void assign(const Option& option, const std::string& name, const std::string& text) {
   if (text.empty()) throw Error(name + " needs a value that is not empty");
-  const auto& choices = option.choices;
-  const bool known = std::find(choices.begin(), choices.end(), text) != choices.end();
-  if (!choices.empty() && !known && !option.other_values) {
-    throw unknown_name("value of " + name, text, choices);
-  }
+  if (!option.choices.empty() && !option.other_values) check_choice(name, text, option.choices);
   if (auto* const* target = std::get_if<int*>(&option.target)) {
-    **target = whole_number<int>(text, name);
+    **target = whole_number<int>(option, text, name);
   } else if (auto* const* large = std::get_if<std::uint64_t*>(&option.target)) {
-    **large = whole_number<std::uint64_t>(text, name);
+    **large = whole_number<std::uint64_t>(option, text, name);
   } else if (auto* const* real = std::get_if<double*>(&option.target)) {
-    **real = internal::parse_number(text, name);
+    **real = real_number(option, text, name);
   } else if (auto* const* optional = std::get_if<std::optional<double>*>(&option.target)) {
-    **optional = internal::parse_number(text, name);
+    **optional = real_number(option, text, name);
   } else {
     *std::get<std::string*>(option.target) = text;
   }
+}
+
+std::string range_text(const Option& option) {
+  const auto [lowest, highest, above] = option.range;
+  const bool from = std::isfinite(lowest), to = std::isfinite(highest);
+  if (!from) return to ? "at most " + bound_text(highest) : "";
+  if (to) return "from " + bound_text(lowest) + " to " + bound_text(highest);
+  return (above ? "above " : "at least ") + bound_text(lowest);
 }
 
 std::string default_text(const Option& option) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -10,6 +11,15 @@
 /// numbers are not negative, real numbers are finite; bool makes the option a flag.
 using Target =
     std::variant<bool*, int*, std::uint64_t*, double*, std::optional<double>*, std::string*>;
+
+/// The numbers that an option accepts.
+struct Range {
+  double lowest = -std::numeric_limits<double>::infinity();
+  double highest = std::numeric_limits<double>::infinity();
+  bool above = false;  ///< the lowest number itself is not accepted
+};
+constexpr Range above_zero{.lowest = 0, .above = true};
+constexpr Range zero_or_more{.lowest = 0};
 
 /// What a value names, for shell completion.
 enum class Completes { nothing, arm, file };
@@ -21,7 +31,8 @@ struct Positional {
   std::string* target = nullptr;
   Completes completes = Completes::nothing;
   bool required = true;
-  std::vector<std::string> choices = {};  ///< for completion
+  std::vector<std::string> choices = {};  ///< the accepted values; empty: any
+  bool other_values = false;              ///< the choices are not all accepted values
 };
 
 /// An option of a verb. The parser, the help, the man page and the shell completions read these
@@ -35,16 +46,28 @@ struct Option {
   std::string alias = {};                 ///< a second name
   std::vector<std::string> choices = {};  ///< the accepted values; empty: any
   bool other_values = false;              ///< the choices are not all accepted values
+  Range range = {};                       ///< the accepted numbers
   Completes completes = Completes::nothing;
   std::vector<std::string> methods = {};  ///< needs --method with one of these values
   std::string needs = {};                 ///< another option that it needs
+  std::string excludes = {};              ///< an option that it cannot be combined with
+  /// Phrases of the library's errors about this option, beside its name with underscores:
+  /// "the motion cannot start" for --from.
+  std::vector<std::string> phrases = {};
 };
 
 /// Sets the target from the text typed for `name`. Throws Error naming the option if the text is
 /// empty, is not such a number, or is not among the choices.
 void assign(const Option& option, const std::string& name, const std::string& text);
 
+/// Throws Error if `text`, given for `what`, is not among the choices.
+void check_choice(const std::string& what, const std::string& text,
+                  const std::vector<std::string>& choices);
+
 /// The default as the help shows it; empty if there is none.
 std::string default_text(const Option& option);
+
+/// The accepted numbers as the help and errors show them: "above 0"; empty if there is no bound.
+std::string range_text(const Option& option);
 
 bool is_flag(const Option& option);

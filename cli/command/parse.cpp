@@ -61,13 +61,31 @@ void refuse_repeated(const Option& option, const CLI::Option* result, const Word
               " times");
 }
 
-void check_needs(const Option& option, const std::string& name, const Words& typed,
-                 const std::string& method) {
-  const auto has = [](const Words& words, const std::string& word) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-  };
+bool has(const Words& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// CLI11 takes the next word as the value of `--q=`, and any value of a flag.
+void check_equals_signs(const std::vector<Option>& options, const Words& arguments) {
+  for (const std::string& word : arguments) {
+    if (!word.starts_with('-') || word.find('=') == std::string::npos) continue;
+    for (const Option& option : options) {
+      const std::string name = option_name(word);
+      if (name != option.name && name != option.alias) continue;
+      if (is_flag(option)) throw Error(name + " takes no value, but was given " + word);
+      if (word == name + "=") throw Error(name + " needs a value that is not empty");
+    }
+  }
+}
+
+/// Checks the options that this one needs or excludes.
+void check_combination(const Option& option, const std::string& name, const Words& typed,
+                       const std::string& method) {
   if (!option.needs.empty() && !has(typed, option.needs)) {
     throw Error(name + " needs " + option.needs);
+  }
+  if (!option.excludes.empty() && has(typed, option.excludes)) {
+    throw Error(name + " cannot be combined with " + option.excludes);
   }
   if (option.methods.empty() || has(option.methods, method)) return;
   throw Error(name + " has no effect with --method " + method + "; it requires --method " +
@@ -90,6 +108,8 @@ void set_arguments(const Verb& verb, const std::vector<CLI::Option*>& results) {
     }
     *argument.target = results[i]->results().front();
     if (argument.target->empty()) throw Error(argument.name + " is empty");
+    if (argument.choices.empty() || argument.other_values) continue;
+    check_choice(argument.name, *argument.target, argument.choices);
   }
   refuse_former_order(verb);
 }
@@ -112,7 +132,8 @@ Words set_options(const Verb& verb, const std::vector<Parsed>& parsed, const Wor
   }
   const std::string method = method_of(verb);
   for (const auto& [option, result] : parsed) {
-    if (result->count() > 0) check_needs(*option, typed_name(*option, arguments), typed, method);
+    if (result->count() == 0) continue;
+    check_combination(*option, typed_name(*option, arguments), typed, method);
   }
   return typed;
 }
@@ -124,6 +145,7 @@ std::vector<std::string> parse(const Verb& verb, const Words& arguments) {
   app.set_help_flag();
   app.allow_extras();
   const std::vector<Option> options = all_options(verb);
+  check_equals_signs(options, arguments);
   std::vector<CLI::Option*> positions;
   std::vector<Parsed> parsed;
   for (const Positional& argument : verb.arguments) {

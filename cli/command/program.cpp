@@ -31,49 +31,65 @@ bool asks_for_help(const std::vector<std::string>& arguments) {
                      [](const std::string& word) { return word == "--help" || word == "-h"; });
 }
 
+/// The error for words without a verb.
+Error no_verb(const std::vector<Verb>& verbs, const Selection& selection) {
+  std::vector<std::string> names;
+  for (const Verb& verb : verbs) names.push_back(verb.name);
+  std::string message;
+  if (!selection.arguments.empty()) {
+    message = "unknown option \"" + selection.arguments.front() + "\" before a verb; ";
+  }
+  return Error(message + selection.command + " needs a verb: " + beeline::listed(names));
+}
+
 /// Follows verbs of verbs, such as `batch fk`.
 void select(const std::vector<Verb>& verbs, Selection& selection) {
   std::vector<std::string>& arguments = selection.arguments;
   const bool named = !arguments.empty() && arguments.front()[0] != '-';
   if (!named && selection.verb != nullptr && asks_for_help(arguments)) return;
-  if (!named) {
-    std::vector<std::string> names;
-    for (const Verb& verb : verbs) names.push_back(verb.name);
-    throw Error(selection.command + " needs a verb: " + beeline::listed(names));
-  }
+  if (!named) throw no_verb(verbs, selection);
   selection.verb = &find_verb(verbs, arguments.front());
   selection.command += " " + selection.verb->name;
   arguments.erase(arguments.begin());
   if (!selection.verb->verbs.empty()) select(selection.verb->verbs, selection);
 }
 
-/// The message with the option in front that it is about, if it mentions one that was typed by its
-/// name in the library: "max samples" or max_samples for --max-samples.
-std::string naming_the_option(std::string message, const std::vector<std::string>& typed) {
-  std::string words = message;  // "the tool's speed" is --tool-speed
-  for (std::size_t at = words.find("'s "); at != std::string::npos; at = words.find("'s ")) {
-    words.erase(at, 2);
-  }
-  const auto mentions = [&words](const std::string& name) {
-    const std::size_t at = words.find(name);
-    const auto letter = [&words](std::size_t i) {
-      return i < words.size() && std::isalnum(static_cast<unsigned char>(words[i])) != 0;
-    };
-    return at != std::string::npos && !letter(at - 1) && !letter(at + name.size());
+/// The position of a phrase in the message, as whole words; npos if it is not there.
+std::size_t find_phrase(const std::string& message, const std::string& phrase) {
+  const auto in_word = [&message](std::size_t i) {
+    return i < message.size() &&
+           (std::isalnum(static_cast<unsigned char>(message[i])) != 0 || message[i] == '_');
   };
-  std::string best;
-  for (const std::string& option : typed) {
-    if (mentions(option)) return message;
-    std::string name = option.substr(option.find_first_not_of('-'));
-    bool found = mentions(name);
-    for (const char blank : {' ', '_'}) {
-      std::replace_if(
-          name.begin(), name.end(), [](char c) { return c == '-' || c == ' '; }, blank);
-      found = found || mentions(name);
-    }
-    if (found && option.size() > best.size()) best = option;
+  std::size_t at = message.find(phrase);
+  while (at != std::string::npos && (in_word(at - 1) || in_word(at + phrase.size()))) {
+    at = message.find(phrase, at + 1);
   }
-  return best.empty() ? message : best + ": " + message;
+  return at;
+}
+
+/// The library's name of an option of several words: "max_samples" of --max-samples.
+std::string library_name(const Option& option) {
+  std::string name = option.name.substr(2);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name.find('_') == std::string::npos ? "" : name;
+}
+
+/// The library's message with the option that was typed: in place of the library's name of it, or
+/// in front if the message has one of the phrases that are declared for it.
+std::string naming_the_option(std::string message, const Selection& selection) {
+  if (selection.verb == nullptr) return message;
+  for (const Option& option : all_options(*selection.verb)) {
+    for (const std::string& name : selection.typed) {
+      if (name != option.name && name != option.alias) continue;
+      const std::string library = library_name(option);
+      const std::size_t at = library.empty() ? std::string::npos : find_phrase(message, library);
+      if (at != std::string::npos) return message.replace(at, library.size(), name);
+      for (const std::string& phrase : option.phrases) {
+        if (find_phrase(message, phrase) != std::string::npos) return name + ": " + message;
+      }
+    }
+  }
+  return message;
 }
 
 int print(const Answer& answer, bool json) {
@@ -97,6 +113,11 @@ int run(Selection& selection) {
   return print(verb.run(), verb.json != nullptr && *verb.json);
 }
 
+int print_version(const std::vector<std::string>& arguments) {
+  if (arguments.size() > 1) throw Error("unexpected argument \"" + arguments[1] + "\"");
+  return print({.text = "beeline " BEELINE_VERSION "\n"}, false);
+}
+
 int fail(Exit exit, const std::string& message) {
   print_error(message);
   return static_cast<int>(exit);
@@ -114,13 +135,13 @@ int run_program(std::vector<Verb> verbs, int argc, char** argv) {
   try {
     const std::string first = selection.arguments.empty() ? "" : selection.arguments.front();
     if (first == "--help" || first == "-h") return print({.text = overview(verbs)}, false);
-    if (first == "--version") return print({.text = "beeline " BEELINE_VERSION "\n"}, false);
+    if (first == "--version") return print_version(selection.arguments);
     select(verbs, selection);
     return run(selection);
   } catch (const beeline::FileError& error) {
     return fail(Exit::file, error.what());
   } catch (const Error& error) {
-    return fail(Exit::usage, naming_the_option(error.what(), selection.typed) + " (see " +
+    return fail(Exit::usage, naming_the_option(error.what(), selection) + " (see " +
                                  selection.command + " --help)");
   } catch (const std::bad_alloc&) {
     return fail(Exit::file, "the input needs more memory than is available");

@@ -13,6 +13,7 @@
 
 void prepare_streams() {
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit of the shell fails with an error
   const auto fill = [](int stream, int mode) {
     if (fcntl(stream, F_GETFD) != -1) return;
     const int opened = open("/dev/null", mode);  // the lowest free number, which is `stream`

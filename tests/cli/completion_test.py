@@ -57,6 +57,7 @@ def test_bash_completes(completed, written):
     assert completed("batch", "j") == {"jacobian"}
     assert completed("batch", "ik", "ur5", "--redundancy", "") == {"any", "nearest", "centred"}
     assert completed("help", "dr") == {"draw"}
+    assert completed("help", "batch", "") == {"fk", "jacobian", "ik"}
     assert completed("completion", "") == {"bash", "zsh", "fish"}
     assert completed("figure", "1.") == {"1.3", "1.6", "1.7", "1.8", "1.9"}
     written("move.csv", "")
@@ -81,6 +82,7 @@ def test_fish_completes(script, written, tmp_path):
     assert complete("beeline fk pa") == {"panda"}
     assert complete("beeline retime panda --profile s") == {"s-curve"}
     assert complete("beeline batch j") == {"jacobian"}
+    assert complete("beeline help batch ") == {"fk", "jacobian", "ik"}
     assert "--seed" in complete("beeline batch ik ur5 --")
     assert "--seed" not in complete("beeline batch fk ur5 --")
     assert "move.csv" in complete("beeline check panda mo")

@@ -72,6 +72,14 @@ def test_the_quickest_move(beeline, tmp_path):
     assert straight["duration"] >= answer["duration"] - 1e-9
 
 
+@pytest.mark.parametrize("method", ["feedback", "quickest"])
+def test_a_goal_outside_the_limits_is_a_no(beeline, method):
+    answer = beeline("move", "panda", "--from", READY, "--to", "0,0,0,1,0,1,0", "--method", method,
+                     "--json")
+    assert answer.code == 1 and answer.json["status"] == "outside_limits"
+    assert "joint4" in answer.json["reason"] and answer.json["reason"] in answer.err
+
+
 def test_a_recording_differs_from_another_one_and_not_from_itself(beeline):
     command = ("move", "panda", "--from", READY, "--method", "quickest", "--rate", "200")
     beeline(*command, "--to", "0.5,-0.3,0.2,-1.9,0.1,2,0.3", "--out", "a.csv")

@@ -27,6 +27,9 @@ def test_former_names_and_orders_are_explained(refused, arguments, says):
 
 SUGGESTED = [
     (("retiem",), ['"retime"', "beeline --help"]),
+    (("ik", "rrr", "--pose", "1,2,0", "--tol", "1"), ['did you mean "--tolerance"']),
+    (("fk", "rrr", "--q", "0,0,0", "--deg"), ['did you mean "--degrees"']),
+    (("ik", "rrr", "--pose", "1,2,0", "--ignore"), ['did you mean "--ignore-limits"']),
     (("batch", "jacobain"), ['"jacobian"', "beeline batch --help"]),
     (("line", "rrr", "--trough", "p.csv"), ['"--trough"', '"--through"', "beeline line --help"]),
     (("fk", "rrr", "-q", "0,0,0"), ['"-q"', '"--q"', "beeline fk --help"]),
@@ -39,6 +42,33 @@ SUGGESTED = [
 @pytest.mark.parametrize("arguments, says", SUGGESTED, ids=lambda value: " ".join(value)[:60])
 def test_the_nearest_name_is_suggested(refused, arguments, says):
     refused(2, *arguments, says=says)
+
+
+@pytest.mark.parametrize("arguments", [
+    ("fk", "rrr", "--q", "0,0,0", "--seed", "1"), ("fk", "rrr", "--q", "0,0,0", "--frame", "base"),
+    ("line", "rrr", "--through", "p.csv", "--speed", "1"), ("fk", "rrr", "--version"),
+], ids=lambda value: " ".join(value))
+def test_another_word_is_no_suggestion(refused, arguments):
+    assert "did you mean" not in refused(2, *arguments, says=["unknown option"])
+
+
+def test_the_option_at_fault_is_named(refused, written):
+    says = refused(2, "move", "panda", "--from", "0,0,0,0,0,0,0", "--to", "0,0,0,-1,0,1,0")
+    assert says.startswith("beeline: --from: the motion cannot start")
+    written("t.json", '{"name": "a", "joints": [{"name": "t", "type": "revolute"}]}')
+    says = refused(2, "move", "t.json", "--from", "0", "--to", "1", "--out", "m.csv")
+    assert says.startswith('beeline: --out: joint "t" cannot be written')
+    written("m.csv", "t,joint1,joint2,joint3\n0,0,0,0\n1,1,0,0\n")
+    says = refused(2, "replay", "rrr", "m.csv", "--speed-at", "0:1,2:0")
+    assert says.startswith("beeline: --speed-at: the replay pauses")
+    says = refused(2, "retime", "rrr", "m.csv", "--rate", "0.1")
+    assert says.startswith("beeline: --rate: 0.1 samples a second")
+
+
+def test_replay_takes_one_kind_of_speed(refused, written):
+    written("m.csv", "t,joint1,joint2,joint3\n0,0,0,0\n1,1,0,0\n")
+    refused(2, "replay", "rrr", "m.csv", "--speed-at", "0:1", "--speed", "0.5",
+            says=["--speed-at cannot be combined with --speed"])
 
 
 NAMED = [

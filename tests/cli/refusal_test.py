@@ -44,6 +44,27 @@ USAGE = [
     (("jacobian", "rrr", *Q3, "--task", "111110:tool"), [":tool", "--frame"]),
     (("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--out", "a.csv", "--draw", "a.csv"),
      ["a.csv"]),
+    (("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--draw", "a.svg", "--plot", "./a.svg"),
+     ["--draw and --plot", "a.svg"]),
+    (("fk", "rrr", *Q3, "--json=false"), ["--json takes no value"]),
+    (("fk", "rrr", *Q3, "--degrees=no"), ["--degrees takes no value"]),
+    (("ik", "rrr", "--pose", "4,3,0", "--all=0"), ["--all takes no value"]),
+    (("fk", "rrr", "--q="), ["--q needs a value that is not empty"]),
+    (("fk", "rrr", "--q=", "0,0,0"), ["--q needs a value that is not empty"]),
+    (("completion", "tcsh"), ["SHELL", '"tcsh"', "known: bash, zsh, fish"]),
+    (("completion", "BASH"), ['did you mean "bash"?']),
+    (("help", "batch", "fly"), ["KIND", '"fly"', "fk, jacobian, ik"]),
+    (("help", "fk", "ik"), ["fk has no kinds"]),
+    (("--foo",), ['unknown option "--foo"', "needs a verb"]),
+    (("batch", "--json"), ['unknown option "--json"', "needs a verb: fk"]),
+    (("--version", "x"), ['unexpected argument "x"']),
+    (("ik", "rrr", "--pose", "4,3,0", "--grid=-1"), ["--grid", "from 2 to 10000, not -1"]),
+    (("batch", "fk", "rrr", "--in", "-", "--out", "-", "--threads", "-1"),
+     ["--threads", "from 0 to 1024, not -1"]),
+    (("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--max-steps", "2000000000"),
+     ["--max-steps", "from 1 to 10000000"]),
+    (("ik", "rrr", "--pose", "x,3,0"), ['--pose: item 1: "x"']),
+    (("ik", "rrr", "--pose", "4,3,0", "--task", "x"), ["--task: unknown task"]),
 ]
 
 
@@ -84,6 +105,14 @@ FILES = [
      ["a.urdf:1", "lower limit 1"]),
     ("not a number", "a.urdf",
      urdf(("i", "a", "b", "0 0 up", -1, 1), ("j", "b", "c", "0 0 1", -1, 1)), (), ["a.urdf:1", "up"]),
+    ("negative velocity", "a.urdf",
+     urdf(("i", "a", "b", "0 0 1", -1, 1), ("j", "b", "c", "0 0 1", -1, 1)).replace(
+         'velocity="1"', 'velocity="-1"'), (), ["a.urdf:1", "joint i", "velocity limit -1"]),
+    ("cut off in a tag", "a.urdf", '<robot name="r"', (), ["a.urdf:1", "cut off"]),
+    ("huge pitch", "a.json", '{"name": "a", "joints": [{"name": "j", "type": "helical", '
+     '"pitch": 1e300}]}', (), ["a.json:1", "1e+100 m/rad"]),
+    ("pitch of zero", "a.json", '{"name": "a", "joints": [{"name": "j", "type": "helical", '
+     '"pitch": -1e-20}]}', (), ["a.json:1", "such a joint is revolute"]),
     ("not a robot", "a.urdf", "<html></html>", (), ["a.urdf:1", "robot"]),
     ("empty", "a.urdf", "", (), ["a.urdf"]),
     ("binary", "a.json", "\x00\x01\x02", (), ["a.json"]),
@@ -120,6 +149,24 @@ def test_files_that_are_not_there(refused, tmp_path):
     refused(3, "show", str(tmp_path) + ".json", says=[".json"])
 
 
+def test_a_value_out_of_range_in_a_file_names_the_file(refused, written):
+    poses = written("poses.csv", "x,y,theta\n1e308,1e308,0\n")
+    refused(3, "line", "rrr", "--from", "0,1,0", "--through", poses, says=["poses.csv:2", "1e100"])
+    huge = written("huge.csv", "t,joint1,joint2,joint3\n0,1e200,0,0\n1,0,0,0\n")
+    good = written("good.csv", "t,joint1,joint2,joint3\n0,0.1,0,0\n1,0,0,0\n")
+    says = ["huge.csv", "sample 1", "joint1"]
+    refused(3, "check", "rrr", good, "--through", poses, says=["poses.csv:2"])
+    refused(3, "retime", "rrr", huge, says=says)
+    refused(3, "diff", "rrr", good, huge, says=says)
+    refused(3, "replay", "rrr", huge, says=says)
+
+
+def test_a_file_of_unknown_kind(refused, written):
+    refused(3, "show", written("a.txt", "x"), says=["a.txt", ".urdf"])
+    for verb in ("retime", "replay"):
+        refused(3, verb, "rrr", "a.txt", says=["a.txt", ".csv, .json"])
+
+
 @pytest.mark.parametrize("options", [("--out", "no/such/folder/a.csv"), ("--draw", "no/such/a.svg")])
 def test_an_output_that_cannot_be_written(beeline, options):
     answer = beeline("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", *options)
@@ -151,4 +198,5 @@ def test_an_option_without_effect_is_refused(refused, written, method, option):
 
 def test_a_planar_pose_is_refused_for_a_spatial_arm(refused, written):
     through = written("w.csv", "x,y,theta\n1,2,3\n")
-    refused(2, "line", "ur5", "--from", "0,0,0,0,0,0", "--through", through, says=["w.csv", "ur5"])
+    refused(3, "line", "ur5", "--from", "0,0,0,0,0,0", "--through", through,
+            says=["w.csv:2", "ur5"])

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import subprocess
 
 import pytest
 
@@ -99,7 +100,7 @@ def test_bad_input_is_refused_in_one_line(refused, beeline, written):
     for scale in ("2", "1e-300"):
         refused(2, "retime", "panda", path, "--speed", scale, says=("--speed", "from 1e-06 to 1", scale))
     for speed in ("-1", "1e-300"):
-        refused(2, "retime", "panda", path, "--tool-speed", speed, says=("--tool-speed", "1e-09 m/s", speed))
+        refused(2, "retime", "panda", path, "--tool-speed", speed, says=("--tool-speed", "at least 1e-09", speed))
     refused(2, "retime", "panda", path, "--out", path, says=("input",))
     refused(3, "retime", "ur5", path, says=("waypoints.csv", "joint7"))
     refused(3, "retime", "panda", written("half.csv", WAYPOINTS[:-6]), says=("half.csv:5",))
@@ -111,3 +112,18 @@ def test_bad_input_is_refused_in_one_line(refused, beeline, written):
             says=("still.csv", "two different positions", "2 samples"))
     six = "\n".join(line.rsplit(",", 1)[0] for line in WAYPOINTS.splitlines())
     refused(2, "retime", "ur5", written("six.csv", six), "--profile", "jerk", says=("ur5", "jerk"))
+
+
+def test_a_trajectory_from_a_pipe(build, beeline, written, tmp_path):
+    written("move.csv", "t,joint1,joint2,joint3\n0,0,0,0\n1,1,0,0\n2,1,1,0\n")
+    expected = beeline("retime", "rrr", "move.csv", "--json").json
+    for form in ("played.csv", "played.json"):
+        beeline("replay", "rrr", "move.csv", "--out", form)
+        command = f"{build}/beeline replay rrr <(cat {form}) --json"
+        process = subprocess.run(["bash", "-c", command], capture_output=True, text=True,
+                                 cwd=tmp_path)
+        assert process.returncode == 0, process.stderr
+        assert json.loads(process.stdout) == beeline("replay", "rrr", form, "--json").json
+    process = subprocess.run(["bash", "-c", f"{build}/beeline retime rrr <(cat move.csv) --json"],
+                             capture_output=True, text=True, cwd=tmp_path)
+    assert process.returncode == 0 and json.loads(process.stdout) == expected

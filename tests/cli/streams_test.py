@@ -77,3 +77,10 @@ def test_progress_is_shown_on_a_terminal_that_hangs_up(build, written, tmp_path)
     os.close(ours)
     assert process.stdout.read().startswith(b"reached")
     assert process.wait() == 0
+
+
+def test_a_file_beyond_the_limit_of_the_shell_is_an_error(build, tmp_path):
+    command = f"ulimit -f 1; {build}/beeline move rrr --from 0,0,0 --to 1,1,1 --out move.csv"
+    process = subprocess.run(["bash", "-c", command], capture_output=True, text=True, cwd=tmp_path)
+    assert process.returncode == 3 and "move.csv" in process.stderr
+    assert list(tmp_path.iterdir()) == []
