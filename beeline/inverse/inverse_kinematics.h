@@ -48,8 +48,8 @@ struct InverseOptions {
   /// Max error of a solution, metres and radians. Raised to the rounding error of forward
   /// kinematics, about 1e-14 of the arm's size, where that is larger (a reach above 1e4 m).
   double tolerance = 1e-10;
-  int iterations = 100;           ///< max steps of the numerical solver from one start
-  int restarts = 1000;            ///< max random starts after the first
+  int max_iterations = 100;       ///< max steps of the numerical solver from one start
+  int max_restarts = 1000;        ///< max random starts after the first
   std::uint64_t random_seed = 1;  ///< the same value gives the same result
   /// Seconds after which a numerical search ends with what it has found; the result may then depend
   /// on the machine. Formulas and the diagnosis are not interrupted: they may take milliseconds

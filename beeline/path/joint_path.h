@@ -44,8 +44,8 @@ JointPath joint_spline(std::span<const Configuration> samples, std::span<const d
 std::vector<double> chord_length(std::span<const Configuration> samples);
 
 struct RefineOptions {
-  std::size_t steps = 400;      ///< no step is longer than the path divided by this
-  double largest_change = 0.1;  ///< of dq/ds over a step, relative to |dq/ds|
+  std::size_t min_steps = 400;  ///< no step is longer than the path divided by this
+  double max_change = 0.1;      ///< of dq/ds over a step, relative to |dq/ds|
   int max_parts = 512;          ///< into which one step is divided
 };
 

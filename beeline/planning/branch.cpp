@@ -32,7 +32,7 @@ Branch from_first_solution(const Arm& arm, const ToolPath& path, const BranchOpt
 /// workspace.
 bool refine(const Arm& arm, const ToolPath& path, const BranchOptions& options, int grid,
             const std::optional<Branch>& best) {
-  if (grid >= options.finest_grid) return false;
+  if (grid >= options.max_grid) return false;
   if (grid < grids[1] || !best) return grid < grids[1];
   if (arm.dof() > options.task.size() + 1) return false;
   Branch explained = *best;
@@ -88,10 +88,10 @@ std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, BranchOptio
   if (arm.dof() <= options.task.size()) return track_branches(arm, path, options);
   // Approximate number of solutions at the beginning; each is planned separately.
   constexpr int coarse = 6;
-  options.finest_grid = grids[1];
+  options.max_grid = grids[1];
   const InverseResult starts = inverse_kinematics(
       arm, pose_at(path, 0),
-      {.task = options.task, .all = true, .grid = coarse, .restarts = 4 * coarse});
+      {.task = options.task, .all = true, .grid = coarse, .max_restarts = 4 * coarse});
   std::vector<Branch> branches;
   for (const Configuration& start : starts.solutions) {
     branches.push_back(plan_path(arm, start, path, options));

@@ -42,7 +42,7 @@ struct BranchOptions {
   Task task;
   Deviation tolerance = {1e-4, 1e-4};  ///< metres and radians, between samples too
   std::size_t max_samples = 200'000;   ///< of one branch
-  int finest_grid = 256;  ///< for redundant arms: most solutions per pose in the layered graph
+  int max_grid = 256;  ///< for redundant arms: most solutions per pose in the layered graph
   /// The branches whose reason for ending is determined, which takes milliseconds for each.
   enum class Reasons { all, best, none } reasons = Reasons::best;
   /// Returns the preferred configuration at a path parameter, for poses with several solutions.

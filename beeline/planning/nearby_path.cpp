@@ -85,7 +85,7 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
   Trial trial{arm, start, path, rotate, options, options};
   trial.exact.reasons = BranchOptions::Reasons::none;
   trial.exact.progress = {};
-  trial.exact.finest_grid = 64;
+  trial.exact.max_grid = 64;
   trial.coarse = trial.exact;
   trial.coarse.tolerance = {10 * options.tolerance.position, 10 * options.tolerance.orientation};
   const double largest = rotate ? max_rotation : max_translation;

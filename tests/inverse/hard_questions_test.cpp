@@ -79,7 +79,7 @@ TEST(HardQuestions, ATimeLimitMakesNothingUnreachable) {
   for (int i = 0; i < 50; ++i) {
     const Pose pose = forward_kinematics(arm, random.configuration(arm));
     const InverseResult result =
-        inverse_kinematics(arm, pose, {.iterations = iterations, .time_limit = 1e-9});
+        inverse_kinematics(arm, pose, {.max_iterations = iterations, .time_limit = 1e-9});
     // Two searches, of which each fills its eight lanes twice at most before it looks at the clock.
     EXPECT_LE(result.restarts, 2 * 15);
     EXPECT_LE(result.iterations, (2 * 16 + 1) * iterations);

@@ -82,7 +82,7 @@ TEST(InverseKinematics, MeetsAllEightPosturesOfPuma) {
   const Configuration q = (Configuration(6) << 0.3, 0.9, -2.2, 0.5, 0.7, -0.4).finished();
   const Pose pose = forward_kinematics(arm, q);
   const InverseResult result =
-      inverse_kinematics(arm, pose, {.all = true, .ignore_limits = true, .restarts = 300});
+      inverse_kinematics(arm, pose, {.all = true, .ignore_limits = true, .max_restarts = 300});
   ASSERT_EQ(result.status, InverseStatus::solved);
   EXPECT_EQ(result.solutions.size(), 8U);
   for (const Configuration& each : result.solutions) {

@@ -211,7 +211,7 @@ TEST(InverseSolver, ATimeLimitEndsASearch) {
     Pose pose = reached;
     pose.translation() = arm.reach().centre + factor * arm.reach().radius * random.direction();
     const InverseResult result =
-        inverse_kinematics(arm, pose, {.restarts = 1'000'000, .time_limit = 0.01});
+        inverse_kinematics(arm, pose, {.max_restarts = 1'000'000, .time_limit = 0.01});
     testing::expect_no(result, result.status);
     EXPECT_NE(result.status, InverseStatus::solved);
     EXPECT_GT(result.residual, 0);

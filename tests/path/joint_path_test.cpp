@@ -74,7 +74,7 @@ TEST(JointPath, RefinedKeepsItsGridPointsAndItsShape) {
   for (int i = 0; i < 50; ++i) {
     const auto samples = testing::random_waypoints(random, 2, random.integer(2, 9));
     const JointPath path = joint_spline(samples, chord_length(samples));
-    const JointPath fine = refined(path, {.steps = 50});
+    const JointPath fine = refined(path, {.min_steps = 50});
     ASSERT_GE(fine.size(), 51u);
     std::size_t kept = 0;
     for (std::size_t k = 0; k < fine.size(); ++k) {

@@ -159,7 +159,7 @@ inline DenseAnswer dense_branches(const Arm& arm, const Pose& from, const Pose& 
 /// places; those that can be reached from the ones before by small turns.
 inline DenseAnswer dense_layers(const Arm& arm, const Pose& from, const Pose& to, int layers = 160,
                                 int grid = 96, double max_turn = 0.2) {
-  InverseSolver solver(arm, {.all = true, .grid = grid, .tolerance = 1e-9, .restarts = 0});
+  InverseSolver solver(arm, {.all = true, .grid = grid, .tolerance = 1e-9, .max_restarts = 0});
   Eigen::MatrixXd columns(arm.dof(), 16 * grid);
   const Configuration middle = Configuration::Zero(arm.dof());
   std::vector<std::vector<Configuration>> all(static_cast<std::size_t>(layers) + 1);

@@ -51,7 +51,7 @@ void refine(const Arm& arm, const Pose& world_T_tool, const Task& task, double t
   if (largest(solution.error) <= tolerance || largest(solution.error) > 1000 * tolerance) return;
   const NumericalResult run =
       levenberg_marquardt(arm, world_T_tool, task, no_bounds(arm), solution.q,
-                          {.tolerance = tolerance, .iterations = 5});
+                          {.tolerance = tolerance, .max_iterations = 5});
   if (!run.converged) return;
   solution.q = run.q;
   solution.error = run.error;

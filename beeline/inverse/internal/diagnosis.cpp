@@ -53,8 +53,8 @@ Configuration nearest_for(const Request& request, const Task& task, SolverState&
   const Pose goal = goal_within_digits(request);
   multi_start(prepared.problem, prepared.seeds, goal, start,
               {.tolerance = request.tolerance,
-               .iterations = 200,  // towards a minimum above zero it converges linearly
-               .restarts = max_starts,
+               .max_iterations = 200,  // towards a minimum above zero it converges linearly
+               .max_restarts = max_starts,
                .random_seed = request.options.random_seed},
               state.buffers, state.search);
   const NumericalResult& nearest = state.search.nearest;
@@ -70,7 +70,7 @@ Configuration nearest_orientation_of_many(const Request& request, const Task& po
       prepared_search(request.arm, position, no_bounds(request.arm), request.options.random_seed);
   multi_start(prepared.problem, prepared.seeds, request.goal, start,
               {.tolerance = request.tolerance,
-               .restarts = max_starts,
+               .max_restarts = max_starts,
                .all = true,
                .random_seed = request.options.random_seed},
               state.buffers, state.search);

@@ -15,8 +15,8 @@ void search(SolverState& state, const Request& request, const PreparedSearch& pr
   wrap_unlimited_angles(request.arm, prepared.problem.bounds, 0, start);
   multi_start(prepared.problem, prepared.seeds, request.goal, start,
               {.tolerance = request.tolerance,
-               .iterations = request.options.iterations,
-               .restarts = restarts,
+               .max_iterations = request.options.max_iterations,
+               .max_restarts = restarts,
                .all = all,
                .random_seed = request.options.random_seed,
                .deadline = request.deadline},
@@ -30,7 +30,7 @@ void search(SolverState& state, const Request& request, const PreparedSearch& pr
 void solve_from(const Request& request, const Configuration& start, InverseResult& result) {
   const NumericalResult run = levenberg_marquardt(
       request.arm, request.goal, request.task, request.bounds, start,
-      {.tolerance = request.tolerance, .iterations = request.options.iterations});
+      {.tolerance = request.tolerance, .max_iterations = request.options.max_iterations});
   result.iterations += run.iterations;
   if (run.converged) add_solution(request, run.q, result);
 }
@@ -43,8 +43,8 @@ void search_without_limits(SolverState& state, const Request& request, StageResu
                                            request.options.random_seed);
   }
   // More restarts find more postures, but most requests in this stage have no solution.
-  constexpr int max_restarts = 100;
-  search(state, request, *state.without_limits, std::min(request.options.restarts, max_restarts),
+  constexpr int enough = 100;
+  search(state, request, *state.without_limits, std::min(request.options.max_restarts, enough),
          true, found.result);
   const std::vector<Configuration> postures = state.search.solutions;
   for (const Configuration& q : postures) {
@@ -63,8 +63,8 @@ bool search_fast_path(SolverState& state, const Pose& goal, const ConfigurationR
   const PreparedSearch& prepared = search_within_limits(state);
   multi_start(prepared.problem, prepared.seeds, goal, seed,
               {.tolerance = state.options.tolerance,
-               .iterations = state.options.iterations,
-               .restarts = state.options.restarts,
+               .max_iterations = state.options.max_iterations,
+               .max_restarts = state.options.max_restarts,
                .random_seed = state.options.random_seed},
               state.buffers, state.search);
   if (state.search.solutions.empty()) return false;
@@ -79,10 +79,11 @@ bool solve_from_outside(SolverState& state, const Pose& goal, const LeastOutside
   lanes.active = lanes.converged = 0;
   for (int i = 0; i < outside.count; ++i) start_lane(problem, outside.q[i], i, lanes);
   while (lanes.active != 0 && lanes.converged == 0) {
-    run_lanes(
-        problem, goal,
-        {.tolerance = tolerance, .iterations = state.options.iterations, .first_is_enough = true},
-        state.options.iterations, lanes);
+    run_lanes(problem, goal,
+              {.tolerance = tolerance,
+               .max_iterations = state.options.max_iterations,
+               .first_is_enough = true},
+              state.options.max_iterations, lanes);
   }
   if (lanes.converged == 0) return false;
   lane_configuration(problem, lanes, std::countr_zero(lanes.converged), q.data());
@@ -96,7 +97,7 @@ void solve_numerical(SolverState& state, const Request& request, StageResult& fo
   // If one solution is requested, the branch of the seed is tried first.
   if (!request.options.all) solve_from(request, request.seed, result);
   if (request.options.all || result.solutions.empty()) {
-    search(state, request, prepared, request.options.restarts, request.options.all, result);
+    search(state, request, prepared, request.options.max_restarts, request.options.all, result);
     if (result.solutions.empty() && any_finite(request.bounds) && !found.unconstrained.complete) {
       search_without_limits(state, request, found);
     }

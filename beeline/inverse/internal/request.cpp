@@ -32,8 +32,8 @@ void check_options(const Arm& arm, const InverseOptions& options) {
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
     throw Error("tolerance is " + number(options.tolerance) + "; it must be above zero");
   }
-  check_count("iterations", options.iterations, 0);
-  check_count("restarts", options.restarts, 0);
+  check_count("max_iterations", options.max_iterations, 0);
+  check_count("max_restarts", options.max_restarts, 0);
   check_count("grid", options.grid, 2);
   constexpr int finest = 10'000;  // a solution of each takes microseconds
   if (options.grid > finest) {

@@ -220,7 +220,7 @@ bool iterate(const NumericalProblem& problem, const double* goal, const LaneOpti
     within =
         position <= tolerance * tolerance && orientation <= options.tolerance * options.tolerance;
     if (within && (!options.polish || cost <= polished)) return true;
-    if (near.iterations >= options.iterations) return within && cost <= fine;
+    if (near.iterations >= options.max_iterations) return within && cost <= fine;
     before = cost;
     // The last Jacobian differs from the present one by about the last step. If that error leaves
     // the next step accurate enough, its factors are used again.

@@ -116,9 +116,9 @@ void check_goal(const Arm& arm, const Pose& world_T_tool, const Task& task, cons
                 const NumericalOptions& options) {
   if (!world_T_tool.matrix().allFinite()) throw Error("the pose has a number that is not finite");
   check_task(arm, task, bounds);
-  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance) || options.iterations < 0) {
-    throw Error("tolerance must be above zero, and iterations zero or more; not " +
-                number(options.tolerance) + " and " + std::to_string(options.iterations));
+  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance) || options.max_iterations < 0) {
+    throw Error("tolerance must be above zero, and max_iterations zero or more; not " +
+                number(options.tolerance) + " and " + std::to_string(options.max_iterations));
   }
 }
 
@@ -146,7 +146,8 @@ NumericalResult levenberg_marquardt(const Arm& arm, const Pose& world_T_tool, co
   };
   double factor = first_factor;
   double milestone = work.now.cost;
-  for (; run.iterations < options.iterations && work.now.cost > 0 && std::isfinite(work.now.cost);
+  for (;
+       run.iterations < options.max_iterations && work.now.cost > 0 && std::isfinite(work.now.cost);
        ++run.iterations) {
     const bool polishing = within(work.now.deviation);
     const double before = work.now.cost;

@@ -6,7 +6,7 @@ namespace beeline::internal {
 
 struct NumericalOptions {
   double tolerance = 1e-10;  ///< of position and orientation error, metres and radians
-  int iterations = 100;      ///< max steps
+  int max_iterations = 100;  ///< max steps
 };
 
 struct NumericalResult {

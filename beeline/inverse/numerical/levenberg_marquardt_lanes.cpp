@@ -96,7 +96,7 @@ HWY_NOINLINE LaneMask accept_error(const NumericalProblem& problem, const Evalua
   const LaneMask slow = was_within & (now <= Lanes(fine)) & !(now < before * Lanes(0.25));
   const Lanes iterations = load(lanes.iterations) + Lanes(1), due = load(lanes.due);
   const Lanes milestone = load(lanes.milestone);
-  const LaneMask spent = iterations >= Lanes(options.iterations);
+  const LaneMask spent = iterations >= Lanes(options.max_iterations);
   const LaneMask judged = iterations >= due;
   const LaneMask stuck = judged & !(now < milestone * Lanes(0.5));
   const LaneMask finished = (now <= Lanes(polished)) | slow;
@@ -306,9 +306,9 @@ Deviation lane_deviation(const NumericalProblem& problem, const LevenbergMarquar
 
 void check_lane_options(const Pose& world_T_tool, const LaneOptions& options) {
   if (!world_T_tool.matrix().allFinite()) throw Error("the pose has a number that is not finite");
-  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance) || options.iterations < 0) {
-    throw Error("tolerance must be above zero, and iterations zero or more; not " +
-                number(options.tolerance) + " and " + std::to_string(options.iterations));
+  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance) || options.max_iterations < 0) {
+    throw Error("tolerance must be above zero, and max_iterations zero or more; not " +
+                number(options.tolerance) + " and " + std::to_string(options.max_iterations));
   }
 }
 
@@ -326,7 +326,7 @@ void levenberg_marquardt_lanes(const NumericalProblem& problem, const Pose& worl
   for (int i = 0; i < starts.cols(); ++i) start_lane(problem, starts.col(i).data(), i, lanes);
   while (lanes.active != 0 &&
          !(options.first_is_enough && (lanes.converged & ~lanes.coarse) != 0)) {
-    run_lanes(problem, world_T_tool, options, options.iterations + 1, lanes);
+    run_lanes(problem, world_T_tool, options, options.max_iterations + 1, lanes);
   }
 }
 

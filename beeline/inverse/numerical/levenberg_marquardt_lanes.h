@@ -8,7 +8,7 @@ namespace beeline::internal {
 
 struct LaneOptions {
   double tolerance = 1e-10;  ///< of position and orientation error, metres and radians
-  int iterations = 100;      ///< max steps of each lane
+  int max_iterations = 100;  ///< max steps of each lane
   bool polish = true;  ///< iterate below the tolerance, down to 1e-13 or the level of rounding
   bool first_is_enough = false;  ///< stop all lanes as soon as one has converged
 };

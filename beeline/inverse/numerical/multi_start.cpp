@@ -76,7 +76,7 @@ class Run {
 
   LaneOptions lane_options() const {
     return {.tolerance = options_.tolerance,
-            .iterations = options_.iterations,
+            .max_iterations = options_.max_iterations,
             .first_is_enough = !options_.all};
   }
 
@@ -99,7 +99,7 @@ class Run {
     const bool from_table = result_.restarts == 0 && seeds_.blocks > 0;
     if (from_table) nearest_seeds(problem_, seeds_, world_T_tool_, block);
     for (int lane = 0; lane < solver_lane_count; ++lane) {
-      if (holds(lane) || result_.restarts >= options_.restarts) continue;
+      if (holds(lane) || result_.restarts >= options_.max_restarts) continue;
       if (from_table) {
         const std::size_t dof = q_.size(), first = static_cast<std::size_t>(block[lane]) * dof;
         for (std::size_t k = 0; k < dof; ++k) {
@@ -204,12 +204,12 @@ void multi_start(const NumericalProblem& problem, const SeedTable& seeds, const 
                  const ConfigurationRef& start, const MultiStartOptions& options,
                  MultiStartBuffers& buffers, SearchResult& result) {
   check_lane_options(world_T_tool,
-                     {.tolerance = options.tolerance, .iterations = options.iterations});
+                     {.tolerance = options.tolerance, .max_iterations = options.max_iterations});
   if (start.size() != static_cast<Eigen::Index>(problem.coordinates.size()) || !start.allFinite()) {
     check_configuration(problem.arm, start);
   }
-  if (options.restarts < 0) {
-    throw Error("restarts must be zero or more, not " + std::to_string(options.restarts));
+  if (options.max_restarts < 0) {
+    throw Error("max_restarts must be zero or more, not " + std::to_string(options.max_restarts));
   }
   if (seeds.q.size() != static_cast<std::size_t>(seeds.blocks) * problem.coordinates.size()) {
     throw Error("the seed table is not one for arm " + problem.arm.name());

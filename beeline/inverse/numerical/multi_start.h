@@ -9,10 +9,10 @@
 namespace beeline::internal {
 
 struct MultiStartOptions {
-  double tolerance = 1e-9;  ///< of position and orientation error, metres and radians
-  int iterations = 100;     ///< max steps from one start
-  int restarts = 1000;      ///< max starts after the first
-  bool all = false;         ///< use all restarts, and collect the distinct solutions
+  double tolerance = 1e-9;   ///< of position and orientation error, metres and radians
+  int max_iterations = 100;  ///< max steps from one start
+  int max_restarts = 1000;   ///< max starts after the first
+  bool all = false;          ///< use all restarts, and collect the distinct solutions
   std::uint64_t random_seed = 1;
   /// Checked every few steps. After it the result holds what has been found so far.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();

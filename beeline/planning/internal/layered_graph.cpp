@@ -100,8 +100,8 @@ struct Costs {
 /// The configuration nearest to `guess` with the tool at `pose`, by damped least squares.
 std::optional<Configuration> solved_near(const Arm& arm, const Pose& pose, const Task& task,
                                          const Bounds& bounds, const Configuration& guess) {
-  const NumericalResult found =
-      levenberg_marquardt(arm, pose, task, bounds, guess, {.tolerance = 1e-9, .iterations = 20});
+  const NumericalResult found = levenberg_marquardt(arm, pose, task, bounds, guess,
+                                                    {.tolerance = 1e-9, .max_iterations = 20});
   return found.converged ? std::optional(found.q) : std::nullopt;
 }
 
@@ -114,7 +114,7 @@ void solve(std::vector<Layer>& layers, const Arm& arm, const Costs& costs,
                              .every_turn = false,
                              .grid = options.grid,
                              .tolerance = 1e-9,
-                             .restarts = 4 * options.grid});
+                             .max_restarts = 4 * options.grid});
   const Configuration middle = middle_configuration(arm);
   Eigen::MatrixXd columns(arm.dof(), 16 * options.grid);
   // The start is not on the grid: its continuation is added to the solutions of each layer.

@@ -75,7 +75,7 @@ struct SegmentTracker {
                              const Configuration& guess) {
     usage = 0;
     const NumericalResult found = levenberg_marquardt(arm, target, task, bounds, guess,
-                                                      {.tolerance = exact, .iterations = 30});
+                                                      {.tolerance = exact, .max_iterations = 30});
     if (!found.converged) return {};
     for (int k = 0; k < arm.dof(); ++k) {
       const bool rotates = kind(arm.joint_of(k)) != JointKind::prismatic;

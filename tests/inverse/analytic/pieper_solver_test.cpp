@@ -148,7 +148,7 @@ TEST(PieperSolver, IsNotNeededForGantries) {
       const Configuration from = random.configuration(arm);
       const Pose pose = forward_kinematics(arm, from);
       testing::expect_solved(arm, pose, Task::spatial(), inverse_kinematics(arm, pose));
-      const InverseResult all = inverse_kinematics(arm, pose, {.all = true, .restarts = 300});
+      const InverseResult all = inverse_kinematics(arm, pose, {.all = true, .max_restarts = 300});
       EXPECT_TRUE(holds(arm, all.solutions, from)) << letters << ' ' << all.method;
     }
   }

@@ -47,7 +47,7 @@ TEST(InverseKinematics, OutOfReachSaysByHowMuch) {
   const Arm stanford = built_in("stanford");
   const Pose pose =
       make_pose(stanford.reach().centre + Vector3(stanford.reach().radius + 0.25, 0, 0));
-  const InverseResult slide = inverse_kinematics(stanford, pose, {.restarts = 10});
+  const InverseResult slide = inverse_kinematics(stanford, pose, {.max_restarts = 10});
   expect_no(slide, InverseStatus::outside_limits);
   EXPECT_NE(slide.reason.find("joint3 would be at"), std::string::npos) << slide.reason;
   ASSERT_TRUE(slide.nearest.has_value());
@@ -147,7 +147,7 @@ TEST(InverseKinematics, ReachableOnlyOutsideLimitsNamesTheJoint) {
     Configuration q = random.configuration(built_in("puma560"));
     q[2] = -1 + random.uniform(-0.1, 0.1);
     const InverseResult no =
-        inverse_kinematics(puma, forward_kinematics(puma, q), {.restarts = 30});
+        inverse_kinematics(puma, forward_kinematics(puma, q), {.max_restarts = 30});
     expect_no(no, InverseStatus::outside_limits);
     EXPECT_NE(no.reason.find("joint"), std::string::npos);
     EXPECT_GT(no.residual, 1e-9);
@@ -184,8 +184,8 @@ TEST(InverseKinematics, RefusesWhatMakesNoSense) {
   for (const double tolerance : {0.0, -1e-9, std::nan(""), Limits::none}) {
     EXPECT_REFUSED(inverse_kinematics(arm, pose, {.tolerance = tolerance}), "tolerance is ");
   }
-  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.iterations = -1}), "iterations is -1");
-  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.restarts = -1}), "restarts is -1");
+  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.max_iterations = -1}), "max_iterations is -1");
+  EXPECT_REFUSED(inverse_kinematics(arm, pose, {.max_restarts = -1}), "max_restarts is -1");
   // A rotation rounded in text is orthonormalised, not refused.
   Pose rounded = pose;
   rounded.linear()(0, 0) += 1e-7;

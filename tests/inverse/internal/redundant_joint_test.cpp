@@ -53,8 +53,8 @@ TEST(LockedJoint, OfSevenComesBackAndStays) {
         Configuration seed = random.configuration(arm);
         seed[k] = from[k];
         const Pose pose = forward_kinematics(arm, from);
-        const InverseResult all =
-            inverse_kinematics(arm, pose, {.seed = seed, .all = true, .lock = k, .restarts = 50});
+        const InverseResult all = inverse_kinematics(
+            arm, pose, {.seed = seed, .all = true, .lock = k, .max_restarts = 50});
         expect_solved(arm, pose, Task::spatial(), all);
         EXPECT_TRUE(holds(arm, all.solutions, from)) << all.method;
         const InverseResult one = inverse_kinematics(arm, pose, {.seed = seed, .lock = k});

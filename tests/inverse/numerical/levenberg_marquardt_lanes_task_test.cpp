@@ -58,7 +58,7 @@ TEST(DescentLanes, ErrorIsTheTasksAtEveryAngleUpToAHalfTurn) {
       const double short_of_pi = i % 3 == 0 ? 0 : std::pow(10.0, random.uniform(-16, 0.4));
       const double angle = i % 2 == 0 ? pi - short_of_pi : short_of_pi;
       pose.linear() = so3_exp(random.direction() * angle) * pose.linear();
-      levenberg_marquardt_lanes(problem, pose, q, {.iterations = 0}, lanes);
+      levenberg_marquardt_lanes(problem, pose, q, {.max_iterations = 0}, lanes);
       const Eigen::VectorXd error = task_error(task, pose, forward_kinematics(arm, q));
       int row = 0;
       for (int r = 0; r < 6; ++r) {

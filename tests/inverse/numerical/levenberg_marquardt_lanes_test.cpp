@@ -238,7 +238,8 @@ TEST(DescentLanes, RefusesWhatDoesNotFit) {
   EXPECT_THROW(levenberg_marquardt_lanes(problem, pose, start * NAN, {}, lanes), Error);
   EXPECT_THROW(levenberg_marquardt_lanes(problem, pose, start, {.tolerance = 0}, lanes), Error);
   EXPECT_THROW(levenberg_marquardt_lanes(problem, pose, start, {.tolerance = NAN}, lanes), Error);
-  EXPECT_THROW(levenberg_marquardt_lanes(problem, pose, start, {.iterations = -1}, lanes), Error);
+  EXPECT_THROW(levenberg_marquardt_lanes(problem, pose, start, {.max_iterations = -1}, lanes),
+               Error);
   EXPECT_THROW(levenberg_marquardt_lanes(problem, make_pose(Vector3(NAN, 0, 0)), start, {}, lanes),
                Error);
 }

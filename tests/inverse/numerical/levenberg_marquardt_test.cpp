@@ -192,7 +192,7 @@ TEST(Descend, RefusesWhatMakesNoSense) {
   EXPECT_THROW(levenberg_marquardt(arm, pose, Task{.frame = Frame::space}, bounds, q), Error);
   EXPECT_THROW(levenberg_marquardt(arm, pose, Task::spatial(), bounds, q, {.tolerance = -1}),
                Error);
-  EXPECT_THROW(levenberg_marquardt(arm, pose, Task::spatial(), bounds, q, {.iterations = -1}),
+  EXPECT_THROW(levenberg_marquardt(arm, pose, Task::spatial(), bounds, q, {.max_iterations = -1}),
                Error);
 }
 

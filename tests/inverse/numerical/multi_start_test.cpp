@@ -96,7 +96,7 @@ TEST(MultiStart, AllFindsTheEightBranches) {
   for (int i = 0; i < 20; ++i) {
     const Pose pose = forward_kinematics(arm, random.configuration(arm));
     const SearchResult& result =
-        solve(pose, middle_configuration(arm), {.restarts = 2000, .all = true});
+        solve(pose, middle_configuration(arm), {.max_restarts = 2000, .all = true});
     expect_solved(solve, pose, 1e-9);
     EXPECT_EQ(result.restarts, 2000);
     EXPECT_GE(result.solutions.size(), 4u);
@@ -133,7 +133,7 @@ TEST(MultiStart, TheSameSeedGivesTheSameAnswerWhateverWasBefore) {
     const Configuration start = random.configuration(arm);
     const Pose pose = forward_kinematics(arm, random.configuration(arm));
     const bool all = i % 10 == 0;
-    const MultiStartOptions options{.restarts = 100, .all = all, .random_seed = 5};
+    const MultiStartOptions options{.max_restarts = 100, .all = all, .random_seed = 5};
     Solver fresh(arm, Task::spatial(), bounds_of(arm));
     used(pose, start, options);
     fresh(pose, start, options);
@@ -147,7 +147,7 @@ TEST(MultiStart, OutOfReachEndsWithTheNearest) {
   const Arm arm = built_in("ur5");
   Solver solve(arm, Task::spatial(), bounds_of(arm));
   const SearchResult& result =
-      solve(make_pose({3, 0, 0}), Configuration::Zero(6), {.restarts = 30});
+      solve(make_pose({3, 0, 0}), Configuration::Zero(6), {.max_restarts = 30});
   EXPECT_TRUE(result.solutions.empty());
   EXPECT_FALSE(result.nearest.converged);
   EXPECT_EQ(result.restarts, 30);
@@ -162,7 +162,7 @@ TEST(MultiStart, OutOfReachEndsWithTheNearest) {
 TEST(MultiStart, DeadlineEndsTheSearch) {
   const Arm arm = built_in("ur5");
   Solver solve(arm, Task::spatial(), bounds_of(arm));
-  MultiStartOptions options{.restarts = 1'000'000'000};
+  MultiStartOptions options{.max_restarts = 1'000'000'000};
   options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(2);
   const SearchResult& result = solve(make_pose({3, 0, 0}), Configuration::Zero(6), options);
   EXPECT_TRUE(result.solutions.empty());
@@ -178,8 +178,8 @@ TEST(MultiStart, RefusesWhatDoesNotFit) {
   EXPECT_THROW(solve(Pose::Identity(), q * NAN), Error);
   EXPECT_THROW(solve(make_pose(Vector3(NAN, 0, 0)), q), Error);
   EXPECT_THROW(solve(Pose::Identity(), q, {.tolerance = -1}), Error);
-  EXPECT_THROW(solve(Pose::Identity(), q, {.iterations = -1}), Error);
-  EXPECT_THROW(solve(Pose::Identity(), q, {.restarts = -1}), Error);
+  EXPECT_THROW(solve(Pose::Identity(), q, {.max_iterations = -1}), Error);
+  EXPECT_THROW(solve(Pose::Identity(), q, {.max_restarts = -1}), Error);
   solve.seeds = {.blocks = 1, .q = {}, .tool = {}};
   EXPECT_THROW(solve(Pose::Identity(), q), Error);
 }

@@ -38,7 +38,7 @@ TEST(Fastest, AlongAStraightLineIsTheTrapezoid) {
     const int joints = random.integer(1, 7);
     const auto ends = testing::random_waypoints(random, joints, 2);
     const PathLimits limits = random_limits(random, joints);
-    const JointPath line = refined(joint_spline(ends, chord_length(ends)), {.steps = 2000});
+    const JointPath line = refined(joint_spline(ends, chord_length(ends)), {.min_steps = 2000});
     const Configuration distance = (ends[1] - ends[0]).cwiseAbs();
     const double v =
         limits.velocity.cwiseQuotient(distance).minCoeff();  // in units of the distance

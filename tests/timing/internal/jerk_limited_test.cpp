@@ -145,7 +145,7 @@ TEST(JerkLimited, IsNearTheResultOnAFinerPath) {
   for (int i = 0; i < 10; ++i) {
     const auto [path, limits] = random_case(random);
     RefineOptions finer;
-    finer.steps = 4000;
+    finer.min_steps = 4000;
     const double duration = jerk_limited(path, limits).duration();
     ASSERT_NEAR(jerk_limited(refined(path, finer), limits).duration(), duration, 2e-2 * duration);
   }
