@@ -40,7 +40,7 @@ Answer differential_kinematics(const JacobianArguments& arguments) {
   if (!std::isfinite(matrix.squaredNorm())) {
     throw Error("--q: the Jacobian exceeds the range of numbers, 1e308");
   }
-  const Dexterity dexterous = dexterity(matrix);
+  const ManipulabilityMeasures measures = manipulability_measures(matrix);
   const std::vector<std::string> rows = row_names({task.rows, Frame::base});
   const std::string& frame = arguments.jacobian.frame;
   Answer answer;
@@ -48,15 +48,15 @@ Answer differential_kinematics(const JacobianArguments& arguments) {
                      {"rows", rows},
                      {"columns", arm.joint_names()},
                      {"jacobian", json_matrix(matrix)},
-                     {"singular_values", dexterous.singular_values},
-                     {"manipulability", dexterous.manipulability},
-                     {"condition", dexterous.condition}};
+                     {"singular_values", measures.singular_values},
+                     {"manipulability", measures.manipulability},
+                     {"condition", measures.condition}};
   answer.text = fmt::format("Jacobian in the {} frame: {}\n", frame, frame_meaning(task.frame)) +
                 fmt::format("(a column for each joint: {})\n", listed(arm.joint_names())) +
                 matrix_text(matrix, rows) +
-                fmt::format("singular values  {}\n", shown(dexterous.singular_values)) +
-                fmt::format("manipulability   {}\n", shown(dexterous.manipulability)) +
-                fmt::format("condition        {}\n", shown(dexterous.condition));
+                fmt::format("singular values  {}\n", shown(measures.singular_values)) +
+                fmt::format("manipulability   {}\n", shown(measures.manipulability)) +
+                fmt::format("condition        {}\n", shown(measures.condition));
   return answer;
 }
 

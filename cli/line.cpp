@@ -62,7 +62,7 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
   report.deviation = motion.deviation;
   report.limits = motion.limits;
   report.limit_margin = motion.limit_margin;
-  report.dexterity = motion.dexterity;
+  report.inverse_condition = motion.inverse_condition;
   report.nearby = std::move(motion.nearby);
   if (report.status == MotionStatus::reached) {
     report.path = {std::move(motion.path), std::move(motion.path_parameters), task, tolerance};

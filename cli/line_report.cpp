@@ -16,7 +16,7 @@ std::string motion_text(const LineReport& report, const UnitArgument& unit) {
            fmt::format(
                "margins       {} % of a joint's half range to its limits, inverse "
                "condition number {}\n",
-               shown(100 * report.limit_margin), shown(report.dexterity));
+               shown(100 * report.limit_margin), shown(report.inverse_condition));
   }
   return text +
          fmt::format("control       {}, overshoot {} % of a line\n", counted(report.steps, "step"),
@@ -51,7 +51,7 @@ Json report_document(const Arm& arm, const LineReport& report, const UnitArgumen
   if (reached && report.method == "exact") {
     document.add("limits", json_limits(report.limits));
     document.add("limit_margin", report.limit_margin);
-    document.add("dexterity", report.dexterity);
+    document.add("inverse_condition", report.inverse_condition);
   }
   if (report.method != "exact") {
     document.add("steps", report.steps);

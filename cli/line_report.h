@@ -16,7 +16,7 @@ struct LineReport {
   beeline::Trajectory trajectory = {};
   beeline::PathDeviation deviation = {};
   beeline::LimitUsage limits = {};  ///< of method exact, as the margins are
-  double limit_margin = 0, dexterity = 0;
+  double limit_margin = 0, inverse_condition = 0;
   std::vector<beeline::NearbyPath> nearby = {};
   std::optional<std::vector<beeline::Branch>> branches = {};  ///< with --branches
   int steps = 0;                                              ///< of a controller

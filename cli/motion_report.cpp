@@ -109,7 +109,7 @@ std::string branches_text(const Arm& arm, const std::vector<Branch>& branches,
     const Branch& branch = branches[i];
     text += fmt::format("  {:>2}  {:>8}  {:>4.0f} %  {:>10}  {}\n", i + 1,
                         shown(branch.path_parameter), 100 * branch.limit_margin,
-                        shown(branch.dexterity), shown(unit.shown(arm, branch.start)));
+                        shown(branch.inverse_condition), shown(unit.shown(arm, branch.start)));
     if (!branch.reason.empty()) {
       text += fmt::format("      {}: {}\n", name(branch.status), branch.reason);
     }
@@ -124,7 +124,7 @@ Json json_branches(const Arm& arm, const std::vector<Branch>& branches, const Un
                  {"status", name(branch.status)},
                  {"path_parameter", branch.path_parameter},
                  {"limit_margin", branch.limit_margin},
-                 {"dexterity", branch.dexterity},
+                 {"inverse_condition", branch.inverse_condition},
                  {"reason", branch.reason}});
   }
   return list;

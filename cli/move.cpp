@@ -62,7 +62,7 @@ std::string move_text(const MoveArguments& arguments, const Arm& arm,
     text += fmt::format("slowed        {}, to respect the velocity limits\n",
                         counted(motion.slowed, "step"));
   }
-  if (motion.status != MotionStatus::reached) return text;
+  if (!motion) return text;
   return text + "tool at the goal\n" + pose_text(goal, arm.planar(), arguments.unit) +
          arguments.files.text();
 }
@@ -76,7 +76,7 @@ Answer move_joints(const MoveArguments& arguments) {
       arguments.method == feedback
           ? control_joints(arm, from, to, arguments.gains, arguments.simulation)
           : move_quickest(arguments, arm, from, to);
-  const bool reached = motion.status == MotionStatus::reached;
+  const bool reached(motion);
   const Pose goal = forward_kinematics(arm, to);
   if (reached) arguments.files.write(arm, motion.trajectory, {goal});
   Answer answer{.text = move_text(arguments, arm, motion, goal),

@@ -52,7 +52,7 @@ ReplayOptions replay_options(const ReplayArguments& arguments, const Arm& arm) {
 }
 
 Json replay_document(const Replay& played) {
-  const bool reached = played.status == MotionStatus::reached;
+  const bool reached(played);
   return {{"status", name(played.status)},
           {"samples", played.trajectory.size()},
           {"duration", reached ? played.trajectory.times.back() : 0.0},
@@ -81,7 +81,7 @@ Answer replay_file(const ReplayArguments& arguments) {
   std::optional<Trajectory> measured;
   if (!arguments.measured.empty()) measured = read_recording(arguments.measured, arm);
   const Replay played = replay(arm, recording, options);
-  const bool reached = played.status == MotionStatus::reached;
+  const bool reached(played);
   if (reached) arguments.files.write(arm, played.trajectory, {});
   Answer answer{
       .text = fmt::format("{}: {} on {}\n", name(played.status),

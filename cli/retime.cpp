@@ -74,7 +74,7 @@ RetimeOptions retime_options(const RetimeArguments& arguments) {
 
 std::string retime_text(const RetimeArguments& arguments, const Arm& arm, const Retimed& retimed,
                         const std::optional<double>& duration_before) {
-  if (!retimed.found()) return "";
+  if (!retimed) return "";
   const std::string before =
       duration_before ? fmt::format(", before {} s", shown(*duration_before)) : "";
   const std::string stops =
@@ -95,7 +95,7 @@ Answer retime_file(const RetimeArguments& arguments) {
   const Arm arm = arguments.arm.read();
   const RetimeInput input = read_input(arguments.file, arm);
   const Retimed retimed = retime(arm, input.trajectory, options);
-  const bool found = retimed.found();
+  const bool found(retimed);
   if (found) arguments.files.write(arm, retimed.trajectory, {});
   const std::vector<double>& before = input.trajectory.times;
   const std::optional<double> duration_before =

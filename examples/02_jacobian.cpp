@@ -11,7 +11,7 @@ int main() {
   const Eigen::Vector3d q(0, std::numbers::pi / 2, 0);
   const Eigen::Matrix3Xd j = planar_jacobian(rrr, q);
   std::cout << "rows x, y, theta; one column for each joint:\n" << j << '\n';
-  std::cout << "manipulability " << beeline::dexterity(j).manipulability << '\n';
+  std::cout << "manipulability " << beeline::manipulability_measures(j).manipulability << '\n';
 
   const beeline::Arm panda = beeline::built_in("panda");
   const beeline::Configuration middle = middle_configuration(panda);

@@ -47,8 +47,8 @@ template <class Real>
 void batch_jacobian(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> jacobians,
                     ColumnsRef<Real> world_T_tool, const BatchOptions& options = {});
 
-/// Computes the manipulability sqrt(det(J J^T)) of all six rows of the Jacobian, as dexterity()
-/// does: 1 x N.
+/// Computes the manipulability sqrt(det(J J^T)) of all six rows of the Jacobian, as
+/// manipulability_measures() does: 1 x N.
 template <class Real>
 void batch_manipulability(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> values,
                           const BatchOptions& options = {});

@@ -30,6 +30,8 @@ struct Replay {
   Trajectory trajectory;      ///< empty unless reached
   double lead_in = 0;         ///< seconds of the motion from `start` to the first sample
   double velocity_usage = 0;  ///< largest |velocity| / velocity limit; 0: no limit is known
+
+  explicit operator bool() const { return status == MotionStatus::reached; }
 };
 
 /// Replays a recording on the arm; joints are matched by name. Without `speed_at` every recorded

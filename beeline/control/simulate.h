@@ -18,6 +18,8 @@ struct ControlledMotion {
   int slowed = 0;        ///< steps that were scaled down for the velocity limits
   double overshoot = 0;  ///< largest distance beyond a goal, relative to the distance to it
   double error = 0;      ///< remaining error of the last goal, radians or metres
+
+  explicit operator bool() const { return status == MotionStatus::reached; }
 };
 
 struct SimulationOptions {

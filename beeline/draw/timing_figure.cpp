@@ -28,7 +28,7 @@ Chart condition_chart(const Arm& arm, const Trajectory& trajectory, const Task& 
   for (std::size_t k = 0;; k = std::min(k + stride, last)) {
     const Eigen::MatrixXd j = task_jacobian(arm, trajectory.positions[k], task, unit);
     curve.x.push_back(trajectory.times[k]);
-    curve.y.push_back(1 / dexterity(j).condition);
+    curve.y.push_back(1 / manipulability_measures(j).condition);
     if (k == last) break;
   }
   return chart;

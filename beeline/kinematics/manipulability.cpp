@@ -8,14 +8,14 @@
 
 namespace beeline {
 
-Dexterity dexterity(const Eigen::Ref<const Eigen::MatrixXd>& jacobian) {
+ManipulabilityMeasures manipulability_measures(const Eigen::Ref<const Eigen::MatrixXd>& jacobian) {
   if (jacobian.size() == 0 || !jacobian.allFinite()) {
     throw Error("a Jacobian needs at least one row and one column, all finite");
   }
   if (jacobian.rows() > 6) {
     throw Error("a Jacobian has at most 6 rows, not " + std::to_string(jacobian.rows()));
   }
-  Dexterity result;
+  ManipulabilityMeasures result;
   result.singular_values = internal::six_row_svd(jacobian).singular_values.head(
       std::min(jacobian.rows(), jacobian.cols()));
   const double largest = result.singular_values[0];

@@ -30,9 +30,10 @@ struct Branch {
   /// Smallest distance of a joint to a position limit, as a fraction of half its range; 1 where no
   /// joint has limits.
   double limit_margin = 1;
-  /// Smallest inverse condition number of the task's Jacobian, lengths in units of the arm's reach;
-  /// 0 at a singularity.
-  double dexterity = 1;
+  /// Smallest inverse condition number of the task's Jacobian along the branch: its smallest over
+  /// its largest singular value, lengths in units of the arm's reach. From 0, at a singularity, to
+  /// 1.
+  double inverse_condition = 1;
   std::vector<TrackedSegment> segments = {};  ///< one sample if the task's rows are at rest
 
   explicit operator bool() const { return status == MotionStatus::reached; }

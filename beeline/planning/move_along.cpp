@@ -92,7 +92,7 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
   motion.trajectory = std::move(timed.trajectory);
   motion.path_parameters = std::move(timed.path_parameters);
   motion.limit_margin = plan.limit_margin;
-  motion.dexterity = plan.dexterity;
+  motion.inverse_condition = plan.inverse_condition;
   return motion;
 }
 
@@ -103,7 +103,7 @@ void prove(const Arm& arm, const Route& route, const Task& task, const PathMotio
   motion.arrivals = arrivals(motion.path_parameters);
   motion.deviation =
       path_deviation(arm, motion.trajectory.positions, motion.path_parameters, route.path, task);
-  motion.limits = limit_usage(motion.trajectory, arm);
+  motion.limits = limit_usage(arm, motion.trajectory);
   const Deviation& bound = motion.deviation.bound;
   if (within(bound, {options.tolerance, options.orientation_tolerance})) return;
   motion.status = MotionStatus::not_proved;

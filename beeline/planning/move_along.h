@@ -43,7 +43,7 @@ struct PathMotion {
   PathDeviation deviation;              ///< of the finished trajectory, proved
   LimitUsage limits;                    ///< of the finished trajectory
   double limit_margin = 0;              ///< see Branch
-  double dexterity = 0;                 ///< see Branch
+  double inverse_condition = 0;         ///< see Branch
 
   explicit operator bool() const { return status == MotionStatus::reached; }
 };

@@ -120,7 +120,7 @@ Trajectory sampled(const Arm& arm, const std::vector<TimedPath>& motions, double
 
 void measure(const Arm& arm, Retimed& timed) {
   const auto& [names, t, q, v, a] = timed.trajectory;
-  timed.limits = limit_usage(timed.trajectory, arm);
+  timed.limits = limit_usage(arm, timed.trajectory);
   timed.tool_speed = 0;
   Jacobian columns(6, arm.dof());
   Vector3 before = Vector3::Zero();
@@ -186,7 +186,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
     TimedPath& motion = motions.emplace_back();
     motion.path = refined(joint_spline(samples, chord_length(samples)));
     timed.reason = outside(arm, motion.path, samples);
-    if (!timed.found()) return timed;
+    if (!timed) return timed;
     limits.speed.clear();
     for (std::size_t k = 0; k < motion.path.size() && options.tool_speed < Limits::none; ++k) {
       const Tool tool = tool_at(arm, motion.path.q[k], motion.path.dq[k], columns);
@@ -194,7 +194,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
     }
     motion.scaling = time_scaling(motion.path, limits, timed.profile);
     timed.reason = motion.scaling.reason;
-    if (!timed.found()) return timed;
+    if (!timed) return timed;
     duration += motion.scaling.duration();
   }
   check_rate(options, duration);

@@ -28,7 +28,7 @@ struct Retimed {
   double tool_speed = 0;     ///< the largest at the samples and between, m/s
   std::size_t sections = 0;  ///< number of sections of the path between stops
 
-  bool found() const { return reason.empty(); }
+  explicit operator bool() const { return reason.empty(); }
 };
 
 /// Throws Error unless a trajectory has two different positions, as retime() needs.

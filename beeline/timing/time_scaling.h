@@ -37,7 +37,7 @@ struct TimeScaling {
   /// else d2s/dt2 is constant there.
   bool smooth = false;
 
-  bool found() const { return reason.empty(); }
+  explicit operator bool() const { return reason.empty(); }
   double duration() const { return t.empty() ? 0 : t.back(); }
 };
 

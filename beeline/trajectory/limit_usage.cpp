@@ -39,7 +39,7 @@ LimitFraction largest_fraction(const Arm& arm, const std::vector<double>& t, con
 
 }  // namespace
 
-LimitUsage limit_usage(const Trajectory& trajectory, const Arm& arm) {
+LimitUsage limit_usage(const Arm& arm, const Trajectory& trajectory) {
   const auto [names, t, q, v, a] = matched_to(arm, trajectory);
   return {largest_fraction(arm, t, v, q, &Limits::velocity),
           largest_fraction(arm, t, a, v, &Limits::acceleration),

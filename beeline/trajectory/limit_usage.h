@@ -25,7 +25,7 @@ struct LimitUsage {
 /// at any sampling rate. Differences of the size of rounding are ignored. An unknown velocity limit
 /// counts as assumed_velocity_limit; other unknown limits are infinite. Throws Error where
 /// matched_to() does.
-LimitUsage limit_usage(const Trajectory& trajectory, const Arm& arm);
+LimitUsage limit_usage(const Arm& arm, const Trajectory& trajectory);
 
 /// Returns the smallest factor k on the duration with which a motion that uses these fractions of
 /// its limits is within them: slowed down by k it uses v / k, a / k^2 and j / k^3. The factor is

@@ -88,9 +88,11 @@ void measure(const Arm& arm, const Line& line, const PathMotion& motion, int num
     tally.orientation_ratios.push_back(bound.orientation / worst.orientation);
   }
   if (tally.position_ratios.back() > 3 || bound.orientation / worst.orientation > 3) {
-    std::printf("  %d: loose: position %g / %g, orientation %g / %g, %d samples, dexterity %g\n",
-                number, bound.position, worst.position, bound.orientation, worst.orientation,
-                steps + 1, motion.dexterity);
+    std::printf(
+        "  %d: loose: position %g / %g, orientation %g / %g, %d samples, inverse condition number "
+        "%g\n",
+        number, bound.position, worst.position, bound.orientation, worst.orientation, steps + 1,
+        motion.inverse_condition);
   }
 }
 

@@ -82,8 +82,8 @@ int main() {
     const JointPath path = grid.empty() ? refined(spline) : at_grid(spline, grid);
     const TimeScaling scaling = internal::fastest(path, limits);
     const double answer[] = {
-        scaling.found() ? scaling.duration() : -1,
-        scaling.found() ? beeline::testing::largest_fraction(path, limits, scaling) : -1,
+        scaling ? scaling.duration() : -1,
+        scaling ? beeline::testing::largest_fraction(path, limits, scaling) : -1,
         static_cast<double>(path.size()), best_microseconds(path, limits)};
     std::fwrite(answer, sizeof(double), 4, stdout);
     std::fflush(stdout);

@@ -147,7 +147,7 @@ TEST(Batch, ManipulabilityIsTheSingleCalls) {
     batch_manipulability<double>(arm, q, values);
     for (Eigen::Index i = 0; i < q.cols(); ++i) {
       const Jacobian columns = jacobian(arm, q.col(i));
-      ASSERT_NEAR(values(0, i), dexterity(columns).manipulability,
+      ASSERT_NEAR(values(0, i), manipulability_measures(columns).manipulability,
                   1e-13 * std::max(1.0, std::pow(columns.norm(), 6)))
           << arm.name();
     }

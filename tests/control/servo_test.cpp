@@ -163,7 +163,7 @@ TEST(Servo, StaysOnItsLineWhenTheCommandIsReversed) {
     int runs = 0, reversed = 0, slowed = 0;
     for (int i = 0; i < 400 && runs < 20; ++i) {
       Configuration q = 0.5 * random.configuration(arm) + 0.5 * middle_configuration(arm);
-      if (dexterity(jacobian(arm, q)).manipulability < 0.01) continue;
+      if (manipulability_measures(jacobian(arm, q)).manipulability < 0.01) continue;
       ++runs;
       Servo servo(arm);
       Eigen::VectorXd v(arm.dof());
@@ -254,7 +254,9 @@ TEST(Servo, ReachesAPoseUnlessASingularityIsOnThePath) {
       if (left.position < 1e-6 && left.orientation < 1e-6) {
         ++reached;
       } else if (last.limit == ServoLimit::singular) {  // such as the stretched elbow
-        EXPECT_LT(dexterity(task_jacobian(arm, q, task)).singular_values.minCoeff(), 1e-4) << name;
+        EXPECT_LT(manipulability_measures(task_jacobian(arm, q, task)).singular_values.minCoeff(),
+                  1e-4)
+            << name;
         EXPECT_LT(v.norm(), 1e-3);
       } else {
         EXPECT_EQ(last.limit, ServoLimit::position) << name << ' ' << i;

@@ -26,114 +26,115 @@ Eigen::MatrixXd two_link(double l1, double l2, double q1, double q2) {
   return planar_jacobian(arm, Eigen::Vector2d(q1, q2)).topRows<2>();
 }
 
-TEST(Dexterity, OfATwoLinkArmIsItsClosedForm) {
+TEST(Manipulability, OfATwoLinkArmIsItsClosedForm) {
   testing::Random random;
   for (int i = 0; i < 3000; ++i) {
     const double l1 = random.uniform(0.1, 2), l2 = random.uniform(0.1, 2);
     const double q1 = random.uniform(-pi, pi), q2 = random.uniform(-pi, pi);
-    const Dexterity dexter = dexterity(two_link(l1, l2, q1, q2));
+    const ManipulabilityMeasures measures = manipulability_measures(two_link(l1, l2, q1, q2));
     const double area = l1 * l2 * std::abs(std::sin(q2));
-    ASSERT_NEAR(dexter.manipulability, area, 3e-14);
+    ASSERT_NEAR(measures.manipulability, area, 3e-14);
     // s1 s2 = area and s1^2 + s2^2 = |J|^2 = |tip|^2 + l2^2 give both singular values.
     const double squares = l1 * l1 + 2 * l2 * l2 + 2 * l1 * l2 * std::cos(q2);
     const double largest =
         std::sqrt((squares + std::sqrt(std::max(0.0, squares * squares - 4 * area * area))) / 2);
-    ASSERT_EQ(dexter.singular_values.size(), 2);
-    ASSERT_NEAR(dexter.singular_values[0], largest, 1e-7 * largest);
+    ASSERT_EQ(measures.singular_values.size(), 2);
+    ASSERT_NEAR(measures.singular_values[0], largest, 1e-7 * largest);
     if (area < 1e-3) continue;
-    ASSERT_NEAR(dexter.condition, largest * largest / area, 1e-6 * dexter.condition);
+    ASSERT_NEAR(measures.condition, largest * largest / area, 1e-6 * measures.condition);
   }
 }
 
-TEST(Dexterity, HasInfiniteConditionAtASingularity) {
+TEST(Manipulability, HasInfiniteConditionAtASingularity) {
   testing::Random random;
   for (int i = 0; i < 2000; ++i) {
     const double q1 = random.uniform(-pi, pi);
     const double q2 = i % 2 == 0 ? 0 : pi;
-    const Dexterity dexter =
-        dexterity(two_link(random.uniform(0.5, 2), random.uniform(0.5, 2), q1, q2));
-    ASSERT_EQ(dexter.condition, inf) << q1 << " " << q2;
-    ASSERT_LT(dexter.manipulability, 3e-15);
+    const ManipulabilityMeasures measures =
+        manipulability_measures(two_link(random.uniform(0.5, 2), random.uniform(0.5, 2), q1, q2));
+    ASSERT_EQ(measures.condition, inf) << q1 << " " << q2;
+    ASSERT_LT(measures.manipulability, 3e-15);
   }
 }
 
-TEST(Dexterity, IsSingularForAnAlignedWristOnly) {
+TEST(Manipulability, IsSingularForAnAlignedWristOnly) {
   testing::Random random;
   const Arm puma = built_in("puma560");
   for (int i = 0; i < 500; ++i) {
     Configuration q = random.configuration(puma);
     q[4] = random.uniform(0.3, 1.2);
     q[2] = random.uniform(-1, 0.5);
-    ASSERT_LT(dexterity(jacobian(puma, q)).condition, 1e9);
+    ASSERT_LT(manipulability_measures(jacobian(puma, q)).condition, 1e9);
     q[4] = 0;
-    ASSERT_EQ(dexterity(jacobian(puma, q)).condition, inf) << q.transpose();
+    ASSERT_EQ(manipulability_measures(jacobian(puma, q)).condition, inf) << q.transpose();
   }
 }
 
-TEST(Dexterity, IsYoshikawasMeasure) {
+TEST(Manipulability, IsYoshikawasMeasure) {
   testing::Random random;
   for (int i = 0; i < 500; ++i) {
     const int rows = random.integer(1, 6);
     Eigen::MatrixXd matrix(rows, rows + random.integer(0, 4));
     for (double& entry : matrix.reshaped()) entry = random.uniform(-1, 1);
     const double determinant = (matrix * matrix.transpose()).determinant();
-    ASSERT_NEAR(std::pow(dexterity(matrix).manipulability, 2), determinant,
+    ASSERT_NEAR(std::pow(manipulability_measures(matrix).manipulability, 2), determinant,
                 3e-13 * std::pow(matrix.norm(), 2 * rows));
   }
 }
 
-TEST(Dexterity, HasTheRootsOfTheEigenvaluesInDecreasingOrder) {
+TEST(Manipulability, HasTheRootsOfTheEigenvaluesInDecreasingOrder) {
   testing::Random random;
   for (int i = 0; i < 500; ++i) {
     const Arm arm = testing::random_arm(random, 8);
     const Jacobian columns = jacobian(arm, random.configuration(arm));
-    const Dexterity dexter = dexterity(columns);
+    const ManipulabilityMeasures measures = manipulability_measures(columns);
     const Eigen::VectorXd squares =
         Eigen::SelfAdjointEigenSolver<Matrix6>(columns * columns.transpose()).eigenvalues();
     for (int k = 0; k < 6; ++k) {
-      ASSERT_NEAR(std::pow(dexter.singular_values[k], 2), squares[5 - k], 1e-12 * squares[5]);
+      ASSERT_NEAR(std::pow(measures.singular_values[k], 2), squares[5 - k], 1e-12 * squares[5]);
     }
   }
 }
 
-TEST(Dexterity, DoesNotDependOnTheAxesItIsWrittenIn) {
+TEST(Manipulability, DoesNotDependOnTheAxesItIsWrittenIn) {
   testing::Random random;
   for (int i = 0; i < 300; ++i) {
     const Arm arm = testing::random_arm(random, 7);
     const Configuration q = random.configuration(arm);
-    const Dexterity base = dexterity(jacobian(arm, q, Frame::base));
-    const Dexterity tool = dexterity(jacobian(arm, q, Frame::tool));
+    const ManipulabilityMeasures base = manipulability_measures(jacobian(arm, q, Frame::base));
+    const ManipulabilityMeasures tool = manipulability_measures(jacobian(arm, q, Frame::tool));
     const double size = base.singular_values[0];
     ASSERT_LT((base.singular_values - tool.singular_values).norm(), 3e-13 * size);
   }
 }
 
-TEST(Dexterity, WithFewerJointsThanRowsIsZeroYetHasACondition) {
-  const Dexterity two = dexterity(jacobian(built_in("rp"), Eigen::Vector2d(0.3, 1)));
+TEST(Manipulability, WithFewerJointsThanRowsIsZeroYetHasACondition) {
+  const ManipulabilityMeasures two =
+      manipulability_measures(jacobian(built_in("rp"), Eigen::Vector2d(0.3, 1)));
   EXPECT_EQ(two.singular_values.size(), 2);
   EXPECT_EQ(two.manipulability, 0);
   EXPECT_TRUE(std::isfinite(two.condition));
-  const Dexterity gantry = dexterity(two_link(1, 1, 0, pi / 2));
+  const ManipulabilityMeasures gantry = manipulability_measures(two_link(1, 1, 0, pi / 2));
   EXPECT_NEAR(gantry.manipulability, 1, 1e-15);
 }
 
-TEST(Dexterity, OfOrthonormalRowsIsOneAndOfZeroIsInfinite) {
+TEST(Manipulability, OfOrthonormalRowsIsOneAndOfZeroIsInfinite) {
   testing::Random random;
-  const Dexterity turn = dexterity(random.rotation());
+  const ManipulabilityMeasures turn = manipulability_measures(random.rotation());
   EXPECT_NEAR(turn.condition, 1, 1e-14);
   EXPECT_NEAR(turn.manipulability, 1, 1e-14);
-  EXPECT_EQ(dexterity(Eigen::MatrixXd::Zero(3, 4)).condition, inf);
-  EXPECT_EQ(dexterity(Eigen::MatrixXd::Zero(3, 4)).manipulability, 0);
+  EXPECT_EQ(manipulability_measures(Eigen::MatrixXd::Zero(3, 4)).condition, inf);
+  EXPECT_EQ(manipulability_measures(Eigen::MatrixXd::Zero(3, 4)).manipulability, 0);
 }
 
-TEST(Dexterity, RefusesAnEmptyMatrixAndNumbersThatAreNotFinite) {
-  EXPECT_REFUSED(dexterity(Eigen::MatrixXd(6, 0)), "at least one row and one column");
-  EXPECT_REFUSED(dexterity(Eigen::MatrixXd(0, 6)), "at least one row and one column");
+TEST(Manipulability, RefusesAnEmptyMatrixAndNumbersThatAreNotFinite) {
+  EXPECT_REFUSED(manipulability_measures(Eigen::MatrixXd(6, 0)), "at least one row and one column");
+  EXPECT_REFUSED(manipulability_measures(Eigen::MatrixXd(0, 6)), "at least one row and one column");
   Eigen::MatrixXd bad = Eigen::MatrixXd::Ones(2, 2);
   bad(1, 1) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_REFUSED(dexterity(bad), "finite");
+  EXPECT_REFUSED(manipulability_measures(bad), "finite");
   bad(1, 1) = inf;
-  EXPECT_REFUSED(dexterity(bad), "finite");
+  EXPECT_REFUSED(manipulability_measures(bad), "finite");
 }
 
 }  // namespace

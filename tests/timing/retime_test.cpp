@@ -78,7 +78,7 @@ TEST(Retime, AtARateKeepsBothEndsAndTheDuration) {
   for (int i = 0; i < 20; ++i) {
     const Trajectory given = random_waypoints(random, arm, 4);
     const Retimed whole = retime(arm, given), sampled = retime(arm, given, {.rate = 50});
-    ASSERT_TRUE(sampled.found());
+    ASSERT_TRUE(sampled);
     EXPECT_EQ(sampled.trajectory.positions.front(), given.positions.front());
     EXPECT_EQ(sampled.trajectory.positions.back(), given.positions.back());
     EXPECT_NEAR(sampled.trajectory.times.back(), whole.trajectory.times.back(), 1e-6);
@@ -106,7 +106,7 @@ TEST(Retime, KeepsTheToolsSpeed) {
   for (const Profile profile : profiles) {
     const Trajectory given = random_waypoints(random, arm, 5);
     const Retimed timed = retime(arm, given, {.profile = profile, .tool_speed = 0.2});
-    ASSERT_TRUE(timed.found());
+    ASSERT_TRUE(timed);
     EXPECT_LE(timed.tool_speed, 0.2 * (1 + 1e-9));
     EXPECT_GT(timed.tool_speed, 0.17) << name(profile);
     double length = 0;
@@ -197,7 +197,7 @@ TEST(Retime, ReturnsAReasonWhereThePathLeavesThePositionLimits) {
   Trajectory given = random_waypoints(*std::make_unique<testing::Random>(), arm, 3);
   given.positions[1][3] = 0.5;
   const Retimed timed = retime(arm, given);
-  EXPECT_FALSE(timed.found());
+  EXPECT_FALSE(timed);
   EXPECT_NE(timed.reason.find("joint4"), std::string::npos) << timed.reason;
   EXPECT_EQ(timed.trajectory.size(), 0u);
 }
@@ -214,10 +214,10 @@ TEST(Retime, AcceptsTheSmallestSpeeds) {
     for (const Profile profile : profiles) {
       if (profile == Profile::jerk && default_profile(arm) != Profile::jerk) continue;
       const Retimed slow = retime(arm, given, {.profile = profile, .speed_scale = 1e-6});
-      ASSERT_TRUE(slow.found()) << slow.reason;
+      ASSERT_TRUE(slow) << slow.reason;
       EXPECT_LE(slow.limits.velocity.fraction, 1e-6 * (1 + 1e-6));
       const Retimed creeping = retime(arm, given, {.profile = profile, .tool_speed = 1e-9});
-      ASSERT_TRUE(creeping.found()) << creeping.reason;
+      ASSERT_TRUE(creeping) << creeping.reason;
       EXPECT_LE(creeping.tool_speed, 1e-9 * (1 + 1e-6));
     }
   }

@@ -22,7 +22,7 @@ Configuration one(double value) { return Configuration::Constant(1, value); }
 
 TEST(LimitUsage, TakesSamplesAndTheirDifferences) {
   Trajectory trajectory{{"x"}, {0, 1, 3}, {one(0), one(1), one(-2)}, {}, {}};
-  LimitUsage check = limit_usage(trajectory, slide());
+  LimitUsage check = limit_usage(slide(), trajectory);
   EXPECT_NEAR(check.velocity.fraction, 0.75, 1e-12);  // 3 m in 2 s
   EXPECT_EQ(check.velocity.joint, "x");
   EXPECT_EQ(check.velocity.time, 1);
@@ -30,22 +30,22 @@ TEST(LimitUsage, TakesSamplesAndTheirDifferences) {
   EXPECT_EQ(check.jerk.fraction, 0);
 
   trajectory.velocities = {one(0), one(2.5), one(0)};
-  check = limit_usage(trajectory, slide());
+  check = limit_usage(slide(), trajectory);
   EXPECT_NEAR(check.velocity.fraction, 1.25, 1e-12);
   EXPECT_NEAR(check.acceleration.fraction, 0.25, 1e-12);  // 2.5 m/s in 1 s
   EXPECT_EQ(check.acceleration.time, 0);
 
   trajectory.accelerations = {one(0), one(-20), one(0)};
-  check = limit_usage(trajectory, slide());
+  check = limit_usage(slide(), trajectory);
   EXPECT_NEAR(check.acceleration.fraction, 2, 1e-12);
   EXPECT_NEAR(check.jerk.fraction, 0.2, 1e-12);
 }
 
 TEST(LimitUsage, HoldsAnUnknownVelocityLimitAtOneAndKnowsNoOther) {
   const Trajectory trajectory{{"x"}, {0, 1}, {one(0), one(0.5)}, {one(0), one(0)}, {}};
-  EXPECT_NEAR(limit_usage(trajectory, slide(Limits::none)).velocity.fraction, 0.5, 1e-12);
+  EXPECT_NEAR(limit_usage(slide(Limits::none), trajectory).velocity.fraction, 0.5, 1e-12);
   const Arm rrr = built_in("rrr");
-  const LimitUsage still = limit_usage(at_rest(rrr, middle_configuration(rrr)), rrr);
+  const LimitUsage still = limit_usage(rrr, at_rest(rrr, middle_configuration(rrr)));
   EXPECT_EQ(still.velocity.fraction, 0);
   EXPECT_EQ(still.acceleration.joint, "");
 }
@@ -68,7 +68,7 @@ TEST(LimitUsage, OfAMotionWithinItsLimitsPassesAtAnyRate) {
       trajectory.accelerations.push_back(one(-std::sin(t)));
       t += std::pow(10, random.uniform(-9, 0));
     }
-    const LimitUsage check = limit_usage(trajectory, arm);
+    const LimitUsage check = limit_usage(arm, trajectory);
     for (const LimitFraction* use : {&check.velocity, &check.acceleration, &check.jerk}) {
       ASSERT_LE(use->fraction, 1 + 1e-12);
       ASSERT_GT(use->fraction, 0.9);
@@ -78,7 +78,7 @@ TEST(LimitUsage, OfAMotionWithinItsLimitsPassesAtAnyRate) {
 
 TEST(LimitUsage, RefusesATrajectoryOfAnotherArm) {
   const Trajectory trajectory{{"y"}, {0, 1}, {one(0), one(0.5)}, {}, {}};
-  EXPECT_REFUSED(limit_usage(trajectory, slide()), "lacks x");
+  EXPECT_REFUSED(limit_usage(slide(), trajectory), "lacks x");
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ void append(Trajectory& trajectory, const Trajectory& motion) {
 
 }  // namespace
 
-std::string append_retimed(Trajectory& trajectory, const Arm& arm,
+std::string append_retimed(const Arm& arm, Trajectory& trajectory,
                            std::span<const Configuration> samples, const RetimeOptions& options,
                            const MoveSamples& move) {
   constexpr int max_attempts = 8;  // two suffice, unless moved samples change their speed
@@ -73,7 +73,7 @@ std::string append_retimed(Trajectory& trajectory, const Arm& arm,
   Trajectory motion;
   for (int left = max_attempts; left > 0; --left) {
     const Retimed timed = retime(arm, untimed, retiming);
-    if (!timed.found()) return timed.reason;
+    if (!timed) return timed.reason;
     motion = options.rate > 0 ? timed.trajectory : only_samples(timed.trajectory, samples);
     if (options.rate > 0 && move) move(motion, timed.arc_lengths);
     const double factor =

@@ -17,7 +17,7 @@ using MoveSamples = std::function<void(Trajectory&, std::span<const double>)>;
 /// adds none, unless options.rate specifies samples at equal times; `move` may then move these.
 /// Appends nothing if nothing moves. Returns the reason if there is no such motion, otherwise an
 /// empty text.
-std::string append_retimed(Trajectory& trajectory, const Arm& arm,
+std::string append_retimed(const Arm& arm, Trajectory& trajectory,
                            std::span<const Configuration> samples, const RetimeOptions& options,
                            const MoveSamples& move = {});
 

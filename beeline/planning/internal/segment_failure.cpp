@@ -74,7 +74,7 @@ SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Tas
   const std::string joints = passed_limits(arm, segment, task, q, s);
   if (!joints.empty()) return {MotionStatus::outside_limits, where + joints};
   const InverseResult ahead = solve_ahead(arm, segment, task, q, s);
-  const double condition = dexterity(task_jacobian(arm, q, task)).condition;
+  const double condition = manipulability_measures(task_jacobian(arm, q, task)).condition;
   switch (ahead.status) {
     case InverseStatus::solved:
       if (condition < regular_condition) {

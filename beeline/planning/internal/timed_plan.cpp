@@ -58,7 +58,7 @@ void append(TimedPlan& timed, const Arm& arm, const ToolPath& path, const Sectio
   const auto move = [&](Trajectory& motion, std::span<const double> arc_lengths) {
     path_parameters = move_onto_path(arm, path, task, section, arc_lengths, motion);
   };
-  timed.reason = append_retimed(timed.trajectory, arm, section.samples, options, move);
+  timed.reason = append_retimed(arm, timed.trajectory, section.samples, options, move);
   if (!timed.reason.empty()) {
     timed.status = MotionStatus::outside_limits;
     return;

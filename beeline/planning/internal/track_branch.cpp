@@ -174,7 +174,7 @@ std::vector<Branch> backward_branches(const Arm& arm, const ToolPath& path, cons
 /// Whether the task's Jacobian has lost rank, to rounding.
 bool is_singular(const Arm& arm, const Task& task, const Configuration& q) {
   constexpr double lost_rank = 1e-6;
-  return 1 / dexterity(task_jacobian(arm, q, task)).condition < lost_rank;
+  return 1 / manipulability_measures(task_jacobian(arm, q, task)).condition < lost_rank;
 }
 
 /// Computes all branches, unsorted, without reasons for those that end inside the limits.
@@ -217,7 +217,7 @@ std::vector<Branch> unordered_branches(const Arm& arm, const ToolPath& path,
 
 void measure(const Arm& arm, const Task& task, Branch& branch) {
   branch.limit_margin = 1;
-  branch.dexterity = 1;
+  branch.inverse_condition = 1;
   for (const TrackedSegment& segment : branch.segments) {
     for (const Configuration& q : segment.samples) {
       for (int k = 0; k < arm.dof(); ++k) {
@@ -226,7 +226,8 @@ void measure(const Arm& arm, const Task& task, Branch& branch) {
         branch.limit_margin = std::min(branch.limit_margin, margin);
       }
       const Eigen::MatrixXd j = task_jacobian(arm, q, task, unit_of_length(arm));
-      branch.dexterity = std::min(branch.dexterity, 1 / dexterity(j).condition);
+      branch.inverse_condition =
+          std::min(branch.inverse_condition, 1 / manipulability_measures(j).condition);
     }
   }
 }
@@ -247,7 +248,8 @@ void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options,
 
 bool better(const Branch& a, const Branch& b) {
   if (a.path_parameter != b.path_parameter) return a.path_parameter > b.path_parameter;
-  return std::min(a.limit_margin, a.dexterity) > std::min(b.limit_margin, b.dexterity);
+  return std::min(a.limit_margin, a.inverse_condition) >
+         std::min(b.limit_margin, b.inverse_condition);
 }
 
 Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& path,

@@ -22,7 +22,7 @@ Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& 
 /// Sets the status and reason of a branch that is incomplete and has no reason yet.
 void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options, Branch& branch);
 
-/// Sets limit_margin and dexterity from the branch's samples.
+/// Sets limit_margin and inverse_condition from the branch's samples.
 void measure(const Arm& arm, const Task& task, Branch& branch);
 
 /// The order of branches: `a` reaches farther than b, or as far with the larger smallest margin.

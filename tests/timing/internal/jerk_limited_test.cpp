@@ -229,7 +229,7 @@ TEST(JerkLimited, KeepsTheSmallestLimitsAndRefusesSmallerOnes) {
     PathLimits tiny = limits;
     (tiny.*kind)[0] = 1e-100;
     const TimeScaling scaling = jerk_limited(path, tiny);
-    ASSERT_TRUE(scaling.found());
+    ASSERT_TRUE(scaling);
     EXPECT_GT(scaling.duration(), 1e30);
     EXPECT_TRUE(std::isfinite(scaling.duration()));
     for (const double refused : {1e-310, 0.0, -1.0, std::nan("")}) {
