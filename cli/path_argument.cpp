@@ -42,8 +42,7 @@ Route PathArgument::from(const Pose& tool, std::vector<Pose> poses, const Task& 
     return through(poses);
   }
   if (path_kind_named(kind) == PathKind::arc && poses.size() % 2 == 1) {
-    throw Error("the tool begins " + number(distance.position) + " m and " +
-                angle(distance.orientation) +
+    throw Error("the tool begins " + deviation_text(distance) +
                 " away from the first pose, so that its pose counts as one more; arcs then need an "
                 "even number of poses in the file");
   }

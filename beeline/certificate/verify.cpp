@@ -14,10 +14,6 @@ using namespace internal;
 
 namespace {
 
-std::string metres_and_radians(const Deviation& deviation) {
-  return number(deviation.position) + " m and " + angle(deviation.orientation);
-}
-
 struct Verifier {
   const Arm& arm;
   const Trajectory& trajectory;
@@ -118,7 +114,7 @@ struct Verifier {
     if (near(deviation)) return true;
     grow(result.deviation.measured, deviation);
     grow(result.deviation.bound, deviation);
-    fail(Fault::deviation, k, "the tool is off " + where + " by " + metres_and_radians(deviation));
+    fail(Fault::deviation, k, "the tool is off " + where + " by " + deviation_text(deviation));
     return false;
   }
 
@@ -130,7 +126,7 @@ struct Verifier {
     const Deviation back = task_deviation(task, pose_at(route.path, s), world_T_tool[k]);
     if (near(back)) return true;
     fail(Fault::deviation, k,
-         "the tool moves backwards on " + name_of(i) + " by " + metres_and_radians(back));
+         "the tool moves backwards on " + name_of(i) + " by " + deviation_text(back));
     return false;
   }
 
@@ -158,9 +154,9 @@ struct Verifier {
         std::holds_alternative<Line>(path.segments[step.segment]) ? "line" : "path";
     fail(Fault::deviation, k,
          near(measured) ? "up to the next sample the tool is only proved to stay within " +
-                              metres_and_radians(ends.bound) + " of the " + path_name + jump
+                              deviation_text(ends.bound) + " of the " + path_name + jump
                         : "up to the next sample the tool leaves the " + path_name + " by " +
-                              metres_and_radians(measured) + jump);
+                              deviation_text(measured) + jump);
   }
 
   /// Checks the samples that have path parameters, from `first` on, and the steps between them.
@@ -191,8 +187,7 @@ struct Verifier {
       if (near(left)) {
         check_step(k - 1, stay, {0, trajectory.positions[k - 1], trajectory.positions[k], 1, 1});
       } else {
-        fail(Fault::deviation, k,
-             "the tool leaves the last waypoint by " + metres_and_radians(left));
+        fail(Fault::deviation, k, "the tool leaves the last waypoint by " + deviation_text(left));
       }
     }
   }
@@ -202,7 +197,7 @@ struct Verifier {
         task_deviation(task, pose_at(route.path.segments[i], 1), world_T_tool.back());
     fail(Fault::not_through, trajectory.size() - 1,
          (is_line(i) ? "waypoint " : "the end of segment ") + std::to_string(i + 1) +
-             " is not reached; at the end the tool is " + metres_and_radians(left) + " from it");
+             " is not reached; at the end the tool is " + deviation_text(left) + " from it");
   }
 
   /// Locates and checks all samples, from stop to stop.
@@ -258,8 +253,8 @@ Trajectory checked_trajectory(const Arm& arm, const Trajectory& given) {
 Verification verify(const Arm& arm, const Trajectory& given, const Route& route,
                     const VerifyOptions& options) {
   if (!(options.tolerance > 0) || !(options.orientation_tolerance > 0)) {
-    throw Error("the tolerances must be above zero, not " + number(options.tolerance) + " m and " +
-                number(options.orientation_tolerance) + " rad");
+    throw Error("the tolerances must be above zero, not " +
+                deviation_text({options.tolerance, options.orientation_tolerance}));
   }
   const Trajectory trajectory = checked_trajectory(arm, given);
   const Task task = options.task.value_or(default_task(arm));

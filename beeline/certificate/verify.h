@@ -15,8 +15,8 @@ namespace beeline {
 
 struct VerifyOptions {
   std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
-  double tolerance = 1e-4;                  ///< metres
-  double orientation_tolerance = 1e-4;      ///< radians
+  double tolerance = 1e-4;                  ///< max deviation in position, metres, above 0
+  double orientation_tolerance = 1e-4;      ///< max deviation in orientation, radians, above 0
 };
 
 struct Verification {
@@ -27,7 +27,9 @@ struct Verification {
   PathDeviation deviation;    ///< over the whole trajectory, or up to the fault
   ToolPath path;              ///< of the route
   std::vector<double> path_parameters;  ///< of the samples, as far as they are on the path
-  std::vector<std::size_t> arrivals;    ///< the sample at each waypoint that is reached
+  /// arrivals[i] is the sample at the end of segment i, or the first after it, as far as the
+  /// trajectory follows the path.
+  std::vector<std::size_t> arrivals;
 
   explicit operator bool() const { return fault == Fault::none; }
 };

@@ -20,9 +20,10 @@ std::string name(CartesianMethod method);
 struct CartesianOptions {
   CartesianMethod method = CartesianMethod::inverse_jacobian;
   std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
-  double gain = 0.1;                        ///< the chapter's K_p
-  int intermediate = 10;  ///< poses on each line, its end included; inverse_kinematics only
-  SimulationOptions simulation = {};
+  double gain = 0.1;  ///< the chapter's K_p, fraction of the error per step, above 0
+  /// Number of poses on each line, its end included, 1 or more; for inverse_kinematics only.
+  int intermediate = 10;
+  SimulationOptions simulation = {};  ///< tolerance, steps and time step
 };
 
 /// Moves the tool towards each waypoint in turn by feedback control. The tool's path is straight

@@ -13,9 +13,9 @@ class Playback;
 }
 
 struct PlayerOptions {
-  double time_step = 1e-3;  ///< of the control loop, seconds
-  double speed = 1;         ///< initial target speed, from 0 to 1: 1 is the recording's own speed
-  double ramp = 0.5;        ///< seconds in which the speed changes by 1, at least
+  double time_step = 1e-3;  ///< of the control loop, seconds, above 0
+  double speed = 1;   ///< initial target speed: from 0, a pause, to 1, the recording's own speed
+  double ramp = 0.5;  ///< min seconds in which the speed changes by 1, above 0
 };
 
 /// Set points of one step of a control loop.

@@ -16,12 +16,13 @@ struct SpeedChange {
 };
 
 struct ReplayOptions {
-  double rate = 100;  ///< samples per second
-  double speed = 1;   ///< 0.5 takes twice the recorded time
-  /// The arm's configuration: the replay begins with a motion from it to the first sample.
+  double rate = 100;  ///< samples per second, above 0
+  double speed = 1;   ///< above 0: 1 is the recording's own speed, 0.5 takes twice its time
+  /// The arm's configuration: the replay begins with a motion from it to the first sample; default:
+  /// it begins at the first sample.
   std::optional<Configuration> start = std::nullopt;
   std::vector<SpeedChange> speed_at = {};  ///< at increasing times; none: `speed` throughout
-  double ramp = 0.5;  ///< seconds in which the speed changes by 1; for `speed_at` only
+  double ramp = 0.5;  ///< seconds in which the speed changes by 1, above 0; for `speed_at` only
 };
 
 struct Replay {

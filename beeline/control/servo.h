@@ -16,10 +16,11 @@ class ServoLoop;
 
 struct ServoOptions {
   std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
-  double time_step = 1e-3;                  ///< of the control loop, seconds
-  double gain = 10;  ///< of step_towards(), 1/s: the error's decay rate; at most 1 / time_step
-  double linear_speed = Limits::none;   ///< bound on the command of step_towards(), m/s
-  double angular_speed = Limits::none;  ///< bound on the command of step_towards(), rad/s
+  double time_step = 1e-3;                  ///< of the control loop, seconds, above 0
+  /// Of step_towards(), 1/s: the error's decay rate, above 0 and at most 1 / time_step.
+  double gain = 10;
+  double linear_speed = Limits::none;   ///< limit of step_towards()'s command, m/s, above 0
+  double angular_speed = Limits::none;  ///< limit of step_towards()'s command, rad/s, above 0
 };
 
 /// The limit that determines the scale of a step.
@@ -68,7 +69,7 @@ class Servo {
   Servo& operator=(Servo&& other) noexcept;
   ~Servo();
 
-  /// The command is a tool velocity in the task's frame (base or tool axes), m/s and rad/s; rows
+  /// The command is a tool velocity in the task's frame (world or tool axes), m/s and rad/s; rows
   /// that the task excludes are ignored. Writes dof numbers into `velocity`, rad/s or m/s.
   /// Throws Error when the size of q or `velocity` is wrong, or a number is not finite.
   ServoStep step(const ConfigurationRef& q, const Twist& command,

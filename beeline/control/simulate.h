@@ -23,9 +23,9 @@ struct ControlledMotion {
 };
 
 struct SimulationOptions {
-  double tolerance = 1e-6;  ///< error at which a goal counts as reached, metres and radians
-  int max_steps = 100'000;  ///< of the whole motion
-  double time_step = 0.02;  ///< seconds
+  double tolerance = 1e-6;  ///< max error of a goal that is reached, metres and radians, above 0
+  int max_steps = 100'000;  ///< of the whole motion, 1 or more; else not_converged
+  double time_step = 0.02;  ///< of the controller, seconds, above 0
 };
 
 /// A controller in joint space.

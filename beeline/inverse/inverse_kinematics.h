@@ -33,27 +33,29 @@ Redundancy redundancy_named(std::string_view name);
 std::string name(Redundancy redundancy);
 
 struct InverseOptions {
-  /// Solutions are sorted by their distance from it; default: the middle of the limits.
+  /// Solutions are sorted by their distance from it; default: middle_configuration(), the middle of
+  /// the limits. It may be outside the limits.
   std::optional<Configuration> seed = std::nullopt;
   std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
-  InverseMethod method = InverseMethod::automatic;
+  InverseMethod method = InverseMethod::automatic;  ///< a closed form where there is one
   /// All solutions instead of one. Closed form: all that exist; of a redundant arm, all on a grid
   /// of values of the redundant joint. Numerical: those found in all restarts, some may be missing.
   bool all = false;
   bool every_turn = false;     ///< with `all`: also solutions that differ by multiples of 2 pi
   bool ignore_limits = false;  ///< ignore the joint limits
-  std::optional<int> lock = std::nullopt;  ///< a coordinate that keeps the seed's value
-  Redundancy redundancy = Redundancy::any;
-  int grid = 32;  ///< number of values of the redundant joint that are tried first
-  /// Max error of a solution, metres and radians. Raised to the rounding error of forward
+  /// A coordinate, from 0 to dof - 1, that keeps the seed's value; default: none.
+  std::optional<int> lock = std::nullopt;
+  Redundancy redundancy = Redundancy::any;  ///< for a redundant arm and one solution
+  int grid = 32;  ///< number of values of the redundant joint tried first, 2 to 10000
+  /// Max error of a solution, metres and radians, above 0. Raised to the rounding error of forward
   /// kinematics, about 1e-14 of the arm's size, where that is larger (a reach above 1e4 m).
   double tolerance = 1e-10;
-  int max_iterations = 100;       ///< max steps of the numerical solver from one start
-  int max_restarts = 1000;        ///< max random starts after the first
+  int max_iterations = 100;       ///< max steps of the numerical solver from one start, 0 or more
+  int max_restarts = 1000;        ///< max random starts after the first, 0 or more
   std::uint64_t random_seed = 1;  ///< the same value gives the same result
-  /// Seconds after which a numerical search ends with what it has found; the result may then depend
-  /// on the machine. Formulas and the diagnosis are not interrupted: they may take milliseconds
-  /// more, and a fine grid longer.
+  /// Seconds, above 0, after which a numerical search ends with what it has found; the result may
+  /// then depend on the machine. Default: no limit. Formulas and the diagnosis are not interrupted:
+  /// they may take milliseconds more, and a fine grid longer.
   std::optional<double> time_limit = std::nullopt;
 };
 

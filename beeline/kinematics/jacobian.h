@@ -9,7 +9,9 @@
 namespace beeline {
 
 /// The velocity that a Jacobian maps to, and its axes. The linear rows always come first. In
-/// brackets the names of the Robotics Toolbox, of Pinocchio, and of Lynch & Park.
+/// brackets the names of the Robotics Toolbox, of Pinocchio, and of Lynch & Park. The axes of
+/// `base` are those of the world, in which Arm::base() places link 0, not those of link 0: the two
+/// differ where Arm::base() rotates the arm. The Robotics Toolbox uses the word in the same sense.
 enum class Frame {
   base,   ///< of the tool's origin, in the world's axes (jacob0, LOCAL_WORLD_ALIGNED)
   tool,   ///< of the tool's origin, in the tool's axes (jacobe, LOCAL, body)

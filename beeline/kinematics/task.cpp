@@ -124,6 +124,10 @@ Eigen::VectorXd task_error(const Task& task, const Pose& desired, const Pose& cu
   return task_rows(task, pose_error(desired, current, task.frame));
 }
 
+std::string deviation_text(const Deviation& deviation) {
+  return number(deviation.position) + " m and " + angle(deviation.orientation);
+}
+
 Deviation task_deviation(const Task& task, const Pose& desired, const Pose& current) {
   const Twist error = masked(task, pose_error(desired, current, task.frame));
   return {error.head<3>().norm(), error.tail<3>().norm()};

@@ -13,7 +13,7 @@
 namespace beeline {
 
 /// The components of the tool's motion that a task constrains, in the order [x y z wx wy wz] and in
-/// the axes of `frame` (base or tool).
+/// the axes of `frame`: base, which are the world's, or tool.
 struct Task {
   std::array<bool, 6> rows{true, true, true, true, true, true};
   Frame frame = Frame::base;
@@ -50,7 +50,8 @@ std::vector<std::string> row_names(const Task& task);
 Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const Task& task,
                               double length_unit = 1);
 
-/// pose_difference(desired, current) in the axes of `frame`: base, or tool for those of `current`.
+/// pose_difference(desired, current) in the axes of `frame`: base, the world's; or tool, those of
+/// `current`.
 Twist pose_error(const Pose& desired, const Pose& current, Frame frame);
 
 /// The task's rows of pose_error(), the error E of the chapter's section 1.8. Its angular part is a
@@ -72,6 +73,9 @@ struct Deviation {
   double orientation = 0;  ///< radians
 };
 std::ostream& operator<<(std::ostream& out, const Deviation& deviation);  ///< `1e-05 m, 0.002 rad`
+
+/// Formats a deviation for a sentence: `1e-05 m and 0.002 rad (0.114592 deg)`.
+std::string deviation_text(const Deviation& deviation);
 
 /// The norms of task_error()'s two parts.
 Deviation task_deviation(const Task& task, const Pose& desired, const Pose& current);

@@ -112,8 +112,7 @@ SplineSegment blend_segment(const Pose& corner, const Sides& sides, double radiu
 
 BlendedPath blended_lines(std::span<const Pose> given, const Deviation& within) {
   if (!(within.position > 0) || !(within.orientation > 0)) {
-    throw Error("the tolerances of a blend must be above zero, not " + number(within.position) +
-                " m and " + number(within.orientation) + " rad");
+    throw Error("the tolerances of a blend must be above zero, not " + deviation_text(within));
   }
   const std::vector<Pose> poses = checked_path(given);
   const std::size_t lines = poses.size() - 1;

@@ -26,11 +26,11 @@ struct BlendedPath {
   std::vector<Blend> blends;  ///< one for each pose between the first and the last
 };
 
-/// Returns the lines through the poses with blended corners. At s = 1/2 a blend passes its corner's
-/// pose within `within`; Blend::line_deviation is within it too.
-/// Let `in` and `out` be the vectors (position and rotation vector) from the beginning of the blend
-/// on the first line to the corner, and from the corner to its end on the second line. Relative to
-/// the corner the blend is
+/// Returns the lines through the poses (world_T_tool) with blended corners. At s = 1/2 a blend
+/// passes its corner's pose within `within`; Blend::line_deviation is within it too. Let `in` and
+/// `out` be the vectors (position and rotation vector) from the beginning of the blend on the first
+/// line to the corner, and from the corner to its end on the second line. Relative to the corner
+/// the blend is
 ///     x(s) = -f(1 - s) in + f(s) out,   f(s) = 2 s^3 - s^4,
 /// so poses in reverse order give the reversed path. Blends do not overlap: each may use half of a
 /// line, or more if the blend at the other end uses less. Throws Error for fewer than two poses, a

@@ -44,9 +44,9 @@ JointPath joint_spline(std::span<const Configuration> samples, std::span<const d
 std::vector<double> chord_length(std::span<const Configuration> samples);
 
 struct RefineOptions {
-  std::size_t min_steps = 400;  ///< no step is longer than the path divided by this
-  double max_change = 0.1;      ///< of dq/ds over a step, relative to |dq/ds|
-  int max_parts = 512;          ///< into which one step is divided
+  std::size_t min_steps = 400;  ///< above 0: no step is longer than the path divided by this
+  double max_change = 0.1;      ///< above 0: of dq/ds over a step, relative to |dq/ds|
+  int max_parts = 512;          ///< 1 or more: into which one step is divided
 };
 
 /// Returns the same path with more grid points: those of `path` stay, and steps that are longer or

@@ -7,6 +7,9 @@
 
 namespace beeline {
 
+// All poses of segments and paths are world_T_tool; vectors and points are in world axes, metres
+// and radians.
+
 /// A straight line for the tool: interpolate(from, to, s) with s from 0 to 1.
 struct Line {
   Pose from;
@@ -26,8 +29,8 @@ struct ScrewLine {
 struct Arc {
   Pose from;
   Pose to;
-  Vector3 centre;
-  Vector3 rotation;
+  Vector3 centre;    ///< in the world, metres
+  Vector3 rotation;  ///< rotation vector in world axes, radians
 };
 
 /// A segment of a spline, or a blend. With the vectors x and r of the polynomial
@@ -52,7 +55,7 @@ using Segment = std::variant<Line, ScrewLine, Arc, SplineSegment>;
 /// distance.
 Arc arc_through(const Pose& from, const Vector3& passed, const Pose& to);
 
-/// The pose at the segment parameter s.
+/// The pose (world_T_tool) at the segment parameter s.
 Pose pose_at(const Segment& segment, double s);
 
 /// A pose with its derivatives with respect to s: velocity of the tool origin and angular velocity,

@@ -18,9 +18,9 @@ std::vector<std::string> path_kind_names();
 /// Throws Error listing the kinds for another name.
 PathKind path_kind_named(std::string_view name);
 
-/// Segments, each of which begins where the one before it ends. The path parameter s of a pose is
-/// the number of segments before it plus its segment parameter: 2.25 is a quarter of the third
-/// segment.
+/// Segments, each of which begins where the one before it ends; all poses are world_T_tool. The
+/// path parameter s of a pose is the number of segments before it plus its segment parameter: 2.25
+/// is a quarter of the third segment.
 struct ToolPath {
   std::vector<Segment> segments;
   /// The length of each segment in the common parameter of the path, about metres: see span_of().
@@ -56,7 +56,7 @@ struct SplineEnds {
   std::optional<Twist> last = std::nullopt;
 };
 
-/// The pose at path parameter s.
+/// The pose (world_T_tool) at path parameter s.
 Pose pose_at(const ToolPath& path, double s);
 
 /// The span from the path's beginning to path parameter s.
@@ -72,9 +72,9 @@ bool corner_at(const ToolPath& path, double s);
 /// The index of the segment at s; where two meet, of the one that ends there.
 std::size_t segment_at(const ToolPath& path, double s);
 
-/// Returns the path through the poses in order. Lines and screws join neighbours. Each arc takes
-/// two more poses; only the position of the first of them counts. A spline passes through all
-/// poses, and its velocity and acceleration, linear and angular, are continuous.
+/// Returns the path through the poses (world_T_tool) in order. Lines and screws join neighbours.
+/// Each arc takes two more poses; only the position of the first of them counts. A spline passes
+/// through all poses, and its velocity and acceleration, linear and angular, are continuous.
 ///
 /// The spline's positions are cubic in the chord length, the root of the sum of the squares of the
 /// distance and of metres_per_radian times the rotation angle. The rotation vectors of the shortest
@@ -90,8 +90,8 @@ std::size_t segment_at(const ToolPath& path, double s);
 /// motion or repeats the one before it, and what arc_through() refuses.
 ToolPath path_through(std::span<const Pose> poses, PathKind kind, const SplineEnds& ends = {});
 
-/// Returns straight lines through the poses in order; a pose may repeat the one before it. Throws
-/// Error for fewer than two poses, and what checked_poses() refuses.
+/// Returns straight lines through the poses (world_T_tool) in order; a pose may repeat the one
+/// before it. Throws Error for fewer than two poses, and what checked_poses() refuses.
 ToolPath lines_through(std::span<const Pose> poses);
 
 /// Returns the poses with their rotations made orthogonal where they are so to 1e-6, as after

@@ -40,15 +40,19 @@ struct Branch {
 };
 
 struct BranchOptions {
-  Task task;
-  Deviation tolerance = {1e-4, 1e-4};  ///< metres and radians, between samples too
-  std::size_t max_samples = 200'000;   ///< of one branch
-  int max_grid = 256;  ///< for redundant arms: most solutions per pose in the layered graph
+  Task task;                           ///< default: spatial, all six rows
+  Deviation tolerance = {1e-4, 1e-4};  ///< metres and radians, above 0, between samples too
+  std::size_t max_samples = 200'000;   ///< of one branch; beyond it, too_many_samples
+  /// For redundant arms: the finest grid of the layered graph. Grids have 16, 64 and 256 values of
+  /// the redundant joint.
+  int max_grid = 256;
   /// The branches whose reason for ending is determined, which takes milliseconds for each.
   enum class Reasons { all, best, none } reasons = Reasons::best;
-  /// Returns the preferred configuration at a path parameter, for poses with several solutions.
+  /// Returns the preferred configuration at a path parameter, for poses with several solutions;
+  /// default: no preference.
   std::function<Configuration(double)> guide = {};
-  std::function<void(double)> progress = {};  ///< called now and then with the fraction computed
+  /// Called now and then with the fraction computed, from 0 to 1; default: not called.
+  std::function<void(double)> progress = {};
 };
 
 /// Plans the arm's motion along a path, without times, from `start` or, without a start, from the

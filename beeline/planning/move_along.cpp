@@ -107,8 +107,8 @@ void prove(const Arm& arm, const Route& route, const Task& task, const PathMotio
   const Deviation& bound = motion.deviation.bound;
   if (within(bound, {options.tolerance, options.orientation_tolerance})) return;
   motion.status = MotionStatus::not_proved;
-  motion.reason = "the tool is only proved to stay within " + number(bound.position) + " m and " +
-                  number(bound.orientation) + " rad of its path; allow a larger tolerance";
+  motion.reason = "the tool is only proved to stay within " + deviation_text(bound) +
+                  " of its path; allow a larger tolerance";
   if (options.rate > 0) {
     motion.reason = "at " + number(options.rate) + " samples per second " + motion.reason +
                     ", a higher rate or a lower speed";
@@ -178,8 +178,8 @@ PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start,
   const Configuration from = checked_start(arm, *start);
   const Deviation off = task_deviation(task, pose_at(route.path, 0), forward_kinematics(arm, from));
   if (!within(off, {start_tolerance, start_tolerance})) {
-    throw Error("the motion cannot start: the tool is " + number(off.position) + " m and " +
-                angle(off.orientation) + " away from the path's beginning");
+    throw Error("the motion cannot start: the tool is " + deviation_text(off) +
+                " away from the path's beginning");
   }
   return move(arm, from, route, task, options);
 }
@@ -202,10 +202,7 @@ PathMotion move_in_lines(const Arm& arm, const Configuration& start,
 PathMotion move_in_lines(const Arm& arm, std::span<const Pose> poses,
                          const PathMotionOptions& options) {
   check_options(options);
-  PathMotion motion =
-      move_along(arm, std::nullopt, route_of(lines_through(poses), PathKind::line), options);
-  if (motion) motion.arrivals.insert(motion.arrivals.begin(), 0);
-  return motion;
+  return move_along(arm, std::nullopt, route_of(lines_through(poses), PathKind::line), options);
 }
 
 PathMotion move_in_lines(const Arm& arm, std::initializer_list<Pose> poses,

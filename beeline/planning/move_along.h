@@ -18,16 +18,18 @@ namespace beeline {
 
 struct PathMotionOptions {
   /// Default: planar for a planar arm, otherwise spatial. Lines allow any task; other segments need
-  /// all orientation rows or none, and position rows in base axes.
+  /// all orientation rows or none, and position rows in Frame::base, the world's axes.
   std::optional<Task> task = std::nullopt;
-  double tolerance = 1e-4;                        ///< largest deviation in position, metres
-  double orientation_tolerance = 1e-4;            ///< largest deviation in orientation, radians
-  std::optional<Profile> profile = std::nullopt;  ///< from stop to stop; default_profile()
-  double tool_speed = Limits::none;  ///< limit for the tool's origin, metres per second
-  double rate = 0;                   ///< samples per second; 0: as few as the tolerance needs
-  int max_samples = 200'000;         ///< of the whole path
-  bool suggest = false;              ///< when the path cannot be followed, search for a nearby one
-  std::function<void(double)> progress = {};  ///< called now and then with the fraction computed
+  double tolerance = 1e-4;              ///< max deviation in position, metres, 1e-8 or more
+  double orientation_tolerance = 1e-4;  ///< max deviation in orientation, radians, 1e-8 or more
+  /// The time scaling from stop to stop; default: default_profile(), which is time-optimal.
+  std::optional<Profile> profile = std::nullopt;
+  double tool_speed = Limits::none;  ///< limit of the tool origin's speed, m/s, 1e-8 or more
+  double rate = 0;                   ///< samples per second, 0 or more; 0: the tolerance decides
+  int max_samples = 200'000;         ///< of the whole path, 2 or more; else too_many_samples
+  bool suggest = false;  ///< where the path cannot be followed, search for paths near it
+  /// Called now and then with the fraction computed, from 0 to 1; default: not called.
+  std::function<void(double)> progress = {};
 };
 
 /// A trajectory along a path, with its proof. Only status, reason and nearby are set unless
@@ -39,11 +41,12 @@ struct PathMotion {
   Trajectory trajectory;                ///< from rest to rest
   ToolPath path;                        ///< the path that it follows
   std::vector<double> path_parameters;  ///< of each sample
-  std::vector<std::size_t> arrivals;    ///< the sample at, or first after, each waypoint
-  PathDeviation deviation;              ///< of the finished trajectory, proved
-  LimitUsage limits;                    ///< of the finished trajectory
-  double limit_margin = 0;              ///< see Branch
-  double inverse_condition = 0;         ///< see Branch
+  /// arrivals[i] is the sample at the end of segment i of `path`, or the first after it.
+  std::vector<std::size_t> arrivals;
+  PathDeviation deviation;       ///< of the finished trajectory, proved
+  LimitUsage limits;             ///< of the finished trajectory
+  double limit_margin = 0;       ///< see Branch
+  double inverse_condition = 0;  ///< see Branch
 
   explicit operator bool() const { return status == MotionStatus::reached; }
 };
@@ -68,15 +71,15 @@ PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start,
                       const PathMotionOptions& options = {});
 
 /// Moves the tool in straight lines from its pose at `start` through the waypoints (world_T_tool),
-/// at rest at each. Orientations follow the shortest rotation.
+/// at rest at each; arrivals[i] belongs to waypoints[i]. Orientations follow the shortest rotation.
 PathMotion move_in_lines(const Arm& arm, const Configuration& start,
                          std::span<const Pose> waypoints, const PathMotionOptions& options = {});
 PathMotion move_in_lines(const Arm& arm, const Configuration& start,
                          std::initializer_list<Pose> waypoints,
                          const PathMotionOptions& options = {});
 
-/// Does the same from the first pose, with the best configuration there. The first arrival is
-/// sample 0.
+/// Does the same from the first pose, with the best configuration there: arrivals[i] belongs to
+/// poses[i + 1].
 PathMotion move_in_lines(const Arm& arm, std::span<const Pose> poses,
                          const PathMotionOptions& options = {});
 PathMotion move_in_lines(const Arm& arm, std::initializer_list<Pose> poses,

@@ -16,7 +16,7 @@ enum class Synchronise {
 };
 
 struct PointToPointOptions {
-  Synchronise synchronise = Synchronise::time;
+  Synchronise synchronise = Synchronise::time;  ///< default: each joint has its own s-curve
 };
 
 /// A motion of all joints from rest to rest, each along an s-curve (s_curve.h).

@@ -9,13 +9,15 @@
 namespace beeline {
 
 struct RetimeOptions {
-  std::optional<Profile> profile = std::nullopt;  ///< default_profile() when none is given
+  std::optional<Profile> profile = std::nullopt;  ///< default: default_profile()
   /// Speed scale k from 1e-6 to 1: velocity limits are multiplied by k, acceleration by k^2, jerk
   /// by k^3.
   double speed_scale = 1;
-  double tool_speed = Limits::none;  ///< limit of the tool origin's speed, m/s; 1e-9 at least
-  double rate = 0;       ///< samples per second; 0: every sample of the path, and more between
-  double min_steps = 4;  ///< Error where the rate has fewer steps in the motion
+  double tool_speed = Limits::none;  ///< limit of the tool origin's speed, m/s, 1e-9 or more
+  /// Samples per second, 0 or more; 0: every sample of the path, and more between.
+  double rate = 0;
+  /// Min steps that the rate has in the motion, 0 or more; Error where it has fewer.
+  double min_steps = 4;
 };
 
 struct Retimed {

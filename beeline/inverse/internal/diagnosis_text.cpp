@@ -31,7 +31,7 @@ std::string blocking_joint(const Arm& arm, const Configuration& q, const Bounds&
 std::string miss(const Deviation& error, double tolerance) {
   if (!(error.orientation > tolerance)) return number(error.position) + " m";
   if (!(error.position > tolerance)) return angle(error.orientation);
-  return number(error.position) + " m and " + angle(error.orientation);
+  return deviation_text(error);
 }
 
 }  // namespace beeline::internal

@@ -105,9 +105,8 @@ double tolerance_of_samples(const Arm& arm) {
 void check_start(const Deviation& deviation, double exact) {
   const double allowed = start_tolerance * exact / sample_tolerance;
   if (std::max(deviation.position, deviation.orientation) <= allowed) return;
-  throw Error("at the start the tool is " + number(deviation.position) + " m and " +
-              angle(deviation.orientation) + " from the path's beginning; at most " +
-              number(allowed) + " m and rad are allowed");
+  throw Error("at the start the tool is " + deviation_text(deviation) +
+              " from the path's beginning; at most " + number(allowed) + " m and rad are allowed");
 }
 
 }  // namespace
