@@ -10,12 +10,12 @@
 #include <beeline/certificate/path_deviation.h>
 #include <beeline/certificate/verify.h>
 #include <beeline/control/cartesian.h>
+#include <beeline/control/controlled_motion.h>
 #include <beeline/control/joint.h>
 #include <beeline/control/pid.h>
 #include <beeline/control/player.h>
 #include <beeline/control/replay.h>
 #include <beeline/control/servo.h>
-#include <beeline/control/simulate.h>
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>
 #include <beeline/draw/chapter.h>

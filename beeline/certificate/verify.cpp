@@ -6,6 +6,7 @@
 #include <beeline/certificate/internal/path_step.h>
 #include <beeline/certificate/verify.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/path/internal/checked_poses.h>
 #include <beeline/path/internal/nearest_parameter.h>
 
 namespace beeline {

@@ -2,14 +2,17 @@
 #include <cmath>
 
 #include <beeline/control/cartesian.h>
+#include <beeline/control/internal/simulate.h>
 #include <beeline/control/joint.h>
 #include <beeline/error.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/math/six_row_svd.h>
+#include <beeline/path/internal/checked_poses.h>
 #include <beeline/path/tool_path.h>
 
 namespace beeline {
+using namespace internal;
 namespace {
 
 constexpr double damped_below = 1e-2;    // relative to the largest singular value

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/control/internal/simulate.h>
 #include <beeline/control/joint.h>
 #include <beeline/error.h>
 
 namespace beeline {
+using namespace internal;
 namespace {
 
 // Radians or metres. A joint that starts this near its goal has no overshoot, since the ratio would

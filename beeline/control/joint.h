@@ -2,8 +2,8 @@
 
 #include <span>
 
+#include <beeline/control/controlled_motion.h>
 #include <beeline/control/pid.h>
-#include <beeline/control/simulate.h>
 #include <beeline/error.h>
 
 namespace beeline {

@@ -31,11 +31,6 @@ struct TrackingError {
   long steps = 0;         ///< number of measurements
 };
 
-/// Describes when and how a recording first leaves the arm's position limits: at a sample, or
-/// between two samples with velocities, by their cubic. Empty when it does not. Throws Error when
-/// the recording does not fit the arm.
-std::string first_violation(const Arm& arm, const Trajectory& recording);
-
 /// Plays a recording in a control loop: first a point-to-point motion from the arm's configuration
 /// to the recording's first sample, then the recording at a speed that may change while it runs,
 /// down to zero, which is a pause. Between samples it plays the cubic of their positions and
@@ -47,7 +42,7 @@ std::string first_violation(const Arm& arm, const Trajectory& recording);
 class Player {
  public:
   /// Starts at rest at `start`. Throws Error when the recording does not fit the arm or leaves its
-  /// position limits (first_violation()), when `start` is outside them, or for an invalid option.
+  /// position limits, when `start` is outside them, or for an invalid option.
   Player(const Arm& arm, const Trajectory& recording, const ConfigurationRef& start,
          const PlayerOptions& options = {});
   Player(const Player& other);

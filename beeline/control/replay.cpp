@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/control/internal/recording_limits.h>
 #include <beeline/control/player.h>
 #include <beeline/control/replay.h>
 #include <beeline/error.h>
@@ -193,7 +194,7 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
 
   Replay result;
   result.status = MotionStatus::outside_limits;
-  result.reason = first_violation(arm, recording);
+  result.reason = internal::first_violation(arm, recording);
   if (result.reason.empty() && options.start) {
     const auto violations = limit_violations(arm, *options.start);
     if (!violations.empty()) result.reason = "the start: " + violations.front();

@@ -7,6 +7,7 @@
 #include <beeline/control/internal/velocity_bounds.h>
 #include <beeline/control/servo.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/internal/mask.h>
 #include <beeline/planning/internal/null_space.h>
 
 namespace beeline {

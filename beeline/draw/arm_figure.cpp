@@ -1,14 +1,9 @@
-#include <algorithm>
-#include <cmath>
 
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/internal/annotation.h>
 #include <beeline/draw/internal/arm_scene.h>
-#include <beeline/draw/internal/text.h>
 #include <beeline/draw/internal/trail.h>
 #include <beeline/error.h>
-#include <beeline/kinematics/forward.h>
-#include <beeline/pose/se2.h>
 
 namespace beeline {
 using namespace internal;
@@ -43,20 +38,6 @@ void add_numbered(Scene& scene, const std::vector<Pose>& waypoints) {
 
 }  // namespace
 
-std::string tool_text(const Arm& arm, const ConfigurationRef& q) {
-  const Pose tool = forward_kinematics(arm, q);
-  const Vector3 p = tool.translation();
-  const double size = p.norm();
-  const int decimals =
-      size > 1e-6 ? std::clamp(static_cast<int>(std::floor(3 - std::log10(size))), 0, 9) : 2;
-  if (arm.planar()) {
-    return "(" + fixed(p.x(), decimals) + ", " + fixed(p.y(), decimals) + ", " +
-           degrees_text(to_plane(tool).theta) + ")";
-  }
-  return "(" + fixed(p.x(), decimals) + ", " + fixed(p.y(), decimals) + ", " +
-         fixed(p.z(), decimals) + ") m";
-}
-
 Figure arm_figure(const Arm& arm, const ConfigurationRef& q, const ArmFigureOptions& options) {
   Scene scene;
   add_arm(scene, arm, q, {.frames = options.frames, .tool = !options.jacobian});
@@ -66,21 +47,6 @@ Figure arm_figure(const Arm& arm, const ConfigurationRef& q, const ArmFigureOpti
   const std::string caption =
       options.caption.empty() ? "tool at " + tool_text(arm, q) : options.caption;
   return views_of(std::move(scene), arm, caption, options);
-}
-
-std::vector<std::size_t> evenly_along(const std::vector<Vector3>& tool, int count) {
-  std::vector<double> length(tool.size(), 0);
-  for (std::size_t i = 1; i < tool.size(); ++i) {
-    length[i] = length[i - 1] + (tool[i] - tool[i - 1]).norm();
-  }
-  std::vector<std::size_t> samples;
-  for (int k = 0; k < count && !tool.empty(); ++k) {
-    const double wanted = length.back() * k / count;
-    const auto found = std::lower_bound(length.begin(), length.end(), wanted);
-    samples.push_back(static_cast<std::size_t>(found - length.begin()));
-  }
-  samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
-  return samples;
 }
 
 Figure motion_figure(const Arm& arm, const std::vector<Configuration>& motion,

@@ -31,12 +31,4 @@ Figure arm_figure(const Arm& arm, const ConfigurationRef& q, const ArmFigureOpti
 Figure motion_figure(const Arm& arm, const std::vector<Configuration>& motion,
                      const std::vector<Pose>& waypoints = {}, const ArmFigureOptions& options = {});
 
-/// Returns the samples that divide the tool's trail into `count` parts of equal length: the start
-/// first, without the end.
-std::vector<std::size_t> evenly_along(const std::vector<Vector3>& tool, int count);
-
-/// Formats the tool's pose: "(2.44, 6.28, 0°)" for a planar arm, otherwise the position,
-/// "(0.31, 0.00, 0.59) m".
-std::string tool_text(const Arm& arm, const ConfigurationRef& q);
-
 }  // namespace beeline

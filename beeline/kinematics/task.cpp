@@ -2,6 +2,7 @@
 #include <ostream>
 
 #include <beeline/error.h>
+#include <beeline/kinematics/internal/mask.h>
 #include <beeline/kinematics/task.h>
 
 namespace beeline {
@@ -79,26 +80,6 @@ Eigen::VectorXd task_rows(const Task& task, const Twist& twist) {
   return kept;
 }
 
-Twist masked(const Task& task, Twist twist) {
-  for (int i = 0; i < 6; ++i) {
-    if (!task.rows[i]) twist[i] = 0;
-  }
-  return twist;
-}
-
-Vector3 masked_position(const Task& task, Vector3 position) {
-  for (int i = 0; i < 3; ++i) {
-    if (!task.rows[i]) position[i] = 0;
-  }
-  return position;
-}
-
-void mask_rows(const Task& task, Eigen::Ref<Jacobian> columns) {
-  for (int i = 0; i < 6; ++i) {
-    if (!task.rows[i]) columns.row(i).setZero();
-  }
-}
-
 Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const Task& task,
                               double length_unit) {
   Jacobian all = jacobian(arm, q, task.frame);
@@ -129,7 +110,7 @@ std::string deviation_text(const Deviation& deviation) {
 }
 
 Deviation task_deviation(const Task& task, const Pose& desired, const Pose& current) {
-  const Twist error = masked(task, pose_error(desired, current, task.frame));
+  const Twist error = internal::masked(task, pose_error(desired, current, task.frame));
   return {error.head<3>().norm(), error.tail<3>().norm()};
 }
 

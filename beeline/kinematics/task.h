@@ -61,12 +61,6 @@ Eigen::VectorXd task_error(const Task& task, const Pose& desired, const Pose& cu
 /// The task's rows of a twist.
 Eigen::VectorXd task_rows(const Task& task, const Twist& twist);
 
-/// All rows of a twist, a position or a Jacobian, with those that the task does not have set to
-/// zero. The rows are in the task's axes.
-Twist masked(const Task& task, Twist twist);
-Vector3 masked_position(const Task& task, Vector3 position);
-void mask_rows(const Task& task, Eigen::Ref<Jacobian> columns);
-
 /// Norms of the linear and the angular part of a task error.
 struct Deviation {
   double position = 0;     ///< metres

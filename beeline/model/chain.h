@@ -51,16 +51,4 @@ class Arm;
 /// Returns the chain of the arm. Both give the same poses, to rounding.
 Chain chain_of(const Arm& arm);
 
-/// A joint's axis in the world at q = 0: a line through `point`.
-struct JointAxis {
-  Vector3 direction;  ///< unit length
-  Vector3 point;      ///< metres
-};
-std::vector<JointAxis> axes_of(const Chain& chain);
-
-/// Returns a chain with the same motion whose link frames have their origins at the given points
-/// and their z axes along the given directions. Each point lies on its joint's axis, and each
-/// direction is that of the axis or its opposite.
-Chain chain_through(const Chain& chain, const std::vector<JointAxis>& axes);
-
 }  // namespace beeline

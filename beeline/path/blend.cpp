@@ -4,6 +4,7 @@
 #include <beeline/error.h>
 #include <beeline/math/minimise.h>
 #include <beeline/path/blend.h>
+#include <beeline/path/internal/checked_poses.h>
 
 namespace beeline {
 namespace {
@@ -114,7 +115,7 @@ BlendedPath blended_lines(std::span<const Pose> given, const Deviation& within) 
   if (!(within.position > 0) || !(within.orientation > 0)) {
     throw Error("the tolerances of a blend must be above zero, not " + deviation_text(within));
   }
-  const std::vector<Pose> poses = checked_path(given);
+  const std::vector<Pose> poses = internal::checked_path(given);
   const std::size_t lines = poses.size() - 1;
   std::vector<double> span(lines), wanted(lines + 1, 0);
   std::vector<Twist> direction(lines);  // per metre of the span

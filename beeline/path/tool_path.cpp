@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/path/internal/checked_poses.h>
 #include <beeline/path/internal/tool_spline.h>
 #include <beeline/path/tool_path.h>
 
@@ -68,34 +69,10 @@ ToolPath reversed(const ToolPath& path) {
   return back;
 }
 
-std::vector<Pose> checked_poses(std::span<const Pose> given, const std::string& noun) {
-  std::vector<Pose> poses;
-  for (const Pose& pose : given) {
-    poses.push_back(checked_pose(pose, noun + " " + std::to_string(poses.size() + 1)));
-  }
-  return poses;
-}
-
-std::vector<Pose> checked_waypoints(std::span<const Pose> waypoints) {
-  if (waypoints.empty()) throw Error("a line needs at least one waypoint");
-  return checked_poses(waypoints, "waypoint");
-}
-
-std::vector<Pose> checked_path(std::span<const Pose> given) {
-  constexpr double identical = 1e-12;  // metres, radians
-  if (given.size() < 2) throw Error("a path needs at least two poses");
-  const std::vector<Pose> poses = checked_poses(given);
-  for (std::size_t i = 1; i < poses.size(); ++i) {
-    if (pose_difference(poses[i], poses[i - 1]).norm() > identical) continue;
-    throw Error("pose " + std::to_string(i + 1) + " is the same as the one before it");
-  }
-  return poses;
-}
-
 ToolPath lines_through(std::span<const Pose> given) {
   if (given.size() < 2)
     throw Error("lines need at least two poses, not " + std::to_string(given.size()));
-  const std::vector<Pose> poses = checked_poses(given);
+  const std::vector<Pose> poses = internal::checked_poses(given);
   ToolPath path;
   for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
     const Line line{poses[i], poses[i + 1]};
@@ -106,7 +83,7 @@ ToolPath lines_through(std::span<const Pose> given) {
 }
 
 ToolPath path_through(std::span<const Pose> given, PathKind kind, const SplineEnds& ends) {
-  const std::vector<Pose> poses = checked_path(given);
+  const std::vector<Pose> poses = internal::checked_path(given);
   if (kind == PathKind::spline) return internal::spline_through(poses, ends);
   const std::size_t step = kind == PathKind::arc ? 2 : 1;
   if ((poses.size() - 1) % step != 0) {

@@ -91,19 +91,7 @@ std::size_t segment_at(const ToolPath& path, double s);
 ToolPath path_through(std::span<const Pose> poses, PathKind kind, const SplineEnds& ends = {});
 
 /// Returns straight lines through the poses (world_T_tool) in order; a pose may repeat the one
-/// before it. Throws Error for fewer than two poses, and what checked_poses() refuses.
+/// before it. Throws Error for fewer than two poses, and for a pose that is not a rigid motion.
 ToolPath lines_through(std::span<const Pose> poses);
-
-/// Returns the poses with their rotations made orthogonal where they are so to 1e-6, as after
-/// rounding in text. Throws Error, naming the pose by `noun` and number, where one is not a rigid
-/// motion, not finite or farther away than 1e100 m.
-std::vector<Pose> checked_poses(std::span<const Pose> poses, const std::string& noun = "pose");
-
-/// The same for waypoints of lines: throws Error where there are none.
-std::vector<Pose> checked_waypoints(std::span<const Pose> waypoints);
-
-/// The same for a path: throws Error for fewer than two poses and where one repeats the one before
-/// it.
-std::vector<Pose> checked_path(std::span<const Pose> poses);
 
 }  // namespace beeline

@@ -7,6 +7,7 @@
 #include <beeline/certificate/joint_faults.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/path/internal/checked_poses.h>
 #include <beeline/planning/internal/timed_plan.h>
 #include <beeline/planning/internal/track_branch.h>
 #include <beeline/planning/move_along.h>

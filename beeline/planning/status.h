@@ -17,7 +17,7 @@ enum class MotionStatus {
   singular,          ///< at a singularity, where only a jump to another branch would lead on
   not_proved,        ///< the deviation between samples is not proved to be within tolerance
   too_many_samples,  ///< the tolerance needs more than the option max_samples
-  not_converged,     ///< a feedback controller did not converge to the goal, see simulate.h
+  not_converged,     ///< a feedback controller did not converge to the goal, see ControlledMotion
 };
 std::string name(MotionStatus status);
 std::ostream& operator<<(std::ostream& out, MotionStatus status);  ///< name(status)

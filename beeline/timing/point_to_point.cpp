@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/timing/internal/s_curve_state.h>
 #include <beeline/timing/point_to_point.h>
 
 namespace beeline {
@@ -148,7 +149,8 @@ void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
   const bool first_half = t <= motion.duration / 2;
   for (Eigen::Index k = 0; k < joints; ++k) {
     const SCurve& curve = motion.curves[k];
-    const JointState state = first_half_state(curve, first_half ? t : motion.duration - t);
+    const JointState state =
+        internal::first_half_state(curve, first_half ? t : motion.duration - t);
     q[k] = first_half ? motion.from[k] + state.position : motion.to[k] - state.position;
     velocity[k] = state.velocity;
     acceleration[k] = first_half ? state.acceleration : -state.acceleration;

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include <beeline/error.h>
+#include <beeline/timing/internal/s_curve_state.h>
 #include <beeline/timing/s_curve.h>
 
 namespace beeline {
@@ -93,8 +94,8 @@ JointState at(const SCurve& curve, double t) {
   if (std::isnan(t)) throw Error("the time at which a motion is evaluated is NaN");
   if (t <= 0) return {};
   if (t >= curve.duration) return {curve.distance, 0, 0, 0};
-  if (t <= curve.duration / 2) return first_half_state(curve, t);
-  JointState state = first_half_state(curve, curve.duration - t);
+  if (t <= curve.duration / 2) return internal::first_half_state(curve, t);
+  JointState state = internal::first_half_state(curve, curve.duration - t);
   state.position = curve.distance - state.position;
   state.acceleration = -state.acceleration;
   return state;

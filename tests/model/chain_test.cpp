@@ -3,10 +3,12 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/model/chain.h>
+#include <beeline/model/internal/joint_axes.h>
 
 #include <tests/random_arm.h>
 
 namespace beeline {
+using namespace internal;
 namespace {
 
 Pose through_chain(const Chain& chain, const Configuration& q) {

@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <beeline/draw/internal/annotation.h>
 #include <beeline/draw/internal/skeleton.h>
 #include <beeline/draw/internal/text.h>
+#include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/pose/angle.h>
 #include <beeline/pose/se2.h>
@@ -66,6 +68,20 @@ void add_joint_angles(Scene& scene, const Arm& arm, const ConfigurationRef& q, d
     }
     before = after;
   }
+}
+
+std::string tool_text(const Arm& arm, const ConfigurationRef& q) {
+  const Pose tool = forward_kinematics(arm, q);
+  const Vector3 p = tool.translation();
+  const double size = p.norm();
+  const int decimals =
+      size > 1e-6 ? std::clamp(static_cast<int>(std::floor(3 - std::log10(size))), 0, 9) : 2;
+  if (arm.planar()) {
+    return "(" + fixed(p.x(), decimals) + ", " + fixed(p.y(), decimals) + ", " +
+           degrees_text(to_plane(tool).theta) + ")";
+  }
+  return "(" + fixed(p.x(), decimals) + ", " + fixed(p.y(), decimals) + ", " +
+         fixed(p.z(), decimals) + ") m";
 }
 
 }  // namespace beeline::internal

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include <beeline/draw/scene.h>
 #include <beeline/model/arm.h>
 
@@ -20,5 +22,9 @@ double jacobian_arrow_scale(const Arm& arm, const ConfigurationRef& q);
 /// extension of the previous link (dashed) to the joint's own link, labelled θ₁, θ₂, ... Angles
 /// below one degree are omitted.
 void add_joint_angles(Scene& scene, const Arm& arm, const ConfigurationRef& q, double radius);
+
+/// Formats the tool's pose: "(2.44, 6.28, 0°)" for a planar arm, otherwise the position,
+/// "(0.31, 0.00, 0.59) m".
+std::string tool_text(const Arm& arm, const ConfigurationRef& q);
 
 }  // namespace beeline::internal

@@ -56,4 +56,19 @@ void add_poses(Scene& scene, const std::vector<Pose>& poses,
   }
 }
 
+std::vector<std::size_t> evenly_along(const std::vector<Vector3>& tool, int count) {
+  std::vector<double> length(tool.size(), 0);
+  for (std::size_t i = 1; i < tool.size(); ++i) {
+    length[i] = length[i - 1] + (tool[i] - tool[i - 1]).norm();
+  }
+  std::vector<std::size_t> samples;
+  for (int k = 0; k < count && !tool.empty(); ++k) {
+    const double wanted = length.back() * k / count;
+    const auto found = std::lower_bound(length.begin(), length.end(), wanted);
+    samples.push_back(static_cast<std::size_t>(found - length.begin()));
+  }
+  samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
+  return samples;
+}
+
 }  // namespace beeline::internal

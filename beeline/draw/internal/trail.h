@@ -19,4 +19,8 @@ void add_trail(Scene& scene, const std::vector<Vector3>& points, std::size_t max
 void add_poses(Scene& scene, const std::vector<Pose>& poses,
                const std::vector<std::string>& names = {});
 
+/// Returns the samples that divide the tool's trail into `count` parts of equal length: the start
+/// first, without the end.
+std::vector<std::size_t> evenly_along(const std::vector<Vector3>& tool, int count);
+
 }  // namespace beeline::internal

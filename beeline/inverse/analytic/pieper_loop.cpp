@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <beeline/inverse/analytic/pieper_loop.h>
+#include <beeline/model/internal/joint_axes.h>
 
 namespace beeline::internal {
 namespace {

@@ -6,6 +6,7 @@
 #include <beeline/inverse/internal/diagnosis_text.h>
 #include <beeline/inverse/internal/infeasibility.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/internal/mask.h>
 #include <beeline/math/minimum_norm.h>
 
 namespace beeline::internal {

@@ -3,6 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
+#include <beeline/kinematics/internal/mask.h>
 #include <beeline/math/damped_least_squares.h>
 
 namespace beeline::internal {

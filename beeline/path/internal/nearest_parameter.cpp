@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/kinematics/internal/mask.h>
 #include <beeline/math/minimise.h>
 #include <beeline/path/internal/nearest_on_line.h>
 #include <beeline/path/internal/nearest_parameter.h>

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <utility>
 
-#include <beeline/control/simulate.h>
+#include <beeline/control/internal/simulate.h>
 #include <beeline/error.h>
 
-namespace beeline {
+namespace beeline::internal {
 namespace {
 
 // The motion diverges when the error exceeds this multiple of the first error. The errors of
@@ -140,4 +140,4 @@ bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& op
   }
 }
 
-}  // namespace beeline
+}  // namespace beeline::internal

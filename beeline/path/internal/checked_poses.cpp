@@ -1,0 +1,30 @@
+#include <beeline/error.h>
+#include <beeline/path/internal/checked_poses.h>
+
+namespace beeline::internal {
+
+std::vector<Pose> checked_poses(std::span<const Pose> given, const std::string& noun) {
+  std::vector<Pose> poses;
+  for (const Pose& pose : given) {
+    poses.push_back(checked_pose(pose, noun + " " + std::to_string(poses.size() + 1)));
+  }
+  return poses;
+}
+
+std::vector<Pose> checked_waypoints(std::span<const Pose> waypoints) {
+  if (waypoints.empty()) throw Error("a line needs at least one waypoint");
+  return checked_poses(waypoints, "waypoint");
+}
+
+std::vector<Pose> checked_path(std::span<const Pose> given) {
+  constexpr double identical = 1e-12;  // metres, radians
+  if (given.size() < 2) throw Error("a path needs at least two poses");
+  const std::vector<Pose> poses = checked_poses(given);
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    if (pose_difference(poses[i], poses[i - 1]).norm() > identical) continue;
+    throw Error("pose " + std::to_string(i + 1) + " is the same as the one before it");
+  }
+  return poses;
+}
+
+}  // namespace beeline::internal
