@@ -36,21 +36,21 @@ void set_colour(cairo_t* to, const Colour& colour) {
   cairo_set_source_rgba(to, colour.red, colour.green, colour.blue, colour.alpha);
 }
 
-void trace(cairo_t* to, const Path& path) {
-  const Point* p = path.points.data();
+void trace(cairo_t* to, const PaperPath& path) {
+  const PaperPoint* p = path.points.data();
   cairo_new_path(to);
-  for (const Path::Verb verb : path.verbs) {
+  for (const PaperPath::Verb verb : path.verbs) {
     switch (verb) {
-      case Path::Verb::move:
+      case PaperPath::Verb::move:
         cairo_move_to(to, p->x(), p->y());
         break;
-      case Path::Verb::line:
+      case PaperPath::Verb::line:
         cairo_line_to(to, p->x(), p->y());
         break;
-      case Path::Verb::close:
+      case PaperPath::Verb::close:
         cairo_close_path(to);
         continue;
-      case Path::Verb::curve:
+      case PaperPath::Verb::curve:
         cairo_curve_to(to, p[0].x(), p[0].y(), p[1].x(), p[1].y(), p[2].x(), p[2].y());
         p += 2;
         break;
@@ -59,7 +59,7 @@ void trace(cairo_t* to, const Path& path) {
   }
 }
 
-void put(cairo_t* to, const Stroke& stroke) {
+void put(cairo_t* to, const PaperStroke& stroke) {
   trace(to, stroke.path);
   if (stroke.fill.alpha > 0) {
     set_colour(to, stroke.fill);
@@ -76,7 +76,7 @@ void put(cairo_t* to, const Stroke& stroke) {
   cairo_new_path(to);
 }
 
-void put(cairo_t* to, const Text& text) {
+void put(cairo_t* to, const PaperText& text) {
   const std::string words = drawable(text.text);
   cairo_select_font_face(to, typeface, CAIRO_FONT_SLANT_NORMAL,
                          text.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
@@ -113,7 +113,7 @@ void paint(cairo_surface_t* surface, const Drawing& drawing, double scale) {
   cairo_set_line_join(to, CAIRO_LINE_JOIN_ROUND);
   set_colour(to, paper_white);
   cairo_paint(to);
-  for (const Mark& mark : drawing.marks) {
+  for (const PaperMark& mark : drawing.marks) {
     std::visit([to](const auto& what) { put(to, what); }, mark);
   }
   check(cairo_status(to));

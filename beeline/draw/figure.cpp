@@ -5,6 +5,7 @@
 #include <beeline/draw/internal/labels.h>
 #include <beeline/draw/internal/layout.h>
 #include <beeline/draw/internal/page.h>
+#include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/ruler.h>
 #include <beeline/draw/internal/symbols.h>
 #include <beeline/draw/internal/text.h>
@@ -65,10 +66,10 @@ std::vector<const Item*> in_order(const Scene& scene, const Projection& projecti
   return items;
 }
 
-void draw_cell(const Cell& cell, const Point& corner, std::vector<Mark>& marks) {
-  const Box relative = plot_box(cell);
+void draw_cell(const Cell& cell, const PaperPoint& corner, std::vector<PaperMark>& marks) {
+  const PaperBox relative = plot_box(cell);
   Plot plot;
-  plot.box.low = corner + Point(cell.left, 0);
+  plot.box.low = corner + PaperPoint(cell.left, 0);
   plot.box.high = plot.box.low + cell.plot;
   plot.projection = {cell.panel->view, cell.scale, plot.box.low - relative.low, cell.panel->pen};
   if (cell.rulers) {
@@ -77,10 +78,10 @@ void draw_cell(const Cell& cell, const Point& corner, std::vector<Mark>& marks) 
     for (const Polyline& line : cell.floor) draw(line, plot.projection, marks);
     draw_scale_bar(plot, marks);
   }
-  std::vector<Mark> drawn;
+  std::vector<PaperMark> drawn;
   std::vector<Label> labels;
   for (const Item* item : in_order(cell.panel->scene, plot.projection)) {
-    std::vector<Mark>& target = item->layer == Layer::ground ? marks : drawn;
+    std::vector<PaperMark>& target = item->layer == Layer::ground ? marks : drawn;
     draw(item->shape, plot.projection, target);
     if (const auto* label = std::get_if<Label>(&item->shape)) labels.push_back(*label);
   }
@@ -92,7 +93,7 @@ void draw_cell(const Cell& cell, const Point& corner, std::vector<Mark>& marks) 
     const double half = text_size(line, caption_size).x() / 2;
     const double x = std::clamp(middle, corner.x() + half,
                                 std::max(corner.x() + half, corner.x() + cell.width() - half));
-    marks.emplace_back(Text{line, {x, y}, caption_size});
+    marks.emplace_back(PaperText{line, {x, y}, caption_size});
     y += caption_leading;
   }
 }
@@ -144,13 +145,13 @@ Drawing compose(const Figure& figure) {
     }
   }
   if (columns.empty()) throw Error("a figure needs at least one panel");
-  const Point size = fit(columns, {figure.width, figure.height});
+  const PaperPoint size = fit(columns, {figure.width, figure.height});
   Drawing drawing;
   drawing.width = std::ceil(size.x() + 2 * page_margin);
   double top = draw_title(figure.title, size.x(), drawing);
   if (!figure.title.empty()) top += 5;
   drawing.height = std::ceil(top + size.y() + page_margin);
-  Point corner((drawing.width - size.x()) / 2, top);
+  PaperPoint corner((drawing.width - size.x()) / 2, top);
   for (const auto& column : columns) {
     corner.y() = top;
     for (const Cell& cell : column) {

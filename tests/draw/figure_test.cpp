@@ -6,6 +6,7 @@
 #include <beeline/draw/chapter.h>
 #include <beeline/draw/internal/annotation.h>
 #include <beeline/draw/internal/arm_scene.h>
+#include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/trail.h>
 #include <beeline/model/catalog.h>
 
@@ -33,10 +34,10 @@ Scene dots_at(std::vector<Vector3> points) {
 }
 
 /// Where the figure's only Dots of a colour that nothing else has are on paper.
-std::vector<Point> places(const Figure& figure, const Colour& colour) {
-  std::vector<Point> found;
-  for (const Mark& mark : compose(figure).marks) {
-    const auto* stroke = std::get_if<Stroke>(&mark);
+std::vector<PaperPoint> places(const Figure& figure, const Colour& colour) {
+  std::vector<PaperPoint> found;
+  for (const PaperMark& mark : compose(figure).marks) {
+    const auto* stroke = std::get_if<PaperStroke>(&mark);
     if (stroke == nullptr || stroke->line.red != colour.red) continue;
     for (std::size_t i = 0; i < stroke->path.points.size(); i += 2) {
       found.push_back(stroke->path.points[i]);
@@ -110,9 +111,9 @@ TEST(Compose, KeepsTheAspect) {
       others.emplace_back(random.uniform(-9, 9), random.uniform(-1, 1), random.uniform(-1, 1));
     }
     scene.add(Layer::mark, Dots{others});
-    const std::vector<Point> at = places(figure_of(scene), {0.123, 0, 0});
+    const std::vector<PaperPoint> at = places(figure_of(scene), {0.123, 0, 0});
     ASSERT_EQ(at.size(), 3u);
-    const Point x = at[1] - at[0], y = at[2] - at[0];
+    const PaperPoint x = at[1] - at[0], y = at[2] - at[0];
     EXPECT_NEAR(x.y(), 0, 1e-9);
     EXPECT_NEAR(y.x(), 0, 1e-9);
     EXPECT_GT(x.x(), 0);
@@ -127,7 +128,7 @@ TEST(Compose, DrawsPanelsAtOneScale) {
     std::get<Dots>(scene.items[0].shape).colour = {0.123, 0, 0};
     figure.columns.push_back({Panel{.scene = scene}});
   }
-  const std::vector<Point> at = places(figure, {0.123, 0, 0});
+  const std::vector<PaperPoint> at = places(figure, {0.123, 0, 0});
   ASSERT_EQ(at.size(), 4u);
   EXPECT_NEAR((at[3] - at[2]).norm() / (at[1] - at[0]).norm(), 3, 1e-9);
   EXPECT_NEAR(at[0].y(), at[2].y(), 1e-9);  // side by side: the same height for the same y
@@ -136,13 +137,13 @@ TEST(Compose, DrawsPanelsAtOneScale) {
 TEST(Compose, KeepsNamesApart) {
   // The names of the chapter's figures cover neither each other nor a number of the rulers.
   for (const std::string& number : chapter_figures()) {
-    std::vector<Box> boxes;
-    for (const Mark& mark : compose(chapter_figure(number)).marks) {
-      if (std::holds_alternative<Text>(mark)) boxes.push_back(box_of(mark));
+    std::vector<PaperBox> boxes;
+    for (const PaperMark& mark : compose(chapter_figure(number)).marks) {
+      if (std::holds_alternative<PaperText>(mark)) boxes.push_back(box_of(mark));
     }
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       for (std::size_t k = 0; k < i; ++k) {
-        const Point common =
+        const PaperPoint common =
             boxes[i].high.cwiseMin(boxes[k].high) - boxes[i].low.cwiseMax(boxes[k].low);
         EXPECT_FALSE(common.x() > 0.5 && common.y() > 3) << number;
       }
@@ -197,8 +198,8 @@ TEST(Compose, DrawsAHundredThousandPointsInAFewHundredKilobytes) {
   Scene scene;
   add_trail(scene, points);
   std::size_t count = 0;
-  for (const Mark& mark : compose(figure_of(scene)).marks) {
-    if (const auto* stroke = std::get_if<Stroke>(&mark)) count += stroke->path.points.size();
+  for (const PaperMark& mark : compose(figure_of(scene)).marks) {
+    if (const auto* stroke = std::get_if<PaperStroke>(&mark)) count += stroke->path.points.size();
   }
   EXPECT_LT(count, 10'000u);
 }

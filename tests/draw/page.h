@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
+#include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/paper.h>
 
 namespace beeline::testing {
@@ -10,8 +11,8 @@ namespace beeline::testing {
 inline void expect_within_page(const Drawing& drawing, const std::string& what) {
   EXPECT_GT(drawing.width, 0);
   EXPECT_GT(drawing.height, 0);
-  for (const Mark& mark : drawing.marks) {
-    const Box box = box_of(mark);
+  for (const PaperMark& mark : drawing.marks) {
+    const internal::PaperBox box = internal::box_of(mark);
     if (box.low.x() > box.high.x()) continue;  // nothing
     ASSERT_TRUE(box.low.allFinite() && box.high.allFinite()) << what;
     EXPECT_GE(box.low.x(), 0) << what;

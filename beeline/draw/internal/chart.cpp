@@ -3,6 +3,7 @@
 
 #include <beeline/draw/internal/chart.h>
 #include <beeline/draw/internal/curve_thinning.h>
+#include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/text.h>
 #include <beeline/error.h>
 
@@ -84,7 +85,7 @@ struct ToPaper {
   }
 };
 
-Text text_right_of(const std::string& text, const Point& left, double size) {
+PaperText text_right_of(const std::string& text, const PaperPoint& left, double size) {
   return {text, {left.x() + text_size(text, size).x() / 2, left.y()}, size};
 }
 
@@ -111,7 +112,7 @@ double entry_width(const Curve& curve, double width) {
   return stroke_length + 4 + text_size(name, legend_size).x();
 }
 
-void draw_side(const ChartCell& cell, bool right, std::vector<Mark>& marks) {
+void draw_side(const ChartCell& cell, bool right, std::vector<PaperMark>& marks) {
   const Scale& scale = right ? cell.right : cell.left;
   const double edge = right ? cell.plot.high.x() : cell.plot.low.x(), out = right ? 1 : -1;
   for (const double value : ticks(scale)) {
@@ -119,19 +120,19 @@ void draw_side(const ChartCell& cell, bool right, std::vector<Mark>& marks) {
     const std::string text = tick_text(scale, value);
     marks.emplace_back(line_stroke({edge, y}, {edge + 2.5 * out, y}, frame_grey, 0.7));
     const double half = text_size(text, tick_size).x() / 2;
-    marks.emplace_back(Text{text, {edge + out * (4.5 + half), y}, tick_size});
+    marks.emplace_back(PaperText{text, {edge + out * (4.5 + half), y}, tick_size});
   }
   const std::string name =
       with_power(right ? cell.chart->right_name : cell.chart->left_name, scale.exponent);
   const double middle = (cell.plot.low.y() + cell.plot.high.y()) / 2;
-  Text text{cut_to(name, axis_name_size, cell.plot.size().y() + 12),
-            {edge + out * (8 + widest_tick(scale) + 0.6 * axis_name_size), middle},
-            axis_name_size};
+  PaperText text{cut_to(name, axis_name_size, cell.plot.size().y() + 12),
+                 {edge + out * (8 + widest_tick(scale) + 0.6 * axis_name_size), middle},
+                 axis_name_size};
   text.upright = true;
   marks.emplace_back(text);
 }
 
-void draw_below(const ChartCell& cell, std::vector<Mark>& marks) {
+void draw_below(const ChartCell& cell, std::vector<PaperMark>& marks) {
   const double bottom = cell.plot.high.y();
   for (const double value : ticks(cell.x)) {
     const double x = ToPaper{cell}.x(value);
@@ -139,15 +140,15 @@ void draw_below(const ChartCell& cell, std::vector<Mark>& marks) {
     marks.emplace_back(line_stroke({x, bottom}, {x, bottom + 2.5}, frame_grey, 0.7));
     const double half = text_size(text, tick_size).x() / 2;
     if (x - half < cell.plot.low.x() - 8 || x + half > cell.plot.high.x() + 8) continue;
-    marks.emplace_back(Text{text, {x, bottom + 8}, tick_size});
+    marks.emplace_back(PaperText{text, {x, bottom + 8}, tick_size});
   }
   const std::string name =
       cut_to(with_power(cell.chart->x_name, cell.x.exponent), axis_name_size, cell.plot.size().x());
-  marks.emplace_back(
-      Text{name, {(cell.plot.low.x() + cell.plot.high.x()) / 2, bottom + 18.5}, axis_name_size});
+  marks.emplace_back(PaperText{
+      name, {(cell.plot.low.x() + cell.plot.high.x()) / 2, bottom + 18.5}, axis_name_size});
 }
 
-void draw_grid(const ChartCell& cell, std::vector<Mark>& marks) {
+void draw_grid(const ChartCell& cell, std::vector<PaperMark>& marks) {
   const auto& [low, high] = cell.plot;
   for (const double value : ticks(cell.x)) {
     const double x = ToPaper{cell}.x(value);
@@ -160,7 +161,7 @@ void draw_grid(const ChartCell& cell, std::vector<Mark>& marks) {
   }
 }
 
-void draw_markers(const ChartCell& cell, std::vector<Mark>& marks) {
+void draw_markers(const ChartCell& cell, std::vector<PaperMark>& marks) {
   double before = -1e300, named = -1e300;
   for (const Marker& marker : cell.chart->markers) {
     const double x = ToPaper{cell}.x(marker.x);
@@ -171,12 +172,12 @@ void draw_markers(const ChartCell& cell, std::vector<Mark>& marks) {
     const double half = text_size(marker.name, tick_size).x() / 2;
     if (marker.name.empty() || x - half < named + 3) continue;
     named = x + half;
-    marks.emplace_back(Text{marker.name, {x, cell.plot.low.y() - 5}, tick_size, amber});
+    marks.emplace_back(PaperText{marker.name, {x, cell.plot.low.y() - 5}, tick_size, amber});
   }
 }
 
-void draw_curve(const ChartCell& cell, const Curve& curve, std::vector<Mark>& marks) {
-  std::vector<Point> points;
+void draw_curve(const ChartCell& cell, const Curve& curve, std::vector<PaperMark>& marks) {
+  std::vector<PaperPoint> points;
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     points.emplace_back(ToPaper{cell}.x(curve.x[i]), ToPaper{cell}.y(curve.y[i], curve.right));
   }
@@ -184,9 +185,9 @@ void draw_curve(const ChartCell& cell, const Curve& curve, std::vector<Mark>& ma
   if (points.empty()) return;
   const bool dot = points.size() == 1;
   if (dot) points.push_back(points.front());
-  marks.emplace_back(Stroke{open_path(points), no_colour, curve.colour,
-                            dot ? 3 * curve.width : curve.width,
-                            dot ? std::vector<double>{} : curve.dashes});
+  marks.emplace_back(PaperStroke{open_path(points), no_colour, curve.colour,
+                                 dot ? 3 * curve.width : curve.width,
+                                 dot ? std::vector<double>{} : curve.dashes});
 }
 
 }  // namespace
@@ -220,26 +221,26 @@ double side_width(const ChartCell& cell, bool right) {
   return 9 + widest_tick(right ? cell.right : cell.left) + 1.3 * axis_name_size;
 }
 
-double draw_legend(const std::vector<Curve>& curves, const Point& corner, double width,
-                   std::vector<Mark>* marks) {
-  Point at = corner + Point(0, row_height / 2);
+double draw_legend(const std::vector<Curve>& curves, const PaperPoint& corner, double width,
+                   std::vector<PaperMark>* marks) {
+  PaperPoint at = corner + PaperPoint(0, row_height / 2);
   for (const Curve& curve : curves) {
     const double entry = entry_width(curve, width);
     if (at.x() > corner.x() && at.x() + entry > corner.x() + width) {
       at = {corner.x(), at.y() + row_height};
     }
     if (marks != nullptr) {
-      marks->emplace_back(line_stroke(at, at + Point(stroke_length, 0), curve.colour,
+      marks->emplace_back(line_stroke(at, at + PaperPoint(stroke_length, 0), curve.colour,
                                       std::max(1.2, curve.width), curve.dashes));
       const std::string name = cut_to(curve.name, legend_size, width - stroke_length - 4);
-      marks->emplace_back(text_right_of(name, at + Point(stroke_length + 4, 0), legend_size));
+      marks->emplace_back(text_right_of(name, at + PaperPoint(stroke_length + 4, 0), legend_size));
     }
     at.x() += entry + 10;
   }
   return curves.empty() ? 0 : at.y() + row_height / 2 - corner.y();
 }
 
-void draw(const ChartCell& cell, std::vector<Mark>& marks) {
+void draw(const ChartCell& cell, std::vector<PaperMark>& marks) {
   const auto& [low, high] = cell.plot;
   draw_grid(cell, marks);
   draw_markers(cell, marks);
@@ -251,11 +252,11 @@ void draw(const ChartCell& cell, std::vector<Mark>& marks) {
         line_stroke({low.x(), y}, {high.x(), y}, curve.colour, curve.width, curve.dashes));
   }
   for (const Curve& curve : cell.chart->curves) draw_curve(cell, curve, marks);
-  marks.emplace_back(Stroke{closed_path({low, {high.x(), low.y()}, high, {low.x(), high.y()}}),
-                            no_colour,
-                            frame_grey,
-                            0.7,
-                            {}});
+  marks.emplace_back(PaperStroke{closed_path({low, {high.x(), low.y()}, high, {low.x(), high.y()}}),
+                                 no_colour,
+                                 frame_grey,
+                                 0.7,
+                                 {}});
   draw_side(cell, false, marks);
   if (cell.has_right) draw_side(cell, true, marks);
   if (cell.numbers_below) draw_below(cell, marks);
@@ -271,9 +272,10 @@ void draw(const ChartCell& cell, std::vector<Mark>& marks) {
   const double available = high.x() - low.x() - (legend.empty() ? 0 : legend_width() + 10);
   draw_legend(legend, {high.x() - legend_width(), above + 1}, legend_width() + 1, &marks);
   const std::string heading = cut_to(cell.chart->heading, heading_size, available, true);
-  Text text{heading,
-            {low.x() + text_size(heading, heading_size, true).x() / 2, above + 1 + row_height / 2},
-            heading_size};
+  PaperText text{
+      heading,
+      {low.x() + text_size(heading, heading_size, true).x() / 2, above + 1 + row_height / 2},
+      heading_size};
   text.bold = true;
   marks.emplace_back(text);
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <beeline/draw/internal/axis_scale.h>
+#include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/paper.h>
 
 namespace beeline::internal {
@@ -49,7 +50,7 @@ struct ChartCell {
   Scale x = {}, left = {}, right = {};
   bool has_right = false;
   bool numbers_below = true;  ///< draw the tick labels and the name of the x axis
-  Box plot = {};
+  PaperBox plot = {};
 };
 
 /// Returns the height of the heading and the names of the markers above the plot, points.
@@ -64,11 +65,11 @@ ChartCell cell_of(const Chart& chart);
 double side_width(const ChartCell& cell, bool right);
 
 /// Draws the chart in `cell.plot`.
-void draw(const ChartCell& cell, std::vector<Mark>& marks);
+void draw(const ChartCell& cell, std::vector<PaperMark>& marks);
 
 /// Draws the legend of the curves in rows that begin at `corner`. Returns its height, points; draws
 /// nothing when `marks` is null.
-double draw_legend(const std::vector<Curve>& curves, const Point& corner, double width,
-                   std::vector<Mark>* marks);
+double draw_legend(const std::vector<Curve>& curves, const PaperPoint& corner, double width,
+                   std::vector<PaperMark>* marks);
 
 }  // namespace beeline::internal

@@ -11,8 +11,8 @@ constexpr double strip = 0.5;      // width of a strip of which the extremes are
 constexpr double tolerance = 0.1;  // points
 
 /// Keeps the first, lowest, highest and last of each run of points within one vertical strip.
-std::vector<Point> extremes(const std::vector<Point>& points) {
-  std::vector<Point> kept;
+std::vector<PaperPoint> extremes(const std::vector<PaperPoint>& points) {
+  std::vector<PaperPoint> kept;
   for (std::size_t begin = 0; begin < points.size();) {
     const double at = std::floor(points[begin].x() / strip);
     std::size_t end = begin + 1;
@@ -30,8 +30,8 @@ std::vector<Point> extremes(const std::vector<Point>& points) {
   return kept;
 }
 
-double distance(const Point& p, const Point& a, const Point& b) {
-  const Point chord = b - a;
+double distance(const PaperPoint& p, const PaperPoint& a, const PaperPoint& b) {
+  const PaperPoint chord = b - a;
   const double square = chord.squaredNorm();
   const double t = square > 0 ? std::clamp((p - a).dot(chord) / square, 0.0, 1.0) : 0;
   return (p - a - t * chord).norm();
@@ -39,8 +39,8 @@ double distance(const Point& p, const Point& a, const Point& b) {
 
 }  // namespace
 
-std::vector<Point> thinned(const std::vector<Point>& points) {
-  const std::vector<Point> all = extremes(points);
+std::vector<PaperPoint> thinned(const std::vector<PaperPoint>& points) {
+  const std::vector<PaperPoint> all = extremes(points);
   if (all.size() < 3) return all;
   std::vector<bool> kept(all.size(), false);
   kept.front() = kept.back() = true;
@@ -63,7 +63,7 @@ std::vector<Point> thinned(const std::vector<Point>& points) {
     open.emplace_back(begin, farthest);
     open.emplace_back(farthest, end);
   }
-  std::vector<Point> few;
+  std::vector<PaperPoint> few;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (kept[i]) few.push_back(all[i]);
   }

@@ -11,6 +11,6 @@ constexpr double farthest_label = 24;
 /// of the labels before it. The cost of a position is the sum of covered line length, covered label
 /// area, distance and the angle to the preferred direction.
 void place_labels(const std::vector<Label>& labels, const Projection& projection,
-                  std::vector<Mark>& marks);
+                  std::vector<PaperMark>& marks);
 
 }  // namespace beeline::internal

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/draw/internal/layout.h>
+#include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/ruler.h>
 #include <beeline/draw/internal/text.h>
 
@@ -13,9 +14,9 @@ constexpr double right_margin = 9;                  // for half a tick label pas
 constexpr double min_width = 130, min_height = 70;  // of a plot
 
 /// Returns the extent of the content in metres, in the view of the panel.
-Box metres(const Cell& cell) {
+PaperBox metres(const Cell& cell) {
   const Projection projection{cell.panel->view};
-  Box box;
+  PaperBox box;
   for (const Footprint& footprint : cell.footprints) box.include(projection(footprint.at));
   return box;
 }
@@ -25,7 +26,8 @@ void measure_content(Cell& cell, double scale) {
   const Projection projection{cell.panel->view, cell.scale};
   cell.extent = {};
   for (const Footprint& footprint : cell.footprints) {
-    cell.extent.include(projection(footprint.at), footprint.around + Point::Constant(inner_margin));
+    cell.extent.include(projection(footprint.at),
+                        footprint.around + PaperPoint::Constant(inner_margin));
   }
 }
 
@@ -51,7 +53,7 @@ void equalise_range(const std::vector<Cell*>& cells, int axis) {
 }
 
 void measure_plot(Cell& cell) {
-  cell.plot = cell.extent.size().cwiseMax(Point(min_width, min_height));
+  cell.plot = cell.extent.size().cwiseMax(PaperPoint(min_width, min_height));
   if (!cell.rulers) cell.plot.y() += scale_bar_height;
   const double reach =
       std::max(cell.extent.low.cwiseAbs().maxCoeff(), cell.extent.high.cwiseAbs().maxCoeff());
@@ -63,7 +65,7 @@ void measure_plot(Cell& cell) {
 void measure_left(std::vector<Cell>& column) {
   double left = 0;
   for (const Cell& cell : column) {
-    const Box box = plot_box(cell);
+    const PaperBox box = plot_box(cell);
     const double width =
         cell.rulers ? ruler_width(cell.step, -box.high.y() / cell.scale, -box.low.y() / cell.scale)
                     : right_margin;
@@ -98,9 +100,9 @@ void measure(Columns& columns, double scale) {
 
 /// Sets the sizes of all panels at a scale: the panels of a column get one width, all columns one
 /// height. Returns the total size.
-Point arrange(Columns& columns, double scale) {
+PaperPoint arrange(Columns& columns, double scale) {
   measure(columns, scale);
-  Point page(column_gap * static_cast<double>(columns.size() - 1), 0);
+  PaperPoint page(column_gap * static_cast<double>(columns.size() - 1), 0);
   for (auto& column : columns) {
     const double width = width_of(column);
     for (Cell& cell : column) cell.caption = wrapped(cell.panel->caption, caption_size, width);
@@ -125,9 +127,9 @@ double Cell::caption_height() const {
 double Cell::width() const { return left + plot.x() + right_margin; }
 double Cell::height() const { return plot.y() + below + caption_height(); }
 
-Box plot_box(const Cell& cell) {
-  const Point strip(0, cell.rulers ? 0 : scale_bar_height);
-  const Point middle = (cell.extent.low + cell.extent.high + strip) / 2;
+PaperBox plot_box(const Cell& cell) {
+  const PaperPoint strip(0, cell.rulers ? 0 : scale_bar_height);
+  const PaperPoint middle = (cell.extent.low + cell.extent.high + strip) / 2;
   return {middle - cell.plot / 2, middle + cell.plot / 2};
 }
 
@@ -137,11 +139,11 @@ double width_of(const std::vector<Cell>& column) {
   return width;
 }
 
-Point fit(Columns& columns, const Point& page) {
+PaperPoint fit(Columns& columns, const PaperPoint& page) {
   double span = 0, farthest = 0;
   for (const auto& column : columns) {
     for (const Cell& cell : column) {
-      const Box box = metres(cell);
+      const PaperBox box = metres(cell);
       span = std::max(span, cell.panel->zoom * box.size().maxCoeff());
       farthest =
           std::max({farthest, box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff()});
@@ -151,7 +153,7 @@ Point fit(Columns& columns, const Point& page) {
   if (span <= 1e-9 * farthest || span < 1e-12) span = std::max(1.0, 1e-3 * farthest);
   double high = std::max(page.x(), page.y()) / span, low = high / 1000;
   const auto fits = [&](double scale) {
-    const Point size = arrange(columns, scale);
+    const PaperPoint size = arrange(columns, scale);
     return size.x() <= page.x() && size.y() <= page.y();
   };
   for (int halving = 0; halving < 40 && high > 1.0001 * low; ++halving) {

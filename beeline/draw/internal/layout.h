@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <beeline/draw/figure.h>
+#include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/symbols.h>
 
 namespace beeline::internal {
@@ -21,8 +22,8 @@ struct Cell {
   // The following members hold for one scale; fit() sets them.
   double scale = 1;  ///< points per metre
   double step = 1;   ///< metres between ticks
-  Box extent;        ///< of the content, points, relative to the world's origin on paper
-  Point plot = Point::Zero();
+  PaperBox extent;   ///< of the content, points, relative to the world's origin on paper
+  PaperPoint plot = PaperPoint::Zero();
   double left = 0, below = 0;  ///< sizes of the rulers' tick labels and names, points
   std::vector<std::string> caption;
 
@@ -34,7 +35,7 @@ struct Cell {
 using Columns = std::vector<std::vector<Cell>>;
 
 /// Returns the plot's rectangle relative to the world's origin on paper, centred on the content.
-Box plot_box(const Cell& cell);
+PaperBox plot_box(const Cell& cell);
 
 double width_of(const std::vector<Cell>& column);
 
@@ -42,6 +43,6 @@ double width_of(const std::vector<Cell>& column);
 /// their total size. Panels of one column with the same x axis share its range, and panels side by
 /// side with the same y axis share that. When the text alone exceeds the page, the result is larger
 /// than the page; nothing is cut off.
-Point fit(Columns& columns, const Point& page);
+PaperPoint fit(Columns& columns, const PaperPoint& page);
 
 }  // namespace beeline::internal

@@ -13,9 +13,9 @@ std::string axis_name(const View& view, int row) {
   return "";
 }
 
-Point Projection::operator()(const Vector3& p) const { return origin + scale * direction(p); }
+PaperPoint Projection::operator()(const Vector3& p) const { return origin + scale * direction(p); }
 
-Point Projection::direction(const Vector3& d) const {
+PaperPoint Projection::direction(const Vector3& d) const {
   return {view.row(0).dot(d), -view.row(1).dot(d)};
 }
 

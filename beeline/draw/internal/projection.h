@@ -10,12 +10,12 @@ std::string axis_name(const View& view, int row);
 /// Maps the world to paper.
 struct Projection {
   View view = View::Identity();
-  double scale = 1;              ///< points on paper per metre
-  Point origin = Point::Zero();  ///< the world's origin on paper, points
-  double pen = 1;                ///< factor on the sizes that a scene gives in points
+  double scale = 1;                        ///< points on paper per metre
+  PaperPoint origin = PaperPoint::Zero();  ///< the world's origin on paper, points
+  double pen = 1;                          ///< factor on the sizes that a scene gives in points
 
-  Point operator()(const Vector3& p) const;
-  Point direction(const Vector3& d) const;  ///< of a world direction; not longer than d
+  PaperPoint operator()(const Vector3& p) const;
+  PaperPoint direction(const Vector3& d) const;  ///< of a world direction; not longer than d
   double depth(const Vector3& p) const { return view.row(2).dot(p); }
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <beeline/draw/internal/axis_scale.h>
+#include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/ruler.h>
 #include <beeline/draw/internal/symbols.h>
 #include <beeline/draw/internal/text.h>
@@ -39,10 +40,10 @@ bool has_rulers(const View& view) {
   return !axis_name(view, 0).empty() && !axis_name(view, 1).empty();
 }
 
-void draw_rulers(const Plot& plot, double step, std::vector<Mark>& marks) {
+void draw_rulers(const Plot& plot, double step, std::vector<PaperMark>& marks) {
   const auto& [projection, box] = plot;
-  const Point low = (box.low - projection.origin) / projection.scale;
-  const Point high = (box.high - projection.origin) / projection.scale;
+  const PaperPoint low = (box.low - projection.origin) / projection.scale;
+  const PaperPoint high = (box.high - projection.origin) / projection.scale;
   double widest = 0;
   const std::vector<double> across = ticks(step, low.x(), high.x());
   const std::vector<double> upward = ticks(step, -high.y(), -low.y());
@@ -56,7 +57,7 @@ void draw_rulers(const Plot& plot, double step, std::vector<Mark>& marks) {
     marks.emplace_back(
         line_stroke({box.low.x(), y}, {box.high.x(), y}, value == 0 ? zero_grey : grid_grey, 0.6));
   }
-  marks.emplace_back(Stroke{
+  marks.emplace_back(PaperStroke{
       closed_path({box.low, {box.high.x(), box.low.y()}, box.high, {box.low.x(), box.high.y()}}),
       no_colour,
       frame_grey,
@@ -68,22 +69,23 @@ void draw_rulers(const Plot& plot, double step, std::vector<Mark>& marks) {
     const double half = text_width(value, step) / 2;
     // A label may extend past the edge of the plot only within the margins.
     if (x - half < box.low.x() - 8 || x + half > box.high.x() + 8) continue;
-    marks.emplace_back(Text{tick_text(value, step), {x, box.high.y() + 8}, tick_size});
+    marks.emplace_back(PaperText{tick_text(value, step), {x, box.high.y() + 8}, tick_size});
   }
   for (const double value : upward) {
     const double y = projection.origin.y() - projection.scale * value;
     marks.emplace_back(line_stroke({box.low.x() - 2.5, y}, {box.low.x(), y}, frame_grey, 0.7));
     const double width = text_width(value, step);
     widest = std::max(widest, width);
-    marks.emplace_back(Text{tick_text(value, step), {box.low.x() - 4.5 - width / 2, y}, tick_size});
+    marks.emplace_back(
+        PaperText{tick_text(value, step), {box.low.x() - 4.5 - width / 2, y}, tick_size});
   }
-  const Point middle = (box.low + box.high) / 2;
-  marks.emplace_back(Text{axis_name(projection.view, 0) + " [m]",
-                          {middle.x(), box.high.y() + ruler_height - 0.7 * axis_name_size},
-                          axis_name_size});
-  Text name{axis_name(projection.view, 1) + " [m]",
-            {box.low.x() - 9 - widest - 0.6 * axis_name_size, middle.y()},
-            axis_name_size};
+  const PaperPoint middle = (box.low + box.high) / 2;
+  marks.emplace_back(PaperText{axis_name(projection.view, 0) + " [m]",
+                               {middle.x(), box.high.y() + ruler_height - 0.7 * axis_name_size},
+                               axis_name_size});
+  PaperText name{axis_name(projection.view, 1) + " [m]",
+                 {box.low.x() - 9 - widest - 0.6 * axis_name_size, middle.y()},
+                 axis_name_size};
   name.upright = true;
   marks.emplace_back(name);
 }
@@ -122,27 +124,27 @@ std::vector<Polyline> floor_grid(const Scene& scene) {
   return lines;
 }
 
-void draw_scale_bar(const Plot& plot, std::vector<Mark>& marks) {
+void draw_scale_bar(const Plot& plot, std::vector<PaperMark>& marks) {
   const auto& [projection, box] = plot;
-  const Point origin(box.low.x() + 24, box.high.y() - 14);
+  const PaperPoint origin(box.low.x() + 24, box.high.y() - 14);
   for (int axis = 0; axis < 3; ++axis) {
-    const Point direction = projection.direction(Vector3::Unit(axis));
+    const PaperPoint direction = projection.direction(Vector3::Unit(axis));
     if (direction.norm() < 0.1) continue;
-    const Point tip = origin + 20 * direction;
+    const PaperPoint tip = origin + 20 * direction;
     marks.emplace_back(line_stroke(origin, tip, distinct_colour(axis), 1.4));
-    marks.emplace_back(Text{std::string(1, "xyz"[axis]), tip + 6 * direction.normalized(),
-                            tick_size, distinct_colour(axis)});
+    marks.emplace_back(PaperText{std::string(1, "xyz"[axis]), tip + 6 * direction.normalized(),
+                                 tick_size, distinct_colour(axis)});
   }
   const double length = round_step(45 / projection.scale);
   const double width = length * projection.scale;
-  const Point right(box.high.x() - 12, box.high.y() - 8);
-  const Point left = right - Point(width, 0);
+  const PaperPoint right(box.high.x() - 12, box.high.y() - 8);
+  const PaperPoint left = right - PaperPoint(width, 0);
   marks.emplace_back(line_stroke(left, right, ink, 1.2));
-  for (const Point& end : {left, right}) {
-    marks.emplace_back(line_stroke(end - Point(0, 3), end + Point(0, 3), ink, 1.2));
+  for (const PaperPoint& end : {left, right}) {
+    marks.emplace_back(line_stroke(end - PaperPoint(0, 3), end + PaperPoint(0, 3), ink, 1.2));
   }
-  marks.emplace_back(
-      Text{fixed(length, decimals_of(length)) + " m", (left + right) / 2 - Point(0, 8), tick_size});
+  marks.emplace_back(PaperText{fixed(length, decimals_of(length)) + " m",
+                               (left + right) / 2 - PaperPoint(0, 8), tick_size});
 }
 
 }  // namespace beeline::internal

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/projection.h>
 
 namespace beeline::internal {
@@ -9,7 +10,7 @@ namespace beeline::internal {
 /// The rectangle of a panel in which its scene is drawn, and the projection that fits it there.
 struct Plot {
   Projection projection;
-  Box box;
+  PaperBox box;
 };
 
 /// Returns the step between ticks, metres, for both axes: wide enough for the tick labels at this
@@ -25,13 +26,13 @@ constexpr double ruler_height = 28;  ///< height of those of the horizontal axis
 bool has_rulers(const View& view);
 
 /// Draws a frame with ticks, tick labels, axis names ("x [m]") and a light grid.
-void draw_rulers(const Plot& plot, double step, std::vector<Mark>& marks);
+void draw_rulers(const Plot& plot, double step, std::vector<PaperMark>& marks);
 
 /// Returns grid lines on the ground plane at multiples of a round step, around the scene's content.
 std::vector<Polyline> floor_grid(const Scene& scene);
 
 /// Draws the world's axes and a scale bar at the lower edge of the plot.
-void draw_scale_bar(const Plot& plot, std::vector<Mark>& marks);
+void draw_scale_bar(const Plot& plot, std::vector<PaperMark>& marks);
 constexpr double scale_bar_height = 44;
 
 }  // namespace beeline::internal

@@ -47,11 +47,11 @@ ColumnCells cells_of(const ChartColumn& column, double plot_height) {
   return result;
 }
 
-Mark moved(Mark mark, const Point& by) {
-  if (auto* stroke = std::get_if<Stroke>(&mark)) {
-    for (Point& p : stroke->path.points) p += by;
+PaperMark moved(PaperMark mark, const PaperPoint& by) {
+  if (auto* stroke = std::get_if<PaperStroke>(&mark)) {
+    for (PaperPoint& p : stroke->path.points) p += by;
   } else {
-    std::get<Text>(mark).centre += by;
+    std::get<PaperText>(mark).centre += by;
   }
   return mark;
 }
@@ -67,16 +67,16 @@ double height_of(const ColumnCells& column, double plot_height) {
 
 /// Draws one column with its upper left corner at `corner`. The rest of `height` is empty space
 /// around the picture, so that all columns end at one height.
-void draw_column(ColumnCells& column, const Point& corner, double height, double plot_height,
-                 std::vector<Mark>& marks) {
+void draw_column(ColumnCells& column, const PaperPoint& corner, double height, double plot_height,
+                 std::vector<PaperMark>& marks) {
   const Drawing& above = column.column->above;
   const double spare = above.marks.empty() ? 0 : height - height_of(column, plot_height);
-  const Point centred(std::floor((column.width() - above.width) / 2), std::floor(spare / 2));
-  for (const Mark& mark : above.marks) marks.push_back(moved(mark, corner + centred));
+  const PaperPoint centred(std::floor((column.width() - above.width) / 2), std::floor(spare / 2));
+  for (const PaperMark& mark : above.marks) marks.push_back(moved(mark, corner + centred));
   double y = corner.y() + above.height + spare;
   for (ChartCell& cell : column.cells) {
     cell.plot.low = {corner.x() + column.left, y + heading_height(cell)};
-    cell.plot.high = cell.plot.low + Point(column.column->plot_width, plot_height);
+    cell.plot.high = cell.plot.low + PaperPoint(column.column->plot_width, plot_height);
     draw(cell, marks);
     y = cell.plot.high.y() + (cell.numbers_below ? numbers_height : 0) + gap_below;
   }
@@ -99,7 +99,7 @@ Drawing compose(const Sheet& sheet) {
   const double begin = page_margin + columns.front().left;
   top +=
       3 + draw_legend(sheet.legend, {begin, top + 3}, width - columns.front().left, &drawing.marks);
-  Point corner(page_margin, top + 3);
+  PaperPoint corner(page_margin, top + 3);
   double height = 0;
   for (const ColumnCells& column : columns) {
     height = std::max(height, height_of(column, sheet.plot_height));

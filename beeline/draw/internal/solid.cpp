@@ -1,14 +1,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/solid.h>
 
 namespace beeline::internal {
 namespace {
 
-void arrowhead(const Point& tip, const Point& direction, double size, const Colour& colour,
-               std::vector<Mark>& marks) {
-  const Point across(-direction.y(), direction.x());
+void arrowhead(const PaperPoint& tip, const PaperPoint& direction, double size,
+               const Colour& colour, std::vector<PaperMark>& marks) {
+  const PaperPoint across(-direction.y(), direction.x());
   marks.emplace_back(outlined(
       closed_path({tip, tip - size * direction + 0.38 * size * across, tip - 0.8 * size * direction,
                    tip - size * direction - 0.38 * size * across}),
@@ -29,26 +30,27 @@ Rotation box_axes(const Vector3& axis) {
 ProjectedAxis projected_axis(const Vector3& axis, const Projection& projection) {
   const double towards = projection.depth(axis);
   const double sign = towards < -1e-12 ? -1 : 1;
-  const Point on_paper = sign * projection.direction(axis);
+  const PaperPoint on_paper = sign * projection.direction(axis);
   const double flat = on_paper.norm();
-  return {flat > 1e-9 ? Point(on_paper / flat) : Point(0, -1), flat, std::abs(towards), sign};
+  return {flat > 1e-9 ? PaperPoint(on_paper / flat) : PaperPoint(0, -1), flat, std::abs(towards),
+          sign};
 }
 
 Colour shaded(const Colour& colour, double light) {
   return {colour.red * light, colour.green * light, colour.blue * light, colour.alpha};
 }
 
-Stroke outlined(Path path, const Colour& fill, const Colour& line, double width) {
+PaperStroke outlined(PaperPath path, const Colour& fill, const Colour& line, double width) {
   return {std::move(path), fill, line, width, {}};
 }
 
-void cylinder(const Point& centre, const ProjectedAxis& axis, double radius, double half,
-              const SolidStyle& style, bool thread, std::vector<Mark>& marks) {
-  const Point across = radius * Point(-axis.along.y(), axis.along.x());
-  const Point rise = half * axis.flat * axis.along;
-  const Point cap = radius * axis.towards * axis.along;
+void cylinder(const PaperPoint& centre, const ProjectedAxis& axis, double radius, double half,
+              const SolidStyle& style, bool thread, std::vector<PaperMark>& marks) {
+  const PaperPoint across = radius * PaperPoint(-axis.along.y(), axis.along.x());
+  const PaperPoint rise = half * axis.flat * axis.along;
+  const PaperPoint cap = radius * axis.towards * axis.along;
   const Colour side = shaded(style.fill, 0.86);
-  const auto line = [&](const Point& from, const Point& to, double width) {
+  const auto line = [&](const PaperPoint& from, const PaperPoint& to, double width) {
     marks.emplace_back(outlined(open_path({from, to}), no_colour, style.line, width));
   };
   marks.emplace_back(
@@ -69,7 +71,7 @@ void cylinder(const Point& centre, const ProjectedAxis& axis, double radius, dou
   marks.emplace_back(
       outlined(ellipse(centre + rise, across, cap), style.fill, style.line, style.line_width));
   if (thread && axis.flat < 0.3) {
-    const Point slash = radius * Point(0.7071, -0.7071);
+    const PaperPoint slash = radius * PaperPoint(0.7071, -0.7071);
     line(centre - slash, centre + slash, 0.8 * style.line_width);
   } else if (axis.towards > 0.25) {
     marks.emplace_back(
@@ -77,8 +79,8 @@ void cylinder(const Point& centre, const ProjectedAxis& axis, double radius, dou
   }
 }
 
-void box(const Point& centre, const Vector3& axis, double length, double breadth,
-         const Projection& projection, const SolidStyle& style, std::vector<Mark>& marks) {
+void box(const PaperPoint& centre, const Vector3& axis, double length, double breadth,
+         const Projection& projection, const SolidStyle& style, std::vector<PaperMark>& marks) {
   const Rotation axes = box_axes(axis);
   const Vector3 half(length, breadth, breadth);
   for (int normal = 0; normal < 3; ++normal) {
@@ -86,9 +88,9 @@ void box(const Point& centre, const Vector3& axis, double length, double breadth
     if (std::abs(towards) < 1e-3) continue;
     const Vector3 out = std::copysign(half[normal], towards) * axes.col(normal);
     const int a = (normal + 1) % 3, b = (normal + 2) % 3;
-    const Point middle = centre + projection.direction(out);
-    const Point u = half[a] * projection.direction(axes.col(a));
-    const Point v = half[b] * projection.direction(axes.col(b));
+    const PaperPoint middle = centre + projection.direction(out);
+    const PaperPoint u = half[a] * projection.direction(axes.col(a));
+    const PaperPoint v = half[b] * projection.direction(axes.col(b));
     marks.emplace_back(outlined(
         closed_path({middle + u + v, middle + u - v, middle - u - v, middle - u + v}),
         shaded(style.fill, 0.78 + 0.22 * std::abs(towards)), style.line, style.line_width));
@@ -97,19 +99,19 @@ void box(const Point& centre, const Vector3& axis, double length, double breadth
 
 double head_size(double width) { return 5 + 2 * width; }
 
-void arrow(std::vector<Point> points, const Colour& colour, double width, double pen,
-           const std::vector<double>& dashes, std::vector<Mark>& marks) {
+void arrow(std::vector<PaperPoint> points, const Colour& colour, double width, double pen,
+           const std::vector<double>& dashes, std::vector<PaperMark>& marks) {
   double length = 0;
   for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
   const double head = std::min(head_size(width) * pen, 0.7 * length);
-  const Point tip = points.back();
+  const PaperPoint tip = points.back();
   while (points.size() > 1 && (points[points.size() - 2] - tip).norm() < 0.85 * head) {
     points.pop_back();
   }
   if (points.size() < 2) return;
-  const Point direction = (tip - points[points.size() - 2]).normalized();
+  const PaperPoint direction = (tip - points[points.size() - 2]).normalized();
   points.back() = tip - 0.85 * head * direction;
-  marks.emplace_back(Stroke{open_path(points), no_colour, colour, width * pen, dashes});
+  marks.emplace_back(PaperStroke{open_path(points), no_colour, colour, width * pen, dashes});
   arrowhead(tip, direction, head, colour, marks);
 }
 

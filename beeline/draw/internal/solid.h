@@ -8,10 +8,10 @@ namespace beeline::internal {
 
 /// The projection of an axis: its direction on paper and its component towards the viewer.
 struct ProjectedAxis {
-  Point along;     ///< unit direction on paper
-  double flat;     ///< length on paper of the unit axis, in [0, 1]
-  double towards;  ///< component towards the viewer, in [0, 1]
-  double sign;     ///< -1 when the axis was reversed to point towards the viewer
+  PaperPoint along;  ///< unit direction on paper
+  double flat;       ///< length on paper of the unit axis, in [0, 1]
+  double towards;    ///< component towards the viewer, in [0, 1]
+  double sign;       ///< -1 when the axis was reversed to point towards the viewer
 };
 ProjectedAxis projected_axis(const Vector3& axis, const Projection& projection);
 
@@ -24,22 +24,22 @@ struct SolidStyle {
 
 /// Draws a cylinder about `centre`, from -`half` to `half` along the axis, with or without a
 /// thread.
-void cylinder(const Point& centre, const ProjectedAxis& axis, double radius, double half,
-              const SolidStyle& style, bool thread, std::vector<Mark>& marks);
+void cylinder(const PaperPoint& centre, const ProjectedAxis& axis, double radius, double half,
+              const SolidStyle& style, bool thread, std::vector<PaperMark>& marks);
 
 /// Draws the visible faces of a box with these half lengths along and across `axis`.
-void box(const Point& centre, const Vector3& axis, double length, double breadth,
-         const Projection& projection, const SolidStyle& style, std::vector<Mark>& marks);
+void box(const PaperPoint& centre, const Vector3& axis, double length, double breadth,
+         const Projection& projection, const SolidStyle& style, std::vector<PaperMark>& marks);
 
 /// Draws a line with an arrowhead at its end. The shaft ends inside the head, so that the tip is
 /// sharp.
-void arrow(std::vector<Point> points, const Colour& colour, double width, double pen,
-           const std::vector<double>& dashes, std::vector<Mark>& marks);
+void arrow(std::vector<PaperPoint> points, const Colour& colour, double width, double pen,
+           const std::vector<double>& dashes, std::vector<PaperMark>& marks);
 double head_size(double width);  ///< length of the arrowhead for a line width, points
 
 /// Returns the colour times `light` < 1.
 Colour shaded(const Colour& colour, double light);
 
-Stroke outlined(Path path, const Colour& fill, const Colour& line, double width);
+PaperStroke outlined(PaperPath path, const Colour& fill, const Colour& line, double width);
 
 }  // namespace beeline::internal

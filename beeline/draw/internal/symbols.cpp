@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <beeline/draw/internal/labels.h>
+#include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/solid.h>
 #include <beeline/draw/internal/symbols.h>
 #include <beeline/draw/internal/text.h>
@@ -18,35 +19,36 @@ constexpr double foot_width = 15, foot_height = 19;  // of a planar arm's base
 
 struct Painter {
   const Projection& projection;
-  std::vector<Mark>& marks;
+  std::vector<PaperMark>& marks;
   double pen = projection.pen;
 
   void operator()(const Polyline& line) const {
     if (line.points.empty()) return;
-    std::vector<Point> points;
+    std::vector<PaperPoint> points;
     for (const Vector3& p : line.points) points.push_back(projection(p));
     std::vector<double> dashes = line.dashes;
     for (double& dash : dashes) dash *= pen;
     if (line.outline > 0) {
-      marks.emplace_back(Stroke{open_path(points), no_colour, line.rim,
-                                (line.width + 2 * line.outline) * pen, dashes});
+      marks.emplace_back(PaperStroke{open_path(points), no_colour, line.rim,
+                                     (line.width + 2 * line.outline) * pen, dashes});
     }
     if (line.arrow) return arrow(points, line.colour, line.width, pen, dashes, marks);
-    marks.emplace_back(Stroke{open_path(points), no_colour, line.colour, line.width * pen, dashes});
+    marks.emplace_back(
+        PaperStroke{open_path(points), no_colour, line.colour, line.width * pen, dashes});
   }
 
   void operator()(const Dots& dots) const {
-    Path path;
+    PaperPath path;
     for (const Vector3& p : dots.points) {
       path.move(projection(p));
       path.line(projection(p));
     }
-    marks.emplace_back(Stroke{path, no_colour, dots.colour, dots.diameter * pen, {}});
+    marks.emplace_back(PaperStroke{path, no_colour, dots.colour, dots.diameter * pen, {}});
   }
 
   void operator()(const JointSymbol& joint) const {
     const double radius = joint.size * pen;
-    const Point centre =
+    const PaperPoint centre =
         projection(joint.centre) + joint.shift * pen * projection.direction(joint.axis);
     const SolidStyle style{joint.fill, joint.line, 0.17 * radius};
     if (joint.kind == JointKind::prismatic) {
@@ -63,9 +65,9 @@ struct Painter {
       return projection.depth(frame.pose.linear().col(a)) <
              projection.depth(frame.pose.linear().col(b));
     });
-    const Point origin = projection(frame.pose.translation());
+    const PaperPoint origin = projection(frame.pose.translation());
     for (const int axis : order) {
-      const Point direction = projection.direction(frame.pose.linear().col(axis));
+      const PaperPoint direction = projection.direction(frame.pose.linear().col(axis));
       if (direction.norm() < 0.1) continue;
       arrow({origin, origin + frame.length * pen * direction}, distinct_colour(axis), 1.6, pen, {},
             marks);
@@ -73,26 +75,26 @@ struct Painter {
   }
 
   void operator()(const BaseSymbol& base) const {
-    const Point at = projection(base.at);
+    const PaperPoint at = projection(base.at);
     const double size = base.size * pen;
     if (!base.planar) {
       const ProjectedAxis axis = projected_axis(base.up, projection);
-      const Point middle = at + pen * (base.shift - base.size * plate_height / 2) * axis.sign *
-                                    axis.flat * axis.along;
+      const PaperPoint middle = at + pen * (base.shift - base.size * plate_height / 2) * axis.sign *
+                                         axis.flat * axis.along;
       cylinder(middle, {axis.along, axis.flat, axis.towards, 1}, size * plate_radius,
                size * plate_height / 2, {shaded(steel, 0.8), base.line, 1.1 * size}, false, marks);
       return;
     }
     const double w = size * foot_width, ground = 0.74 * size * foot_height;
     marks.emplace_back(
-        outlined(closed_path({at + Point(-0.3 * w, 0), at + Point(0.3 * w, 0),
-                              at + Point(0.7 * w, ground), at + Point(-0.7 * w, ground)}),
+        outlined(closed_path({at + PaperPoint(-0.3 * w, 0), at + PaperPoint(0.3 * w, 0),
+                              at + PaperPoint(0.7 * w, ground), at + PaperPoint(-0.7 * w, ground)}),
                  steel, base.line, 1.1 * size));
-    Path hatch = open_path({at + Point(-w, ground), at + Point(w, ground)});
+    PaperPath hatch = open_path({at + PaperPoint(-w, ground), at + PaperPoint(w, ground)});
     for (int k = -3; k <= 3; ++k) {
-      const Point top = at + Point(w * (k + 0.3) / 3.4, ground);
+      const PaperPoint top = at + PaperPoint(w * (k + 0.3) / 3.4, ground);
       hatch.move(top);
-      hatch.line(top + size * foot_height * Point(-0.26, 0.26));
+      hatch.line(top + size * foot_height * PaperPoint(-0.26, 0.26));
     }
     marks.emplace_back(outlined(hatch, no_colour, base.line, 1.1 * size));
   }
@@ -123,14 +125,14 @@ struct Footprints {
     add(base.at, pen * (base.size * reach + std::abs(base.shift)));
   }
   void operator()(const Label& label) const {
-    const Point size = text_size(label.text, label.size);
-    footprints.push_back({label.at, size + Point::Constant(farthest_label)});
+    const PaperPoint size = text_size(label.text, label.size);
+    footprints.push_back({label.at, size + PaperPoint::Constant(farthest_label)});
   }
 };
 
 }  // namespace
 
-void draw(const Primitive& shape, const Projection& projection, std::vector<Mark>& marks) {
+void draw(const Primitive& shape, const Projection& projection, std::vector<PaperMark>& marks) {
   std::visit(Painter{projection, marks}, shape);
 }
 

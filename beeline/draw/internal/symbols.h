@@ -5,12 +5,12 @@
 namespace beeline::internal {
 
 /// Draws a primitive on paper, except labels, which place_labels() draws.
-void draw(const Primitive& shape, const Projection& projection, std::vector<Mark>& marks);
+void draw(const Primitive& shape, const Projection& projection, std::vector<PaperMark>& marks);
 
 /// A point of a primitive, and the size on paper that the primitive has around it at any scale.
 struct Footprint {
   Vector3 at = Vector3::Zero();
-  Point around = Point::Zero();  ///< half size, points
+  PaperPoint around = PaperPoint::Zero();  ///< half size, points
 };
 void add_footprints(const Primitive& shape, double pen, std::vector<Footprint>& footprints);
 

@@ -86,7 +86,7 @@ std::string cut(const std::string& word, double size, double width, bool bold) {
 
 }  // namespace
 
-Point text_size(const std::string& text, double size, bool bold) {
+PaperPoint text_size(const std::string& text, double size, bool bold) {
   thread_local TextMeasure measure;
   return {measure.width(text, size, bold), 1.2 * size};
 }

@@ -12,7 +12,7 @@ namespace beeline::internal {
 constexpr const char* typeface = "DejaVu Sans";
 
 /// Returns the width and line height of a line of text, points.
-Point text_size(const std::string& text, double size, bool bold = false);
+PaperPoint text_size(const std::string& text, double size, bool bold = false);
 
 /// Replaces every byte that is not part of a printable UTF-8 character by a question mark.
 std::string drawable(std::string_view text);

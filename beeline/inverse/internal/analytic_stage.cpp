@@ -12,9 +12,10 @@ namespace {
 
 /// Candidate solutions of a closed form, limits ignored. Each is corrected and checked by forward
 /// kinematics, and counts as evidence.
-class Claims {
+class CandidateSolutions {
  public:
-  Claims(const Request& request, StageResult& found) : request_(request), found_(found) {}
+  CandidateSolutions(const Request& request, StageResult& found)
+      : request_(request), found_(found) {}
 
   UnconstrainedResult& evidence() { return found_.unconstrained; }
 
@@ -50,28 +51,28 @@ class Claims {
 };
 
 void add_branches(const PieperSolver& form, const PieperBranches& found, double value, int dof,
-                  Claims& claims) {
+                  CandidateSolutions& candidates) {
   for (int lane = 0; lane < 8; ++lane) {
     if ((found.found >> lane & 1) == 0) continue;
     Configuration q(dof);
     form.configuration(found, lane, value, q);
-    claims.add(q, !form.has_virtual_joints() && (found.continuum >> lane & 1) != 0);
+    candidates.add(q, !form.has_virtual_joints() && (found.continuum >> lane & 1) != 0);
   }
 }
 
-void solve_locked(SolverState& state, const Request& request, Claims& claims) {
+void solve_locked(SolverState& state, const Request& request, CandidateSolutions& candidates) {
   const PieperSolver& form = *state.pieper;
   PieperRequest loop =
       form.request(request.seed, request.bounds.lower, request.bounds.upper, request.tolerance);
   const LockedRange range = locked_range(request.arm, request.bounds, request.seed, form);
   const int dof = request.arm.dof();
-  claims.evidence().complete = false;
+  candidates.evidence().complete = false;
   const int grid = request.options.grid;
   if (request.options.all) {
     for (const double value : grid_values(range, grid)) {
       PieperBranches found;
       form.branches(request.goal, value, loop, found);
-      add_branches(form, found, value, dof, claims);
+      add_branches(form, found, value, dof, candidates);
     }
     return;
   }
@@ -83,34 +84,34 @@ void solve_locked(SolverState& state, const Request& request, Claims& claims) {
   Configuration q(dof);
   if (branch.lane >= 0) {
     form.configuration(branch.found, branch.lane, branch.value, q);
-    return claims.add(q, (branch.found.continuum >> branch.lane & 1) != 0);
+    return candidates.add(q, (branch.found.continuum >> branch.lane & 1) != 0);
   }
   for (int i = 0; i < outside.count; ++i) {
-    claims.add(Eigen::Map<const Configuration>(outside.q[i], dof), false);
+    candidates.add(Eigen::Map<const Configuration>(outside.q[i], dof), false);
   }
   if (outside.count > 0 && solve_from_outside(state, request.goal, outside, request.tolerance, q)) {
-    claims.add(q, false);
+    candidates.add(q, false);
   }
 }
 
-void solve_planar(const Request& request, Claims& claims) {
+void solve_planar(const Request& request, CandidateSolutions& candidates) {
   for (const PlanarSolution& candidate : nearest_planar_solutions(
            request.arm, request.goal, request.task, request.seed, request.tolerance)) {
-    claims.add(candidate.q, candidate.continuum);
+    candidates.add(candidate.q, candidate.continuum);
   }
 }
 
-void solve_branches(SolverState& state, const Request& request, Claims& claims) {
+void solve_branches(SolverState& state, const Request& request, CandidateSolutions& candidates) {
   const PieperSolver& form = *state.pieper;
   PieperRequest loop =
       form.request(request.seed, request.bounds.lower, request.bounds.upper, request.tolerance);
   PieperBranches found;
   form.branches(request.goal, 0, loop, found);
-  add_branches(form, found, 0, request.arm.dof(), claims);
+  add_branches(form, found, 0, request.arm.dof(), candidates);
   // The axis of a virtual joint may coincide with that of an arm's joint. Then only one of
   // infinitely many solutions was examined.
-  claims.evidence().complete = !form.has_virtual_joints() || found.continuum == 0;
-  claims.evidence().doubtful |= !state.pieper_verified || nearly_found(form, found);
+  candidates.evidence().complete = !form.has_virtual_joints() || found.continuum == 0;
+  candidates.evidence().doubtful |= !state.pieper_verified || nearly_found(form, found);
 }
 
 }  // namespace
@@ -118,12 +119,12 @@ void solve_branches(SolverState& state, const Request& request, Claims& claims) 
 void solve_raghavan_roth(const RaghavanRothSolver& general, const Request& request,
                          StageResult& found) {
   found.unconstrained = {};
-  Claims claims(request, found);
+  CandidateSolutions candidates(request, found);
   Eigen::Matrix<double, 6, RaghavanRothSolver::max_solutions> q;
   const RaghavanRothSolver::Result all = general.solve(request.goal, q);
-  for (int i = 0; i < all.count; ++i) claims.add(q.col(i), false);
-  claims.evidence().complete = all.complete && !claims.evidence().doubtful;
-  claims.evidence().doubtful = !claims.evidence().complete;
+  for (int i = 0; i < all.count; ++i) candidates.add(q.col(i), false);
+  candidates.evidence().complete = all.complete && !candidates.evidence().doubtful;
+  candidates.evidence().doubtful = !candidates.evidence().complete;
 }
 
 bool has_analytic_stage(const SolverState& state) {
@@ -133,15 +134,15 @@ bool has_analytic_stage(const SolverState& state) {
 void solve_analytic(SolverState& state, const Request& request, StageResult& found) {
   if (!state.planar && !state.pieper)
     return solve_raghavan_roth(*state.raghavan_roth, request, found);
-  Claims claims(request, found);
-  UnconstrainedResult& evidence = claims.evidence();
+  CandidateSolutions candidates(request, found);
+  UnconstrainedResult& evidence = candidates.evidence();
   evidence.complete = true;
   if (state.planar) {
-    solve_planar(request, claims);
+    solve_planar(request, candidates);
   } else if (state.pieper->locked()) {
-    solve_locked(state, request, claims);
+    solve_locked(state, request, candidates);
   } else {
-    solve_branches(state, request, claims);
+    solve_branches(state, request, candidates);
   }
   evidence.complete = evidence.complete && !evidence.doubtful;
   found.result.singular = evidence.continuum && !found.result.solutions.empty();

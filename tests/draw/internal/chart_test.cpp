@@ -4,6 +4,7 @@
 
 #include <beeline/draw/canvas.h>
 #include <beeline/draw/internal/curve_thinning.h>
+#include <beeline/draw/internal/paper_shapes.h>
 #include <beeline/draw/internal/sheet.h>
 
 #include <tests/draw/page.h>
@@ -23,10 +24,10 @@ Sheet sheet_of(std::vector<Curve> curves) {
   return {.title = "title", .columns = {{.charts = {chart}}}};
 }
 
-double off(const Point& p, const std::vector<Point>& line) {
+double off(const PaperPoint& p, const std::vector<PaperPoint>& line) {
   double least = (p - line.front()).norm();
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const Point way = line[i] - line[i - 1];
+    const PaperPoint way = line[i] - line[i - 1];
     const double square = way.squaredNorm();
     const double t = square > 0 ? std::clamp((p - line[i - 1]).dot(way) / square, 0.0, 1.0) : 0;
     least = std::min(least, (p - line[i - 1] - t * way).norm());
@@ -68,24 +69,24 @@ TEST(Scale, WritesPowersForWhatIsHugeOrTiny) {
 TEST(Thinned, KeepsTheLookTheEndsAndTheExtremes) {
   Random random;
   for (int trial = 0; trial < 100; ++trial) {
-    std::vector<Point> points;
+    std::vector<PaperPoint> points;
     const int count = random.integer(1, 3000);
     double y = 0;
     for (int k = 0; k < count; ++k) {
       y = random.integer(0, 30) == 0 ? random.uniform(0, 76) : y;
       points.emplace_back(380.0 * k / count, y);
     }
-    const std::vector<Point> few = thinned(points);
+    const std::vector<PaperPoint> few = thinned(points);
     EXPECT_LE(few.size(), points.size());
     EXPECT_EQ(few.front(), points.front());
     EXPECT_EQ(few.back(), points.back());
-    for (const Point& p : points) EXPECT_LT(off(p, few), 0.7);  // a strip and the tolerance
-    const auto less = [](const Point& a, const Point& b) { return a.y() < b.y(); };
+    for (const PaperPoint& p : points) EXPECT_LT(off(p, few), 0.7);  // a strip and the tolerance
+    const auto less = [](const PaperPoint& a, const PaperPoint& b) { return a.y() < b.y(); };
     EXPECT_NEAR(std::max_element(few.begin(), few.end(), less)->y(),
                 std::max_element(points.begin(), points.end(), less)->y(), 0.1);
   }
   EXPECT_TRUE(thinned({}).empty());
-  std::vector<Point> line;
+  std::vector<PaperPoint> line;
   for (int k = 0; k < 100'000; ++k) line.emplace_back(k * 1e-3, k * 2e-3);
   EXPECT_EQ(thinned(line).size(), 2u);
 }
@@ -118,12 +119,12 @@ TEST(Sheet, LeavesLevelsFarAwayOffTheScaleAndSaysSo) {
     sheet.columns[0].charts[0].reference_lines = {{"limit", level}};
     const Drawing drawing = compose(sheet);
     bool told = false, drawn = false;
-    for (const Mark& mark : drawing.marks) {
-      if (const auto* text = std::get_if<Text>(&mark)) {
+    for (const PaperMark& mark : drawing.marks) {
+      if (const auto* text = std::get_if<PaperText>(&mark)) {
         told = told || text->text == "limit (off scale)";
       } else {
-        const Box box = box_of(mark);
-        drawn = drawn || (!std::get<Stroke>(mark).dashes.empty() && box.size().x() > 300);
+        const PaperBox box = box_of(mark);
+        drawn = drawn || (!std::get<PaperStroke>(mark).dashes.empty() && box.size().x() > 300);
       }
     }
     EXPECT_EQ(drawn, std::abs(level) < 6);
