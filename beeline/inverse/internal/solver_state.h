@@ -10,6 +10,8 @@
 
 namespace beeline::internal {
 
+struct AnalyticFamily;
+
 /// The private state of InverseSolver: what the stages need to know of an arm, computed once, and
 /// their buffers.
 struct SolverState {
@@ -18,13 +20,14 @@ struct SolverState {
   Task task;
   Bounds bounds;         ///< the joint limits, or none where they are ignored
   Configuration middle;  ///< the default seed
-  bool planar = false;   ///< has_planar_closed_form()
+  /// The family of closed forms that covers the arm and the task, or null.
+  const AnalyticFamily* family = nullptr;
+  /// A family that is tried where the numerical stage fails, or null.
+  const AnalyticFamily* fallback = nullptr;
+  bool fallback_prepared = false;  ///< whether fallback->applies() was called
   std::optional<PieperSolver> pieper = std::nullopt;
   bool pieper_verified = true;  ///< whether it recovered random configurations of the arm
-  bool six_revolute = false;    ///< six revolute joints without a closed form of a known family
-  std::optional<RaghavanRothSolver> raghavan_roth = std::nullopt;  ///< for all solutions
-  std::optional<RaghavanRothSolver> raghavan_roth_fallback =
-      std::nullopt;  ///< where the numerical stage fails
+  std::optional<RaghavanRothSolver> raghavan_roth = std::nullopt;
   std::optional<PreparedSearch> within_limits = std::nullopt;
   std::optional<PreparedSearch> without_limits = std::nullopt;
   /// The coordinate of a longer arm that is locked in this one.
@@ -40,9 +43,6 @@ SolverState make_solver_state(const Arm& arm, const InverseOptions& options);
 
 /// Sets state.within_limits and returns it.
 const PreparedSearch& search_within_limits(SolverState& state);
-
-/// The solver of six revolute joints, if it is reliable for the arm. Takes milliseconds.
-std::optional<RaghavanRothSolver> make_raghavan_roth(const SolverState& state);
 
 /// The name of the method, such as "closed form: planar".
 std::string method_name(const SolverState& state);

@@ -1,4 +1,4 @@
-#include <beeline/inverse/internal/analytic_stage.h>
+#include <beeline/inverse/internal/analytic_families.h>
 #include <beeline/inverse/internal/numerical_stage.h>
 #include <beeline/inverse/internal/stages.h>
 
@@ -22,7 +22,7 @@ void check_invariants(SolverState&, const Request& request, StageResult& found) 
 }
 
 bool applies_analytic(const SolverState& state, const Request&, const StageResult& found) {
-  return !found.unconstrained.violation && has_analytic_stage(state);
+  return !found.unconstrained.violation && state.family != nullptr;
 }
 
 /// Whether solutions may be missing that a search can find.
@@ -36,24 +36,29 @@ bool applies_numerical(const SolverState& state, const Request& request, const S
          !out_of_reach(request.arm, request.goal, request.task, request.tolerance);
 }
 
-/// Whether the search found nothing, which proves nothing, and no analytic solver has run.
+void run_family(SolverState& state, const Request& request, StageResult& found) {
+  solve_analytic(*state.family, state, request, found);
+}
+
+/// Whether the search found nothing, which proves nothing, and a family is left.
 bool applies_fallback(const SolverState& state, const Request& request, const StageResult& found) {
-  return found.result.solutions.empty() && state.six_revolute && !state.raghavan_roth &&
+  return found.result.solutions.empty() && state.fallback &&
          applies_numerical(state, request, found);
 }
 
-void solve_fallback(SolverState& state, const Request& request, StageResult& found) {
-  if (!state.raghavan_roth_fallback) state.raghavan_roth_fallback = make_raghavan_roth(state);
-  if (state.raghavan_roth_fallback)
-    solve_raghavan_roth(*state.raghavan_roth_fallback, request, found);
+void run_fallback(SolverState& state, const Request& request, StageResult& found) {
+  // Prepared once, by the first request that needs it.
+  if (!state.fallback_prepared && !state.fallback->applies(state)) state.fallback = nullptr;
+  state.fallback_prepared = true;
+  if (state.fallback) solve_analytic(*state.fallback, state, request, found);
 }
 
 /// A new stage is added as a row here.
 constexpr Stage stages[] = {
     {always, check_invariants},
-    {applies_analytic, solve_analytic},
+    {applies_analytic, run_family},
     {applies_numerical, solve_numerical},
-    {applies_fallback, solve_fallback},
+    {applies_fallback, run_fallback},
 };
 
 }  // namespace

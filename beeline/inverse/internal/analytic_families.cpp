@@ -1,0 +1,43 @@
+#include <beeline/inverse/internal/analytic_families.h>
+#include <beeline/inverse/internal/pieper_family.h>
+#include <beeline/inverse/internal/planar_family.h>
+#include <beeline/inverse/internal/raghavan_roth_family.h>
+
+namespace beeline::internal {
+namespace {
+
+/// A new family is added as a row here, before those that cover more arms.
+constexpr const AnalyticFamily* families[] = {
+    &planar_family,
+    &pieper_family,
+    &raghavan_roth_family,
+};
+
+}  // namespace
+
+void select_family(SolverState& state) {
+  const InverseOptions& options = state.options;
+  if (options.method == InverseMethod::numerical) return;
+  const bool one = !options.all && options.method != InverseMethod::closed_form;
+  for (const AnalyticFamily* family : families) {
+    if (one && family->slower_than_search) {
+      state.fallback = family;
+    } else if (family->applies(state)) {
+      state.family = family;
+      state.fallback = nullptr;
+      return;
+    }
+  }
+}
+
+void solve_analytic(const AnalyticFamily& family, SolverState& state, const Request& request,
+                    StageResult& found) {
+  UnconstrainedResult& evidence = found.unconstrained;
+  evidence = {};
+  evidence.complete = true;
+  family.solve(state, request, found);
+  evidence.complete = evidence.complete && !evidence.doubtful;
+  found.result.singular = evidence.continuum && !found.result.solutions.empty();
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,239 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include <beeline/inverse/internal/candidate_solutions.h>
+#include <beeline/inverse/internal/numerical_stage.h>
+#include <beeline/inverse/internal/pieper_family.h>
+#include <beeline/inverse/internal/redundant_joint.h>
+#include <beeline/inverse/numerical/representative.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/pose/angle.h>
+
+namespace beeline::internal {
+namespace {
+
+/// Whether the closed form recovers random configurations of the arm, or reports a continuum. It
+/// may do neither if axes of its loop coincide. Sixteen trials suffice, because it then fails
+/// almost everywhere. The tolerance 1e-4 is far below the distance of other solutions and far above
+/// rounding.
+bool recovers_configurations(const PieperSolver& form, const Arm& arm) {
+  constexpr int trials = 16;
+  const Configuration zero = Configuration::Zero(arm.dof());
+  const Bounds open = no_bounds(arm);
+  PieperRequest loop = form.request(zero, open.lower, open.upper);
+  Splitmix random(1);
+  for (int trial = 0; trial < trials; ++trial) {
+    Configuration q(arm.dof()), recovered(arm.dof());
+    for (double& value : q) value = 2 * random.next() - 1;
+    PieperBranches found;
+    const double value = form.locked() ? q[*form.locked()] : 0;
+    form.branches(forward_kinematics(arm, q), value, loop, found);
+    bool met = found.continuum != 0;
+    for (int lane = 0; lane < 8 && !met; ++lane) {
+      if ((found.found >> lane & 1) == 0) continue;
+      form.configuration(found, lane, value, recovered);
+      met = same_posture(arm, q, recovered, 1e-4);
+    }
+    if (!met) return false;
+  }
+  return true;
+}
+
+bool applies_pieper(SolverState& state) {
+  std::optional<PieperSolver> form = PieperSolver::make(state.arm, state.task);
+  const std::optional<int>& lock = state.options.lock;
+  if (!form || (lock && form->locked() != lock)) return false;
+  state.pieper_verified = lock || recovers_configurations(*form, state.arm);
+  state.pieper = std::move(form);
+  return true;
+}
+
+std::string pieper_name(const SolverState& state) {
+  return state.pieper->family(state.removed_coordinate);
+}
+
+void add_branches(const PieperSolver& form, const PieperBranches& found, double value, int dof,
+                  CandidateSolutions& candidates) {
+  for (int lane = 0; lane < 8; ++lane) {
+    if ((found.found >> lane & 1) == 0) continue;
+    Configuration q(dof);
+    form.configuration(found, lane, value, q);
+    candidates.add(q, !form.has_virtual_joints() && (found.continuum >> lane & 1) != 0);
+  }
+}
+
+void solve_locked(SolverState& state, const Request& request, CandidateSolutions& candidates) {
+  const PieperSolver& form = *state.pieper;
+  PieperRequest loop =
+      form.request(request.seed, request.bounds.lower, request.bounds.upper, request.tolerance);
+  const LockedRange range = locked_range(request.arm, request.bounds, request.seed, form);
+  const int dof = request.arm.dof();
+  candidates.evidence().complete = false;
+  const int grid = request.options.grid;
+  if (request.options.all) {
+    for (const double value : grid_values(range, grid)) {
+      PieperBranches found;
+      form.branches(request.goal, value, loop, found);
+      add_branches(form, found, value, dof, candidates);
+    }
+    return;
+  }
+  LeastOutside outside;
+  const LockedBranch branch =
+      request.options.redundancy == Redundancy::any
+          ? first_within(form, request.goal, range, grid, loop, outside)
+          : best_within(form, request.goal, range, grid, request.options.redundancy, loop);
+  Configuration q(dof);
+  if (branch.lane >= 0) {
+    form.configuration(branch.found, branch.lane, branch.value, q);
+    return candidates.add(q, (branch.found.continuum >> branch.lane & 1) != 0);
+  }
+  for (int i = 0; i < outside.count; ++i) {
+    candidates.add(Eigen::Map<const Configuration>(outside.q[i], dof), false);
+  }
+  if (outside.count > 0 && solve_from_outside(state, request.goal, outside, request.tolerance, q)) {
+    candidates.add(q, false);
+  }
+}
+
+void solve_branches(SolverState& state, const Request& request, CandidateSolutions& candidates) {
+  const PieperSolver& form = *state.pieper;
+  PieperRequest loop =
+      form.request(request.seed, request.bounds.lower, request.bounds.upper, request.tolerance);
+  PieperBranches found;
+  form.branches(request.goal, 0, loop, found);
+  add_branches(form, found, 0, request.arm.dof(), candidates);
+  // The axis of a virtual joint may coincide with that of an arm's joint. Then only one of
+  // infinitely many solutions was examined.
+  candidates.evidence().complete = !form.has_virtual_joints() || found.continuum == 0;
+  candidates.evidence().doubtful |= !state.pieper_verified || nearly_found(form, found);
+}
+
+void solve_pieper(SolverState& state, const Request& request, StageResult& found) {
+  CandidateSolutions candidates(request, found);
+  if (state.pieper->locked()) {
+    solve_locked(state, request, candidates);
+  } else {
+    solve_branches(state, request, candidates);
+  }
+}
+
+/// Writes one solution of an arm with a redundant joint. A few values of that joint suffice for
+/// most poses. For the others the numerical search from the nearest branches succeeds more often
+/// than further values.
+std::optional<int> solve_redundant(SolverState& state, const Pose& goal,
+                                   const ConfigurationRef& seed, PieperRequest& loop,
+                                   Eigen::Ref<Eigen::MatrixXd> solutions) {
+  constexpr int few = 9;  // the seed's, and two rounds of steps: see first_within()
+  const PieperSolver& form = *state.pieper;
+  const LockedRange range = locked_range(state.arm, state.bounds, seed, form);
+  LeastOutside outside;
+  const LockedBranch branch =
+      first_within(form, goal, range, std::min(few, state.options.grid), loop, outside);
+  if (branch.lane >= 0 && (branch.found.continuum >> branch.lane & 1) == 0) {
+    form.configuration(branch.found, branch.lane, branch.value, solutions.col(0));
+    return 1;
+  }
+  if (out_of_reach(state.arm, goal, state.task, state.options.tolerance)) return std::nullopt;
+  if (outside.count > 0 &&
+      solve_from_outside(state, goal, outside, state.options.tolerance, solutions.col(0))) {
+    return 1;
+  }
+  if (search_fast_path(state, goal, seed, solutions)) return 1;
+  return std::nullopt;
+}
+
+/// The lanes within limits, sorted by distance from the seed.
+struct OrderedLanes {
+  int count = 0;
+  int lane[8];
+};
+
+/// Returns nothing if a lane needs the corrections of solve().
+std::optional<OrderedLanes> lanes_in_order(const PieperRequest& loop, const PieperBranches& found) {
+  OrderedLanes order;
+  for (unsigned rest = found.found; rest != 0; rest &= rest - 1) {
+    const int lane = std::countr_zero(rest);
+    if (!(found.residual[lane] <= loop.max_residual)) return std::nullopt;
+    if ((found.within >> lane & 1) == 0) {
+      // As in add_solution(): a lane outside by less may be within limits once it is corrected.
+      constexpr double slack = 1e-6;
+      if (found.excess[lane] < slack) return std::nullopt;
+      continue;
+    }
+    int index = order.count++;
+    for (; index > 0 && found.distance[order.lane[index - 1]] > found.distance[lane]; --index) {
+      order.lane[index] = order.lane[index - 1];
+    }
+    order.lane[index] = lane;
+  }
+  return order;
+}
+
+/// Whether two of these lanes are the same posture.
+bool has_twins(const PieperBranches& found, const OrderedLanes& order) {
+  // Two solutions merge at the boundary of the workspace.
+  constexpr double twin = 1e-4;  // radians or metres
+  for (int i = 0; i < order.count; ++i) {
+    for (int j = 0; j < i; ++j) {
+      const bool same = std::all_of(std::begin(found.q), std::end(found.q), [&](const auto& q) {
+        return std::abs(wrap_angle(q[order.lane[i]] - q[order.lane[j]])) < twin;
+      });
+      if (same) return true;
+    }
+  }
+  return false;
+}
+
+/// Writes all solutions of six joints.
+std::optional<int> write_all(const PieperSolver& form, const PieperRequest& loop,
+                             const PieperBranches& found, double value,
+                             Eigen::Ref<Eigen::MatrixXd> solutions) {
+  if (found.continuum != 0 || nearly_found(form, found)) return std::nullopt;
+  const std::optional<OrderedLanes> order = lanes_in_order(loop, found);
+  if (!order || (found.twin != 0 && has_twins(found, *order))) return std::nullopt;
+  const int shown = std::min(order->count, static_cast<int>(solutions.cols()));
+  for (int i = 0; i < shown; ++i) {
+    form.configuration(found, order->lane[i], value, solutions.col(i));
+  }
+  return shown;
+}
+
+/// Writes solutions whose loops close within the tolerance, without further checks.
+std::optional<int> solve_pieper_fast(SolverState& state, const Pose& goal,
+                                     const ConfigurationRef& seed,
+                                     Eigen::Ref<Eigen::MatrixXd> solutions) {
+  const InverseOptions& options = state.options;
+  const bool any_one = !options.all && options.redundancy == Redundancy::any;
+  const PieperSolver& form = *state.pieper;
+  // Solutions and distances would depend on the values chosen for free joints.
+  if (form.has_free_joints() || !state.pieper_verified) return std::nullopt;
+  PieperRequest loop =
+      form.request(seed, state.bounds.lower, state.bounds.upper, options.tolerance);
+  double value = 0;  // of a locked joint
+  if (options.lock) {
+    check_lock(state, seed);
+    value = seed[*options.lock];
+  } else if (form.locked()) {
+    if (!any_one || options.method != InverseMethod::automatic) return std::nullopt;
+    return solve_redundant(state, goal, seed, loop, solutions);
+  }
+  PieperBranches found;
+  form.branches(goal, value, loop, found);
+  if (options.all) {
+    if (options.every_turn) return std::nullopt;
+    return write_all(form, loop, found, value, solutions);
+  }
+  const int lane = nearest_lane(loop, found);
+  if (lane < 0 || (found.continuum >> lane & 1) != 0) return std::nullopt;
+  form.configuration(found, lane, value, solutions.col(0));
+  return 1;
+}
+
+}  // namespace
+
+const AnalyticFamily pieper_family{applies_pieper, pieper_name, solve_pieper, solve_pieper_fast};
+
+}  // namespace beeline::internal

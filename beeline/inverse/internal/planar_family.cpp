@@ -1,0 +1,26 @@
+#include <beeline/inverse/analytic/planar_solver.h>
+#include <beeline/inverse/internal/candidate_solutions.h>
+#include <beeline/inverse/internal/planar_family.h>
+
+namespace beeline::internal {
+namespace {
+
+bool applies_planar(SolverState& state) {
+  return !state.options.lock && has_planar_closed_form(state.arm, state.task);
+}
+
+std::string planar_name(const SolverState&) { return "planar"; }
+
+void solve_planar(SolverState&, const Request& request, StageResult& found) {
+  CandidateSolutions candidates(request, found);
+  for (const PlanarSolution& candidate : nearest_planar_solutions(
+           request.arm, request.goal, request.task, request.seed, request.tolerance)) {
+    candidates.add(candidate.q, candidate.continuum);
+  }
+}
+
+}  // namespace
+
+const AnalyticFamily planar_family{applies_planar, planar_name, solve_planar};
+
+}  // namespace beeline::internal

@@ -1,0 +1,42 @@
+#include <algorithm>
+
+#include <beeline/inverse/internal/candidate_solutions.h>
+#include <beeline/inverse/internal/raghavan_roth_family.h>
+
+namespace beeline::internal {
+namespace {
+
+/// Whether the arm has six revolute joints, each driven by its own coordinate, and the solver is
+/// reliable for it. Takes milliseconds for such an arm.
+bool applies_raghavan_roth(SolverState& state) {
+  const Arm& arm = state.arm;
+  const bool six_revolute =
+      arm.dof() == 6 && arm.joints().size() == 6 && state.task.size() == 6 &&
+      std::all_of(arm.joints().begin(), arm.joints().end(),
+                  [](const Joint& joint) { return kind(joint) == JointKind::revolute; });
+  if (!six_revolute || state.options.lock) return false;
+  RaghavanRothSolver solver(arm.chain());
+  if (!solver.reliable()) return false;
+  state.raghavan_roth = std::move(solver);
+  return true;
+}
+
+std::string raghavan_roth_name(const SolverState&) { return "general six joints"; }
+
+void solve_raghavan_roth(SolverState& state, const Request& request, StageResult& found) {
+  CandidateSolutions candidates(request, found);
+  UnconstrainedResult& evidence = candidates.evidence();
+  Eigen::Matrix<double, 6, RaghavanRothSolver::max_solutions> q;
+  const RaghavanRothSolver::Result all = state.raghavan_roth->solve(request.goal, q);
+  for (int i = 0; i < all.count; ++i) candidates.add(q.col(i), false);
+  evidence.doubtful = evidence.doubtful || !all.complete;
+}
+
+}  // namespace
+
+const AnalyticFamily raghavan_roth_family{.applies = applies_raghavan_roth,
+                                          .name = raghavan_roth_name,
+                                          .solve = solve_raghavan_roth,
+                                          .slower_than_search = true};
+
+}  // namespace beeline::internal
