@@ -83,7 +83,8 @@ bool honest(const Run& run, const std::string& name, long count) {
   for (long n = 0; n < count; ++n) {
     const Hardness hardness = hardness_of(n);
     const HardPose pose = hard_pose(arm, judge.screws(), hardness, engine);
-    judge.judge(pose, (n / 2) % run.numerical_every == 0, tallies[hardness]);
+    judge.judge(pose, (n / 2) % run.numerical_every == 0,
+                tallies[static_cast<std::size_t>(hardness)]);
   }
   bool all = true;
   for (std::size_t i = 0; i < tallies.size(); ++i) {
