@@ -30,7 +30,10 @@ struct MoveArguments {
 /// The motion in minimum time, all joints beginning and ending together.
 ControlledMotion move_quickest(const MoveArguments& arguments, const Arm& arm,
                                const Configuration& from, const Configuration& to) {
-  ControlledMotion result = begin_motion(arm, from);
+  ControlledMotion result;
+  result.trajectory = at_rest(arm, from);
+  const std::vector<std::string> start_outside = limit_violations(arm, from);
+  if (!start_outside.empty()) throw Error("the motion cannot start: " + start_outside.front());
   const std::vector<std::string> outside = limit_violations(arm, to);
   if (!outside.empty()) {
     result.error = (to - from).lpNorm<Eigen::Infinity>();
