@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <beeline/error.h>
+#include <beeline/read/internal/file.h>
 #include <beeline/record/number_rows.h>
 
 #include "batch_work.h"
@@ -54,7 +55,7 @@ BatchReport process(const BatchArguments& arguments, const BatchWork& work) {
   }
   // A .npy file states that its array has no rows; a .csv file without rows was cut off.
   const bool nothing = report.rows == 0 && report.bad.count == 0;
-  if (nothing && row_format(arguments.in) == RowFormat::csv) {
+  if (nothing && internal::extension(arguments.in) != "npy") {
     throw FileError(reader.path(), 0, "has a header but no rows below it");
   }
   writer.commit();
@@ -107,7 +108,6 @@ Json batch_document(const BatchArguments& arguments, const std::string& kind, co
 using MakeWork = BatchWork (*)(const BatchArguments&, const Arm&);
 
 Answer batch(const BatchArguments& arguments, const std::string& kind, MakeWork make_work) {
-  row_format(arguments.in);
   row_format(arguments.out);
   refuse_overwriting(arguments.out, {arguments.in, arguments.arm.text});
   const bool rows_on_stdout = arguments.out == "-";

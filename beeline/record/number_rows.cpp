@@ -95,8 +95,18 @@ using internal::RowSource;
 constexpr auto csv = std::in_place_index<0>;
 constexpr auto npy = std::in_place_index<1>;
 
+/// The format of a table that is read. A file without an ending, such as a pipe, is .csv.
+RowFormat source_format(const std::string& path) {
+  if (internal::extension(path).empty()) return RowFormat::csv;
+  try {
+    return row_format(path);
+  } catch (const Error&) {
+    throw FileError(path, 0, "is not a known kind of table; known are .csv, .npy");
+  }
+}
+
 std::unique_ptr<RowSource> open_source(const std::string& path, const RowForms& forms) {
-  if (row_format(path) == RowFormat::csv) {
+  if (source_format(path) == RowFormat::csv) {
     return std::unique_ptr<RowSource>(new RowSource{RowSource::Reader(csv, path, forms)});
   }
   return std::unique_ptr<RowSource>(new RowSource{RowSource::Reader(npy, path, forms)});

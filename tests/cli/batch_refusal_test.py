@@ -33,6 +33,11 @@ def test_a_bad_csv_file(refused, written, tmp_path, _, content, says, out):
     assert [path.name for path in tmp_path.iterdir()] == ["q.csv"]
 
 
+def test_a_table_of_unknown_kind(refused, written):
+    refused(3, "batch", "fk", "rrr", "--in", written("q.txt", GOOD), "--out", "p.csv",
+            says=["q.txt", ".csv, .npy"])
+
+
 def test_a_bad_row_late_in_a_long_file_leaves_the_old_results(refused, written, tmp_path):
     written("out.csv", "old")
     written("q.csv", GOOD * 200_000 + "1,2\n")
@@ -139,7 +144,6 @@ USAGE = [
     ((), ["needs a verb", "fk, jacobian, ik"]),
     (("fk", "rrr", "--in", "q.csv"), ["--out"]),
     (("fk", "rrr", "--in", "q.csv", "--out", ""), ["--out", "empty"]),
-    (("fk", "rrr", "--in", "q.txt", "--out", "p.csv"), ["q.txt", ".npy"]),
     (("fk", "rrr", "--in", "q.csv", "--out", "p.json"), ["p.json", ".npy"]),
     (("fk", "rrr", "--in", "q.csv", "--out", "q.csv"), ["q.csv", "input"]),
     (("fk", "rrr", "--in", "q.csv", "--out", "p.csv", "--layout", "pse"), ["pse", "pose"]),

@@ -217,6 +217,12 @@ def test_a_pipe_on_both_sides(build, batch, rows, tmp_path):
     assert "5000 rows" in process.stderr
 
 
+def test_a_pipe_by_its_path_is_csv(build, tmp_path):
+    command = f"{build}/beeline batch fk rrr --in <(printf '0,0,0\\n') --out - --layout pose"
+    process = subprocess.run(["bash", "-c", command], capture_output=True, text=True, cwd=tmp_path)
+    assert process.returncode == 0 and process.stdout.splitlines()[1].startswith("9,")
+
+
 def test_the_report_says_how_fast(beeline, tmp_path, rows):
     np.save(tmp_path / "q.npy", rows(10, 6))
     answer = beeline("batch", "jacobian", "ur5", "--in", "q.npy", "--out", "j.csv")

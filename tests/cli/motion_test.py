@@ -80,6 +80,12 @@ def test_a_goal_outside_the_limits_is_a_no(beeline, method):
     assert "joint4" in answer.json["reason"] and answer.json["reason"] in answer.err
 
 
+def test_one_step_is_singular(beeline):
+    answer = beeline("move", "rrr", "--from", "0,0,0", "--to", "1,0,0", "--max-steps", "1")
+    assert answer.code == 1 and "after 1 step of 0.02 s" in answer.out
+    assert "after 1 step the error is 0.9" in answer.err
+
+
 def test_a_recording_differs_from_another_one_and_not_from_itself(beeline):
     command = ("move", "panda", "--from", READY, "--method", "quickest", "--rate", "200")
     beeline(*command, "--to", "0.5,-0.3,0.2,-1.9,0.1,2,0.3", "--out", "a.csv")

@@ -106,7 +106,8 @@ bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& op
     const bool oscillates = since_reversal < recent;
     if (motion.steps >= options.max_steps) {
       return stop(motion, MotionStatus::not_converged,
-                  "after " + std::to_string(motion.steps) + " steps the error is " +
+                  "after " + std::to_string(motion.steps) +
+                      (motion.steps == 1 ? " step" : " steps") + " the error is " +
                       number(motion.error) + ": " +
                       (oscillates ? "the motion oscillates, the gain is too large"
                                   : "the gain is too small, or allow more steps"));
