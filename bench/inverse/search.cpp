@@ -22,13 +22,13 @@ struct State {
 
 State state_at(const Screws& screws, const Twist& q) {
   State state;
-  Pose motion = Pose::Identity();  // product of the exponentials of the joints so far
+  Pose base_T_link = Pose::Identity();  // product of the exponentials of the joints so far
   std::array<Vector3, 6> axes, points;
   for (int i = 0; i < 6; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Vector3& axis = screws.axis[k];
-    axes[k] = motion.linear() * axis;
-    points[k] = motion * screws.point[k];
+    axes[k] = base_T_link.linear() * axis;
+    points[k] = base_T_link * screws.point[k];
     Pose motion = Pose::Identity();
     if (screws.slides[k]) {
       motion.translation() = q[i] * axis;
@@ -36,9 +36,9 @@ State state_at(const Screws& screws, const Twist& q) {
       motion.linear() = Eigen::AngleAxisd(q[i], axis).toRotationMatrix();
       motion.translation() = screws.point[k] - motion.linear() * screws.point[k];
     }
-    motion = motion * motion;
+    base_T_link = base_T_link * motion;
   }
-  state.world_T_tool = motion * screws.home;
+  state.world_T_tool = base_T_link * screws.home;
   for (int i = 0; i < 6; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Vector3 arm = state.world_T_tool.translation() - points[k];
