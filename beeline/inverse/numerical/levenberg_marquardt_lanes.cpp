@@ -49,8 +49,8 @@ HWY_INLINE bool whole(const Task& task) {
 }
 
 /// `goal`: four columns of four, the tool's position and the last link's orientation.
-HWY_NOINLINE void evaluate(const NumericalProblem& problem, const double* goal,
-                           LevenbergMarquardtLanes& lanes, Evaluation& at) {
+HWY_INLINE void evaluate(const NumericalProblem& problem, const double* goal,
+                         LevenbergMarquardtLanes& lanes, Evaluation& at) {
   const LanePose frame = last_frame(problem.chain, lanes.trial[0].lane, lanes.axes[0].lane);
   const double* tool = problem.chain.tool.data();
   at.tool = frame.origin + from_axes(frame, {tool[12], tool[13], tool[14]});
@@ -72,8 +72,8 @@ HWY_NOINLINE void evaluate(const NumericalProblem& problem, const double* goal,
 
 /// Accepts the trial's error in the lanes where it is smaller, adapts the damping, ends lanes that
 /// have converged, stagnated or used up their iterations, and returns where the trial is accepted.
-HWY_NOINLINE LaneMask accept_error(const NumericalProblem& problem, const Evaluation& at,
-                                   const LaneOptions& options, LevenbergMarquardtLanes& lanes) {
+HWY_INLINE LaneMask accept_error(const NumericalProblem& problem, const Evaluation& at,
+                                 const LaneOptions& options, LevenbergMarquardtLanes& lanes) {
   const LaneMask active = mask_of(lanes.active);
   const Vector &linear = at.error.linear, &angular = at.error.angular;
   const Lanes position = dot(linear, linear), orientation = dot(angular, angular);
@@ -130,9 +130,9 @@ HWY_INLINE void load_column(const LevenbergMarquardtLanes& lanes, size_t k, Lane
 
 /// Accepts the trial's Jacobian where `better`, fixes joints that are at a bound and whose gradient
 /// points out of it, and adds J J^T of the others to `normal`.
-HWY_NOINLINE void linearise(const NumericalProblem& problem, const Evaluation& at, LaneMask better,
-                            const Lanes (&error)[6], LevenbergMarquardtLanes& lanes,
-                            Symmetric6& normal) {
+HWY_INLINE void linearise(const NumericalProblem& problem, const Evaluation& at, LaneMask better,
+                          const Lanes (&error)[6], LevenbergMarquardtLanes& lanes,
+                          Symmetric6& normal) {
   const bool partial = !whole(problem.task);
   const bool all_better = (lanes.active & ~bits(better)) == 0;
   const int* links = problem.links.data();
@@ -162,7 +162,7 @@ HWY_NOINLINE void linearise(const NumericalProblem& problem, const Evaluation& a
   }
 }
 
-HWY_NOINLINE void normal_equations(const LevenbergMarquardtLanes& lanes, Symmetric6& normal) {
+HWY_INLINE void normal_equations(const LevenbergMarquardtLanes& lanes, Symmetric6& normal) {
   for (Lanes& entry : normal.entry) entry = Lanes(0);
   for (size_t k = 0; k < lanes.q.size(); ++k) {
     const Lanes free = load(lanes.free[k]);
@@ -176,8 +176,8 @@ HWY_NOINLINE void normal_equations(const LevenbergMarquardtLanes& lanes, Symmetr
 /// Computes the damped step of the free joints for the error `left`. Joints that would pass a bound
 /// stop there. Near the goal these are then fixed, and their contribution is subtracted from
 /// `left`; returns the lanes in which this happens.
-HWY_NOINLINE unsigned damped_step(const NumericalProblem& problem, Symmetric6& normal,
-                                  Lanes (&left)[6], bool again, LevenbergMarquardtLanes& lanes) {
+HWY_INLINE unsigned damped_step(const NumericalProblem& problem, Symmetric6& normal,
+                                Lanes (&left)[6], bool again, LevenbergMarquardtLanes& lanes) {
   const Lanes damping = fma(load(lanes.factor), load(lanes.cost), Lanes(min_damping));
   const LaneMask near = load(lanes.cost) < Lanes(near_goal);
   Lanes dual[6];
@@ -203,7 +203,7 @@ HWY_NOINLINE unsigned damped_step(const NumericalProblem& problem, Symmetric6& n
   return stopped;
 }
 
-HWY_NOINLINE void set_trial(const NumericalProblem& problem, LevenbergMarquardtLanes& lanes) {
+HWY_INLINE void set_trial(const NumericalProblem& problem, LevenbergMarquardtLanes& lanes) {
   Lanes longest(largest_step);
   for (const EightNumbers& one : lanes.step) longest = max(longest, abs(load(one)));
   const Lanes scale = Lanes(largest_step) / longest;
