@@ -16,8 +16,8 @@ namespace beeline {
 ///     on the chain.
 ///   - A missing <axis> is 1 0 0; a missing <limit> means no limits. Effort and soft limits are
 ///     ignored.
-///   - A velocity limit that is missing, negative or zero (which exporters write for an unknown
-///     one) is unknown.
+///   - A velocity limit that is missing or zero (which exporters write for an unknown one) is
+///     unknown; a negative one on the chain is refused.
 ///   - A mimic joint whose leader is not on the chain has a coordinate of its own.
 ///   - Frames are the file's: each joint moves the frame of its child link, named in Joint::link.
 /// Throws FileError for text that is not URDF; a link with two parents, a cycle, several roots or
