@@ -39,17 +39,19 @@ struct DampedStep {
 /// away from singularities, bounded at them. Unlike math/damped_least_squares.h, which damps all
 /// directions alike, it leaves eq. 1.6 unchanged for regular configurations.
 DampedStep damped_step(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& error) {
-  const internal::SixRowSvd svd = internal::six_row_svd(jacobian);
+  const SixRowSvd svd = six_row_svd(jacobian);
   const auto& sigma = svd.singular_values;
   const double threshold = damped_below * sigma[0];
   const Eigen::Index count = std::min(jacobian.rows(), jacobian.cols());
   DampedStep result{Configuration::Zero(jacobian.cols()), sigma[count - 1] < threshold};
+  if (threshold == 0) return result;
   for (Eigen::Index i = 0; i < count; ++i) {
-    const double deficit = std::max(0.0, 1 - sigma[i] / threshold);
-    const double damping = threshold * deficit;
-    const double denominator = sigma[i] * sigma[i] + damping * damping;
+    // Relative to the threshold: sigma^2 may overflow.
+    const double relative = sigma[i] / threshold;
+    const double damping = std::max(0.0, 1 - relative);
     const double component = svd.left.col(i).head(error.size()).dot(error);
-    if (denominator > 0) result.step += component / denominator * svd.scaled_right.col(i);
+    result.step += component / (relative * relative + damping * damping) / threshold *
+                   (svd.scaled_right.col(i) / threshold);
   }
   return result;
 }

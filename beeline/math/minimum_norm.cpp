@@ -25,7 +25,8 @@ MinimumNormSolution minimum_norm_solution(const Eigen::MatrixXd& a, const Eigen:
     if (!(sigma > zero)) continue;
     ++solution.rank;
     const double component = svd.left.col(i).head(b.size()).dot(b);
-    solution.x += component / (sigma * sigma) * svd.scaled_right.col(i);
+    // sigma^2 may overflow.
+    solution.x += component / sigma * (svd.scaled_right.col(i) / sigma);
   }
   return solution;
 }
@@ -37,8 +38,8 @@ Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a) {
   for (int i = 0; i < 6; ++i) {
     const double sigma = svd.singular_values[i];
     if (!(sigma > zero)) continue;
-    const Eigen::VectorXd left = svd.left.col(i).head(a.rows()) / (sigma * sigma);
-    inverse += svd.scaled_right.col(i) * left.transpose();
+    const Eigen::VectorXd left = svd.left.col(i).head(a.rows()) / sigma;
+    inverse += svd.scaled_right.col(i) / sigma * left.transpose();
   }
   return inverse;
 }

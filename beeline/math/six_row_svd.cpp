@@ -31,7 +31,7 @@ void SixRowSvd::compute(const Eigen::Matrix<double, 6, Eigen::Dynamic>& a) {
         const double pp = scaled_right.col(p).squaredNorm();
         const double qq = scaled_right.col(q).squaredNorm();
         const double pq = scaled_right.col(p).dot(scaled_right.col(q));
-        if (!(std::abs(pq) > orthogonal * std::sqrt(pp * qq) + negligible)) continue;
+        if (!(std::abs(pq) > orthogonal * std::sqrt(pp) * std::sqrt(qq) + negligible)) continue;
         rotated = true;
         const double cotangent = (qq - pp) / (2 * pq);  // of twice the angle
         const double tangent = std::copysign(
@@ -49,8 +49,14 @@ SixRowSvd six_row_svd(const Eigen::Ref<const Eigen::MatrixXd>& a) {
   Eigen::Matrix<double, 6, Eigen::Dynamic> six =
       Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, a.cols());
   six.topRows(a.rows()) = a;
+  // A power of two, so that scaling is exact; without it, squares of large entries overflow.
+  const double largest_entry = a.size() == 0 ? 0 : a.cwiseAbs().maxCoeff();
+  const double scale = largest_entry > 0 ? std::exp2(std::ilogb(largest_entry)) : 1;
+  six /= scale;
   SixRowSvd svd;
   svd.compute(six);
+  svd.singular_values *= scale;
+  svd.scaled_right *= scale;
   for (int i = 0; i < 5; ++i) {
     Eigen::Index largest = 0;
     svd.singular_values.tail(6 - i).maxCoeff(&largest);

@@ -127,9 +127,27 @@ TEST(Manipulability, OfOrthonormalRowsIsOneAndOfZeroIsInfinite) {
   EXPECT_EQ(manipulability_measures(Eigen::MatrixXd::Zero(3, 4)).manipulability, 0);
 }
 
+TEST(Manipulability, ScalesWithTheJacobian) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  for (int i = 0; i < 100; ++i) {
+    const Jacobian columns = jacobian(arm, random.configuration(arm));
+    const ManipulabilityMeasures measures = manipulability_measures(columns);
+    for (const double scale : {1e-150, 1e-100, 1e100, 1e300}) {
+      const ManipulabilityMeasures scaled = manipulability_measures(scale * columns);
+      const double largest = measures.singular_values[0];
+      ASSERT_LT((scaled.singular_values / scale - measures.singular_values).norm(),
+                1e-14 * largest);
+      ASSERT_NEAR(scaled.condition, measures.condition,
+                  1e-14 * measures.condition * measures.condition);
+    }
+  }
+}
+
 TEST(Manipulability, RefusesAnEmptyMatrixAndNumbersThatAreNotFinite) {
   EXPECT_REFUSED(manipulability_measures(Eigen::MatrixXd(6, 0)), "at least one row and one column");
   EXPECT_REFUSED(manipulability_measures(Eigen::MatrixXd(0, 6)), "at least one row and one column");
+  EXPECT_REFUSED(manipulability_measures(Eigen::MatrixXd::Ones(7, 3)), "at most 6 rows, not 7");
   Eigen::MatrixXd bad = Eigen::MatrixXd::Ones(2, 2);
   bad(1, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_REFUSED(manipulability_measures(bad), "finite");
