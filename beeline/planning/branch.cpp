@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/planning/branch.h>
@@ -11,7 +12,7 @@ using namespace internal;
 
 namespace {
 
-// Approximate numbers of solutions per pose in the layered graph, each tried if the one before
+// Approximate numbers of solutions per pose in the layered graph. Each is tried if the one before
 // fails. The cost grows with the square; 16 suffice for most paths.
 constexpr int grids[] = {16, 64, 256};
 
@@ -32,7 +33,6 @@ Branch from_first_solution(const Arm& arm, const ToolPath& path, const BranchOpt
 /// workspace.
 bool refine(const Arm& arm, const ToolPath& path, const BranchOptions& options, int grid,
             const std::optional<Branch>& best) {
-  if (grid >= options.max_grid) return false;
   if (grid < grids[1] || !best) return grid < grids[1];
   if (arm.dof() > options.task.size() + 1) return false;
   Branch explained = *best;
@@ -46,7 +46,8 @@ std::optional<Branch> track_layered_graphs(const Arm& arm,
                                            const std::optional<Configuration>& start,
                                            const ToolPath& path, const BranchOptions& options) {
   std::optional<Branch> best;
-  for (const int grid : grids) {
+  for (std::size_t i = 0; i < std::size(grids); ++i) {
+    const int grid = grids[i];
     const std::vector<Knot> knots =
         search_layered_graph(arm, path, {.task = options.task, .start = start, .grid = grid}).knots;
     if (!knots.empty()) {
@@ -58,7 +59,8 @@ std::optional<Branch> track_layered_graphs(const Arm& arm,
       if (!best || branch.path_parameter > best->path_parameter) best = branch;
       if (branch) break;
     }
-    if (!refine(arm, path, options, grid, best)) break;
+    const bool finest = i + 1 == std::size(grids) || grids[i + 1] > options.max_grid;
+    if (finest || !refine(arm, path, options, grid, best)) break;
   }
   return best;
 }
@@ -88,7 +90,7 @@ std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, BranchOptio
   if (arm.dof() <= options.task.size()) return track_branches(arm, path, options);
   // Approximate number of solutions at the beginning; each is planned separately.
   constexpr int coarse = 6;
-  options.max_grid = grids[1];
+  options.max_grid = std::min(options.max_grid, grids[1]);
   const InverseResult starts = inverse_kinematics(
       arm, pose_at(path, 0),
       {.task = options.task, .all = true, .grid = coarse, .max_restarts = 4 * coarse});

@@ -43,8 +43,8 @@ struct BranchOptions {
   Task task;                           ///< default: spatial, all six rows
   Deviation tolerance = {1e-4, 1e-4};  ///< metres and radians, above 0, between samples too
   std::size_t max_samples = 200'000;   ///< of one branch; beyond it, too_many_samples
-  /// For redundant arms: the finest grid of the layered graph. Grids have 16, 64 and 256 values of
-  /// the redundant joint.
+  /// For redundant arms: max approximate number of solutions per pose in the layered graph. Grids
+  /// of 16, 64 and 256 are tried in turn, 16 always.
   int max_grid = 256;
   /// The branches whose reason for ending is determined, which takes milliseconds for each.
   enum class Reasons { all, best, none } reasons = Reasons::best;

@@ -34,7 +34,7 @@ TEST(PlanPath, FindsAMotionThatNeedsAFineGrid) {
   const BranchOptions options{.task = Task::spatial()};
   EXPECT_EQ(plan_path(arm, {}, path, options).status, MotionStatus::reached);
   BranchOptions coarse = options;
-  coarse.max_grid = 64;
+  coarse.max_grid = 100;  // grids of 16 and 64
   EXPECT_EQ(plan_path(arm, {}, path, coarse).status, MotionStatus::outside_limits);
 }
 
