@@ -162,6 +162,9 @@ TEST(ArmJson, MistakesInJointsAreNamed) {
                  "joints[1].pitch is a pitch of 0 to rounding; such a joint is revolute");
   EXPECT_REFUSED(parse_arm(with_joint(R"({"name": "j", "type": "helical", "pitch": 1e300})")),
                  "joints[1].pitch is a pitch above 1e+100 m/rad");
+  EXPECT_REFUSED(
+      parse_arm(with_joint(R"({"name": "j", "type": "helical", "screw": [0,0,1e300,0,0,1]})")),
+      "joints[1].screw has a pitch above 1e+100 m/rad");
   EXPECT_REFUSED(parse_arm(with_joint(R"({"name": "j", "type": "prismatic", "point": [0,0,0]})")),
                  "has a point; a prismatic joint has an axis only");
   EXPECT_REFUSED(

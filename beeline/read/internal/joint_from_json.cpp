@@ -130,6 +130,11 @@ Joint single_from_json(const JsonDocument& document, const Json& json) {
   const Json& type = document.need(json, "type");
   joint.name = name_from_json(document, document.need(json, "name"));
   joint.screw = screw_from_json(document, json, document.text(type));
+  if (const Json* screw = document.find(json, "screw")) {
+    if (std::abs(joint.screw.head<3>().dot(joint.screw.tail<3>())) > max_pitch) {
+      document.refuse(*screw, "has a pitch above " + number(max_pitch) + " m/rad");
+    }
+  }
   if (const Json* pitch = document.find(json, "pitch")) {
     if (std::abs(document.number(*pitch)) > max_pitch) {
       document.refuse(*pitch, "is a pitch above " + number(max_pitch) + " m/rad");
