@@ -4,7 +4,8 @@
 # Then looks for solutions that Beeline missed and for wrong ones, and compares with
 # bench/baseline.json; fails where it finds any or Beeline lost. BENCH_COUNT (poses an arm),
 # BENCH_PASSES (rounds), BENCH_REPETITIONS, BENCH_CORE, BENCH_ARMS, BENCH_COMPLETE (poses an arm),
-# BENCH_HONEST (poses in all), BENCH_SPLINES and BENCH_STEPS (of the servo) change what is run.
+# BENCH_HONEST (poses in all), BENCH_SPLINES and BENCH_STEPS (of the servo) change what is run;
+# BENCH_FOLDER replaces build/bench.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=${BENCH_FOLDER:-build/bench}
@@ -33,8 +34,8 @@ google() {
 
 # draw FILE.md XLABEL YLABEL
 draw() {
-  "$python" -B bench/draw_growth.py "$2" "$3" "${1%.md}.svg" <"$1"
-  echo -e "\nDrawn: ${1%.md}.svg"
+  "$python" -B bench/draw_growth.py "$2" "$3" "${1%.md}.svg" <"$1" &&
+    echo -e "\nDrawn: ${1%.md}.svg"
 }
 
 section "Instructions of a single call (AVX2)"
