@@ -1,4 +1,3 @@
-
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/internal/annotation.h>
 #include <beeline/draw/internal/arm_scene.h>

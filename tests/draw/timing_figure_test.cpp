@@ -201,7 +201,7 @@ TEST(PathTrace, AgreesWithTheDeviationReported) {
     const PathTrace trace = trace_path(arm, motion.trajectory.positions, path);
     ASSERT_EQ(trace.steps.size(), motion.trajectory.size() - 1);
     Deviation measured, bound;
-    for (const PathTrace::PaperPoint& point : trace.points) {
+    for (const PathTrace::Point& point : trace.points) {
       measured.position = std::max(measured.position, point.deviation.position);
       measured.orientation = std::max(measured.orientation, point.deviation.orientation);
       EXPECT_NEAR(point.deviation_vector.norm(), point.deviation.position, 1e-12);
@@ -230,7 +230,7 @@ TEST(PathTrace, ExaggeratesToWhatShows) {
     const double factor = exaggeration(trace);
     EXPECT_EQ(factor, round_step(factor));
     double most = 0;
-    for (const PathTrace::PaperPoint& point : trace.points) {
+    for (const PathTrace::Point& point : trace.points) {
       most = std::max(most, point.deviation_vector.norm());
     }
     EXPECT_GT(factor * most, 0.005);
@@ -246,7 +246,7 @@ TEST(PathTrace, OfManySamplesIsASmallPictureThatKeepsTheExtremes) {
   const PathTrace trace = trace_path(arm, motion.trajectory.positions, path);
   ASSERT_GT(trace.steps.size(), 10'000u);
   double most = 0;
-  for (const PathTrace::PaperPoint& point : trace.points)
+  for (const PathTrace::Point& point : trace.points)
     most = std::max(most, point.deviation_vector.norm());
   const Figure figure = exaggerated_figure(arm, trace, path, 1e9);
   const auto& trail = std::get<Polyline>(figure.columns[0][0].scene.items[1].shape);

@@ -57,7 +57,7 @@ Chart chart_of(const PathTrace& trace, const FollowedPath& followed, double Devi
                const char* what, const char* base) {
   double largest = rounding;
   for (const PathTrace::Step& step : trace.steps) largest = std::max(largest, step.bound.*part);
-  for (const PathTrace::PaperPoint& point : trace.points)
+  for (const PathTrace::Point& point : trace.points)
     largest = std::max(largest, point.deviation.*part);
   const Unit unit = unit_for(largest, base);
   Curve measured{.name = "measured", .colour = amber, .width = 0.9};
@@ -114,7 +114,7 @@ std::vector<Chart> deviation_charts(const PathTrace& trace, const FollowedPath& 
 double exaggeration(const PathTrace& trace) {
   constexpr double visible = 0.06;  // of the extent of the path
   double largest = 0;
-  for (const PathTrace::PaperPoint& point : trace.points)
+  for (const PathTrace::Point& point : trace.points)
     largest = std::max(largest, point.deviation_vector.norm());
   Vector3 low = trace.polyline.front(), high = low;
   for (const Vector3& point : trace.polyline) {

@@ -24,8 +24,8 @@ struct Interval {
   double begin = 0, length = 0;
 };
 
-PathTrace::PaperPoint measure(const Arm& arm, const Configuration& q, double s, std::size_t step,
-                              const Interval& interval, const Task& task) {
+PathTrace::Point measure(const Arm& arm, const Configuration& q, double s, std::size_t step,
+                         const Interval& interval, const Task& task) {
   const Pose pose = forward_kinematics(arm, q);
   if (const auto* line = std::get_if<Line>(&interval.segment))
     s = internal::nearest_fraction(*line, pose, task);

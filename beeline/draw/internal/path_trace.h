@@ -11,7 +11,7 @@ namespace beeline::internal {
 /// with joints that move in proportion.
 struct PathTrace {
   /// One measurement.
-  struct PaperPoint {
+  struct Point {
     std::size_t step = 0;   ///< the number of the later sample; 0: the beginning of a segment
     double arc_length = 0;  ///< along the path, metres
     Deviation deviation;    ///< from the segment, see deviation_from()
@@ -23,7 +23,7 @@ struct PathTrace {
     double from = 0, to = 0;  ///< arc length, metres
     Deviation bound;          ///< step_bound()
   };
-  std::vector<PaperPoint> points;
+  std::vector<Point> points;
   std::vector<Step> steps;
   std::vector<double> segment_ends;  ///< arc length at the end of each segment
   std::vector<Vector3> polyline;     ///< the path, metres
