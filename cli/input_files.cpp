@@ -26,7 +26,7 @@ void check_size(const std::string& path, const Arm& arm, const std::vector<Confi
 
 }  // namespace
 
-Trajectory fitted(const std::string& path, const Arm& arm, const Trajectory& recorded) {
+Trajectory checked_for_arm(const std::string& path, const Arm& arm, const Trajectory& recorded) {
   Trajectory trajectory;
   try {
     trajectory = matched_to(arm, recorded);
@@ -40,7 +40,7 @@ Trajectory fitted(const std::string& path, const Arm& arm, const Trajectory& rec
 }
 
 Trajectory read_recording(const std::string& path, const Arm& arm) {
-  return fitted(path, arm, read_trajectory(path));
+  return checked_for_arm(path, arm, read_trajectory(path));
 }
 
 PoseList read_waypoints(const std::string& path, const Arm& arm, const TaskArgument& task,

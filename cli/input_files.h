@@ -8,8 +8,8 @@
 
 /// The trajectory of a file with its joints in the arm's order. Throws FileError if it does not fit
 /// the arm or has a value above 1e100, whose square overflows.
-beeline::Trajectory fitted(const std::string& path, const beeline::Arm& arm,
-                           const beeline::Trajectory& recorded);
+beeline::Trajectory checked_for_arm(const std::string& path, const beeline::Arm& arm,
+                                    const beeline::Trajectory& recorded);
 
 /// A recorded trajectory, its joints in the arm's order. A file without an ending, such as a pipe,
 /// is .json if it begins with a brace and otherwise .csv.

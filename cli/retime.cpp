@@ -55,7 +55,7 @@ RetimeInput read_input(const std::string& file, const Arm& arm) {
     if (!input.has_times) input.trajectory = untimed(table);
   }
   if (input.has_times) input.trajectory = parse_trajectory(text, file);
-  input.trajectory = fitted(file, arm, input.trajectory);
+  input.trajectory = checked_for_arm(file, arm, input.trajectory);
   try {
     check_moves(input.trajectory);
   } catch (const Error& error) {

@@ -18,7 +18,7 @@ Integer whole_number(const Option& option, const std::string& text, const std::s
   const char* const last = text.data() + text.size();
   const auto [end, fault] = std::from_chars(text.data(), last, value);
   const bool whole = fault == std::errc() && end == last && !text.starts_with('-');
-  const auto [lowest, highest, above] = option.range;
+  const auto [lowest, highest, excludes_lowest] = option.range;
   if (whole && static_cast<double>(value) >= lowest && static_cast<double>(value) <= highest) {
     return value;
   }
@@ -34,8 +34,8 @@ Integer whole_number(const Option& option, const std::string& text, const std::s
 
 double real_number(const Option& option, const std::string& text, const std::string& name) {
   const double value = internal::parse_number(text, name);
-  const auto [lowest, highest, above] = option.range;
-  if (value >= lowest && value <= highest && !(above && value == lowest)) return value;
+  const auto [lowest, highest, excludes_lowest] = option.range;
+  if (value >= lowest && value <= highest && !(excludes_lowest && value == lowest)) return value;
   throw Error(name + " must be " + range_text(option) + ", not " + text);
 }
 
@@ -70,11 +70,12 @@ void assign(const Option& option, const std::string& name, const std::string& te
 }
 
 std::string range_text(const Option& option) {
-  const auto [lowest, highest, above] = option.range;
+  const auto [lowest, highest, excludes_lowest] = option.range;
   const bool from = std::isfinite(lowest), to = std::isfinite(highest);
   if (!from) return to ? "at most " + bound_text(highest) : "";
-  if (to) return "from " + bound_text(lowest) + " to " + bound_text(highest);
-  return (above ? "above " : "at least ") + bound_text(lowest);
+  if (to && !excludes_lowest) return "from " + bound_text(lowest) + " to " + bound_text(highest);
+  return (excludes_lowest ? "above " : "at least ") + bound_text(lowest) +
+         (to ? " and at most " + bound_text(highest) : "");
 }
 
 std::string default_text(const Option& option) {

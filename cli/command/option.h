@@ -16,9 +16,9 @@ using Target =
 struct Range {
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
-  bool above = false;  ///< the lowest number itself is not accepted
+  bool excludes_lowest = false;  ///< the lowest number itself is not accepted
 };
-constexpr Range above_zero{.lowest = 0, .above = true};
+constexpr Range above_zero{.lowest = 0, .excludes_lowest = true};
 constexpr Range zero_or_more{.lowest = 0};
 
 /// What a value names, for shell completion.
@@ -51,8 +51,8 @@ struct Option {
   std::vector<std::string> methods = {};  ///< needs --method with one of these values
   std::string needs = {};                 ///< another option that it needs
   std::string excludes = {};              ///< an option that it cannot be combined with
-  /// Phrases of the library's errors about this option, beside its name with underscores:
-  /// "the motion cannot start" for --from.
+  /// Phrases of the library's errors about this option, in addition to its name with
+  /// underscores: "the motion cannot start" for --from.
   std::vector<std::string> phrases = {};
 };
 

@@ -74,8 +74,8 @@ std::string library_name(const Option& option) {
   return name.find('_') == std::string::npos ? "" : name;
 }
 
-/// The library's message with the option that was typed: in place of the library's name of it, or
-/// in front if the message has one of the phrases that are declared for it.
+/// Replaces the library's name of a typed option by the option. If the message has one of the
+/// option's phrases, puts the option in front.
 std::string naming_the_option(std::string message, const Selection& selection) {
   if (selection.verb == nullptr) return message;
   for (const Option& option : all_options(*selection.verb)) {

@@ -43,9 +43,9 @@ void search_without_limits(SolverState& state, const Request& request, StageResu
                                            request.options.random_seed);
   }
   // More restarts find more postures, but most requests in this stage have no solution.
-  constexpr int enough = 100;
-  search(state, request, *state.without_limits, std::min(request.options.max_restarts, enough),
-         true, found.result);
+  constexpr int max_restarts_without_limits = 100;
+  search(state, request, *state.without_limits,
+         std::min(request.options.max_restarts, max_restarts_without_limits), true, found.result);
   const std::vector<Configuration> postures = state.search.solutions;
   for (const Configuration& q : postures) {
     if (!found.result.solutions.empty()) break;
