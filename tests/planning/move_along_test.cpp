@@ -229,6 +229,18 @@ TEST(MoveInLines, AddsNothingForWaypointsWhereTheToolIsAlready) {
   EXPECT_EQ(motion.arrivals[3], motion.arrivals[4]);
 }
 
+TEST(MoveInLines, ArrivesOnceOnEachLineFromTheFirstPose) {
+  const Arm arm = built_in("rrr");
+  const std::vector<Pose> poses{planar(4.5, 5.2, 0), planar(2, 6, 0.5), planar(3, 5, 0.2)};
+  const PathMotion motion = move_in_lines(arm, poses);
+  ASSERT_EQ(motion.status, MotionStatus::reached) << motion.reason;
+  ASSERT_EQ(motion.arrivals.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Configuration& q = motion.trajectory.positions[motion.arrivals[i]];
+    EXPECT_LT(pose_difference(forward_kinematics(arm, q), poses[i + 1]).norm(), 1e-3) << i;
+  }
+}
+
 TEST(MoveInLines, MovesOneJointArmsAlongWhatTheyCan) {
   const Arm slide("slide", {planar_link(composite_joint('P', "s").front(), 1)});
   const Configuration zero = Configuration::Zero(1);
