@@ -3,9 +3,10 @@
 Usage: peers.py FOLDER..., each as bench_inverse left it: gets peers.jsonl
 
 A peer that cannot be imported is left out, and the reason stands in its place. Times are those of
-the call from Python; the mean is CPU time, which other programs on the machine do not lengthen. `wrapper_us` is what a call takes that does almost nothing beside handing its
-arguments over (the peer's forward kinematics, as a rule): what is left of the mean without it is
-about the time inside."""
+the call from Python; the mean is CPU time, which other programs on the machine do not lengthen.
+`wrapper_us` is what a call takes that does almost nothing beside handing its arguments over (the
+peer's forward kinematics, as a rule): what is left of the mean without it is about the time
+inside."""
 
 import os
 
