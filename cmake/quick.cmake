@@ -1,7 +1,7 @@
 # What makes the build quick: a third of the time that the same files take one by one.
 
-# GCC collects garbage whenever its heap has doubled, which takes a tenth of the time; up to 500 MB it
-# need not.
+# GCC collects garbage whenever its heap has doubled, which takes a tenth of the build time. This
+# parameter defers it until the heap has 500 MB.
 add_compile_options($<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=500000>)
 
 # beeline_optimise(target -O2): instead of -O3, where -O3 takes long and gains nothing.
@@ -53,7 +53,7 @@ function(beeline_group target)
   endforeach()
 endfunction()
 
-# beeline_quick(target): so, and with a header that is compiled beforehand. The core is compiled with
+# beeline_quick(target): groups the sources as beeline_group() does and uses a precompiled header. The core is compiled with
 # -O3: with -O2 its loops over links and samples take 5 to 35 % longer, as Eigen's small products are
 # calls, and it is compiled no quicker.
 function(beeline_quick target)

@@ -39,7 +39,8 @@ const std::array<std::vector<std::string>, 3>& pose_forms();
 Pose pose_of(std::span<const double> numbers, AngleUnit unit = AngleUnit::radians);
 
 /// Reads a CSV file whose header names the columns of one form, in any order. Throws FileError for
-/// a column that is missing or unknown, and for a quaternion that is not of unit length.
+/// a column that is missing or unknown, for a quaternion that is not of unit length, and for a pose
+/// farther away than 1e100 m.
 PoseList read_poses(const std::string& path, AngleUnit unit = AngleUnit::radians);
 /// The same from a text; `path` names it in messages.
 PoseList poses_from_csv(std::string_view text, const std::string& path,

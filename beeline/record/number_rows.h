@@ -21,7 +21,8 @@ struct RowSink;
 ///   .npy   an array of numpy, of N rows
 enum class RowFormat { csv, npy };
 
-/// Throws Error for another ending.
+/// Throws Error for another ending. RowReader reads a file without an ending, such as a pipe, as
+/// .csv; another ending is a FileError.
 RowFormat row_format(const std::string& path);
 
 /// Reads a table of any length block by block: rows of finite numbers, in the order of one of the

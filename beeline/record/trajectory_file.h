@@ -29,7 +29,8 @@ std::string trajectory_text(const Trajectory& trajectory, TrajectoryFormat forma
 /// and FileError when the file cannot be written.
 void write_trajectory(const std::string& path, const Trajectory& trajectory);
 
-/// Throws FileError that names the line and the column or value.
+/// Reads a trajectory; trajectory_format(path, text) gives its format. Throws FileError that names
+/// the line and the column or value, or for another ending.
 Trajectory read_trajectory(const std::string& path);
 
 /// The same from the text of the file at `path`.

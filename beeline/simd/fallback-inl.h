@@ -8,8 +8,8 @@
 
 #include <hwy/highway.h>
 
-// Highway's fallback, for machines without SSE4, has registers of one lane. At -O3 its eight copies
-// of every operation took most of the time to compile the kernels.
+// With GCC, the target for machines without SSE4 is HWY_SCALAR, whose registers have one lane. It
+// is compiled with -O1, because at -O3 it takes most of the time to compile the kernels.
 #if HWY_TARGET == HWY_SCALAR && HWY_COMPILER_GCC_ACTUAL && defined(__OPTIMIZE__)
 #undef HWY_BEFORE_NAMESPACE
 #define HWY_BEFORE_NAMESPACE() \

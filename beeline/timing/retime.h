@@ -16,7 +16,7 @@ struct RetimeOptions {
   double tool_speed = Limits::none;  ///< limit of the tool origin's speed, m/s, 1e-9 or more
   /// Samples per second, 0 or more; 0: every sample of the path, and more between.
   double rate = 0;
-  /// Min steps that the rate has in the motion, 0 or more; Error where it has fewer.
+  /// Min number of sampling steps in the motion, 0 or more; with fewer, retime() throws Error.
   double min_steps = 4;
 };
 

@@ -79,7 +79,7 @@ bool complete(const Run& run, const std::string& name) {
               tally.missed, tally.poses_missed, tally.given / poses, tally.searched / poses,
               tally.most, tally.beyond);
   std::fflush(stdout);
-  // A search that does not find Beeline's solutions either proves nothing.
+  // If the search misses Beeline's solutions, finding no others proves nothing.
   return tally.missed == 0 && tally.beyond <= tally.given / 100;
 }
 

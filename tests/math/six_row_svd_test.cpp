@@ -24,7 +24,7 @@ void expect_decomposition(const Eigen::MatrixXd& a, double scale) {
   ASSERT_LT(gram.norm(), 1e-12 * (1 + a.squaredNorm()));
   for (int i = 0; i < 6; ++i) {
     ASSERT_NEAR(svd.singular_values[i] / scale, right.col(i).norm(), 1e-13 * (1 + a.norm()));
-    if (i > 0) ASSERT_LE(svd.singular_values[i], svd.singular_values[i - 1]);
+    ASSERT_LE(svd.singular_values[i], svd.singular_values[std::max(0, i - 1)]);
   }
 }
 

@@ -93,7 +93,7 @@ class PlanarChain {
       directions.col(static_cast<Eigen::Index>(k)) << g.real(), g.imag();
       translation -= g * preferred(prismatic_[k]);
     }
-    constexpr double parallel = 1e-12;  // sine of the angle below which directions are parallel
+    constexpr double parallel = 1e-12;  // half the angle below which directions are parallel
     const MinimumNormSolution change = minimum_norm_solution(
         directions, Eigen::Vector2d(translation.real(), translation.imag()), parallel);
     for (std::size_t k = 0; k < prismatic_.size(); ++k) {

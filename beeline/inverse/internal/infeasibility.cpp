@@ -89,7 +89,8 @@ std::optional<Infeasibility> against_slides(const Arm& arm, const std::vector<Tw
   for (int i = 0; i < 3; ++i) {
     if (!task.rows[i]) directions.row(i).setZero();
   }
-  // `parallel`: parallel prismatic joints span a line.
+  // Prismatic joints at an angle below 2 `parallel` span a line: the ratio of singular values is
+  // the tangent of half the angle.
   const double off =
       (directions * minimum_norm_solution(directions, offset, parallel).x - offset).norm();
   if (off <= tolerance) return std::nullopt;

@@ -4,7 +4,7 @@
 
 namespace beeline::internal {
 
-/// Arms of which three axes meet or are parallel, or have a loop like that: pieper_solver.h.
+/// Arms and tasks that PieperSolver covers: three axes of the closed loop meet or are parallel.
 extern const AnalyticFamily pieper_family;
 
 }  // namespace beeline::internal
