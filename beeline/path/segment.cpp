@@ -17,18 +17,18 @@ Twist joined(const Vector3& linear, const Vector3& angular) {
 }
 
 /// A motion whose orientation follows the shortest rotation at a constant rate.
-SegmentMotion rotating_motion(const Pose& from, const Pose& to, double s, const Vector3& velocity,
+PoseMotion rotating_motion(const Pose& from, const Pose& to, double s, const Vector3& velocity,
                               const Vector3& acceleration) {
   return {interpolate(from, to, s), joined(velocity, pose_difference(to, from).tail<3>()),
           joined(acceleration, Vector3::Zero())};
 }
 
-SegmentMotion motion(const Line& line, double s) {
+PoseMotion motion(const Line& line, double s) {
   return rotating_motion(line.from, line.to, s, line.to.translation() - line.from.translation(),
                          Vector3::Zero());
 }
 
-SegmentMotion motion(const ScrewLine& screw, double s) {
+PoseMotion motion(const ScrewLine& screw, double s) {
   const Twist body = se3_log(screw.from.inverse() * screw.to);
   const Pose pose = screw.from * se3_exp(s * body);
   const Vector3 velocity = pose.linear() * body.head<3>();
@@ -36,19 +36,19 @@ SegmentMotion motion(const ScrewLine& screw, double s) {
   return {pose, joined(velocity, rotation), joined(rotation.cross(velocity), Vector3::Zero())};
 }
 
-SegmentMotion motion(const Arc& arc, double s) {
+PoseMotion motion(const Arc& arc, double s) {
   // (exp(s rotation) - 1) times the radius, without cancellation where the centre is far away.
   const Vector3 radius = arc.from.translation() - arc.centre;
   const double angle = arc.rotation.norm(), half = std::sin(s * angle / 2);
   const Vector3 axis = arc.rotation / angle, across = axis.cross(radius);
   const Vector3 moved = std::sin(s * angle) * across + 2 * half * half * axis.cross(across);
   const Vector3 velocity = arc.rotation.cross(radius + moved);
-  SegmentMotion at = rotating_motion(arc.from, arc.to, s, velocity, arc.rotation.cross(velocity));
+  PoseMotion at = rotating_motion(arc.from, arc.to, s, velocity, arc.rotation.cross(velocity));
   at.pose.translation() = arc.from.translation() + moved;
   return at;
 }
 
-SegmentMotion motion(const SplineSegment& segment, double s) {
+PoseMotion motion(const SplineSegment& segment, double s) {
   Twist value = Twist::Zero(), rate = Twist::Zero(), half_second = Twist::Zero();
   for (int k = 5; k >= 0; --k) {  // Horner's scheme
     half_second = half_second * s + rate;
@@ -58,7 +58,7 @@ SegmentMotion motion(const SplineSegment& segment, double s) {
   const Vector3 r = value.tail<3>();
   const internal::RotationRates turning =
       internal::angular_motion(r, {rate.tail<3>(), 2 * half_second.tail<3>()});
-  SegmentMotion at{segment.centre, joined(rate.head<3>(), turning.velocity),
+  PoseMotion at{segment.centre, joined(rate.head<3>(), turning.velocity),
                    joined(2 * half_second.head<3>(), turning.acceleration)};
   at.pose.translation() += value.head<3>();
   at.pose.linear() = so3_exp(r) * segment.centre.linear();
@@ -110,7 +110,7 @@ Pose pose_at(const Segment& segment, double s) {
   return motion_at(segment, s).pose;
 }
 
-SegmentMotion motion_at(const Segment& segment, double s) {
+PoseMotion motion_at(const Segment& segment, double s) {
   return std::visit([s](const auto& kind) { return motion(kind, s); }, segment);
 }
 

@@ -58,14 +58,8 @@ Arc arc_through(const Pose& from, const Vector3& passed, const Pose& to);
 /// The pose (world_T_tool) at the segment parameter s.
 Pose pose_at(const Segment& segment, double s);
 
-/// A pose with its derivatives with respect to s: velocity of the tool origin and angular velocity,
-/// and the derivatives of both, in world axes; metres and radians.
-struct SegmentMotion {
-  Pose pose;
-  Twist velocity;
-  Twist acceleration;
-};
-SegmentMotion motion_at(const Segment& segment, double s);
+/// The pose at the segment parameter s, and its derivatives with respect to s.
+PoseMotion motion_at(const Segment& segment, double s);
 
 /// Path length of the tool origin, metres. Exact except for splines, which are integrated by
 /// Gauss-Legendre quadrature with 80 points (about ten digits unless the origin comes to rest).

@@ -16,6 +16,15 @@ using Pose = Eigen::Isometry3d;
 using Twist = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
+/// A pose that depends on a parameter (time, or a path parameter), with its derivatives: the
+/// velocity [v w] of its origin and its angular velocity, and the derivatives of both, in world
+/// axes; metres and radians.
+struct PoseMotion {
+  Pose pose = Pose::Identity();
+  Twist velocity = Twist::Zero();
+  Twist acceleration = Twist::Zero();
+};
+
 /// Returns the reason why `pose` is not a rigid motion, as a clause; empty if it is one. It needs
 /// finite numbers, coordinates of at most 1e100 m (beyond, squares overflow), the last row 0 0 0 1,
 /// and a right-handed rotation that is orthonormal to 1e-6, as numbers of seven digits are.

@@ -103,8 +103,8 @@ TEST(BlendedLines, HaveContinuousVelocityAndAcceleration) {
                                    [](const Blend& blend) { return blend.sharp; });
     if (sharp) continue;
     for (std::size_t k = 1; k < path.segments.size(); ++k) {
-      const SegmentMotion before = motion_at(path.segments[k - 1], 1);
-      const SegmentMotion after = motion_at(path.segments[k], 0);
+      const PoseMotion before = motion_at(path.segments[k - 1], 1);
+      const PoseMotion after = motion_at(path.segments[k], 0);
       ASSERT_LT(pose_difference(before.pose, after.pose).norm(), 1e-12);
       const Twist v = before.velocity / path.spans[k - 1], w = after.velocity / path.spans[k];
       ASSERT_LT((v - w).norm(), 1e-6 * v.norm()) << k;  // short segments are of few digits
@@ -125,7 +125,7 @@ TEST(BlendedLines, CurveNoMoreThanToldAndThatMuch) {
     const int k = segments_of(blended).front();
     if (k < 0) continue;
     for (int j = 0; j <= 20; ++j) {
-      const SegmentMotion at = motion_at(blended.path.segments[k], j / 20.0);
+      const PoseMotion at = motion_at(blended.path.segments[k], j / 20.0);
       const Vector3 v = at.velocity.head<3>(), a = at.acceleration.head<3>();
       const double curvature = v.cross(a).norm() / std::pow(v.norm(), 3);
       ASSERT_LE(curvature, blended.blends[0].curvature * (1 + 1e-9));

@@ -47,7 +47,7 @@ inline const char* kind_of(const Segment& segment) {
 
 /// A scale for tolerances: 1 plus the velocity and acceleration of the segment at its middle.
 inline double size_of(const Segment& segment) {
-  const SegmentMotion at = motion_at(segment, 0.5);
+  const PoseMotion at = motion_at(segment, 0.5);
   return 1 + at.velocity.norm() + at.acceleration.norm();
 }
 

@@ -27,7 +27,7 @@ TEST(Segment, HasTheDerivativesThatDifferencesHave) {
   for (int i = 0; i < 4000; ++i) {
     const Segment segment = random_segment(random);
     const double s = random.uniform(0.01, 0.99), size = size_of(segment);
-    const SegmentMotion at = motion_at(segment, s);
+    const PoseMotion at = motion_at(segment, s);
     const Twist ahead = pose_difference(pose_at(segment, s + h), at.pose);
     const Twist back = pose_difference(pose_at(segment, s - h), at.pose);
     ASSERT_TRUE(at.pose.isApprox(pose_at(segment, s), 1e-14));

@@ -26,7 +26,7 @@ SegmentChordBound bound_of(const Line& line, double s_a, double s_b) {
 ///     g'/2 = (cos h - k) sin x + k x (k - cos x) <= (k x - sin x)(k - cos x),
 /// where cos h <= k and k x <= sin x. If k <= cos x, the left side is not positive; otherwise the
 /// right side is not. Hence the distance is largest at t = 1/2.
-SegmentChordBound circle_bound(const SegmentMotion& middle, const Vector3& rotation, double step) {
+SegmentChordBound circle_bound(const PoseMotion& middle, const Vector3& rotation, double step) {
   const double size = middle.acceleration.head<3>().norm() * step * step;  // r f^2
   const double angle = rotation.norm() * std::abs(step);
   const double sinc = angle > 1e-8 ? std::sin(angle / 4) / (angle / 4) : 1;
@@ -41,7 +41,7 @@ SegmentChordBound circle_bound(const SegmentMotion& middle, const Vector3& rotat
 }
 
 SegmentChordBound bound_of(const ScrewLine& screw, double s_a, double s_b) {
-  const SegmentMotion middle = motion_at(screw, (s_a + s_b) / 2);
+  const PoseMotion middle = motion_at(screw, (s_a + s_b) / 2);
   return circle_bound(middle, middle.velocity.tail<3>(), s_b - s_a);
 }
 

@@ -33,7 +33,7 @@ double refined(const ToolPath& path, const Task& task, const Pose& pose, double 
                double high, std::size_t last) {
   for (int i = 0; i < max_newton_steps; ++i) {
     const std::size_t k = std::min(static_cast<std::size_t>(s), last);  // where two meet, the next
-    const SegmentMotion motion = motion_at(path.segments[k], s - static_cast<double>(k));
+    const PoseMotion motion = motion_at(path.segments[k], s - static_cast<double>(k));
     const Twist rate = weighted(task, motion.velocity);
     const Twist error = weighted(task, pose_difference(pose, motion.pose));
     const double square = rate.squaredNorm();

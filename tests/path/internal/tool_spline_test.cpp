@@ -15,8 +15,8 @@ using testing::random_poses;
 constexpr PathKind all_kinds[] = {PathKind::line, PathKind::screw, PathKind::arc, PathKind::spline};
 
 /// The path's derivatives by its parameter, in segment k at its share s.
-SegmentMotion by_parameter(const ToolPath& path, std::size_t k, double s) {
-  SegmentMotion at = motion_at(path.segments[k], s);
+PoseMotion by_parameter(const ToolPath& path, std::size_t k, double s) {
+  PoseMotion at = motion_at(path.segments[k], s);
   at.velocity /= path.spans[k];
   at.acceleration /= path.spans[k] * path.spans[k];
   return at;
@@ -29,13 +29,13 @@ TEST(PathThrough, SplinesHaveContinuousVelocitiesAndAccelerations) {
     const auto poses = random_poses(random, random.integer(3, 12), 1, angle);
     const ToolPath path = path_through(poses, PathKind::spline);
     for (std::size_t k = 1; k < path.segments.size(); ++k) {
-      const SegmentMotion before = by_parameter(path, k - 1, 1), after = by_parameter(path, k, 0);
+      const PoseMotion before = by_parameter(path, k - 1, 1), after = by_parameter(path, k, 0);
       const double size = 1 + before.velocity.norm() + before.acceleration.norm();
       ASSERT_LT((before.velocity - after.velocity).norm(), 1e-11 * size);
       ASSERT_LT((before.acceleration - after.acceleration).norm(), 1e-10 * size * size);
     }
     const std::size_t last = path.segments.size() - 1;
-    const SegmentMotion end = by_parameter(path, last, 1);
+    const PoseMotion end = by_parameter(path, last, 1);
     ASSERT_LT(by_parameter(path, 0, 0).acceleration.norm(), 1e-9);
     ASSERT_LT(end.acceleration.norm(), 1e-9 * (1 + end.velocity.squaredNorm()));
   }
@@ -130,7 +130,7 @@ TEST(PathThrough, SplinesOfTurnsAboutOneAxisTurnAboutItAlone) {
     for (Pose& pose : poses) pose.linear() = so3_exp(axis * random.uniform(-1, 1));
     const ToolPath path = path_through(poses, PathKind::spline);
     for (std::size_t k = 0; k < path.segments.size(); ++k) {
-      const SegmentMotion at = motion_at(path.segments[k], random.uniform(0, 1));
+      const PoseMotion at = motion_at(path.segments[k], random.uniform(0, 1));
       ASSERT_LT(at.velocity.tail<3>().cross(axis).norm(), 1e-12);
     }
   }

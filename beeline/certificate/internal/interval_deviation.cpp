@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <beeline/certificate/internal/interval_deviation.h>
+#include <beeline/certificate/internal/path_step.h>
+#include <beeline/certificate/internal/segment_taylor_bound.h>
+#include <beeline/certificate/internal/tool_error.h>
+#include <beeline/kinematics/internal/tool_motion.h>
+#include <beeline/kinematics/internal/tool_taylor_bound.h>
+#include <beeline/path/internal/following.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr int max_depth = 10;            // of halving
+constexpr double small_remainder = 0.2;  // of a bound that is not refined
+constexpr double finest = 1e-13;         // metres and radians; smaller bounds are not refined
+
+/// Hermite's remainder |e - H| <= |e^(6)| / 46080 from a bound on |e^(6)| / 6!.
+constexpr double remainder_factor = 1.0 / 64;
+
+/// The value and first two derivatives of a polynomial.
+std::array<double, 3> jet(const Polynomial& p, double u) {
+  const Polynomial d = p.derivative();
+  return {p(u), d(u), d.derivative()(u)};
+}
+
+class IntervalProof {
+ public:
+  IntervalProof(const Arm& arm, const Segment& segment, const Task& task, const Deviation& known)
+      : arm_(arm), segment_(segment), task_(task), error_(arm, segment, task), known_(known) {}
+
+  IntervalDeviation run(const Interval& interval) {
+    const End begin = end(interval, 0), last = end(interval, 1);
+    refine(interval, begin, last, 0);
+    grow(result_.bound, result_.measured);
+    return result_;
+  }
+
+ private:
+  struct End {
+    ToolError error;
+    double distance = 0;    ///< between the origins of tool and segment
+    double angle = 0;       ///< between their orientations, free rows included
+    double row_length = 0;  ///< of a line in the task's position rows
+  };
+
+  End end(const Interval& interval, double u) {
+    const auto n = static_cast<Eigen::Index>(interval.coordinates.size());
+    Configuration q(n), dq(n), ddq(n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const auto [value, first, second] = jet(interval.coordinates[static_cast<std::size_t>(k)], u);
+      q[k] = value;
+      dq[k] = first;
+      ddq[k] = second;
+    }
+    const auto [s, ds, dds] = jet(interval.s, u);
+    const PoseMotion tool = tool_motion(arm_, q, dq, ddq);
+    const PoseMotion path = motion_along(segment_, s, {ds, dds});
+    grow(result_.measured, deviation_from(segment_, std::clamp(s, 0.0, 1.0), tool.pose, task_));
+    const Twist difference = pose_difference(path.pose, tool.pose);
+    End at{error_.at(tool, path), difference.head<3>().norm(), difference.tail<3>().norm()};
+    if (const auto* line = std::get_if<Line>(&segment_)) {
+      const Vector3 whole = line->to.translation() - line->from.translation();
+      at.row_length = in_position_rows(task_, tool.pose, whole).norm();
+    }
+    return at;
+  }
+
+  void refine(const Interval& interval, const End& a, const End& b, int depth) {
+    Extremes s = enclosure(interval.s);
+    if (s.smallest < 0 || s.largest > 1) s = extremes(interval.s);
+    const SegmentTaylorBound segment = segment_taylor_bound(segment_, s.smallest, s.largest);
+    const TaylorBound s_bound = taylor_bound(interval.s);
+    const ToolTaylorBound tool = tool_taylor_bound(arm_, interval.coordinates);
+    const TaylorBound orientation = exponential(composed(segment.rotation, s_bound));
+    TaylorBound distance = tool.position + composed(segment.position, s_bound);
+    distance.c[0] = std::max(a.distance, b.distance) + distance.c[1] / 2;
+    const double rotation = tool.orientation.c[1] + orientation.c[1];
+    const ToolErrorRows::Range range{
+        .angle = std::max(a.angle, b.angle) + rotation / 2,
+        .s_min = s.smallest,
+        .s_max = s.largest,
+        .row_length = std::max(a.row_length, b.row_length) - segment.position.c[1] * rotation};
+    const Deviation remainder =
+        error_.remainder(distance, tool.orientation, orientation, remainder_factor);
+    Deviation bound = error_.bound(a.error, b.error, remainder, range);
+    const double beyond = std::max({0.0, -s.smallest, s.largest - 1});
+    bound.position += beyond * segment.position.c[1];
+    bound.orientation =
+        std::min(bound.orientation + beyond * segment.rotation.c[1], std::numbers::pi);
+    if (depth == max_depth || (settled(&Deviation::position, bound, remainder) &&
+                               settled(&Deviation::orientation, bound, remainder))) {
+      grow(result_.bound, bound);
+      return;
+    }
+    const End middle = end(interval, 0.5);
+    refine(part(interval, 0, 0.5), halved(a), halved(middle), depth + 1);
+    refine(part(interval, 0.5, 1), halved(middle), halved(b), depth + 1);
+  }
+
+  bool settled(double Deviation::*part, const Deviation& bound, const Deviation& remainder) const {
+    return bound.*part <= std::max({finest, known_.*part, result_.measured.*part}) ||
+           remainder.*part <= small_remainder * (bound.*part);
+  }
+
+  static End halved(End end) {
+    end.error.rescale(0.5);
+    return end;
+  }
+
+  const Arm& arm_;
+  const Segment& segment_;
+  const Task& task_;
+  ToolErrorRows error_;
+  Deviation known_;
+  IntervalDeviation result_;
+};
+
+}  // namespace
+
+Interval part(const Interval& interval, double from, double to) {
+  Interval result{{}, interval.s.part(from, to)};
+  for (const Polynomial& p : interval.coordinates) result.coordinates.push_back(p.part(from, to));
+  return result;
+}
+
+IntervalDeviation interval_deviation(const Arm& arm, const Segment& segment, const Task& task,
+                                     const Interval& interval, const Deviation& known) {
+  return IntervalProof(arm, segment, task, known).run(interval);
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include <beeline/kinematics/task.h>
+#include <beeline/math/polynomial.h>
+#include <beeline/model/arm.h>
+#include <beeline/path/segment.h>
+
+namespace beeline::internal {
+
+/// The motion of the joints between two samples, or in a part of that interval, along one segment:
+/// polynomials of u from 0 to 1.
+struct Interval {
+  std::vector<Polynomial> coordinates;
+  Polynomial s;  ///< the segment parameter that belongs to the coordinates
+};
+
+/// The part of the interval with u in [from, to].
+Interval part(const Interval& interval, double from, double to);
+
+/// The deviation of the tool from the segment in an interval: `measured` at its ends and at the
+/// points where it was divided, and a proved bound at all times.
+struct IntervalDeviation {
+  Deviation measured, bound;
+};
+
+/// Let e(u) = tool(q(u)) - segment(s(u)), in the rows of the task; for orientations the difference
+/// of the rotation matrices. The quintic polynomial H that has e's values and first two derivatives
+/// at both ends satisfies
+///     |e(u) - H(u)| <= max |e^(6)| / 46080,
+/// and |H| is at most the largest of its Bernstein coefficients. The sixth derivatives of tool and
+/// segment are bounded by tool_taylor_bound() and segment_taylor_bound(). Where the remainder
+/// dominates, the interval is divided into halves: the remainder of a half is 1/64.
+///
+/// On a line by position only the component of e across the line counts, as the nearest point of
+/// the line is the one to compare with. An s(u) outside [0, 1] counts as the segment's end. Bounds
+/// that are not above `known` are not refined.
+IntervalDeviation interval_deviation(const Arm& arm, const Segment& segment, const Task& task,
+                                     const Interval& interval, const Deviation& known = {});
+
+}  // namespace beeline::internal

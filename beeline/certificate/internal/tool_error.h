@@ -1,0 +1,79 @@
+#pragma once
+
+#include <optional>
+
+#include <beeline/kinematics/internal/taylor_bound.h>
+#include <beeline/kinematics/task.h>
+#include <beeline/path/internal/nearest_on_line.h>
+#include <beeline/path/segment.h>
+
+namespace beeline::internal {
+
+/// A vector or matrix with its first and second derivative.
+template <class Value>
+struct Jet {
+  Value value = Value::Zero(), first = Value::Zero(), second = Value::Zero();
+
+  void rescale(double k) {  // of the parameter, which is k times the old one
+    first *= k;
+    second *= k * k;
+  }
+};
+
+/// The error e of interval_deviation.h: a position in metres, and a difference of rotation matrices
+/// of which only the rows or columns of the task count.
+struct ToolError {
+  Jet<Vector3> position;
+  Jet<Eigen::Matrix3d> orientation;
+
+  void rescale(double k) {
+    position.rescale(k);
+    orientation.rescale(k);
+  }
+};
+
+/// The rows of a task in which the tool's error along a segment is bounded.
+class ToolErrorRows {
+ public:
+  ToolErrorRows(const Arm& arm, const Segment& segment, const Task& task);
+
+  ToolError at(const PoseMotion& tool, const PoseMotion& path) const;
+
+  /// `factor` times the sixth Taylor bounds of the error, from those of the distance between the
+  /// origins and of both rotation matrices.
+  Deviation remainder(const TaylorBound& distance, const TaylorBound& tool, const TaylorBound& path,
+                      double factor) const;
+
+  /// What else the bound depends on, over the whole interval.
+  struct Range {
+    double angle = 0;             ///< bounds the angle between the orientations, free rows included
+    double s_min = 0, s_max = 1;  ///< of s(u)
+    double row_length = 0;  ///< the least length of a line in the task's position rows, metres
+  };
+
+  /// Bounds the deviation on an interval with these errors at its ends. On a line it is that from
+  /// the nearest point (nearest_on_line.h), whose parameter is not s(u).
+  Deviation bound(const ToolError& a, const ToolError& b, const Deviation& remainder,
+                  const Range& range) const;
+
+ private:
+  /// The form of the orientation error.
+  enum class Orientation {
+    none,
+    whole,        ///< R - P
+    axis,         ///< (R - P) e or its transpose's: the orientation row along e is free
+    rotation_row  ///< the antisymmetric part of the relative rotation: two rows are free
+  };
+
+  double orientation_bound(double chord, double angle) const;
+  Deviation at_nearest(const Deviation& at_s, double beside, const Range& range) const;
+
+  Task task_;
+  bool rotating_rows_ = false;  ///< some position rows free, in tool axes
+  Orientation orientation_ = Orientation::none;
+  int row_ = 0;  ///< the free row (axis), or the only one (rotation_row)
+  std::optional<LineExtent> line_;
+  Vector3 direction_ = Vector3::Zero();  ///< of a line by position, whose rows do not rotate
+};
+
+}  // namespace beeline::internal

@@ -1,0 +1,48 @@
+#include <beeline/kinematics/internal/mask.h>
+#include <beeline/path/internal/following.h>
+#include <beeline/path/internal/nearest_on_line.h>
+#include <beeline/path/tool_path.h>
+
+namespace beeline::internal {
+namespace {
+
+/// The components in which the parameter of a segment is determined, rotations in metres.
+Twist weighted(const Segment& segment, const Task& task, const Rotation& world_R_tool,
+               Twist twist) {
+  if (task.frame == Frame::tool) {
+    twist << world_R_tool.transpose() * twist.head<3>(), world_R_tool.transpose() * twist.tail<3>();
+  }
+  twist = masked(task, twist);
+  twist.tail<3>() *= metres_per_radian;
+  const auto* line = std::get_if<Line>(&segment);
+  if (line == nullptr) return twist;
+  const LineExtent extent = extent_of(*line, task);
+  if (extent.by_position()) twist.tail<3>().setZero();
+  if (extent.by_rotation()) twist.head<3>().setZero();
+  return twist;
+}
+
+}  // namespace
+
+ParameterRates following(const Segment& segment, double s, const Task& task,
+                         const PoseMotion& tool) {
+  constexpr double at_rest = 1e-24;  // squared metres
+  const PoseMotion path = motion_at(segment, s);
+  const auto rows = [&](const Twist& twist) {
+    return weighted(segment, task, tool.pose.linear(), twist);
+  };
+  const Twist along = rows(path.velocity);
+  const double square = along.squaredNorm();
+  if (!(square > at_rest)) return {};
+  const double first = along.dot(rows(tool.velocity)) / square;
+  const Twist rest = tool.acceleration - first * first * path.acceleration;
+  return {first, along.dot(rows(rest)) / square};
+}
+
+PoseMotion motion_along(const Segment& segment, double s, const ParameterRates& rates) {
+  const PoseMotion motion = motion_at(segment, s);
+  return {motion.pose, rates.first * motion.velocity,
+          rates.first * rates.first * motion.acceleration + rates.second * motion.velocity};
+}
+
+}  // namespace beeline::internal

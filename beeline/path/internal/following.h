@@ -1,0 +1,23 @@
+#pragma once
+
+#include <beeline/kinematics/task.h>
+#include <beeline/path/segment.h>
+
+namespace beeline::internal {
+
+/// First and second derivative of a segment parameter.
+struct ParameterRates {
+  double first = 0, second = 0;
+};
+
+/// Returns the rates with which the segment's pose at s best follows the tool's motion: least
+/// squares of the difference of the velocities, then of the accelerations, in the rows of the task,
+/// rotations weighted by metres_per_radian. On a line by position or by rotation alone
+/// (nearest_on_line.h). Zero where the segment is at rest in these rows.
+ParameterRates following(const Segment& segment, double s, const Task& task,
+                         const PoseMotion& tool);
+
+/// The motion of the segment's pose at s, with respect to the variable of these rates of s.
+PoseMotion motion_along(const Segment& segment, double s, const ParameterRates& rates);
+
+}  // namespace beeline::internal
