@@ -236,7 +236,7 @@ TEST(PathTrace, ExaggeratesToWhatShows) {
     EXPECT_GT(factor * most, 0.005);
     EXPECT_LT(factor * most, 0.05);
     const Figure figure = exaggerated_figure(arm, trace, path, factor);
-    EXPECT_NE(figure.columns[0][0].caption.find("× "), std::string::npos);
+    EXPECT_NE(figure.columns[0][0].caption.find("×\u00a0"), std::string::npos);
     expect_within_page(timing_figure(arm, motion.trajectory, {.path = path}), "panda");
   }
 }
