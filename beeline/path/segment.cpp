@@ -18,7 +18,7 @@ Twist joined(const Vector3& linear, const Vector3& angular) {
 
 /// A motion whose orientation follows the shortest rotation at a constant rate.
 PoseMotion rotating_motion(const Pose& from, const Pose& to, double s, const Vector3& velocity,
-                              const Vector3& acceleration) {
+                           const Vector3& acceleration) {
   return {interpolate(from, to, s), joined(velocity, pose_difference(to, from).tail<3>()),
           joined(acceleration, Vector3::Zero())};
 }
@@ -59,7 +59,7 @@ PoseMotion motion(const SplineSegment& segment, double s) {
   const internal::RotationRates turning =
       internal::angular_motion(r, {rate.tail<3>(), 2 * half_second.tail<3>()});
   PoseMotion at{segment.centre, joined(rate.head<3>(), turning.velocity),
-                   joined(2 * half_second.head<3>(), turning.acceleration)};
+                joined(2 * half_second.head<3>(), turning.acceleration)};
   at.pose.translation() += value.head<3>();
   at.pose.linear() = so3_exp(r) * segment.centre.linear();
   return at;

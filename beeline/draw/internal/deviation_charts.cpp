@@ -143,8 +143,8 @@ Figure exaggerated_figure(const Arm& arm, const PathTrace& trace, const Followed
   Panel panel{.scene = std::move(scene)};
   panel.view = arm.planar() ? top_view() : oblique_view(-0.87, 0.44);
   panel.caption = factor > 1
-                      ? "trail of the tool, its deviation from the path ×\u00a0" + fixed(factor, 0) +
-                            (dense(trace) ? " (largest of each step)" : "")
+                      ? "trail of the tool, its deviation from the path ×\u00a0" +
+                            fixed(factor, 0) + (dense(trace) ? " (largest of each step)" : "")
                       : "trail of the tool, to scale";
   Figure figure;
   figure.columns = {{std::move(panel)}};

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <beeline/kinematics/internal/tool_taylor_bound.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/internal/tool_taylor_bound.h>
 
 namespace beeline::internal {
 

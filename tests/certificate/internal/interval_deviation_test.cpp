@@ -75,10 +75,10 @@ TEST(IntervalDeviation, HoldsForEverySegment) {
   EXPECT_LT(ratios[ratios.size() * 9 / 10], 2);
 }
 
-const std::vector<std::string> task_names = {"spatial",     "position",    "planar",      "111110:tool",
-                                        "001000",      "110001",      "000111",      "000001",
-                                        "110111:tool", "001000:tool", "111001",      "111110",
-                                        "100100:tool", "000110",      "110110:tool", "101011:tool"};
+const std::vector<std::string> task_names = {
+    "spatial",     "position", "planar",      "111110:tool", "001000", "110001",
+    "000111",      "000001",   "110111:tool", "001000:tool", "111001", "111110",
+    "100100:tool", "000110",   "110110:tool", "101011:tool"};
 
 TEST(IntervalDeviation, HoldsForEveryTaskOnLines) {
   testing::Random random;

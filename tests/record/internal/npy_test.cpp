@@ -25,9 +25,8 @@ std::string file_of(const std::string& dictionary, const std::string& data, int 
 }
 
 std::string bytes_of(const std::vector<double>& numbers) {
-  std::string bytes(8 * numbers.size(), '\0');
-  std::memcpy(bytes.data(), numbers.data(), bytes.size());
-  return bytes;
+  const auto* first = reinterpret_cast<const char*>(numbers.data());
+  return numbers.empty() ? std::string() : std::string(first, 8 * numbers.size());
 }
 
 /// All rows of a file, read in blocks of `most`.
