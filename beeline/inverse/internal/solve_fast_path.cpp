@@ -6,7 +6,7 @@ namespace beeline::internal {
 
 std::optional<int> solve_fast_path(SolverState& state, const Pose& goal,
                                    const ConfigurationRef& seed,
-                                   Eigen::Ref<Eigen::MatrixXd> solutions) {
+                                   const Eigen::Ref<Eigen::MatrixXd>& solutions) {
   const InverseOptions& options = state.options;
   if (options.time_limit || seed.cwiseAbs().maxCoeff() > farthest_seed) return std::nullopt;
   if (state.family) {

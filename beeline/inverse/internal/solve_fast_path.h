@@ -11,6 +11,6 @@ namespace beeline::internal {
 /// closed form is checked by closing the loop. Does not allocate in the ordinary case.
 std::optional<int> solve_fast_path(SolverState& state, const Pose& goal,
                                    const ConfigurationRef& seed,
-                                   Eigen::Ref<Eigen::MatrixXd> solutions);
+                                   const Eigen::Ref<Eigen::MatrixXd>& solutions);
 
 }  // namespace beeline::internal
