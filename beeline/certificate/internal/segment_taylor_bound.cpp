@@ -26,14 +26,8 @@ TaylorBound polynomial_bound(const Matrix6& terms, int first, double from, doubl
   for (int row = first; row < first + 3; ++row) {
     Polynomial p;
     for (int k = 0; k < 6; ++k) p.c[static_cast<std::size_t>(k)] = terms(row, k);
-    double factorial = 1;
-    for (std::size_t n = 0; n < Polynomial::terms; ++n) {
-      const auto [smallest, largest] = enclosure(p.part(from, to));
-      const double c = std::max(-smallest, largest) / factorial;
-      square.c[n] += c * c;
-      p = p.derivative();
-      factorial *= static_cast<double>(n + 1);
-    }
+    const TaylorBound bound = taylor_bound(p, from, to);
+    for (std::size_t n = 0; n < TaylorBound::terms; ++n) square.c[n] += bound.c[n] * bound.c[n];
   }
   for (double& c : square.c) c = std::sqrt(c);
   return square;

@@ -6,7 +6,8 @@
 
 namespace beeline::internal {
 
-TaylorBound taylor_bound(const Polynomial& p) {
+TaylorBound taylor_bound(const Polynomial& p, double from, double to) {
+  const bool whole = from == 0 && to == 1;
   TaylorBound bound;
   Polynomial derivative = p;
   double factorial = 1;
@@ -15,7 +16,7 @@ TaylorBound taylor_bound(const Polynomial& p) {
       derivative = derivative.derivative();
       factorial *= static_cast<double>(n);
     }
-    const auto [smallest, largest] = enclosure(derivative);
+    const auto [smallest, largest] = enclosure(whole ? derivative : derivative.part(from, to));
     bound.c[n] = std::max(-smallest, largest) / factorial;
   }
   return bound;

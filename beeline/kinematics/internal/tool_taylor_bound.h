@@ -8,9 +8,9 @@
 
 namespace beeline::internal {
 
-/// Bounds on the Taylor coefficients of a polynomial on [0, 1], by its derivatives' Bernstein
-/// coefficients.
-TaylorBound taylor_bound(const Polynomial& p);
+/// Bounds on the Taylor coefficients of a polynomial on [from, to], by its derivatives' Bernstein
+/// coefficients there.
+TaylorBound taylor_bound(const Polynomial& p, double from = 0, double to = 1);
 
 /// Bounds on the Taylor coefficients of the tool's pose while the coordinates are polynomials of u
 /// from 0 to 1; metres.
