@@ -50,11 +50,11 @@
 #include <beeline/pose/so3.h>
 #include <beeline/read/arm.h>
 #include <beeline/read/arm_json.h>
+#include <beeline/read/joint_limits.h>
 #include <beeline/read/joint_string.h>
 #include <beeline/read/pose_list.h>
 #include <beeline/read/urdf.h>
 #include <beeline/record/number_rows.h>
-#include <beeline/record/row_block.h>
 #include <beeline/record/trajectory_file.h>
 #include <beeline/timing/point_to_point.h>
 #include <beeline/timing/profile.h>

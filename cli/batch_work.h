@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <beeline/batch/batch.h>
-#include <beeline/record/row_block.h>
+#include <beeline/record/number_rows.h>
 
 #include "inverse_argument.h"
 

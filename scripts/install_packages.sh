@@ -4,8 +4,8 @@
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config
-       libeigen3-dev libhwy-dev libtbb-dev libtinyxml2-dev nlohmann-json3-dev libcli11-dev libfmt-dev libfast-float-dev
-       libcairo2-dev)
+       libeigen3-dev libhwy-dev libtbb-dev libtinyxml2-dev libyaml-cpp-dev nlohmann-json3-dev
+       libcli11-dev libfmt-dev libfast-float-dev libcairo2-dev)
 test=(libgtest-dev python3 python3-pytest python3-numpy python3-jsonschema)
 peers=(python3 python3-venv)
 bench=(libbenchmark-dev liborocos-kdl-dev python3 python3-venv valgrind)

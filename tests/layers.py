@@ -25,6 +25,7 @@ LIBRARIES = {  # the first part of the include: the folders that may use it, in 
     "oneapi": {"batch"},
     "tbb": {"batch"},
     "tinyxml2": {"read"},
+    "yaml": {"read"},
 }
 UMBRELLA = "beeline/beeline.h"  # includes every public header
 # Not installed: all of these folders, every internal/ and -inl.h.

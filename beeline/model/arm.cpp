@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 #include <ostream>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -209,6 +210,45 @@ std::vector<std::string> Arm::joint_names() const {
 
 Arm with_tool(const Arm& arm, const Pose& tool) {
   return {arm.name(), arm.joints(), tool, arm.base()};
+}
+
+Arm with_limits(const Arm& arm, const std::map<std::string, LimitOverrides>& limits) {
+  std::vector<Joint> joints = arm.joints();
+  for (const auto& [name, overrides] : limits) {
+    const auto joint = std::find_if(joints.begin(), joints.end(),
+                                    [&](const Joint& known) { return known.name == name; });
+    if (joint == joints.end()) {
+      std::vector<std::string> names;
+      for (const Joint& known : joints) names.push_back(known.name);
+      throw Error("limits for an " + std::string(unknown_name("joint", name, names).what()));
+    }
+    joint->limits = overridden(joint->limits, overrides);
+  }
+  return {arm.name(), std::move(joints), arm.tool(), arm.base()};
+}
+
+Arm with_speed_scale(const Arm& arm, double k) {
+  constexpr double min_scale = 1e-6;  // its cube scales the jerk and must remain far above rounding
+  if (!(k >= min_scale && k <= 1)) {
+    throw Error("the speed scale must be from " + number(min_scale) + " to 1, not " + number(k));
+  }
+  std::vector<Joint> joints = arm.joints();
+  for (Joint& joint : joints) {
+    Limits& limits = joint.limits;
+    const std::tuple<const char*, double&, double> rates[] = {
+        {"velocity", limits.velocity, k},
+        {"acceleration", limits.acceleration, k * k},
+        {"jerk", limits.jerk, k * k * k}};
+    for (const auto& [quantity, limit, factor] : rates) {
+      limit *= factor;
+      if (limit >= Limits::min_rate) continue;
+      throw Error("the speed scale " + number(k) + " is too small: the " + quantity +
+                  " limit of joint " + joint.name + " would be " + number(limit) + ", below " +
+                  number(Limits::min_rate));
+    }
+    limits.speed_scale *= k;
+  }
+  return {arm.name(), std::move(joints), arm.tool(), arm.base()};
 }
 
 void check_configuration(const Arm& arm, const ConfigurationRef& q) {

@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 #include <iosfwd>
+#include <map>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -102,6 +103,17 @@ class Arm {
 
 /// Returns a copy with another tool.
 Arm with_tool(const Arm& arm, const Pose& tool);
+
+/// Returns a copy in which the joints with these names have these limits. Throws Error for the name
+/// of a joint that the arm does not have, and for limits that Arm refuses.
+Arm with_limits(const Arm& arm, const std::map<std::string, LimitOverrides>& limits);
+
+/// Returns a copy with the speed scale k from 1e-6 to 1: velocity limits are multiplied by k,
+/// acceleration limits by k^2, jerk limits by k^3, so a motion at its limits takes 1/k of the time
+/// on the same path (Lynch & Park, section 9.1). Limits that are not known remain unknown; those
+/// that a motion assumes instead are scaled too. Throws Error for another k, and when a
+/// limit would be below Limits::min_rate.
+Arm with_speed_scale(const Arm& arm, double k);
 
 /// Throws Error unless q has arm.dof() values, all finite.
 void check_configuration(const Arm& arm, const ConfigurationRef& q);

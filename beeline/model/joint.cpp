@@ -22,6 +22,15 @@ Vector3 direction(const Vector3& axis) {
 
 }  // namespace
 
+Limits overridden(const Limits& limits, const LimitOverrides& overrides) {
+  return {.lower = overrides.lower.value_or(limits.lower),
+          .upper = overrides.upper.value_or(limits.upper),
+          .velocity = overrides.velocity.value_or(limits.velocity),
+          .acceleration = overrides.acceleration.value_or(limits.acceleration),
+          .jerk = overrides.jerk.value_or(limits.jerk),
+          .speed_scale = limits.speed_scale};
+}
+
 JointKind kind(const Joint& joint) {
   if (joint.screw.tail<3>().isZero(0)) return JointKind::prismatic;
   return pitch(joint) != 0 ? JointKind::helical : JointKind::revolute;

@@ -26,7 +26,22 @@ struct Limits {
   double velocity = none;      ///< |dq/dt|
   double acceleration = none;  ///< |d2q/dt2|
   double jerk = none;          ///< |d3q/dt3|
+  /// The speed scale k that the limits have been multiplied by: velocity by k, acceleration by k^2,
+  /// jerk by k^3. What is assumed in the place of unknown limits is multiplied likewise.
+  double speed_scale = 1;
 };
+
+/// Limits that replace those of a joint, in the same units; a limit that is not set stays.
+/// Limits::none, or -Limits::none for `lower`, states that there is no limit, or none is known.
+struct LimitOverrides {
+  std::optional<double> lower = std::nullopt;
+  std::optional<double> upper = std::nullopt;
+  std::optional<double> velocity = std::nullopt;
+  std::optional<double> acceleration = std::nullopt;
+  std::optional<double> jerk = std::nullopt;
+};
+
+Limits overridden(const Limits& limits, const LimitOverrides& overrides);
 
 /// The excess over a position limit that counts as rounding, rad or m.
 inline constexpr double position_slack = 1e-9;

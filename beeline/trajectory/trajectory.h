@@ -14,7 +14,8 @@ constexpr double assumed_velocity_limit = 1.0;
 /// The velocity limit that motions keep, radians or metres per second: the joint's own where it is
 /// known, else the assumed one.
 constexpr double velocity_limit_of(const Limits& limits) {
-  return limits.velocity < Limits::none ? limits.velocity : assumed_velocity_limit;
+  return limits.velocity < Limits::none ? limits.velocity
+                                        : limits.speed_scale * assumed_velocity_limit;
 }
 
 /// A joint motion with time, as plain data. Sample k is positions[k] at times[k]; velocities and

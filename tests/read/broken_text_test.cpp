@@ -4,11 +4,13 @@
 
 #include <beeline/model/catalog.h>
 #include <beeline/read/arm_json.h>
+#include <beeline/read/joint_limits.h>
 #include <beeline/read/joint_string.h>
 #include <beeline/read/pose_list.h>
 #include <beeline/read/urdf.h>
 
 #include <tests/random.h>
+#include <tests/read/limits_samples.h>
 #include <tests/read/urdf_samples.h>
 #include <tests/refusal.h>
 
@@ -27,6 +29,12 @@ struct Case {
   std::string bytes;  // that matter to the format
 };
 
+Arm arm_with(const std::string& joint) {
+  std::vector<Joint> joints = built_in("rrr").joints();
+  joints[1].name = joint;
+  return {"a", joints};
+}
+
 std::vector<Case> cases() {
   const std::string composite = R"({"name": "a", "joints": [
     {"name": "s", "type": "spherical", "origin": {"xyz": [1, 0, 0], "rpy": [0, 1, 0]}},
@@ -44,6 +52,11 @@ std::vector<Case> cases() {
       {"dh", dh, json, "{}[]\",:\\-+.e019 \n"},
       {"poses", "# c\nx,y,z,qw,qx,qy,qz\n1,2,3,1,0,0,0\n\"1\",2,-3e-1,0,1,0,0\n",
        [](const std::string& text) { poses_from_csv(text, "a.csv"); }, ",\"#\n\r-+.e01 "},
+      {"limits", testing::ur_limits,
+       [](const std::string& text) {
+         joint_limits_from_text(text, "l.yaml", arm_with("elbow_joint"));
+       },
+       ":-[]{},#&*!'\"|> \n?~.e01"},
       {"joint string", "RPHSCEU:1,0@90,0.2p0.05,1,-1e-3@-45,2,3",
        [](const std::string& text) {
          if (is_joint_string(text)) arm_from_joint_string(text);

@@ -27,26 +27,7 @@ double number_or(const JsonDocument& document, const Json& object, const char* k
 }
 
 Limits limits_from_json(const JsonDocument& document, const Json& json) {
-  document.check_keys(json, {"lower", "upper", "velocity", "acceleration", "jerk"});
-  const auto rate = [&](const char* key) {
-    const Json* found = document.find(json, key);
-    const double value = number_or(document, json, key, Limits::none);
-    if (!(value >= Limits::min_rate)) {
-      document.refuse(*found, "must be at least " + number(Limits::min_rate) +
-                                  "; omit it when it is not known");
-    }
-    return value;
-  };
-  const Limits limits{.lower = number_or(document, json, "lower", -Limits::none),
-                      .upper = number_or(document, json, "upper", Limits::none),
-                      .velocity = rate("velocity"),
-                      .acceleration = rate("acceleration"),
-                      .jerk = rate("jerk")};
-  if (limits.lower > limits.upper) {
-    document.refuse(json, "are inconsistent: lower " + number(limits.lower) + " exceeds upper " +
-                              number(limits.upper));
-  }
-  return limits;
+  return overridden({}, limit_overrides_from_json(document, json));
 }
 
 Mimic mimic_from_json(const JsonDocument& document, const Json& json) {
@@ -157,6 +138,33 @@ Joint single_from_json(const JsonDocument& document, const Json& json) {
 }
 
 }  // namespace
+
+LimitOverrides limit_overrides_from_json(const JsonDocument& document, const Json& json) {
+  document.check_keys(json, {"lower", "upper", "velocity", "acceleration", "jerk"});
+  const auto position = [&](const char* key) -> std::optional<double> {
+    const Json* found = document.find(json, key);
+    if (found == nullptr) return std::nullopt;
+    return document.number(*found);
+  };
+  const auto rate = [&](const char* key) {
+    const std::optional<double> value = position(key);
+    if (value && !(*value >= Limits::min_rate)) {
+      document.refuse(*document.find(json, key), "must be at least " + number(Limits::min_rate) +
+                                                     "; omit it when it is not known");
+    }
+    return value;
+  };
+  const LimitOverrides limits{.lower = position("lower"),
+                              .upper = position("upper"),
+                              .velocity = rate("velocity"),
+                              .acceleration = rate("acceleration"),
+                              .jerk = rate("jerk")};
+  if (limits.lower && limits.upper && *limits.lower > *limits.upper) {
+    document.refuse(json, "are inconsistent: lower " + number(*limits.lower) + " exceeds upper " +
+                              number(*limits.upper));
+  }
+  return limits;
+}
 
 std::vector<Joint> joints_from_json(const JsonDocument& document, const Json& json) {
   document.check_keys(json, {"name", "type", "origin", "axis", "point", "pitch", "screw", "limits",

@@ -8,6 +8,9 @@
 
 namespace beeline::internal {
 
+/// Reads the limits of a joint, each optional; JSON has no infinite ones.
+LimitOverrides limit_overrides_from_json(const JsonDocument& document, const Json& json);
+
 /// Reads one item of an arm's "joints": several joints when its type is a composite one.
 /// Throws FileError that names the value.
 std::vector<Joint> joints_from_json(const JsonDocument& document, const Json& json);

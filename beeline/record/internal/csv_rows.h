@@ -6,7 +6,7 @@
 
 #include <beeline/read/internal/csv_lines.h>
 #include <beeline/read/internal/file_stream.h>
-#include <beeline/record/row_block.h>
+#include <beeline/record/number_rows.h>
 
 namespace beeline::internal {
 

@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <beeline/error.h>
+#include <beeline/read/internal/joint_from_yaml.h>
+#include <beeline/read/internal/name.h>
+#include <beeline/read/internal/numbers.h>
+#include <beeline/read/pose_list.h>
+
+namespace beeline::internal {
+namespace {
+
+/// A kind of limit of MoveIt's file: `has` states whether the joint has it, `max` its value.
+struct RateKeys {
+  const char* has;
+  const char* max;
+};
+constexpr RateKeys velocity_keys{"has_velocity_limits", "max_velocity"};
+constexpr RateKeys acceleration_keys{"has_acceleration_limits", "max_acceleration"};
+constexpr RateKeys deceleration_keys{"has_deceleration_limits", "max_deceleration"};
+constexpr RateKeys jerk_keys{"has_jerk_limits", "max_jerk"};
+
+/// The keys of a joint: those that are read, then those of ros2_control that do not concern the
+/// kinematics.
+const std::vector<std::string> joint_keys{
+    "has_position_limits", "min_position",        "max_position",        velocity_keys.has,
+    velocity_keys.max,     acceleration_keys.has, acceleration_keys.max, deceleration_keys.has,
+    deceleration_keys.max, jerk_keys.has,         jerk_keys.max,         "has_effort_limits",
+    "max_effort",          "has_soft_limits",     "soft_lower_limit",    "soft_upper_limit",
+    "k_position",          "k_velocity",          "angle_wraparound"};
+
+/// One joint of the file, with checked access. Messages name the file, the line and the key.
+class YamlJoint {
+ public:
+  YamlJoint(const std::string& path, const YamlMember& member, const Joint& joint,
+            std::vector<std::string>& notes)
+      : path_(path), member_(member), joint_(joint), notes_(notes) {
+    const auto* members = std::get_if<Yaml::Members>(&member.value.value);
+    if (members == nullptr) {
+      refuse(member.line, "", "must be a map such as {max_velocity: 2}");
+    }
+    members_ = members;
+    for (const YamlMember& known : *members) check_key(known);
+  }
+
+  LimitOverrides read() {
+    LimitOverrides limits;
+    const Limits& known = joint_.limits;
+    set_position(limits);
+    limits.velocity = rate(velocity_keys, known.velocity);
+    limits.acceleration = rate(acceleration_keys, known.acceleration);
+    limits.jerk = rate(jerk_keys, known.jerk);
+    if (const auto braking = deceleration()) {
+      limits.acceleration = std::min(limits.acceleration.value_or(known.acceleration), *braking);
+    }
+    return limits;
+  }
+
+ private:
+  void set_position(LimitOverrides& limits) {
+    constexpr const char* has = "has_position_limits";
+    const std::optional<double> lower = number_at("min_position");
+    const std::optional<double> upper = number_at("max_position");
+    if (lower && upper && *lower > *upper) {
+      refuse(find("min_position")->line, "min_position",
+             number(*lower) + " exceeds max_position " + number(*upper));
+    }
+    if (!truth_at(has).value_or(true)) {
+      const Limits& known = joint_.limits;
+      const bool bounded = std::isfinite(known.lower) || std::isfinite(known.upper);
+      limits.lower = -Limits::none;
+      limits.upper = Limits::none;
+      if (bounded || lower || upper)
+        notes_.push_back(std::string(has) + " is false, so there are none");
+      return;
+    }
+    limits.lower = lower;
+    limits.upper = upper;
+    if (truth_at(has) && !lower && !upper) missing(has, "min_position and max_position");
+  }
+
+  std::optional<double> rate(const RateKeys& keys, double known) {
+    const std::optional<bool> has = truth_at(keys.has);
+    if (has.value_or(true)) {
+      const std::optional<double> value = rate_at(keys.max);
+      if (has && !value) missing(keys.has, keys.max);
+      return value;
+    }
+    const std::optional<double> ignored = number_at(keys.max);
+    if (ignored || known < Limits::none) {
+      notes_.push_back(std::string(keys.has) + " is false, so no limit is known" +
+                       (ignored ? std::string(" and ") + keys.max + " is ignored" : ""));
+    }
+    return Limits::none;
+  }
+
+  /// The largest deceleration, which files write with either sign.
+  std::optional<double> deceleration() {
+    if (!truth_at(deceleration_keys.has).value_or(true)) return std::nullopt;
+    const std::optional<double> value = number_at(deceleration_keys.max);
+    if (!value) return std::nullopt;
+    if (std::abs(*value) >= Limits::min_rate) return std::abs(*value);
+    refuse(find(deceleration_keys.max)->line, deceleration_keys.max,
+           "must not be " + number(*value));
+  }
+
+  void missing(const char* has, const char* key) {
+    notes_.push_back(std::string(has) + " is true without " + key +
+                     ", so the arm's own limit stays");
+  }
+
+  /// The number of a key; none where the key is missing.
+  std::optional<double> number_at(const char* key) const {
+    const YamlMember* member = find(key);
+    if (member == nullptr) return std::nullopt;
+    const auto* text = std::get_if<std::string>(&member->value.value);
+    if (text == nullptr) refuse(member->line, key, "must be a number, not a list or a map");
+    const std::string& tag = member->value.tag;
+    if (tag == "!") refuse(member->line, key, "must be a number, not text in quotes");
+    double value = 0;
+    try {
+      value = parse_number(*text, described(key));
+    } catch (const Error& error) {
+      throw FileError(path_, member->line, error.what());
+    }
+    return in_si_units(value, *member);
+  }
+
+  /// The same, at least Limits::min_rate.
+  std::optional<double> rate_at(const char* key) const {
+    const std::optional<double> value = number_at(key);
+    if (!value || *value >= Limits::min_rate) return value;
+    refuse(find(key)->line, key,
+           "must be at least " + number(Limits::min_rate) + ", not " + number(*value));
+  }
+
+  /// Whether the key is true; none where the key is missing. The values are those of YAML 1.1.
+  std::optional<bool> truth_at(const char* key) const {
+    const YamlMember* member = find(key);
+    if (member == nullptr) return std::nullopt;
+    const auto* text = std::get_if<std::string>(&member->value.value);
+    std::string lower = text == nullptr || member->value.tag == "!" ? "" : *text;
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    if (lower == "true" || lower == "yes" || lower == "on") return true;
+    if (lower == "false" || lower == "no" || lower == "off") return false;
+    refuse(member->line, key, "must be true or false");
+  }
+
+  [[noreturn]] void refuse(int line, const char* key, const std::string& why) const {
+    throw FileError(path_, line, described(key) + " " + why);
+  }
+
+  std::string described(const std::string& key) const {
+    return std::string(joint_limits_key) + "." + printable(member_.key) +
+           (key.empty() ? "" : "." + key);
+  }
+
+  const YamlMember* find(std::string_view key) const {
+    const auto found = std::find_if(members_->begin(), members_->end(),
+                                    [&](const YamlMember& known) { return known.key == key; });
+    return found == members_->end() ? nullptr : &*found;
+  }
+
+  void check_key(const YamlMember& member) const {
+    if (std::find(joint_keys.begin(), joint_keys.end(), member.key) != joint_keys.end()) return;
+    throw FileError(
+        path_, member.line,
+        described("") + ": " + unknown_name("key", printable(member.key), joint_keys).what());
+  }
+
+  double in_si_units(double value, const YamlMember& member) const {
+    const std::string& tag = member.value.tag;
+    const bool plain = tag.empty() || tag == "?" || tag.starts_with("tag:yaml.org,2002:");
+    if (plain || tag == "!radians") return value;
+    if (tag != "!degrees") {
+      refuse(member.line, member.key.c_str(),
+             "has the unknown tag " + in_quotes(tag) + "; known are !degrees, !radians");
+    }
+    if (kind(joint_) == JointKind::prismatic) {
+      refuse(member.line, member.key.c_str(), "is in degrees, but the joint is prismatic");
+    }
+    return to_radians(value, AngleUnit::degrees);
+  }
+
+  const std::string& path_;
+  const YamlMember& member_;
+  const Joint& joint_;
+  std::vector<std::string>& notes_;
+  const Yaml::Members* members_ = nullptr;
+};
+
+}  // namespace
+
+LimitOverrides limit_overrides_from_yaml(const std::string& path, const YamlMember& member,
+                                         const Joint& joint, std::vector<std::string>& notes) {
+  return YamlJoint(path, member, joint, notes).read();
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace beeline::internal {
+
+struct YamlMember;
+
+/// One value of a YAML document, with its line in the file.
+struct Yaml {
+  using Items = std::vector<Yaml>;
+  using Members = std::vector<YamlMember>;  ///< in the file's order
+
+  std::variant<std::string, Items, Members> value;  ///< a scalar is its text, null is empty
+  /// As written, such as `!degrees`; `!` for a text in quotes, empty or `?` where there is none.
+  std::string tag;
+  int line = 0;
+};
+
+struct YamlMember {
+  std::string key;
+  int line = 0;  ///< of the key
+  Yaml value;
+};
+
+/// Parses a YAML text of one document; `path` names it in messages. An alias becomes a copy of what
+/// it names, and a merge key (<<) the members that its map has and this one lacks. Throws FileError
+/// for text that is not YAML, a second document, a repeated key, a key that is not a scalar, an
+/// alias inside its own anchor, a text of more than 1 MiB, nesting deeper than 64 levels and
+/// documents of more than 100,000 values, copies included. These bounds keep memory, time and stack
+/// bounded for any text.
+Yaml parse_yaml(std::string_view text, const std::string& path);
+
+}  // namespace beeline::internal
