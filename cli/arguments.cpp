@@ -1,12 +1,14 @@
 #include "arguments.h"
 
 #include <cmath>
+#include <fmt/core.h>
 #include <numbers>
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/read/arm.h>
 #include <beeline/read/internal/numbers.h>
+#include <beeline/read/joint_limits.h>
 
 #include "command/streams.h"
 
@@ -33,10 +35,22 @@ std::vector<Option> ArmArgument::options() {
           {.name = "--tip",
            .value = "LINK",
            .help = "Last link of the chain, for a URDF file. Default: its only leaf link.",
-           .target = &tip}};
+           .target = &tip},
+          {.name = "--limits",
+           .value = "FILE",
+           .help = "Joint limits that replace the arm's: MoveIt's joint_limits.yaml, or .json with "
+                   "{JOINT: {lower, upper, velocity, acceleration, jerk}, ...}, each optional.",
+           .target = &limits,
+           .completes = Completes::file}};
 }
 
-Arm ArmArgument::read() const { return read_arm(text, {.base = base, .tip = tip}); }
+Arm ArmArgument::read() const {
+  const Arm arm = read_arm(text, {.base = base, .tip = tip});
+  if (limits.empty()) return arm;
+  const JointLimits file = read_joint_limits(limits, arm);
+  for (const std::string& note : file.notes) warn(note);
+  return with_limits(arm, file.joints);
+}
 
 std::vector<Option> UnitArgument::options() {
   return {{.name = "--degrees",
@@ -77,6 +91,54 @@ Configuration UnitArgument::shown(const Arm& arm, const Configuration& q) const 
 
 double UnitArgument::shown(const Arm& arm, int k, double value) const {
   return kind(arm.joint_of(k)) == JointKind::prismatic ? value : shown(value);
+}
+
+std::vector<Option> LimitsArgument::rate_options() {
+  const auto option = [](const char* name, const char* value, const char* quantity,
+                         std::string* target) -> Option {
+    return {.name = name,
+            .value = value,
+            .help = std::string("Limits of the joints' ") + quantity +
+                    ", in place of the arm's: one number for all joints, or one for each.",
+            .target = target};
+  };
+  return {option("--velocity", "V[,V...]", "velocities, rad/s or m/s", &velocity),
+          option("--acceleration", "A[,A...]", "accelerations, rad/s^2 or m/s^2", &acceleration),
+          option("--jerk", "J[,J...]", "jerks, rad/s^3 or m/s^3", &jerk)};
+}
+
+std::vector<Option> LimitsArgument::options() {
+  return joined({rate_options(),
+                 {{.name = "--speed",
+                   .value = "K",
+                   .help = "Speed scale k in (0, 1]: velocity limits x k, acceleration x k^2, "
+                           "jerk x k^3.",
+                   .target = &speed,
+                   .range = {1e-6, 1},
+                   .phrases = {"the speed scale"}}}});
+}
+
+Arm LimitsArgument::set_on(const Arm& arm, const UnitArgument& unit) const {
+  std::map<std::string, LimitOverrides> limits;
+  const auto add = [&](const std::string& option, const std::string& text,
+                       std::optional<double> LimitOverrides::*limit) {
+    if (text.empty()) return;
+    std::vector<double> values = internal::parse_numbers(text, option);
+    if (values.size() == 1) values.resize(static_cast<std::size_t>(arm.dof()), values.front());
+    if (static_cast<int>(values.size()) != arm.dof()) {
+      throw Error(fmt::format("{} takes one number, or {} ({}), not {}", option, arm.dof(),
+                              listed(arm.joint_names()), values.size()));
+    }
+    for (int k = 0; k < arm.dof(); ++k) {
+      const double value = values[static_cast<std::size_t>(k)];
+      if (!(value > 0)) throw Error(option + " must be above 0, not " + number(value));
+      limits[arm.joint_of(k).name].*limit = unit.coordinate(arm, k, value);
+    }
+  };
+  add("--velocity", velocity, &LimitOverrides::velocity);
+  add("--acceleration", acceleration, &LimitOverrides::acceleration);
+  add("--jerk", jerk, &LimitOverrides::jerk);
+  return with_speed_scale(with_limits(arm, limits), speed);
 }
 
 std::vector<Option> TaskArgument::options() {

@@ -16,12 +16,14 @@
 /// Lists of options in one.
 std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists);
 
-/// ARM with --base and --tip.
+/// ARM with --base, --tip and --limits.
 struct ArmArgument {
   std::string text = {}, base = {}, tip = {};
+  std::string limits = {};  ///< a file of joint limits; empty: the arm's own
 
   Positional argument();
   std::vector<Option> options();
+  /// The arm with the limits of the file. Warns of what the file says that is not applied.
   beeline::Arm read() const;
 };
 
@@ -44,6 +46,17 @@ struct UnitArgument {
   double shown(const beeline::Arm& arm, int k, double value) const;
   double shown(double radians) const;
   const char* name() const { return degrees ? "deg" : "rad"; }
+};
+
+/// --velocity, --acceleration, --jerk and --speed: limits of a motion.
+struct LimitsArgument {
+  std::string velocity = {}, acceleration = {}, jerk = {};
+  double speed = 1;
+
+  std::vector<Option> options();
+  std::vector<Option> rate_options();  ///< those without --speed
+  /// The arm with these limits. Throws Error naming the option.
+  beeline::Arm set_on(const beeline::Arm& arm, const UnitArgument& unit) const;
 };
 
 /// --task: planar, position, spatial or a mask; default the arm's own.

@@ -20,6 +20,7 @@ namespace {
 
 struct CheckArguments {
   ArmArgument arm;
+  LimitsArgument limits;
   std::string file, through, plot;
   UnitArgument unit;
   TaskArgument task;
@@ -70,9 +71,10 @@ std::string check_text(const CheckArguments& arguments, const Verification& veri
 Answer check_file(const CheckArguments& arguments) {
   if (!arguments.plot.empty()) {
     format_of(arguments.plot);
-    refuse_overwriting(arguments.plot, {arguments.arm.text, arguments.file, arguments.through});
+    refuse_overwriting(arguments.plot, {arguments.arm.text, arguments.arm.limits, arguments.file,
+                                        arguments.through});
   }
-  const Arm arm = arguments.arm.read();
+  const Arm arm = arguments.limits.set_on(arguments.arm.read(), arguments.unit);
   const Trajectory trajectory = read_recording(arguments.file, arm);
   const PoseList waypoints = read_waypoints(arguments.through, arm, arguments.task, arguments.unit);
   VerifyOptions options = arguments.verify;
@@ -125,7 +127,8 @@ Verb check_verb() {
                          arguments.path.options(),
                          tolerance_options(arguments.verify),
                          {plot_option(&arguments.plot)},
-                         arguments.arm.options()}),
+                         arguments.arm.options(),
+                         arguments.limits.options()}),
       .examples = {{"Plan a motion, then check the file that was written",
                     "printf 'x,y,theta\\n4.5,5.2,0\\n2,6,45\\n' > planar.csv\n"
                     "beeline line rrr --from 0,90,0 --degrees --through planar.csv --out move.csv\n"

@@ -40,7 +40,7 @@ Figure drawn_figure(const DrawArguments& arguments, const Arm& arm) {
 
 Answer draw_arm(const DrawArguments& arguments) {
   const Format format = format_of(arguments.out);
-  refuse_overwriting(arguments.out, {arguments.arm.text, arguments.motion});
+  refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.limits, arguments.motion});
   const Arm arm = arguments.arm.read();
   internal::write_file(arguments.out, render(drawn_figure(arguments, arm), format));
   return {.text = fmt::format("{} drawn: {}\n", arm.name(), arguments.out),

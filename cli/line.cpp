@@ -20,6 +20,7 @@ const std::string exact = "exact";
 
 struct LineArguments {
   ArmArgument arm;
+  LimitsArgument limits;
   UnitArgument unit;
   TaskArgument task;
   PathArgument path;
@@ -113,8 +114,8 @@ LineReport line_by_method(const LineArguments& arguments, const Arm& arm,
 }
 
 Answer line(const LineArguments& arguments) {
-  arguments.files.check({arguments.arm.text, arguments.through});
-  const Arm arm = arguments.arm.read();
+  arguments.files.check({arguments.arm.text, arguments.arm.limits, arguments.through});
+  const Arm arm = arguments.limits.set_on(arguments.arm.read(), arguments.unit);
   const PoseList waypoints = read_waypoints(arguments.through, arm, arguments.task, arguments.unit);
   LineReport report = line_by_method(arguments, arm, waypoints.poses);
   report.method = arguments.method;
@@ -235,8 +236,8 @@ Verb line_verb() {
       .arguments = {arguments.arm.argument()},
       .options =
           joined({line_options(arguments), arguments.unit.options(), arguments.task.options(),
-                  arguments.files.options(), arguments.arm.options(), exact_options(arguments),
-                  control_options(arguments)}),
+                  arguments.files.options(), arguments.arm.options(), arguments.limits.options(),
+                  exact_options(arguments), control_options(arguments)}),
       .examples = {{"Three straight lines of the planar arm, with a picture",
                     "printf 'x,y,theta\\n4.5,5.2,0\\n2,6,45\\n5,3,-20\\n' > planar.csv\n"
                     "beeline line rrr --from 0,90,0 --degrees --through planar.csv --out move.csv "

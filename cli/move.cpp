@@ -17,6 +17,7 @@ const std::string feedback = "feedback", quickest = "quickest";
 
 struct MoveArguments {
   ArmArgument arm;
+  LimitsArgument limits;
   UnitArgument unit;
   std::string from, to;
   PidGains gains;
@@ -71,8 +72,8 @@ std::string move_text(const MoveArguments& arguments, const Arm& arm,
 }
 
 Answer move_joints(const MoveArguments& arguments) {
-  arguments.files.check({arguments.arm.text});
-  const Arm arm = arguments.arm.read();
+  arguments.files.check({arguments.arm.text, arguments.arm.limits});
+  const Arm arm = arguments.limits.set_on(arguments.arm.read(), arguments.unit);
   const Configuration from = arguments.unit.configuration(arm, arguments.from, "--from");
   const Configuration to = arguments.unit.configuration(arm, arguments.to, "--to");
   const ControlledMotion motion =
@@ -183,9 +184,9 @@ Verb move_verb() {
           "the overshoot, and the pose of the tool at the goal. In general the tool does not move "
           "in a straight line: see `beeline line`.",
       .arguments = {arguments.arm.argument()},
-      .options =
-          joined({move_options(arguments), arguments.unit.options(), arguments.files.options(),
-                  arguments.arm.options(), move_method_options(arguments)}),
+      .options = joined({move_options(arguments), arguments.unit.options(),
+                         arguments.files.options(), arguments.arm.options(),
+                         arguments.limits.options(), move_method_options(arguments)}),
       .examples =
           {{"Proportional control of the planar arm, with a picture of the tool's path",
             "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --draw move.svg"},

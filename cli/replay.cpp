@@ -17,6 +17,7 @@ namespace {
 
 struct ReplayArguments {
   ArmArgument arm;
+  LimitsArgument limits;
   std::string file;
   UnitArgument unit;
   std::string from, speed_at, measured;
@@ -74,8 +75,9 @@ std::string replay_text(const Replay& played) {
 }
 
 Answer replay_file(const ReplayArguments& arguments) {
-  arguments.files.check({arguments.arm.text, arguments.file, arguments.measured});
-  const Arm arm = arguments.arm.read();
+  arguments.files.check(
+      {arguments.arm.text, arguments.arm.limits, arguments.file, arguments.measured});
+  const Arm arm = arguments.limits.set_on(arguments.arm.read(), arguments.unit);
   const ReplayOptions options = replay_options(arguments, arm);
   const Trajectory recording = read_recording(arguments.file, arm);
   std::optional<Trajectory> measured;
@@ -111,7 +113,8 @@ std::vector<Option> playing_options(ReplayArguments& arguments) {
                               &arguments.from),
           {.name = "--speed",
            .value = "K",
-           .help = "Playback speed; at 0.5 the motion takes twice the recorded time.",
+           .help = "Playback speed: velocities x K, accelerations x K^2, jerks x K^3; at 0.5 the "
+                   "motion takes twice the recorded time.",
            .target = &replay.speed,
            .range = above_zero},
           {.name = "--speed-at",
@@ -156,8 +159,9 @@ Verb replay_verb() {
       .arguments = {arguments.arm.argument(),
                     trajectory_argument("FILE", "A recorded trajectory, .csv or .json.",
                                         &arguments.file)},
-      .options = joined({playing_options(arguments), arguments.unit.options(),
-                         arguments.files.options(), arguments.arm.options()}),
+      .options =
+          joined({playing_options(arguments), arguments.unit.options(), arguments.files.options(),
+                  arguments.arm.options(), arguments.limits.rate_options()}),
       .examples = {{"Record a motion, then play it at half speed",
                     "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
                     "--method quickest --out move.csv\n"

@@ -20,6 +20,8 @@ namespace {
 
 struct RetimeArguments {
   ArmArgument arm;
+  UnitArgument unit;
+  LimitsArgument limits;
   std::string file;
   ProfileArgument profile;
   RetimeOptions retime;
@@ -90,9 +92,9 @@ std::string retime_text(const RetimeArguments& arguments, const Arm& arm, const 
 }
 
 Answer retime_file(const RetimeArguments& arguments) {
-  arguments.files.check({arguments.arm.text, arguments.file});
+  arguments.files.check({arguments.arm.text, arguments.arm.limits, arguments.file});
   const RetimeOptions options = retime_options(arguments);
-  const Arm arm = arguments.arm.read();
+  const Arm arm = arguments.limits.set_on(arguments.arm.read(), arguments.unit);
   const RetimeInput input = read_input(arguments.file, arm);
   const Retimed retimed = retime(arm, input.trajectory, options);
   const bool found(retimed);
@@ -118,12 +120,6 @@ Answer retime_file(const RetimeArguments& arguments) {
 
 std::vector<Option> timing_options(RetimeArguments& arguments) {
   return {arguments.profile.option(),
-          {.name = "--speed",
-           .value = "K",
-           .help = "Speed scale k in (0, 1]: velocity limits x k, acceleration x k^2, "
-                   "jerk x k^3.",
-           .target = &arguments.retime.speed_scale,
-           .range = {1e-6, 1}},
           {.name = "--tool-speed",
            .value = "V",
            .help = "Largest speed of the tool origin, m/s.",
@@ -149,15 +145,16 @@ Verb retime_verb() {
           "spline through its positions; its times and velocities are ignored, except that stops "
           "(a repeated position or a zero velocity) remain. Prints the number of samples, the new "
           "and the previous duration in seconds, the largest fraction of each limit that is used, "
-          "and the largest tool speed in m/s. The file is in radians and metres. A velocity limit "
-          "that is not known is taken as 1 rad/s or 1 m/s.",
+          "and the largest tool speed in m/s. The file is in radians and metres; --degrees "
+          "applies to limits. A velocity limit that is not known is taken as 1 rad/s or 1 m/s.",
       .arguments = {arguments.arm.argument(),
                     trajectory_argument("FILE",
                                         "The trajectory, .csv or .json. A .csv file without column "
                                         "t is a path without times.",
                                         &arguments.file)},
       .options =
-          joined({timing_options(arguments), arguments.files.options(), arguments.arm.options()}),
+          joined({timing_options(arguments), arguments.unit.options(), arguments.files.options(),
+                  arguments.arm.options(), arguments.limits.options()}),
       .examples = {{"Record a motion under feedback control, then retime it",
                     "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
                     "--out move.csv\n"

@@ -17,13 +17,16 @@ namespace {
 
 struct ShowArguments {
   ArmArgument arm;
+  LimitsArgument limits;
   UnitArgument unit;
   std::string out;
   bool json = false;
 };
 
-std::string limit_text(double limit, bool prismatic, const UnitArgument& unit) {
-  if (!std::isfinite(limit)) return "-";
+/// An infinite limit is `unlimited`: a position has none, a rate none that is known.
+std::string limit_text(double limit, const char* unlimited, bool prismatic,
+                       const UnitArgument& unit) {
+  if (!std::isfinite(limit)) return unlimited;
   return shown(prismatic ? limit : unit.shown(limit));
 }
 
@@ -41,10 +44,14 @@ std::string joint_row(const Arm& arm, std::size_t i, const Pose& link, std::size
   const Limits& limits = limits_of(arm, i);
   const Twist screw = adjoint(link, joint.screw);
   const Vector3 axis = prismatic ? screw.head<3>() : screw.tail<3>();
-  std::string row = fmt::format(
-      "{:>3}  {:<{}}  {:<9}  {:<22}  {:>9}  {:>9}  {:>9}", i + 1, joint.name, width,
-      name(kind(joint)), shown(axis), limit_text(limits.lower, prismatic, unit),
-      limit_text(limits.upper, prismatic, unit), limit_text(limits.velocity, prismatic, unit));
+  std::string row = fmt::format("{:>3}  {:<{}}  {:<9}  {:<22}", i + 1, joint.name, width,
+                                name(kind(joint)), shown(axis));
+  for (const double limit : {limits.lower, limits.upper}) {
+    row += fmt::format("  {:>9}", limit_text(limit, "none", prismatic, unit));
+  }
+  for (const double limit : {limits.velocity, limits.acceleration, limits.jerk}) {
+    row += fmt::format("  {:>12}", limit_text(limit, "unknown", prismatic, unit));
+  }
   if (kind(joint) == JointKind::helical) {
     row += fmt::format("  pitch {} m/rad", shown(pitch(joint)));
   }
@@ -58,16 +65,16 @@ std::string joint_row(const Arm& arm, std::size_t i, const Pose& link, std::size
 std::string joint_table(const Arm& arm, const UnitArgument& unit) {
   std::size_t width = 5;
   for (const Joint& joint : arm.joints()) width = std::max(width, joint.name.size());
-  std::string table =
-      fmt::format("{:>3}  {:<{}}  {:<9}  {:<22}  {:>9}  {:>9}  {:>9}\n", "", "joint", width, "type",
-                  "axis in the world", "lower", "upper", "velocity");
+  std::string table = fmt::format(
+      "{:>3}  {:<{}}  {:<9}  {:<22}  {:>9}  {:>9}  {:>12}  {:>12}  {:>12}\n", "", "joint", width,
+      "type", "axis in the world", "lower", "upper", "velocity", "acceleration", "jerk");
   const std::vector<Pose> links = link_poses(arm, Configuration::Zero(arm.dof()));
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
     table += joint_row(arm, i, links[i + 1], width, unit);
   }
   return table + fmt::format(
-                     "     (revolute joints in {}, prismatic joints in m, velocities per "
-                     "second; - means no limit)\n",
+                     "     (revolute joints in {}, prismatic joints in m; velocity per s, "
+                     "acceleration per s^2, jerk per s^3)\n",
                      unit.name());
 }
 
@@ -108,7 +115,7 @@ Json joint_document(const Arm& arm, std::size_t i, const UnitArgument& unit) {
   const Limits& known = limits_of(arm, i);
   Json limits = Json::object();
   const auto add = [&](const char* key, double limit) {
-    if (std::isfinite(limit)) limits.add(key, value(limit));
+    limits.add(key, value(limit));  // null where it is infinite
   };
   add("lower", known.lower);
   add("upper", known.upper);
@@ -140,12 +147,12 @@ Json arm_document(const Arm& arm, const UnitArgument& unit) {
 }
 
 Answer show(const ShowArguments& arguments) {
-  const Arm arm = arguments.arm.read();
+  const Arm arm = arguments.limits.set_on(arguments.arm.read(), arguments.unit);
   if (!arguments.out.empty()) {
     if (internal::extension(arguments.out) != "json") {
       throw Error("--out " + arguments.out + ": an arm is written to a .json file");
     }
-    refuse_overwriting(arguments.out, {arguments.arm.text});
+    refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.limits});
     internal::write_file(arguments.out, arm_to_json(arm));
   }
   return {.text = arm_text(arm, arguments.unit), .document = arm_document(arm, arguments.unit)};
@@ -159,9 +166,9 @@ Verb show_verb() {
           .summary = "Print an arm as a table: joints, limits, frames, reach",
           .description =
               "Prints each joint with its type, its axis in the world at zero joint values, its "
-              "position limits (lower, upper) and its velocity limit; the frames of all links and "
-              "of the tool at zero joint values; and a ball that the tool cannot leave. With "
-              "--json the limits of acceleration and jerk are printed too.",
+              "position limits (lower, upper) and its limits of velocity, acceleration and jerk; "
+              "the frames of all links and of the tool at zero joint values; and a ball that the "
+              "tool cannot leave. A limit that is not known is `unknown`, null with --json.",
           .arguments = {arguments.arm.argument()},
           .options = joined({arguments.unit.options(),
                              {{.name = "--out",
@@ -169,8 +176,11 @@ Verb show_verb() {
                                .help = "Also write the arm to this .json file.",
                                .target = &arguments.out,
                                .completes = Completes::file}},
-                             arguments.arm.options()}),
+                             arguments.arm.options(),
+                             arguments.limits.options()}),
           .examples = {{"The Franka Panda, angles in degrees", "beeline show panda --degrees"},
+                       {"A UR5 with limits of its user",
+                        "beeline show ur5 --velocity 3.14 --acceleration 15 --speed 0.5"},
                        {"An arm file to change and use in place of the built-in arm",
                         "beeline show ur5 --out my_arm.json\nbeeline show my_arm.json"}},
           .json = &arguments.json,

@@ -23,7 +23,8 @@ struct JointLimits {
 ///     `/**: ros__parameters:`. `has_velocity_limits: false` states that no limit is known; numbers
 ///     with the tag !degrees are in degrees, as in the files of Universal Robots. An acceleration
 ///     limit also bounds decelerations, so it is the lower of max_acceleration and
-///     |max_deceleration|. A joint NAME of the file that the arm does not have is its NAME_joint.
+///     |max_deceleration|. A joint NAME of the file that the arm does not have is its NAME_joint;
+///     where the file has all joints of the arm with one prefix, such as `panda_`, it is left out.
 ///     Notes name the file's other joints and its default scaling factors, which are not applied.
 ///   - JSON: {"joint1": {"lower", "upper", "velocity", "acceleration", "jerk"}, ...}, each
 ///   optional.

@@ -46,7 +46,7 @@ def test_the_nearest_name_is_suggested(refused, arguments, says):
 
 @pytest.mark.parametrize("arguments", [
     ("fk", "rrr", "--q", "0,0,0", "--seed", "1"), ("fk", "rrr", "--q", "0,0,0", "--frame", "base"),
-    ("line", "rrr", "--through", "p.csv", "--speed", "1"), ("fk", "rrr", "--version"),
+    ("line", "rrr", "--through", "p.csv", "--grid", "4"), ("fk", "rrr", "--version"),
 ], ids=lambda value: " ".join(value))
 def test_another_word_is_no_suggestion(refused, arguments):
     assert "did you mean" not in refused(2, *arguments, says=["unknown option"])

@@ -89,6 +89,20 @@ TEST(JointLimits, MayBeNestedAsParametersOfNodes) {
   EXPECT_EQ(file.notes.size(), 1u);
 }
 
+TEST(JointLimits, MayHaveAllJointsWithOnePrefix) {
+  const Arm arm = built_in("rrr");
+  const std::string left = "a_joint1: {max_jerk: 1}, a_joint2: {max_jerk: 2}, a_joint3: {}";
+  const JointLimits file = from_yaml("joint_limits: {" + left + ", a_finger: {}}", arm);
+  EXPECT_EQ(file.joints.size(), 3u);
+  EXPECT_EQ(file.joints.at("joint2").jerk, 2);
+  EXPECT_EQ(file.notes, (Texts{"l.yaml: the prefix a_ of joint names is left out",
+                               "l.yaml: arm rrr does not have a_finger"}));
+  EXPECT_REFUSED(
+      from_yaml("joint_limits: {" + left + ", b_joint1: {}, b_joint2: {}, b_joint3: {}}", arm),
+      "has no joint of arm rrr");
+  EXPECT_EQ(from_yaml("joint_limits: {" + left + ", joint1: {}}", arm).joints.size(), 1u);
+}
+
 TEST(JointLimits, MayBeJson) {
   const Arm arm = built_in("rrr");
   const std::string text = R"({"joint1": {"velocity": 2, "lower": -1}, "joint3": {"jerk": 5}})";

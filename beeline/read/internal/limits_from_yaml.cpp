@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include <beeline/read/internal/joint_from_yaml.h>
@@ -22,9 +23,12 @@ class LimitsReader {
           path_, limits_->line,
           std::string(joint_limits_key) + " must be a map of joints, each with its limits");
     }
+    for (const YamlMember& member : *joints) names_.insert(member.key);
+    prefix_ = common_prefix();
+    if (!prefix_.empty()) note("the prefix " + printable(prefix_) + " of joint names is left out");
     std::vector<std::string> others;
     for (const YamlMember& member : *joints) {
-      const Joint* joint = find_joint(member.key, *joints);
+      const Joint* joint = find_joint(member.key);
       if (joint == nullptr) {
         others.push_back(printable(member.key));
       } else {
@@ -76,18 +80,39 @@ class LimitsReader {
     return names;
   }
 
-  const Joint* find_joint(const std::string& name, const Yaml::Members& file) const {
-    const auto named = [&](const std::string& wanted) -> const Joint* {
-      const auto& joints = arm_.joints();
-      const auto found = std::find_if(joints.begin(), joints.end(),
-                                      [&](const Joint& known) { return known.name == wanted; });
-      return found == joints.end() ? nullptr : &*found;
-    };
-    if (const Joint* joint = named(name)) return joint;
+  const Joint* joint_named(const std::string& name) const {
+    const auto& joints = arm_.joints();
+    const auto found = std::find_if(joints.begin(), joints.end(),
+                                    [&](const Joint& known) { return known.name == name; });
+    return found == joints.end() ? nullptr : &*found;
+  }
+
+  /// The joint of the arm that the file calls `name`.
+  const Joint* find_joint(const std::string& name) const {
+    if (const Joint* joint = joint_named(name)) return joint;
+    if (!prefix_.empty() && name.starts_with(prefix_)) {
+      return joint_named(name.substr(prefix_.size()));
+    }
     const std::string longer = name + "_joint";
-    const bool twice = std::any_of(file.begin(), file.end(),
-                                   [&](const YamlMember& other) { return other.key == longer; });
-    return twice ? nullptr : named(longer);
+    return names_.count(longer) == 0 ? joint_named(longer) : nullptr;
+  }
+
+  /// The only prefix with which the file has all joints of the arm, such as `panda_`; empty where
+  /// there is none, or the file has a joint under the arm's own name.
+  std::string common_prefix() const {
+    std::vector<std::string> prefixes;
+    const std::string ending = "_" + arm_.joints().front().name;
+    for (const std::string& name : names_) {
+      if (joint_named(name) != nullptr) return "";
+      if (!name.ends_with(ending)) continue;
+      const std::string prefix = name.substr(0, name.size() - ending.size() + 1);
+      const auto& joints = arm_.joints();
+      const bool all = std::all_of(joints.begin(), joints.end(), [&](const Joint& joint) {
+        return names_.count(prefix + joint.name) == 1;
+      });
+      if (all) prefixes.push_back(prefix);
+    }
+    return prefixes.size() == 1 ? prefixes.front() : "";
   }
 
   void note(const std::string& sentence) { result_.notes.push_back(path_ + ": " + sentence); }
@@ -112,6 +137,8 @@ class LimitsReader {
   const Arm& arm_;
   Yaml root_;
   const YamlMember* limits_ = nullptr;
+  std::set<std::string> names_;  // of the file's joints
+  std::string prefix_;
   JointLimits result_;
   std::vector<std::pair<std::string, std::vector<std::string>>> joint_notes_;  // with their joints
 };
