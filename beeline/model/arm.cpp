@@ -214,15 +214,15 @@ Arm with_tool(const Arm& arm, const Pose& tool) {
 
 Arm with_limits(const Arm& arm, const std::map<std::string, LimitOverrides>& limits) {
   std::vector<Joint> joints = arm.joints();
+  std::vector<std::string> names;
+  for (const Joint& joint : joints) names.push_back(joint.name);
   for (const auto& [name, overrides] : limits) {
-    const auto joint = std::find_if(joints.begin(), joints.end(),
-                                    [&](const Joint& known) { return known.name == name; });
-    if (joint == joints.end()) {
-      std::vector<std::string> names;
-      for (const Joint& known : joints) names.push_back(known.name);
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
       throw Error("limits for an " + std::string(unknown_name("joint", name, names).what()));
     }
-    joint->limits = overridden(joint->limits, overrides);
+    Joint& joint = joints[static_cast<std::size_t>(found - names.begin())];
+    joint.limits = overridden(joint.limits, overrides);
   }
   return {arm.name(), std::move(joints), arm.tool(), arm.base()};
 }
