@@ -23,6 +23,7 @@ LIBRARIES = {  # the first part of the include: the folders that may use it, in 
     "fmt": {"read"},
     "nlohmann": {"read", "record"},
     "oneapi": {"batch"},
+    "sanitizer": {"batch"},
     "tbb": {"batch"},
     "tinyxml2": {"read"},
     "yaml": {"read"},
