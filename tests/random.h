@@ -10,6 +10,17 @@
 
 namespace beeline::testing {
 
+/// The number of random cases of a test that takes long: n; under a sanitizer a tenth, at least
+/// one. The sanitizers look for invalid operations, which few cases show as well as many, and take
+/// up to 100 times as long for each.
+constexpr int cases(int n) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return n < 10 ? 1 : n / 10;
+#else
+  return n;
+#endif
+}
+
 /// Random cases with a printed seed: BEELINE_SEED=... repeats a run.
 class Random {
  public:

@@ -238,7 +238,8 @@ TEST(Servo, ReachesAPoseUnlessASingularityIsOnThePath) {
     const Arm arm = with_accelerations(name);
     const Task task = default_task(arm);
     int reached = 0;
-    for (int i = 0; i < 20; ++i) {
+    const int poses = testing::cases(20);
+    for (int i = 0; i < poses; ++i) {
       Configuration q = 0.5 * random.configuration(arm) + 0.5 * middle_configuration(arm);
       Configuration aside = q;
       for (int k = 0; k < arm.dof(); ++k) aside[k] += random.uniform(-0.2, 0.2);
@@ -262,7 +263,7 @@ TEST(Servo, ReachesAPoseUnlessASingularityIsOnThePath) {
         EXPECT_EQ(last.limit, ServoLimit::position) << name << ' ' << i;
       }
     }
-    EXPECT_GE(reached, 15) << name;
+    EXPECT_GE(reached, poses * 3 / 4) << name;
   }
 }
 

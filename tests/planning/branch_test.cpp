@@ -41,7 +41,7 @@ TEST(PlanPath, FindsAMotionThatNeedsAFineGrid) {
 TEST(PlanPath, AlwaysSaysWhyAndWhere) {
   const Arm arm = built_in("panda");
   Random random;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < cases(40); ++i) {
     const Line line = random_certified_line(random, arm);
     const Branch plan = plan_path(arm, {}, lines_through(std::vector{line.from, line.to}),
                                   {.task = Task::spatial()});
@@ -119,7 +119,7 @@ TEST(PlanPath, LeavesRowsFree) {
 // Every arm of 1 to 10 joints of any kind, with mimic joints, gets an answer with a reason.
 TEST(PlanPath, AnswersForAnyArm) {
   Random random;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < cases(60); ++i) {
     const Arm arm = random_arm(random, 1 + i % 10, i % 3 == 0 ? 3 : 0);
     const Configuration a = random.configuration(arm), b = random.configuration(arm);
     const Pose from = forward_kinematics(arm, a);

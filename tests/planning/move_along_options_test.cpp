@@ -25,7 +25,7 @@ TEST(MoveInLines, KeepsRedundantJointsFromTheirLimits) {
   testing::Random random;
   const Arm arm = chain(6, 1.2);
   int least = 0, ours = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < cases(60); ++i) {
     const Configuration start = 0.9 * random.configuration(arm);
     Configuration goal;
     do {

@@ -28,7 +28,7 @@ TEST(MoveInLines, MeetsItsGuaranteesOnRandomLinesOfBuiltInArms) {
   for (const std::string name : {"rrr", "panda", "ur5", "puma560", "iiwa14", "scara", "stanford"}) {
     const Arm arm = built_in(name);
     int reached = 0;
-    const int lines = 25;
+    const int lines = cases(25);
     for (int i = 0; i < lines; ++i) {
       const Configuration start = testing::inner_configuration(random, arm);
       const Pose to = testing::nearby_pose(random, arm, forward_kinematics(arm, start));

@@ -15,6 +15,7 @@ namespace {
 
 using namespace internal;
 
+using testing::cases;
 using testing::expect_solved;
 using testing::holds;
 using testing::Random;
@@ -48,7 +49,7 @@ TEST(LockedJoint, OfSevenComesBackAndStays) {
       if (k == 3 && arm.name() == "iiwa14") continue;
       SCOPED_TRACE(std::string(name) + " with coordinate " + std::to_string(k) + " locked");
       const bool quick = k == 6 || (k == 0 && arm.name() == "iiwa14");  // a family's closed form
-      for (int i = 0; i < (quick ? 200 : 3); ++i) {
+      for (int i = 0; i < (quick ? cases(200) : 3); ++i) {
         const Configuration from = random.configuration(arm);
         Configuration seed = random.configuration(arm);
         seed[k] = from[k];
@@ -142,7 +143,7 @@ TEST(LockedJoint, TheNearestIsNearerThanAnyOfItsGrid) {
   Random random;
   for (const char* name : {"panda", "iiwa14"}) {
     const Arm arm = built_in(name);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < cases(100); ++i) {
       const int grid = random.integer(0, 3) == 0 ? 500 : 32;
       const Configuration seed = random.configuration(arm);
       const Pose pose = forward_kinematics(arm, random.configuration(arm));
@@ -161,7 +162,7 @@ TEST(LockedJoint, TheCentredIsFartherFromLimitsThanAnyOfItsGrid) {
   Random random;
   for (const char* name : {"panda", "iiwa14"}) {
     const Arm arm = built_in(name);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < cases(100); ++i) {
       const int grid = random.integer(0, 3) == 0 ? 500 : 32;
       const Configuration seed = random.configuration(arm);
       const Pose pose = forward_kinematics(arm, random.configuration(arm));

@@ -16,7 +16,7 @@ using testing::random_path;
 
 TEST(Fastest, KeepsLimitsBetweenGridPointsAndUsesThem) {
   testing::Random random;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < testing::cases(300); ++i) {
     const int joints = random.integer(1, 7);
     const JointPath path = random_path(random, joints, random.integer(3, 10));
     const PathLimits limits = random_limits(random, joints);

@@ -142,7 +142,7 @@ TEST(JerkLimited, KeepsALimitOfTheSpeedAlongThePath) {
 
 TEST(JerkLimited, IsNearTheResultOnAFinerPath) {
   testing::Random random;
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < testing::cases(10); ++i) {
     const auto [path, limits] = random_case(random);
     RefineOptions finer;
     finer.min_steps = 4000;
