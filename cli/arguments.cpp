@@ -102,9 +102,11 @@ std::vector<Option> LimitsArgument::rate_options() {
                     ", in place of the arm's: one number for all joints, or one for each.",
             .target = target};
   };
-  return {option("--velocity", "V[,V...]", "velocities, rad/s or m/s", &velocity),
-          option("--acceleration", "A[,A...]", "accelerations, rad/s^2 or m/s^2", &acceleration),
-          option("--jerk", "J[,J...]", "jerks, rad/s^3 or m/s^3", &jerk)};
+  return {option("--velocity", "V[,V...]", "velocities, rad/s (deg/s with --degrees) or m/s",
+                 &velocity),
+          option("--acceleration", "A[,A...]", "accelerations, rad/s^2 (deg/s^2) or m/s^2",
+                 &acceleration),
+          option("--jerk", "J[,J...]", "jerks, rad/s^3 (deg/s^3) or m/s^3", &jerk)};
 }
 
 std::vector<Option> LimitsArgument::options() {
