@@ -89,6 +89,28 @@ TEST(JointLimits, MayBeNestedAsParametersOfNodes) {
   EXPECT_EQ(file.notes.size(), 1u);
 }
 
+TEST(JointLimits, MayHaveTheKeysOfUrdf) {
+  const std::string text = R"(joint1:
+  limit:
+    lower:   -2.7
+    upper:    2.5
+    velocity: 2.62
+    effort:  87.0
+joint2: {limit: {velocity: !degrees 180}}
+gripper_joint1: {limit: {velocity: 1}}
+)";
+  const JointLimits file = from_yaml(text);
+  EXPECT_EQ(file.joints.at("joint1").lower, -2.7);
+  EXPECT_EQ(file.joints.at("joint1").upper, 2.5);
+  EXPECT_EQ(file.joints.at("joint1").velocity, 2.62);
+  EXPECT_EQ(file.joints.at("joint2").velocity, std::numbers::pi);
+  EXPECT_EQ(file.notes, (Texts{"l.yaml: arm panda does not have gripper_joint1"}));
+  EXPECT_REFUSED(from_yaml("joint1:\n limit:\n  velocity: x"),
+                 "l.yaml:3: joint1.limit.velocity: \"x\" is not a number");
+  EXPECT_REFUSED(from_yaml("joint1: {limit: {max: 1}}"), "joint1.limit: unknown key \"max\"");
+  EXPECT_REFUSED(from_yaml("joint1: {limit: {lower: 2, upper: 1}}"), "lower limit 2 exceeds");
+}
+
 TEST(JointLimits, MayHaveAllJointsWithOnePrefix) {
   const Arm arm = built_in("rrr");
   const std::string left = "a_joint1: {max_jerk: 1}, a_joint2: {max_jerk: 2}, a_joint3: {}";
@@ -141,6 +163,13 @@ TEST(JointLimits, ReadNumbersAndTruthsOfYaml) {
   EXPECT_EQ(joint1("max_acceleration: 3, max_deceleration: -2").acceleration, 2);
   EXPECT_EQ(joint1("max_acceleration: 3, max_deceleration: 4").acceleration, 3);
   EXPECT_EQ(joint1("max_deceleration: 4").acceleration, 4);
+  EXPECT_EQ(joint1("max_velocity: 3, min_velocity: -2").velocity, 2);
+  EXPECT_EQ(joint1("max_acceleration: 3, min_acceleration: -4, max_deceleration: 5").acceleration,
+            3);
+  EXPECT_EQ(from_yaml("v: &v 1.25\njoint_limits: {joint1: {max_velocity: *v}}")
+                .joints.at("joint1")
+                .velocity,
+            1.25);
   EXPECT_EQ(joint1("max_acceleration: 3, max_deceleration: 0, has_deceleration_limits: false")
                 .acceleration,
             3);

@@ -11,24 +11,32 @@
 namespace beeline::internal {
 namespace {
 
-/// A kind of limit of MoveIt's file: `has` states whether the joint has it, `max` its value.
+/// A kind of limit of MoveIt's file: `has` states whether the joint has it, `max` is its value, and
+/// `min` that of the other direction, which is negative or has no sign.
 struct RateKeys {
   const char* has;
   const char* max;
+  const char* min;
 };
-constexpr RateKeys velocity_keys{"has_velocity_limits", "max_velocity"};
-constexpr RateKeys acceleration_keys{"has_acceleration_limits", "max_acceleration"};
-constexpr RateKeys deceleration_keys{"has_deceleration_limits", "max_deceleration"};
-constexpr RateKeys jerk_keys{"has_jerk_limits", "max_jerk"};
+constexpr RateKeys velocity_keys{"has_velocity_limits", "max_velocity", "min_velocity"};
+constexpr RateKeys acceleration_keys{"has_acceleration_limits", "max_acceleration",
+                                     "min_acceleration"};
+constexpr RateKeys jerk_keys{"has_jerk_limits", "max_jerk", "min_jerk"};
+constexpr const char* has_deceleration = "has_deceleration_limits";
+constexpr const char* max_deceleration = "max_deceleration";
 
 /// The keys of a joint: those that are read, then those of ros2_control that do not concern the
 /// kinematics.
 const std::vector<std::string> joint_keys{
-    "has_position_limits", "min_position",        "max_position",        velocity_keys.has,
-    velocity_keys.max,     acceleration_keys.has, acceleration_keys.max, deceleration_keys.has,
-    deceleration_keys.max, jerk_keys.has,         jerk_keys.max,         "has_effort_limits",
-    "max_effort",          "has_soft_limits",     "soft_lower_limit",    "soft_upper_limit",
-    "k_position",          "k_velocity",          "angle_wraparound"};
+    "has_position_limits", "min_position",     "max_position",        velocity_keys.has,
+    velocity_keys.max,     velocity_keys.min,  acceleration_keys.has, acceleration_keys.max,
+    acceleration_keys.min, has_deceleration,   max_deceleration,      jerk_keys.has,
+    jerk_keys.max,         jerk_keys.min,      "has_effort_limits",   "max_effort",
+    "has_soft_limits",     "soft_lower_limit", "soft_upper_limit",    "k_position",
+    "k_velocity",          "angle_wraparound"};
+
+/// The keys of a joint below `limit`, in the files of Franka's robots; they are those of URDF.
+const std::vector<std::string> urdf_limit_keys{"lower", "upper", "velocity", "effort"};
 
 /// One joint of the file, with checked access. Messages name the file, the line and the key.
 class YamlJoint {
@@ -41,18 +49,28 @@ class YamlJoint {
       refuse(member.line, "", "must be a map such as {max_velocity: 2}");
     }
     members_ = members;
-    for (const YamlMember& known : *members) check_key(known);
+    if (const auto* limit = urdf_limits(member)) {
+      members_ = limit;
+      urdf_ = true;
+    }
+    for (const YamlMember& known : *members_) check_key(known);
   }
 
   LimitOverrides read() {
     LimitOverrides limits;
+    if (urdf_) {
+      return {.lower = number_at("lower"),
+              .upper = number_at("upper"),
+              .velocity = rate_at("velocity")};
+    }
     const Limits& known = joint_.limits;
     set_position(limits);
     limits.velocity = rate(velocity_keys, known.velocity);
     limits.acceleration = rate(acceleration_keys, known.acceleration);
     limits.jerk = rate(jerk_keys, known.jerk);
-    if (const auto braking = deceleration()) {
-      limits.acceleration = std::min(limits.acceleration.value_or(known.acceleration), *braking);
+    if (truth_at(has_deceleration).value_or(true)) {
+      limits.acceleration =
+          least(limits.acceleration, magnitude_at(max_deceleration), known.acceleration);
     }
     return limits;
   }
@@ -85,7 +103,7 @@ class YamlJoint {
     if (has.value_or(true)) {
       const std::optional<double> value = rate_at(keys.max);
       if (has && !value) missing(keys.has, keys.max);
-      return value;
+      return least(value, magnitude_at(keys.min), known);
     }
     const std::optional<double> ignored = number_at(keys.max);
     if (ignored || known < Limits::none) {
@@ -95,14 +113,10 @@ class YamlJoint {
     return Limits::none;
   }
 
-  /// The largest deceleration, which files write with either sign.
-  std::optional<double> deceleration() {
-    if (!truth_at(deceleration_keys.has).value_or(true)) return std::nullopt;
-    const std::optional<double> value = number_at(deceleration_keys.max);
-    if (!value) return std::nullopt;
-    if (std::abs(*value) >= Limits::min_rate) return std::abs(*value);
-    refuse(find(deceleration_keys.max)->line, deceleration_keys.max,
-           "must not be " + number(*value));
+  /// A limit that bounds both directions; where only the other one is given, `known` bounds this.
+  static std::optional<double> least(std::optional<double> limit, std::optional<double> other,
+                                     double known) {
+    return other ? std::min(limit.value_or(known), *other) : limit;
   }
 
   void missing(const char* has, const char* key) {
@@ -135,6 +149,14 @@ class YamlJoint {
            "must be at least " + number(Limits::min_rate) + ", not " + number(*value));
   }
 
+  /// |number_at(key)|, at least Limits::min_rate.
+  std::optional<double> magnitude_at(const char* key) const {
+    const std::optional<double> value = number_at(key);
+    if (!value) return std::nullopt;
+    if (std::abs(*value) >= Limits::min_rate) return std::abs(*value);
+    refuse(find(key)->line, key, "must not be " + number(*value));
+  }
+
   /// Whether the key is true; none where the key is missing. The values are those of YAML 1.1.
   std::optional<bool> truth_at(const char* key) const {
     const YamlMember* member = find(key);
@@ -153,8 +175,8 @@ class YamlJoint {
   }
 
   std::string described(const std::string& key) const {
-    return std::string(joint_limits_key) + "." + printable(member_.key) +
-           (key.empty() ? "" : "." + key);
+    return (urdf_ ? "" : std::string(joint_limits_key) + ".") + printable(member_.key) +
+           (urdf_ ? ".limit" : "") + (key.empty() ? "" : "." + key);
   }
 
   const YamlMember* find(std::string_view key) const {
@@ -164,10 +186,11 @@ class YamlJoint {
   }
 
   void check_key(const YamlMember& member) const {
-    if (std::find(joint_keys.begin(), joint_keys.end(), member.key) != joint_keys.end()) return;
+    const std::vector<std::string>& known = urdf_ ? urdf_limit_keys : joint_keys;
+    if (std::find(known.begin(), known.end(), member.key) != known.end()) return;
     throw FileError(
         path_, member.line,
-        described("") + ": " + unknown_name("key", printable(member.key), joint_keys).what());
+        described("") + ": " + unknown_name("key", printable(member.key), known).what());
   }
 
   double in_si_units(double value, const YamlMember& member) const {
@@ -189,9 +212,16 @@ class YamlJoint {
   const Joint& joint_;
   std::vector<std::string>& notes_;
   const Yaml::Members* members_ = nullptr;
+  bool urdf_ = false;  // the keys are urdf_limit_keys
 };
 
 }  // namespace
+
+const Yaml::Members* urdf_limits(const YamlMember& joint) {
+  const auto* members = std::get_if<Yaml::Members>(&joint.value.value);
+  if (members == nullptr || members->size() != 1 || members->front().key != "limit") return nullptr;
+  return std::get_if<Yaml::Members>(&members->front().value.value);
+}
 
 LimitOverrides limit_overrides_from_yaml(const std::string& path, const YamlMember& member,
                                          const Joint& joint, std::vector<std::string>& notes) {

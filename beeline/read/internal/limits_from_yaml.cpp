@@ -16,13 +16,7 @@ class LimitsReader {
 
   JointLimits read() {
     search(root_);
-    if (limits_ == nullptr) refuse_without_limits();
-    const auto* joints = std::get_if<Yaml::Members>(&limits_->value.value);
-    if (joints == nullptr) {
-      throw FileError(
-          path_, limits_->line,
-          std::string(joint_limits_key) + " must be a map of joints, each with its limits");
-    }
+    const auto* joints = find_joints();
     for (const YamlMember& member : *joints) names_.insert(member.key);
     prefix_ = common_prefix();
     if (!prefix_.empty()) note("the prefix " + printable(prefix_) + " of joint names is left out");
@@ -36,7 +30,7 @@ class LimitsReader {
       }
     }
     if (result_.joints.empty()) {
-      throw FileError(path_, limits_->line,
+      throw FileError(path_, limits_ == nullptr ? 0 : limits_->line,
                       "has no joint of arm " + arm_.name() + " (" + listed(joint_names()) +
                           "); its joints are " + (others.empty() ? "none" : listed(others)));
     }
@@ -68,7 +62,21 @@ class LimitsReader {
     }
   }
 
-  [[noreturn]] void refuse_without_limits() const {
+  /// The members of `joint_limits`; those of the file, if one of them has urdf_limits().
+  const Yaml::Members* find_joints() const {
+    if (limits_ != nullptr) {
+      const auto* joints = std::get_if<Yaml::Members>(&limits_->value.value);
+      if (joints != nullptr) return joints;
+      throw FileError(
+          path_, limits_->line,
+          std::string(joint_limits_key) + " must be a map of joints, each with its limits");
+    }
+    const auto* joints = std::get_if<Yaml::Members>(&root_.value);
+    if (joints != nullptr && std::any_of(joints->begin(), joints->end(), [](const auto& joint) {
+          return urdf_limits(joint) != nullptr;
+        })) {
+      return joints;
+    }
     throw FileError(path_, 0,
                     std::string("has no key ") + joint_limits_key +
                         "; below it each joint has limits, such as max_velocity: 2");
