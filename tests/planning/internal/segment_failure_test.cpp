@@ -18,7 +18,7 @@ TEST(SegmentFailure, GivesTheTrueReason) {
   for (const std::string name : {"rrr", "panda", "ur5", "puma560", "stanford"}) {
     const Arm arm = built_in(name);
     const Task task = default_task(arm);
-    for (int i = 0; i < testing::cases(40); ++i) {
+    for (int i = 0; i < 40; ++i) {
       const Configuration start = testing::inner_configuration(random, arm);
       const Pose from = forward_kinematics(arm, start);
       const Line line{from, testing::nearby_pose(random, arm, from)};
