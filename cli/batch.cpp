@@ -114,7 +114,7 @@ Answer batch(const BatchArguments& arguments, const std::string& kind, MakeWork 
   if (arguments.json && rows_on_stdout) {
     throw Error("--json cannot be combined with --out -: both would write to stdout");
   }
-  const Arm arm = arguments.arm.read();
+  const Arm arm = arguments.arm.read(arguments.unit);
   const BatchWork work = make_work(arguments, arm);
   const BatchReport report = process(arguments, work);
   warn_of_rows(report);

@@ -111,16 +111,17 @@ Pose pose_in(const Eigen::Ref<const Eigen::VectorXd>& row, const UnitArgument& u
 }
 
 /// The poses of a block as columns of 16 numbers; rows that are not poses are reported and removed.
-void read_goals(const BatchArguments& arguments, const Arm& arm, std::size_t width, RowBlock& block,
-                Eigen::MatrixXd& goals, BadRows& bad) {
+void read_goals(const BatchArguments& arguments, const Arm& arm, const WrittenPose& world_T_work,
+                std::size_t width, RowBlock& block, Eigen::MatrixXd& goals, BadRows& bad) {
   const bool planar_form = width == pose_forms()[0].size();
   goals.resize(16, block.count());
   keep_rows(block, goals, [&](Eigen::Index i, const RowPosition& position) {
     try {
       const auto row = block.numbers.col(i).head(static_cast<Eigen::Index>(width));
-      const Pose pose = checked_pose(pose_in(row, arguments.unit));
-      if (arm.planar()) check_pose_form(arm, {pose, planar_form}, arguments.inverse.task);
-      goals.col(i) = pose.matrix().reshaped();
+      const WrittenPose pose =
+          in_world(world_T_work, {checked_pose(pose_in(row, arguments.unit)), planar_form});
+      if (arm.planar()) check_pose_form(arm, pose, arguments.inverse.task);
+      goals.col(i) = pose.pose.matrix().reshaped();
       return true;
     } catch (const Error& error) {
       bad.report(bad_row(arguments.source(), position, error.what()));
@@ -178,7 +179,7 @@ BatchWork jacobian_work(const BatchArguments& arguments, const Arm& arm) {
 }
 
 BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
-  const InverseOptions options = arguments.inverse.read(arm, arguments.unit);
+  const InverseOptions options = arguments.inverse.read(arm, arguments.arm, arguments.unit);
   const Configuration seed = options.seed ? *options.seed : middle_configuration(arm);
   // Checks the options before rows are read; a lock outside the limits is found by solving.
   Eigen::MatrixXd any(arm.dof(), 1);
@@ -188,10 +189,12 @@ BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
     if (form.size() > 3 || arm.planar()) work.forms.push_back(form);
   }
   work.forms.push_back(matrix_columns());
-  work.step = [&arguments, &arm, options, seed, forms = work.forms, goals = Eigen::MatrixXd()](
-                  std::size_t form, RowBlock& block, Eigen::MatrixXd& results, BatchCounts& counts,
-                  BadRows& bad) mutable {
-    read_goals(arguments, arm, forms[form].size(), block, goals, bad);
+  const WrittenPose world_T_work = arguments.inverse.work.read(arm, arguments.unit);
+  work.step = [&arguments, &arm, options, seed, world_T_work, forms = work.forms,
+               goals = Eigen::MatrixXd()](std::size_t form, RowBlock& block,
+                                          Eigen::MatrixXd& results, BatchCounts& counts,
+                                          BadRows& bad) mutable {
+    read_goals(arguments, arm, world_T_work, forms[form].size(), block, goals, bad);
     results.resize(arm.dof(), block.count());
     counts.solved += batch_inverse(arm, goals.leftCols(block.count()), seed, results, options,
                                    {.threads = arguments.threads});

@@ -24,6 +24,7 @@ struct CheckArguments {
   std::string file, through, plot;
   UnitArgument unit;
   TaskArgument task;
+  WorkArgument work;
   PathArgument path;
   VerifyOptions verify;
   bool json = false;
@@ -74,9 +75,10 @@ Answer check_file(const CheckArguments& arguments) {
     refuse_overwriting(arguments.plot, {arguments.arm.text, arguments.arm.limits, arguments.file,
                                         arguments.through});
   }
-  const Arm arm = arguments.limits.set_on(arguments.arm.read(), arguments.unit);
+  const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   const Trajectory trajectory = read_recording(arguments.file, arm);
-  const PoseList waypoints = read_waypoints(arguments.through, arm, arguments.task, arguments.unit);
+  const PoseList waypoints =
+      read_waypoints(arguments.through, arm, arguments.task, arguments.work, arguments.unit);
   VerifyOptions options = arguments.verify;
   options.task = arguments.task.read(arm);
   if (trajectory.size() == 0) throw FileError(arguments.file, 0, "has no samples");
@@ -121,7 +123,8 @@ Verb check_verb() {
                     trajectory_argument("FILE", "The trajectory to check, .csv or .json.",
                                         &arguments.file)},
       .options = joined({{through_option("The poses that the tool must pass after its first one.",
-                                         &arguments.through)},
+                                         &arguments.through),
+                          arguments.work.option()},
                          arguments.unit.options(),
                          arguments.task.options(),
                          arguments.path.options(),

@@ -29,7 +29,7 @@ int joint_of_largest_difference(const Arm& arm, const TrajectoryDifference& diff
 
 Answer diff_files(const DiffArguments& arguments) {
   const double tolerance = arguments.tolerance.value_or(Limits::none);
-  const Arm arm = arguments.arm.read();
+  const Arm arm = arguments.arm.read(arguments.unit);
   const TrajectoryDifference differences =
       difference(arm, read_recording(arguments.a, arm), read_recording(arguments.b, arm));
   const int worst = joint_of_largest_difference(arm, differences);

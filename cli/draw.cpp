@@ -33,7 +33,7 @@ Figure drawn_figure(const DrawArguments& arguments, const Arm& arm) {
     return motion_figure(arm, at_equal_times(read_recording(arguments.motion, arm)), {}, options);
   }
   if (arguments.q.empty()) return arm_figure(arm, middle_configuration(arm), options);
-  const Configuration q = arguments.unit.configuration(arm, arguments.q, "--q");
+  const Configuration q = arguments.arm.configuration(arm, arguments.q, "--q", arguments.unit);
   warn_outside_limits(arm, q);
   return arm_figure(arm, q, options);
 }
@@ -41,7 +41,7 @@ Figure drawn_figure(const DrawArguments& arguments, const Arm& arm) {
 Answer draw_arm(const DrawArguments& arguments) {
   const Format format = format_of(arguments.out);
   refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.limits, arguments.motion});
-  const Arm arm = arguments.arm.read();
+  const Arm arm = arguments.arm.read(arguments.unit);
   internal::write_file(arguments.out, render(drawn_figure(arguments, arm), format));
   return {.text = fmt::format("{} drawn: {}\n", arm.name(), arguments.out),
           .document = {{"status", "drawn"}, {"out", arguments.out}}};

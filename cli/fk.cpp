@@ -25,8 +25,8 @@ std::string link_label(const Arm& arm, std::size_t i) {
 
 Answer fk(const FkArguments& arguments) {
   const UnitArgument& unit = arguments.unit;
-  const Arm arm = arguments.arm.read();
-  const Configuration q = unit.configuration(arm, arguments.q, "--q");
+  const Arm arm = arguments.arm.read(arguments.unit);
+  const Configuration q = arguments.arm.configuration(arm, arguments.q, "--q", unit);
   warn_outside_limits(arm, q);
   const Pose tool = forward_kinematics(arm, q);
   if (!tool.matrix().allFinite()) {

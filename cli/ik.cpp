@@ -92,9 +92,10 @@ Json ik_document(const Arm& arm, const InverseResult& result, const UnitArgument
 }
 
 Answer ik(const IkArguments& arguments) {
-  const Arm arm = arguments.arm.read();
-  const WrittenPose goal = parse_pose_option(arguments.pose, arguments.unit);
-  const InverseOptions options = arguments.inverse.read(arm, arguments.unit);
+  const Arm arm = arguments.arm.read(arguments.unit);
+  const WrittenPose goal = in_world(arguments.inverse.work.read(arm, arguments.unit),
+                                    parse_pose_option("--pose", arguments.pose, arguments.unit));
+  const InverseOptions options = arguments.inverse.read(arm, arguments.arm, arguments.unit);
   try {
     check_pose_form(arm, goal, arguments.inverse.task);
   } catch (const Error& error) {
@@ -116,7 +117,7 @@ std::vector<Option> ik_options(IkArguments& arguments) {
   InverseArgument& inverse = arguments.inverse;
   return joined({{{.name = "--pose",
                    .value = "POSE",
-                   .help = "Pose of the tool in the world: x,y,theta (planar arms), "
+                   .help = "Pose of the tool in the world, or in --work: x,y,theta (planar arms), "
                            "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz.",
                    .target = &arguments.pose,
                    .required = true}},

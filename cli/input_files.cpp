@@ -44,11 +44,15 @@ Trajectory read_recording(const std::string& path, const Arm& arm) {
 }
 
 PoseList read_waypoints(const std::string& path, const Arm& arm, const TaskArgument& task,
-                        const UnitArgument& unit) {
+                        const WorkArgument& work, const UnitArgument& unit) {
+  const WrittenPose world_T_work = work.read(arm, unit);
   PoseList list = read_poses(path, unit.angle_unit());
+  warn_of_angle("--through " + path, list.max_angle, unit);
   for (std::size_t i = 0; i < list.poses.size(); ++i) {
     try {
-      check_pose_form(arm, {list.poses[i], list.planar}, task);
+      const WrittenPose pose = in_world(world_T_work, {list.poses[i], list.planar});
+      check_pose_form(arm, pose, task);
+      list.poses[i] = pose.pose;
     } catch (const Error& error) {
       throw FileError(path, list.lines[i], error.what());
     }

@@ -33,7 +33,8 @@ void apply_lock(const std::string& lock, const Arm& arm, const UnitArgument& uni
 
 std::vector<Option> InverseArgument::choice_options() {
   return joined(
-      {{joint_values_option("--seed",
+      {{work.option(),
+        joint_values_option("--seed",
                             "Joint values; solutions near them come first. Default: the middle "
                             "of the position limits.",
                             &seed)},
@@ -93,12 +94,13 @@ std::vector<Option> InverseArgument::search_options() {
            .range = above_zero}};
 }
 
-InverseOptions InverseArgument::read(const Arm& arm, const UnitArgument& unit) const {
+InverseOptions InverseArgument::read(const Arm& arm, const ArmArgument& argument,
+                                     const UnitArgument& unit) const {
   InverseOptions options = values;
   options.task = task.read(arm);
   options.method = inverse_method_named(method);
   options.redundancy = redundancy_named(redundancy);
-  if (!seed.empty()) options.seed = unit.configuration(arm, seed, "--seed");
+  if (!seed.empty()) options.seed = argument.configuration(arm, seed, "--seed", unit);
   if (!lock.empty()) apply_lock(lock, arm, unit, options);
   return options;
 }

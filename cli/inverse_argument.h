@@ -7,15 +7,18 @@
 /// The options of inverse kinematics that `ik` and `batch ik` share.
 struct InverseArgument {
   TaskArgument task = {};
+  WorkArgument work = {};
   std::string seed = {}, lock = {};
   std::string method = name(beeline::InverseMethod::automatic);
   std::string redundancy = name(beeline::Redundancy::any);
   beeline::InverseOptions values = {};
 
-  /// The options that select solutions: --seed, --task, --ignore-limits, --lock, --redundancy,
+  /// The options that select solutions: --work, --seed, --task, --ignore-limits, --lock,
+  /// --redundancy,
   /// --grid.
   std::vector<Option> choice_options();
   /// The options of the search: --method to --time-limit.
   std::vector<Option> search_options();
-  beeline::InverseOptions read(const beeline::Arm& arm, const UnitArgument& unit) const;
+  beeline::InverseOptions read(const beeline::Arm& arm, const ArmArgument& argument,
+                               const UnitArgument& unit) const;
 };

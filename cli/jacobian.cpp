@@ -32,8 +32,8 @@ const char* frame_meaning(Frame frame) {
 }
 
 Answer differential_kinematics(const JacobianArguments& arguments) {
-  const Arm arm = arguments.arm.read();
-  const Configuration q = arguments.unit.configuration(arm, arguments.q, "--q");
+  const Arm arm = arguments.arm.read(arguments.unit);
+  const Configuration q = arguments.arm.configuration(arm, arguments.q, "--q", arguments.unit);
   const Task task = arguments.jacobian.read(arm);
   warn_outside_limits(arm, q);
   const Eigen::MatrixXd matrix = task_jacobian(arm, q, task);

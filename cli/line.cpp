@@ -23,6 +23,7 @@ struct LineArguments {
   LimitsArgument limits;
   UnitArgument unit;
   TaskArgument task;
+  WorkArgument work;
   PathArgument path;
   ProfileArgument profile;
   std::string from, through, method = exact;
@@ -100,7 +101,7 @@ LineReport line_by_method(const LineArguments& arguments, const Arm& arm,
                           const std::vector<Pose>& waypoints) {
   std::optional<Configuration> start;
   if (!arguments.from.empty()) {
-    start = arguments.unit.configuration(arm, arguments.from, "--from");
+    start = arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
   }
   const Task task = arguments.task.read(arm);
   if (arguments.method == exact) return line_by_plan(arguments, arm, start, waypoints, task);
@@ -115,8 +116,9 @@ LineReport line_by_method(const LineArguments& arguments, const Arm& arm,
 
 Answer line(const LineArguments& arguments) {
   arguments.files.check({arguments.arm.text, arguments.arm.limits, arguments.through});
-  const Arm arm = arguments.limits.set_on(arguments.arm.read(), arguments.unit);
-  const PoseList waypoints = read_waypoints(arguments.through, arm, arguments.task, arguments.unit);
+  const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
+  const PoseList waypoints =
+      read_waypoints(arguments.through, arm, arguments.task, arguments.work, arguments.unit);
   LineReport report = line_by_method(arguments, arm, waypoints.poses);
   report.method = arguments.method;
   report.waypoints = waypoints.poses.size();
@@ -132,6 +134,7 @@ std::vector<Option> line_options(LineArguments& arguments) {
   const std::string jacobian = name(CartesianMethod::inverse_jacobian);
   const std::string kinematics = name(CartesianMethod::inverse_kinematics);
   return {through_option("The poses to pass.", &arguments.through),
+          arguments.work.option(),
           joint_values_option("--from",
                               "Joint values at the start. Default: the joint values at the first "
                               "pose that are best for the whole path.",

@@ -73,9 +73,10 @@ std::string move_text(const MoveArguments& arguments, const Arm& arm,
 
 Answer move_joints(const MoveArguments& arguments) {
   arguments.files.check({arguments.arm.text, arguments.arm.limits});
-  const Arm arm = arguments.limits.set_on(arguments.arm.read(), arguments.unit);
-  const Configuration from = arguments.unit.configuration(arm, arguments.from, "--from");
-  const Configuration to = arguments.unit.configuration(arm, arguments.to, "--to");
+  const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
+  const Configuration from =
+      arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
+  const Configuration to = arguments.arm.configuration(arm, arguments.to, "--to", arguments.unit);
   const ControlledMotion motion =
       arguments.method == feedback
           ? control_joints(arm, from, to, arguments.gains, arguments.simulation)

@@ -47,7 +47,7 @@ ReplayOptions replay_options(const ReplayArguments& arguments, const Arm& arm) {
   ReplayOptions options = arguments.replay;
   if (!arguments.speed_at.empty()) options.speed_at = speed_changes(arguments.speed_at);
   if (!arguments.from.empty()) {
-    options.start = arguments.unit.configuration(arm, arguments.from, "--from");
+    options.start = arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
   }
   return options;
 }
@@ -77,7 +77,7 @@ std::string replay_text(const Replay& played) {
 Answer replay_file(const ReplayArguments& arguments) {
   arguments.files.check(
       {arguments.arm.text, arguments.arm.limits, arguments.file, arguments.measured});
-  const Arm arm = arguments.limits.set_on(arguments.arm.read(), arguments.unit);
+  const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   const ReplayOptions options = replay_options(arguments, arm);
   const Trajectory recording = read_recording(arguments.file, arm);
   std::optional<Trajectory> measured;

@@ -94,7 +94,7 @@ std::string retime_text(const RetimeArguments& arguments, const Arm& arm, const 
 Answer retime_file(const RetimeArguments& arguments) {
   arguments.files.check({arguments.arm.text, arguments.arm.limits, arguments.file});
   const RetimeOptions options = retime_options(arguments);
-  const Arm arm = arguments.limits.set_on(arguments.arm.read(), arguments.unit);
+  const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   const RetimeInput input = read_input(arguments.file, arm);
   const Retimed retimed = retime(arm, input.trajectory, options);
   const bool found(retimed);

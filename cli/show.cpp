@@ -147,7 +147,7 @@ Json arm_document(const Arm& arm, const UnitArgument& unit) {
 }
 
 Answer show(const ShowArguments& arguments) {
-  const Arm arm = arguments.limits.set_on(arguments.arm.read(), arguments.unit);
+  const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   if (!arguments.out.empty()) {
     if (internal::extension(arguments.out) != "json") {
       throw Error("--out " + arguments.out + ": an arm is written to a .json file");

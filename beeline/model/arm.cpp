@@ -212,6 +212,15 @@ Arm with_tool(const Arm& arm, const Pose& tool) {
   return {arm.name(), arm.joints(), tool, arm.base()};
 }
 
+Arm with_tcp(const Arm& arm, const Pose& flange_T_tcp) {
+  return with_tool(arm, arm.tool() * checked_pose(flange_T_tcp, "the tool on the flange"));
+}
+
+Arm with_mount(const Arm& arm, const Pose& world_T_mount) {
+  const Pose mount = checked_pose(world_T_mount, "the mount");
+  return {arm.name(), arm.joints(), arm.tool(), mount * arm.base()};
+}
+
 Arm with_limits(const Arm& arm, const std::map<std::string, LimitOverrides>& limits) {
   std::vector<Joint> joints = arm.joints();
   std::vector<std::string> names;

@@ -101,8 +101,16 @@ class Arm {
   Reach reach_;
 };
 
-/// Returns a copy with another tool.
+/// Returns a copy with another tool, in place of the arm's.
 Arm with_tool(const Arm& arm, const Pose& tool);
+
+/// Returns a copy with a tool on the flange: the tool's frame becomes the pose `flange_T_tcp` in
+/// the frame that has been the tool's.
+Arm with_tcp(const Arm& arm, const Pose& flange_T_tcp);
+
+/// Returns a copy that stands in the world: the frame that has been the world becomes the pose
+/// `world_T_mount` in the world.
+Arm with_mount(const Arm& arm, const Pose& world_T_mount);
 
 /// Returns a copy in which the joints with these names have these limits. Throws Error for the name
 /// of a joint that the arm does not have, and for limits that Arm refuses.

@@ -19,10 +19,12 @@ using internal::in_quotes;
 struct ArmFormat {
   std::string_view ending;
   bool tree;  ///< files describe a tree of links, of which ChainEnds selects a chain
-  Arm (*parse)(std::string_view text, const std::string& path, const ChainEnds& ends);
+  Arm (*parse)(std::string_view text, const std::string& path, const ChainEnds& ends,
+               std::vector<std::string>* notes);
 };
 
-Arm parse_json(std::string_view text, const std::string& path, const ChainEnds& /*ends*/) {
+Arm parse_json(std::string_view text, const std::string& path, const ChainEnds& /*ends*/,
+               std::vector<std::string>* /*notes*/) {
   return arm_from_json(text, path);
 }
 
@@ -44,10 +46,13 @@ std::string known_endings() {
   return listed(endings);
 }
 
-Arm read_arm_file(const std::string& path, const ChainEnds& ends) {
+Arm read_arm_file(const std::string& path, const ChainEnds& ends, std::vector<std::string>* notes) {
   const std::string ending = internal::extension(path);
   if (ending == "xacro") {
     throw FileError(path, 0, "is a xacro file; run xacro first and pass the URDF that it writes");
+  }
+  if (ending == "srdf") {
+    throw FileError(path, 0, "is an SRDF file, which has no kinematics; pass the URDF as the arm");
   }
   const auto* const format =
       std::find_if(std::begin(arm_formats), std::end(arm_formats),
@@ -56,7 +61,7 @@ Arm read_arm_file(const std::string& path, const ChainEnds& ends) {
     throw FileError(path, 0, "is not a known kind of arm file; known are " + known_endings());
   }
   if (!format->tree) refuse_ends(path, ends);
-  return format->parse(internal::read_file(path), path, ends);
+  return format->parse(internal::read_file(path), path, ends, notes);
 }
 
 /// The built-in name that equals `text` up to the case of letters; empty if there is none. A joint
@@ -72,13 +77,13 @@ std::string built_in_name(const std::string& text) {
 
 }  // namespace
 
-Arm read_arm(const std::string& text, const ChainEnds& ends) {
+Arm read_arm(const std::string& text, const ChainEnds& ends, std::vector<std::string>* notes) {
   const std::string name = built_in_name(text);
   if (!name.empty() || is_joint_string(text)) {
     refuse_ends(text, ends);
     return name.empty() ? arm_from_joint_string(text) : built_in(name);
   }
-  if (text.find_first_of("./") != std::string::npos) return read_arm_file(text, ends);
+  if (text.find_first_of("./") != std::string::npos) return read_arm_file(text, ends, notes);
   throw Error(std::string(unknown_name("arm", internal::printable(text), built_in_names()).what()) +
               "; or give a joint string such as RRR:3.5,3.5,2, or a .urdf or .json file");
 }

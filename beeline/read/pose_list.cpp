@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <beeline/error.h>
@@ -55,6 +56,16 @@ const Names& form_of(const Names& header) {
   return form;
 }
 
+/// Returns the angle of a pose that is largest by magnitude, or `other` if that is larger.
+double larger_angle(std::span<const double> pose, AngleUnit unit, double other) {
+  const std::size_t first = pose.size() == 3 ? 2 : pose.size() == 6 ? 3 : pose.size();
+  for (const double angle : pose.subspan(first)) {
+    const double radians = to_radians(angle, unit);
+    if (std::abs(radians) > std::abs(other)) other = radians;
+  }
+  return other;
+}
+
 }  // namespace
 
 double to_radians(double angle, AngleUnit unit) {
@@ -83,7 +94,7 @@ Pose pose_of(std::span<const double> v, AngleUnit unit) {
 
 PoseList poses_from_csv(std::string_view text, const std::string& path, AngleUnit unit) {
   const internal::CsvTable table = internal::parse_csv(text, path);
-  PoseList list{.poses = {}, .lines = table.lines, .planar = false};
+  PoseList list{.poses = {}, .lines = table.lines};
   int line = 0;  // unknown for the header: comments may precede it
   try {
     const Names& form = form_of(table.columns);
@@ -98,6 +109,7 @@ PoseList poses_from_csv(std::string_view text, const std::string& path, AngleUni
       line = table.lines[row];
       for (std::size_t i = 0; i < form.size(); ++i) values[i] = table.rows[row][column_of[i]];
       list.poses.push_back(checked_pose(pose_of(values, unit)));
+      list.max_angle = larger_angle(values, unit, list.max_angle);
     }
   } catch (const Error& error) {
     throw FileError(path, line, error.what());
@@ -117,7 +129,7 @@ WrittenPose parse_pose(std::string_view text, AngleUnit unit) {
     throw Error("pose " + in_quotes(text) + " has " + std::to_string(values.size()) +
                 " numbers; poses are " + known_forms);
   }
-  return {pose_of(values, unit), values.size() == 3};
+  return {pose_of(values, unit), values.size() == 3, larger_angle(values, unit, 0)};
 }
 
 }  // namespace beeline

@@ -19,16 +19,18 @@ double to_radians(double angle, AngleUnit unit);
 /// A pose as a text gives it.
 struct WrittenPose {
   Pose pose;
-  bool planar = false;  ///< given as x,y,theta
+  bool planar = false;   ///< given as x,y,theta
+  double max_angle = 0;  ///< the angle that is largest by magnitude, radians; 0 with a quaternion
 };
 
 /// Poses of a CSV file. A text gives a pose in one of three forms, in metres and an AngleUnit:
 ///     x,y,theta     x,y,z,roll,pitch,yaw     x,y,z,qw,qx,qy,qz
 /// The first is planar: a pose in the plane z = 0.
 struct PoseList {
-  std::vector<Pose> poses;  ///< at least one
-  std::vector<int> lines;   ///< the line of the file of each pose
-  bool planar = false;      ///< given as x,y,theta
+  std::vector<Pose> poses = {};  ///< at least one
+  std::vector<int> lines = {};   ///< the line of the file of each pose
+  bool planar = false;           ///< given as x,y,theta
+  double max_angle = 0;          ///< the angle that is largest by magnitude, radians
 };
 
 /// Returns the names of the columns of the three forms.

@@ -1,4 +1,5 @@
 #include <unordered_set>
+#include <utility>
 
 #include <beeline/error.h>
 #include <beeline/read/internal/file.h>
@@ -10,14 +11,14 @@
 namespace beeline {
 namespace {
 
+using internal::ChainJoint;
 using internal::UrdfFile;
 
-/// Returns the arm's joint; `origin` is the pose of its frame in the frame of the joint before it.
-Joint moving_joint(const UrdfFile& file, const UrdfFile::Joint& urdf, const Pose& origin) {
+/// Returns the joint from its parent link to its child link, without the offset of its origin.
+Joint moving_joint(const UrdfFile& file, const UrdfFile::Joint& urdf) {
   Joint joint;
   joint.name = urdf.name;
   joint.link = urdf.child;
-  joint.offset = origin;
   joint.limits = urdf.limits;
   joint.mimic = urdf.mimic;
   try {
@@ -39,6 +40,22 @@ Joint moving_joint(const UrdfFile& file, const UrdfFile::Joint& urdf, const Pose
   return joint;
 }
 
+/// Returns the arm's joint, whose frame is the child link's or, if it is reversed, the parent
+/// link's; `before` is the pose of its first link in the frame of the joint before it.
+Joint chain_joint(const UrdfFile& file, const ChainJoint& place, const Pose& before) {
+  const UrdfFile::Joint& urdf = file.joints[place.index];
+  Joint joint = moving_joint(file, urdf);
+  if (!place.reversed) {
+    joint.offset = before * urdf.origin;
+    return joint;
+  }
+  // parent_T_child = origin exp(S q), so child_T_parent = exp(-S q) origin^-1.
+  joint.offset = before;
+  joint.screw = -joint.screw;
+  joint.link = urdf.parent;
+  return with_link_frame(std::move(joint), urdf.origin.inverse());
+}
+
 [[noreturn]] void refuse_type(const UrdfFile& file, const UrdfFile::Joint& joint) {
   throw FileError(file.path, joint.line,
                   "joint " + joint.name + " is " + internal::in_quotes(joint.type) +
@@ -46,12 +63,12 @@ Joint moving_joint(const UrdfFile& file, const UrdfFile::Joint& urdf, const Pose
 }
 
 /// Refuses mimic joints of the chain whose leader is not in the file.
-void check_leaders(const UrdfFile& file, const std::vector<std::size_t>& chain) {
+void check_leaders(const UrdfFile& file, const std::vector<ChainJoint>& chain) {
   std::vector<std::string> names;
   for (const UrdfFile::Joint& joint : file.joints) names.push_back(joint.name);
   const std::unordered_set<std::string> known(names.begin(), names.end());
-  for (const std::size_t index : chain) {
-    const UrdfFile::Joint& joint = file.joints[index];
+  for (const ChainJoint& place : chain) {
+    const UrdfFile::Joint& joint = file.joints[place.index];
     if (!joint.mimic || known.contains(joint.mimic->leader)) continue;
     const Error unknown = unknown_name("joint", internal::printable(joint.mimic->leader), names);
     throw FileError(file.path, joint.mimic_line,
@@ -70,18 +87,21 @@ void free_followers(std::vector<Joint>& joints) {
 
 }  // namespace
 
-Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends) {
+Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends,
+                  std::vector<std::string>* notes) {
   const UrdfFile file = internal::parse_urdf(text, path);
-  const std::vector<std::size_t> chain = internal::cut_chain(file, ends);
+  const std::vector<ChainJoint> chain = internal::cut_chain(file, ends, notes);
   check_leaders(file, chain);
   std::vector<Joint> joints;
   Pose fixed = Pose::Identity();  // from the last moving joint's frame
-  for (const std::size_t index : chain) {
-    const UrdfFile::Joint& urdf = file.joints[index];
-    fixed = fixed * urdf.origin;
-    if (urdf.type == "fixed") continue;
+  for (const ChainJoint& place : chain) {
+    const UrdfFile::Joint& urdf = file.joints[place.index];
+    if (urdf.type == "fixed") {
+      fixed = fixed * (place.reversed ? urdf.origin.inverse() : urdf.origin);
+      continue;
+    }
     if (!has_one_dof(urdf)) refuse_type(file, urdf);
-    joints.push_back(moving_joint(file, urdf, fixed));
+    joints.push_back(chain_joint(file, place, fixed));
     fixed = Pose::Identity();
   }
   if (joints.empty() || joints.size() > max_joints) {
@@ -97,8 +117,8 @@ Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnd
   }
 }
 
-Arm read_urdf(const std::string& path, const ChainEnds& ends) {
-  return arm_from_urdf(internal::read_file(path), path, ends);
+Arm read_urdf(const std::string& path, const ChainEnds& ends, std::vector<std::string>* notes) {
+  return arm_from_urdf(internal::read_file(path), path, ends, notes);
 }
 
 }  // namespace beeline

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <filesystem>
 #include <tinyxml2.h>
 #include <unordered_set>
@@ -6,87 +5,16 @@
 #include <beeline/error.h>
 #include <beeline/pose/orientation.h>
 #include <beeline/read/internal/name.h>
-#include <beeline/read/internal/numbers.h>
 #include <beeline/read/internal/urdf_file.h>
 #include <beeline/read/internal/xml.h>
+#include <beeline/read/internal/xml_elements.h>
 
 namespace beeline::internal {
 namespace {
 
 using tinyxml2::XMLElement;
 
-/// Reads elements of one file; every error names the file and the element's line.
-class Elements {
- public:
-  explicit Elements(const std::string& path) : path_(path) {}
-
-  [[noreturn]] void refuse(int line, const std::string& message) const {
-    throw FileError(path_, line, message);
-  }
-
-  std::string needed_text(const XMLElement& element, const char* attribute) const {
-    const char* text = element.Attribute(attribute);
-    if (text == nullptr) {
-      refuse(element.GetLineNum(), described(element) + " needs the attribute " + attribute);
-    }
-    return text;
-  }
-
-  std::string needed_name(const XMLElement& element, const char* attribute) const {
-    std::string name = needed_text(element, attribute);
-    try {
-      check_name(name, described(element) + ": " + attribute);
-    } catch (const Error& error) {
-      refuse(element.GetLineNum(), error.what());
-    }
-    return name;
-  }
-
-  /// Reads three numbers separated by blanks; returns `otherwise` when the attribute is missing.
-  Vector3 vector(const XMLElement& element, const char* attribute, const Vector3& otherwise) const {
-    const char* text = element.Attribute(attribute);
-    if (text == nullptr) return otherwise;
-    constexpr std::string_view blanks = " \t\r\n";
-    std::string_view rest = text;
-    std::vector<double> values;
-    for (;;) {
-      rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(blanks)));
-      if (rest.empty()) break;
-      const std::string_view item = rest.substr(0, rest.find_first_of(blanks));
-      values.push_back(number(element, attribute, item));
-      rest.remove_prefix(item.size());
-    }
-    if (values.size() != 3) {
-      refuse(element.GetLineNum(), described(element) + ": " + attribute + " has " +
-                                       std::to_string(values.size()) +
-                                       " numbers; it must have three, as in \"0 0 1\"");
-    }
-    return {values[0], values[1], values[2]};
-  }
-
-  double number_or(const XMLElement& element, const char* attribute, double otherwise) const {
-    const char* text = element.Attribute(attribute);
-    return text == nullptr ? otherwise : number(element, attribute, text);
-  }
-
-  static std::string described(const XMLElement& element) {
-    return "<" + printable(element.Name()) + ">";
-  }
-
- private:
-  double number(const XMLElement& element, const char* attribute, std::string_view text) const {
-    try {
-      return parse_number(text, described(element) + ": " + attribute);
-    } catch (const Error& error) {
-      const bool macro = text.find("${") != std::string_view::npos;
-      refuse(element.GetLineNum(), std::string(error.what()) + (macro ? "; run xacro first" : ""));
-    }
-  }
-
-  const std::string& path_;
-};
-
-Pose read_origin(const Elements& elements, const XMLElement& joint) {
+Pose read_origin(const XmlElements& elements, const XMLElement& joint) {
   const XMLElement* origin = joint.FirstChildElement("origin");
   if (origin == nullptr) return Pose::Identity();
   const Vector3 rpy = elements.vector(*origin, "rpy", Vector3::Zero());
@@ -96,7 +24,7 @@ Pose read_origin(const Elements& elements, const XMLElement& joint) {
 
 /// A missing <limit> means no limit, although the format requires one; a missing lower or upper is
 /// 0, as the format defines. Many files write velocity="0" for an unknown velocity limit.
-Limits read_limits(const Elements& elements, const XMLElement& limit, bool continuous) {
+Limits read_limits(const XmlElements& elements, const XMLElement& limit, bool continuous) {
   Limits limits;
   if (!continuous) {
     limits.lower = elements.number_or(limit, "lower", 0);
@@ -107,13 +35,13 @@ Limits read_limits(const Elements& elements, const XMLElement& limit, bool conti
   return limits;
 }
 
-Mimic read_mimic(const Elements& elements, const XMLElement& mimic) {
+Mimic read_mimic(const XmlElements& elements, const XMLElement& mimic) {
   return {.leader = elements.needed_text(mimic, "joint"),
           .multiplier = elements.number_or(mimic, "multiplier", 1),
           .offset = elements.number_or(mimic, "offset", 0)};
 }
 
-std::string read_end(const Elements& elements, const XMLElement& joint, const char* end) {
+std::string read_end(const XmlElements& elements, const XMLElement& joint, const char* end) {
   const XMLElement* element = joint.FirstChildElement(end);
   if (element == nullptr) {
     elements.refuse(joint.GetLineNum(), "joint " + in_quotes(joint.Attribute("name")) +
@@ -122,7 +50,7 @@ std::string read_end(const Elements& elements, const XMLElement& joint, const ch
   return elements.needed_text(*element, "link");
 }
 
-UrdfFile::Joint read_joint(const Elements& elements, const XMLElement& element) {
+UrdfFile::Joint read_joint(const XmlElements& elements, const XMLElement& element) {
   UrdfFile::Joint joint;
   joint.name = elements.needed_name(element, "name");
   joint.type = elements.needed_text(element, "type");
@@ -153,12 +81,12 @@ bool has_one_dof(const UrdfFile::Joint& joint) {
 }
 
 UrdfFile parse_urdf(std::string_view text, const std::string& path) {
-  const Elements elements(path);
+  const XmlElements elements(path);
   tinyxml2::XMLDocument document;
   parse_xml(document, text, path);
   const XMLElement* robot = document.RootElement();
   if (robot == nullptr || std::string_view(robot->Name()) != "robot") {
-    const std::string found = robot == nullptr ? "nothing" : Elements::described(*robot);
+    const std::string found = robot == nullptr ? "nothing" : described(*robot);
     elements.refuse(robot == nullptr ? 0 : robot->GetLineNum(),
                     "is not URDF: its root must be <robot>, not " + found);
   }
@@ -171,7 +99,7 @@ UrdfFile parse_urdf(std::string_view text, const std::string& path) {
     const std::string_view tag = at->Name();
     const int line = at->GetLineNum();
     if (tag.starts_with("xacro:")) {
-      elements.refuse(line, "is a xacro file (it contains " + Elements::described(*at) +
+      elements.refuse(line, "is a xacro file (it contains " + described(*at) +
                                 "); run xacro first and pass the URDF that it writes");
     }
     if (tag == "link") {

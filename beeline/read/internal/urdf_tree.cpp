@@ -35,33 +35,103 @@ class Tree {
     return roots_.front();
   }
 
-  std::size_t tip(const std::string& name, std::size_t base) const {
+  /// Returns the link called `name` or, if that is empty, an end of the tree that a joint moves.
+  std::size_t tip(const std::string& name, std::size_t base,
+                  std::vector<std::string>* notes) const {
     if (!name.empty()) return link_called(name, "tip link");
-    Indices tips;
-    for (const std::size_t link : links_below({base})) {
-      if (child_joints_[link].empty()) tips.push_back(link);
+    std::vector<End> ends = moved_ends(base, Way::down);
+    const bool below = !ends.empty();
+    if (!below) ends = moved_ends(base, Way::any);
+    if (ends.empty()) refuse("has no moving joints between its base and its tip");
+    const auto tool = std::find_if(ends.begin(), ends.end(),
+                                   [&](const End& end) { return name_of(end.link) == "tool0"; });
+    const bool one_body = std::all_of(
+        ends.begin(), ends.end(), [&](const End& end) { return end.body == ends.front().body; });
+    if (!one_body && tool == ends.end()) {
+      refuse("has " + std::to_string(ends.size()) + " tips " + (below ? "below " : "beyond ") +
+             name_of(base) + "; choose one as the tip: " + names(links_of(ends)));
     }
-    if (tips.size() > 1) {
-      std::sort(tips.begin(), tips.end());
-      refuse("has " + std::to_string(tips.size()) + " tips below " + name_of(base) +
-             "; choose one as the tip: " + names(tips));
+    const std::size_t tip = (tool == ends.end() ? ends.front() : *tool).link;
+    if (notes != nullptr && ends.size() > 1) {
+      ends.erase(std::find_if(ends.begin(), ends.end(),
+                              [tip](const End& end) { return end.link == tip; }));
+      notes->push_back("the tip is " + name_of(tip) + "; other tips" +
+                       (one_body ? ", fixed to the same link: " : ": ") + names(links_of(ends)));
     }
-    return tips.front();
+    return tip;
   }
 
-  Indices chain(std::size_t base, std::size_t tip) const {
-    Indices joints;
-    for (std::size_t link = tip; link != base;) {
-      const std::size_t joint = parent_joint_[link];
-      if (joint == no_joint) refuse("tip " + name_of(tip) + " is not below base " + name_of(base));
-      joints.push_back(joint);
-      link = index_.at(file_.joints[joint].parent);
+  std::vector<ChainJoint> chain(std::size_t base, std::size_t tip) const {
+    std::unordered_map<std::size_t, std::size_t> below;  // from an ancestor of the tip: the joint
+    std::size_t top = tip;
+    for (; parent_joint_[top] != no_joint; top = parent_of(top)) {
+      below.emplace(parent_of(top), parent_joint_[top]);
     }
-    std::reverse(joints.begin(), joints.end());
+    std::vector<ChainJoint> joints;
+    std::size_t link = base;
+    for (; link != tip && !below.contains(link); link = parent_of(link)) {
+      if (parent_joint_[link] == no_joint) {
+        refuse("tip " + name_of(tip) + " is not connected to base " + name_of(base));
+      }
+      joints.push_back({parent_joint_[link], true});
+    }
+    while (link != tip) {
+      const std::size_t joint = below.at(link);
+      joints.push_back({joint, false});
+      link = index_.at(file_.joints[joint].child);
+    }
     return joints;
   }
 
  private:
+  enum class Way { down, any };
+
+  /// An end of the tree, and the link that leads it: links of one body are connected by fixed
+  /// joints.
+  struct End {
+    std::size_t link, body;
+  };
+
+  /// Returns the ends of the tree that can be reached from the base through a joint with one degree
+  /// of freedom, in the file's order.
+  std::vector<End> moved_ends(std::size_t base, Way way) const {
+    struct Visit {
+      std::size_t link, from, body;
+      bool moved;
+    };
+    std::vector<Visit> visits{{base, no_joint, base, false}};
+    std::vector<End> ends;
+    for (std::size_t next = 0; next < visits.size(); ++next) {
+      const Visit visit = visits[next];
+      Indices joints = child_joints_[visit.link];
+      if (way == Way::any && parent_joint_[visit.link] != no_joint) {
+        joints.push_back(parent_joint_[visit.link]);
+      }
+      const std::size_t known = visits.size();
+      for (const std::size_t j : joints) {
+        if (j == visit.from) continue;
+        const UrdfFile::Joint& joint = file_.joints[j];
+        const bool up = j == parent_joint_[visit.link];
+        const std::size_t link = index_.at(up ? joint.parent : joint.child);
+        visits.push_back({link, j, joint.type == "fixed" ? visit.body : link,
+                          visit.moved || has_one_dof(joint)});
+      }
+      if (visits.size() == known && visit.moved) ends.push_back({visit.link, visit.body});
+    }
+    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.link < b.link; });
+    return ends;
+  }
+
+  static Indices links_of(const std::vector<End>& ends) {
+    Indices links;
+    for (const End& end : ends) links.push_back(end.link);
+    return links;
+  }
+
+  std::size_t parent_of(std::size_t link) const {
+    return index_.at(file_.joints[parent_joint_[link]].parent);
+  }
+
   [[noreturn]] void refuse(const std::string& message, int line = 0) const {
     throw FileError(file_.path, line, message);
   }
@@ -136,10 +206,11 @@ class Tree {
 
 }  // namespace
 
-std::vector<std::size_t> cut_chain(const UrdfFile& file, const ChainEnds& ends) {
+std::vector<ChainJoint> cut_chain(const UrdfFile& file, const ChainEnds& ends,
+                                  std::vector<std::string>* notes) {
   const Tree tree(file);
   const std::size_t base = tree.base(ends.base);
-  return tree.chain(base, tree.tip(ends.tip, base));
+  return tree.chain(base, tree.tip(ends.tip, base, notes));
 }
 
 }  // namespace beeline::internal

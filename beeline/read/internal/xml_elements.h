@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <beeline/pose/so3.h>
+
+namespace tinyxml2 {
+class XMLElement;
+}
+
+namespace beeline::internal {
+
+/// Returns the element's tag for a message: `<joint>`.
+std::string described(const tinyxml2::XMLElement& element);
+
+/// Reads attributes of the elements of one XML file. Every error is a FileError that names the file
+/// and the element's line.
+class XmlElements {
+ public:
+  /// `path` must outlive this object.
+  explicit XmlElements(const std::string& path) : path_(path) {}
+
+  [[noreturn]] void refuse(int line, const std::string& message) const;
+
+  std::string needed_text(const tinyxml2::XMLElement& element, const char* attribute) const;
+  /// A text that check_name() accepts.
+  std::string needed_name(const tinyxml2::XMLElement& element, const char* attribute) const;
+
+  /// Reads three numbers separated by blanks; returns `otherwise` when the attribute is missing.
+  Vector3 vector(const tinyxml2::XMLElement& element, const char* attribute,
+                 const Vector3& otherwise) const;
+  /// Reads numbers separated by blanks; the attribute must be there.
+  std::vector<double> numbers(const tinyxml2::XMLElement& element, const char* attribute) const;
+  double number_or(const tinyxml2::XMLElement& element, const char* attribute,
+                   double otherwise) const;
+
+ private:
+  double number(const tinyxml2::XMLElement& element, const char* attribute,
+                std::string_view text) const;
+
+  const std::string& path_;
+};
+
+}  // namespace beeline::internal
