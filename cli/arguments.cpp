@@ -15,18 +15,6 @@
 
 using namespace beeline;
 
-namespace {
-
-/// The pose of a frame as typed for `option`: the forms of --pose and, unless the arm is planar,
-/// x,y,z without a rotation.
-WrittenPose parse_frame(const Arm& arm, const std::string& option, const std::string& text,
-                        const UnitArgument& unit) {
-  const bool translation = !arm.planar() && std::count(text.begin(), text.end(), ',') == 2;
-  return parse_pose_option(option, text + (translation ? ",0,0,0" : ""), unit);
-}
-
-}  // namespace
-
 void warn_of_angle(const std::string& option, double angle, const UnitArgument& unit) {
   constexpr double revolution = 2 * std::numbers::pi + 1e-3;  // as typed with four digits
   if (unit.degrees || std::abs(angle) <= revolution) return;
@@ -38,60 +26,6 @@ std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists) {
   std::vector<Option> all;
   for (const std::vector<Option>& list : lists) all.insert(all.end(), list.begin(), list.end());
   return all;
-}
-
-Positional ArmArgument::argument() {
-  return {.name = "ARM",
-          .help = "A built-in arm, a joint string or a file (.urdf, .json).",
-          .target = &text,
-          .completes = Completes::arm};
-}
-
-std::vector<Option> ArmArgument::options() {
-  return {
-      {.name = "--base",
-       .value = "LINK",
-       .help = "First link of the chain, any link of a URDF file. Default: its root link.",
-       .target = &base},
-      {.name = "--tip",
-       .value = "LINK",
-       .help = "Last link of the chain, any link of a URDF file. Default: the leaf that a joint "
-               "moves, of several tool0 or, if only fixed joints are between them, the first.",
-       .target = &tip},
-      {.name = "--tcp",
-       .value = "POSE",
-       .help = "The tool on the flange: its pose in the arm's own tool frame, as --mount.",
-       .target = &tcp},
-      {.name = "--mount",
-       .value = "POSE",
-       .help = "Where the arm stands: the pose of its base in the world, as x,y,theta (planar "
-               "arms), x,y,z (other arms), x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz.",
-       .target = &mount},
-      {.name = "--limits",
-       .value = "FILE",
-       .help = "Joint limits that replace the arm's: MoveIt's joint_limits.yaml, or .json with "
-               "{JOINT: {lower, upper, velocity, acceleration, jerk}, ...}, each optional.",
-       .target = &limits,
-       .completes = Completes::file}};
-}
-
-Arm ArmArgument::read(const UnitArgument& unit) const {
-  std::vector<std::string> notes;
-  const Arm described = read_arm(text, {.base = base, .tip = tip}, &notes);
-  for (const std::string& note : notes) warn(note + "; --tip selects another");
-  Arm arm = described;
-  if (!tcp.empty()) arm = with_tcp(arm, parse_frame(described, "--tcp", tcp, unit).pose);
-  if (!mount.empty()) arm = with_mount(arm, parse_frame(described, "--mount", mount, unit).pose);
-  if (limits.empty()) return arm;
-  const JointLimits file = read_joint_limits(limits, arm);
-  for (const std::string& note : file.notes) warn(note);
-  return with_limits(arm, file.joints);
-}
-
-Configuration ArmArgument::configuration(const Arm& arm, const std::string& values,
-                                         const std::string& option,
-                                         const UnitArgument& unit) const {
-  return unit.configuration(arm, values, option);
 }
 
 std::vector<Option> UnitArgument::options() {
@@ -238,50 +172,6 @@ Option joint_values_option(std::string name, std::string help, std::string* targ
           .help = std::move(help),
           .target = target,
           .phrases = std::move(phrases)};
-}
-
-Option WorkArgument::option() {
-  return {.name = "--work",
-          .value = "POSE",
-          .help = "The frame that poses are given in: its pose in the world, as --mount.",
-          .target = &text};
-}
-
-WrittenPose WorkArgument::read(const Arm& arm, const UnitArgument& unit) const {
-  if (text.empty()) return {.pose = Pose::Identity(), .planar = true};
-  return parse_frame(arm, "--work", text, unit);
-}
-
-WrittenPose parse_pose_option(const std::string& option, const std::string& text,
-                              const UnitArgument& unit) {
-  try {
-    const WrittenPose written = parse_pose(text, unit.angle_unit());
-    warn_of_angle(option, written.max_angle, unit);
-    return {checked_pose(written.pose), written.planar};
-  } catch (const Error& error) {
-    const std::string message = error.what();
-    const bool prefixed = message.starts_with("pose:");  // the number's position follows
-    throw Error(option + (prefixed ? message.substr(4) : ": " + message));
-  }
-}
-
-WrittenPose in_world(const WrittenPose& world_T_work, const WrittenPose& pose) {
-  return {.pose = world_T_work.pose * pose.pose, .planar = world_T_work.planar && pose.planar};
-}
-
-void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgument& task) {
-  if (written.planar && !arm.planar()) {
-    throw Error("x,y,theta is for planar arms; " + arm.name() +
-                " needs x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz");
-  }
-  if (written.planar || !arm.planar() || !task.text.empty()) return;
-  constexpr double tolerance = 1e-6;  // metres, and of the unit vector z
-  const double height = forward_kinematics(arm, middle_configuration(arm)).translation().z();
-  const bool in_plane = std::abs(written.pose.translation().z() - height) < tolerance &&
-                        (written.pose.linear().col(2) - Vector3::UnitZ()).norm() < tolerance;
-  if (in_plane) return;
-  throw Error("the pose is outside the plane z = " + number(height) + " m of arm " + arm.name() +
-              "; give x,y,theta, or --task planar to ignore height and tilt");
 }
 
 void warn_outside_limits(const Arm& arm, const Configuration& q) {

@@ -37,22 +37,6 @@ struct UnitArgument {
   const char* name() const { return degrees ? "deg" : "rad"; }
 };
 
-/// ARM with --base, --tip, --tcp, --mount and --limits.
-struct ArmArgument {
-  std::string text = {}, base = {}, tip = {};
-  std::string tcp = {}, mount = {};  ///< poses as typed; empty: none
-  std::string limits = {};           ///< a file of joint limits; empty: the arm's own
-
-  Positional argument();
-  std::vector<Option> options();
-  /// The arm with the tool and the limits, in the world. Warns of what the files say that is not
-  /// applied.
-  beeline::Arm read(const UnitArgument& unit) const;
-  /// Joint values as typed for `option`, see UnitArgument::configuration().
-  beeline::Configuration configuration(const beeline::Arm& arm, const std::string& text,
-                                       const std::string& option, const UnitArgument& unit) const;
-};
-
 /// --velocity, --acceleration, --jerk and --speed: limits of a motion.
 struct LimitsArgument {
   std::string velocity = {}, acceleration = {}, jerk = {};
@@ -85,28 +69,6 @@ struct JacobianArgument {
 /// --q, or another option that takes joint values, with the Option::phrases.
 Option joint_values_option(std::string name, std::string help, std::string* target,
                            std::vector<std::string> phrases = {});
-
-/// --work: the frame in which poses are given.
-struct WorkArgument {
-  std::string text = {};
-
-  Option option();
-  /// world_T_work, planar if it was given as x,y,theta or not at all.
-  beeline::WrittenPose read(const beeline::Arm& arm, const UnitArgument& unit) const;
-};
-
-/// A pose as typed for `option`. Throws Error that begins with the option.
-beeline::WrittenPose parse_pose_option(const std::string& option, const std::string& text,
-                                       const UnitArgument& unit);
-
-/// The pose in the world of a pose in the frame of --work.
-beeline::WrittenPose in_world(const beeline::WrittenPose& world_T_work,
-                              const beeline::WrittenPose& pose);
-
-/// Throws Error for a planar pose given to an arm that is not planar and, without --task, for a
-/// spatial pose outside the plane of a planar arm, whose height and tilt would be ignored.
-void check_pose_form(const beeline::Arm& arm, const beeline::WrittenPose& pose,
-                     const TaskArgument& task);
 
 /// Warns on stderr of an angle, in radians, beyond a revolution: it may be meant in degrees.
 void warn_of_angle(const std::string& option, double angle, const UnitArgument& unit);

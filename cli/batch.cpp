@@ -109,7 +109,8 @@ using MakeWork = BatchWork (*)(const BatchArguments&, const Arm&);
 
 Answer batch(const BatchArguments& arguments, const std::string& kind, MakeWork make_work) {
   row_format(arguments.out);
-  refuse_overwriting(arguments.out, {arguments.in, arguments.arm.text, arguments.arm.limits});
+  refuse_overwriting(arguments.out,
+                     {arguments.in, arguments.arm.text, arguments.arm.srdf, arguments.arm.limits});
   const bool rows_on_stdout = arguments.out == "-";
   if (arguments.json && rows_on_stdout) {
     throw Error("--json cannot be combined with --out -: both would write to stdout");

@@ -7,6 +7,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/read/internal/file.h>
 
+#include "arm_argument.h"
 #include "format.h"
 #include "input_files.h"
 #include "motion_report.h"
@@ -72,8 +73,8 @@ std::string check_text(const CheckArguments& arguments, const Verification& veri
 Answer check_file(const CheckArguments& arguments) {
   if (!arguments.plot.empty()) {
     format_of(arguments.plot);
-    refuse_overwriting(arguments.plot, {arguments.arm.text, arguments.arm.limits, arguments.file,
-                                        arguments.through});
+    refuse_overwriting(arguments.plot, {arguments.arm.text, arguments.arm.srdf,
+                                        arguments.arm.limits, arguments.file, arguments.through});
   }
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   const Trajectory trajectory = read_recording(arguments.file, arm);

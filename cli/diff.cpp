@@ -3,6 +3,7 @@
 #include <beeline/error.h>
 #include <beeline/trajectory/difference.h>
 
+#include "arm_argument.h"
 #include "input_files.h"
 #include "motion_report.h"
 #include "verbs.h"

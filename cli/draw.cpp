@@ -6,6 +6,7 @@
 #include <beeline/error.h>
 #include <beeline/read/internal/file.h>
 
+#include "arm_argument.h"
 #include "input_files.h"
 #include "result_files.h"
 #include "verbs.h"
@@ -40,7 +41,8 @@ Figure drawn_figure(const DrawArguments& arguments, const Arm& arm) {
 
 Answer draw_arm(const DrawArguments& arguments) {
   const Format format = format_of(arguments.out);
-  refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.limits, arguments.motion});
+  refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits,
+                                     arguments.motion});
   const Arm arm = arguments.arm.read(arguments.unit);
   internal::write_file(arguments.out, render(drawn_figure(arguments, arm), format));
   return {.text = fmt::format("{} drawn: {}\n", arm.name(), arguments.out),

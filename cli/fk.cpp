@@ -3,6 +3,7 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 
+#include "arm_argument.h"
 #include "format.h"
 #include "verbs.h"
 

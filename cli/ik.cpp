@@ -3,6 +3,7 @@
 #include <beeline/error.h>
 #include <beeline/inverse/inverse_kinematics.h>
 
+#include "arm_argument.h"
 #include "command/streams.h"
 #include "format.h"
 #include "inverse_argument.h"

@@ -4,7 +4,7 @@
 
 #include <beeline/trajectory/trajectory.h>
 
-#include "arguments.h"
+#include "pose_argument.h"
 
 /// The trajectory of a file with its joints in the arm's order. Throws FileError if it does not fit
 /// the arm or has a value above 1e100, whose square overflows.

@@ -2,7 +2,8 @@
 
 #include <beeline/inverse/inverse_kinematics.h>
 
-#include "arguments.h"
+#include "arm_argument.h"
+#include "pose_argument.h"
 
 /// The options of inverse kinematics that `ik` and `batch ik` share.
 struct InverseArgument {

@@ -4,6 +4,7 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/manipulability.h>
 
+#include "arm_argument.h"
 #include "format.h"
 #include "verbs.h"
 

@@ -5,6 +5,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/move_along.h>
 
+#include "arm_argument.h"
 #include "command/progress.h"
 #include "input_files.h"
 #include "line_report.h"
@@ -115,7 +116,8 @@ LineReport line_by_method(const LineArguments& arguments, const Arm& arm,
 }
 
 Answer line(const LineArguments& arguments) {
-  arguments.files.check({arguments.arm.text, arguments.arm.limits, arguments.through});
+  arguments.files.check(
+      {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits, arguments.through});
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   const PoseList waypoints =
       read_waypoints(arguments.through, arm, arguments.task, arguments.work, arguments.unit);

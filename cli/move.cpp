@@ -5,6 +5,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/timing/point_to_point.h>
 
+#include "arm_argument.h"
 #include "format.h"
 #include "result_files.h"
 #include "verbs.h"
@@ -72,7 +73,7 @@ std::string move_text(const MoveArguments& arguments, const Arm& arm,
 }
 
 Answer move_joints(const MoveArguments& arguments) {
-  arguments.files.check({arguments.arm.text, arguments.arm.limits});
+  arguments.files.check({arguments.arm.text, arguments.arm.srdf, arguments.arm.limits});
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   const Configuration from =
       arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);

@@ -5,6 +5,7 @@
 #include <beeline/error.h>
 #include <beeline/read/internal/numbers.h>
 
+#include "arm_argument.h"
 #include "format.h"
 #include "input_files.h"
 #include "motion_report.h"
@@ -75,8 +76,8 @@ std::string replay_text(const Replay& played) {
 }
 
 Answer replay_file(const ReplayArguments& arguments) {
-  arguments.files.check(
-      {arguments.arm.text, arguments.arm.limits, arguments.file, arguments.measured});
+  arguments.files.check({arguments.arm.text, arguments.arm.srdf, arguments.arm.limits,
+                         arguments.file, arguments.measured});
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   const ReplayOptions options = replay_options(arguments, arm);
   const Trajectory recording = read_recording(arguments.file, arm);

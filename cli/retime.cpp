@@ -7,6 +7,7 @@
 #include <beeline/record/trajectory_file.h>
 #include <beeline/timing/retime.h>
 
+#include "arm_argument.h"
 #include "format.h"
 #include "input_files.h"
 #include "motion_report.h"
@@ -92,7 +93,8 @@ std::string retime_text(const RetimeArguments& arguments, const Arm& arm, const 
 }
 
 Answer retime_file(const RetimeArguments& arguments) {
-  arguments.files.check({arguments.arm.text, arguments.arm.limits, arguments.file});
+  arguments.files.check(
+      {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits, arguments.file});
   const RetimeOptions options = retime_options(arguments);
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   const RetimeInput input = read_input(arguments.file, arm);

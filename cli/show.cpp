@@ -7,6 +7,7 @@
 #include <beeline/read/arm_json.h>
 #include <beeline/read/internal/file.h>
 
+#include "arm_argument.h"
 #include "format.h"
 #include "result_files.h"
 #include "verbs.h"
@@ -152,7 +153,8 @@ Answer show(const ShowArguments& arguments) {
     if (internal::extension(arguments.out) != "json") {
       throw Error("--out " + arguments.out + ": an arm is written to a .json file");
     }
-    refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.limits});
+    refuse_overwriting(arguments.out,
+                       {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits});
     internal::write_file(arguments.out, arm_to_json(arm));
   }
   return {.text = arm_text(arm, arguments.unit), .document = arm_document(arm, arguments.unit)};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,5 +38,47 @@ Arm read_urdf(const std::string& path, const ChainEnds& ends = {},
 /// The same from a text; `path` names it in messages.
 Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends = {},
                   std::vector<std::string>* notes = nullptr);
+
+/// An SRDF file, which MoveIt reads beside a URDF file: groups of joints, and named states. Names
+/// of joints and links are compared with an arm where they are used.
+struct Srdf {
+  struct Group {
+    std::string name;
+    std::vector<ChainEnds> chains = {};
+    std::vector<std::string> joints = {}, links = {}, groups = {};
+    int line = 0;
+  };
+  struct State {
+    std::string name, group;
+    std::map<std::string, std::vector<double>> joints = {};  ///< values in rad or m, by joint
+    int line = 0;
+  };
+
+  std::string path;  ///< names the file in messages
+  std::vector<Group> groups = {};
+  std::vector<State> states = {};
+  std::vector<std::string> virtual_joints = {};  ///< they place the robot in the world
+};
+
+/// Reads an SRDF file. Collision pairs, end effectors and passive joints are ignored.
+/// Throws FileError for text that is not SRDF, a missing attribute, two groups of one name, two
+/// states of one name and group, and a value that is not a number.
+Srdf read_srdf(const std::string& path);
+/// The same from a text; `path` names it in messages.
+Srdf srdf_from_text(std::string_view text, const std::string& path);
+
+/// Returns the base and the tip of a group in a URDF file: those of its <chain>; or, if it lists
+/// joints, links (which stand for the joints above them) or groups, the link above its first joint
+/// and the link below its last one.
+/// Throws FileError for an unknown group, joint or link (it lists the known ones), and for a group
+/// whose joints are not all those of one chain. Mimic joints need not be listed.
+ChainEnds group_ends(const Srdf& srdf, const std::string& group, const std::string& urdf_path);
+
+/// Returns the configuration of a named state with a value for each coordinate of the arm, of this
+/// group if it has one of the name.
+/// Throws FileError for an unknown name (it lists the known ones), a state without a value for a
+/// coordinate, and several states of the name with different values.
+Configuration named_state(const Srdf& srdf, const Arm& arm, const std::string& name,
+                          const std::string& group = "");
 
 }  // namespace beeline

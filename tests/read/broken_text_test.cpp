@@ -4,6 +4,7 @@
 
 #include <beeline/model/catalog.h>
 #include <beeline/read/arm_json.h>
+#include <beeline/read/internal/srdf_file.h>
 #include <beeline/read/joint_limits.h>
 #include <beeline/read/joint_string.h>
 #include <beeline/read/pose_list.h>
@@ -46,6 +47,13 @@ std::vector<Case> cases() {
   return {
       {"urdf", testing::whole_urdf,
        [](const std::string& text) { arm_from_urdf(text, "a.urdf", {.base = "", .tip = "left"}); },
+       "<>/\"'=&;!?-[] \n0.e"},
+      {"srdf", testing::whole_srdf,
+       [](const std::string& text) {
+         const Srdf srdf = srdf_from_text(text, "a.srdf");
+         internal::group_ends(srdf, "small", testing::whole_urdf, "a.urdf");
+         named_state(srdf, arm_from_urdf(testing::whole_urdf, "a.urdf", {.tip = "flange"}), "home");
+       },
        "<>/\"'=&;!?-[] \n0.e"},
       {"panda", arm_to_json(built_in("panda")), json, "{}[]\",:\\-+.e019 \n"},
       {"composite", composite, json, "{}[]\",:\\-+.e019 \n"},

@@ -160,7 +160,7 @@ TEST(UrdfChain, AnyBaseAndTipGiveTheToolsPoseInTheBase) {
       }
     }
   }
-  EXPECT_LT(largest, 1e-13);
+  EXPECT_LT(largest, 1e-12);
   EXPECT_GT(chains, testing::cases(1000) / 2);
   EXPECT_GT(reversed, chains);
 }

@@ -71,4 +71,23 @@ inline const std::string whole_urdf = R"(<?xml version="1.0"?>
 </robot>
 )";
 
+/// Groups and states of whole_urdf.
+inline const std::string whole_srdf = R"(<?xml version="1.0"?>
+<robot name="small arm">
+  <virtual_joint name="world" type="fixed" parent_frame="world" child_link="base"/>
+  <group name="arm"><chain base_link="base" tip_link="flange"/></group>
+  <group name="hand"><link name="left"/><joint name="right_finger"/></group>
+  <group name="small">
+    <group name="arm"/>
+    <joint name="left_finger"/>
+  </group>
+  <group_state name="home" group="arm">
+    <joint name="pan" value="0.5"/>
+    <joint name="lift" value="-1e-1"/>
+  </group_state>
+  <end_effector name="hand" parent_link="flange" group="hand"/>
+  <disable_collisions link1="base" link2="shoulder" reason="Adjacent"/>
+</robot>
+)";
+
 }  // namespace beeline::testing

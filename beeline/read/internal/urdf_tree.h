@@ -23,4 +23,10 @@ struct ChainJoint {
 std::vector<ChainJoint> cut_chain(const UrdfFile& file, const ChainEnds& ends,
                                   std::vector<std::string>* notes = nullptr);
 
+/// Returns the ends of the chain down the tree that has these joints: indices into `file.joints`,
+/// in any order. Fixed joints on other branches are ignored.
+/// Throws Error, a clause without a subject, when there is none: joints with one degree of freedom
+/// on two branches, or, mimic joints aside, one between the ends that is not among them.
+ChainEnds ends_of_joints(const UrdfFile& file, const std::vector<std::size_t>& joints);
+
 }  // namespace beeline::internal

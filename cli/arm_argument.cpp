@@ -1,0 +1,106 @@
+#include "arm_argument.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include <beeline/error.h>
+#include <beeline/read/arm.h>
+#include <beeline/read/internal/name.h>
+#include <beeline/read/joint_limits.h>
+#include <beeline/read/urdf.h>
+
+#include "command/streams.h"
+#include "pose_argument.h"
+
+using namespace beeline;
+
+namespace {
+
+/// Whether a text typed for joint values can be a name only: it begins with a letter and is not a
+/// list.
+bool is_name(const std::string& text) {
+  return std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
+         text.find(',') == std::string::npos;
+}
+
+}  // namespace
+
+Positional ArmArgument::argument() {
+  return {.name = "ARM",
+          .help = "A built-in arm, a joint string or a file (.urdf, .json).",
+          .target = &text,
+          .completes = Completes::arm};
+}
+
+std::vector<Option> ArmArgument::options() {
+  return {
+      {.name = "--base",
+       .value = "LINK",
+       .help = "First link of the chain, any link of a URDF file. Default: its root link.",
+       .target = &base},
+      {.name = "--tip",
+       .value = "LINK",
+       .help = "Last link of the chain, any link of a URDF file. Default: the leaf that a joint "
+               "moves, of several tool0 or, if only fixed joints are between them, the first.",
+       .target = &tip},
+      {.name = "--srdf",
+       .value = "FILE",
+       .help = "MoveIt's SRDF file of the arm: its groups for --group, and its named states "
+               "wherever joint values are typed, such as --from home.",
+       .target = &srdf,
+       .completes = Completes::file},
+      {.name = "--group",
+       .value = "NAME",
+       .help = "The group of --srdf that gives base and tip of the chain; --base and --tip "
+               "replace them.",
+       .target = &group,
+       .needs = "--srdf"},
+      {.name = "--tcp",
+       .value = "POSE",
+       .help = "The tool on the flange: its pose in the arm's own tool frame, as --mount.",
+       .target = &tcp},
+      {.name = "--mount",
+       .value = "POSE",
+       .help = "Where the arm stands: the pose of its base in the world, as x,y,theta (planar "
+               "arms), x,y,z (other arms), x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz.",
+       .target = &mount},
+      {.name = "--limits",
+       .value = "FILE",
+       .help = "Joint limits that replace the arm's: MoveIt's joint_limits.yaml, or .json with "
+               "{JOINT: {lower, upper, velocity, acceleration, jerk}, ...}, each optional.",
+       .target = &limits,
+       .completes = Completes::file}};
+}
+
+Arm ArmArgument::read(const UnitArgument& unit) const {
+  ChainEnds ends;
+  if (!group.empty()) ends = group_ends(read_srdf(srdf), group, text);
+  if (!base.empty()) ends.base = base;
+  if (!tip.empty()) ends.tip = tip;
+  std::vector<std::string> notes;
+  const Arm described = read_arm(text, ends, &notes);
+  for (const std::string& note : notes) warn(note + "; --tip selects another");
+  Arm arm = described;
+  if (!tcp.empty()) arm = with_tcp(arm, parse_frame_option(described, "--tcp", tcp, unit).pose);
+  if (!mount.empty())
+    arm = with_mount(arm, parse_frame_option(described, "--mount", mount, unit).pose);
+  if (limits.empty()) return arm;
+  const JointLimits file = read_joint_limits(limits, arm);
+  for (const std::string& note : file.notes) warn(note);
+  return with_limits(arm, file.joints);
+}
+
+Configuration ArmArgument::configuration(const Arm& arm, const std::string& values,
+                                         const std::string& option,
+                                         const UnitArgument& unit) const {
+  if (srdf.empty() && is_name(values)) {
+    throw Error(option + ": " + internal::in_quotes(values) +
+                " is not a list of numbers; named states need --srdf FILE");
+  }
+  if (srdf.empty()) return unit.configuration(arm, values, option);
+  const Srdf semantics = read_srdf(srdf);
+  const bool known = std::any_of(semantics.states.begin(), semantics.states.end(),
+                                 [&](const Srdf::State& state) { return state.name == values; });
+  return known || is_name(values) ? named_state(semantics, arm, values, group)
+                                  : unit.configuration(arm, values, option);
+}

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "arguments.h"
+
+/// ARM with --base, --tip, --srdf, --group, --tcp, --mount and --limits.
+struct ArmArgument {
+  std::string text = {}, base = {}, tip = {};
+  std::string srdf = {};             ///< a file of groups and named states; empty: none
+  std::string group = {};            ///< of that file
+  std::string tcp = {}, mount = {};  ///< poses as typed; empty: none
+  std::string limits = {};           ///< a file of joint limits; empty: the arm's own
+
+  Positional argument();
+  std::vector<Option> options();
+  /// The arm with the tool and the limits, in the world. Warns of what the files say that is not
+  /// applied.
+  beeline::Arm read(const UnitArgument& unit) const;
+  /// Joint values as typed for `option`: a named state of --srdf, or numbers, see
+  /// UnitArgument::configuration().
+  beeline::Configuration configuration(const beeline::Arm& arm, const std::string& text,
+                                       const std::string& option, const UnitArgument& unit) const;
+};

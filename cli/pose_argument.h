@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include <beeline/read/pose_list.h>
+
+#include "arguments.h"
+
+/// A pose as typed for `option`. Throws Error that begins with the option.
+beeline::WrittenPose parse_pose_option(const std::string& option, const std::string& text,
+                                       const UnitArgument& unit);
+
+/// The pose of a frame as typed for `option`: the forms of --pose and, unless the arm is planar,
+/// x,y,z without a rotation.
+beeline::WrittenPose parse_frame_option(const beeline::Arm& arm, const std::string& option,
+                                        const std::string& text, const UnitArgument& unit);
+
+/// --work: the frame in which poses are given.
+struct WorkArgument {
+  std::string text = {};
+
+  Option option();
+  /// world_T_work, planar if it was given as x,y,theta or not at all.
+  beeline::WrittenPose read(const beeline::Arm& arm, const UnitArgument& unit) const;
+};
+
+/// The pose in the world of a pose in the frame of --work.
+beeline::WrittenPose in_world(const beeline::WrittenPose& world_T_work,
+                              const beeline::WrittenPose& pose);
+
+/// Throws Error for a planar pose given to an arm that is not planar and, without --task, for a
+/// spatial pose outside the plane of a planar arm, whose height and tilt would be ignored.
+void check_pose_form(const beeline::Arm& arm, const beeline::WrittenPose& pose,
+                     const TaskArgument& task);

@@ -1,0 +1,221 @@
+"""Frames of a cell: --tcp, --mount, --work, --base, --tip, --srdf and --group."""
+
+import math
+
+import pytest
+
+from arms import Q, text
+
+HEAD = '<robot name="r">' + "".join(
+    f'<link name="{name}"/>' for name in ("base", "upper", "flange", "tool0", "camera")
+)
+JOINTS = """
+<joint name="j1" type="revolute"><parent link="base"/><child link="upper"/>
+  <origin xyz="0 0 0.5"/><axis xyz="0 0 1"/><limit lower="-2" upper="3" velocity="1"/></joint>
+<joint name="j2" type="revolute"><parent link="upper"/><child link="flange"/>
+  <origin xyz="0.4 0 0"/><axis xyz="0 1 0"/><limit lower="-1" upper="1" velocity="1"/></joint>
+"""
+FIXED = '<joint name="to_{0}" type="fixed"><parent link="flange"/><child link="{0}"/>{1}</joint>'
+URDF = (
+    HEAD + JOINTS + FIXED.format("camera", '<origin xyz="0 0.1 0"/>')
+    + FIXED.format("tool0", '<origin xyz="0.3 0 0"/>') + "</robot>"
+)
+SRDF = """<robot name="r">
+<group name="arm"><chain base_link="base" tip_link="flange"/></group>
+<group name="back"><joint name="j1"/><joint name="j2"/><joint name="to_camera"/></group>
+<group_state name="home" group="arm">
+  <joint name="j1" value="0.25"/><joint name="j2" value="-0.5"/></group_state>
+<group_state name="far" group="arm"><joint name="j1" value="9"/><joint name="j2" value="0"/></group_state>
+</robot>"""
+
+
+def matrix(answer):
+    assert answer.code == 0, answer.err
+    return answer.json["pose"]["matrix"]
+
+
+def product(*factors):
+    result, *others = factors
+    for other in others:
+        result = [[sum(a * b for a, b in zip(row, column)) for column in zip(*other)] for row in result]
+    return result
+
+
+def inverse(pose):
+    rotation = [list(column) for column in zip(*(row[:3] for row in pose[:3]))]
+    back = [-sum(a * row[3] for a, row in zip(line, pose)) for line in rotation]
+    return [[*line, x] for line, x in zip(rotation, back)] + [[0, 0, 0, 1]]
+
+
+def same(found, expected, error=1e-12):
+    for row, wanted in zip(found, expected):
+        assert row == pytest.approx(wanted, abs=error)
+    return True
+
+
+def frame(x=0, y=0, z=0, roll=0, pitch=0, yaw=0):
+    def turn(axis, angle):
+        i, j = (axis + 1) % 3, (axis + 2) % 3
+        m = [[float(row == column) for column in range(4)] for row in range(4)]
+        m[i][i] = m[j][j] = math.cos(angle)
+        m[j][i] = math.sin(angle)
+        m[i][j] = -math.sin(angle)
+        return m
+
+    pose = product(turn(2, yaw), turn(1, pitch), turn(0, roll))
+    for row, value in zip(pose, (x, y, z)):
+        row[3] = value
+    return pose
+
+
+TCP, MOUNT, WORK = (0.1, -0.05, 0.2, 0.3, -0.4, 0.5), (1, 2, 0.7, 0, 0.2, 1.5), (0.4, 0.1, 0.3, 3, 0, 1)
+
+
+@pytest.mark.parametrize("arm", ["panda", "ur5"])
+def test_fk_is_the_tool_on_the_flange_of_an_arm_in_the_world(beeline, arm):
+    plain = matrix(beeline("fk", arm, "--q", Q[arm], "--json"))
+    answer = beeline("fk", arm, "--q", Q[arm], "--json", "--tcp", text(TCP), "--mount", text(MOUNT))
+    assert same(matrix(answer), product(frame(*MOUNT), plain, frame(*TCP)))
+
+
+def test_ik_takes_poses_in_the_work_frame(beeline):
+    options = ("--tcp", text(TCP), "--mount", text(MOUNT))
+    tool = matrix(beeline("fk", "ur5", "--q", Q["ur5"], "--json", *options))
+    goal = product(inverse(frame(*WORK)), tool)
+    yaw = math.atan2(goal[1][0], goal[0][0])
+    pitch = math.asin(-goal[2][0])
+    roll = math.atan2(goal[2][1], goal[2][2])
+    pose = text([goal[0][3], goal[1][3], goal[2][3], roll, pitch, yaw])
+    answer = beeline("ik", "ur5", "--pose", pose, "--work", text(WORK), *options, "--seed", Q["ur5"],
+                     "--json")
+    expected = [float(value) for value in Q["ur5"].split(",")]
+    assert answer.json["solutions"][0] == pytest.approx(expected, abs=1e-6)
+
+
+def test_a_translation_is_enough_for_a_frame_in_space_and_theta_in_the_plane(beeline):
+    q = ("--q", "0.3,0.4,0.5", "--json")
+    plain = matrix(beeline("fk", "rrr", *q))
+    for mount in ("1,2,90", "1,2,0,0,0,90"):
+        answer = beeline("fk", "rrr", "--q", text(map(math.degrees, (0.3, 0.4, 0.5))), "--json",
+                         "--degrees", "--mount", mount)
+        assert same(matrix(answer), product(frame(1, 2, yaw=math.pi / 2), plain))
+    panda = ("fk", "panda", "--q", Q["panda"], "--json")
+    expected = product(matrix(beeline(*panda)), frame(z=0.1))
+    assert same(matrix(beeline(*panda, "--tcp", "0,0,0.1")), expected)
+
+
+def test_lines_are_planned_and_checked_in_the_work_frame(beeline, written):
+    world = "x,y,theta\n4.5,5.2,0\n2,6,0.5\n"
+    moved = "x,y,theta\n5.2,-3.5,-1.5707963267948966\n6,-1,-1.0707963267948966\n"
+    frame_of_work = ("--work", "1,0,1.5707963267948966")
+    plain = beeline("line", "rrr", "--from", "0,1.5707963,0", "--through", written("w.csv", world),
+                    "--out", "a.csv", "--json")
+    answer = beeline("line", "rrr", "--from", "0,1.5707963,0", "--through", written("m.csv", moved),
+                     *frame_of_work, "--out", "b.csv", "--json")
+    assert answer.json["status"] == "reached"
+    assert answer.json["duration"] == pytest.approx(plain.json["duration"], rel=1e-6)
+    assert beeline("check", "rrr", "b.csv", "--through", "w.csv").code == 0
+    assert beeline("check", "rrr", "b.csv", "--through", "m.csv", *frame_of_work).code == 0
+    assert beeline("check", "rrr", "b.csv", "--through", "m.csv").code == 1
+
+
+def test_batch_ik_takes_the_work_frame(beeline, written):
+    written("p.csv", "x,y,theta\n3,4,0.5\n")
+    written("w.csv", "x,y,theta\n2,2,0.5\n")
+    for name, options in (("p", ()), ("w", ("--work", "1,2,0"))):
+        assert beeline("batch", "ik", "rrr", "--in", f"{name}.csv", "--out", f"{name}.npy", *options
+                       ).code == 0
+        assert beeline("batch", "ik", "rrr", "--in", f"{name}.csv", "--out", "-", *options).code == 0
+    assert beeline("batch", "ik", "rrr", "--in", "p.csv", "--out", "-").out == beeline(
+        "batch", "ik", "rrr", "--in", "w.csv", "--out", "-", "--work", "1,2,0").out
+
+
+def test_bad_frames_name_their_option(refused):
+    fk = ("fk", "panda", "--q", Q["panda"])
+    refused(2, *fk, "--tcp", "1,2", says=["--tcp: pose", "2 numbers"])
+    refused(2, *fk, "--mount", "1,2,x", says=["--mount: item 3"])
+    refused(2, *fk, "--mount", "0,0,0,2,0,0,0", says=["--mount: ", "length 2"])
+    refused(2, *fk, "--tcp", "1e200,0,0", says=["--tcp: ", "1e100"])
+
+
+@pytest.mark.parametrize("verb", ["fk", "jacobian", "ik", "batch fk", "batch jacobian", "batch ik",
+                                  "show", "move", "line", "check", "retime", "replay", "draw", "diff"])
+def test_every_verb_with_an_arm_has_the_options(beeline, verb):
+    help_text = beeline(*verb.split(), "--help").out
+    for option in ("--tcp", "--mount", "--base", "--tip", "--srdf", "--group"):
+        assert option in help_text
+
+
+def test_chains_between_any_links(beeline, written):
+    written("r.urdf", URDF)
+    down = beeline("fk", "r.urdf", "--q", "0.4,-0.3", "--json")
+    assert down.err == (
+        "beeline: warning: the tip is tool0; other tips, fixed to the same link: camera; "
+        "--tip selects another\n"
+    )
+    up = beeline("fk", "r.urdf", "--q", "-0.3,0.4", "--base", "tool0", "--tip", "base", "--json")
+    assert up.err == ""
+    assert same(product(matrix(up), matrix(down)), frame())
+    joints = beeline("show", "r.urdf", "--base", "camera", "--tip", "base", "--json").json["joints"]
+    assert [joint["name"] for joint in joints] == ["j2", "j1"]
+    assert [joint["link"] for joint in joints] == ["upper", "base"]
+    assert [joint["limits"]["upper"] for joint in joints] == [1, 3]
+
+
+def test_groups_and_named_states(beeline, written):
+    written("r.urdf", URDF)
+    srdf = ("--srdf", written("r.srdf", SRDF))
+    home = beeline("fk", "r.urdf", *srdf, "--group", "arm", "--q", "home", "--json")
+    assert home.err == ""
+    typed = beeline("fk", "r.urdf", "--tip", "flange", "--q", "0.25,-0.5", "--json")
+    assert matrix(home) == matrix(typed)
+    degrees = beeline("fk", "r.urdf", *srdf, "--group", "arm", "--q", "home", "--json", "--degrees")
+    assert matrix(degrees) == matrix(typed)
+    tool = beeline("fk", "r.urdf", *srdf, "--group", "arm", "--tip", "tool0", "--q", "home", "--json")
+    assert same(matrix(tool), product(matrix(typed), frame(x=0.3)))
+    camera = beeline("fk", "r.urdf", *srdf, "--group", "back", "--q", "home", "--json")
+    assert same(matrix(camera), product(matrix(typed), frame(y=0.1)))
+    moved = beeline("move", "r.urdf", *srdf, "--group", "arm", "--from", "home", "--to", "0.1,0.2",
+                    "--json")
+    assert moved.code == 0
+
+
+def test_states_serve_any_arm_with_these_joints(beeline, written):
+    joints = [f"joint{k}" for k in range(1, 7)]
+    values = "".join(f'<joint name="{joint}" value="0.1"/>' for joint in joints)
+    written("u.srdf", f'<robot name="u"><group_state name="up" group="all">{values}</group_state></robot>')
+    answer = beeline("fk", "ur5", "--srdf", "u.srdf", "--q", "up", "--json")
+    assert matrix(answer) == matrix(beeline("fk", "ur5", "--q", text([0.1] * 6), "--json"))
+
+
+def test_unknown_groups_and_states_list_the_known_ones(refused, written):
+    written("r.urdf", URDF)
+    written("r.srdf", SRDF)
+    arm = ("fk", "r.urdf", "--srdf", "r.srdf")
+    refused(3, *arm, "--group", "amr", "--q", "home", says=["r.srdf: ", '"amr"', "arm, back"])
+    refused(3, *arm, "--group", "arm", "--q", "hoome", says=["r.srdf: ", '"hoome"', "home, far"])
+    refused(2, "fk", "r.urdf", "--tip", "tool0", "--q", "home", says=["--q: ", "--srdf"])
+    refused(2, "fk", "panda", "--srdf", "r.srdf", "--group", "arm", "--q", Q["panda"],
+            says=["URDF", "panda"])
+    refused(2, "fk", "r.urdf", "--group", "arm", "--q", "0,0", says=["--group needs --srdf"])
+    refused(3, "fk", "r.srdf", "--q", "0,0", says=["SRDF", "pass the URDF"])
+
+
+def test_angles_beyond_a_revolution_get_a_warning(beeline, written):
+    def warnings(*arguments):
+        return [line for line in beeline(*arguments).err.splitlines() if "--degrees" in line]
+
+    assert warnings("fk", "rrr", "--q", "90,0,0") == [
+        "beeline: warning: --q: an angle of 90 rad is more than a revolution; "
+        "--degrees reads degrees"
+    ]
+    assert warnings("fk", "rrr", "--q", "90,0,0", "--degrees") == []
+    assert warnings("fk", "rrr", "--q", "6.283,-6.2832,0") == []
+    assert len(warnings("ik", "rrr", "--pose", "3,3,90")) == 1
+    assert len(warnings("ik", "ur5", "--pose", "0.4,0.1,0.3,180,0,0")) == 1
+    assert warnings("ik", "ur5", "--pose", "0.4,0.1,0.3,1,0,0,0") == []
+    assert len(warnings("fk", "rrr", "--q", "0,0,0", "--mount", "1,1,45")) == 1
+    poses = written("p.csv", "x,y,theta\n4.5,5.2,0\n2,6,45\n")
+    (line,) = warnings("line", "rrr", "--from", "0,1.57,0", "--through", poses)
+    assert "--through p.csv" in line
+    assert warnings("fk", "rp", "--q", "0,90") == []  # metres
