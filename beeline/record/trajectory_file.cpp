@@ -1,5 +1,6 @@
 #include <beeline/error.h>
 #include <beeline/read/internal/file.h>
+#include <beeline/read/internal/file_stream.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/record/internal/trajectory_csv.h>
 #include <beeline/record/internal/trajectory_json.h>
@@ -38,7 +39,11 @@ void write_trajectory(const std::string& path, const Trajectory& trajectory) {
 
 Trajectory read_trajectory(const std::string& path) {
   trajectory_format(path, "");  // refuses another ending before the file is read
-  return parse_trajectory(internal::read_file(path), path);
+  internal::InputFile file(path);
+  constexpr std::size_t begin = 4096;  // of a file without an ending
+  return trajectory_format(path, file.peek(begin)) == TrajectoryFormat::csv
+             ? internal::trajectory_from_csv(file)
+             : internal::trajectory_from_json(file);
 }
 
 Trajectory parse_trajectory(std::string_view text, const std::string& path) {

@@ -9,9 +9,9 @@
 namespace beeline {
 
 /// The format of a trajectory in a file, given by the ending of its path. Numbers read back
-/// exactly.
+/// exactly, times of .json to the nanosecond.
 ///   .csv   columns t, then the joints' names, and NAME_vel, NAME_acc where known
-///   .json  as ROS trajectory_msgs/JointTrajectory, with the exact `time` beside `time_from_start`
+///   .json  the message trajectory_msgs/JointTrajectory of ROS, times in whole nanoseconds
 enum class TrajectoryFormat { csv, json };
 
 /// Throws Error for another ending.
@@ -29,8 +29,9 @@ std::string trajectory_text(const Trajectory& trajectory, TrajectoryFormat forma
 /// and FileError when the file cannot be written.
 void write_trajectory(const std::string& path, const Trajectory& trajectory);
 
-/// Reads a trajectory; trajectory_format(path, text) gives its format. Throws FileError that names
-/// the line and the column or value, or for another ending.
+/// Reads a trajectory of any length, in memory proportional to its numbers;
+/// trajectory_format(path, text) gives its format. Throws FileError that names the line and the
+/// column or value, or for another ending.
 Trajectory read_trajectory(const std::string& path);
 
 /// The same from the text of the file at `path`.

@@ -36,6 +36,12 @@ inline Trajectory random_trajectory(Random& random, std::vector<std::string> nam
   return trajectory;
 }
 
+/// The trajectory with times of whole nanoseconds, as files of ROS hold them.
+inline Trajectory in_nanoseconds(Trajectory trajectory) {
+  for (double& time : trajectory.times) time = std::round(time * 1e9) / 1e9;
+  return trajectory;
+}
+
 /// The same to the last bit.
 inline bool same(const Trajectory& a, const Trajectory& b) {
   return a.joint_names == b.joint_names && a.times == b.times && a.positions == b.positions &&

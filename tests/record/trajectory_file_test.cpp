@@ -16,7 +16,7 @@ TEST(TrajectoryFile, TheEndingGivesTheFormat) {
   testing::Random random;
   const testing::TemporaryFolder folder;
   for (const char* name : {"a.csv", "a.json", "b.CSV"}) {
-    const Trajectory trajectory = testing::random_trajectory(random);
+    const Trajectory trajectory = testing::in_nanoseconds(testing::random_trajectory(random));
     write_trajectory(folder.file(name), trajectory);
     EXPECT_TRUE(testing::same(read_trajectory(folder.file(name)), trajectory)) << name;
   }
@@ -45,11 +45,42 @@ TEST(TrajectoryFile, OtherFormatsAreRefused) {
 TEST(TrajectoryFile, WithoutAnEndingTheTextDecides) {
   testing::Random random;
   const testing::TemporaryFolder folder;
-  const Trajectory trajectory = testing::random_trajectory(random);
+  const Trajectory trajectory = testing::in_nanoseconds(testing::random_trajectory(random));
   for (const TrajectoryFormat format : {TrajectoryFormat::csv, TrajectoryFormat::json}) {
     internal::write_file(folder.file("pipe"), trajectory_text(trajectory, format));
     EXPECT_TRUE(testing::same(read_trajectory(folder.file("pipe")), trajectory));
   }
+}
+
+/// More than the 64 MiB that are read as a whole, and than the 8 million values of a JSON document.
+TEST(TrajectoryFile, AnyLengthIsRead) {
+  const testing::TemporaryFolder folder;
+  const int samples = testing::cases(1'400'000);
+  std::string csv = "t,a\n", json = "{\"joint_names\": [\"a\"], \"points\": [";
+  const std::string blanks(40, ' ');
+  for (int k = 0; k < samples; ++k) {
+    const std::string time = std::to_string(k);
+    csv += blanks + time + ",0.25\n";
+    json += (k == 0 ? "" : ",\n") +
+            ("{\"positions\": [0.25], \"time_from_start\": {\"sec\": " + time) +
+            ", \"nanosec\": 5}}";
+  }
+  EXPECT_GT(csv.size(), internal::max_file_size / 1'400'000 * static_cast<std::size_t>(samples));
+  internal::write_file(folder.file("a.csv"), csv);
+  internal::write_file(folder.file("a.json"), json + "]}");
+  for (const char* name : {"a.csv", "a.json"}) {
+    const Trajectory trajectory = read_trajectory(folder.file(name));
+    EXPECT_EQ(trajectory.size(), samples) << name;
+    EXPECT_NEAR(trajectory.times.back(), samples - 1, 1e-8);
+    EXPECT_EQ(trajectory.positions.back()[0], 0.25);
+  }
+  internal::write_file(folder.file("a.json"), json + "x");
+  EXPECT_REFUSED(read_trajectory(folder.file("a.json")),
+                 "a.json:" + std::to_string(samples) + ": is not JSON");
+}
+
+TEST(TrajectoryFile, EndlessFilesAreRefused) {
+  EXPECT_REFUSED(read_trajectory("/dev/zero"), "line 1 is longer than");
 }
 
 TEST(TrajectoryFile, NothingHalfMadeIsLeft) {

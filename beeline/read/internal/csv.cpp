@@ -1,9 +1,10 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <unordered_set>
 
 #include <beeline/error.h>
 #include <beeline/read/internal/csv.h>
-#include <beeline/read/internal/csv_lines.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/numbers.h>
 
@@ -62,12 +63,31 @@ std::vector<std::string> parse_header(std::string_view line) {
   return columns;
 }
 
-std::vector<double> parse_row(std::string_view line, const std::vector<std::string>& columns) {
-  std::vector<double> row;
-  row.reserve(columns.size());
+/// Removes the first item and its comma from `line` if it is a finite number without quotation
+/// marks or a sign +; `more` is then whether a comma followed.
+bool take_plain_number(std::string_view& line, double& value, bool& more) {
+  const std::size_t comma = line.find(',');
+  const std::string_view item = trimmed(line.substr(0, comma));
+  const auto [end, fault] = parse_double(item.data(), item.data() + item.size(), value);
+  if (fault != std::errc() || end != item.data() + item.size() || !std::isfinite(value)) {
+    return false;
+  }
+  more = comma != std::string_view::npos;
+  line.remove_prefix(more ? comma + 1 : line.size());
+  return true;
+}
+
+void parse_row(std::string_view line, const std::vector<std::string>& columns,
+               std::vector<double>& row) {
+  row.clear();
   std::string item;
   std::size_t count = 0;
   for (bool more = true; more; ++count) {
+    double value = 0;
+    if (take_plain_number(line, value, more)) {
+      if (count < columns.size()) row.push_back(value);
+      continue;
+    }
     more = take_item(line, item);
     if (count < columns.size()) row.push_back(parse_number(item, "column " + columns[count]));
   }
@@ -75,31 +95,52 @@ std::vector<double> parse_row(std::string_view line, const std::vector<std::stri
     throw Error("this row has " + std::to_string(count) + " items; the header has " +
                 std::to_string(columns.size()));
   }
-  return row;
 }
 
 }  // namespace
 
-CsvTable parse_csv(std::string_view text, const std::string& path) {
-  CsvTable table{.path = path, .columns = {}, .rows = {}, .lines = {}};
-  CsvLines lines(text);
-  std::string_view line;
+CsvRows::CsvRows(CsvLines& lines, const std::string& path) : lines_(lines), path_(path) {
+  std::string_view header;
+  if (!lines_.next(header)) throw FileError(path_, 0, "is empty; it needs a header and rows");
   try {
-    if (!lines.next(line)) throw FileError(path, 0, "is empty; it needs a header and rows");
-    table.columns = parse_header(line);
-    while (lines.next(line)) {
-      table.rows.push_back(parse_row(line, table.columns));
-      table.lines.push_back(static_cast<int>(lines.number()));
-      if (table.rows.size() > max_rows) {
-        throw Error("there are more than " + std::to_string(max_rows) + " rows");
-      }
-    }
-  } catch (const FileError&) {
-    throw;
+    columns_ = parse_header(header);
   } catch (const Error& error) {
-    throw FileError(path, static_cast<int>(lines.number()), error.what());
+    throw FileError(path_, line(), error.what());
   }
-  if (table.rows.empty()) throw FileError(path, 0, "has a header but no rows below it");
+}
+
+bool CsvRows::next(std::vector<double>& row) {
+  std::string_view text;
+  if (!lines_.next(text)) {
+    if (empty_) throw FileError(path_, 0, "has a header but no rows below it");
+    return false;
+  }
+  try {
+    parse_row(text, columns_, row);
+  } catch (const Error& error) {
+    throw FileError(path_, line(), error.what());
+  }
+  empty_ = false;
+  return true;
+}
+
+int CsvRows::line() const {
+  constexpr std::int64_t last = std::numeric_limits<int>::max();
+  return static_cast<int>(std::min(lines_.number(), last));
+}
+
+CsvTable parse_csv(std::string_view text, const std::string& path) {
+  CsvLines lines(text);
+  CsvRows rows(lines, path);
+  CsvTable table{.path = path, .columns = rows.columns(), .rows = {}, .lines = {}};
+  for (std::vector<double> row; rows.next(row);) {
+    table.rows.push_back(row);
+    table.lines.push_back(rows.line());
+    if (table.rows.size() > max_rows) {
+      throw FileError(path, rows.line(),
+                      "there are more than " + std::to_string(max_rows) + " rows");
+    }
+  }
   return table;
 }
 

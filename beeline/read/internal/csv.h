@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include <beeline/read/internal/csv_lines.h>
+
 namespace beeline::internal {
 
 /// A table with named columns of finite numbers.
@@ -19,6 +21,24 @@ struct CsvTable {
 /// are skipped. Throws FileError for a missing header, no rows, a row of another length, a repeated
 /// column and an item that is not a finite number.
 CsvTable parse_csv(std::string_view text, const std::string& path);
+
+/// Reads such a table row by row.
+class CsvRows {
+ public:
+  /// Reads the header. `path` is for messages. `lines` and `path` must outlive this object.
+  CsvRows(CsvLines& lines, const std::string& path);
+
+  const std::vector<std::string>& columns() const { return columns_; }
+  /// Gets the next row; returns false at the end.
+  bool next(std::vector<double>& row);
+  int line() const;  ///< of the row from next(), from 1
+
+ private:
+  CsvLines& lines_;
+  const std::string& path_;
+  std::vector<std::string> columns_;
+  bool empty_ = true;
+};
 
 /// Returns the items of one line without the blanks and quotes around them. Throws Error for a
 /// quotation mark at the wrong position.

@@ -7,8 +7,8 @@
 
 namespace beeline::internal {
 
-/// Limit on files that are read as a whole. Descriptions of arms take kilobytes; a trajectory of
-/// seven joints reaches this size after about 400 000 samples.
+/// Limit on files that are read as a whole. Descriptions of arms and lists of poses take kilobytes;
+/// trajectories and tables of any length are read row by row.
 constexpr std::size_t max_file_size = std::size_t{64} << 20;
 
 /// Returns the content of a file. Throws FileError when the file cannot be read, is a folder, or is

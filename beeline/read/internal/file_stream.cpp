@@ -75,6 +75,23 @@ InputFile::InputFile(const std::string& path, Dash dash) : path_(path) {
 InputFile::~InputFile() { ::close(descriptor_); }
 
 std::size_t InputFile::read(char* bytes, std::size_t wanted) {
+  const std::size_t peeked = peeked_.copy(bytes, wanted);
+  peeked_.erase(0, peeked);
+  const std::size_t count = peeked + read_from_system(bytes + peeked, wanted - peeked);
+  position_ += count;
+  return count;
+}
+
+std::string_view InputFile::peek(std::size_t wanted) {
+  const std::size_t before = peeked_.size();
+  if (before < wanted) {
+    peeked_.resize(wanted);
+    peeked_.resize(before + read_from_system(peeked_.data() + before, wanted - before));
+  }
+  return std::string_view(peeked_).substr(0, wanted);
+}
+
+std::size_t InputFile::read_from_system(char* bytes, std::size_t wanted) {
   std::size_t filled = 0;
   while (filled < wanted) {
     const ssize_t count = ::read(descriptor_, bytes + filled, wanted - filled);
@@ -83,7 +100,6 @@ std::size_t InputFile::read(char* bytes, std::size_t wanted) {
     if (count == 0) break;
     filled += static_cast<std::size_t>(count);
   }
-  position_ += filled;
   return filled;
 }
 

@@ -23,13 +23,20 @@ class InputFile {
   /// Reads `wanted` bytes, or fewer at the end of the file; returns the number read.
   std::size_t read(char* bytes, std::size_t wanted);
 
+  /// Returns the bytes that read() returns next, at most `wanted`, without advancing; valid until
+  /// the next call of either.
+  std::string_view peek(std::size_t wanted);
+
   std::uint64_t position() const { return position_; }         ///< bytes read
   std::optional<std::uint64_t> size() const { return size_; }  ///< none for pipes and devices
   const std::string& path() const { return path_; }
 
  private:
+  std::size_t read_from_system(char* bytes, std::size_t wanted);
+
   std::string path_;
   int descriptor_ = -1;
+  std::string peeked_;  ///< read from the system but not by read()
   std::uint64_t position_ = 0;
   std::optional<std::uint64_t> size_;
 };

@@ -50,6 +50,15 @@ const Value& get(const JsonDocument& document, const Json& json, const char* wan
 JsonDocument::JsonDocument(std::string_view text, std::string path)
     : path_(std::move(path)), root_(parse_json(text, path_)) {}
 
+JsonDocument::JsonDocument(Json root, std::string path, std::string place)
+    : path_(std::move(path)), place_(std::move(place)), root_(std::move(root)) {}
+
+std::string JsonDocument::place_of(const Json& json) const {
+  std::string value_path = place_;
+  find_value_path(root_, json, value_path);
+  return value_path;
+}
+
 double JsonDocument::number(const Json& json) const { return get<double>(*this, json, "a number"); }
 
 const std::string& JsonDocument::text(const Json& json) const {
@@ -91,16 +100,14 @@ const Json& JsonDocument::need(const Json& object, std::string_view key) const {
 void JsonDocument::check_keys(const Json& object, const std::vector<std::string>& known) const {
   for (const auto& [key, value] : members(object)) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    std::string value_path;
-    find_value_path(root_, object, value_path);
+    const std::string value_path = place_of(object);
     const std::string error = unknown_name("key", printable(key), known).what();
     throw FileError(path_, value.line, value_path.empty() ? error : value_path + ": " + error);
   }
 }
 
 void JsonDocument::refuse(const Json& at, const std::string& message) const {
-  std::string value_path;
-  find_value_path(root_, at, value_path);
+  const std::string value_path = place_of(at);
   throw FileError(path_, at.line,
                   (value_path.empty() ? "the document" : value_path) + " " + message);
 }

@@ -34,6 +34,9 @@ class JsonDocument {
   /// memory and stack bounded for any text.
   JsonDocument(std::string_view text, std::string path);
 
+  /// A document that was parsed, or a value of one, whose path in the document is `place`.
+  JsonDocument(Json root, std::string path, std::string place = "");
+
   const Json& root() const { return root_; }
 
   // Each returns the value when it has this type, and refuses it otherwise.
@@ -55,7 +58,9 @@ class JsonDocument {
   [[noreturn]] void refuse(const Json& at, const std::string& message) const;
 
  private:
-  std::string path_;
+  std::string place_of(const Json& json) const;
+
+  std::string path_, place_;
   Json root_;
 };
 

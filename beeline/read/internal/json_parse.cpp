@@ -1,5 +1,6 @@
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include <beeline/error.h>
@@ -14,52 +15,76 @@ constexpr std::size_t max_values = 8'000'000;  // about 0.5 GB of memory
 constexpr std::size_t max_keys =
     32;  // our formats have ten; the search for a repeated key is O(n^2)
 
-/// The line of the last character read. A line break counts only when the character after it is
-/// read, because the parser reads one character beyond a number.
-struct Position {
-  int line = 1;
-  bool broken = false;  // the last character read was a line break
-
-  void read(char c) {
-    line += broken ? 1 : 0;
-    broken = c == '\n';
+/// The characters of a text, or of a file block by block, and the line of the last one read. A line
+/// break counts only when the character after it is read, because the parser reads one character
+/// beyond a number.
+class Characters {
+ public:
+  explicit Characters(std::string_view text) : unread_(text) {}
+  explicit Characters(InputFile& file) : file_(&file), block_(std::size_t{1} << 16, '\0') {
+    read_block();
   }
+  Characters(const Characters&) = delete;
+  Characters& operator=(const Characters&) = delete;
+
+  bool ended() const { return unread_.empty(); }
+  char front() const { return unread_.front(); }
+  int line() const { return line_; }
+
+  void pop_front() {
+    if (broken_ && line_ < std::numeric_limits<int>::max()) ++line_;
+    broken_ = unread_.front() == '\n';
+    unread_.remove_prefix(1);
+    if (unread_.empty() && file_ != nullptr) read_block();
+  }
+
+ private:
+  void read_block() { unread_ = {block_.data(), file_->read(block_.data(), block_.size())}; }
+
+  InputFile* file_ = nullptr;  // null: all text is present
+  std::string block_;
+  std::string_view unread_;
+  int line_ = 1;
+  bool broken_ = false;  // the last character read was a line break
 };
 
-class CountingIterator {
+/// Iterates over characters; without characters it is the end of any.
+class CharacterIterator {
  public:
   // NOLINTBEGIN(readability-identifier-naming): std::iterator_traits wants these names
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
   using difference_type = std::ptrdiff_t;
   using pointer = const char*;
-  using reference = const char&;
+  using reference = char;
   // NOLINTEND(readability-identifier-naming)
 
-  CountingIterator(const char* at, Position& position) : at_(at), position_(&position) {}
-  reference operator*() const { return *at_; }
-  CountingIterator& operator++() {
-    position_->read(*at_++);
+  explicit CharacterIterator(Characters* characters = nullptr) : characters_(characters) {}
+  char operator*() const { return characters_->front(); }
+  CharacterIterator& operator++() {
+    characters_->pop_front();
     return *this;
   }
-  CountingIterator operator++(int) {
-    const CountingIterator before = *this;
+  CharacterIterator operator++(int) {
+    const CharacterIterator before = *this;
     ++*this;
     return before;
   }
-  bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
-  bool operator!=(const CountingIterator& other) const { return at_ != other.at_; }
+  bool operator==(const CharacterIterator& other) const { return ended() == other.ended(); }
+  bool operator!=(const CharacterIterator& other) const { return !(*this == other); }
 
  private:
-  const char* at_;
-  Position* position_;
+  bool ended() const { return characters_ == nullptr || characters_->ended(); }
+
+  Characters* characters_;
 };
 
 /// Builds the tree from the parser's events. The parser itself does not recurse.
 class Builder {
  public:
-  Builder(Json& root, const Position& position, const std::string& path)
-      : root_(root), position_(position), path_(path) {}
+  Builder(Json& root, const Characters& characters, const std::string& path,
+          const JsonItemSink& sink)
+      : root_(root), characters_(characters), path_(path), sink_(sink) {}
 
   // Each returns whether the parser shall continue.
   bool null() { return add(nullptr); }
@@ -98,7 +123,7 @@ class Builder {
 
  private:
   [[noreturn]] void refuse(const std::string& why) const {
-    throw FileError(path_, position_.line, why);
+    throw FileError(path_, characters_.line(), why);
   }
 
   template <typename Value>
@@ -114,7 +139,8 @@ class Builder {
       }
     }
     last_->value = std::forward<Value>(value);
-    last_->line = position_.line;
+    last_->line = characters_.line();
+    if (!holds_items(*last_)) hand_over();
     return true;
   }
 
@@ -128,26 +154,51 @@ class Builder {
 
   bool close() {
     open_.pop_back();
+    hand_over();
     return true;
   }
 
+  static bool holds_items(const Json& json) {
+    return std::holds_alternative<Json::Items>(json.value) ||
+           std::holds_alternative<Json::Members>(json.value);
+  }
+
+  /// Gives the value that is complete now to the sink, if it is an item of the sink's list.
+  void hand_over() {
+    if (!sink_.take || open_.size() != 2) return;
+    const auto* members = std::get_if<Json::Members>(&root_.value);
+    auto* items = std::get_if<Json::Items>(&open_.back()->value);
+    if (members == nullptr || items == nullptr || members->back().key != sink_.key) return;
+    Json item = std::move(items->back());
+    items->clear();
+    count_ = 0;
+    sink_.take(root_, std::move(item));
+  }
+
   Json& root_;
-  const Position& position_;
+  const Characters& characters_;
   const std::string& path_;
+  const JsonItemSink& sink_;
   std::vector<Json*> open_;  // from the root down; only the last one grows, so that none moves
   Json* last_ = nullptr;     // the value added last
   std::size_t count_ = 0;
 };
 
+Json parse_characters(Characters characters, const std::string& path, const JsonItemSink& sink) {
+  Json root;
+  Builder builder(root, characters, path, sink);
+  nlohmann::json::sax_parse(CharacterIterator(&characters), CharacterIterator(), &builder);
+  return root;
+}
+
 }  // namespace
 
-Json parse_json(std::string_view text, const std::string& path) {
-  Json root;
-  Position position;
-  Builder builder(root, position, path);
-  nlohmann::json::sax_parse(CountingIterator(text.data(), position),
-                            CountingIterator(text.data() + text.size(), position), &builder);
-  return root;
+Json parse_json(std::string_view text, const std::string& path, const JsonItemSink& sink) {
+  return parse_characters(Characters(text), path, sink);
+}
+
+Json parse_json(InputFile& file, const JsonItemSink& sink) {
+  return parse_characters(Characters(file), file.path(), sink);
 }
 
 }  // namespace beeline::internal

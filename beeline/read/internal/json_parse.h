@@ -1,13 +1,27 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
+#include <beeline/read/internal/file_stream.h>
 #include <beeline/read/internal/json.h>
 
 namespace beeline::internal {
 
-/// Parses a JSON text; `path` names it in messages. Throws FileError as JsonDocument documents.
-Json parse_json(std::string_view text, const std::string& path);
+/// A list of a document that may be of any length: the member `key` of the document's object. Its
+/// items are handed over one by one, in their order, and the list remains empty.
+struct JsonItemSink {
+  std::string key;
+  /// `root` is the document as far as it was read.
+  std::function<void(const Json& root, Json item)> take;
+};
+
+/// Parses a JSON text; `path` names it in messages. Throws FileError as JsonDocument documents; the
+/// number of values is limited for each item of the sink separately.
+Json parse_json(std::string_view text, const std::string& path, const JsonItemSink& sink = {});
+
+/// The same from a file of any size, which is read in blocks.
+Json parse_json(InputFile& file, const JsonItemSink& sink = {});
 
 }  // namespace beeline::internal

@@ -73,6 +73,12 @@ std::string exact(double value) {
   return {buffer, write_double(buffer, value)};
 }
 
+std::string with_point(double value) {
+  std::string text = exact(value);
+  if (text.find('.') == std::string::npos) text.insert(std::min(text.find('e'), text.size()), ".0");
+  return text;
+}
+
 std::string fixed_point(double value, int decimals) {
   return fmt::format(FMT_COMPILE("{:.{}f}"), value, decimals);
 }

@@ -37,6 +37,10 @@ char* write_double(char* first, double value);
 /// an integer, and lose its sign.
 std::string exact(double value);
 
+/// Returns the text of exact() with a decimal point, `1.0e-07`: readers of YAML 1.1, as those of
+/// ROS, take `1e-07` for text.
+std::string with_point(double value);
+
 /// Returns `value` with this many digits after the decimal point.
 std::string fixed_point(double value, int decimals);
 

@@ -46,31 +46,31 @@ Indices rate_columns(const std::vector<std::string>& joints, const Columns& colu
   return indices;
 }
 
-std::vector<Configuration> configurations(const CsvTable& table, const Indices& columns) {
-  std::vector<Configuration> rows;
-  if (columns.empty()) return rows;
-  rows.reserve(table.rows.size());
-  for (const std::vector<double>& row : table.rows) {
-    Configuration& values = rows.emplace_back(static_cast<Eigen::Index>(columns.size()));
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      values[static_cast<Eigen::Index>(k)] = row[columns[k]];
-    }
-  }
-  return rows;
+/// Appends the row's values in these columns, if there are any.
+void append_values(const std::vector<double>& row, const Indices& columns,
+                   std::vector<Configuration>& values) {
+  if (columns.empty()) return;
+  Configuration& last = values.emplace_back(static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    last[static_cast<Eigen::Index>(k)] = row[columns[k]];
 }
 
-std::vector<double> read_times(const CsvTable& table, std::size_t column) {
-  std::vector<double> times;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const double time = table.rows[row][column];
-    if (row > 0 && !(time > times.back())) {
-      throw FileError(table.path, table.lines[row],
-                      "column t: time " + exact(time) + " is not after " + exact(times.back()) +
-                          "; times must increase");
-    }
-    times.push_back(time);
+/// Which columns hold what.
+struct Layout {
+  std::size_t time = 0;
+  Indices positions, velocities, accelerations;
+};
+
+void append_row(const std::vector<double>& row, const Layout& layout, Trajectory& trajectory) {
+  const double time = row[layout.time];
+  if (trajectory.size() > 0 && !(time > trajectory.times.back())) {
+    throw Error("column t: time " + exact(time) + " is not after " +
+                exact(trajectory.times.back()) + "; times must increase");
   }
-  return times;
+  trajectory.times.push_back(time);
+  append_values(row, layout.positions, trajectory.positions);
+  append_values(row, layout.velocities, trajectory.velocities);
+  append_values(row, layout.accelerations, trajectory.accelerations);
 }
 
 /// Refuses names that would read back as other columns.
@@ -87,11 +87,11 @@ void check_names(const std::vector<std::string>& joints) {
 }
 
 /// Returns the columns of positions: all except those named by another column and a suffix.
-Indices position_columns(const CsvTable& table, const Columns& columns) {
+Indices position_columns(const std::vector<std::string>& all, const Columns& columns) {
   Indices joints;
   std::unordered_set<std::string> names;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const std::string& name = table.columns[i];
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string& name = all[i];
     if (!columns.contains(name) || columns.contains(joint_of_rate(name))) continue;
     joints.push_back(i);
     names.insert(name);
@@ -104,36 +104,57 @@ Indices position_columns(const CsvTable& table, const Columns& columns) {
   return joints;
 }
 
+/// Reads the header of a trajectory, whose joints' names are `names` then.
+Layout layout_of(const std::vector<std::string>& header, std::vector<std::string>& names) {
+  Columns columns;
+  for (std::size_t i = 0; i < header.size(); ++i) columns.emplace(header[i], i);
+  const auto time = columns.find("t");
+  if (time == columns.end()) throw Error("column \"t\" is missing: seconds, increasing");
+  Layout layout;
+  layout.time = time->second;
+  columns.erase(time);
+  layout.positions = position_columns(header, columns);
+  for (const std::size_t i : layout.positions) names.push_back(header[i]);
+  layout.velocities = rate_columns(names, columns, velocity_suffix);
+  layout.accelerations = rate_columns(names, columns, acceleration_suffix);
+  return layout;
+}
+
 void append(std::string& text, const Configuration& values) {
   for (const double value : values) text += ',' + exact(value);
+}
+
+Trajectory trajectory_from_lines(CsvLines& lines, const std::string& path) {
+  CsvRows rows(lines, path);
+  Trajectory trajectory;
+  int line = 0;
+  try {
+    const Layout layout = layout_of(rows.columns(), trajectory.joint_names);
+    for (std::vector<double> row; rows.next(row);) {
+      line = rows.line();
+      append_row(row, layout, trajectory);
+    }
+    line = 0;
+    check_recordable(trajectory);
+  } catch (const FileError&) {
+    throw;
+  } catch (const Error& error) {
+    throw FileError(path, line, error.what());
+  }
+  return trajectory;
 }
 
 }  // namespace
 
 Trajectory trajectory_from_csv(std::string_view text, const std::string& path) {
-  const CsvTable table = parse_csv(text, path);
-  Columns columns;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) columns.emplace(table.columns[i], i);
-  Trajectory trajectory;
-  try {
-    const auto time = columns.find("t");
-    if (time == columns.end()) throw Error("column \"t\" is missing: seconds, increasing");
-    trajectory.times = read_times(table, time->second);
-    columns.erase(time);
-    const Indices joints = position_columns(table, columns);
-    for (const std::size_t i : joints) trajectory.joint_names.push_back(table.columns[i]);
-    trajectory.positions = configurations(table, joints);
-    trajectory.velocities =
-        configurations(table, rate_columns(trajectory.joint_names, columns, velocity_suffix));
-    trajectory.accelerations =
-        configurations(table, rate_columns(trajectory.joint_names, columns, acceleration_suffix));
-    check_recordable(trajectory);
-  } catch (const FileError&) {
-    throw;
-  } catch (const Error& error) {
-    throw FileError(path, 0, error.what());
-  }
-  return trajectory;
+  CsvLines lines(text);
+  return trajectory_from_lines(lines, path);
+}
+
+Trajectory trajectory_from_csv(InputFile& file) {
+  constexpr std::size_t max_line = std::size_t{4} << 20;  // 100 000 columns
+  CsvLines lines(file, max_line);
+  return trajectory_from_lines(lines, file.path());
 }
 
 std::string trajectory_to_csv(const Trajectory& trajectory) {
@@ -156,7 +177,8 @@ std::string trajectory_to_csv(const Trajectory& trajectory) {
     if (velocities) append(text, trajectory.velocities[k]);
     if (accelerations) append(text, trajectory.accelerations[k]);
   }
-  return text + '\n';
+  text += '\n';
+  return text;
 }
 
 }  // namespace beeline::internal

@@ -4,6 +4,7 @@
 
 #include <beeline/error.h>
 #include <beeline/read/internal/json.h>
+#include <beeline/read/internal/json_parse.h>
 #include <beeline/read/internal/json_write.h>
 #include <beeline/read/internal/numbers.h>
 #include <beeline/record/internal/recordable.h>
@@ -12,30 +13,33 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double nano = 1e-9;
+constexpr std::int64_t nanoseconds_per_second = 1'000'000'000;
 
-/// Reads a duration of ROS: whole seconds, rounded down, and nanoseconds.
+/// Reads a duration of ROS: whole seconds, rounded down, and nanoseconds. The result is the double
+/// nearest to it: a time of k / 1e9 s is read as it was written.
 double duration_from_json(const JsonDocument& document, const Json& json) {
   document.check_keys(json, {"sec", "nanosec"});
   const Json& nanosec = document.need(json, "nanosec");
   const double nanoseconds = document.number(nanosec);
   if (!(nanoseconds >= 0 && nanoseconds < 1e9))
     document.refuse(nanosec, "must be at least 0 and below 1e9");
-  return document.number(document.need(json, "sec")) + nanoseconds * nano;
+  return (document.number(document.need(json, "sec")) * 1e9 + nanoseconds) / 1e9;
 }
 
-std::string duration_to_json(double time) {
-  double seconds = std::floor(time);
-  double nanoseconds = std::round((time - seconds) / nano);
-  if (nanoseconds >= 1e9) {
-    seconds += 1;
-    nanoseconds = 0;
-  }
-  if (!(std::abs(seconds) <= std::numeric_limits<std::int32_t>::max())) {
+std::int64_t in_nanoseconds(double time) {
+  constexpr double limit = std::numeric_limits<std::int32_t>::max();
+  if (!(std::abs(time) <= limit)) {
     throw Error("time " + number(time) + " s exceeds the 32 bits of ROS's seconds");
   }
-  return "{\"sec\": " + std::to_string(static_cast<std::int64_t>(seconds)) +
-         ", \"nanosec\": " + std::to_string(static_cast<std::int64_t>(nanoseconds)) + "}";
+  return std::llround(time * 1e9);
+}
+
+std::string duration_to_json(std::int64_t nanoseconds) {
+  std::int64_t seconds = nanoseconds / nanoseconds_per_second;
+  if (nanoseconds < seconds * nanoseconds_per_second) --seconds;  // rounds down below 0
+  nanoseconds -= seconds * nanoseconds_per_second;
+  return "{\"sec\": " + std::to_string(seconds) + ", \"nanosec\": " + std::to_string(nanoseconds) +
+         "}";
 }
 
 double time_from_json(const JsonDocument& document, const Json& point) {
@@ -60,64 +64,122 @@ void add_rates(const JsonDocument& document, const Json& point, const char* key,
   if (known) rates.push_back(values_from_json(document, *json, count));
 }
 
-std::string values_to_json(const char* key, const Configuration& values) {
-  return '"' + std::string(key) +
-         "\": " + json_numbers(values.data(), static_cast<std::size_t>(values.size())) + ", ";
+/// Collects the points of a document while it is parsed.
+class PointReader {
+ public:
+  explicit PointReader(const std::string& path) : path_(path) {}
+
+  JsonItemSink sink() {
+    return {"points", [this](const Json& root, Json item) { take(root, std::move(item)); }};
+  }
+
+  /// Returns the trajectory of the parsed document.
+  Trajectory finish(Json root) {
+    const JsonDocument document(std::move(root), path_);
+    document.check_keys(document.root(), {"header", "joint_names", "points"});
+    const Json& names = document.need(document.root(), "joint_names");
+    for (const Json& name : document.items(names)) {
+      trajectory_.joint_names.push_back(document.text(name));
+    }
+    document.items(document.need(document.root(), "points"));
+    if (trajectory_.size() > 0 && trajectory_.joint_names.size() != joints_) {
+      document.refuse(names, "has " + std::to_string(trajectory_.joint_names.size()) +
+                                 " names; the points have " + std::to_string(joints_) +
+                                 " positions");
+    }
+    try {
+      check_recordable(trajectory_);
+    } catch (const Error& error) {
+      throw FileError(path_, 0, error.what());
+    }
+    return std::move(trajectory_);
+  }
+
+ private:
+  void take(const Json& root, Json item) {
+    const std::size_t before = trajectory_.size();
+    const JsonDocument document(std::move(item), path_, "points[" + std::to_string(before) + "]");
+    const Json& point = document.root();
+    document.check_keys(
+        point, {"positions", "velocities", "accelerations", "effort", "time_from_start", "time"});
+    const double time = time_from_json(document, point);
+    if (before > 0 && !(time > trajectory_.times.back())) {
+      document.refuse(point, "is at time " + exact(time) + ", not after " +
+                                 exact(trajectory_.times.back()) + "; times must increase");
+    }
+    const Json& positions = document.need(point, "positions");
+    if (before == 0) joints_ = count_of_names(root, document.items(positions).size());
+    trajectory_.times.push_back(time);
+    trajectory_.positions.push_back(values_from_json(document, positions, joints_));
+    add_rates(document, point, "velocities", before, joints_, trajectory_.velocities);
+    add_rates(document, point, "accelerations", before, joints_, trajectory_.accelerations);
+  }
+
+  /// The number of joint names, or `otherwise` when they come after the points.
+  static std::size_t count_of_names(const Json& root, std::size_t otherwise) {
+    for (const auto& [key, value] : std::get<Json::Members>(root.value)) {
+      const auto* names = std::get_if<Json::Items>(&value.value);
+      if (key == "joint_names" && names != nullptr) return names->size();
+    }
+    return otherwise;
+  }
+
+  const std::string& path_;
+  std::size_t joints_ = 0;
+  Trajectory trajectory_;
+};
+
+/// Appends a member with a list of numbers, which is empty when the column is.
+void append_values(std::string& text, const char* key, const std::vector<Configuration>& column,
+                   std::size_t k) {
+  text += std::string("\"") + key + "\": [";
+  if (!column.empty()) {
+    for (Eigen::Index i = 0; i < column[k].size(); ++i) {
+      text += (i == 0 ? "" : ", ") + with_point(column[k][i]);
+    }
+  }
+  text += "], ";
 }
 
 }  // namespace
 
 Trajectory trajectory_from_json(std::string_view text, const std::string& path) {
-  const JsonDocument document(text, path);
-  const Json& root = document.root();
-  document.check_keys(root, {"header", "joint_names", "points"});
-  Trajectory trajectory;
-  for (const Json& name : document.items(document.need(root, "joint_names"))) {
-    trajectory.joint_names.push_back(document.text(name));
-  }
-  const std::size_t joints = trajectory.joint_names.size();
-  for (const Json& point : document.items(document.need(root, "points"))) {
-    document.check_keys(
-        point, {"positions", "velocities", "accelerations", "effort", "time_from_start", "time"});
-    const double time = time_from_json(document, point);
-    if (!trajectory.times.empty() && !(time > trajectory.times.back())) {
-      document.refuse(point, "is at time " + exact(time) + ", not after " +
-                                 exact(trajectory.times.back()) + "; times must increase");
-    }
-    const std::size_t before = trajectory.times.size();
-    trajectory.times.push_back(time);
-    trajectory.positions.push_back(
-        values_from_json(document, document.need(point, "positions"), joints));
-    add_rates(document, point, "velocities", before, joints, trajectory.velocities);
-    add_rates(document, point, "accelerations", before, joints, trajectory.accelerations);
-  }
-  try {
-    check_recordable(trajectory);
-  } catch (const Error& error) {
-    throw FileError(path, 0, error.what());
-  }
-  return trajectory;
+  PointReader reader(path);
+  Json root = parse_json(text, path, reader.sink());
+  return reader.finish(std::move(root));
+}
+
+Trajectory trajectory_from_json(InputFile& file) {
+  PointReader reader(file.path());
+  Json root = parse_json(file, reader.sink());
+  return reader.finish(std::move(root));
 }
 
 std::string trajectory_to_json(const Trajectory& trajectory) {
   check_recordable(trajectory);
-  std::string text = "{\"joint_names\": [";
+  std::string text = R"({"header": {"stamp": {"sec": 0, "nanosec": 0}, "frame_id": ""},)"
+                     "\n \"joint_names\": [";
   for (std::size_t i = 0; i < trajectory.joint_names.size(); ++i) {
     text += (i == 0 ? "" : ", ") + json_string(trajectory.joint_names[i]);
   }
   text += "],\n \"points\": [";
+  std::int64_t last = std::numeric_limits<std::int64_t>::min();
   for (std::size_t k = 0; k < trajectory.size(); ++k) {
-    text += (k == 0 ? "\n  {" : ",\n  {") + values_to_json("positions", trajectory.positions[k]);
-    if (!trajectory.velocities.empty()) {
-      text += values_to_json("velocities", trajectory.velocities[k]);
+    const std::int64_t time = in_nanoseconds(trajectory.times[k]);
+    if (time <= last) {
+      throw Error("samples " + std::to_string(k) + " and " + std::to_string(k + 1) +
+                  " are at the same nanosecond, " + number(trajectory.times[k]) +
+                  " s; ROS's times are whole nanoseconds");
     }
-    if (!trajectory.accelerations.empty()) {
-      text += values_to_json("accelerations", trajectory.accelerations[k]);
-    }
-    text += "\"time_from_start\": " + duration_to_json(trajectory.times[k]) +
-            ", \"time\": " + exact(trajectory.times[k]) + "}";
+    last = time;
+    text += k == 0 ? "\n  {" : ",\n  {";
+    append_values(text, "positions", trajectory.positions, k);
+    append_values(text, "velocities", trajectory.velocities, k);
+    append_values(text, "accelerations", trajectory.accelerations, k);
+    text += "\"effort\": [], \"time_from_start\": " + duration_to_json(time) + "}";
   }
-  return text + "\n ]}\n";
+  text += "\n ]}\n";
+  return text;
 }
 
 }  // namespace beeline::internal

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include <beeline/read/internal/file_stream.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline::internal {
@@ -10,13 +11,17 @@ namespace beeline::internal {
 /// Parses a trajectory in the form of ROS trajectory_msgs/JointTrajectory:
 ///     {"joint_names": [...],
 ///      "points": [{"positions": [...], "velocities": [...], "accelerations": [...],
-///                  "time_from_start": {"sec": 1, "nanosec": 500000000}, "time": 1.5}, ...]}
-/// `time`, in seconds, is exact, where nanoseconds are rounded; it takes precedence. One of the two
-/// suffices. Empty velocities and accelerations mean none, as in ROS; `header` and `effort` are
-/// ignored. Throws FileError that names the line and the value.
+///                  "time_from_start": {"sec": 1, "nanosec": 500000000}}, ...]}
+/// Files of version 0.1 have a member `time` of each point, in seconds, which takes precedence.
+/// Empty velocities and accelerations mean none, as in ROS; `header` and `effort` are ignored.
+/// The memory is that of the numbers and of one point. Throws FileError that names the line and the
+/// value.
 Trajectory trajectory_from_json(std::string_view text, const std::string& path);
+Trajectory trajectory_from_json(InputFile& file);
 
-/// Throws Error for times that exceed the 32 bits of ROS's seconds.
+/// Returns the message with all of its members and no other. Times are rounded to nanoseconds.
+/// Throws Error for times that exceed the 32 bits of ROS's seconds, and for two samples within the
+/// same nanosecond.
 std::string trajectory_to_json(const Trajectory& trajectory);
 
 }  // namespace beeline::internal

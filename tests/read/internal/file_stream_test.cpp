@@ -24,6 +24,23 @@ TEST(InputFile, ReadsFromFrontToEnd) {
   EXPECT_EQ(file.read(bytes, 16), 0);
 }
 
+TEST(InputFile, PeekDoesNotAdvance) {
+  const testing::TemporaryFolder folder;
+  InputFile file(folder.write("a", "some bytes"));
+  EXPECT_EQ(file.peek(6), "some b");
+  EXPECT_EQ(file.peek(2), "so");
+  EXPECT_EQ(file.position(), 0u);
+  std::string text(8, '-');
+  EXPECT_EQ(file.read(text.data(), 3), 3u);
+  EXPECT_EQ(file.peek(100), "e bytes");
+  EXPECT_EQ(file.read(text.data() + 3, 5), 5u);
+  EXPECT_EQ(text, "some byt");
+  EXPECT_EQ(file.position(), 8u);
+  EXPECT_EQ(file.peek(3), "es");
+  EXPECT_EQ(file.read(text.data(), 8), 2u);
+  EXPECT_EQ(file.peek(1), "");
+}
+
 TEST(InputFile, FillsABlockFromAPipeThatBringsLittleByLittle) {
   const testing::TemporaryFolder folder;
   const std::string pipe = folder.file("pipe");

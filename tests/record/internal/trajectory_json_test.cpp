@@ -8,6 +8,7 @@
 namespace beeline::internal {
 namespace {
 
+using testing::in_nanoseconds;
 using testing::random_trajectory;
 using testing::same;
 
@@ -17,33 +18,37 @@ std::string points(const std::string& list) {
   return "{\"joint_names\": [\"a\", \"b\"],\n\"points\": [" + list + "]}";
 }
 
-TEST(TrajectoryJson, AnyTrajectoryReadsBackToTheLastBit) {
+/// Times of whole nanoseconds are read as they were written, others to half a nanosecond.
+TEST(TrajectoryJson, AnyTrajectoryOfWholeNanosecondsReadsBackToTheLastBit) {
   testing::Random random;
   for (int i = 0; i < 1000; ++i) {
-    const Trajectory trajectory = random_trajectory(random);
+    const Trajectory any = random_trajectory(random), trajectory = in_nanoseconds(any);
+    ASSERT_TRUE(same(parse_json(trajectory_to_json(any)), trajectory)) << i;
     ASSERT_TRUE(same(parse_json(trajectory_to_json(trajectory)), trajectory)) << i;
+    for (std::size_t k = 0; k < any.size(); ++k) {
+      EXPECT_NEAR(trajectory.times[k], any.times[k], 0.51e-9);
+    }
   }
   const Trajectory odd =
-      random_trajectory(random, {"t", "a", "a_vel", "say \"x\"\\", "gr\xc3\xbc"});
+      in_nanoseconds(random_trajectory(random, {"t", "a", "a_vel", "say \"x\"\\", "gr\xc3\xbc"}));
   EXPECT_TRUE(same(parse_json(trajectory_to_json(odd)), odd));
 }
 
-/// A ROS reader uses time_from_start only, which is accurate to half a nanosecond.
-TEST(TrajectoryJson, TheDurationIsTheTimeToANanosecond) {
-  testing::Random random;
-  for (int i = 0; i < 1000; ++i) {
-    const Trajectory trajectory = random_trajectory(random);
-    std::string text = trajectory_to_json(trajectory);
-    for (std::size_t at; (at = text.find(", \"time\": ")) != std::string::npos;) {
-      text.erase(at, text.find('}', at) - at);
-    }
-    const Trajectory read = parse_json(text);
-    ASSERT_EQ(read.size(), trajectory.size());
-    for (std::size_t k = 0; k < read.size(); ++k) {
-      EXPECT_NEAR(read.times[k], trajectory.times[k], 0.51e-9);
-    }
-    EXPECT_EQ(read.positions, trajectory.positions);
-  }
+/// A strict converter takes the message as published: all members of each type and no other.
+TEST(TrajectoryJson, TheTextIsTheMessage) {
+  Trajectory trajectory{{"a"}, {0, 1e-7}, {}, {}, {}};
+  trajectory.positions = {Configuration::Constant(1, 1e-7), Configuration::Constant(1, 2)};
+  trajectory.velocities.assign(2, Configuration::Constant(1, -1e20));
+  EXPECT_EQ(trajectory_to_json(trajectory),
+            R"({"header": {"stamp": {"sec": 0, "nanosec": 0}, "frame_id": ""},
+ "joint_names": ["a"],
+ "points": [
+  {"positions": [1.0e-07], "velocities": [-1.0e+20], "accelerations": [], "effort": [], )"
+            R"("time_from_start": {"sec": 0, "nanosec": 0}},
+  {"positions": [2.0], "velocities": [-1.0e+20], "accelerations": [], "effort": [], )"
+            R"("time_from_start": {"sec": 0, "nanosec": 100}}
+ ]}
+)");
 }
 
 TEST(TrajectoryJson, DurationsAreWholeNumbersWithinTheirRange) {
@@ -54,14 +59,37 @@ TEST(TrajectoryJson, DurationsAreWholeNumbersWithinTheirRange) {
   const std::string text = trajectory_to_json(trajectory);
   for (const char* duration :
        {"{\"sec\": -1, \"nanosec\": 750000000}", "{\"sec\": 0, \"nanosec\": 0}",
-        "{\"sec\": 1, \"nanosec\": 0}, \"time\": 0.9999999999",
-        "{\"sec\": 2, \"nanosec\": 500000000}"}) {
+        "{\"sec\": 1, \"nanosec\": 0}", "{\"sec\": 2, \"nanosec\": 500000000}"}) {
     EXPECT_NE(text.find(duration), std::string::npos) << duration << " in " << text;
   }
   for (const double far : {3e9, 1e300}) {
     trajectory.times.back() = far;
     EXPECT_REFUSED(trajectory_to_json(trajectory), "exceeds the 32 bits of ROS's seconds");
   }
+  trajectory.times.back() = 1;
+  EXPECT_REFUSED(trajectory_to_json(trajectory),
+                 "samples 3 and 4 are at the same nanosecond, 1 s; ROS's times are whole");
+}
+
+/// Version 0.1 wrote the exact time beside the rounded one.
+TEST(TrajectoryJson, FilesWithExactTimesAreRead) {
+  const Trajectory trajectory = parse_json(points(
+      R"({"positions": [1, 2], "time_from_start": {"sec": 0, "nanosec": 333333333}, "time": 0.3333333333333333},
+         {"positions": [1, 2], "time": 1})"));
+  EXPECT_EQ(trajectory.times, (std::vector<double>{0.3333333333333333, 1}));
+}
+
+TEST(TrajectoryJson, MembersMayBeInAnyOrder) {
+  const auto parse = [](const std::string& names) {
+    return parse_json(
+        "{\"points\": [{\"time\": 0, \"positions\": [1, 2]},\n"
+        "{\"positions\": [3, 4], \"time\": 1}],\n\"joint_names\": " +
+        names + "}");
+  };
+  const Trajectory trajectory = parse(R"(["a", "b"])");
+  EXPECT_EQ(trajectory.positions[1], Eigen::Vector2d(3, 4));
+  EXPECT_REFUSED(parse(R"(["a"])"),
+                 "a.json:3: joint_names has 1 names; the points have 2 positions");
 }
 
 TEST(TrajectoryJson, RosMessagesAreUnderstood) {
