@@ -15,5 +15,6 @@ Verb check_verb();
 Verb retime_verb();
 Verb replay_verb();
 Verb diff_verb();
+Verb export_verb();
 Verb draw_verb();
 Verb figure_verb();

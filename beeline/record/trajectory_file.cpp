@@ -1,12 +1,61 @@
+#include <algorithm>
+
 #include <beeline/error.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/file_stream.h>
 #include <beeline/read/internal/name.h>
+#include <beeline/record/internal/controller_form.h>
+#include <beeline/record/internal/controller_program.h>
+#include <beeline/record/internal/setpoints.h>
 #include <beeline/record/internal/trajectory_csv.h>
 #include <beeline/record/internal/trajectory_json.h>
 #include <beeline/record/trajectory_file.h>
 
 namespace beeline {
+namespace {
+
+constexpr double urscript_rate = 125;
+
+const internal::FormDescription& description(ControllerForm form) {
+  const auto& forms = internal::controller_forms();
+  return *std::find_if(forms.begin(), forms.end(),
+                       [form](const auto& candidate) { return candidate.form == form; });
+}
+
+/// Only ASCII: the controllers' editors take files in various encodings.
+std::string comment(std::string text) {
+  for (char& c : text) {
+    if (c < ' ' || c > '~') c = '?';
+  }
+  return text;
+}
+
+std::string with_comments(const std::vector<std::string>& comments, const std::string& text) {
+  std::string result;
+  for (const std::string& line : comments) result += "# " + line + '\n';
+  return result + text;
+}
+
+std::string text_in_form(ControllerForm form, const Trajectory& samples,
+                         const std::vector<std::string>& comments,
+                         const ControllerFileOptions& options) {
+  const internal::ProgramSource source{samples, comments, options.program};
+  switch (form) {
+    case ControllerForm::ros2:
+      return with_comments(comments, internal::trajectory_to_json(samples));
+    case ControllerForm::urscript:
+      return internal::urscript_program(source, 1 / options.rate.value_or(urscript_rate));
+    case ControllerForm::rapid:
+      return internal::rapid_program(source);
+    case ControllerForm::krl:
+      return internal::krl_program(source);
+    case ControllerForm::csv:
+      return with_comments(comments, internal::trajectory_to_csv(samples));
+  }
+  return "";
+}
+
+}  // namespace
 
 TrajectoryFormat trajectory_format(const std::string& path) {
   const std::string ending = internal::extension(path);
@@ -50,6 +99,54 @@ Trajectory parse_trajectory(std::string_view text, const std::string& path) {
   return trajectory_format(path, text) == TrajectoryFormat::csv
              ? internal::trajectory_from_csv(text, path)
              : internal::trajectory_from_json(text, path);
+}
+
+std::string name(ControllerForm form) { return description(form).name; }
+
+std::vector<std::string> controller_form_names() {
+  std::vector<std::string> names;
+  for (const auto& form : internal::controller_forms()) names.emplace_back(form.name);
+  return names;
+}
+
+ControllerForm controller_form_named(const std::string& name) {
+  for (const auto& form : internal::controller_forms()) {
+    if (form.name == name) return form.form;
+  }
+  throw unknown_name("form of a controller", name, controller_form_names());
+}
+
+std::vector<std::string> controller_file_endings(ControllerForm form) {
+  return description(form).endings;
+}
+
+ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, ControllerForm form,
+                               const ControllerFileOptions& options) {
+  const internal::FormDescription& described = description(form);
+  internal::check_form(described, arm, options.rate);
+  Trajectory samples = matched_to(arm, trajectory);
+  if (samples.size() == 0) throw Error("the trajectory has no samples");
+  std::optional<double> rate = options.rate;
+  if (form == ControllerForm::urscript && !rate) rate = urscript_rate;
+  samples = rate ? internal::setpoints(samples, *rate) : internal::from_time_zero(samples);
+  if (form == ControllerForm::csv) {
+    samples.velocities.clear();
+    samples.accelerations.clear();
+  }
+  ControllerFile file;
+  file.proof = internal::proof_in_form(form, samples, rate.has_value());
+  file.note = internal::note_on_form(described, samples);
+  file.samples = samples.size();
+  file.duration = samples.times.back();
+  std::vector<std::string> comments;
+  if (options.comments) {
+    comments = {
+        "Beeline: " + std::to_string(file.samples) + " samples in " + number(file.duration) + " s",
+        comment("What of a proof about the trajectory holds here: " + file.proof)};
+    if (!file.note.empty()) comments.push_back(comment("Note: " + file.note));
+  }
+  file.text = text_in_form(form, samples, comments, options);
+  return file;
 }
 
 }  // namespace beeline

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <beeline/error.h>
 #include <beeline/trajectory/trajectory.h>
@@ -36,5 +38,47 @@ Trajectory read_trajectory(const std::string& path);
 
 /// The same from the text of the file at `path`.
 Trajectory parse_trajectory(std::string_view text, const std::string& path);
+
+/// The forms in which controllers take a motion.
+enum class ControllerForm {
+  ros2,      ///< trajectory_msgs/JointTrajectory of ROS 2, as YAML or JSON
+  urscript,  ///< Universal Robots: servoj() setpoints
+  rapid,     ///< ABB: MoveAbsJ instructions
+  krl,       ///< KUKA: PTP instructions
+  csv,       ///< setpoints at a constant rate, columns t and the joints' names
+};
+std::string name(ControllerForm form);
+std::vector<std::string> controller_form_names();
+
+/// Throws Error listing the names for another name.
+ControllerForm controller_form_named(const std::string& name);
+
+/// The endings of the form's files: script; the first is the default.
+std::vector<std::string> controller_file_endings(ControllerForm form);
+
+struct ControllerFileOptions {
+  /// Setpoints per second, of the motion that the trajectory's columns mean. Default: the
+  /// trajectory's own samples; of urscript 125, the control rate of the CB3 series (e-Series: 500).
+  /// csv requires it.
+  std::optional<double> rate = std::nullopt;
+  /// The name of a rapid or krl program: the file's name without its ending.
+  std::string program = "beeline_motion";
+  bool comments = true;  ///< false for ros2 as JSON, which has none
+};
+
+struct ControllerFile {
+  std::string text;   ///< its content, with `proof` and `note` as comments
+  std::string proof;  ///< which part of a proof about the trajectory holds for the controller
+  std::string note;   ///< what the user must ensure; may be empty
+  std::size_t samples = 0;
+  double duration = 0;  ///< seconds; with a rate at most one period more than the trajectory's
+};
+
+/// Returns the trajectory in the form that a controller takes, from time 0 at its first sample.
+/// Throws Error for a trajectory that does not fit the arm or that the form cannot hold: urscript,
+/// rapid and krl need six revolute joints, ros2 times below 2^31 s that differ by a nanosecond, and
+/// urscript periods of whole control cycles of 2 ms.
+ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, ControllerForm form,
+                               const ControllerFileOptions& options = {});
 
 }  // namespace beeline

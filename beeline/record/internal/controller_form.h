@@ -1,0 +1,24 @@
+#pragma once
+
+#include <beeline/record/trajectory_file.h>
+
+namespace beeline::internal {
+
+/// What is the same for all trajectories in one form.
+struct FormDescription {
+  ControllerForm form;
+  const char* name;
+  std::vector<std::string> endings;
+  bool six_axes;  ///< of a program for an arm of six revolute joints
+};
+
+const std::vector<FormDescription>& controller_forms();
+
+/// Throws Error unless the form can hold a motion of this arm at this rate.
+void check_form(const FormDescription& form, const Arm& arm, const std::optional<double>& rate);
+
+/// Returns the sentences of ControllerFile::proof and ::note.
+std::string proof_in_form(ControllerForm form, const Trajectory& samples, bool resampled);
+std::string note_on_form(const FormDescription& form, const Trajectory& samples);
+
+}  // namespace beeline::internal
