@@ -6,6 +6,7 @@
 #include <beeline/read/internal/file.h>
 #include <beeline/record/trajectory_file.h>
 
+#include "arm_argument.h"
 #include "format.h"
 #include "input_files.h"
 #include "result_files.h"
@@ -17,6 +18,7 @@ namespace {
 
 struct ExportArguments {
   ArmArgument arm;
+  UnitArgument unit;
   std::string file, form, out;
   std::optional<double> rate;
   bool json = false;
@@ -40,8 +42,9 @@ ControllerFileOptions file_options(const ExportArguments& arguments) {
 Answer export_file(const ExportArguments& arguments) {
   const ControllerForm form = controller_form_named(arguments.form);
   check_ending(form, arguments.out);
-  refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.limits, arguments.file});
-  const Arm arm = arguments.arm.read();
+  refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits,
+                                     arguments.file});
+  const Arm arm = arguments.arm.read(arguments.unit);
   const Trajectory trajectory = read_recording(arguments.file, arm);
   const ControllerFile file = controller_file(arm, trajectory, form, file_options(arguments));
   internal::write_file(arguments.out, file.text);
@@ -102,11 +105,14 @@ Verb export_verb() {
           "instructions; krl: PTP instructions: their controllers plan the motion between the "
           "samples again. csv: setpoints at a constant rate. Programs need an arm of six revolute "
           "joints in the controller's order, zeros and directions.\n\n"
-          "With --rate the last sample is up to one period later than the trajectory's.",
+          "With --rate the last sample is up to one period later than the trajectory's. Files are "
+          "in radians and metres, those of "
+          "rapid and krl in degrees; --degrees applies to --tcp and --mount.",
       .arguments = {arguments.arm.argument(),
                     trajectory_argument("FILE", "A trajectory of the arm, .csv or .json.",
                                         &arguments.file)},
-      .options = joined({export_options(arguments), arguments.arm.options()}),
+      .options =
+          joined({export_options(arguments), arguments.unit.options(), arguments.arm.options()}),
       .examples =
           {{"A motion of a UR5e for ROS 2, and as a program of its controller",
             "beeline move ur5e --from 0,-1.5,1.5,0,0,0 --to 0.5,-1,1,0,0.3,0 --method quickest "

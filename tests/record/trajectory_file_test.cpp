@@ -79,6 +79,19 @@ TEST(TrajectoryFile, AnyLengthIsRead) {
                  "a.json:" + std::to_string(samples) + ": is not JSON");
 }
 
+TEST(TrajectoryFile, ManyJointsAreRefusedAtOnce) {
+  std::string names, values;
+  for (int i = 0; i < 50'000; ++i) {
+    names += (i == 0 ? "\"j" : "\",\"j") + std::to_string(i);
+    values += i == 0 ? "0" : ",0";
+  }
+  EXPECT_REFUSED(
+      parse_trajectory("{\"joint_names\": [" + names + "\"], \"points\": [{\"positions\": [" +
+                           values + "], \"time\": 0}]}",
+                       "a.json"),
+      "a.json: the trajectory has 50000 joints; at most 10000 are accepted");
+}
+
 TEST(TrajectoryFile, EndlessFilesAreRefused) {
   EXPECT_REFUSED(read_trajectory("/dev/zero"), "line 1 is longer than");
 }

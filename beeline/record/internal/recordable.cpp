@@ -5,6 +5,11 @@
 #include <beeline/record/internal/recordable.h>
 
 namespace beeline::internal {
+namespace {
+
+constexpr std::size_t max_joints = 10'000;  // check_trajectory() compares all pairs of names
+
+}  // namespace
 
 void check_recordable(const Trajectory& trajectory) {
   if (trajectory.joint_names.empty()) throw Error("the trajectory has no joints");
@@ -15,6 +20,10 @@ void check_recordable(const Trajectory& trajectory) {
     if (!names.insert(name).second) {
       throw Error("two joints of the trajectory have the name " + in_quotes(name));
     }
+  }
+  if (names.size() > max_joints) {
+    throw Error("the trajectory has " + std::to_string(names.size()) + " joints; at most " +
+                std::to_string(max_joints) + " are accepted");
   }
   check_trajectory(trajectory);
 }

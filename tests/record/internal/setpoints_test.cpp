@@ -26,9 +26,9 @@ Trajectory random_motion(testing::Random& random, int columns) {
 
 TEST(Setpoints, SamplesOfTheGridStayAndDerivativesAreDerivatives) {
   testing::Random random;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 60; ++i) {
     const Trajectory trajectory = random_motion(random, 1 + i % 3);
-    const Trajectory coarse = setpoints(trajectory, 100), fine = setpoints(trajectory, 1e5);
+    const Trajectory coarse = setpoints(trajectory, 100), fine = setpoints(trajectory, 1e4);
     ASSERT_EQ(coarse.velocities.size(), trajectory.velocities.empty() ? 0 : coarse.size());
     ASSERT_EQ(coarse.accelerations.size(), trajectory.accelerations.empty() ? 0 : coarse.size());
     for (std::size_t k = 0; k < trajectory.size(); ++k) {
@@ -38,9 +38,8 @@ TEST(Setpoints, SamplesOfTheGridStayAndDerivativesAreDerivatives) {
       EXPECT_LT((coarse.positions[j] - trajectory.positions[k]).norm(), 1e-9);
     }
     for (std::size_t j = 1; j + 1 < fine.velocities.size(); j += 97) {
-      const Configuration slope = (fine.positions[j + 1] - fine.positions[j - 1]) * 0.5e5;
-      const double step = 1e-5 * 1e6;  // accelerations within an interval of 0.01 s, and a jump
-      EXPECT_LT((slope - fine.velocities[j]).norm(), step);
+      const Configuration slope = (fine.positions[j + 1] - fine.positions[j - 1]) * 0.5e4;
+      EXPECT_LT((slope - fine.velocities[j]).norm(), 1e-4 * 1e5);  // accelerations below 1e5
     }
     EXPECT_EQ(coarse.times.front(), 0);
     EXPECT_NEAR(coarse.times.back(), trajectory.times.back() - trajectory.times.front(), 1e-12);
