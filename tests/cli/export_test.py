@@ -220,3 +220,11 @@ def test_what_a_form_cannot_hold_is_refused(refused, written, tmp_path, code, ar
     written("in.csv", text)
     refused(code, "export", arm, "in.csv", *options, says=says)
     assert [path.name for path in tmp_path.iterdir()] == ["in.csv"]
+
+
+def test_a_reader_of_yaml_reads_the_message(beeline, tmp_path):
+    yaml = pytest.importorskip("yaml")
+    assert beeline("move", "ur5e", *UR5E, "--method", "quickest", "--out", "move.csv").code == 0
+    assert beeline("export", "ur5e", "move.csv", "--as", "ros2", "--out", "move.yaml").code == 0
+    text = (tmp_path / "move.yaml").read_text()
+    assert yaml.safe_load(text) == ros_message.read(text)[0]

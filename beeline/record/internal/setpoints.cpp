@@ -31,7 +31,8 @@ MotionState state_between(const Trajectory& trajectory, std::size_t k, double u)
   return {from + motion.change(u), motion.first(u) / h, motion.second(u) / (h * h)};
 }
 
-void append(const MotionState& state, double time, const Trajectory& columns, Trajectory& result) {
+void append_state(const MotionState& state, double time, const Trajectory& columns,
+                  Trajectory& result) {
   result.times.push_back(time);
   result.positions.push_back(state.position);
   if (!columns.velocities.empty()) result.velocities.push_back(state.velocity);
@@ -67,12 +68,12 @@ Trajectory setpoints(const Trajectory& trajectory, double rate) {
     while (k + 1 < trajectory.size() && trajectory.times[k] <= t) ++k;
     if (k >= trajectory.size() || time > duration + slack / rate) {
       const Configuration& last = trajectory.positions.back();
-      append({last, 0 * last, 0 * last}, time, trajectory, result);
+      append_state({last, 0 * last, 0 * last}, time, trajectory, result);
       continue;
     }
     const double length = trajectory.times[k] - trajectory.times[k - 1];
     const double u = std::min((t - trajectory.times[k - 1]) / length, 1.0);
-    append(state_between(trajectory, k, u), time, trajectory, result);
+    append_state(state_between(trajectory, k, u), time, trajectory, result);
   }
   return result;
 }

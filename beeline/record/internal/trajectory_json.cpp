@@ -130,7 +130,7 @@ class PointReader {
 };
 
 /// Appends a member with a list of numbers, which is empty when the column is.
-void append_values(std::string& text, const char* key, const std::vector<Configuration>& column,
+void append_member(std::string& text, const char* key, const std::vector<Configuration>& column,
                    std::size_t k) {
   text += std::string("\"") + key + "\": [";
   if (!column.empty()) {
@@ -173,9 +173,9 @@ std::string trajectory_to_json(const Trajectory& trajectory) {
     }
     last = time;
     text += k == 0 ? "\n  {" : ",\n  {";
-    append_values(text, "positions", trajectory.positions, k);
-    append_values(text, "velocities", trajectory.velocities, k);
-    append_values(text, "accelerations", trajectory.accelerations, k);
+    append_member(text, "positions", trajectory.positions, k);
+    append_member(text, "velocities", trajectory.velocities, k);
+    append_member(text, "accelerations", trajectory.accelerations, k);
     text += "\"effort\": [], \"time_from_start\": " + duration_to_json(time) + "}";
   }
   text += "\n ]}\n";
