@@ -59,13 +59,14 @@ Json check_document(const CheckArguments& arguments, const Verification& verific
 }
 
 std::string check_text(const CheckArguments& arguments, const Verification& verification,
-                       std::size_t samples, std::size_t waypoints) {
+                       const Trajectory& trajectory, std::size_t waypoints) {
   const bool passed = verification.fault == Fault::none;
   std::string text = fmt::format("{}: {} through {}\n", passed ? "passed" : "failed",
-                                 counted(static_cast<std::int64_t>(samples), "sample"),
+                                 counted(static_cast<std::int64_t>(trajectory.size()), "sample"),
                                  counted(static_cast<std::int64_t>(waypoints), "waypoint"));
-  text += passed ? deviation_text(verification.deviation, arguments.unit)
-                 : fmt::format("fault         {}\n", name(verification.fault));
+  text += passed
+              ? deviation_text(verification.deviation, trajectory.interpolation(), arguments.unit)
+              : fmt::format("fault         {}\n", name(verification.fault));
   if (!arguments.plot.empty()) text += fmt::format("plot          {}\n", arguments.plot);
   return text;
 }
@@ -87,13 +88,13 @@ Answer check_file(const CheckArguments& arguments) {
   const Route route = arguments.path.from(begin, waypoints.poses, *options.task);
   const Verification verification = verify(arm, trajectory, route, options);
   if (!arguments.plot.empty()) write_check_plot(arguments, arm, trajectory, verification, options);
-  return {.text = check_text(arguments, verification, trajectory.size(), waypoints.poses.size()),
+  return {.text = check_text(arguments, verification, trajectory, waypoints.poses.size()),
           .document = check_document(arguments, verification, trajectory.size()),
           .yes = verification.fault == Fault::none,
           .reason = verification.reason};
 }
 
-std::vector<Option> tolerance_options(VerifyOptions& options) {
+std::vector<Option> proof_options(VerifyOptions& options) {
   return {{.name = "--tolerance",
            .value = "METRES",
            .help = "Largest distance of the tool origin from the path.",
@@ -103,7 +104,13 @@ std::vector<Option> tolerance_options(VerifyOptions& options) {
            .value = "RAD",
            .help = "Largest angle from the path's orientation, radians.",
            .target = &options.orientation_tolerance,
-           .range = above_zero}};
+           .range = above_zero},
+          {.name = "--moving-start",
+           .help = "The joints may move at the first sample; by default they start from rest.",
+           .target = &options.moving.start},
+          {.name = "--moving-end",
+           .help = "The joints may move at the last sample; by default they come to rest.",
+           .target = &options.moving.end}};
 }
 
 }  // namespace
@@ -116,8 +123,11 @@ Verb check_verb() {
       .description =
           "Proves from a trajectory file alone, whoever made it, that the tool moves in straight "
           "lines (or on the path of --path, --blend) through the poses and that the joints respect "
-          "their limits of position, velocity, acceleration and jerk; joints move linearly between "
-          "the samples. Prints passed with the measured and the proved deviation in metres and "
+          "their limits of position, velocity, acceleration and jerk, for the motion that the "
+          "file's "
+          "columns mean: linear between the samples, cubic with velocities, quintic with "
+          "accelerations too. Prints passed with the measured and the proved deviation in metres "
+          "and "
           "radians, or failed with the first fault, its sample and time; then the exit code is 1. "
           "The trajectory is in radians and metres; --degrees applies to the poses and the output.",
       .arguments = {arguments.arm.argument(),
@@ -129,7 +139,7 @@ Verb check_verb() {
                          arguments.unit.options(),
                          arguments.task.options(),
                          arguments.path.options(),
-                         tolerance_options(arguments.verify),
+                         proof_options(arguments.verify),
                          {plot_option(&arguments.plot)},
                          arguments.arm.options(),
                          arguments.limits.options()}),

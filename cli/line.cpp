@@ -27,6 +27,7 @@ struct LineArguments {
   WorkArgument work;
   PathArgument path;
   ProfileArgument profile;
+  InterpolationArgument interpolation;
   std::string from, through, method = exact;
   PathMotionOptions motion;
   std::optional<double> tool_speed, rate;
@@ -39,6 +40,7 @@ PathMotionOptions exact_motion_options(const LineArguments& arguments, const Tas
   PathMotionOptions options = arguments.motion;
   options.task = task;
   options.profile = arguments.profile.read();
+  options.interpolation = arguments.interpolation.read();
   options.suggest = true;
   if (arguments.tool_speed) options.tool_speed = *arguments.tool_speed;
   if (arguments.rate) options.rate = *arguments.rate;
@@ -89,11 +91,11 @@ LineReport line_by_control(const Arm& arm, const Configuration& start,
     const Task task = options.task.value_or(default_task(arm));
     std::vector<Pose> poses = waypoints;
     poses.insert(poses.begin(), forward_kinematics(arm, start));
-    const auto& samples = report.trajectory.positions;
     const ToolPath path = lines_through(poses);
-    const auto path_parameters = path_parameters_along(arm, samples, path, motion.arrivals, task);
+    const auto path_parameters =
+        path_parameters_along(arm, report.trajectory.positions, path, motion.arrivals, task);
     report.path = {path, path_parameters, task};
-    report.deviation = path_deviation(arm, samples, path_parameters, path, task);
+    report.deviation = path_deviation(arm, report.trajectory, path_parameters, path, task);
   }
   return report;
 }
@@ -155,6 +157,7 @@ std::vector<Option> exact_options(LineArguments& arguments) {
   return joined(
       {arguments.path.options({exact}),
        {arguments.profile.option({exact}),
+        arguments.interpolation.option({exact}),
         {.name = "--tool-speed",
          .value = "V",
          .help = "Largest speed of the tool origin, m/s.",
@@ -163,7 +166,8 @@ std::vector<Option> exact_options(LineArguments& arguments) {
          .methods = {exact}},
         {.name = "--rate",
          .value = "HZ",
-         .help = "Samples per second. Default: as few samples as the tolerance needs.",
+         .help = "Samples per second, from the first to the last: each section from stop to stop "
+                 "lasts a whole number of periods. Default: as few samples as the motion needs.",
          .target = &arguments.rate,
          .range = above_zero,
          .methods = {exact},

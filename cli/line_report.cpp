@@ -12,7 +12,8 @@ std::string motion_text(const LineReport& report, const UnitArgument& unit) {
   std::string text = fmt::format("samples       {} in {} s\n", report.trajectory.size(),
                                  shown(report.trajectory.times.back()));
   if (report.method == "exact") {
-    return text + deviation_text(report.deviation, unit) + limits_text(report.limits) +
+    return text + deviation_text(report.deviation, report.trajectory.interpolation(), unit) +
+           limits_text(report.limits) +
            fmt::format(
                "margins       {} % of a joint's half range to its limits, inverse "
                "condition number {}\n",
@@ -21,7 +22,7 @@ std::string motion_text(const LineReport& report, const UnitArgument& unit) {
   return text +
          fmt::format("control       {}, overshoot {} % of a line\n", counted(report.steps, "step"),
                      shown(100 * report.overshoot)) +
-         deviation_text(report.deviation, unit);
+         deviation_text(report.deviation, report.trajectory.interpolation(), unit);
 }
 
 }  // namespace

@@ -11,26 +11,34 @@ namespace {
 
 std::string usage_line(const char* limit, const LimitFraction& use) {
   if (use.joint.empty()) return "";
-  return fmt::format("{:<14}at most {} % of the limit, joint {} at {} s\n", limit,
-                     shown(100 * use.fraction), use.joint, shown(use.time));
+  return fmt::format("{:<14}at most {} % of the{} limit, joint {} at {} s{}\n", limit,
+                     shown(100 * use.fraction), use.assumed ? " assumed" : "", use.joint,
+                     shown(use.time),
+                     use.exact ? "" : ", by divided differences: it jumps at the samples");
 }
 
 Json json_usage(const LimitFraction& use) {
   if (use.joint.empty()) return nullptr;
-  return {{"fraction", use.fraction}, {"joint", use.joint}, {"time", use.time}};
+  return {{"fraction", use.fraction},
+          {"joint", use.joint},
+          {"time", use.time},
+          {"exact", use.exact},
+          {"assumed", use.assumed}};
 }
 
 }  // namespace
 
-std::string deviation_text(const PathDeviation& deviation, const UnitArgument& unit) {
+std::string deviation_text(const PathDeviation& deviation, Interpolation interpolation,
+                           const UnitArgument& unit) {
   std::string text = "deviation     position     orientation\n";
-  const auto add = [&](const char* label, const Deviation& value, const char* remark) {
+  const auto add = [&](const char* label, const Deviation& value, const std::string& remark) {
     text += fmt::format("  {:<10}  {:.2e} m   {:.2e} {}{}\n", label, value.position,
                         unit.shown(value.orientation), unit.name(), remark);
   };
   add("at samples", deviation.sampled, "");
   add("measured", deviation.measured, "   (between samples too)");
-  add("proved", deviation.bound, "   (at all times, joints linear between samples)");
+  add("proved", deviation.bound,
+      fmt::format("   (at all times, joints {} between samples)", name(interpolation)));
   return text;
 }
 

@@ -15,7 +15,8 @@
 /// Reports of a motion that several verbs print: as text, and as members added to a JSON document.
 
 /// The deviation of a motion from its path: at the samples, measured, proved.
-std::string deviation_text(const beeline::PathDeviation& deviation, const UnitArgument& unit);
+std::string deviation_text(const beeline::PathDeviation& deviation,
+                           beeline::Interpolation interpolation, const UnitArgument& unit);
 /// Members deviation_... and orientation_...; null if there is no deviation to report.
 Json deviation_members(const std::optional<beeline::PathDeviation>& deviation,
                        const UnitArgument& unit);

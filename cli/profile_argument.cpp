@@ -9,12 +9,22 @@ Option ProfileArgument::option(const std::vector<std::string>& methods) {
               "Time profile. fastest: minimum time under velocity and acceleration limits, "
               "jerk is not limited; jerk: short time under velocity, acceleration and jerk "
               "limits; trapezoidal (jerk is not limited), quintic, s-curve: one profile of "
-              "that form from stop to stop. Default: jerk for an arm with jerk limits, "
-              "otherwise fastest.",
+              "that form from stop to stop. Default: jerk.",
           .target = &text,
           .choices = profile_names(),
-          .methods = methods,
-          .phrases = {"profile jerk"}};
+          .methods = methods};
+}
+
+Option InterpolationArgument::option(const std::vector<std::string>& methods) {
+  return {.name = "--interpolation",
+          .value = "KIND",
+          .help =
+              "The motion between two samples, which is what is proved and what a joint "
+              "trajectory controller plays: linear (positions are written), cubic (velocities "
+              "too), quintic (accelerations too).",
+          .target = &text,
+          .choices = interpolation_names(),
+          .methods = methods};
 }
 
 std::optional<Profile> ProfileArgument::read() const {

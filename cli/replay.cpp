@@ -22,6 +22,7 @@ struct ReplayArguments {
   std::string file;
   UnitArgument unit;
   std::string from, speed_at, measured;
+  std::optional<double> rate;
   ReplayOptions replay;
   ResultFiles files;
   bool json = false;
@@ -46,6 +47,7 @@ std::vector<SpeedChange> speed_changes(const std::string& text) {
 
 ReplayOptions replay_options(const ReplayArguments& arguments, const Arm& arm) {
   ReplayOptions options = arguments.replay;
+  if (arguments.rate) options.rate = *arguments.rate;
   if (!arguments.speed_at.empty()) options.speed_at = speed_changes(arguments.speed_at);
   if (!arguments.from.empty()) {
     options.start = arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
@@ -134,8 +136,9 @@ std::vector<Option> playing_options(ReplayArguments& arguments) {
            .needs = "--speed-at"},
           {.name = "--rate",
            .value = "HZ",
-           .help = "Samples per second of the output.",
-           .target = &replay.rate,
+           .help = "Samples per second of the output, from the first to the last. Default: the "
+                   "recorded samples; with --speed-at 100.",
+           .target = &arguments.rate,
            .range = above_zero,
            .phrases = {"samples per second"}},
           {.name = "--measured",

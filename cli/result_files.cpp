@@ -39,7 +39,7 @@ std::vector<Configuration> at_equal_times(const Trajectory& trajectory) {
   const double begin = trajectory.times.front();
   const double duration = trajectory.times.back() - begin;
   for (int k = 0; k <= steps; ++k) {
-    positions.push_back(sample(trajectory, begin + duration * k / steps));
+    positions.push_back(sample(trajectory, begin + duration * k / steps).position);
   }
   return positions;
 }

@@ -25,6 +25,7 @@ struct RetimeArguments {
   LimitsArgument limits;
   std::string file;
   ProfileArgument profile;
+  InterpolationArgument interpolation;
   RetimeOptions retime;
   std::optional<double> tool_speed, rate;
   ResultFiles files;
@@ -70,6 +71,7 @@ RetimeInput read_input(const std::string& file, const Arm& arm) {
 RetimeOptions retime_options(const RetimeArguments& arguments) {
   RetimeOptions options = arguments.retime;
   options.profile = arguments.profile.read();
+  options.interpolation = arguments.interpolation.read();
   if (arguments.rate) options.rate = *arguments.rate;
   if (arguments.tool_speed) options.tool_speed = *arguments.tool_speed;
   return options;
@@ -122,6 +124,16 @@ Answer retime_file(const RetimeArguments& arguments) {
 
 std::vector<Option> timing_options(RetimeArguments& arguments) {
   return {arguments.profile.option(),
+<<<<<<< HEAD
+=======
+          arguments.interpolation.option(),
+          {.name = "--speed",
+           .value = "K",
+           .help = "Speed scale k in (0, 1]: velocity limits x k, acceleration x k^2, "
+                   "jerk x k^3.",
+           .target = &arguments.retime.speed_scale,
+           .range = {1e-6, 1}},
+>>>>>>> f163868 (One meaning for every trajectory: the motion that its columns mean is timed, proved and played)
           {.name = "--tool-speed",
            .value = "V",
            .help = "Largest speed of the tool origin, m/s.",

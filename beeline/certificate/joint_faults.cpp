@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <ostream>
 
-#include <beeline/certificate/internal/mean_derivative.h>
 #include <beeline/certificate/joint_faults.h>
-#include <beeline/math/hermite.h>
+#include <beeline/trajectory/internal/interval_polynomial.h>
+#include <beeline/trajectory/internal/mean_derivative.h>
 
 namespace beeline {
 
@@ -15,6 +16,7 @@ namespace {
 
 // A velocity, acceleration or jerk may exceed its limit by this fraction: rounding of motions that
 // use their limits fully.
+constexpr double rest_fraction = 1e-4;  // of a velocity limit: slower is at rest
 constexpr double limit_slack = 1e-6;
 constexpr std::size_t stencil = 3;  // steps of a third difference, the longest
 
@@ -24,8 +26,9 @@ std::string quantity(const Arm& arm, int i, double value, const std::string& per
 
 class FaultSearch {
  public:
-  FaultSearch(const Arm& arm, const Trajectory& trajectory)
+  FaultSearch(const Arm& arm, const Trajectory& trajectory, const MovingEnds& moving)
       : arm_(arm),
+        moving_(moving),
         trajectory_(trajectory),
         t_(trajectory.times),
         q_(trajectory.positions),
@@ -61,7 +64,7 @@ class FaultSearch {
                     "is at " + quantity(arm_, i, here) + ", outside " + range(i));
     }
     if (k + 1 == t_.size()) return;
-    const double h = t_[k + 1] - t_[k], step = q_[k + 1][i] - q_[k][i];
+    const double step = q_[k + 1][i] - q_[k][i];
     const bool prismatic = kind(arm_.joint_of(i)) == JointKind::prismatic;
     if (!prismatic && std::abs(step) >= std::numbers::pi) {
       return report(Fault::flip, k, i,
@@ -69,17 +72,23 @@ class FaultSearch {
                         number(std::abs(step) / (2 * std::numbers::pi)) + " revolutions");
     }
     if (v_.empty() || !inside(q_[k + 1][i])) return;  // reported at the next sample
-    const auto [lowest, highest] =
-        extremes(cubic_between(here, q_[k + 1][i], v_[k][i], v_[k + 1][i], h));
-    if (inside(lowest) && inside(highest)) return;
+    const Polynomial p = interval_polynomial(trajectory_, k, i);
+    Extremes between = enclosure(p);
+    if (inside(between.smallest) && inside(between.largest)) return;
+    between = extremes(p);
+    if (inside(between.smallest) && inside(between.largest)) return;
     report(Fault::limits, k, i,
-           "moves to " + quantity(arm_, i, inside(lowest) ? highest : lowest) +
-               " before the next sample, by the cubic with its velocities: outside " + range(i));
+           "moves to " +
+               quantity(arm_, i, inside(between.smallest) ? between.largest : between.smallest) +
+               " before the next sample, by the " + name(trajectory_.interpolation()) +
+               " with its velocities: outside " + range(i));
   }
 
   void check_derivatives(std::size_t k, int i) {
     const Limits& limits = arm_.limits(i);
+    check_rest(k, i);
     check_derivative(Fault::velocity, k, i, 1, limits.velocity, "/s");
+    check_corner(k, i);
     check_derivative(Fault::acceleration, k, i, 2, limits.acceleration, "/s^2");
     check_derivative(Fault::jerk, k, i, 3, limits.jerk, "/s^3");
   }
@@ -87,11 +96,71 @@ class FaultSearch {
   void check_derivative(Fault fault, std::size_t k, int i, int order, double limit,
                         const char* per) {
     if (found_ || !(limit < Limits::none)) return;
-    const double value = mean_derivative(trajectory_, k, i, order);
-    if (value <= limit * (1 + limit_slack)) return;
+    const double allowed = limit * (1 + limit_slack);
+    if (order > bounded_order(trajectory_.interpolation())) {
+      const double needed = mean_derivative(trajectory_, k, i, order);
+      if (needed <= allowed) return;
+      return report(fault, k, i,
+                    "needs " + quantity(arm_, i, needed, per) +
+                        " over the next samples; its limit is " + quantity(arm_, i, limit, per));
+    }
+    if (k + 1 == t_.size()) return;
+    const Polynomial p =
+        time_derivative(interval_polynomial(trajectory_, k, i), order, t_[k + 1] - t_[k]);
+    const auto largest = [](const Extremes& of) { return std::max(-of.smallest, of.largest); };
+    if (largest(enclosure(p)) <= allowed) return;
+    const double reached = largest(extremes(p));
+    if (reached <= allowed) return;
     report(fault, k, i,
-           "needs " + quantity(arm_, i, value, per) + " over the next samples; its limit is " +
+           "reaches " + quantity(arm_, i, reached, per) + " before the next sample; its limit is " +
                quantity(arm_, i, limit, per));
+  }
+
+  /// The velocity of a linear coordinate between sample k and the next; 0 before the first and
+  /// after the last.
+  double chord_velocity(std::size_t k, int i) const {
+    return k + 1 < t_.size() ? (q_[k + 1][i] - q_[k][i]) / (t_[k + 1] - t_[k]) : 0;
+  }
+
+  /// Whether a coordinate moves at the start or the end. Linear joints always do: they may have the
+  /// velocity that the joint reaches within two intervals.
+  void check_rest(std::size_t k, int i) {
+    const bool first = k == 0, last = k + 1 == t_.size();
+    if (found_ || t_.size() < 2 || !((first && !moving_.start) || (last && !moving_.end))) return;
+    const Limits limits = motion_limits(arm_.limits(i));
+    double velocity = 0, allowed = rest_fraction * limits.velocity;
+    if (!v_.empty()) {
+      velocity = v_[k][i];
+    } else {
+      const std::size_t interval = first ? 0 : k - 1;
+      velocity = chord_velocity(interval, i);
+      allowed += 2 * limits.acceleration * (t_[interval + 1] - t_[interval]);
+    }
+    if (std::abs(velocity) <= allowed) return;
+    report(Fault::moving, k, i,
+           std::string(first ? "starts" : "ends") + " at " + quantity(arm_, i, velocity, "/s") +
+               ", not at rest");
+  }
+
+  /// The change of velocity of a linear coordinate at a sample must be possible within the shorter
+  /// one of the intervals on both sides of it, on each side. Divided differences do not show a
+  /// short interval beside a long one.
+  void check_corner(std::size_t k, int i) {
+    if (found_ || !v_.empty() || k == 0 || k + 1 == t_.size()) return;
+    const double limit = arm_.limits(i).acceleration;
+    const double shorter = std::min(t_[k] - t_[k - 1], t_[k + 1] - t_[k]);
+    const double change = std::abs(chord_velocity(k, i) - chord_velocity(k - 1, i));
+    const double rounding =
+        16 * std::numeric_limits<double>::epsilon() * std::abs(q_[k][i]) / shorter;
+    const double needed = (change - rounding) / (2 * shorter);
+    if (!(needed > limit * (1 + limit_slack))) return;
+    report(Fault::acceleration, k, i,
+           "changes its velocity by " + quantity(arm_, i, change, "/s") +
+               " at this sample, between "
+               "intervals of " +
+               number(t_[k] - t_[k - 1]) + " s and " + number(t_[k + 1] - t_[k]) +
+               " s: that needs " + quantity(arm_, i, needed, "/s^2") + "; its limit is " +
+               quantity(arm_, i, limit, "/s^2"));
   }
 
   std::string range(int i) const {
@@ -104,6 +173,7 @@ class FaultSearch {
   }
 
   const Arm& arm_;
+  MovingEnds moving_;
   const Trajectory& trajectory_;
   const std::vector<double>& t_;
   const std::vector<Configuration>&q_, &v_;
@@ -113,16 +183,17 @@ class FaultSearch {
 }  // namespace
 
 std::string name(Fault fault) {
-  constexpr const char* names[] = {"none",        "limits",   "flip",         "deviation",
-                                   "not_through", "velocity", "acceleration", "jerk"};
+  constexpr const char* names[] = {"none",     "limits",       "flip", "deviation", "not_through",
+                                   "velocity", "acceleration", "jerk", "moving"};
   return names[static_cast<int>(fault)];
 }
 
 std::ostream& operator<<(std::ostream& out, Fault fault) { return out << name(fault); }
 
-std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& trajectory) {
+std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& trajectory,
+                                            const MovingEnds& moving) {
   check_fits(arm, trajectory);
-  return FaultSearch(arm, trajectory).first();
+  return FaultSearch(arm, trajectory, moving).first();
 }
 
 }  // namespace beeline

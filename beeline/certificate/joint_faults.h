@@ -19,9 +19,16 @@ enum class Fault {
   velocity,     ///< a velocity limit is exceeded between two samples
   acceleration,
   jerk,
+  moving,  ///< a joint moves at the trajectory's start or end
 };
 std::string name(Fault fault);
 std::ostream& operator<<(std::ostream& out, Fault fault);  ///< name(fault)
+
+/// The ends of a trajectory at which the joints may move; at the others they start from rest, or
+/// come to rest.
+struct MovingEnds {
+  bool start = false, end = false;
+};
 
 struct JointFault {
   Fault kind = Fault::none;
@@ -30,8 +37,9 @@ struct JointFault {
 };
 
 /// Returns the first fault in time of a trajectory's joints, whose columns are in the arm's order:
-/// limits, flip, velocity, acceleration or jerk; see verify() for their meaning.
+/// limits, flip, velocity, acceleration, jerk or moving; see verify() for their meaning.
 /// Throws Error when the trajectory does not fit the arm.
-std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& trajectory);
+std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& trajectory,
+                                            const MovingEnds& moving = {});
 
 }  // namespace beeline

@@ -1,41 +1,44 @@
 #include <algorithm>
 
 #include <beeline/certificate/internal/path_checks.h>
+#include <beeline/certificate/internal/path_interval.h>
 #include <beeline/certificate/internal/path_step.h>
 #include <beeline/certificate/path_deviation.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/nearest_parameter.h>
+#include <beeline/trajectory/internal/mean_derivative.h>
 
 namespace beeline {
 
 using namespace internal;
 
-PathDeviation path_deviation(const Arm& arm, std::span<const Configuration> samples,
+PathDeviation path_deviation(const Arm& arm, const Trajectory& trajectory,
                              std::span<const double> path_parameters, const ToolPath& path,
                              const Task& task) {
-  if (samples.empty() || samples.size() != path_parameters.size()) {
+  if (trajectory.size() == 0 || trajectory.size() != path_parameters.size()) {
     throw Error("path_deviation needs samples and a path parameter for each, not " +
-                std::to_string(samples.size()) + " samples and " +
+                std::to_string(trajectory.size()) + " samples and " +
                 std::to_string(path_parameters.size()) + " path parameters");
   }
+  check_fits(arm, trajectory);
   internal::check_task(arm, path, task);
   check_path_parameters(path, path_parameters);
   PathDeviation result;
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    const Pose pose = forward_kinematics(arm, samples[k]);
+  for (std::size_t k = 0; k < trajectory.size(); ++k) {
+    const Pose pose = forward_kinematics(arm, trajectory.positions[k]);
     grow(result.sampled, deviation_from(path, path_parameters[k], pose, task));
-    if (k == 0) continue;
-    for (const SegmentStep& step : split_at_segments(
-             path, task, samples[k - 1], path_parameters[k - 1], samples[k], path_parameters[k])) {
-      const MeasuredStep measured = measure_step(arm, path, task, step);
-      grow(result.measured, measured.begin);
-      grow(result.measured, measured.middle);
-      grow(result.measured, measured.end);
-      grow(result.bound, measured.bound);
+  }
+  result.measured = result.sampled;
+  for (std::size_t k = 1; k < trajectory.size(); ++k) {
+    for (const PathInterval& part : path_intervals(arm, trajectory, k - 1, path, task,
+                                                   path_parameters[k - 1], path_parameters[k])) {
+      const IntervalDeviation here = interval_deviation(arm, path.segments[part.segment], task,
+                                                        part.interval, result.measured);
+      grow(result.measured, here.measured);
+      grow(result.bound, here.bound);
     }
   }
-  grow(result.measured, result.sampled);
-  grow(result.bound, result.sampled);
+  grow(result.bound, result.measured);
   return result;
 }
 

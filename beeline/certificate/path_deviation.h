@@ -6,24 +6,31 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/task.h>
 #include <beeline/path/tool_path.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
 
-/// Deviation of a joint motion from its path, the joints moving linearly between samples; metres
-/// and radians. sampled <= measured <= bound.
+/// Deviation of a joint motion from its path; metres and radians. sampled <= measured <= bound.
 struct PathDeviation {
   Deviation sampled;   ///< largest deviation at the samples
-  Deviation measured;  ///< largest deviation at the samples and half-way between them
+  Deviation measured;  ///< largest deviation at the samples and at some times between them
   Deviation bound;     ///< proved upper bound at all times
 };
 
-/// Measures and bounds the deviation of the samples from the path. `path_parameters[k]` is the path
-/// parameter of sample k: whole segments, with a fraction of the next. On a line the deviation is
-/// from its nearest point, whatever the fraction; verify() also checks that each line is traversed
-/// to its end.
+/// Measures and bounds the deviation of a trajectory, whose columns are in the arm's order, from
+/// the path, for the motion that the columns mean (see Interpolation). `path_parameters[k]` is the
+/// path parameter of sample k: whole segments, with a fraction of the next. On a line the deviation
+/// is from its nearest point, whatever the fraction; verify() also checks that each line is
+/// traversed to its end.
+///
+/// Between two samples the error's quintic Hermite polynomial is compared with the error itself by
+/// a bound on the sixth derivative (certificate/internal/interval_deviation.h): for samples on the
+/// path that have its velocity and acceleration, the bound falls with the sixth power of the time
+/// between them.
+///
 /// Throws Error when sizes do not fit, the path parameters are not on the path or decrease, or the
 /// task leaves rows free that the path's segments need (see PathMotionOptions::task).
-PathDeviation path_deviation(const Arm& arm, std::span<const Configuration> samples,
+PathDeviation path_deviation(const Arm& arm, const Trajectory& trajectory,
                              std::span<const double> path_parameters, const ToolPath& path,
                              const Task& task);
 

@@ -3,6 +3,7 @@
 #include <ostream>
 
 #include <beeline/certificate/internal/path_checks.h>
+#include <beeline/certificate/internal/path_interval.h>
 #include <beeline/certificate/internal/path_step.h>
 #include <beeline/certificate/verify.h>
 #include <beeline/kinematics/forward.h>
@@ -21,6 +22,7 @@ struct Verifier {
   const Route& route;
   Task task;
   Deviation tolerance;
+  MovingEnds moving;
   std::vector<Pose> world_T_tool = {};  ///< at the samples
   Verification result = {};
 
@@ -131,33 +133,59 @@ struct Verifier {
     return false;
   }
 
-  /// Checks the step from sample k to the next, or the part of it that is on one segment.
-  void check_step(std::size_t k, const ToolPath& path, const SegmentStep& step) {
-    constexpr int probes = 64;  // of a step that fails, to find its largest deviation
-    const MeasuredStep ends = measure_step(arm, path, task, step);
-    Deviation measured = ends.begin;
-    grow(measured, ends.middle);
-    grow(measured, ends.end);
-    for (int i = 1; i < probes && !near(ends.bound); ++i) {
-      const double t = static_cast<double>(i) / probes;
-      const Pose pose = forward_kinematics(arm, step.q_a + t * (step.q_b - step.q_a));
-      const double s = std::lerp(step.s_a, step.s_b, t);
-      grow(measured, deviation_from(path.segments[step.segment], s, pose, task));
+  /// Checks the motion from sample k to the next, or the part of it that is on one segment.
+  void check_interval(std::size_t k, const ToolPath& path, const PathInterval& part) {
+    constexpr int probes = 64;  // of an interval that fails, to find its largest deviation
+    const Segment& segment = path.segments[part.segment];
+    auto [measured, bound] =
+        interval_deviation(arm, segment, task, part.interval, result.deviation.measured);
+    for (int i = 1; i < probes && !near(bound); ++i) {
+      const double u = static_cast<double>(i) / probes;
+      Configuration q(arm.dof());
+      for (int j = 0; j < arm.dof(); ++j) {
+        q[j] = part.interval.coordinates[static_cast<std::size_t>(j)](u);
+      }
+      const double s = std::clamp(part.interval.s(u), 0.0, 1.0);
+      grow(measured, deviation_from(segment, s, forward_kinematics(arm, q), task));
     }
     grow(result.deviation.measured, measured);
-    grow(result.deviation.bound, ends.bound);
-    if (near(ends.bound)) return;
+    grow(result.deviation.bound, bound);
+    if (!near(bound))
+      return fail_between(k, std::holds_alternative<Line>(segment), measured, bound);
+    check_direction(k, segment, part);
+  }
+
+  /// Records that the deviation after sample k is not proved to be within tolerance.
+  void fail_between(std::size_t k, bool line, const Deviation& measured, const Deviation& bound) {
     const double change =
         (trajectory.positions[k + 1] - trajectory.positions[k]).lpNorm<Eigen::Infinity>();
     const std::string jump =
         change > 0.5 ? "; a joint moves by " + number(change) + ", as at a change of branch" : "";
-    const std::string path_name =
-        std::holds_alternative<Line>(path.segments[step.segment]) ? "line" : "path";
+    const std::string path_name = line ? "line" : "path";
     fail(Fault::deviation, k,
          near(measured) ? "up to the next sample the tool is only proved to stay within " +
-                              deviation_text(ends.bound) + " of the " + path_name + jump
+                              deviation_text(bound) + " of the " + path_name + jump
                         : "up to the next sample the tool leaves the " + path_name + " by " +
                               deviation_text(measured) + jump);
+  }
+
+  /// Records a fault where the tool, between two samples, moves on the path beyond one of them and
+  /// back by more than the tolerance, as with false velocities.
+  void check_direction(std::size_t k, const Segment& segment, const PathInterval& part) {
+    const Polynomial& s = part.interval.s;
+    const auto beyond = [&](const Extremes& range) {
+      return std::max(
+          {0.0, std::min(s(0), s(1)) - range.smallest, range.largest - std::max(s(0), s(1))});
+    };
+    if (!(beyond(enclosure(s)) > 0)) return;
+    const Twist rate = motion_at(segment, std::clamp(s(0.5), 0.0, 1.0)).velocity;
+    const double back = beyond(extremes(s));
+    const Deviation moved{task.positions() > 0 ? back * rate.head<3>().norm() : 0,
+                          task.orientations() > 0 ? back * rate.tail<3>().norm() : 0};
+    if (near(moved)) return;
+    fail(Fault::deviation, k,
+         "up to the next sample the tool moves backwards on " + name_of(part.segment) + " by " +
+             deviation_text(moved));
   }
 
   /// Checks the samples that have path parameters, from `first` on, and the steps between them.
@@ -170,10 +198,9 @@ struct Verifier {
       const Deviation next =
           deviation_from(route.path, path_parameters[i + 1], world_T_tool[k + 1], task);
       if (!near(next)) continue;  // the next sample's own fault
-      for (const SegmentStep& step :
-           split_at_segments(route.path, task, trajectory.positions[k], path_parameters[i],
-                             trajectory.positions[k + 1], path_parameters[i + 1])) {
-        check_step(k, route.path, step);
+      for (const PathInterval& part : path_intervals(arm, trajectory, k, route.path, task,
+                                                     path_parameters[i], path_parameters[i + 1])) {
+        check_interval(k, route.path, part);
       }
       if (result.fault != Fault::none) return;
     }
@@ -186,7 +213,8 @@ struct Verifier {
     for (std::size_t k = first + 1; k < trajectory.size() && result.fault == Fault::none; ++k) {
       const Deviation left = task_deviation(task, goal, world_T_tool[k]);
       if (near(left)) {
-        check_step(k - 1, stay, {0, trajectory.positions[k - 1], trajectory.positions[k], 1, 1});
+        check_interval(k - 1, stay,
+                       path_intervals(arm, trajectory, k - 1, stay, task, 1, 1).front());
       } else {
         fail(Fault::deviation, k, "the tool leaves the last waypoint by " + deviation_text(left));
       }
@@ -232,7 +260,7 @@ struct Verifier {
   /// A fault of a joint replaces a deviation at the same time or later.
   void check_joints() {
     constexpr std::size_t stencil = 3;  // samples by which a difference may precede its cause
-    const auto fault = first_joint_fault(arm, trajectory);
+    const auto fault = first_joint_fault(arm, trajectory, moving);
     if (!fault) return;
     const bool position = fault->kind == Fault::limits || fault->kind == Fault::flip;
     if (result.fault == Fault::none ||
@@ -261,7 +289,8 @@ Verification verify(const Arm& arm, const Trajectory& given, const Route& route,
   const Task task = options.task.value_or(default_task(arm));
   check_route(arm, route, task);
   Verifier verifier{
-      arm, trajectory, route, task, {options.tolerance, options.orientation_tolerance}};
+      arm,           trajectory, route, task, {options.tolerance, options.orientation_tolerance},
+      options.moving};
   for (const Configuration& q : trajectory.positions) {
     verifier.world_T_tool.push_back(forward_kinematics(arm, q));
   }

@@ -14,6 +14,7 @@
 namespace beeline {
 
 struct VerifyOptions {
+  MovingEnds moving = {};                   ///< default: the trajectory starts and ends at rest
   std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
   double tolerance = 1e-4;                  ///< max deviation in position, metres, above 0
   double orientation_tolerance = 1e-4;      ///< max deviation in orientation, radians, above 0
@@ -37,17 +38,17 @@ struct Verification {
 /// Prints the fault with its reason, or the proved deviation.
 std::ostream& operator<<(std::ostream& out, const Verification& verification);
 
-/// Proves or refutes, from the samples alone, that a trajectory moves the tool along the whole
-/// route within the arm's limits, whichever program computed it. The joints move linearly between
-/// samples.
+/// Proves or refutes, from the columns alone, that a trajectory moves the tool along the whole
+/// route within the arm's limits, whichever program computed it. The joints move between samples as
+/// the columns mean (see Interpolation).
 ///
 /// - Deviation: finds the path parameter of each sample; these do not decrease, so the tool may not
 ///   move backwards. path_deviation() bounds the deviation between samples.
-/// - Position limits hold at the samples and, where there are velocities, for the cubic Hermite
-///   polynomial between them.
-/// - Velocity, acceleration and jerk: divided differences of the positions times the factorial of
-///   the order are weighted means of these derivatives. Samples of a smooth motion that is within a
-///   limit pass at every sampling rate. Unknown limits are not checked.
+/// - Position and velocity limits hold at all times, by the extremes of the polynomials, and so do
+///   those of acceleration for cubics and quintics and of jerk for quintics. Derivatives that jump
+///   at the samples are checked for the smoothest motion through these: divided differences of the
+///   positions times the factorial of the order are weighted means of the derivative. Unknown
+///   limits are not checked.
 ///
 /// Throws Error when the trajectory is empty or does not fit the arm, for a route without segments,
 /// a task that its segments do not allow, and tolerances that are not above zero.

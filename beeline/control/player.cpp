@@ -4,8 +4,8 @@
 #include <beeline/control/internal/recording_limits.h>
 #include <beeline/control/player.h>
 #include <beeline/error.h>
-#include <beeline/math/hermite.h>
 #include <beeline/timing/point_to_point.h>
+#include <beeline/trajectory/internal/interval_polynomial.h>
 
 namespace beeline {
 namespace {
@@ -90,27 +90,17 @@ void Playback::set_speed(double speed) {
 void Playback::sample_at(double time) {
   const auto& t = recording_.times;
   while (segment_ + 2 < t.size() && t[segment_ + 1] <= time) ++segment_;
-  const std::size_t a = segment_, b = std::min(segment_ + 1, t.size() - 1);
-  if (a == b) {
-    command_.q = recording_.positions[a];
-    velocity_.setZero();
-    acceleration_.setZero();
+  if (t.size() == 1) {
+    command_.q = recording_.positions[0];
     return;
   }
-  const double h = t[b] - t[a], u = std::clamp((time - t[a]) / h, 0.0, 1.0);
-  const Configuration &p = recording_.positions[a], &q = recording_.positions[b];
-  if (recording_.velocities.empty()) {
-    velocity_ = (q - p) / h;
-    acceleration_.setZero();
-    command_.q = p + u * (q - p);
-    return;
-  }
-  const Configuration &v = recording_.velocities[a], &w = recording_.velocities[b];
-  for (Eigen::Index k = 0; k < p.size(); ++k) {
-    const Cubic cubic = cubic_between(p[k], q[k], v[k], w[k], h);
-    command_.q[k] = cubic.value(u);
-    velocity_[k] = cubic.velocity(u);
-    acceleration_[k] = cubic.acceleration(u);
+  const double h = t[segment_ + 1] - t[segment_];
+  const double u = std::clamp((time - t[segment_]) / h, 0.0, 1.0);
+  for (Eigen::Index k = 0; k < command_.q.size(); ++k) {
+    const Polynomial p = interval_polynomial(recording_, segment_, k);
+    command_.q[k] = p(u);
+    velocity_[k] = time_derivative(p, 1, h)(u);
+    acceleration_[k] = time_derivative(p, 2, h)(u);
   }
 }
 

@@ -33,8 +33,8 @@ struct TrackingError {
 
 /// Plays a recording in a control loop: first a point-to-point motion from the arm's configuration
 /// to the recording's first sample, then the recording at a speed that may change while it runs,
-/// down to zero, which is a pause. Between samples it plays the cubic of their positions and
-/// velocities, or a straight line if there are no velocities.
+/// down to zero, which is a pause. Between samples it plays the motion that the columns mean
+/// (see Interpolation).
 ///
 /// The speed changes linearly, within the known acceleration limits. Its rate is at least a
 /// twentieth of the ramp's rate; otherwise a recording at its acceleration limits could not pause.

@@ -6,18 +6,24 @@
 #include <beeline/control/replay.h>
 #include <beeline/error.h>
 #include <beeline/timing/point_to_point.h>
+#include <beeline/trajectory/internal/append.h>
+#include <beeline/trajectory/internal/interval_polynomial.h>
 
 namespace beeline {
 namespace {
 
 constexpr std::size_t max_samples = 1'000'000;
+constexpr double default_rate = 100;        // of a Player
 constexpr double min_lead_in_samples = 64;  // for linear interpolation of a short motion
 constexpr double at_start = 1e-9;           // rad or m; no motion is needed from this near
 
 void check(const ReplayOptions& options) {
-  for (const double positive : {options.rate, options.speed}) {
-    if (positive > 0 && std::isfinite(positive)) continue;
-    throw Error("the rate and the speed of a replay must be above zero, not " + number(positive));
+  if (!(options.speed > 0 && std::isfinite(options.speed))) {
+    throw Error("the speed of a replay must be above zero, not " + number(options.speed));
+  }
+  if (!(options.rate >= 0 && std::isfinite(options.rate))) {
+    throw Error("the rate of a replay must be above zero, or 0 for the recorded samples, not " +
+                number(options.rate));
   }
   double before = -1;  // no time yet
   for (const auto& [time, speed] : options.speed_at) {
@@ -70,15 +76,31 @@ struct VelocityUsage {
   }
 };
 
-/// Computes the usage of straight lines between the samples.
-VelocityUsage usage_of_lines(const Arm& arm, const Trajectory& recording, double speed) {
+/// Adds the usage of the motion between sample k and the next, at this speed.
+void add_usage(VelocityUsage& usage, const Arm& arm, const Trajectory& recording, std::size_t k,
+               double speed) {
+  const double h = recording.times[k + 1] - recording.times[k];
+  Configuration fastest(arm.dof());
+  for (int i = 0; i < arm.dof(); ++i) {
+    const internal::Extremes range = internal::extremes(
+        internal::time_derivative(internal::interval_polynomial(recording, k, i), 1, h));
+    fastest[i] = std::max(-range.smallest, range.largest);
+  }
+  usage.take(arm, speed * fastest, recording.times[k], speed);
+}
+
+VelocityUsage usage_of(const Arm& arm, const Trajectory& recording, double speed) {
   VelocityUsage usage;
-  const auto& [names, t, q, v, a] = recording;
-  for (std::size_t k = 1; k < recording.size(); ++k) {
-    const Configuration velocity = (q[k] - q[k - 1]) / (t[k] - t[k - 1]);
-    usage.take(arm, speed * velocity, t[k - 1], speed);
+  for (std::size_t k = 0; k + 1 < recording.size(); ++k) {
+    add_usage(usage, arm, recording, k, speed);
   }
   return usage;
+}
+
+/// Keeps the columns of the interpolation.
+void keep_columns(Trajectory& trajectory, Interpolation interpolation) {
+  if (interpolation != Interpolation::quintic) trajectory.accelerations.clear();
+  if (interpolation == Interpolation::linear) trajectory.velocities.clear();
 }
 
 /// Returns the motion from rest at `start` to rest at `goal`, straight in joint space.
@@ -89,57 +111,69 @@ Trajectory lead_in(const Arm& arm, const Configuration& start, const Configurati
   return sampled(arm, motion, std::max(rate, min_lead_in_samples / motion.duration));
 }
 
-/// Appends every recorded sample, so that corners are kept, and samples at the rate between them.
-void append_resampled(Trajectory& played, const Trajectory& recording,
-                      const ReplayOptions& options) {
-  const double begin = played.times.empty() ? 0 : played.times.back();
-  const double first = recording.times.front();
-  const double duration = (recording.times.back() - first) / options.speed;
+/// The recording at a constant speed: its samples, or samples at the rate. Then the recording lasts
+/// a whole number of periods, so that its end is one of them.
+Trajectory at_speed(const Trajectory& recording, const ReplayOptions& options, double periods) {
+  const double first = recording.times.front(), last = recording.times.back();
+  Trajectory played{recording.joint_names, {}, {}, {}, {}};
+  const auto add = [&](double t, const TrajectoryState& state, double speed) {
+    played.times.push_back(t);
+    played.positions.push_back(state.position);
+    played.velocities.push_back(speed * state.velocity);
+    played.accelerations.push_back(speed * speed * state.acceleration);
+  };
+  if (options.rate > 0 && last > first) {
+    const double speed = (last - first) * options.rate / periods;
+    for (double k = 0; k <= periods; ++k) {
+      const bool ends = k == periods;
+      const double t = ends ? last : std::min(last, first + k / options.rate * speed);
+      add(k / options.rate, sample(recording, t, ends ? Side::before : Side::after), speed);
+    }
+  } else {
+    for (std::size_t k = 0; k < recording.size(); ++k) {
+      const bool ends = k + 1 == recording.size() && k > 0;
+      add((recording.times[k] - first) / options.speed,
+          sample(recording, recording.times[k], ends ? Side::before : Side::after), options.speed);
+      played.positions.back() = recording.positions[k];
+    }
+  }
+  keep_columns(played, recording.interpolation());
+  return played;
+}
+
+/// Plays at a constant speed; with a rate a little slower where the motion through its samples
+/// would be faster than the recording allows.
+void play_at_constant_speed(const Arm& arm, const Trajectory& recording,
+                            const ReplayOptions& options, Replay& result) {
+  const double duration = (recording.times.back() - recording.times.front()) / options.speed;
   if (!(duration * options.rate + double(recording.size()) < double(max_samples))) {
     refuse_length(duration, options.rate);
   }
-  const auto append = [&](double t, const Configuration& q) {
-    if (!played.times.empty() && !(begin + t > played.times.back())) return;
-    played.times.push_back(begin + t);
-    played.positions.push_back(q);
-  };
-  const double equal = 1e-6 / options.rate;  // times that differ by less are the same
-  double grid = 0;                           // counts the samples at the rate
-  for (std::size_t k = 0; k < recording.size(); ++k) {
-    const double t = (recording.times[k] - first) / options.speed;
-    for (; grid / options.rate < t - equal; ++grid) {
-      append(grid / options.rate, sample(recording, first + grid / options.rate * options.speed));
-    }
-    if (grid / options.rate < t + equal) ++grid;
-    append(t, recording.positions[k]);
+  double periods = std::max(1.0, std::ceil(duration * options.rate - 1e-6));
+  Trajectory played = at_speed(recording, options, periods);
+  for (int tries = 0; tries < 100 && options.rate > 0; ++tries) {
+    if (usage_of(arm, played, 1).fraction <= 1) break;
+    played = at_speed(recording, options, ++periods);
   }
-}
-
-/// Plays at a constant speed.
-void play_at_constant_speed(const Arm& arm, const Trajectory& recording,
-                            const ReplayOptions& options, Replay& result) {
-  Trajectory& played = result.trajectory;
-  played.joint_names = arm.joint_names();
   const Configuration& first = recording.positions.front();
   if (options.start && (first - *options.start).lpNorm<Eigen::Infinity>() > at_start) {
-    played = lead_in(arm, *options.start, first, options.rate);
-    played.velocities.clear();
-    played.accelerations.clear();
-    result.lead_in = played.times.back();
+    result.trajectory = lead_in(arm, *options.start, first, options.rate);
+    keep_columns(result.trajectory, recording.interpolation());
+    result.lead_in = result.trajectory.times.back();
   }
-  append_resampled(played, recording, options);
+  result.trajectory.joint_names = arm.joint_names();
+  internal::append(result.trajectory, played);
 }
 
-/// Adds the usage of the straight lines between two times of the recording, at this speed: a step
-/// may pass many samples.
-void add_usage_of_lines(VelocityUsage& usage, const Arm& arm, const Trajectory& recording,
-                        double from, double to, double speed) {
-  const auto& [names, t, q, v, a] = recording;
+/// Adds the usage of the motion between two times of the recording, at this speed: a step may pass
+/// many samples.
+void add_usage_between(VelocityUsage& usage, const Arm& arm, const Trajectory& recording,
+                       double from, double to, double speed) {
+  const auto& t = recording.times;
   if (t.size() < 2) return;
   const auto after = std::upper_bound(t.begin() + 1, t.end() - 1, from);
   for (auto k = static_cast<std::size_t>(after - t.begin()); k < t.size(); ++k) {
-    const double begin = std::max(from, t[k - 1]);
-    usage.take(arm, speed * (q[k] - q[k - 1]) / (t[k] - t[k - 1]), begin, speed);
+    add_usage(usage, arm, recording, k - 1, speed);
     if (t[k] >= to) break;
   }
 }
@@ -148,9 +182,10 @@ void add_usage_of_lines(VelocityUsage& usage, const Arm& arm, const Trajectory& 
 /// the commands, whichever is larger.
 VelocityUsage play_in_steps(const Arm& arm, const Trajectory& recording,
                             const ReplayOptions& options, Replay& result) {
-  check_steps(recording, options.rate);
+  const double rate = options.rate > 0 ? options.rate : default_rate;
+  check_steps(recording, rate);
   const Configuration start = options.start.value_or(recording.positions.front());
-  const double dt = 1 / options.rate;
+  const double dt = 1 / rate;
   Player player(arm, recording, start,
                 {.time_step = dt, .speed = options.speed, .ramp = options.ramp});
   result.trajectory = at_rest(arm, start);
@@ -163,7 +198,7 @@ VelocityUsage play_in_steps(const Arm& arm, const Trajectory& recording,
     while (change != options.speed_at.end() && change->time <= begin + equal) {
       player.set_speed((change++)->speed);
     }
-    if (times.size() == max_samples) refuse_length(begin, options.rate);
+    if (times.size() == max_samples) refuse_length(begin, rate);
     const bool leading_in = player.leading_in();
     const double time = player.recording_time(), speed_before = player.speed();
     const Command& command = player.step();
@@ -175,7 +210,7 @@ VelocityUsage play_in_steps(const Arm& arm, const Trajectory& recording,
       continue;
     }
     const double speed = std::max(speed_before, player.speed());
-    add_usage_of_lines(lines, arm, recording, time, player.recording_time(), speed);
+    add_usage_between(lines, arm, recording, time, player.recording_time(), speed);
     commands.take(arm, command.velocity, time, speed);
   }
   return commands.fraction > lines.fraction ? commands : lines;
@@ -187,9 +222,8 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
   check(options);
   check_trajectory(recorded);
   if (recorded.size() == 0) throw Error("the recording has no samples");
-  Trajectory recording = matched_to(arm, recorded);
+  const Trajectory recording = matched_to(arm, recorded);
   const bool steady = options.speed_at.empty();
-  if (steady) recording.velocities.clear();  // straight lines between the samples
   if (options.start) check_configuration(arm, *options.start);
 
   Replay result;
@@ -200,7 +234,7 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
     if (!violations.empty()) result.reason = "the start: " + violations.front();
   }
   if (!result.reason.empty()) return result;
-  const VelocityUsage usage = steady ? usage_of_lines(arm, recording, options.speed)
+  const VelocityUsage usage = steady ? usage_of(arm, recording, options.speed)
                                      : play_in_steps(arm, recording, options, result);
   result.velocity_usage = usage.fraction;
   // Cubics through samples of a motion at its limits exceed the limits a little.

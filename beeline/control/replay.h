@@ -16,8 +16,9 @@ struct SpeedChange {
 };
 
 struct ReplayOptions {
-  double rate = 100;  ///< samples per second, above 0
-  double speed = 1;   ///< above 0: 1 is the recording's own speed, 0.5 takes twice its time
+  /// Samples per second, 0 or more; 0: the recorded samples or, with `speed_at`, 100 per second.
+  double rate = 0;
+  double speed = 1;  ///< above 0: 1 is the recording's own speed, 0.5 takes twice its time
   /// The arm's configuration: the replay begins with a motion from it to the first sample; default:
   /// it begins at the first sample.
   std::optional<Configuration> start = std::nullopt;
@@ -35,15 +36,16 @@ struct Replay {
   explicit operator bool() const { return status == MotionStatus::reached; }
 };
 
-/// Replays a recording on the arm; joints are matched by name. Without `speed_at` every recorded
-/// sample is kept, the motion is linear between the samples, at `rate`, and it starts at full
-/// speed. With `speed_at` the replay consists of the commands of a Player in steps of 1 / `rate`:
-/// the speed starts at zero and changes linearly, and the last step ends at the recording's end.
+/// Replays a recording on the arm; joints are matched by name. Without `speed_at` the replay is the
+/// motion that the recording's columns mean (see Interpolation), at a constant speed: its samples
+/// or, with a rate, samples of that motion at k / rate, the last of which is its end, so that the
+/// speed is lower by up to a period. With `speed_at` the replay consists of the commands of a
+/// Player in steps of 1 / `rate`: the speed starts at zero and changes linearly, and the last step
+/// ends at the recording's end; between them it is cubic.
 ///
 /// The status is `outside_limits`, with the joint and the time of the recording, when the replay
-/// leaves the position limits or, at this speed, the velocity limits. Velocities are those of the
-/// straight lines between samples; the cubics of a Player may exceed the limits by 2 %, because
-/// cubics through samples of a motion at its limits do.
+/// leaves the position limits or, at this speed, the velocity limits. The cubics of a Player may
+/// exceed these by 2 %, because cubics through samples of a motion at its limits do.
 /// Throws Error when the recording does not fit the arm, for an invalid option, and when the last
 /// entry of `speed_at` is a pause, which would not end.
 Replay replay(const Arm& arm, const Trajectory& recording, const ReplayOptions& options = {});

@@ -38,7 +38,7 @@ Chart condition_chart(const Arm& arm, const Trajectory& trajectory, const Task& 
 ChartColumn path_column(const Arm& arm, const Trajectory& trajectory, const FollowedPath& followed,
                         double height) {
   ChartColumn column{.plot_width = 340};
-  const PathTrace trace = trace_path(arm, trajectory.positions, followed);
+  const PathTrace trace = trace_path(arm, trajectory, followed);
   column.charts = deviation_charts(trace, followed);
   double taken = 60;  // points: caption and margins of the trail, tick labels of the x axis
   for (std::size_t i = 0; i < column.charts.size(); ++i) taken += plot_height + 24;

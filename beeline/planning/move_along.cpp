@@ -1,8 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ostream>
 
-#include <beeline/certificate/internal/line_step.h>
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/certificate/joint_faults.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
@@ -20,9 +20,8 @@ namespace {
 
 constexpr double min_tolerance = 1e-8;  // smaller ones are comparable with the rounding of samples
 constexpr double planned_fraction = 0.9;  // of the tolerance; timing may use the remainder
-// The same if samples at a rate are on a spline between the plan's samples, or if the spline must
-// stay near a limit. The bound is proportional to the square of the step, so steps are an eighth as
-// long.
+// The same if the motion between the plan's samples must stay near a limit. The bound is
+// proportional to the square of the step, so steps are an eighth as long.
 constexpr double fine_fraction = 1.0 / 64;
 
 /// Throws Error for tolerances, speeds, rates or numbers of samples out of range.
@@ -71,39 +70,13 @@ Arm with_inset_limits(const Arm& arm, const std::optional<Configuration>& start,
   return {arm.name(), joints, arm.tool(), arm.base()};
 }
 
-/// Returns a branch as a motion with times, or the reason why there is none.
-PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
-                 const PathMotionOptions& options) {
-  PathMotion motion;
-  motion.status = plan.status;
-  motion.reason = plan.reason;
-  if (!plan) return motion;
-  TimedPlan timed = time_plan(
-      arm, route, plan, task,
-      {.profile = options.profile, .tool_speed = options.tool_speed, .rate = options.rate});
-  motion.status = timed.status;
-  motion.reason = timed.reason;
-  if (motion) {
-    const auto fault = first_joint_fault(arm, timed.trajectory);
-    if (fault && fault->kind == Fault::limits) {
-      motion.status = MotionStatus::outside_limits;
-      motion.reason = fault->reason;
-    }
-  }
-  motion.trajectory = std::move(timed.trajectory);
-  motion.path_parameters = std::move(timed.path_parameters);
-  motion.limit_margin = plan.limit_margin;
-  motion.inverse_condition = plan.inverse_condition;
-  return motion;
-}
-
 /// Computes the deviation of the finished motion, and refuses one that is not proved.
 void prove(const Arm& arm, const Route& route, const Task& task, const PathMotionOptions& options,
            PathMotion& motion) {
   motion.path = route.path;
   motion.arrivals = arrivals(motion.path_parameters);
   motion.deviation =
-      path_deviation(arm, motion.trajectory.positions, motion.path_parameters, route.path, task);
+      path_deviation(arm, motion.trajectory, motion.path_parameters, route.path, task);
   motion.limits = limit_usage(arm, motion.trajectory);
   const Deviation& bound = motion.deviation.bound;
   if (within(bound, {options.tolerance, options.orientation_tolerance})) return;
@@ -114,6 +87,43 @@ void prove(const Arm& arm, const Route& route, const Task& task, const PathMotio
     motion.reason = "at " + number(options.rate) + " samples per second " + motion.reason +
                     ", a higher rate or a lower speed";
   }
+}
+
+/// Returns a branch as a motion with times and its proof, or the reason why there is none. Without
+/// a rate, takes samples closer together until the motion is proved.
+PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
+                 const PathMotionOptions& options) {
+  PathMotion motion;
+  motion.status = plan.status;
+  motion.reason = plan.reason;
+  if (!plan) return motion;
+  motion.limit_margin = plan.limit_margin;
+  motion.inverse_condition = plan.inverse_condition;
+  constexpr std::array<double, 4> linear_gaps{1, 1.0 / 2, 1.0 / 4, 1.0 / 8};
+  constexpr std::array<double, 4> smooth_gaps{1, 1.0 / 32, 1.0 / 128, 1.0 / 512};
+  const bool linear = options.interpolation == Interpolation::linear;
+  for (const double longest_gap : linear ? linear_gaps : smooth_gaps) {
+    TimedPlan timed = time_plan(arm, route, plan, task,
+                                {.profile = options.profile,
+                                 .interpolation = options.interpolation,
+                                 .tool_speed = options.tool_speed,
+                                 .rate = options.rate},
+                                longest_gap);
+    motion.status = timed.status;
+    motion.reason = timed.reason;
+    motion.trajectory = std::move(timed.trajectory);
+    motion.path_parameters = std::move(timed.path_parameters);
+    if (!motion) return motion;
+    const auto fault = first_joint_fault(arm, motion.trajectory);
+    if (fault && fault->kind == Fault::limits) {
+      motion.status = MotionStatus::outside_limits;
+      motion.reason = fault->reason;
+      return motion;
+    }
+    prove(arm, route, task, options, motion);
+    if (motion || options.rate > 0) break;
+  }
+  return motion;
 }
 
 /// Plans and times again with other options, because a smooth motion of a joint along its limit may
@@ -141,10 +151,8 @@ PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const
   const auto part_of_tolerance = [&](double fraction) {
     return Deviation{fraction * options.tolerance, fraction * options.orientation_tolerance};
   };
-  // If the bound is linear in the step, the samples are already close enough for the spline.
-  const bool fine = options.rate > 0 && !bound_is_linear(arm, task);
   BranchOptions planning{.task = task,
-                         .tolerance = part_of_tolerance(fine ? fine_fraction : planned_fraction),
+                         .tolerance = part_of_tolerance(planned_fraction),
                          .max_samples = static_cast<std::size_t>(options.max_samples),
                          .progress = options.progress};
   const Branch plan = plan_path(arm, start, route.path, planning);
@@ -152,7 +160,6 @@ PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const
   if (plan && motion.status == MotionStatus::outside_limits) {
     retry_inside_limits(arm, start, route, planning, options, motion);
   }
-  if (motion) prove(arm, route, task, options, motion);
   if (motion) return motion;
   PathMotion failure;
   failure.status = motion.status;

@@ -25,10 +25,13 @@ struct PathMotionOptions {
   /// The time scaling from stop to stop; default: default_profile(): jerk for an arm with jerk
   /// limits, otherwise fastest.
   std::optional<Profile> profile = std::nullopt;
+  Interpolation interpolation = Interpolation::quintic;  ///< of the trajectory
   double tool_speed = Limits::none;  ///< limit of the tool origin's speed, m/s, 1e-8 or more
-  double rate = 0;                   ///< samples per second, 0 or more; 0: the tolerance decides
-  int max_samples = 200'000;         ///< of the whole path, 2 or more; else too_many_samples
-  bool suggest = false;  ///< where the path cannot be followed, search for paths near it
+  /// Samples per second, 0 or more: at k / rate from the first to the last, each section from stop
+  /// to stop lasting a whole number of periods. 0: as many as interpolation and tolerance need.
+  double rate = 0;
+  int max_samples = 200'000;  ///< of the whole path, 2 or more; else too_many_samples
+  bool suggest = false;       ///< where the path cannot be followed, search for paths near it
   /// Called now and then with the fraction computed, from 0 to 1; default: not called.
   std::function<void(double)> progress = {};
 };
@@ -58,9 +61,8 @@ std::ostream& operator<<(std::ostream& out, const PathMotion& motion);
 /// Moves the tool along a path, at rest where the route stops. A waypoint is a segment's end.
 ///
 /// - Samples satisfy the path's poses to rounding, within joint limits.
-/// - path_deviation() proves that between samples, the joints moving linearly, the tool stays
-/// within
-///   the tolerance. Hence no change of branch can occur.
+/// - path_deviation() proves that the tool stays within the tolerance at all times of the motion
+///   that the trajectory's columns mean (see Interpolation). Hence no change of branch can occur.
 /// - Starts at `start`, whose tool must be at the path's beginning, or at the best configuration
 ///   there; redundancy is resolved for the whole path (plan_path()).
 /// - The duration is the shortest that the profile and the joint limits allow. An unknown velocity

@@ -63,12 +63,6 @@ Profile profile_named(const std::string& name) {
 
 bool keeps_jerk(Profile profile) { return row(profile).keeps_jerk; }
 
-Profile default_profile(const Arm& arm) {
-  const auto has_jerk = [](const Limits& limits) { return limits.jerk < Limits::none; };
-  const bool any = std::any_of(arm.limits().begin(), arm.limits().end(), has_jerk);
-  return any ? Profile::jerk : Profile::fastest;
-}
-
 TimeScaling time_scaling(const JointPath& path, const PathLimits& limits, Profile profile) {
   return row(profile).scaling(path, limits);
 }

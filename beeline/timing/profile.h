@@ -38,8 +38,8 @@ Profile profile_named(const std::string& name);
 /// Whether the profile keeps jerk limits.
 bool keeps_jerk(Profile profile);
 
-/// Profile::jerk for an arm with jerk limits, else Profile::fastest.
-Profile default_profile(const Arm& arm);
+/// The profile of motions for which none is given.
+constexpr Profile default_profile = Profile::jerk;
 
 /// Returns the time scaling of a path by a profile:
 ///     minimise T  subject to  |dq_i/dt| <= velocity_i,  |d2q_i/dt2| <= acceleration_i,

@@ -13,8 +13,8 @@ PathLimits path_limits(const Arm& arm, double speed_scale) {
   PathLimits limits;
   limits.velocity = limits.acceleration = limits.jerk = Configuration(arm.dof());
   for (int i = 0; i < arm.dof(); ++i) {
-    const Limits& joint = arm.limits(i);
-    limits.velocity[i] = k * velocity_limit_of(joint);
+    const Limits joint = motion_limits(arm.limits(i));
+    limits.velocity[i] = k * joint.velocity;
     limits.acceleration[i] = k * k * joint.acceleration;
     limits.jerk[i] = k * k * k * joint.jerk;
   }

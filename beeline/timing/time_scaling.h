@@ -17,7 +17,7 @@ struct PathLimits {
   std::vector<double> speed;
 };
 
-/// Returns the arm's limits, an unknown velocity limit counting as assumed_velocity_limit. The
+/// Returns the arm's limits, unknown ones replaced by assumed ones: see motion_limits(). The
 /// speed scale k, from 1e-6 to 1, slows the motion down: velocity limits are multiplied by k,
 /// acceleration by k^2, jerk by k^3. Throws Error for another scale.
 PathLimits path_limits(const Arm& arm, double speed_scale = 1);

@@ -41,7 +41,8 @@ TrajectoryDifference difference(const Arm& arm, const Trajectory& given_a,
   Configuration previous;
   for (std::size_t k = 0; k < times.size(); ++k) {
     const double t = times[k];
-    const Configuration q_a = sample(a, t), q_b = sample(b, t), offset = q_b - q_a;
+    const Configuration q_a = sample(a, t).position, q_b = sample(b, t).position;
+    const Configuration offset = q_b - q_a;
     for (int i = 0; i < arm.dof(); ++i) {
       JointDifference& joint = result.joints[i];
       if (std::abs(offset[i]) > joint.largest) {

@@ -1,49 +1,28 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include <beeline/trajectory/internal/limit_fraction.h>
 #include <beeline/trajectory/limit_usage.h>
 
 namespace beeline {
-namespace {
 
-using Columns = std::vector<Configuration>;
-
-constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-
-double limit_of(const Arm& arm, int i, double Limits::*kind) {
-  const Limits& limits = arm.limits(i);
-  return kind == &Limits::velocity ? velocity_limit_of(limits) : limits.*kind;
-}
-
-/// The largest fraction of one kind of limit: of the values, and of the difference quotients of
-/// `integral`, whose derivative they are.
-LimitFraction largest_fraction(const Arm& arm, const std::vector<double>& t, const Columns& values,
-                               const Columns& integral, double Limits::*kind) {
-  LimitFraction largest;
-  const auto take = [&](double fraction, int i, double time) {
-    if (fraction > largest.fraction) largest = {fraction, arm.joint_of(i).name, time};
+LimitUsage limit_usage(const Arm& arm, const Trajectory& given) {
+  const Trajectory trajectory = matched_to(arm, given);
+  std::vector<Limits> limits;
+  for (const Limits& known : arm.limits()) limits.push_back(motion_limits(known));
+  const auto fraction = [&](int order, double Limits::*kind) {
+    const internal::CoordinateFraction found = internal::limit_fraction(limits, trajectory, order);
+    LimitFraction result;
+    result.exact = found.exact;
+    if (!(found.fraction > 0)) return result;
+    result.fraction = found.fraction;
+    result.joint = arm.joint_of(found.coordinate).name;
+    result.time = trajectory.times[found.sample];
+    result.assumed = !(arm.limits(found.coordinate).*kind < Limits::none);
+    return result;
   };
-  for (int i = 0; i < arm.dof(); ++i) {
-    const double limit = limit_of(arm, i, kind);
-    for (std::size_t k = 0; k < values.size(); ++k) take(std::abs(values[k][i]) / limit, i, t[k]);
-    for (std::size_t k = 1; k < integral.size(); ++k) {
-      const double before = integral[k - 1][i], after = integral[k][i];
-      const double lost = rounding * std::max(std::abs(before), std::abs(after));
-      const double dt = t[k] - t[k - 1] + rounding * std::abs(t[k]);
-      take((std::abs(after - before) - lost) / dt / limit, i, t[k - 1]);
-    }
-  }
-  return largest;
-}
-
-}  // namespace
-
-LimitUsage limit_usage(const Arm& arm, const Trajectory& trajectory) {
-  const auto [names, t, q, v, a] = matched_to(arm, trajectory);
-  return {largest_fraction(arm, t, v, q, &Limits::velocity),
-          largest_fraction(arm, t, a, v, &Limits::acceleration),
-          largest_fraction(arm, t, {}, a, &Limits::jerk)};
+  return {fraction(1, &Limits::velocity), fraction(2, &Limits::acceleration),
+          fraction(3, &Limits::jerk)};
 }
 
 double slowdown(double velocity, double acceleration, double jerk) {

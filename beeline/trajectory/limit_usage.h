@@ -9,21 +9,24 @@ namespace beeline {
 
 /// The largest fraction of one kind of limit that a trajectory uses; above 1 it exceeds the limit.
 struct LimitFraction {
-  double fraction = 0;  ///< 0 where no joint has such a limit, or the derivative is not known
-  std::string joint;    ///< the joint that uses it; empty for a fraction of 0
-  double time = 0;      ///< seconds; of a difference between samples, that of the earlier sample
+  double fraction = 0;
+  std::string joint;  ///< the joint that uses it; empty for a fraction of 0
+  double time = 0;    ///< of the sample before it, seconds
+  /// Whether it is exact for the motion that the columns mean. Otherwise the interpolation does not
+  /// bound this derivative, as it jumps at the samples: the fraction is then what the smoothest
+  /// motion through the samples needs, by divided differences.
+  bool exact = true;
+  bool assumed = false;  ///< the limit is not known but assumed: see motion_limits()
 };
 
 struct LimitUsage {
   LimitFraction velocity, acceleration, jerk;
 };
 
-/// Returns the fractions of the arm's limits that a trajectory uses: the largest of its velocities
-/// and accelerations at the samples, and of the difference quotients of positions, velocities and
-/// accelerations between samples. These quotients are the rates of a controller that interpolates
-/// the columns linearly. By the mean value theorem a motion within its limits at all times passes
-/// at any sampling rate. Differences of the size of rounding are ignored. An unknown velocity limit
-/// counts as assumed_velocity_limit; other unknown limits are infinite. Throws Error where
+/// Returns the fractions of the arm's limits that a trajectory uses: the extremes of the
+/// polynomials between its samples (see Interpolation), by the zeros of their derivatives. Exact
+/// for the velocity of any trajectory, the acceleration of cubics and quintics, and the jerk of
+/// quintics. Limits that are not known are assumed: see motion_limits(). Throws Error where
 /// matched_to() does.
 LimitUsage limit_usage(const Arm& arm, const Trajectory& trajectory);
 

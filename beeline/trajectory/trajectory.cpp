@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
@@ -42,6 +43,19 @@ std::vector<Eigen::Index> column_order(const Arm& arm, const Trajectory& traject
 
 }  // namespace
 
+std::string name(Interpolation interpolation) {
+  return interpolation_names()[static_cast<std::size_t>(interpolation)];
+}
+
+std::vector<std::string> interpolation_names() { return {"linear", "cubic", "quintic"}; }
+
+Interpolation interpolation_named(const std::string& name) {
+  const std::vector<std::string> names = interpolation_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) throw unknown_name("interpolation", name, names);
+  return static_cast<Interpolation>(found - names.begin());
+}
+
 Trajectory at_rest(const Arm& arm, const ConfigurationRef& q) {
   check_configuration(arm, q);
   const Configuration still = Configuration::Zero(arm.dof());
@@ -58,6 +72,9 @@ void check_trajectory(const Trajectory& trajectory) {
   if (!trajectory.velocities.empty()) check_column(trajectory.velocities, trajectory, "velocities");
   if (!trajectory.accelerations.empty()) {
     check_column(trajectory.accelerations, trajectory, "accelerations");
+    if (trajectory.velocities.empty() && trajectory.size() > 0) {
+      throw Error("the trajectory has accelerations without velocities: a controller needs both");
+    }
   }
   for (std::size_t k = 0; k < trajectory.size(); ++k) {
     const bool later = k == 0 || trajectory.times[k] > trajectory.times[k - 1];
@@ -67,17 +84,33 @@ void check_trajectory(const Trajectory& trajectory) {
   }
 }
 
-Configuration sample(const Trajectory& trajectory, double t) {
+TrajectoryState sample(const Trajectory& trajectory, double t, Side side) {
   if (trajectory.size() == 0) throw Error("the trajectory has no samples");
   if (std::isnan(t)) throw Error("the time at which a trajectory is sampled is NaN");
   const auto& times = trajectory.times;
-  if (t <= times.front()) return trajectory.positions.front();
-  if (t >= times.back()) return trajectory.positions.back();
-  const auto after =
-      static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), t) - times.begin());
-  const double fraction = (t - times[after - 1]) / (times[after] - times[after - 1]);
-  return trajectory.positions[after - 1] +
-         fraction * (trajectory.positions[after] - trajectory.positions[after - 1]);
+  const bool before = side == Side::before;
+  const Configuration still =
+      Configuration::Zero(static_cast<Eigen::Index>(trajectory.joint_names.size()));
+  if (before ? t <= times.front() : t < times.front()) {
+    return {trajectory.positions.front(), still, still, still};
+  }
+  if (before ? t > times.back() : t >= times.back()) {
+    return {trajectory.positions.back(), still, still, still};
+  }
+  const auto next = before ? std::lower_bound(times.begin(), times.end(), t)
+                           : std::upper_bound(times.begin(), times.end(), t);
+  const auto k = static_cast<std::size_t>(next - times.begin()) - 1;
+  const double h = times[k + 1] - times[k], u = (t - times[k]) / h;
+  TrajectoryState state{still, still, still, still};
+  for (Eigen::Index i = 0; i < still.size(); ++i) {
+    const internal::Polynomial p = internal::interval_polynomial(trajectory, k, i);
+    const internal::Polynomial d = p.derivative(), dd = d.derivative();
+    state.position[i] = u < 1 ? p(u) : trajectory.positions[k + 1][i];
+    state.velocity[i] = d(u) / h;
+    state.acceleration[i] = dd(u) / (h * h);
+    state.jerk[i] = dd.derivative()(u) / (h * h * h);
+  }
+  return state;
 }
 
 Trajectory matched_to(const Arm& arm, const Trajectory& trajectory) {

@@ -11,6 +11,11 @@ namespace beeline {
 /// The velocity limit assumed for a joint without a known one: radians or metres per second.
 constexpr double assumed_velocity_limit = 1.0;
 
+/// Seconds to full speed, and from no to full acceleration, that are assumed for a joint without
+/// known limits of acceleration or jerk.
+constexpr double assumed_time_to_velocity = 0.25;
+constexpr double assumed_time_to_acceleration = 0.1;
+
 /// The velocity limit that motions keep, radians or metres per second: the joint's own where it is
 /// known, else the assumed one.
 constexpr double velocity_limit_of(const Limits& limits) {
@@ -18,8 +23,35 @@ constexpr double velocity_limit_of(const Limits& limits) {
                                         : limits.speed_scale * assumed_velocity_limit;
 }
 
-/// A joint motion with time, as plain data. Sample k is positions[k] at times[k]; velocities and
-/// accelerations are empty where they are not known, else as long as positions.
+/// The limits that motions keep: the joint's own where they are known, else the assumed ones. None
+/// is infinite but those of the position.
+constexpr Limits motion_limits(Limits limits) {
+  limits.velocity = velocity_limit_of(limits);
+  if (!(limits.acceleration < Limits::none)) {
+    limits.acceleration = limits.velocity / assumed_time_to_velocity;
+  }
+  if (!(limits.jerk < Limits::none)) {
+    limits.jerk = limits.acceleration / assumed_time_to_acceleration;
+  }
+  return limits;
+}
+
+/// The motion of the joints between two samples, as ros2_control's joint trajectory controller
+/// plays it: polynomials of degree 1, 3 or 5 in time that agree with both samples.
+enum class Interpolation {
+  linear,   ///< of positions alone
+  cubic,    ///< of positions and velocities
+  quintic,  ///< of positions, velocities and accelerations
+};
+std::string name(Interpolation interpolation);
+std::vector<std::string> interpolation_names();
+
+/// Throws Error listing the names for another name.
+Interpolation interpolation_named(const std::string& name);
+
+/// A motion of the joints with time, as plain data. Sample k is positions[k] at times[k];
+/// velocities and accelerations are empty where they are not known, else as long as positions.
+/// These columns determine the motion between the samples: see Interpolation and sample().
 struct Trajectory {
   std::vector<std::string> joint_names;      ///< one for each coordinate
   std::vector<double> times;                 ///< seconds, strictly increasing
@@ -28,19 +60,32 @@ struct Trajectory {
   std::vector<Configuration> accelerations;  ///< per second squared
 
   std::size_t size() const { return times.size(); }
+  Interpolation interpolation() const {
+    if (velocities.empty()) return Interpolation::linear;
+    return accelerations.empty() ? Interpolation::cubic : Interpolation::quintic;
+  }
 };
+
+/// The state of the joints at one time: radians or metres per second and its powers.
+struct TrajectoryState {
+  Configuration position, velocity, acceleration, jerk;
+};
+
+/// The side of a time at which derivatives are taken. They may differ at a sample: the velocity of
+/// a linear motion, the acceleration of a cubic one, the jerk of a quintic one.
+enum class Side { before, after };
 
 /// Returns a trajectory of one sample: the arm at rest at q at time zero.
 Trajectory at_rest(const Arm& arm, const ConfigurationRef& q);
 
-/// Throws Error when two joints have the same name, the lengths differ, a number is not finite or
-/// the times do not increase.
+/// Throws Error when two joints have the same name, the lengths differ, a number is not finite, the
+/// times do not increase, or there are accelerations without velocities.
 void check_trajectory(const Trajectory& trajectory);
 
-/// Returns the configuration at time t, interpolated linearly between samples, as the certificate
-/// of a line assumes. Before the first sample it is the first, after the last the last. Throws
-/// Error when there are no samples, or t is NaN.
-Configuration sample(const Trajectory& trajectory, double t);
+/// Returns the state at time t of the motion that the columns mean. Before the first sample and
+/// after the last the joints are at rest there. Throws Error when there are no samples, or t is
+/// NaN.
+TrajectoryState sample(const Trajectory& trajectory, double t, Side side = Side::after);
 
 /// Returns the trajectory with its columns in the arm's order, matched by joint name. Throws Error
 /// as check_trajectory() does, and for joints that are missing or that the arm does not have.

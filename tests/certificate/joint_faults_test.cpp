@@ -8,7 +8,7 @@ namespace {
 using namespace testing;
 
 void expect_first(const Trajectory& motion, Fault kind, std::size_t sample) {
-  const auto found = first_joint_fault(two_joints(), motion);
+  const auto found = first_joint_fault(two_joints(), motion, {.start = true, .end = true});
   ASSERT_TRUE(found);
   EXPECT_EQ(found->kind, kind) << found->reason;
   EXPECT_EQ(found->sample, sample) << found->reason;
@@ -31,16 +31,51 @@ TEST(FirstJointFault, TellsEachKind) {
   expect_first(motion, Fault::jerk, 0);
 }
 
+TEST(FirstJointFault, FindsMotionAtTheEnds) {
+  Trajectory motion = along([](double t) { return 0.5 * t - 0.5; }, nothing, 1);
+  const auto found = [&](MovingEnds moving) {
+    return first_joint_fault(two_joints(), motion, moving);
+  };
+  ASSERT_TRUE(found({}));
+  EXPECT_EQ(found({})->kind, Fault::moving);
+  EXPECT_EQ(found({})->sample, 0u);
+  ASSERT_TRUE(found({.start = true}));
+  EXPECT_EQ(found({.start = true})->kind, Fault::moving);
+  EXPECT_EQ(found({.start = true})->sample, motion.size() - 1);
+  EXPECT_FALSE(found({.start = true, .end = true}));
+}
+
+// The joint moves at a constant velocity, stands still for a second, and moves on: divided
+// differences over the long interval are small.
+TEST(FirstJointFault, FindsAStandstillBetweenTwoSamples) {
+  Trajectory motion = along([](double t) { return 0.5 * t - 0.5; }, nothing, 1);
+  for (std::size_t k = 10; k < motion.size(); ++k) motion.times[k] += 1;
+  motion.positions[10] = motion.positions[9];
+  const auto found = first_joint_fault(two_joints(), motion, {.start = true, .end = true});
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->kind == Fault::acceleration || found->kind == Fault::jerk) << found->reason;
+  EXPECT_NEAR(double(found->sample), 8, 2) << found->reason;
+}
+
 TEST(FirstJointFault, LooksAtTheCubicBetweenSamplesWithVelocities) {
+  Arm arm = two_joints();
+  std::vector<Joint> joints = arm.joints();
+  for (Joint& joint : joints) {
+    joint.limits.velocity = joint.limits.acceleration = joint.limits.jerk = Limits::none;
+  }
+  arm = Arm("two", joints);
   Trajectory motion = along(nothing, nothing, 10);
   motion.velocities.assign(motion.size(), Configuration::Zero(2));
-  EXPECT_FALSE(first_joint_fault(two_joints(), motion));
+  EXPECT_FALSE(first_joint_fault(arm, motion));
   const double h = motion.times[6] - motion.times[5];
   // The peak of a cubic from 0 at rest to 0 is 4/27 of the slope at its end times h.
   motion.velocities[6][0] = -6.5 / h;
-  EXPECT_FALSE(first_joint_fault(two_joints(), motion));
+  EXPECT_FALSE(first_joint_fault(arm, motion));
   motion.velocities[6][0] = -6.8 / h;
-  expect_first(motion, Fault::limits, 5);
+  const auto found = first_joint_fault(arm, motion);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, Fault::limits) << found->reason;
+  EXPECT_EQ(found->sample, 5u);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <beeline/certificate/internal/path_interval.h>
 #include <beeline/certificate/internal/path_step.h>
 #include <beeline/certificate/path_deviation.h>
 #include <beeline/kinematics/forward.h>
@@ -22,6 +23,15 @@ using testing::Random;
 
 Configuration at(double x, double y) { return Configuration{{x, y}}; }
 
+/// Linear joints through the samples, a second apart.
+Trajectory linear(const Arm& arm, const std::vector<Configuration>& samples) {
+  Trajectory trajectory{arm.joint_names(), {}, samples, {}, {}};
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    trajectory.times.push_back(static_cast<double>(k));
+  }
+  return trajectory;
+}
+
 TEST(PathDeviation, MeasuresEveryLineFromItsOwnWaypoint) {
   const Arm arm = built_in("gantry");
   const std::vector<Configuration> samples{at(0, 0), at(1, 0.25), at(2, 0), at(2.5, 1), at(2, 2)};
@@ -36,7 +46,7 @@ TEST(PathDeviation, MeasuresEveryLineFromItsOwnWaypoint) {
       path_parameters_along(arm, samples, path, reached, task);
   EXPECT_EQ(arrivals(path_parameters), reached);
   EXPECT_NEAR(path_parameters[1], 0.5, 1e-12);
-  const PathDeviation told = path_deviation(arm, samples, path_parameters, path, task);
+  const PathDeviation told = path_deviation(arm, linear(arm, samples), path_parameters, path, task);
   EXPECT_NEAR(told.sampled.position, 0.5, 1e-15);
   EXPECT_NEAR(told.bound.position, 0.5, 1e-15) << "slides leave no arc";
   EXPECT_EQ(told.sampled.orientation, 0);
@@ -53,7 +63,7 @@ TEST(PathDeviation, RefusesWhatDoesNotFit) {
   EXPECT_REFUSED(placed({2}), "arrival 1");
   EXPECT_REFUSED(path_parameters_along(arm, {}, path, {}, Task::planar()), "samples");
   const auto told = [&](std::vector<double> path_parameters, const ToolPath& on) {
-    return path_deviation(arm, samples, path_parameters, on, Task::planar());
+    return path_deviation(arm, linear(arm, samples), path_parameters, on, Task::planar());
   };
   EXPECT_NO_THROW(told({0.2, 1}, path));
   EXPECT_REFUSED(told({0}, path), "2 samples and 1 path parameters");
@@ -108,26 +118,28 @@ TEST(PathDeviation, BoundsWhatIsBetweenSamplesAlsoOverTheEndsOfSegments) {
     const Configuration q = testing::inner_configuration(random, arm);
     const ToolPath path = path_ahead(random, arm, forward_kinematics(arm, q), i % 5);
     const Coarse way = coarse(arm, path, q);
+    const Trajectory motion = linear(arm, way.samples);
     const PathDeviation told =
-        path_deviation(arm, way.samples, way.path_parameters, path, Task::spatial());
+        path_deviation(arm, motion, way.path_parameters, path, Task::spatial());
     ASSERT_LE(told.sampled.position, 1e-9);
     for (std::size_t k = 1; k < way.samples.size(); ++k) {
-      const auto steps =
-          split_at_segments(path, Task::spatial(), way.samples[k - 1], way.path_parameters[k - 1],
-                            way.samples[k], way.path_parameters[k]);
-      cut += steps.size() > 1;
-      for (const SegmentStep& step : steps) {
+      const auto parts = path_intervals(arm, motion, k - 1, path, Task::spatial(),
+                                        way.path_parameters[k - 1], way.path_parameters[k]);
+      cut += parts.size() > 1;
+      for (const PathInterval& part : parts) {
         for (int j = 0; j <= 10; ++j) {
-          const Configuration between = step.q_a + j / 10.0 * (step.q_b - step.q_a);
-          const Deviation off =
-              deviation_from(path.segments[step.segment], std::lerp(step.s_a, step.s_b, j / 10.0),
-                             forward_kinematics(arm, between), Task::spatial());
+          const double u = part.from + j / 10.0 * (part.to - part.from);
+          const Configuration between =
+              way.samples[k - 1] + u * (way.samples[k] - way.samples[k - 1]);
+          const Deviation off = deviation_from(path.segments[part.segment],
+                                               std::clamp(part.interval.s(j / 10.0), 0.0, 1.0),
+                                               forward_kinematics(arm, between), Task::spatial());
           ASSERT_LE(off.position, told.bound.position + 1e-12);
           ASSERT_LE(off.orientation, told.bound.orientation + 1e-12);
         }
       }
-      ASSERT_EQ(steps.front().q_a, way.samples[k - 1]);
-      ASSERT_EQ(steps.back().q_b, way.samples[k]);
+      ASSERT_EQ(parts.front().from, 0);
+      ASSERT_EQ(parts.back().to, 1);
     }
   }
   EXPECT_GT(cut, 20);

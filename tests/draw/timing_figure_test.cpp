@@ -198,7 +198,7 @@ TEST(PathTrace, AgreesWithTheDeviationReported) {
   for (const double rate : {0.0, 200.0}) {
     const auto [arm, motion, path] = panda_lines(rate);
     ASSERT_EQ(motion.status, MotionStatus::reached);
-    const PathTrace trace = trace_path(arm, motion.trajectory.positions, path);
+    const PathTrace trace = trace_path(arm, motion.trajectory, path);
     ASSERT_EQ(trace.steps.size(), motion.trajectory.size() - 1);
     Deviation measured, bound;
     for (const PathTrace::Point& point : trace.points) {
@@ -226,7 +226,7 @@ TEST(PathTrace, AgreesWithTheDeviationReported) {
 TEST(PathTrace, ExaggeratesToWhatShows) {
   for (const double rate : {0.0, 200.0}) {
     const auto [arm, motion, path] = panda_lines(rate);
-    const PathTrace trace = trace_path(arm, motion.trajectory.positions, path);
+    const PathTrace trace = trace_path(arm, motion.trajectory, path);
     const double factor = exaggeration(trace);
     EXPECT_EQ(factor, round_step(factor));
     double most = 0;
@@ -243,7 +243,7 @@ TEST(PathTrace, ExaggeratesToWhatShows) {
 
 TEST(PathTrace, OfManySamplesIsASmallPictureThatKeepsTheExtremes) {
   const auto [arm, motion, path] = panda_lines(20'000);
-  const PathTrace trace = trace_path(arm, motion.trajectory.positions, path);
+  const PathTrace trace = trace_path(arm, motion.trajectory, path);
   ASSERT_GT(trace.steps.size(), 10'000u);
   double most = 0;
   for (const PathTrace::Point& point : trace.points)
@@ -273,7 +273,7 @@ TEST(PathTrace, HasNothingToExaggerateOnLinesOfRounding) {
   const PathMotion motion = move_in_lines(arm, Configuration::Zero(2), waypoints, {.task = task});
   ASSERT_EQ(motion.status, MotionStatus::reached) << motion.reason;
   const FollowedPath path{motion.path, motion.path_parameters, task};
-  const PathTrace trace = trace_path(arm, motion.trajectory.positions, path);
+  const PathTrace trace = trace_path(arm, motion.trajectory, path);
   EXPECT_EQ(exaggeration(trace), 1);
   EXPECT_EQ(deviation_charts(trace, path).size(), 1u);  // orientation is not asked for
   expect_within_page(timing_figure(arm, motion.trajectory, {.path = path}), "gantry");

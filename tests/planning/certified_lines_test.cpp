@@ -22,7 +22,8 @@ void expect_proof_is_tight(const Arm& arm, const Line& line, const PathMotion& m
   Deviation worst;
   for (std::size_t k = 0; k + 1 < q.size(); ++k) {
     for (int i = 0; i < parts; ++i) {
-      const Configuration between = q[k] + static_cast<double>(i) / parts * (q[k + 1] - q[k]);
+      const Configuration between =
+          motion_between(motion.trajectory, k, static_cast<double>(i) / parts);
       const Deviation off = off_segment(line, forward_kinematics(arm, between));
       worst.position = std::max(worst.position, off.position);
       worst.orientation = std::max(worst.orientation, off.orientation);
@@ -31,8 +32,8 @@ void expect_proof_is_tight(const Arm& arm, const Line& line, const PathMotion& m
   const Deviation& bound = motion.deviation.bound;
   ASSERT_LE(worst.position, bound.position + 1e-12);
   ASSERT_LE(worst.orientation, bound.orientation + 1e-12);
-  EXPECT_LE(bound.position, 3 * worst.position + 1e-6);
-  EXPECT_LE(bound.orientation, 3 * worst.orientation + 1e-5);
+  EXPECT_LE(bound.position, 1.5 * worst.position + 1e-9);
+  EXPECT_LE(bound.orientation, 2 * worst.orientation + 1e-8);
 }
 
 /// An independent search reaches no farther, and finds the same obstacle.

@@ -34,19 +34,38 @@ inline Arm chain(int joints, double limit = Limits::none) {
   return {"chain" + std::to_string(joints), links};
 }
 
+/// The motion between sample k and the next at the fraction u of the time: quintic, by the basis
+/// polynomials of Hermite interpolation.
+inline Configuration motion_between(const Trajectory& motion, std::size_t k, double u) {
+  const auto& [names, t, q, v, a] = motion;
+  const double h = t[k + 1] - t[k], w = 1 - u;
+  const auto value = [](double x) { return x * x * x * (10 + x * (-15 + 6 * x)); };
+  const auto slope = [](double x) { return x - x * x * x * (6 + x * (-8 + 3 * x)); };
+  const auto bend = [](double x) { return x * x * (0.5 + x * (-1.5 + x * (1.5 - 0.5 * x))); };
+  return value(w) * q[k] + value(u) * q[k + 1] + h * (slope(u) * v[k] - slope(w) * v[k + 1]) +
+         h * h * (bend(u) * a[k] + bend(w) * a[k + 1]);
+}
+
 inline void expect_within_limits(const Arm& arm, const Trajectory& trajectory) {
   for (std::size_t k = 0; k < trajectory.size(); ++k) {
     ASSERT_TRUE(limit_violations(arm, trajectory.positions[k], 0).empty()) << "sample " << k;
     if (k == 0) continue;
-    const double dt = trajectory.times[k] - trajectory.times[k - 1];
-    const Configuration step = trajectory.positions[k] - trajectory.positions[k - 1];
-    for (int i = 0; i < arm.dof(); ++i) {
-      const double limit = arm.limits(i).velocity;
-      const double most = std::isfinite(limit) ? limit : assumed_velocity_limit;
-      ASSERT_LE(std::abs(step[i]) / dt, most * (1 + 1e-9)) << "sample " << k;
-      if (kind(arm.joint_of(i)) != JointKind::prismatic) {
-        ASSERT_LE(std::abs(step[i]), 0.5) << "a jump at sample " << k;
+    constexpr int parts = 20;
+    const double dt = (trajectory.times[k] - trajectory.times[k - 1]) / parts;
+    Configuration before = trajectory.positions[k - 1];
+    for (int part = 1; part <= parts; ++part) {
+      const Configuration q = motion_between(trajectory, k - 1, double(part) / parts);
+      ASSERT_TRUE(limit_violations(arm, q).empty()) << "after sample " << k - 1;
+      for (int i = 0; i < arm.dof(); ++i) {
+        const double limit = arm.limits(i).velocity;
+        const double most = std::isfinite(limit) ? limit : assumed_velocity_limit;
+        ASSERT_LE(std::abs(q[i] - before[i]) / dt, most * (1 + 1e-9) + 1e-15 / dt)
+            << "after sample " << k - 1;
+        if (kind(arm.joint_of(i)) != JointKind::prismatic) {
+          ASSERT_LE(std::abs(q[i] - before[i]), 0.5) << "a jump after sample " << k - 1;
+        }
       }
+      before = q;
     }
   }
 }
@@ -84,10 +103,8 @@ inline void expect_straight(const Arm& arm, const Configuration& start,
     ASSERT_GE(motion.arrivals[w], k);
     const bool moves = (line.to.translation() - line.from.translation()).norm() > 0.01;
     for (; k < motion.arrivals[w]; ++k) {
-      const Configuration& q = trajectory.positions[k];
-      const Configuration step = trajectory.positions[k + 1] - q;
       for (int i = 0; i < dense && moves; ++i) {
-        const Pose pose = forward_kinematics(arm, q + double(i) / dense * step);
+        const Pose pose = forward_kinematics(arm, motion_between(trajectory, k, double(i) / dense));
         const Deviation off = off_segment(line, pose);
         const Deviation& most = i == 0 ? Deviation{1e-9, 1e-8} : motion.deviation.bound;
         ASSERT_LE(off.position, most.position + 1e-12) << "sample " << k << " + " << i;

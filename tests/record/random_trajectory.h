@@ -19,7 +19,7 @@ inline Trajectory random_trajectory(Random& random, std::vector<std::string> nam
   trajectory.joint_names = names;
   const int samples = random.integer(1, 20);
   const bool velocities = random.integer(0, 1) == 0;
-  const bool accelerations = random.integer(0, 1) == 0;
+  const bool accelerations = velocities && random.integer(0, 1) == 0;
   const auto values = [&] {
     Configuration q(static_cast<Eigen::Index>(names.size()));
     for (double& value : q) value = random.uniform(-1, 1) * std::pow(10, random.integer(-20, 20));

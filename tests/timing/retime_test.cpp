@@ -43,7 +43,7 @@ TEST(Retime, KeepsEverySampleAndItsLimitsWithEveryProfile) {
       ASSERT_EQ(timed.sections, 1u);
       std::size_t kept = 0;
       for (const Configuration& q : timed.trajectory.positions) {
-        if (kept < given.size() && q == given.positions[kept]) ++kept;
+        if (kept < given.size() && (q - given.positions[kept]).norm() < 1e-8) ++kept;
       }
       ASSERT_EQ(kept, given.size()) << name(profile);
       for (const auto* v :
@@ -81,10 +81,13 @@ TEST(Retime, AtARateKeepsBothEndsAndTheDuration) {
     ASSERT_TRUE(sampled);
     EXPECT_EQ(sampled.trajectory.positions.front(), given.positions.front());
     EXPECT_EQ(sampled.trajectory.positions.back(), given.positions.back());
-    EXPECT_NEAR(sampled.trajectory.times.back(), whole.trajectory.times.back(), 1e-6);
+    const double longer = sampled.trajectory.times.back() - whole.trajectory.times.back();
+    EXPECT_GT(longer, -0.01 * whole.trajectory.times.back());
+    EXPECT_LT(longer, 2 / 50. + 0.02 * whole.trajectory.times.back());
     for (std::size_t k = 0; k + 1 < sampled.trajectory.size(); ++k) {
       ASSERT_NEAR(sampled.trajectory.times[k], double(k) / 50, 1e-12);
     }
+    ASSERT_NEAR(sampled.trajectory.times.back(), double(sampled.trajectory.size() - 1) / 50, 1e-12);
   }
 }
 
@@ -185,7 +188,8 @@ TEST(Retime, AtARateKeepsTheLimitsOnATightCorner) {
         EXPECT_LE(timed.limits.velocity.fraction, 1 + 1e-9);
         EXPECT_LE(timed.limits.acceleration.fraction, 1 + 1e-9);
         EXPECT_LE(keeps_jerk(profile) ? timed.limits.jerk.fraction : 0, 1 + 1e-9);
-        EXPECT_LT(timed.trajectory.times.back(), duration * (1 + 1e-2))
+        // Few samples cannot follow the corner: what is lost there is lost by the whole motion.
+        EXPECT_LT(timed.trajectory.times.back(), duration * (rate < 1000 ? 1.5 : 1.1) + 2 / rate)
             << name(profile) << ' ' << rate;
       }
     }
@@ -212,7 +216,6 @@ TEST(Retime, AcceptsTheSmallestSpeeds) {
       given.positions.push_back(middle + 0.2 * (random.configuration(arm) - middle));
     }
     for (const Profile profile : profiles) {
-      if (profile == Profile::jerk && default_profile(arm) != Profile::jerk) continue;
       const Retimed slow = retime(arm, given, {.profile = profile, .speed_scale = 1e-6});
       ASSERT_TRUE(slow) << slow.reason;
       EXPECT_LE(slow.limits.velocity.fraction, 1e-6 * (1 + 1e-6));
@@ -230,19 +233,19 @@ TEST(Retime, NamesTheLeastRate) {
       arm.joint_names(), {0, 1}, {random.configuration(arm), random.configuration(arm)}, {}, {}};
   const double duration = retime(arm, given).trajectory.times.back();
   EXPECT_REFUSED(retime(arm, given, {.rate = 1e-9}), "must be at least");
-  EXPECT_REFUSED(retime(arm, given, {.rate = 3.9 / duration}), number(4 * (1 + 1e-5) / duration));
-  EXPECT_GE(retime(arm, given, {.rate = 4.1 / duration}).trajectory.size(), 5u);
+  EXPECT_REFUSED(retime(arm, given, {.rate = 0.9 / duration}), "must be at least");
+  EXPECT_GE(retime(arm, given, {.rate = 1.1 / duration}).trajectory.size(), 3u);
 }
 
 TEST(Retime, RefusesOptionsOutOfRange) {
   const Arm arm = built_in("ur5");
   const Configuration zero = Configuration::Zero(6);
   const Trajectory still{arm.joint_names(), {0, 1}, {zero, zero}, {}, {}};
+  const Trajectory given{arm.joint_names(), {0, 1}, {zero, zero + Configuration::Ones(6)}, {}, {}};
   EXPECT_REFUSED(retime(arm, still), "two different positions");
   EXPECT_REFUSED(retime(arm, {arm.joint_names(), {}, {}, {}, {}}), "no samples");
-  EXPECT_REFUSED(retime(arm, still, {.profile = Profile::jerk}), "limits of jerk");
   for (const double scale : {1.5, 0.0, 1e-7, 1e-300, std::nan("")}) {
-    EXPECT_REFUSED(retime(arm, still, {.speed_scale = scale}), "from 1e-06 to 1");
+    EXPECT_REFUSED(retime(arm, given, {.speed_scale = scale}), "from 1e-06 to 1");
   }
   for (const double speed : {0.0, -1.0, 1e-10, 1e-300, std::nan("")}) {
     EXPECT_REFUSED(retime(arm, still, {.tool_speed = speed}), "1e-09 m/s at least");

@@ -47,7 +47,8 @@ TEST(Difference, IsWhatDenseSamplingShows) {
     for (int i = 0; i <= looks; ++i) {
       const double t = apart.overlap * i / looks;
       const Configuration q =
-          (sample(b, b.times.front() + t) - sample(a, a.times.front() + t)).cwiseAbs();
+          (sample(b, b.times.front() + t).position - sample(a, a.times.front() + t).position)
+              .cwiseAbs();
       largest = largest.cwiseMax(q);
       squares += q.cwiseAbs2() / (looks + 1);
     }

@@ -61,27 +61,91 @@ TEST(CheckTrajectory, NamesWhatIsWrongAndWhere) {
   EXPECT_EQ("", says(spoilt([](Trajectory& t) { t.joint_names[2] = t.joint_names[0]; }), "joint1"));
 }
 
-TEST(Sample, IsLinearBetweenSamplesAndStillOutside) {
+/// The trajectory without the columns that the interpolation does not use.
+Trajectory with_interpolation(Trajectory trajectory, Interpolation interpolation) {
+  if (interpolation != Interpolation::quintic) trajectory.accelerations.clear();
+  if (interpolation == Interpolation::linear) trajectory.velocities.clear();
+  return trajectory;
+}
+
+constexpr Interpolation interpolations[] = {Interpolation::linear, Interpolation::cubic,
+                                            Interpolation::quintic};
+
+TEST(Interpolation, IsThatOfTheColumns) {
+  testing::Random random;
+  const Trajectory trajectory = random_trajectory(random, built_in("rrr"), 3);
+  for (const Interpolation kind : interpolations) {
+    EXPECT_EQ(with_interpolation(trajectory, kind).interpolation(), kind);
+    EXPECT_EQ(interpolation_named(name(kind)), kind);
+  }
+  EXPECT_REFUSED(interpolation_named("spline"), "linear, cubic, quintic");
+  Trajectory bad = trajectory;
+  bad.velocities.clear();
+  EXPECT_REFUSED(check_trajectory(bad), "accelerations without velocities");
+}
+
+TEST(Sample, MeetsTheColumnsAtEverySampleFromBothSidesAndIsStillOutside) {
   testing::Random random;
   const Arm arm = built_in("ur5");
-  for (int i = 0; i < 200; ++i) {
-    const Trajectory trajectory = random_trajectory(random, arm, random.integer(2, 9));
-    const auto& q = trajectory.positions;
-    const auto& times = trajectory.times;
-    for (std::size_t k = 0; k < q.size(); ++k) ASSERT_EQ(sample(trajectory, times[k]), q[k]);
-    for (std::size_t k = 1; k < q.size(); ++k) {
-      const double share = random.uniform(0, 1);
-      const double t = times[k - 1] + share * (times[k] - times[k - 1]);
-      const Configuration expected = (1 - share) * q[k - 1] + share * q[k];
-      ASSERT_LT((sample(trajectory, t) - expected).norm(), 1e-10);
+  for (int i = 0; i < 100; ++i) {
+    const Trajectory whole = random_trajectory(random, arm, random.integer(2, 9));
+    for (const Interpolation kind : interpolations) {
+      const Trajectory trajectory = with_interpolation(whole, kind);
+      const auto& [names, times, q, v, a] = trajectory;
+      for (std::size_t k = 0; k < q.size(); ++k) {
+        for (const Side side : {Side::before, Side::after}) {
+          const bool outside = side == Side::before ? k == 0 : k + 1 == q.size();
+          const TrajectoryState state = sample(trajectory, times[k], side);
+          ASSERT_LT((state.position - q[k]).norm(), 1e-12);
+          if (outside) {
+            ASSERT_EQ(state.velocity.norm(), 0);
+          }
+          if (!outside && !v.empty()) {
+            ASSERT_LT((state.velocity - v[k]).norm(), 1e-9);
+          }
+          if (!outside && !a.empty()) {
+            ASSERT_LT((state.acceleration - a[k]).norm(), 1e-6);
+          }
+        }
+      }
+      for (const double t : {double(times.front() - 1), -double(INFINITY)}) {
+        ASSERT_EQ(sample(trajectory, t).position, q.front());
+        ASSERT_EQ(sample(trajectory, t).velocity.norm(), 0);
+      }
+      for (const double t : {double(times.back() + 1), double(INFINITY)}) {
+        ASSERT_EQ(sample(trajectory, t).position, q.back());
+      }
     }
-    ASSERT_EQ(sample(trajectory, times.front() - 1), q.front());
-    ASSERT_EQ(sample(trajectory, times.back() + 1), q.back());
-    ASSERT_EQ(sample(trajectory, -INFINITY), q.front());
-    ASSERT_EQ(sample(trajectory, INFINITY), q.back());
   }
   EXPECT_REFUSED(sample(at_rest(arm, Configuration::Zero(6)), NAN), "NaN");
   EXPECT_REFUSED(sample({}, 0), "no samples");
+}
+
+// Each derivative is the finite difference of the one before; the highest one of the polynomial is
+// that of its degree, so the next is zero.
+TEST(Sample, IsAPolynomialBetweenSamples) {
+  testing::Random random;
+  const Arm arm = built_in("ur5");
+  for (int i = 0; i < 100; ++i) {
+    const Trajectory whole = random_trajectory(random, arm, 3);
+    for (const Interpolation kind : interpolations) {
+      const Trajectory trajectory = with_interpolation(whole, kind);
+      const double h = trajectory.times[1] - trajectory.times[0], dt = 1e-5 * h;
+      const double t = trajectory.times[0] + random.uniform(0.1, 0.9) * h;
+      const TrajectoryState before = sample(trajectory, t - dt), here = sample(trajectory, t);
+      const TrajectoryState after = sample(trajectory, t + dt);
+      const auto expect_derivative = [&](const Configuration& a, const Configuration& b,
+                                         const Configuration& derivative) {
+        ASSERT_LT(((b - a) / (2 * dt) - derivative).norm(), 1e-4 * (1 + derivative.norm()) / h);
+      };
+      expect_derivative(before.position, after.position, here.velocity);
+      expect_derivative(before.velocity, after.velocity, here.acceleration);
+      expect_derivative(before.acceleration, after.acceleration, here.jerk);
+      if (kind == Interpolation::linear) {
+        ASSERT_EQ(here.acceleration.norm(), 0);
+      }
+    }
+  }
 }
 
 TEST(MatchedTo, BringsTheColumnsIntoTheArmsOrder) {
@@ -104,6 +168,7 @@ TEST(MatchedTo, BringsTheColumnsIntoTheArmsOrder) {
   EXPECT_EQ(back.velocities, trajectory.velocities);
   EXPECT_EQ(back.accelerations, trajectory.accelerations);
   shuffled.velocities.clear();
+  shuffled.accelerations.clear();
   EXPECT_TRUE(matched_to(arm, shuffled).velocities.empty());
 }
 

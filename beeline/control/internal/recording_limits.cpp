@@ -1,19 +1,18 @@
 #include <beeline/control/internal/recording_limits.h>
 #include <beeline/error.h>
-#include <beeline/math/hermite.h>
+#include <beeline/trajectory/internal/interval_polynomial.h>
 
 namespace beeline::internal {
 namespace {
 
-/// Describes how the cubic from sample k to the next leaves the position limits; empty when it does
-/// not.
+/// Describes how the motion from sample k to the next leaves the position limits; empty when it
+/// does not.
 std::string violation_after(const Arm& arm, const Trajectory& recording, std::size_t k) {
-  const auto& [names, t, q, v, a] = recording;
-  Configuration lowest = q[k], highest = q[k];
+  Configuration lowest = recording.positions[k], highest = lowest;
   for (int i = 0; i < arm.dof(); ++i) {
-    const Cubic cubic = cubic_between(q[k][i], q[k + 1][i], v[k][i], v[k + 1][i], t[k + 1] - t[k]);
-    lowest[i] = extremes(cubic).smallest;
-    highest[i] = extremes(cubic).largest;
+    const Extremes range = extremes(interval_polynomial(recording, k, i));
+    lowest[i] = range.smallest;
+    highest[i] = range.largest;
   }
   for (const Configuration& extreme : {lowest, highest}) {
     const auto outside = limit_violations(arm, extreme);

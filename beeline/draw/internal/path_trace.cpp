@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include <beeline/certificate/internal/path_checks.h>
-#include <beeline/certificate/internal/path_step.h>
+#include <beeline/certificate/internal/path_interval.h>
 #include <beeline/draw/internal/path_trace.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
@@ -19,18 +19,18 @@ Vector3 in_rows(const Task& task, const Pose& pose, const Vector3& v) {
 }
 
 /// A segment with its range of arc length.
-struct Interval {
+struct SegmentRange {
   const Segment& segment;
   double begin = 0, length = 0;
 };
 
 PathTrace::Point measure(const Arm& arm, const Configuration& q, double s, std::size_t step,
-                         const Interval& interval, const Task& task) {
+                         const SegmentRange& range, const Task& task) {
   const Pose pose = forward_kinematics(arm, q);
-  if (const auto* line = std::get_if<Line>(&interval.segment))
+  if (const auto* line = std::get_if<Line>(&range.segment))
     s = internal::nearest_fraction(*line, pose, task);
-  const Pose wanted = pose_at(interval.segment, s);
-  return {step, interval.begin + s * interval.length, task_deviation(task, wanted, pose),
+  const Pose wanted = pose_at(range.segment, s);
+  return {step, range.begin + s * range.length, task_deviation(task, wanted, pose),
           pose.translation(), in_rows(task, pose, pose.translation() - wanted.translation())};
 }
 
@@ -48,56 +48,59 @@ std::vector<Vector3> polyline_of(const ToolPath& path) {
 
 }  // namespace
 
-PathTrace trace_path(const Arm& arm, std::span<const Configuration> samples,
-                     const FollowedPath& followed) {
+PathTrace trace_path(const Arm& arm, const Trajectory& trajectory, const FollowedPath& followed) {
   const ToolPath& path = followed.path;
   const std::vector<double>& path_parameters = followed.path_parameters;
   const Task& task = followed.task;
-  if (path_parameters.empty() || path_parameters.size() > samples.size() || path.segments.empty() ||
-      path.spans.size() != path.segments.size()) {
+  if (path_parameters.empty() || path_parameters.size() > trajectory.size() ||
+      path.segments.empty() || path.spans.size() != path.segments.size()) {
     throw Error("a trace along a path needs its segments, samples, and their path parameters");
   }
   check_path_parameters(path, path_parameters);
   constexpr std::size_t wanted = 3000;  // points; a chart does not resolve more
-  const std::size_t parts = std::clamp<std::size_t>(wanted / samples.size(), 2, 16);
+  const std::size_t parts = std::clamp<std::size_t>(wanted / trajectory.size(), 2, 16);
   PathTrace trace;
   trace.polyline = polyline_of(path);
-  std::vector<Interval> intervals;
+  std::vector<SegmentRange> ranges;
   double begin = 0;
   for (const Segment& segment : path.segments) {
     const Pose from = pose_at(segment, 0), to = pose_at(segment, 1);
     const double rotation_length =
         min_metres_per_radian * pose_difference(to, from).tail<3>().norm();
     const double length = length_of(segment);
-    intervals.push_back({segment, begin, std::max(length, rotation_length)});
+    ranges.push_back({segment, begin, std::max(length, rotation_length)});
     trace.has_pure_rotation = trace.has_pure_rotation || length < rotation_length;
-    begin += intervals.back().length;
+    begin += ranges.back().length;
   }
   std::size_t on = path.segments.size();  // the segment before
   for (std::size_t k = 1; k < path_parameters.size(); ++k) {
-    for (const SegmentStep& step : split_at_segments(
-             path, task, samples[k - 1], path_parameters[k - 1], samples[k], path_parameters[k])) {
-      const Interval& interval = intervals[step.segment];
-      const auto at = [&](double fraction, std::size_t number) {
-        return measure(arm, step.q_a + fraction * (step.q_b - step.q_a),
-                       std::lerp(step.s_a, step.s_b, fraction), number, interval, task);
+    for (const PathInterval& part : path_intervals(arm, trajectory, k - 1, path, task,
+                                                   path_parameters[k - 1], path_parameters[k])) {
+      const SegmentRange& range = ranges[part.segment];
+      const auto at = [&](double u, std::size_t number) {
+        Configuration q(arm.dof());
+        for (int i = 0; i < arm.dof(); ++i) {
+          q[i] = part.interval.coordinates[static_cast<std::size_t>(i)](u);
+        }
+        return measure(arm, q, std::clamp(part.interval.s(u), 0.0, 1.0), number, range, task);
       };
-      if (step.segment != on) trace.points.push_back(at(0, 0));
-      on = step.segment;
+      if (part.segment != on) trace.points.push_back(at(0, 0));
+      on = part.segment;
       const double from = trace.points.back().arc_length;
-      for (std::size_t part = 1; part <= parts; ++part) {
-        trace.points.push_back(at(static_cast<double>(part) / static_cast<double>(parts), k));
+      for (std::size_t i = 1; i <= parts; ++i) {
+        trace.points.push_back(at(static_cast<double>(i) / static_cast<double>(parts), k));
       }
-      trace.steps.push_back(
-          {from, trace.points.back().arc_length, measure_step(arm, path, task, step).bound});
+      const Deviation bound =
+          interval_deviation(arm, path.segments[part.segment], task, part.interval).bound;
+      trace.steps.push_back({from, trace.points.back().arc_length, bound});
     }
   }
   if (trace.points.empty()) {
-    trace.points.push_back(measure(arm, samples.front(), 0, 0, intervals.front(), task));
+    trace.points.push_back(measure(arm, trajectory.positions.front(), 0, 0, ranges.front(), task));
   }
   const std::size_t reached = arrivals(path_parameters).size();
   for (std::size_t i = 0; i < reached; ++i) {
-    trace.segment_ends.push_back(intervals[i].begin + intervals[i].length);
+    trace.segment_ends.push_back(ranges[i].begin + ranges[i].length);
   }
   return trace;
 }

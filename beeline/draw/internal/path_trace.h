@@ -7,8 +7,8 @@
 
 namespace beeline::internal {
 
-/// The tool's deviation along its path, measured at the samples and at equal parts between them,
-/// with joints that move in proportion.
+/// The tool's deviation along its path, measured at the samples and at equal parts of the time
+/// between them.
 struct PathTrace {
   /// One measurement.
   struct Point {
@@ -21,7 +21,7 @@ struct PathTrace {
   /// The motion from one sample to the next, or the part of it on one segment.
   struct Step {
     double from = 0, to = 0;  ///< arc length, metres
-    Deviation bound;          ///< step_bound()
+    Deviation bound;          ///< interval_deviation()
   };
   std::vector<Point> points;
   std::vector<Step> steps;
@@ -31,8 +31,8 @@ struct PathTrace {
   bool has_pure_rotation = false;
 };
 
-/// Measures the deviation of the samples from their path. Throws Error when sizes do not fit.
-PathTrace trace_path(const Arm& arm, std::span<const Configuration> samples,
-                     const FollowedPath& followed);
+/// Measures the deviation of a trajectory, whose columns are in the arm's order, from its path.
+/// Throws Error when sizes do not fit.
+PathTrace trace_path(const Arm& arm, const Trajectory& trajectory, const FollowedPath& followed);
 
 }  // namespace beeline::internal

@@ -12,10 +12,11 @@ struct TimedPlan {
   std::vector<double> path_parameters = {};  ///< of each sample
 };
 
-/// Retimes a complete branch along the route's path from stop to stop by append_retimed(). Keeps
-/// its samples or, with options.rate, takes samples at equal times and moves each onto the path at
-/// the nearest path parameter.
+/// Times a complete branch along the route's path from stop to stop (timing/internal/section.h).
+/// The samples are put onto the path at the nearest path parameter, with the path's velocity and
+/// acceleration. `longest_gap`: between two samples, as a fraction of a section's duration; of that
+/// with as many samples as the branch for linear joints, whose samples are at equal times.
 TimedPlan time_plan(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
-                    const RetimeOptions& options);
+                    const RetimeOptions& options, double longest_gap = 1);
 
 }  // namespace beeline::internal

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <span>
+
 #include <beeline/path/joint_path.h>
-#include <beeline/timing/time_scaling.h>
-#include <beeline/trajectory/trajectory.h>
+#include <beeline/timing/profile.h>
 
 namespace beeline::internal {
 
@@ -15,13 +16,12 @@ struct TimedPath {
 /// Slows the scaling down by the factor k.
 void slow_down(TimeScaling& scaling, double k);
 
-/// Appends the motion to the trajectory, starting at its end if it has samples: every point of the
-/// scaling, and further samples so that successive ones are at most `gap` seconds apart.
-void append_points(Trajectory& trajectory, const TimedPath& motion, double gap);
+/// Returns the path between two stops, with more grid points, and its time scaling within the arm's
+/// limits times the speed scale. The scaling has a reason, and no points, where there is none.
+TimedPath timed_path(const Arm& arm, const JointPath& path, Profile profile, double speed_scale,
+                     double tool_speed);
 
-/// Samples the motions, one after the other, `rate` times a second and at the end of the last.
-/// `arc_lengths` receives the path parameter of each sample, summed from motion to motion.
-Trajectory at_rate(const std::vector<TimedPath>& motions, double rate,
-                   std::vector<double>& arc_lengths);
+/// Throws Error for a tool speed or rate out of range.
+void check_options(double tool_speed, double rate);
 
 }  // namespace beeline::internal

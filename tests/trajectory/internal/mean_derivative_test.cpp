@@ -1,4 +1,4 @@
-#include <beeline/certificate/internal/mean_derivative.h>
+#include <beeline/trajectory/internal/mean_derivative.h>
 
 #include <tests/certificate/two_joints.h>
 

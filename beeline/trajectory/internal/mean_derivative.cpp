@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include <beeline/certificate/internal/mean_derivative.h>
 #include <beeline/error.h>
+#include <beeline/trajectory/internal/mean_derivative.h>
 #include <beeline/trajectory/limit_usage.h>
 
 namespace beeline::internal {

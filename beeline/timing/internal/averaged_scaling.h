@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include <beeline/math/hermite.h>
+#include <beeline/timing/time_scaling.h>
+
+namespace beeline::internal {
+
+/// s and its time derivatives at one time.
+struct Progress {
+  double s = 0, speed = 0, acceleration = 0;
+};
+
+/// The moving average of a time scaling from rest to rest over `width` seconds: it lasts so much
+/// longer, and where d2s/dt2 of the given one jumps, its own is a ramp of this width, at both ends
+/// too. A width of zero leaves the time scaling as it is.
+class AveragedScaling {
+ public:
+  /// Keeps a reference to the time scaling.
+  AveragedScaling(const TimeScaling& scaling, double width);
+
+  double duration() const { return scaling_.duration() + width_; }
+
+  /// At times from 0 to the duration.
+  Progress at(double t) const;
+
+  /// The time at which s is reached, by bisection.
+  double time_of(double s) const;
+
+  /// The times, in order and inside the duration, at which the highest derivative of the given
+  /// scaling that is not smooth jumps by more than `fraction` of its largest magnitude, and `width`
+  /// later: d2s/dt2, or d3s/dt3 where TimeScaling::smooth.
+  std::vector<double> kinks(double fraction) const;
+
+ private:
+  /// s and its derivatives `x` seconds after point k of the given scaling, relative to s there, and
+  /// the integral of that change from 0 to x.
+  struct Change {
+    Progress change;
+    double integral = 0;
+  };
+  Change after(std::size_t k, double x) const;
+  double highest(std::size_t k, double x) const;    ///< see kinks()
+  Quintic<double> polynomial(std::size_t k) const;  ///< where TimeScaling::smooth
+  Progress given(double t) const;
+  std::size_t step_at(double t) const;
+
+  const TimeScaling& scaling_;
+  double width_;
+};
+
+}  // namespace beeline::internal

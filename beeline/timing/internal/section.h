@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <beeline/timing/internal/averaged_scaling.h>
+#include <beeline/timing/internal/timed_path.h>
+#include <beeline/timing/retime.h>
+
+namespace beeline::internal {
+
+/// Samples of a section: times from 0, and the path parameter of each with its time derivatives.
+struct SampledSection {
+  Trajectory trajectory;
+  std::vector<Progress> progress;  ///< along the joint path
+};
+
+/// Changes positions, velocities and accelerations of samples, such as to put them onto a tool
+/// path.
+using MoveSamples = std::function<void(SampledSection&)>;
+
+struct SectionOptions {
+  Interpolation interpolation = Interpolation::quintic;
+  bool keep_jerk = true;
+  double speed_scale = 1;             ///< see RetimeOptions
+  double tool_speed = Limits::none;   ///< metres per second
+  double rate = 0;                    ///< see RetimeOptions
+  std::vector<double> required = {};  ///< path parameters that get a sample, without a rate
+  /// Without a rate, the longest time between two samples, as a fraction of the duration.
+  double longest_gap = 1;
+  MoveSamples move = {};
+};
+
+/// Returns the samples of a section, slowed down until the motion that they mean is within the
+/// arm's limits times the speed scale, and the tool's speed within its own.
+///
+/// A quintic or cubic motion cannot carry an acceleration that jumps: where that of the time
+/// scaling jumps, at both ends too, AveragedScaling makes it a ramp. Without a rate there are as
+/// many samples as the interpolation needs to agree with the motion along the path, at all kinks of
+/// the acceleration first; times are whole nanoseconds. With a rate the samples are k / rate, the
+/// last one included: the section lasts a whole number of periods. Throws Error where no rate
+/// works.
+SampledSection sample_section(const Arm& arm, const TimedPath& section,
+                              const SectionOptions& options);
+
+}  // namespace beeline::internal

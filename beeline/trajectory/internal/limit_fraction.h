@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+
+#include <beeline/trajectory/trajectory.h>
+
+namespace beeline::internal {
+
+/// The largest fraction of the limits of one kind that a trajectory uses, and where.
+struct CoordinateFraction {
+  double fraction = 0;
+  int coordinate = 0;
+  std::size_t sample = 0;  ///< the one before it
+  bool exact = true;       ///< see LimitFraction
+};
+
+/// Computes it for the derivative of an order from 1 (velocity) to 3 (jerk). `limits`: of each
+/// column of the trajectory; infinite ones count as not used.
+CoordinateFraction limit_fraction(std::span<const Limits> limits, const Trajectory& trajectory,
+                                  int order);
+
+}  // namespace beeline::internal
