@@ -19,7 +19,8 @@ using namespace internal;
 namespace {
 
 constexpr double min_tolerance = 1e-8;  // smaller ones are comparable with the rounding of samples
-constexpr double planned_fraction = 0.9;  // of the tolerance; timing may use the remainder
+constexpr double interpolated_fraction = 0.01;  // the same, for the joint path between samples
+constexpr double planned_fraction = 0.9;        // of the tolerance; timing may use the remainder
 // The same if the motion between the plan's samples must stay near a limit. The bound is
 // proportional to the square of the step, so steps are an eighth as long.
 constexpr double fine_fraction = 1.0 / 64;
@@ -41,6 +42,10 @@ void check_options(const PathMotionOptions& options) {
   if (options.max_samples < 2) {
     throw Error("max_samples must be at least 2, not " + std::to_string(options.max_samples));
   }
+}
+
+Deviation part_of_tolerance(const PathMotionOptions& options, double fraction) {
+  return {fraction * options.tolerance, fraction * options.orientation_tolerance};
 }
 
 /// Returns the start, clamped to the limits. Throws Error if it exceeds them by more than rounding.
@@ -103,12 +108,13 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
   constexpr std::array<double, 4> smooth_gaps{1, 1.0 / 32, 1.0 / 128, 1.0 / 512};
   const bool linear = options.interpolation == Interpolation::linear;
   for (const double longest_gap : linear ? linear_gaps : smooth_gaps) {
-    TimedPlan timed = time_plan(arm, route, plan, task,
-                                {.profile = options.profile,
-                                 .interpolation = options.interpolation,
-                                 .tool_speed = options.tool_speed,
-                                 .rate = options.rate},
-                                longest_gap);
+    TimedPlan timed =
+        time_plan(arm, route, plan, task, part_of_tolerance(options, interpolated_fraction),
+                  {.profile = options.profile,
+                   .interpolation = options.interpolation,
+                   .tool_speed = options.tool_speed,
+                   .rate = options.rate},
+                  longest_gap);
     motion.status = timed.status;
     motion.reason = timed.reason;
     motion.trajectory = std::move(timed.trajectory);
@@ -148,11 +154,8 @@ void retry_inside_limits(const Arm& arm, const std::optional<Configuration>& sta
 
 PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
                 const Task& task, const PathMotionOptions& options) {
-  const auto part_of_tolerance = [&](double fraction) {
-    return Deviation{fraction * options.tolerance, fraction * options.orientation_tolerance};
-  };
   BranchOptions planning{.task = task,
-                         .tolerance = part_of_tolerance(planned_fraction),
+                         .tolerance = part_of_tolerance(options, planned_fraction),
                          .max_samples = static_cast<std::size_t>(options.max_samples),
                          .progress = options.progress};
   const Branch plan = plan_path(arm, start, route.path, planning);
@@ -166,7 +169,7 @@ PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const
   failure.reason = motion.reason;
   const bool quick = arm.dof() <= task.size() + 1;  // a plan takes long with more redundancy
   if (!options.suggest || !quick || plan) return failure;
-  planning.tolerance = part_of_tolerance(planned_fraction);
+  planning.tolerance = part_of_tolerance(options, planned_fraction);
   for (const bool rotate : {false, true}) {
     auto nearby = nearby_path(arm, start, route.path, planning, rotate);
     if (nearby) failure.nearby.push_back(std::move(*nearby));

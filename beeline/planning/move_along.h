@@ -22,8 +22,7 @@ struct PathMotionOptions {
   std::optional<Task> task = std::nullopt;
   double tolerance = 1e-4;              ///< max deviation in position, metres, 1e-8 or more
   double orientation_tolerance = 1e-4;  ///< max deviation in orientation, radians, 1e-8 or more
-  /// The time scaling from stop to stop; default: default_profile(): jerk for an arm with jerk
-  /// limits, otherwise fastest.
+  /// The time scaling from stop to stop; default: default_profile.
   std::optional<Profile> profile = std::nullopt;
   Interpolation interpolation = Interpolation::quintic;  ///< of the trajectory
   double tool_speed = Limits::none;  ///< limit of the tool origin's speed, m/s, 1e-8 or more

@@ -36,58 +36,41 @@ void add(Section& section, const TrackedSegment& segment, std::size_t i) {
   section.path_parameters.back() = static_cast<double>(i + 1);
 }
 
-/// Puts samples of a section onto the tool path, with its velocity and acceleration. The path
-/// parameter of the tool path is a twice differentiable function of that of the joint path: between
-/// two samples of the branch the quintic with the rates at which the tool follows the path there.
-class PathSamples {
+/// The joint path of a section: quintics between samples of the branch, at which the tool has the
+/// path's position, tangent and curvature. Samples are added where the tool leaves the path by more
+/// than `tolerance` between them.
+class SectionPath {
  public:
-  PathSamples(const Arm& arm, const ToolPath& path, const Task& task, const Section& exact)
-      : arm_(arm),
-        path_(path),
-        task_(task),
-        exact_(exact),
-        bounds_(bounds_of(arm)),
-        joint_path_(joint_spline(exact.samples, chord_length(exact.samples))) {
-    const auto& parameters = exact.path_parameters;
-    for (std::size_t k = 0; k < joint_path_.size(); ++k) {
-      const PathPlace place = at(parameters[k], parameters[std::max<std::size_t>(k, 1)]);
-      const ParameterRates rates =
-          rates_of(place, joint_path_.q[k], joint_path_.dq[k], joint_path_.ddq[k]);
-      follow(place, rates, joint_path_.q[k], joint_path_.dq[k], &joint_path_.ddq[k]);
+  SectionPath(const Arm& arm, const ToolPath& path, const Task& task, Section samples,
+              const Deviation& tolerance)
+      : arm_(arm), path_(path), task_(task), bounds_(bounds_of(arm)), samples_(std::move(samples)) {
+    constexpr int max_rounds = 8;
+    for (int round = 0; round < max_rounds; ++round) {
+      interpolate();
+      if (!add_samples(tolerance)) return;
     }
+    interpolate();
   }
 
-  /// The spline through the branch's samples, with the derivatives of the tool path there.
   const JointPath& joint_path() const { return joint_path_; }
 
-  void move(SampledSection& section) const {
-    auto& [names, t, q, v, a] = section.trajectory;
-    for (std::size_t k = 1; k + 1 < section.progress.size(); ++k) {
-      const auto [place, rates] = along_tool_path(section.progress[k]);
-      put_on_path(place, q[k]);
-      if (!v.empty()) follow(place, rates, q[k], v[k], a.empty() ? nullptr : &a[k]);
-    }
-  }
-
-  /// The path parameters of the joint path at the ends of segments.
+  /// The parameters of the joint path at the ends of segments.
   std::vector<double> segment_ends() const {
     std::vector<double> ends;
     for (std::size_t k = 1; k + 1 < joint_path_.size(); ++k) {
-      const double s = exact_.path_parameters[k];
+      const double s = samples_.path_parameters[k];
       if (s == std::floor(s)) ends.push_back(joint_path_.s[k]);
     }
     return ends;
   }
 
-  /// The path parameters of the samples on the tool path.
-  std::vector<double> path_parameters(const SampledSection& section) const {
-    std::vector<double> parameters{exact_.path_parameters.front()};
-    for (std::size_t k = 1; k + 1 < section.progress.size(); ++k) {
-      const PathPlace place = along_tool_path(section.progress[k]).place;
-      const double s = static_cast<double>(place.index) + place.fraction;
-      parameters.push_back(std::max(s, parameters.back()));
+  /// The path parameters of timed samples of the joint path, on the tool path.
+  std::vector<double> path_parameters(const SampledSection& timed) const {
+    std::vector<double> parameters{samples_.path_parameters.front()};
+    for (std::size_t k = 1; k + 1 < timed.progress.size(); ++k) {
+      parameters.push_back(std::max(path_parameter(timed.progress[k]), parameters.back()));
     }
-    parameters.push_back(exact_.path_parameters.back());
+    parameters.push_back(samples_.path_parameters.back());
     return parameters;
   }
 
@@ -104,60 +87,81 @@ class PathSamples {
     return {i, std::clamp(s - static_cast<double>(i), 0.0, 1.0)};
   }
 
-  ParameterRates rates_of(const PathPlace& place, const Configuration& q, const Configuration& dq,
-                          const Configuration& ddq) const {
-    return following(path_.segments[place.index], place.fraction, task_,
-                     internal::tool_motion(arm_, q, dq, ddq));
+  /// The spline through the samples, with the derivatives of the tool path there.
+  void interpolate() {
+    joint_path_ = joint_spline(samples_.samples, chord_length(samples_.samples));
+    const auto& parameters = samples_.path_parameters;
+    for (std::size_t k = 0; k < joint_path_.size(); ++k) {
+      follow(at(parameters[k], parameters[std::max<std::size_t>(k, 1)]), joint_path_.q[k],
+             joint_path_.dq[k], joint_path_.ddq[k]);
+    }
   }
 
-  struct PlaceInTime {
-    PathPlace place;
-    ParameterRates rates;  ///< time derivatives of the segment parameter
-  };
+  /// Adds one half-way between any two between which the tool is off the path; returns whether
+  /// there were any.
+  bool add_samples(const Deviation& tolerance) {
+    Section refined{{samples_.samples.front()}, {samples_.path_parameters.front()}};
+    for (std::size_t k = 1; k < samples_.samples.size(); ++k) {
+      const PathPlace place = between(k, 0.5);
+      const Pose pose = pose_at(path_.segments[place.index], place.fraction);
+      const Configuration q = path_point(joint_path_, k - 1, 0.5).q;
+      if (!within(task_deviation(task_, pose, forward_kinematics(arm_, q)), tolerance)) {
+        const NumericalResult exact = levenberg_marquardt(arm_, pose, task_, bounds_, q);
+        if (exact.converged) {
+          refined.samples.push_back(exact.q);
+          refined.path_parameters.push_back(static_cast<double>(place.index) + place.fraction);
+        }
+      }
+      refined.samples.push_back(samples_.samples[k]);
+      refined.path_parameters.push_back(samples_.path_parameters[k]);
+    }
+    const bool added = refined.samples.size() > samples_.samples.size();
+    samples_ = std::move(refined);
+    return added;
+  }
 
-  PlaceInTime along_tool_path(const Progress& now) const {
-    constexpr double nanoseconds = 2e-9;  // by which times have been rounded
-    const auto& s = joint_path_.s;
-    const auto next = std::lower_bound(s.begin() + 1, s.end() - 1, now.s - nanoseconds * now.speed);
-    const auto j = static_cast<std::size_t>(next - s.begin());
-    const auto& parameters = exact_.path_parameters;
+  ParameterRates rates_of(const PathPlace& place, std::size_t k) const {
+    return following(
+        path_.segments[place.index], place.fraction, task_,
+        internal::tool_motion(arm_, joint_path_.q[k], joint_path_.dq[k], joint_path_.ddq[k]));
+  }
+
+  /// The point of the tool path at fraction u from sample j - 1 to j: the segment parameter is the
+  /// quintic with the rates at which the tool follows the path at both.
+  PathPlace between(std::size_t j, double u) const {
+    const auto& parameters = samples_.path_parameters;
     const PathPlace begin = at(parameters[j - 1], parameters[j]);
     const PathPlace end = at(parameters[j], parameters[j]);
-    const auto rates = [&](const PathPlace& place, std::size_t i) {
-      return rates_of(place, joint_path_.q[i], joint_path_.dq[i], joint_path_.ddq[i]);
-    };
-    const double h = s[j] - s[j - 1];
-    const double u = std::abs(now.s - s[j]) <= nanoseconds * now.speed ? 1 : (now.s - s[j - 1]) / h;
-    const ParameterRates a = rates(begin, j - 1), b = rates(end, j);
+    const double h = joint_path_.s[j] - joint_path_.s[j - 1];
+    const ParameterRates a = rates_of(begin, j - 1), b = rates_of(end, j);
     const Polynomial p = quintic_between(begin.fraction, end.fraction, h * a.first, h * b.first,
                                          h * h * a.second, h * h * b.second);
-    const Polynomial d = p.derivative();
-    const double first = d(u) / h, second = d.derivative()(u) / (h * h);
-    return {{end.index, u == 1 ? end.fraction : std::clamp(p(u), 0.0, 1.0)},
-            {first * now.speed, second * now.speed * now.speed + first * now.acceleration}};
+    return {end.index, u == 1 ? end.fraction : std::clamp(p(u), 0.0, 1.0)};
   }
 
-  /// Solves for the pose to rounding: third differences of samples at a high rate show the rest.
-  void put_on_path(const PathPlace& place, Configuration& q) const {
-    const Pose pose = pose_at(path_.segments[place.index], place.fraction);
-    const NumericalResult found = levenberg_marquardt(arm_, pose, task_, bounds_, q);
-    if (!found.converged) return;
-    q = found.q + pseudo_inverse(task_jacobian(arm_, found.q, task_)) *
-                      task_error(task_, pose, forward_kinematics(arm_, found.q));
+  double path_parameter(const Progress& now) const {
+    constexpr double nanoseconds = 2e-9;  // by which times have been rounded
+    const double rounding = nanoseconds * now.speed;
+    const auto& s = joint_path_.s;
+    const auto next = std::lower_bound(s.begin() + 1, s.end() - 1, now.s - rounding);
+    const auto j = static_cast<std::size_t>(next - s.begin());
+    const bool at_sample = std::abs(now.s - s[j]) <= rounding;
+    const PathPlace place = between(j, at_sample ? 1 : (now.s - s[j - 1]) / (s[j] - s[j - 1]));
+    return static_cast<double>(place.index) + place.fraction;
   }
 
-  /// Changes the joints' first derivative and, if given, the second as little as possible, so that
-  /// the tool has those of the path at these rates.
-  void follow(const PathPlace& place, const ParameterRates& rates, const Configuration& q,
-              Configuration& dq, Configuration* ddq) const {
-    const PoseMotion path = motion_along(path_.segments[place.index], place.fraction, rates);
+  /// Changes the joints' derivatives as little as possible, so that the tool has the path's tangent
+  /// and curvature.
+  void follow(const PathPlace& place, const Configuration& q, Configuration& dq,
+              Configuration& ddq) const {
+    PoseMotion tool = internal::tool_motion(arm_, q, dq, ddq);
+    const Segment& segment = path_.segments[place.index];
+    const PoseMotion path =
+        motion_along(segment, place.fraction, following(segment, place.fraction, task_, tool));
     const Eigen::MatrixXd inverse = pseudo_inverse(task_jacobian(arm_, q, task_));
-    const Configuration second = ddq ? *ddq : Configuration::Zero(arm_.dof());
-    PoseMotion tool = internal::tool_motion(arm_, q, dq, second);
     dq += inverse * rows(tool, path.velocity - tool.velocity);
-    if (ddq == nullptr) return;
-    tool = internal::tool_motion(arm_, q, dq, second);
-    *ddq += inverse * rows(tool, path.acceleration - tool.acceleration);
+    tool = internal::tool_motion(arm_, q, dq, ddq);
+    ddq += inverse * rows(tool, path.acceleration - tool.acceleration);
   }
 
   /// The task's rows of a twist in world axes.
@@ -172,18 +176,19 @@ class PathSamples {
   const Arm& arm_;
   const ToolPath& path_;
   const Task& task_;
-  const Section& exact_;
   Bounds bounds_;
+  Section samples_;
   JointPath joint_path_;
 };
 
 /// Appends the timed section, or sets the status and reason of `timed`.
 void append(TimedPlan& timed, const Arm& arm, const ToolPath& path, const Section& exact,
-            const Task& task, const RetimeOptions& options, double longest_gap) {
+            const Task& task, const Deviation& tolerance, const RetimeOptions& options,
+            double longest_gap) {
   if (exact.samples.size() > 1) {
     const Profile profile = options.profile.value_or(default_profile);
     check_options(options.tool_speed, options.rate);
-    const PathSamples samples(arm, path, task, exact);
+    const SectionPath samples(arm, path, task, exact, tolerance);
     const TimedPath motion =
         timed_path(arm, samples.joint_path(), profile, options.speed_scale, options.tool_speed);
     if (!motion.scaling.reason.empty()) {
@@ -201,7 +206,6 @@ void append(TimedPlan& timed, const Arm& arm, const ToolPath& path, const Sectio
       section.longest_gap /= static_cast<double>(exact.samples.size());
     }
     section.required = samples.segment_ends();
-    section.move = [&](SampledSection& moved) { samples.move(moved); };
     const SampledSection sampled = sample_section(arm, motion, section);
     internal::append(timed.trajectory, sampled.trajectory);
     const std::vector<double> path_parameters = samples.path_parameters(sampled);
@@ -214,7 +218,7 @@ void append(TimedPlan& timed, const Arm& arm, const ToolPath& path, const Sectio
 }  // namespace
 
 TimedPlan time_plan(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
-                    const RetimeOptions& options, double longest_gap) {
+                    const Deviation& tolerance, const RetimeOptions& options, double longest_gap) {
   TimedPlan timed{.trajectory = at_rest(arm, plan.start), .path_parameters = {0}};
   if (options.interpolation != Interpolation::quintic) timed.trajectory.accelerations.clear();
   if (options.interpolation == Interpolation::linear) timed.trajectory.velocities.clear();
@@ -222,7 +226,7 @@ TimedPlan time_plan(const Arm& arm, const Route& route, const Branch& plan, cons
   for (std::size_t i = 0; i < plan.segments.size(); ++i) {
     add(section, plan.segments[i], i);
     if (i + 1 < plan.segments.size() && !route.stops[i]) continue;
-    append(timed, arm, route.path, section, task, options, longest_gap);
+    append(timed, arm, route.path, section, task, tolerance, options, longest_gap);
     if (timed.status != MotionStatus::reached) {
       timed.reason = "up to the end of segment " + std::to_string(i + 1) + ": " + timed.reason;
       return timed;

@@ -13,10 +13,11 @@ struct TimedPlan {
 };
 
 /// Times a complete branch along the route's path from stop to stop (timing/internal/section.h).
-/// The samples are put onto the path at the nearest path parameter, with the path's velocity and
-/// acceleration. `longest_gap`: between two samples, as a fraction of a section's duration; of that
-/// with as many samples as the branch for linear joints, whose samples are at equal times.
+/// `tolerance`: the joint path through the branch's samples leaves the tool path by about so much
+/// at most. `longest_gap`: between two samples, as a fraction of a section's duration; of that with
+/// as many samples as the branch for linear joints, whose samples are at equal times.
 TimedPlan time_plan(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
-                    const RetimeOptions& options, double longest_gap = 1);
+                    const Deviation& tolerance, const RetimeOptions& options,
+                    double longest_gap = 1);
 
 }  // namespace beeline::internal

@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/timing/internal/joint_motion.h>
 #include <beeline/timing/internal/section.h>
+#include <beeline/timing/internal/section_limits.h>
+#include <beeline/timing/internal/uniform_section.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
-#include <beeline/trajectory/internal/limit_fraction.h>
-#include <beeline/trajectory/internal/tool_speed.h>
 
 namespace beeline::internal {
 namespace {
@@ -26,53 +27,8 @@ constexpr double shortest = 1.0 / 4096;  // interval between samples, of the dur
 // fraction of the largest.
 constexpr double large_jump = 0.1;
 
-constexpr int max_tries = 60;  // of numbers of periods
-
 // A slowdown leaves this for the rounding of times to nanoseconds.
 constexpr double rounding_margin = 2e-6;
-
-/// The motion of the joints along the path.
-class JointMotion {
- public:
-  JointMotion(const JointPath& path, const AveragedScaling& scaling)
-      : path_(path), scaling_(scaling) {}
-
-  const AveragedScaling& scaling() const { return scaling_; }
-
-  struct State {
-    Configuration q, v, a;
-    Progress progress;
-  };
-
-  State at(double t) const { return at(scaling_.at(t)); }
-
-  State at(const Progress& now) const {
-    const auto next = std::upper_bound(path_.s.begin() + 1, path_.s.end() - 1, now.s);
-    const auto step = static_cast<std::size_t>(next - path_.s.begin()) - 1;
-    PathPoint point = point_at(step, now.s);
-    return {std::move(point.q), now.speed * point.dq,
-            now.acceleration * point.dq + now.speed * now.speed * point.ddq, now};
-  }
-
- private:
-  /// Grid points are returned exactly.
-  PathPoint point_at(std::size_t step, double s) const {
-    for (const std::size_t k : {step, step + 1}) {
-      if (path_.s[k] == s) return {path_.q[k], path_.dq[k], path_.ddq[k], {}};
-    }
-    const double u = (s - path_.s[step]) / (path_.s[step + 1] - path_.s[step]);
-    return path_point(path_, step, std::clamp(u, 0.0, 1.0));
-  }
-
-  const JointPath& path_;
-  const AveragedScaling& scaling_;
-};
-
-/// A sample of the motion: its time and state.
-struct Sample {
-  double t;
-  JointMotion::State state;
-};
 
 class Refinement {
  public:
@@ -125,22 +81,6 @@ class Refinement {
   const SectionOptions& options_;
 };
 
-/// The samples with the columns of the interpolation.
-SampledSection with_columns(const Arm& arm, const std::vector<Sample>& samples,
-                            Interpolation interpolation) {
-  SampledSection section;
-  Trajectory& trajectory = section.trajectory;
-  trajectory.joint_names = arm.joint_names();
-  for (const Sample& sample : samples) {
-    trajectory.times.push_back(sample.t);
-    trajectory.positions.push_back(sample.state.q);
-    if (interpolation != Interpolation::linear) trajectory.velocities.push_back(sample.state.v);
-    if (interpolation == Interpolation::quintic) trajectory.accelerations.push_back(sample.state.a);
-    section.progress.push_back(sample.state.progress);
-  }
-  return section;
-}
-
 /// The samples whatever the interpolation needs: the ends, the kinks of the acceleration or, for
 /// linear joints, times without longer gaps, and the required ones, whose s is exact.
 std::vector<Sample> first_samples(const JointMotion& motion, const TimeScaling& given,
@@ -179,37 +119,12 @@ std::vector<Sample> first_samples(const JointMotion& motion, const TimeScaling& 
   return samples;
 }
 
-/// The limits that the samples keep: known ones, and assumed ones, but for the jerk of a profile
-/// that does not keep it.
-std::vector<Limits> kept_limits(const Arm& arm, const SectionOptions& options) {
-  std::vector<Limits> kept;
-  for (const Limits& known : arm.limits()) {
-    kept.push_back(motion_limits(known));
-    if (!options.keep_jerk) kept.back().jerk = known.jerk;
-  }
-  return kept;
-}
-
-/// The factor by which the samples must be slowed down.
-double needed_slowdown(const Arm& arm, const Trajectory& trajectory,
-                       const SectionOptions& options) {
-  const std::vector<Limits> limits = kept_limits(arm, options);
-  const auto usage = [&](int order) { return limit_fraction(limits, trajectory, order).fraction; };
-  const double joints = slowdown(usage(1), usage(2), usage(3));
-  double tool = 0;
-  if (options.tool_speed < Limits::none) {
-    tool = tool_speed_bound(arm, trajectory) / options.tool_speed;
-  }
-  return std::max(joints / options.speed_scale, tool);
-}
-
 /// Slows the samples down by k, and moves them to whole nanoseconds along their motion.
 void slow_down_in_nanoseconds(SampledSection& section, double slower) {
-  constexpr double nanosecond = 1e-9;
   Trajectory& trajectory = section.trajectory;
   slow_down(trajectory, slower);
   for (std::size_t k = 1; k < trajectory.size(); ++k) {
-    const double rounded = std::round(trajectory.times[k] / nanosecond) * nanosecond;
+    const double rounded = in_nanoseconds(trajectory.times[k]);
     const double dt = rounded - trajectory.times[k];
     trajectory.times[k] = rounded;
     if (k + 1 < trajectory.size()) section.progress[k].s += dt * section.progress[k].speed / slower;
@@ -236,22 +151,30 @@ SampledSection refined_samples(const Arm& arm, const TimedPath& section,
     }
     samples = std::move(refined);
   }
-  SampledSection result = with_columns(arm, samples, options.interpolation);
-  if (options.move) options.move(result);
-  return result;
+  return with_columns(arm, samples, options.interpolation);
 }
 
-SampledSection without_rate(const Arm& arm, const TimedPath& section, const SectionOptions& options,
-                            bool jumps) {
-  double width = jumps ? ramp * section.scaling.duration() : 0;
+/// Whether samples would need an acceleration that jumps.
+bool has_jumps(const TimedPath& section, const SectionOptions& options) {
+  return !section.scaling.smooth && options.interpolation != Interpolation::linear;
+}
+
+double ramp_width(const TimedPath& section, const SectionOptions& options) {
+  return has_jumps(section, options) ? ramp * section.scaling.duration() : 0;
+}
+
+SampledSection without_rate(const Arm& arm, const TimedPath& section,
+                            const SectionOptions& options) {
+  const bool jumps = has_jumps(section, options);
+  double width = ramp_width(section, options);
   SampledSection result = refined_samples(arm, section, options, width);
-  double factor = std::max(1.0, needed_slowdown(arm, result.trajectory, options));
+  double factor = std::max(1.0, needed_slowdown(arm, result.trajectory, options).both());
   // Wider ramps where their jerk exceeds a limit, as long as they cost less than the slowdown.
   for (int attempt = 0; attempt < max_widenings && jumps && factor > worth_widening; ++attempt) {
     const double wider = width * factor * factor * factor;
     if (wider > widest_ramp * section.scaling.duration()) break;
     SampledSection tried = refined_samples(arm, section, options, wider);
-    const double needed = std::max(1.0, needed_slowdown(arm, tried.trajectory, options));
+    const double needed = std::max(1.0, needed_slowdown(arm, tried.trajectory, options).both());
     if (!(needed * tried.trajectory.times.back() < factor * result.trajectory.times.back())) break;
     width = wider;
     factor = needed;
@@ -262,73 +185,44 @@ SampledSection without_rate(const Arm& arm, const TimedPath& section, const Sect
        margin *= 4) {  // rounding is nearly always below the first
     result = exact;
     slow_down_in_nanoseconds(result, factor * (1 + margin));
-    if (!(needed_slowdown(arm, result.trajectory, options) > 1)) return result;
+    if (!(needed_slowdown(arm, result.trajectory, options).both() > 1)) return result;
   }
 }
 
-/// Throws Error for a rate with too few periods in a section, or too many.
-void check_rate(double rate, double duration) {
-  constexpr double min_periods = 1, max_periods = 1e6;  // some 300 MB for seven joints
-  if (rate * duration > max_periods) {
-    throw Error(number(rate) + " samples a second make more than " + number(max_periods) + " in " +
-                number(duration) + " s");
-  }
-  if (rate * duration < min_periods) {
-    constexpr double up = 1 + 1e-5;  // number() rounds to six digits
-    throw Error(number(rate) + " samples a second leave fewer than " + number(min_periods) +
-                " period in a motion of " + number(duration) + " s; the rate must be at least " +
-                number(up * min_periods / duration));
-  }
+/// Samples slowed down as a whole.
+SampledSection slowed(const Arm& arm, const TimedPath& section, const SectionOptions& options) {
+  return options.rate > 0 ? uniform_section(arm, section, options)
+                          : without_rate(arm, section, options);
 }
 
-/// Samples at the rate of the motion slowed down to `periods`; its ramps take `width` of them.
-SampledSection at_rate(const Arm& arm, const TimedPath& section, const SectionOptions& options,
-                       double periods, double width) {
-  const double slower = (periods - width) / options.rate / section.scaling.duration();
-  const AveragedScaling scaling(section.scaling, width / options.rate / slower);
-  const JointMotion motion(section.path, scaling);
-  std::vector<Sample> samples;
-  for (double k = 0; k <= periods; ++k) {
-    const double t = k == periods ? scaling.duration() : k / options.rate / slower;
-    samples.push_back({k / options.rate, motion.at(t)});
-    JointMotion::State& state = samples.back().state;
-    state.v /= slower;
-    state.a /= slower * slower;
-    state.progress.speed /= slower;
-    state.progress.acceleration /= slower * slower;
-  }
-  SampledSection result = with_columns(arm, samples, options.interpolation);
-  if (options.move) options.move(result);
-  return result;
+/// Samples that exceed limits where the interpolation or the path between grid points does.
+SampledSection unslowed(const Arm& arm, const TimedPath& section, const SectionOptions& options) {
+  return options.rate > 0 ? shortest_uniform_section(arm, section, options)
+                          : refined_samples(arm, section, options, ramp_width(section, options));
 }
 
 }  // namespace
 
-SampledSection sample_section(const Arm& arm, const TimedPath& section,
+SampledSection sample_section(const Arm& arm, const TimedPath& given,
                               const SectionOptions& options) {
-  const bool jumps = !section.scaling.smooth && options.interpolation != Interpolation::linear;
-  if (!(options.rate > 0)) return without_rate(arm, section, options, jumps);
-  check_rate(options.rate, section.scaling.duration());
-  // Wider ramps take longer, and need less of a slowdown, as they extend over more samples.
-  constexpr double narrowest = 0.5, widest = 2;  // periods
-  const double fastest = section.scaling.duration() * options.rate;
-  double periods = std::max(1.0, std::ceil(fastest + (jumps ? narrowest : -1e-6)));
-  for (int tries = 0; tries < max_tries; ++tries) {
-    double least = Limits::none;
-    for (const double width : {std::min(periods - fastest, widest), 1.0, 0.0}) {
-      if (width > periods - fastest || (width < narrowest && jumps)) continue;
-      SampledSection tried = at_rate(arm, section, options, periods, std::max(0.0, width));
-      const double factor = needed_slowdown(arm, tried.trajectory, options);
-      if (!(factor > 1)) return tried;
-      least = std::min(least, factor);
-    }
-    // Most of the slowdown at once: the excess is at few samples, and others are the worst later.
-    constexpr double at_once = 0.7;
-    const double excess = std::min(least - 1, 1e3);
-    periods = std::max(periods + 1, std::floor(periods * (1 + at_once * excess)));
+  SampledSection best = slowed(arm, given, options);
+  const bool any_form = given.profile == Profile::fastest || given.profile == Profile::jerk;
+  if (!any_form || options.interpolation == Interpolation::linear) return best;
+  // Where few places need a slowdown, only they get it.
+  constexpr int max_rounds = 6;
+  constexpr double worthwhile = 1.006, periods = 2;
+  const double period = options.rate > 0 ? 1 / options.rate : 0;
+  TimedPath section = given;
+  for (int round = 0; round < max_rounds; ++round) {
+    const double duration = best.trajectory.times.back();
+    if (duration <= worthwhile * given.scaling.duration() + periods * period) return best;
+    if (!lower_speed_limits(arm, unslowed(arm, section, options), options, section)) return best;
+    section.scaling = time_scaling(section.path, section.limits, section.profile);
+    if (!section.scaling) return best;
+    SampledSection tried = slowed(arm, section, options);
+    if (tried.trajectory.times.back() < duration) best = std::move(tried);
   }
-  throw Error("no samples were found that keep the limits at " + number(options.rate) +
-              " samples a second; try another rate");
+  return best;
 }
 
 }  // namespace beeline::internal

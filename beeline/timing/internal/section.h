@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -16,10 +15,6 @@ struct SampledSection {
   std::vector<Progress> progress;  ///< along the joint path
 };
 
-/// Changes positions, velocities and accelerations of samples, such as to put them onto a tool
-/// path.
-using MoveSamples = std::function<void(SampledSection&)>;
-
 struct SectionOptions {
   Interpolation interpolation = Interpolation::quintic;
   bool keep_jerk = true;
@@ -29,7 +24,6 @@ struct SectionOptions {
   std::vector<double> required = {};  ///< path parameters that get a sample, without a rate
   /// Without a rate, the longest time between two samples, as a fraction of the duration.
   double longest_gap = 1;
-  MoveSamples move = {};
 };
 
 /// Returns the samples of a section, slowed down until the motion that they mean is within the

@@ -52,7 +52,7 @@ void check_options(double tool_speed, double rate) {
   }
   if (!(rate >= 0) || !std::isfinite(rate)) {
     throw Error("the rate must be above zero, or 0 for the samples of the path, not " +
-                number(rate) + " samples a second");
+                number(rate) + " samples per second");
   }
 }
 
@@ -62,9 +62,10 @@ TimedPath timed_path(const Arm& arm, const JointPath& path, Profile profile, dou
   section.path = refined(path);
   section.scaling.reason = outside(arm, path, section.path);
   if (!section.scaling.reason.empty()) return section;
-  PathLimits limits = path_limits(arm, speed_scale);
-  limits.speed = path_speeds(arm, section.path, tool_speed);
-  section.scaling = time_scaling(section.path, limits, profile);
+  section.profile = profile;
+  section.limits = path_limits(arm, speed_scale);
+  section.limits.speed = path_speeds(arm, section.path, tool_speed);
+  section.scaling = time_scaling(section.path, section.limits, profile);
   return section;
 }
 

@@ -10,6 +10,8 @@ namespace beeline::internal {
 /// A path with its time scaling. The points of the scaling include the grid points of the path.
 struct TimedPath {
   JointPath path;
+  Profile profile = default_profile;
+  PathLimits limits;
   TimeScaling scaling;
 };
 

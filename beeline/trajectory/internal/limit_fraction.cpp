@@ -46,4 +46,20 @@ CoordinateFraction limit_fraction(std::span<const Limits> limits, const Trajecto
   return largest;
 }
 
+std::vector<double> limit_fractions(std::span<const Limits> limits, const Trajectory& trajectory,
+                                    int order) {
+  std::vector<double> fractions(trajectory.size() - 1, 0.0);
+  if (order > bounded_order(trajectory.interpolation())) return fractions;
+  for (std::size_t k = 0; k < fractions.size(); ++k) {
+    CoordinateFraction largest;
+    for (std::size_t i = 0; i < limits.size(); ++i) {
+      const double limit = limit_of(limits[i], order);
+      if (!(limit < Limits::none)) continue;
+      take_interval(largest, trajectory, k, static_cast<int>(i), order, limit);
+    }
+    fractions[k] = largest.fraction;
+  }
+  return fractions;
+}
+
 }  // namespace beeline::internal

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include <beeline/trajectory/trajectory.h>
 
@@ -18,5 +19,10 @@ struct CoordinateFraction {
 /// column of the trajectory; infinite ones count as not used.
 CoordinateFraction limit_fraction(std::span<const Limits> limits, const Trajectory& trajectory,
                                   int order);
+
+/// The largest fraction of the limits of that order between each two samples; 0 for an order that
+/// the interpolation does not bound.
+std::vector<double> limit_fractions(std::span<const Limits> limits, const Trajectory& trajectory,
+                                    int order);
 
 }  // namespace beeline::internal
