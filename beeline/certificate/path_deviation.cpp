@@ -30,13 +30,15 @@ PathDeviation path_deviation(const Arm& arm, const Trajectory& trajectory,
   }
   result.measured = result.sampled;
   for (std::size_t k = 1; k < trajectory.size(); ++k) {
+    result.interval_bounds.emplace_back();
     for (const PathInterval& part : path_intervals(arm, trajectory, k - 1, path, task,
                                                    path_parameters[k - 1], path_parameters[k])) {
       const IntervalDeviation here = interval_deviation(arm, path.segments[part.segment], task,
                                                         part.interval, result.measured);
       grow(result.measured, here.measured);
-      grow(result.bound, here.bound);
+      grow(result.interval_bounds.back(), here.bound);
     }
+    grow(result.bound, result.interval_bounds.back());
   }
   grow(result.bound, result.measured);
   return result;

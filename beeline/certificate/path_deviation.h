@@ -15,6 +15,7 @@ struct PathDeviation {
   Deviation sampled;   ///< largest deviation at the samples
   Deviation measured;  ///< largest deviation at the samples and at some times between them
   Deviation bound;     ///< proved upper bound at all times
+  std::vector<Deviation> interval_bounds;  ///< proved from sample k to the next
 };
 
 /// Measures and bounds the deviation of a trajectory, whose columns are in the arm's order, from

@@ -94,8 +94,29 @@ void prove(const Arm& arm, const Route& route, const Task& task, const PathMotio
   }
 }
 
+/// How often each interval between samples is to be divided for its deviation to be proved: the
+/// bound falls with the second power of the number for linear joints, with the sixth or the fourth
+/// for others. Empty if that would exceed max_samples.
+std::vector<int> divisions(const PathDeviation& deviation, const PathMotionOptions& options) {
+  constexpr double most = 8;  // at once
+  const double power = options.interpolation == Interpolation::linear ? 0.5 : 0.25;
+  std::vector<int> times;
+  int all = 0;
+  for (const Deviation& bound : deviation.interval_bounds) {
+    const double excess = std::max(bound.position / options.tolerance,
+                                   bound.orientation / options.orientation_tolerance);
+    times.push_back(
+        excess <= 1 ? 1
+                    : static_cast<int>(std::ceil(std::min(most, 1.01 * std::pow(excess, power)))));
+    if (times.back() < 2 && excess > 1) times.back() = 2;
+    all += times.back();
+  }
+  if (all >= options.max_samples) times.clear();
+  return times;
+}
+
 /// Returns a branch as a motion with times and its proof, or the reason why there is none. Without
-/// a rate, takes samples closer together until the motion is proved.
+/// a rate, takes samples closer together where the motion is not proved.
 PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
                  const PathMotionOptions& options) {
   PathMotion motion;
@@ -104,22 +125,21 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
   if (!plan) return motion;
   motion.limit_margin = plan.limit_margin;
   motion.inverse_condition = plan.inverse_condition;
-  constexpr std::array<double, 4> linear_gaps{1, 1.0 / 2, 1.0 / 4, 1.0 / 8};
-  constexpr std::array<double, 4> smooth_gaps{1, 1.0 / 32, 1.0 / 128, 1.0 / 512};
-  const bool linear = options.interpolation == Interpolation::linear;
-  for (const double longest_gap : linear ? linear_gaps : smooth_gaps) {
-    TimedPlan timed =
-        time_plan(arm, route, plan, task, part_of_tolerance(options, interpolated_fraction),
-                  {.profile = options.profile,
-                   .interpolation = options.interpolation,
-                   .tool_speed = options.tool_speed,
-                   .rate = options.rate},
-                  longest_gap);
-    motion.status = timed.status;
-    motion.reason = timed.reason;
+  PlanTiming timing(arm, route, plan, task, part_of_tolerance(options, interpolated_fraction),
+                    {.profile = options.profile,
+                     .interpolation = options.interpolation,
+                     .tool_speed = options.tool_speed,
+                     .rate = options.rate});
+  motion.status = timing.status;
+  motion.reason = timing.reason;
+  if (!motion) return motion;
+  constexpr int max_rounds = 12;
+  for (int round = 0; round < max_rounds; ++round) {
+    motion.status = MotionStatus::reached;
+    motion.reason.clear();
+    TimedPlan timed = timing.sample();
     motion.trajectory = std::move(timed.trajectory);
     motion.path_parameters = std::move(timed.path_parameters);
-    if (!motion) return motion;
     const auto fault = first_joint_fault(arm, motion.trajectory);
     if (fault && fault->kind == Fault::limits) {
       motion.status = MotionStatus::outside_limits;
@@ -128,6 +148,9 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
     }
     prove(arm, route, task, options, motion);
     if (motion || options.rate > 0) break;
+    const std::vector<int> times = divisions(motion.deviation, options);
+    if (times.empty()) break;
+    timing.divide(times);
   }
   return motion;
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double repeated = 1e-12;     // radians or metres; nearer positions count as equal
 constexpr double rest_speed = 1e-9;    // relative to the largest velocity; slower is rest
-constexpr double longest_gap = 0.005;  // of a part's duration, between samples of linear joints
+constexpr int linear_samples = 200;  // of a part, where joints move linearly between them
 
 /// Returns the positions of each part of the path. A stop ends one part and begins the next.
 std::vector<std::vector<Configuration>> parts_between_stops(const Trajectory& trajectory) {
@@ -34,6 +34,15 @@ std::vector<std::vector<Configuration>> parts_between_stops(const Trajectory& tr
            trajectory.velocities[k].lpNorm<Eigen::Infinity>() <= rest_speed * largest;
   }
   return all;
+}
+
+/// The path parameters that get a sample: the positions, and for linear joints more.
+std::vector<double> required_samples(const std::vector<Configuration>& positions, bool linear) {
+  std::vector<double> s = chord_length(positions);
+  const double length = s.back();
+  for (int i = 1; linear && i < linear_samples; ++i) s.push_back(length * i / linear_samples);
+  std::sort(s.begin(), s.end());
+  return s;
 }
 
 }  // namespace
@@ -64,8 +73,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
                                            .speed_scale = options.speed_scale,
                                            .tool_speed = options.tool_speed,
                                            .rate = options.rate,
-                                           .required = chord_length(samples),
-                                           .longest_gap = linear ? longest_gap : 1};
+                                           .required = required_samples(samples, linear)};
     const internal::TimedPath path =
         internal::timed_path(arm, joint_spline(samples, chord_length(samples)), timed.profile,
                              options.speed_scale, options.tool_speed);

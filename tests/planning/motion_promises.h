@@ -106,7 +106,7 @@ inline void expect_straight(const Arm& arm, const Configuration& start,
       for (int i = 0; i < dense && moves; ++i) {
         const Pose pose = forward_kinematics(arm, motion_between(trajectory, k, double(i) / dense));
         const Deviation off = off_segment(line, pose);
-        const Deviation& most = i == 0 ? Deviation{1e-9, 1e-8} : motion.deviation.bound;
+        const Deviation& most = i == 0 ? motion.deviation.sampled : motion.deviation.bound;
         ASSERT_LE(off.position, most.position + 1e-12) << "sample " << k << " + " << i;
         ASSERT_LE(off.orientation, most.orientation + 1e-12) << "sample " << k << " + " << i;
       }

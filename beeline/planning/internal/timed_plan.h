@@ -1,23 +1,55 @@
 #pragma once
 
-#include <beeline/planning/branch.h>
+#include <deque>
+
+#include <beeline/planning/internal/section_path.h>
+#include <beeline/timing/internal/section.h>
 #include <beeline/timing/retime.h>
 
 namespace beeline::internal {
 
 struct TimedPlan {
-  MotionStatus status = MotionStatus::reached;
-  std::string reason = {};                   ///< unless reached
   Trajectory trajectory = {};                ///< from rest to rest
   std::vector<double> path_parameters = {};  ///< of each sample
 };
 
-/// Times a complete branch along the route's path from stop to stop (timing/internal/section.h).
-/// `tolerance`: the joint path through the branch's samples leaves the tool path by about so much
-/// at most. `longest_gap`: between two samples, as a fraction of a section's duration; of that with
-/// as many samples as the branch for linear joints, whose samples are at equal times.
-TimedPlan time_plan(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
-                    const Deviation& tolerance, const RetimeOptions& options,
-                    double longest_gap = 1);
+/// The timing of a complete branch along the route's path from stop to stop
+/// (timing/internal/section.h).
+class PlanTiming {
+ public:
+  /// `tolerance`: the joint path through the branch's samples leaves the tool path by about so much
+  /// at most. Keeps references to the arm, the route and the task.
+  PlanTiming(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
+             const Deviation& tolerance, const RetimeOptions& options);
+
+  MotionStatus status = MotionStatus::reached;
+  std::string reason = {};  ///< unless reached
+
+  /// Returns the samples.
+  TimedPlan sample();
+
+  /// From now on there are `times` as many samples between sample k and the next, if `times[k]` is
+  /// above 1. For samples without a rate.
+  void divide(const std::vector<int>& times);
+
+ private:
+  struct Section {
+    SectionPath path;
+    TimedPath timed;
+    std::vector<double> required;  ///< parameters of the joint path that get a sample
+    double end = 0;                ///< the path parameter, after segments at rest too
+    std::vector<double> sampled;   ///< parameters of the last samples
+  };
+
+  void add(BranchSection samples, const Deviation& tolerance);
+
+  const Arm& arm_;
+  const Route& route_;
+  const Task& task_;
+  RetimeOptions options_;
+  Configuration start_;
+  double start_parameter_ = 0;
+  std::deque<Section> sections_;
+};
 
 }  // namespace beeline::internal

@@ -91,7 +91,7 @@ std::vector<Sample> first_samples(const JointMotion& motion, const TimeScaling& 
                                                   {duration, scaling.at(duration)}};
   const auto add = [&](double t) { points.emplace_back(t, scaling.at(t)); };
   const bool linear = options.interpolation == Interpolation::linear;
-  const double gaps = std::max(linear ? 1.0 : first_intervals, std::ceil(1 / options.longest_gap));
+  const double gaps = linear ? 1 : first_intervals;
   for (double i = 1; i < gaps; ++i) add(duration * i / gaps);
   if (!linear) {
     for (const double t : scaling.kinks(large_jump)) add(t);

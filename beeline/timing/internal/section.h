@@ -22,8 +22,6 @@ struct SectionOptions {
   double tool_speed = Limits::none;   ///< metres per second
   double rate = 0;                    ///< see RetimeOptions
   std::vector<double> required = {};  ///< path parameters that get a sample, without a rate
-  /// Without a rate, the longest time between two samples, as a fraction of the duration.
-  double longest_gap = 1;
 };
 
 /// Returns the samples of a section, slowed down until the motion that they mean is within the
