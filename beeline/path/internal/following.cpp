@@ -34,9 +34,22 @@ ParameterRates following(const Segment& segment, double s, const Task& task,
   const Twist along = rows(path.velocity);
   const double square = along.squaredNorm();
   if (!(square > at_rest)) return {};
-  const double first = along.dot(rows(tool.velocity)) / square;
-  const Twist rest = tool.acceleration - first * first * path.acceleration;
-  return {first, along.dot(rows(rest)) / square};
+  const PoseMotion still{path.pose, Twist::Zero(), Twist::Zero()};
+  const double first = along.dot(rows(error_rates(task, tool, still).first)) / square;
+  const ErrorRates error = error_rates(task, tool, motion_along(segment, s, {first, 0}));
+  return {first, along.dot(rows(error.second)) / square};
+}
+
+ErrorRates error_rates(const Task& task, const PoseMotion& tool, const PoseMotion& path) {
+  ErrorRates error{tool.velocity - path.velocity, tool.acceleration - path.acceleration};
+  if (task.frame != Frame::tool) return error;
+  const Vector3 w = tool.velocity.tail<3>(), alpha = tool.acceleration.tail<3>();
+  const Vector3 offset = tool.pose.translation() - path.pose.translation();
+  error.first.head<3>() -= w.cross(offset);
+  error.second.head<3>() -=
+      alpha.cross(offset) + w.cross(w.cross(offset)) + 2 * w.cross(Vector3(error.first.head<3>()));
+  error.second.tail<3>() -= w.cross(Vector3(error.first.tail<3>()));
+  return error;
 }
 
 PoseMotion motion_along(const Segment& segment, double s, const ParameterRates& rates) {

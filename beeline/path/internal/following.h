@@ -17,6 +17,15 @@ struct ParameterRates {
 ParameterRates following(const Segment& segment, double s, const Task& task,
                          const PoseMotion& tool);
 
+/// The difference of the tool's motion from that of the path, whose rows of a task are the first
+/// and second derivative of the rows of the tool's error; in world axes. Rows in tool axes rotate
+/// with the tool: they hold the point of the tool at the path's origin, and motion in free rows has
+/// Coriolis terms.
+struct ErrorRates {
+  Twist first, second;
+};
+ErrorRates error_rates(const Task& task, const PoseMotion& tool, const PoseMotion& path);
+
 /// The motion of the segment's pose at s, with respect to the variable of these rates of s.
 PoseMotion motion_along(const Segment& segment, double s, const ParameterRates& rates);
 

@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/certificate/internal/path_step.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/internal/tool_motion.h>
+#include <beeline/kinematics/jacobian.h>
+#include <beeline/math/minimum_norm.h>
+#include <beeline/math/polynomial.h>
+#include <beeline/path/internal/nearest_on_line.h>
+#include <beeline/planning/internal/section_path.h>
+
+namespace beeline::internal {
+
+SectionPath::SectionPath(const Arm& arm, const ToolPath& path, const Task& task,
+                         BranchSection samples, const Deviation& tolerance)
+    : arm_(arm), path_(path), task_(task), bounds_(bounds_of(arm)), samples_(std::move(samples)) {
+  // Tasks with one orientation row, whose error is no linear function of the angular velocity, may
+  // need very many; the proof decides whether these are enough.
+  constexpr std::size_t max_samples = 1024;
+  const std::size_t given = samples_.samples.size();
+  interpolate();
+  while (samples_.samples.size() < std::max(max_samples, 2 * given) && add_samples(tolerance)) {
+    interpolate();
+  }
+}
+
+/// The spline through the samples, with the derivatives of the tool path there.
+void SectionPath::interpolate() {
+  joint_path_ = joint_spline(samples_.samples, chord_length(samples_.samples));
+  const auto& parameters = samples_.path_parameters;
+  for (std::size_t k = 0; k < joint_path_.size(); ++k) {
+    follow(k, at(parameters[k], parameters[std::max<std::size_t>(k, 1)]));
+  }
+}
+
+/// The tool's deviation from the path at fraction u from sample k - 1 to k.
+Deviation SectionPath::deviation(std::size_t k, double u) const {
+  const PathPlace place = between(k, u);
+  const Pose pose = forward_kinematics(arm_, path_point(joint_path_, k - 1, u).q);
+  return deviation_from(path_.segments[place.index], place.fraction, pose, task_);
+}
+
+/// Adds one half-way between any two between which the tool is off the path; returns whether
+/// there were any.
+bool SectionPath::add_samples(const Deviation& tolerance) {
+  BranchSection refined{{samples_.samples.front()}, {samples_.path_parameters.front()}};
+  for (std::size_t k = 1; k < samples_.samples.size(); ++k) {
+    const auto off = [&](double u) { return !within(deviation(k, u), tolerance); };
+    const bool back = moves_back(k);
+    if (back || off(0.5) || off(0.2) || off(0.8)) {
+      PathPlace place = between(k, 0.5);
+      if (back) {
+        const double a = samples_.path_parameters[k - 1], b = samples_.path_parameters[k];
+        place = at(0.5 * (a + b), b);
+      }
+      const NumericalResult exact =
+          levenberg_marquardt(arm_, pose_at(path_.segments[place.index], place.fraction), task_,
+                              bounds_, path_point(joint_path_, k - 1, 0.5).q);
+      if (exact.converged) {
+        refined.samples.push_back(exact.q);
+        refined.path_parameters.push_back(static_cast<double>(place.index) + place.fraction);
+      }
+    }
+    refined.samples.push_back(samples_.samples[k]);
+    refined.path_parameters.push_back(samples_.path_parameters[k]);
+  }
+  const bool added = refined.samples.size() > samples_.samples.size();
+  samples_ = std::move(refined);
+  return added;
+}
+
+/// The path parameter s on the segment on which `end` is.
+SectionPath::PathPlace SectionPath::at(double s, double end) const {
+  const std::size_t i = segment_at(path_, end);
+  return {i, std::clamp(s - static_cast<double>(i), 0.0, 1.0)};
+}
+
+ParameterRates SectionPath::rates_of(const PathPlace& place, std::size_t k) const {
+  return following(
+      path_.segments[place.index], place.fraction, task_,
+      internal::tool_motion(arm_, joint_path_.q[k], joint_path_.dq[k], joint_path_.ddq[k]));
+}
+
+/// The segment parameter from sample j - 1 to j: the quintic with the rates at which the tool
+/// follows the path at both.
+Polynomial SectionPath::segment_parameter(std::size_t j) const {
+  const auto& parameters = samples_.path_parameters;
+  const PathPlace begin = at(parameters[j - 1], parameters[j]);
+  const PathPlace end = at(parameters[j], parameters[j]);
+  const double h = joint_path_.s[j] - joint_path_.s[j - 1];
+  const ParameterRates a = rates_of(begin, j - 1), b = rates_of(end, j);
+  return quintic_between(begin.fraction, end.fraction, h * a.first, h * b.first, h * h * a.second,
+                         h * h * b.second);
+}
+
+/// The point of the tool path at fraction u from sample j - 1 to j.
+SectionPath::PathPlace SectionPath::between(std::size_t j, double u) const {
+  const auto& parameters = samples_.path_parameters;
+  const std::size_t i = at(parameters[j], parameters[j]).index;
+  return {i, std::clamp(segment_parameter(j)(u), 0.0, 1.0)};
+}
+
+/// Whether the tool moves backwards on the path between samples j - 1 and j.
+bool SectionPath::moves_back(std::size_t j) const {
+  const Polynomial p = segment_parameter(j);
+  constexpr int scan = 16;
+  const double rounding = 1e-3 * std::abs(p(1) - p(0));
+  for (int i = 1; i <= scan; ++i) {
+    if (p(static_cast<double>(i) / scan) < p(static_cast<double>(i - 1) / scan) - rounding)
+      return true;
+  }
+  return false;
+}
+
+double SectionPath::path_parameter(const Configuration& q, double s, double rounding) const {
+  const auto& grid = joint_path_.s;
+  const auto next = std::lower_bound(grid.begin() + 1, grid.end() - 1, s - rounding);
+  const auto j = static_cast<std::size_t>(next - grid.begin());
+  if (std::abs(s - grid[j]) <= rounding) return samples_.path_parameters[j];
+  PathPlace place = between(j, (s - grid[j - 1]) / (grid[j] - grid[j - 1]));
+  if (const auto* line = std::get_if<Line>(&path_.segments[place.index])) {
+    // The polynomial between two samples is no measure near a singularity.
+    place.fraction = nearest_fraction(*line, forward_kinematics(arm_, q), task_);
+  }
+  return static_cast<double>(place.index) + place.fraction;
+}
+
+std::vector<double> SectionPath::segment_ends() const {
+  std::vector<double> ends;
+  for (std::size_t k = 1; k + 1 < joint_path_.size(); ++k) {
+    const double s = samples_.path_parameters[k];
+    if (s == std::floor(s)) ends.push_back(joint_path_.s[k]);
+  }
+  return ends;
+}
+
+namespace {
+
+/// The rows of a task, in the axes of its frame, of a twist in world axes.
+Eigen::VectorXd in_task_rows(const Task& task, const Rotation& world_R_tool, Twist twist) {
+  if (task.frame == Frame::tool) {
+    twist << world_R_tool.transpose() * twist.head<3>(), world_R_tool.transpose() * twist.tail<3>();
+  }
+  return task_rows(task, twist);
+}
+
+}  // namespace
+
+/// Changes the derivatives at sample k as little as possible, so that the tool has the path's
+/// tangent and curvature in the task's rows. Near a singularity, where that is much, they stay
+/// those of the spline.
+void SectionPath::follow(std::size_t k, const PathPlace& place) {
+  const Configuration& q = joint_path_.q[k];
+  Configuration &dq = joint_path_.dq[k], &ddq = joint_path_.ddq[k];
+  const Segment& segment = path_.segments[place.index];
+  const PoseMotion tool = internal::tool_motion(arm_, q, dq, ddq);
+  ParameterRates rates = following(segment, place.fraction, task_, tool);
+  rates.first = std::max(rates.first, 0.0);  // not backwards
+  const PoseMotion path = motion_along(segment, place.fraction, rates);
+  Vector3 offset = Vector3::Zero();
+  if (task_.frame == Frame::tool) offset = tool.pose.translation() - path.pose.translation();
+  Jacobian columns = jacobian(arm_, q);
+  Eigen::MatrixXd equations(task_.size(), arm_.dof());
+  for (int i = 0; i < arm_.dof(); ++i) {
+    columns.col(i).head<3>() += offset.cross(Vector3(columns.col(i).tail<3>()));
+    equations.col(i) = in_task_rows(task_, tool.pose.linear(), columns.col(i));
+  }
+  const Eigen::MatrixXd inverse = pseudo_inverse(equations);
+  const auto correction = [&](const Twist& error) -> Configuration {
+    return -inverse * in_task_rows(task_, tool.pose.linear(), error);
+  };
+  const Configuration first = correction(error_rates(task_, tool, path).first);
+  if (!(first.norm() <= 0.5 * dq.norm())) return;
+  dq += first;
+  const PoseMotion along = internal::tool_motion(arm_, q, dq, ddq);
+  const Configuration second = correction(error_rates(task_, along, path).second);
+  const double step = k == 0 ? joint_path_.s[1] : joint_path_.s[k] - joint_path_.s[k - 1];
+  if (second.norm() <= ddq.norm() + dq.norm() / step) ddq += second;
+}
+
+}  // namespace beeline::internal

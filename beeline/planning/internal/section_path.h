@@ -1,0 +1,63 @@
+#pragma once
+
+#include <vector>
+
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
+#include <beeline/math/polynomial.h>
+#include <beeline/path/internal/following.h>
+#include <beeline/path/joint_path.h>
+#include <beeline/path/tool_path.h>
+#include <beeline/planning/branch.h>
+
+namespace beeline::internal {
+
+/// Samples of a branch from one stop to the next, and their path parameters.
+struct BranchSection {
+  std::vector<Configuration> samples;
+  std::vector<double> path_parameters;
+};
+
+/// The joint path of a section: quintics between samples of the branch, at which the tool has the
+/// path's position, tangent and curvature. Samples are added where the tool leaves the path by more
+/// than `tolerance` between them.
+class SectionPath {
+ public:
+  /// Keeps references to the arm, the path and the task.
+  SectionPath(const Arm& arm, const ToolPath& path, const Task& task, BranchSection samples,
+              const Deviation& tolerance);
+
+  const JointPath& joint_path() const { return joint_path_; }
+
+  /// The parameters of the joint path at the ends of segments, but for the section's own.
+  std::vector<double> segment_ends() const;
+
+  /// The path parameter of the tool at a configuration of the joint path, at its parameter s; that
+  /// of the nearest sample if it is at most `rounding` away.
+  double path_parameter(const Configuration& q, double s, double rounding) const;
+
+ private:
+  /// A point of a segment.
+  struct PathPlace {
+    std::size_t index = 0;
+    double fraction = 0;  ///< the segment parameter
+  };
+
+  PathPlace at(double s, double end) const;
+  Polynomial segment_parameter(std::size_t j) const;
+  PathPlace between(std::size_t j, double u) const;
+  bool moves_back(std::size_t j) const;
+  ParameterRates rates_of(const PathPlace& place, std::size_t k) const;
+  void interpolate();
+  Deviation deviation(std::size_t k, double u) const;
+  bool add_samples(const Deviation& tolerance);
+  void follow(std::size_t k, const PathPlace& place);
+
+  const Arm& arm_;
+  const ToolPath& path_;
+  const Task& task_;
+  Bounds bounds_;
+  BranchSection samples_;
+  JointPath joint_path_;
+};
+
+}  // namespace beeline::internal

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <beeline/timing/internal/section.h>
+
+namespace beeline::internal {
+
+/// The factors by which the samples of a section must be slowed down to keep the limits that
+/// SectionOptions ask for: known ones, and assumed ones, but for the jerk of a profile that does
+/// not keep it.
+struct NeededSlowdown {
+  double speed = 0;  ///< for velocities, accelerations and the tool's speed
+  double jerk = 0;
+
+  double both() const { return speed > jerk ? speed : jerk; }
+};
+NeededSlowdown needed_slowdown(const Arm& arm, const Trajectory& trajectory,
+                               const SectionOptions& options);
+
+/// Lowers the path's speed limits where samples of its time scaling, not slowed down, exceed limits
+/// of velocity or acceleration, or of jerk if it is smooth. Returns whether there are such places.
+bool lower_speed_limits(const Arm& arm, const SampledSection& samples,
+                        const SectionOptions& options, TimedPath& section);
+
+}  // namespace beeline::internal

@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/timing/internal/joint_motion.h>
+#include <beeline/timing/internal/section_limits.h>
+#include <beeline/timing/internal/uniform_section.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr int max_tries = 60;  // of numbers of periods
+
+/// Throws Error for a rate with too few periods in a section, or too many.
+void check_rate(double rate, double duration) {
+  constexpr double min_periods = 1, max_periods = 1e6;  // some 300 MB for seven joints
+  if (rate * duration > max_periods) {
+    throw Error(number(rate) + " samples per second make more than " + number(max_periods) +
+                " in " + number(duration) + " s");
+  }
+  if (rate * duration < min_periods) {
+    constexpr double up = 1 + 1e-5;  // number() rounds to six digits
+    throw Error(number(rate) + " samples per second leave fewer than " + number(min_periods) +
+                " period in a motion of " + number(duration) + " s; the rate must be at least " +
+                number(up * min_periods / duration));
+  }
+}
+
+/// The speed ds/dt of a time scaling at time t.
+double speed_at_time(const TimeScaling& scaling, double t) {
+  return AveragedScaling(scaling, 0).at(t).speed;
+}
+
+/// Periods of a section: those in which the time scaling takes place, and by how many the moving
+/// average lengthens it.
+struct Periods {
+  double scaling = 1;
+  double average = 1;
+  double all() const { return scaling + average; }
+};
+
+/// The time scaling from rest to rest in so many periods of `period` seconds, its speed linear
+/// between them.
+TimeScaling uniform_scaling(const TimeScaling& given, double periods, double period) {
+  const double slower = periods * period / given.duration();
+  TimeScaling uniform;
+  for (double k = 0; k <= periods; ++k) {
+    const bool end = k == 0 || k == periods;
+    uniform.t.push_back(k * period);
+    uniform.speed.push_back(end ? 0 : speed_at_time(given, k * period / slower) / slower);
+    const std::size_t n = uniform.s.size();
+    uniform.s.push_back(
+        n == 0 ? 0 : uniform.s.back() + period * (uniform.speed[n - 1] + uniform.speed[n]) / 2);
+  }
+  // The speeds are scaled such that s ends where the given one does.
+  const double length = given.s.back() - given.s.front();
+  const double scale = length / uniform.s.back();
+  for (double& s : uniform.s) s = given.s.front() + scale * s;
+  for (double& speed : uniform.speed) speed *= scale;
+  uniform.s.back() = given.s.back();
+  uniform.acceleration.assign(uniform.s.size(), 0);
+  return uniform;
+}
+
+SampledSection in_periods(const Arm& arm, const TimedPath& section, const SectionOptions& options,
+                          const Periods& periods) {
+  const double period = 1 / options.rate;
+  const TimeScaling uniform = uniform_scaling(section.scaling, periods.scaling, period);
+  const AveragedScaling scaling(uniform, periods.average * period);
+  const JointMotion motion(section.path, scaling);
+  std::vector<Sample> samples;
+  for (double k = 0; k <= periods.all(); ++k) {
+    const double t = in_nanoseconds(k / options.rate);
+    samples.push_back({t, motion.at(k == periods.all() ? scaling.duration() : t)});
+  }
+  return with_columns(arm, samples, options.interpolation);
+}
+
+/// The ends of a section of one period.
+SampledSection in_one_period(const Arm& arm, const TimedPath& section,
+                             const SectionOptions& options) {
+  const AveragedScaling scaling(section.scaling, section.scaling.duration());
+  const JointMotion motion(section.path, scaling);
+  return with_columns(
+      arm, {{0, motion.at(0.0)}, {in_nanoseconds(1 / options.rate), motion.at(scaling.duration())}},
+      options.interpolation);
+}
+
+SampledSection sampled(const Arm& arm, const TimedPath& section, const SectionOptions& options,
+                       const Periods& periods) {
+  return periods.scaling < 2 ? in_one_period(arm, section, options)
+                             : in_periods(arm, section, options, periods);
+}
+
+Periods fewest_periods(const TimedPath& section, const SectionOptions& options) {
+  const bool linear = options.interpolation == Interpolation::linear;
+  return {std::ceil(section.scaling.duration() * options.rate - 1e-6), linear ? 0.0 : 1.0};
+}
+
+}  // namespace
+
+SampledSection shortest_uniform_section(const Arm& arm, const TimedPath& section,
+                                        const SectionOptions& options) {
+  check_rate(options.rate, section.scaling.duration());
+  return sampled(arm, section, options, fewest_periods(section, options));
+}
+
+SampledSection uniform_section(const Arm& arm, const TimedPath& section,
+                               const SectionOptions& options) {
+  check_rate(options.rate, section.scaling.duration());
+  const bool linear = options.interpolation == Interpolation::linear;
+  Periods periods{std::ceil(section.scaling.duration() * options.rate - 1e-6), linear ? 0.0 : 1.0};
+  bool widen = !linear;    // while it lowers the jerk
+  double jerk_before = 0;  // of the average before it was widened
+  double average_before = 0;
+  for (int tries = 0; tries < max_tries; ++tries) {
+    SampledSection tried = sampled(arm, section, options, periods);
+    const NeededSlowdown needed = needed_slowdown(arm, tried.trajectory, options);
+    if (!(needed.both() > 1)) return tried;
+    // Most of the slowdown at once: the excess is at few samples, and others are the worst later.
+    constexpr double at_once = 0.7;
+    const auto slower = [&](double factor) {
+      const double excess = std::min(factor - 1, 1e3);
+      return std::max(periods.scaling + 1, std::floor(periods.scaling * (1 + at_once * excess)));
+    };
+    // Where d2s/dt2 jumps, a wider average lowers its jerk in proportion, often for less time than
+    // a slowdown.
+    constexpr double worthwhile = 0.8;  // of that proportion
+    if (average_before > 0) {
+      const double gain = std::pow(periods.average / average_before, worthwhile / 3);
+      if (!(needed.jerk * gain < jerk_before)) {
+        widen = false;
+        periods.average = average_before;
+      }
+      average_before = 0;
+    }
+    const double cubed = needed.jerk * needed.jerk * needed.jerk;
+    const double wider = std::max(periods.average + 1, std::ceil(periods.average * cubed));
+    if (widen && needed.jerk > needed.speed &&
+        wider - periods.average < slower(needed.jerk) - periods.scaling) {
+      average_before = periods.average;
+      jerk_before = needed.jerk;
+      periods.average = wider;
+    } else {
+      periods.scaling = slower(needed.both());
+    }
+  }
+  throw Error("no samples were found that keep the limits at " + number(options.rate) +
+              " samples per second; try another rate");
+}
+
+}  // namespace beeline::internal

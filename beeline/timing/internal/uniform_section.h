@@ -1,0 +1,19 @@
+#pragma once
+
+#include <beeline/timing/internal/section.h>
+
+namespace beeline::internal {
+
+/// sample_section() with a rate.
+///
+/// The time scaling is replaced by one whose d2s/dt2 is constant between samples, slowed down to
+/// whole periods, and that by its moving average over a whole number of periods: s(t) then is a
+/// cubic between two samples, with d2s/dt2 continuous, which the interpolation reproduces exactly.
+SampledSection uniform_section(const Arm& arm, const TimedPath& section,
+                               const SectionOptions& options);
+
+/// The same, as short as its time scaling allows, whatever limits it exceeds.
+SampledSection shortest_uniform_section(const Arm& arm, const TimedPath& section,
+                                        const SectionOptions& options);
+
+}  // namespace beeline::internal
