@@ -171,7 +171,7 @@ std::vector<Option> exact_options(LineArguments& arguments) {
          .target = &arguments.rate,
          .range = above_zero,
          .methods = {exact},
-         .phrases = {"samples a second", "samples per second"}},
+         .phrases = {"samples per second"}},
         {.name = "--tolerance",
          .value = "METRES",
          .help = "Largest distance of the tool origin from the path between samples.",

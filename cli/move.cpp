@@ -170,7 +170,7 @@ std::vector<Option> move_method_options(MoveArguments& arguments) {
            .target = &arguments.rate,
            .range = above_zero,
            .methods = {quickest},
-           .phrases = {"samples a second"}}};
+           .phrases = {"samples per second"}}};
 }
 
 }  // namespace

@@ -124,16 +124,7 @@ Answer retime_file(const RetimeArguments& arguments) {
 
 std::vector<Option> timing_options(RetimeArguments& arguments) {
   return {arguments.profile.option(),
-<<<<<<< HEAD
-=======
           arguments.interpolation.option(),
-          {.name = "--speed",
-           .value = "K",
-           .help = "Speed scale k in (0, 1]: velocity limits x k, acceleration x k^2, "
-                   "jerk x k^3.",
-           .target = &arguments.retime.speed_scale,
-           .range = {1e-6, 1}},
->>>>>>> f163868 (One meaning for every trajectory: the motion that its columns mean is timed, proved and played)
           {.name = "--tool-speed",
            .value = "V",
            .help = "Largest speed of the tool origin, m/s.",
@@ -144,7 +135,7 @@ std::vector<Option> timing_options(RetimeArguments& arguments) {
            .help = "Samples per second. Default: every sample of the file, and more between.",
            .target = &arguments.rate,
            .range = above_zero,
-           .phrases = {"samples a second"}}};
+           .phrases = {"samples per second"}}};
 }
 
 }  // namespace

@@ -2,8 +2,12 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/timing/internal/joint_motion.h>
 #include <beeline/timing/internal/s_curve_state.h>
+#include <beeline/timing/internal/uniform_section.h>
 #include <beeline/timing/point_to_point.h>
+#include <beeline/trajectory/internal/limit_fraction.h>
+#include <beeline/trajectory/limit_usage.h>
 
 namespace beeline {
 namespace {
@@ -45,11 +49,14 @@ Limits with_velocity(Limits limits) {
   return limits;
 }
 
-void set_own_curves(std::span<const Limits> limits, PointToPoint& motion) {
+/// The limits that a motion keeps.
+using MeantLimits = Limits (*)(Limits);
+
+void set_own_curves(std::span<const Limits> limits, PointToPoint& motion, MeantLimits meant) {
   motion.duration = 0;
   for (std::size_t k = 0; k < limits.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    motion.curves[k] = s_curve(motion.to[i] - motion.from[i], with_velocity(limits[k]));
+    motion.curves[k] = s_curve(motion.to[i] - motion.from[i], meant(limits[k]));
     motion.duration = std::max(motion.duration, motion.curves[k].duration);
   }
   for (SCurve& curve : motion.curves) curve = stretched(curve, motion.duration);
@@ -68,7 +75,7 @@ SCurve scaled(const SCurve& curve, double fraction) {
 
 /// All joints follow the curve of the one that moves farthest, with limits tightened for the
 /// others.
-void set_one_curve(std::span<const Limits> limits, PointToPoint& motion) {
+void set_one_curve(std::span<const Limits> limits, PointToPoint& motion, MeantLimits meant) {
   const Eigen::Index joints = motion.from.size();
   double farthest = 0;
   for (Eigen::Index k = 0; k < joints; ++k) {
@@ -78,7 +85,7 @@ void set_one_curve(std::span<const Limits> limits, PointToPoint& motion) {
   for (Eigen::Index k = 0; k < joints; ++k) {
     const double fraction = std::abs(motion.to[k] - motion.from[k]) / farthest;
     if (!(fraction > 0)) continue;
-    const Limits limit = with_velocity(limits[k]);
+    const Limits limit = meant(limits[k]);
     tightest.velocity = std::min(tightest.velocity, limit.velocity / fraction);
     tightest.acceleration = std::min(tightest.acceleration, limit.acceleration / fraction);
     tightest.jerk = std::min(tightest.jerk, limit.jerk / fraction);
@@ -93,8 +100,42 @@ void set_one_curve(std::span<const Limits> limits, PointToPoint& motion) {
   }
 }
 
+/// Samples of the motion slowed down to whole periods and averaged over one: joints whose
+/// acceleration is linear between samples, as the quintics through these are.
+Trajectory in_periods(const Arm& arm, const PointToPoint& motion, double periods, double period) {
+  Trajectory trajectory = at_rest(arm, motion.from);
+  const auto all = static_cast<std::size_t>(periods) + (periods < 2 ? 0 : 1);
+  for (std::size_t k = 1; k <= all; ++k) {
+    trajectory.times.push_back(internal::in_nanoseconds(static_cast<double>(k) * period));
+    trajectory.positions.push_back(motion.to);
+    trajectory.velocities.push_back(trajectory.velocities.front());
+    trajectory.accelerations.push_back(trajectory.accelerations.front());
+  }
+  if (periods < 2) return trajectory;
+  const double slower = periods * period / motion.duration;
+  for (Eigen::Index i = 0; i < motion.from.size(); ++i) {
+    const double distance = motion.to[i] - motion.from[i];
+    const SCurve& curve = motion.curves[static_cast<std::size_t>(i)];
+    if (distance == 0) continue;
+    std::vector<double> speeds{0};
+    for (double k = 1; k < periods; ++k) {
+      speeds.push_back(at(curve, k * period / slower).velocity / slower);
+    }
+    speeds.push_back(0);
+    const TimeScaling uniform = internal::uniform_scaling(speeds, period, distance);
+    const internal::AveragedScaling averaged(uniform, period);
+    for (std::size_t k = 1; k < all; ++k) {
+      const internal::Progress now = averaged.at(trajectory.times[k]);
+      trajectory.positions[k][i] = motion.from[i] + now.s;
+      trajectory.velocities[k][i] = now.speed;
+      trajectory.accelerations[k][i] = now.acceleration;
+    }
+  }
+  return trajectory;
+}
+
 void plan(std::span<const Limits> limits, const ConfigurationRef& from, const ConfigurationRef& to,
-          PointToPoint& motion, const PointToPointOptions& options) {
+          PointToPoint& motion, const PointToPointOptions& options, MeantLimits meant) {
   motion.from.resize(from.size());
   motion.to.resize(to.size());
   // Element by element, because `from` and `to` may be those of `motion`, exchanged.
@@ -104,8 +145,8 @@ void plan(std::span<const Limits> limits, const ConfigurationRef& from, const Co
     motion.to[k] = end;
   }
   motion.curves.resize(limits.size());
-  if (options.synchronise == Synchronise::straight) return set_one_curve(limits, motion);
-  set_own_curves(limits, motion);
+  if (options.synchronise == Synchronise::straight) return set_one_curve(limits, motion, meant);
+  set_own_curves(limits, motion, meant);
 }
 
 }  // namespace
@@ -121,7 +162,7 @@ void point_to_point(const Arm& arm, const ConfigurationRef& from, const Configur
                     PointToPoint& motion, const PointToPointOptions& options) {
   check_within(arm, from, "the motion cannot start");
   check_within(arm, to, "the motion cannot end");
-  plan(arm.limits(), from, to, motion, options);
+  plan(arm.limits(), from, to, motion, options, motion_limits);
 }
 
 void point_to_point(std::span<const Limits> limits, const ConfigurationRef& from,
@@ -130,7 +171,7 @@ void point_to_point(std::span<const Limits> limits, const ConfigurationRef& from
   check_limits(limits);
   check_within(limits, from, "the start");
   check_within(limits, to, "the end");
-  plan(limits, from, to, motion, options);
+  plan(limits, from, to, motion, options, with_velocity);
 }
 
 void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
@@ -159,27 +200,24 @@ void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
 
 Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate) {
   check_configuration(arm, motion.from);
-  if (!(rate > 0)) throw Error("the rate is " + number(rate) + " a second; it must be above zero");
+  if (!(rate > 0)) throw Error("the rate is " + number(rate) + "; it must be above zero");
   const double steps = motion.duration * rate;
   if (!(steps < max_samples)) {
     throw Error(number(motion.duration) + " s at " + number(rate) +
-                " samples a second are too many samples; lower the rate");
+                " samples per second are too many samples; lower the rate");
   }
-  Trajectory trajectory = at_rest(arm, motion.to);
-  if (motion.duration == 0) return trajectory;
-  // A last step shorter than 1e-6 of the others is joined to the one before it.
-  const auto last = static_cast<std::size_t>(std::max(1.0, std::ceil(steps - 1e-6)));
-  const Configuration still = Configuration::Zero(arm.dof());
-  trajectory.positions.assign(last + 1, motion.to);
-  trajectory.velocities.assign(last + 1, still);
-  trajectory.accelerations.assign(last + 1, still);
-  trajectory.times.assign(last + 1, motion.duration);
-  for (std::size_t k = 0; k < last; ++k) {
-    trajectory.times[k] = static_cast<double>(k) / rate;
-    at(motion, trajectory.times[k], trajectory.positions[k], trajectory.velocities[k],
-       trajectory.accelerations[k]);
+  if (motion.duration == 0) return at_rest(arm, motion.to);
+  std::vector<Limits> limits;
+  for (const Limits& known : arm.limits()) limits.push_back(motion_limits(known));
+  for (double periods = std::max(1.0, std::ceil(steps - 1e-6));;) {
+    Trajectory trajectory = in_periods(arm, motion, periods, 1 / rate);
+    const auto usage = [&](int order) {
+      return internal::limit_fraction(limits, trajectory, order).fraction;
+    };
+    const double slower = slowdown(usage(1), usage(2), usage(3));
+    if (!(slower > 1 + 1e-12)) return trajectory;
+    periods = std::max(periods + 1, std::floor(periods * std::min(slower, 1e3)));
   }
-  return trajectory;
 }
 
 }  // namespace beeline

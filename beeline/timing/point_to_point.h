@@ -30,8 +30,7 @@ struct PointToPoint {
 /// Minimises the duration of a motion from one configuration to another subject to the joints'
 /// limits on velocity, acceleration and jerk. For Synchronise::time the duration is that which the
 /// slowest joint needs alone; for Synchronise::straight it is at least as long, as each joint's
-/// limits bind the common curve. An infinite velocity limit counts as assumed_velocity_limit;
-/// infinite acceleration and jerk limits do not bind.
+/// limits bind the common curve. Unknown limits count as assumed ones (motion_limits()).
 /// Throws Error when a configuration does not fit the arm or is outside its limits, and where
 /// s_curve() does.
 PointToPoint point_to_point(const Arm& arm, const ConfigurationRef& from,
@@ -41,7 +40,9 @@ PointToPoint point_to_point(const Arm& arm, const ConfigurationRef& from,
 void point_to_point(const Arm& arm, const ConfigurationRef& from, const ConfigurationRef& to,
                     PointToPoint& motion, const PointToPointOptions& options = {});
 
-/// The same for joints with these limits, one for each coordinate of `from` and `to`.
+/// The same for joints with these limits, one for each coordinate of `from` and `to`. An infinite
+/// velocity limit counts as assumed_velocity_limit; infinite acceleration and jerk limits do not
+/// bind.
 void point_to_point(std::span<const Limits> limits, const ConfigurationRef& from,
                     const ConfigurationRef& to, PointToPoint& motion,
                     const PointToPointOptions& options = {});
@@ -52,9 +53,11 @@ void point_to_point(std::span<const Limits> limits, const ConfigurationRef& from
 void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
         Eigen::Ref<Configuration> velocity, Eigen::Ref<Configuration> acceleration);
 
-/// Samples the motion `rate` times a second and at its end, which is exactly `to`; one sample where
-/// nothing moves. Throws Error when the rate is not above zero, the motion does not fit the arm, or
-/// there would be more than ten million samples.
+/// Samples the motion at times k / rate, rounded to nanoseconds, slowed down to whole periods and
+/// one more, over which its accelerations are averaged: the quintics between the samples are within
+/// the arm's limits (motion_limits()) at all times. The first sample is exactly `from`, the last
+/// `to`; one sample where nothing moves. Throws Error when the rate is not above zero, the motion
+/// does not fit the arm, or there would be more than ten million samples.
 Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate);
 
 }  // namespace beeline

@@ -10,8 +10,8 @@
 namespace beeline {
 namespace {
 
-constexpr double repeated = 1e-12;     // radians or metres; nearer positions count as equal
-constexpr double rest_speed = 1e-9;    // relative to the largest velocity; slower is rest
+constexpr double repeated = 1e-12;   // radians or metres; nearer positions count as equal
+constexpr double rest_speed = 1e-9;  // relative to the largest velocity; slower is rest
 constexpr int linear_samples = 200;  // of a part, where joints move linearly between them
 
 /// Returns the positions of each part of the path. A stop ends one part and begins the next.

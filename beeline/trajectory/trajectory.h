@@ -28,10 +28,10 @@ constexpr double velocity_limit_of(const Limits& limits) {
 constexpr Limits motion_limits(Limits limits) {
   limits.velocity = velocity_limit_of(limits);
   if (!(limits.acceleration < Limits::none)) {
-    limits.acceleration = limits.velocity / assumed_time_to_velocity;
+    limits.acceleration = limits.speed_scale * limits.velocity / assumed_time_to_velocity;
   }
   if (!(limits.jerk < Limits::none)) {
-    limits.jerk = limits.acceleration / assumed_time_to_acceleration;
+    limits.jerk = limits.speed_scale * limits.acceleration / assumed_time_to_acceleration;
   }
   return limits;
 }

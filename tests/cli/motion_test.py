@@ -37,7 +37,7 @@ def test_other_paths(beeline, written, path):
     through = written("poses.csv", POSES)
     answer = beeline("line", "panda", "--through", through, "--path", path, "--json")
     assert answer.code == 0, answer.err
-    assert answer.json["deviation_bound"] <= 1e-4 and answer.json["deviation_sampled"] < 1e-9
+    assert answer.json["deviation_bound"] <= 1e-4 and answer.json["deviation_sampled"] <= 1e-6
 
 
 def test_blended_corners_are_quicker(beeline, written):

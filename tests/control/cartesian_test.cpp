@@ -72,7 +72,8 @@ double bend(const Case& given, const ControlledMotion& motion) {
   const ToolPath path = lines_through(poses);
   const auto places =
       path_parameters_along(given.arm, samples, path, motion.arrivals, Task::position());
-  return path_deviation(given.arm, motion.trajectory, places, path, Task::position()).sampled.position;
+  return path_deviation(given.arm, motion.trajectory, places, path, Task::position())
+      .sampled.position;
 }
 
 std::vector<Case> cases() {

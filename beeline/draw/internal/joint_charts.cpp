@@ -102,7 +102,7 @@ Chart chart_of(const Arm& arm, const Series& series, const char* what, const cha
   }
   if (some) chart.reference_lines = {{"limit", 100}, {"", -100}};
   if (!all && kind == &Limits::velocity) {
-    const double held = assumed_velocity_limit;
+    const double held = arm.limits(0).speed_scale * assumed_velocity_limit;
     chart.reference_lines.push_back({"no limit known: " + number(held) + " " + units, held, some});
     chart.reference_lines.push_back({"", -held, some});
   }

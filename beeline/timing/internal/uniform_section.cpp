@@ -38,33 +38,25 @@ struct Periods {
   double all() const { return scaling + average; }
 };
 
-/// The time scaling from rest to rest in so many periods of `period` seconds, its speed linear
+/// The given time scaling, slowed down to so many periods of `period` seconds, its speed linear
 /// between them.
-TimeScaling uniform_scaling(const TimeScaling& given, double periods, double period) {
+TimeScaling in_whole_periods(const TimeScaling& given, double periods, double period) {
   const double slower = periods * period / given.duration();
-  TimeScaling uniform;
-  for (double k = 0; k <= periods; ++k) {
-    const bool end = k == 0 || k == periods;
-    uniform.t.push_back(k * period);
-    uniform.speed.push_back(end ? 0 : speed_at_time(given, k * period / slower) / slower);
-    const std::size_t n = uniform.s.size();
-    uniform.s.push_back(
-        n == 0 ? 0 : uniform.s.back() + period * (uniform.speed[n - 1] + uniform.speed[n]) / 2);
+  std::vector<double> speeds{0};
+  for (double k = 1; k < periods; ++k) {
+    speeds.push_back(speed_at_time(given, k * period / slower) / slower);
   }
-  // The speeds are scaled such that s ends where the given one does.
-  const double length = given.s.back() - given.s.front();
-  const double scale = length / uniform.s.back();
-  for (double& s : uniform.s) s = given.s.front() + scale * s;
-  for (double& speed : uniform.speed) speed *= scale;
+  speeds.push_back(0);
+  TimeScaling uniform = uniform_scaling(speeds, period, given.s.back() - given.s.front());
+  for (double& s : uniform.s) s += given.s.front();
   uniform.s.back() = given.s.back();
-  uniform.acceleration.assign(uniform.s.size(), 0);
   return uniform;
 }
 
 SampledSection in_periods(const Arm& arm, const TimedPath& section, const SectionOptions& options,
                           const Periods& periods) {
   const double period = 1 / options.rate;
-  const TimeScaling uniform = uniform_scaling(section.scaling, periods.scaling, period);
+  const TimeScaling uniform = in_whole_periods(section.scaling, periods.scaling, period);
   const AveragedScaling scaling(uniform, periods.average * period);
   const JointMotion motion(section.path, scaling);
   std::vector<Sample> samples;
@@ -97,6 +89,21 @@ Periods fewest_periods(const TimedPath& section, const SectionOptions& options) 
 }
 
 }  // namespace
+
+TimeScaling uniform_scaling(const std::vector<double>& speeds, double period, double length) {
+  TimeScaling uniform;
+  uniform.speed = speeds;
+  for (std::size_t k = 0; k < speeds.size(); ++k) {
+    uniform.t.push_back(static_cast<double>(k) * period);
+    uniform.s.push_back(k == 0 ? 0 : uniform.s.back() + period * (speeds[k - 1] + speeds[k]) / 2);
+  }
+  const double scale = length / uniform.s.back();
+  for (double& s : uniform.s) s *= scale;
+  for (double& speed : uniform.speed) speed *= scale;
+  uniform.s.back() = length;
+  uniform.acceleration.assign(speeds.size(), 0);
+  return uniform;
+}
 
 SampledSection shortest_uniform_section(const Arm& arm, const TimedPath& section,
                                         const SectionOptions& options) {

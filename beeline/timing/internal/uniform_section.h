@@ -16,4 +16,8 @@ SampledSection uniform_section(const Arm& arm, const TimedPath& section,
 SampledSection shortest_uniform_section(const Arm& arm, const TimedPath& section,
                                         const SectionOptions& options);
 
+/// The time scaling from s = 0 to `length` with these speeds at k times the period, linear between
+/// them, scaled such that it ends there.
+TimeScaling uniform_scaling(const std::vector<double>& speeds, double period, double length);
+
 }  // namespace beeline::internal

@@ -35,23 +35,6 @@ double mean_derivative(const Trajectory& trajectory, std::size_t k, int coordina
   return std::max(0.0, std::abs(table[0]) - error) * factorial;
 }
 
-double slowdown_for_limits(const Arm& arm, const Trajectory& trajectory, bool keep_jerk) {
-  check_fits(arm, trajectory);
-  double factor = 1;
-  for (int i = 0; i < arm.dof(); ++i) {
-    const Limits& limits = arm.limits(i);
-    const double velocity = velocity_limit_of(limits);
-    for (std::size_t k = 0; k < trajectory.size(); ++k) {
-      const auto usage = [&](int order, double limit) {
-        return mean_derivative(trajectory, k, i, order) / limit;
-      };
-      factor = std::max(factor, slowdown(usage(1, velocity), usage(2, limits.acceleration),
-                                         keep_jerk ? usage(3, limits.jerk) : 0));
-    }
-  }
-  return factor;
-}
-
 void check_fits(const Arm& arm, const Trajectory& trajectory) {
   check_trajectory(trajectory);
   if (trajectory.joint_names.size() == static_cast<std::size_t>(arm.dof())) return;

@@ -10,11 +10,6 @@ namespace beeline::internal {
 /// error. Not negative; 0 if there are too few samples.
 double mean_derivative(const Trajectory& trajectory, std::size_t k, int coordinate, int order);
 
-/// Returns the smallest factor >= 1 on the duration of a motion with which its mean_derivative() is
-/// within the arm's limits of velocity (velocity_limit_of()), acceleration and, if `keep_jerk`,
-/// jerk. Throws Error when the trajectory does not fit the arm.
-double slowdown_for_limits(const Arm& arm, const Trajectory& trajectory, bool keep_jerk);
-
 /// Throws Error unless the trajectory has as many joints as the arm, and check_trajectory().
 void check_fits(const Arm& arm, const Trajectory& trajectory);
 

@@ -44,22 +44,5 @@ TEST(MeanDerivative, IsZeroForTooFewSamples) {
   EXPECT_EQ(mean_derivative(motion, 3, 0, 1), 0);
 }
 
-TEST(SlowdownForLimits, IsTheFactorThatMakesAMotionKeepItsLimits) {
-  const Arm arm = two_joints();
-  for (const double speed : {0.5, 1.5, 2.0, 3.0}) {
-    Trajectory motion =
-        along([&](double t) { return 0.8 * std::sin(speed * t); }, nothing, 6 / speed, 400);
-    for (const bool jerk : {true, false}) {
-      const double factor = slowdown_for_limits(arm, motion, jerk);
-      Trajectory slow = motion;
-      for (double& t : slow.times) t *= factor;
-      EXPECT_NEAR(slowdown_for_limits(arm, slow, jerk), 1, 1e-9);
-      const double expected = std::max(
-          {0.8 * speed, std::sqrt(0.4) * speed, jerk ? std::cbrt(0.8 / 6) * speed : 0.0, 1.0});
-      EXPECT_NEAR(factor, expected, 1e-3);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace beeline::internal
