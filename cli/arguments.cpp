@@ -16,8 +16,7 @@
 using namespace beeline;
 
 void warn_of_angle(const std::string& option, double angle, const UnitArgument& unit) {
-  constexpr double revolution = 2 * std::numbers::pi + 1e-3;  // as typed with four digits
-  if (unit.degrees || std::abs(angle) <= revolution) return;
+  if (unit.degrees || std::abs(angle) <= largest_angle) return;
   warn(fmt::format("{}: an angle of {} rad is more than a revolution; --degrees reads degrees",
                    option, number(angle)));
 }

@@ -70,6 +70,9 @@ struct JacobianArgument {
 Option joint_values_option(std::string name, std::string help, std::string* target,
                            std::vector<std::string> phrases = {});
 
+/// Angles beyond, in radians, may be meant in degrees: 2 pi, as typed with four digits.
+constexpr double largest_angle = 6.2842;
+
 /// Warns on stderr of an angle, in radians, beyond a revolution: it may be meant in degrees.
 void warn_of_angle(const std::string& option, double angle, const UnitArgument& unit);
 

@@ -64,11 +64,15 @@ BatchReport process(const BatchArguments& arguments, const BatchWork& work) {
 }
 
 /// Warns of rows that were left out and of configurations outside the limits.
-void warn_of_rows(const BatchReport& report) {
+void warn_of_rows(const BatchArguments& arguments, const BatchReport& report) {
   const BatchCounts& counts = report.counts;
   if (report.bad.count > 0) {
     warn(fmt::format("{} left out; the first: {}", counted(report.bad.count, "bad row"),
                      report.bad.first));
+  }
+  if (counts.large_angle_row > 0) {
+    warn_of_angle(fmt::format("--in {}, row {}", arguments.in, counts.large_angle_row),
+                  counts.large_angle, arguments.unit);
   }
   if (counts.outside_limits > 0) {
     warn(fmt::format("{} outside the arm's limits; the first is row {}",
@@ -118,10 +122,11 @@ Answer batch(const BatchArguments& arguments, const std::string& kind, MakeWork 
   const Arm arm = arguments.arm.read(arguments.unit);
   const BatchWork work = make_work(arguments, arm);
   const BatchReport report = process(arguments, work);
-  warn_of_rows(report);
+  warn_of_rows(arguments, report);
   const std::int64_t unsolved = report.rows - report.counts.solved;
   return {.text = batch_text(arguments, kind, arm, report),
           .document = batch_document(arguments, kind, arm, work, report),
+          .units = kind == "jacobian" ? Json{{"rows", jacobian_units}} : Json(),
           .yes = kind != "ik" || unsolved == 0,
           .reason = fmt::format("{} of {} poses without a solution: their rows are nan", unsolved,
                                 report.rows),

@@ -43,6 +43,8 @@ class Configurations {
       revolute_.push_back(kind(arm.joint_of(k)) != JointKind::prismatic);
     }
     const auto& limits = arm.limits();
+    angles_ = Eigen::ArrayXd(arm.dof());
+    for (int k = 0; k < arm.dof(); ++k) angles_[k] = revolute_[k] ? 1 : 0;
     lower_.resize(arm.dof());
     upper_.resize(arm.dof());
     for (int k = 0; k < arm.dof(); ++k) {
@@ -54,6 +56,7 @@ class Configurations {
   void convert(RowBlock& block, BatchCounts& counts) const {
     for (Eigen::Index i = 0; i < block.count(); ++i) {
       auto q = block.numbers.col(i);
+      counts.note_angle(angles_ * q.head(angles_.size()).array(), block.positions[i].row);
       for (Eigen::Index k = 0; k < q.size() && arguments_.unit.degrees; ++k) {
         if (revolute_[k]) q[k] = to_radians(q[k], AngleUnit::degrees);
       }
@@ -86,6 +89,7 @@ class Configurations {
   const BatchArguments& arguments_;
   std::vector<bool> revolute_;
   Eigen::ArrayXd lower_, upper_;
+  Eigen::ArrayXd angles_;  ///< 1 for each angle, 0 for each length
 };
 
 PoseLayout layout_named(const std::string& name) {
@@ -95,9 +99,10 @@ PoseLayout layout_named(const std::string& name) {
 }
 
 /// The pose of a row in one of the forms. Throws Error if it is not a pose.
-Pose pose_in(const Eigen::Ref<const Eigen::VectorXd>& row, const UnitArgument& unit) {
+Pose pose_in(const Eigen::Ref<const Eigen::VectorXd>& row, const UnitArgument& unit,
+             Triple triple) {
   if (row.size() != 16) {
-    return pose_of({row.data(), static_cast<std::size_t>(row.size())}, unit.angle_unit());
+    return pose_of({row.data(), static_cast<std::size_t>(row.size())}, unit.angle_unit(), triple);
   }
   Pose pose = Pose::Identity();
   pose.matrix() = row.reshaped(4, 4).transpose();
@@ -112,15 +117,24 @@ Pose pose_in(const Eigen::Ref<const Eigen::VectorXd>& row, const UnitArgument& u
 
 /// The poses of a block as columns of 16 numbers; rows that are not poses are reported and removed.
 void read_goals(const BatchArguments& arguments, const Arm& arm, const WrittenPose& world_T_work,
-                std::size_t width, RowBlock& block, Eigen::MatrixXd& goals, BadRows& bad) {
-  const bool planar_form = width == pose_forms()[0].size();
+                const std::vector<std::string>& form, RowBlock& block, Eigen::MatrixXd& goals,
+                BatchCounts& counts, BadRows& bad) {
+  const bool in_plane = form == pose_forms()[0] || form == pose_forms()[4];
+  const bool oriented = form != pose_forms()[3] && form != pose_forms()[4];
+  const Triple triple = oriented ? Triple::planar : Triple::position;
+  const auto first_angle = std::find_if(form.begin(), form.end(), [](const std::string& column) {
+    return column == "theta" || column == "roll";
+  });
   goals.resize(16, block.count());
   keep_rows(block, goals, [&](Eigen::Index i, const RowPosition& position) {
     try {
-      const auto row = block.numbers.col(i).head(static_cast<Eigen::Index>(width));
-      const WrittenPose pose =
-          in_world(world_T_work, {checked_pose(pose_in(row, arguments.unit)), planar_form});
-      if (arm.planar()) check_pose_form(arm, pose, arguments.inverse.task);
+      const auto row = block.numbers.col(i).head(static_cast<Eigen::Index>(form.size()));
+      const WrittenPose given{.pose = checked_pose(pose_in(row, arguments.unit, triple)),
+                              .planar = in_plane,
+                              .oriented = oriented};
+      const WrittenPose pose = in_world(arm, world_T_work, given);
+      if (arm.planar() || !oriented) check_pose_form(arm, pose, arguments.inverse.task);
+      counts.note_angle(row.tail(form.end() - first_angle), position.row);
       goals.col(i) = pose.pose.matrix().reshaped();
       return true;
     } catch (const Error& error) {
@@ -186,7 +200,8 @@ BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
   InverseSolver(arm, options).solve(forward_kinematics(arm, seed), seed, any);
   BatchWork work{.forms = {}, .columns = arm.joint_names(), .max_rows = 4096, .step = {}};
   for (const auto& form : pose_forms()) {
-    if (form.size() > 3 || arm.planar()) work.forms.push_back(form);
+    const bool in_plane = form == pose_forms()[0] || form == pose_forms()[4];
+    if (!in_plane || arm.planar()) work.forms.push_back(form);
   }
   work.forms.push_back(matrix_columns());
   const WrittenPose world_T_work = arguments.inverse.work.read(arm, arguments.unit);
@@ -194,7 +209,7 @@ BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
                goals = Eigen::MatrixXd()](std::size_t form, RowBlock& block,
                                           Eigen::MatrixXd& results, BatchCounts& counts,
                                           BadRows& bad) mutable {
-    read_goals(arguments, arm, world_T_work, forms[form].size(), block, goals, bad);
+    read_goals(arguments, arm, world_T_work, forms[form], block, goals, counts, bad);
     results.resize(arm.dof(), block.count());
     counts.solved += batch_inverse(arm, goals.leftCols(block.count()), seed, results, options,
                                    {.threads = arguments.threads});

@@ -28,6 +28,18 @@ struct BatchCounts {
   std::int64_t outside_limits = 0;  ///< configurations
   std::int64_t first_outside = 0;   ///< the row of the first
   std::int64_t solved = 0;          ///< poses
+  double large_angle = 0;           ///< the first beyond a revolution, in the unit of the input
+  std::int64_t large_angle_row = 0;
+
+  /// Notes the first row with an angle of more than 2 pi.
+  template <class Angles>
+  void note_angle(const Angles& angles, std::int64_t row) {
+    if (large_angle_row > 0 || angles.size() == 0) return;
+    const double angle = angles.array().abs().maxCoeff();
+    if (angle <= largest_angle) return;
+    large_angle = angle;
+    large_angle_row = row;
+  }
 };
 
 /// A computation on rows: the columns of its input, the columns of its output, and the step that

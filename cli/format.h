@@ -10,6 +10,9 @@
 
 /// Formatting of answers: numbers are rounded in texts and exact in JSON.
 
+/// The units of a Jacobian's entries, also with --degrees, for Answer::units.
+constexpr const char* jacobian_units = "m or rad of the tool, per rad or m of the joint";
+
 /// A number with six significant digits; rounding errors near zero are shown as 0.
 std::string shown(double value);
 

@@ -94,8 +94,9 @@ Json ik_document(const Arm& arm, const InverseResult& result, const UnitArgument
 
 Answer ik(const IkArguments& arguments) {
   const Arm arm = arguments.arm.read(arguments.unit);
-  const WrittenPose goal = in_world(arguments.inverse.work.read(arm, arguments.unit),
-                                    parse_pose_option("--pose", arguments.pose, arguments.unit));
+  const WrittenPose goal =
+      in_world(arm, arguments.inverse.work.read(arm, arguments.unit),
+               parse_pose_option(arm, "--pose", arguments.pose, arguments.unit));
   const InverseOptions options = arguments.inverse.read(arm, arguments.arm, arguments.unit);
   try {
     check_pose_form(arm, goal, arguments.inverse.task);
@@ -108,8 +109,10 @@ Answer ik(const IkArguments& arguments) {
     warn(fmt::format("rounding limits the error to {} m or rad for an arm of this size",
                      number(result.residual)));
   }
+  const Residual residual = residual_of(arguments.unit, arm, result);
   return {.text = ik_text(arm, result, arguments.unit),
           .document = ik_document(arm, result, arguments.unit),
+          .units = {{"residual", residual.unit.empty() ? "m or rad" : residual.unit.substr(1)}},
           .yes = solved,
           .reason = result.reason};
 }
@@ -119,7 +122,8 @@ std::vector<Option> ik_options(IkArguments& arguments) {
   return joined({{{.name = "--pose",
                    .value = "POSE",
                    .help = "Pose of the tool in the world, or in --work: x,y,theta (planar arms), "
-                           "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz.",
+                           "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz; with --task position also "
+                           "x,y,z or, for planar arms, x,y.",
                    .target = &arguments.pose,
                    .required = true}},
                  arguments.unit.options(),

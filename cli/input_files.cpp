@@ -6,6 +6,8 @@
 #include <beeline/error.h>
 #include <beeline/record/trajectory_file.h>
 
+#include "command/streams.h"
+
 using namespace beeline;
 
 namespace {
@@ -46,11 +48,15 @@ Trajectory read_recording(const std::string& path, const Arm& arm) {
 PoseList read_waypoints(const std::string& path, const Arm& arm, const TaskArgument& task,
                         const WorkArgument& work, const UnitArgument& unit) {
   const WrittenPose world_T_work = work.read(arm, unit);
-  PoseList list = read_poses(path, unit.angle_unit());
+  PoseList list = read_poses(path, unit.angle_unit(), triple_of(arm));
+  if (!list.has_header)
+    warn(path + " has no header; its columns are read as " + listed(list.columns));
   warn_of_angle("--through " + path, list.max_angle, unit);
   for (std::size_t i = 0; i < list.poses.size(); ++i) {
     try {
-      const WrittenPose pose = in_world(world_T_work, {list.poses[i], list.planar});
+      const WrittenPose pose =
+          in_world(arm, world_T_work,
+                   {.pose = list.poses[i], .planar = list.planar, .oriented = list.oriented});
       check_pose_form(arm, pose, task);
       list.poses[i] = pose.pose;
     } catch (const Error& error) {
@@ -65,7 +71,8 @@ Option through_option(std::string help, std::string* target) {
           .value = "FILE",
           .help = std::move(help) +
                   " A .csv file with the header x,y,theta (planar arms), x,y,z,roll,pitch,yaw or "
-                  "x,y,z,qw,qx,qy,qz, and a pose in each row.",
+                  "x,y,z,qw,qx,qy,qz, or with --task position x,y,z or x,y, and a pose in each "
+                  "row.",
           .target = target,
           .required = true,
           .completes = Completes::file};

@@ -52,6 +52,7 @@ Answer differential_kinematics(const JacobianArguments& arguments) {
                      {"singular_values", measures.singular_values},
                      {"manipulability", measures.manipulability},
                      {"condition", measures.condition}};
+  answer.units = {{"jacobian", jacobian_units}};
   answer.text = fmt::format("Jacobian in the {} frame: {}\n", frame, frame_meaning(task.frame)) +
                 fmt::format("(a column for each joint: {})\n", listed(arm.joint_names())) +
                 matrix_text(matrix, rows) +

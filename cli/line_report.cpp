@@ -62,7 +62,7 @@ Json report_document(const Arm& arm, const LineReport& report, const UnitArgumen
   for (const NearbyPath& path : report.nearby) {
     nearby.append({{"description", path.description},
                    {"translation", Eigen::VectorXd(path.moved)},
-                   {"rotation", Eigen::VectorXd(path.turned)}});
+                   {"rotation", Eigen::VectorXd(path.turned * unit.shown(1.0))}});
   }
   if (!report.nearby.empty()) document.add("nearby", nearby);
   if (report.branches) document.add("branches", json_branches(arm, *report.branches, unit));

@@ -95,6 +95,7 @@ Answer move_joints(const MoveArguments& arguments) {
                              {"slowed", motion.slowed},
                              {"duration", motion.trajectory.times.back()},
                              {"reason", motion.reason}},
+                .units = {{"error", "rad or m"}},
                 .yes = reached,
                 .reason = motion.reason};
   if (reached) arguments.files.add_to(answer.document);

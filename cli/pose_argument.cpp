@@ -1,12 +1,22 @@
 #include "pose_argument.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 
 using namespace beeline;
+
+namespace {
+
+/// The z of the tool of a planar arm.
+double plane_height(const Arm& arm) {
+  return forward_kinematics(arm, middle_configuration(arm)).translation().z();
+}
+
+}  // namespace
+
+Triple triple_of(const Arm& arm) { return arm.planar() ? Triple::planar : Triple::position; }
 
 Option WorkArgument::option() {
   return {.name = "--work",
@@ -17,15 +27,16 @@ Option WorkArgument::option() {
 
 WrittenPose WorkArgument::read(const Arm& arm, const UnitArgument& unit) const {
   if (text.empty()) return {.pose = Pose::Identity(), .planar = true};
-  return parse_frame_option(arm, "--work", text, unit);
+  return parse_pose_option(arm, "--work", text, unit);
 }
 
-WrittenPose parse_pose_option(const std::string& option, const std::string& text,
+WrittenPose parse_pose_option(const Arm& arm, const std::string& option, const std::string& text,
                               const UnitArgument& unit) {
   try {
-    const WrittenPose written = parse_pose(text, unit.angle_unit());
+    WrittenPose written = parse_pose(text, unit.angle_unit(), triple_of(arm));
+    written.pose = checked_pose(written.pose);
     warn_of_angle(option, written.max_angle, unit);
-    return {checked_pose(written.pose), written.planar};
+    return written;
   } catch (const Error& error) {
     const std::string message = error.what();
     const bool prefixed = message.starts_with("pose:");  // the number's position follows
@@ -33,24 +44,29 @@ WrittenPose parse_pose_option(const std::string& option, const std::string& text
   }
 }
 
-WrittenPose parse_frame_option(const Arm& arm, const std::string& option, const std::string& text,
-                               const UnitArgument& unit) {
-  const bool translation = !arm.planar() && std::count(text.begin(), text.end(), ',') == 2;
-  return parse_pose_option(option, text + (translation ? ",0,0,0" : ""), unit);
-}
-
-WrittenPose in_world(const WrittenPose& world_T_work, const WrittenPose& pose) {
-  return {.pose = world_T_work.pose * pose.pose, .planar = world_T_work.planar && pose.planar};
+WrittenPose in_world(const Arm& arm, const WrittenPose& world_T_work, const WrittenPose& pose) {
+  WrittenPose world = pose;
+  world.pose = world_T_work.pose * pose.pose;
+  world.planar = world_T_work.planar && pose.planar;
+  if (world.planar && arm.planar()) world.pose.translation().z() = plane_height(arm);
+  return world;
 }
 
 void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgument& task) {
   if (written.planar && !arm.planar()) {
-    throw Error("x,y,theta is for planar arms; " + arm.name() +
-                " needs x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz");
+    throw Error(std::string(written.oriented ? "x,y,theta" : "x,y") + " is for planar arms; " +
+                arm.name() +
+                " needs x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz, or x,y,z with "
+                "--task position");
+  }
+  if (!written.oriented && task.read(arm).orientations() > 0) {
+    throw Error(std::string(written.planar ? "x,y" : "x,y,z") +
+                " gives no orientation; give --task position, or " +
+                (arm.planar() ? "x,y,theta" : "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz"));
   }
   if (written.planar || !arm.planar() || !task.text.empty()) return;
   constexpr double tolerance = 1e-6;  // metres, and of the unit vector z
-  const double height = forward_kinematics(arm, middle_configuration(arm)).translation().z();
+  const double height = plane_height(arm);
   const bool in_plane = std::abs(written.pose.translation().z() - height) < tolerance &&
                         (written.pose.linear().col(2) - Vector3::UnitZ()).norm() < tolerance;
   if (in_plane) return;

@@ -6,14 +6,12 @@
 
 #include "arguments.h"
 
-/// A pose as typed for `option`. Throws Error that begins with the option.
-beeline::WrittenPose parse_pose_option(const std::string& option, const std::string& text,
-                                       const UnitArgument& unit);
+/// What three numbers without names mean for the arm: x,y,theta if it is planar, otherwise x,y,z.
+beeline::Triple triple_of(const beeline::Arm& arm);
 
-/// The pose of a frame as typed for `option`: the forms of --pose and, unless the arm is planar,
-/// x,y,z without a rotation.
-beeline::WrittenPose parse_frame_option(const beeline::Arm& arm, const std::string& option,
-                                        const std::string& text, const UnitArgument& unit);
+/// A pose of the arm as typed for `option`. Throws Error that begins with the option.
+beeline::WrittenPose parse_pose_option(const beeline::Arm& arm, const std::string& option,
+                                       const std::string& text, const UnitArgument& unit);
 
 /// --work: the frame in which poses are given.
 struct WorkArgument {
@@ -24,11 +22,13 @@ struct WorkArgument {
   beeline::WrittenPose read(const beeline::Arm& arm, const UnitArgument& unit) const;
 };
 
-/// The pose in the world of a pose in the frame of --work.
-beeline::WrittenPose in_world(const beeline::WrittenPose& world_T_work,
+/// The pose in the world of a pose in the frame of --work. A planar pose of a planar arm is in the
+/// arm's plane.
+beeline::WrittenPose in_world(const beeline::Arm& arm, const beeline::WrittenPose& world_T_work,
                               const beeline::WrittenPose& pose);
 
-/// Throws Error for a planar pose given to an arm that is not planar and, without --task, for a
-/// spatial pose outside the plane of a planar arm, whose height and tilt would be ignored.
+/// Throws Error for a planar pose given to an arm that is not planar; for a position given to a
+/// task with an orientation; and, without --task, for a spatial pose outside the plane of a planar
+/// arm, whose height and tilt would be ignored.
 void check_pose_form(const beeline::Arm& arm, const beeline::WrittenPose& pose,
                      const TaskArgument& task);

@@ -17,7 +17,8 @@ namespace {
 using internal::in_quotes;
 using Names = std::vector<std::string>;
 
-constexpr const char* known_forms = "x,y,theta or x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz";
+constexpr const char* known_forms =
+    "x,y,theta or x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz, and positions x,y,z or x,y";
 
 bool contains(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -44,8 +45,11 @@ const Names& form_of(const Names& header) {
                     [&](const Names& candidate) { return contains(candidate, name); });
     if (!is_known) throw Error("unknown column " + in_quotes(name) + known);
   }
-  const Names& form =
-      *std::min_element(pose_forms().begin(), pose_forms().end(),
+  for (const Names& form : pose_forms()) {
+    if (distance(form) == 0) return form;
+  }
+  const Names& form =  // the nearest with an orientation
+      *std::min_element(pose_forms().begin(), pose_forms().begin() + 3,
                         [&](const Names& a, const Names& b) { return distance(a) < distance(b); });
   const Names missing = missing_from(header, form);
   if (!missing.empty()) throw Error("column " + listed(missing) + " is missing" + known);
@@ -57,8 +61,9 @@ const Names& form_of(const Names& header) {
 }
 
 /// Returns the angle of a pose that is largest by magnitude, or `other` if that is larger.
-double larger_angle(std::span<const double> pose, AngleUnit unit, double other) {
-  const std::size_t first = pose.size() == 3 ? 2 : pose.size() == 6 ? 3 : pose.size();
+double larger_angle(std::span<const double> pose, AngleUnit unit, Triple triple, double other) {
+  const bool theta = pose.size() == 3 && triple == Triple::planar;
+  const std::size_t first = theta ? 2 : pose.size() == 6 ? 3 : pose.size();
   for (const double angle : pose.subspan(first)) {
     const double radians = to_radians(angle, unit);
     if (std::abs(radians) > std::abs(other)) other = radians;
@@ -72,15 +77,19 @@ double to_radians(double angle, AngleUnit unit) {
   return unit == AngleUnit::degrees ? angle * std::numbers::pi / 180 : angle;
 }
 
-const std::array<Names, 3>& pose_forms() {
-  static const std::array<Names, 3> known{{{"x", "y", "theta"},
+const std::array<Names, 5>& pose_forms() {
+  static const std::array<Names, 5> known{{{"x", "y", "theta"},
                                            {"x", "y", "z", "roll", "pitch", "yaw"},
-                                           {"x", "y", "z", "qw", "qx", "qy", "qz"}}};
+                                           {"x", "y", "z", "qw", "qx", "qy", "qz"},
+                                           {"x", "y", "z"},
+                                           {"x", "y"}}};
   return known;
 }
 
-Pose pose_of(std::span<const double> v, AngleUnit unit) {
+Pose pose_of(std::span<const double> v, AngleUnit unit, Triple triple) {
   const auto radians = [unit](double angle) { return to_radians(angle, unit); };
+  if (v.size() == 2) return make_pose({v[0], v[1], 0});
+  if (v.size() == 3 && triple == Triple::position) return make_pose({v[0], v[1], v[2]});
   if (v.size() == 3) return to_space(Pose2{v[0], v[1], radians(v[2])});
   if (v.size() != 6 && v.size() != 7) {
     throw Error("a pose of " + std::to_string(v.size()) + " numbers; poses are " + known_forms);
@@ -92,13 +101,19 @@ Pose pose_of(std::span<const double> v, AngleUnit unit) {
   return make_pose(position, rotation_from_quaternion(v[3], v[4], v[5], v[6]));
 }
 
-PoseList poses_from_csv(std::string_view text, const std::string& path, AngleUnit unit) {
-  const internal::CsvTable table = internal::parse_csv(text, path);
-  PoseList list{.poses = {}, .lines = table.lines};
+PoseList poses_from_csv(std::string_view text, const std::string& path, AngleUnit unit,
+                        Triple triple) {
+  const Names& three = pose_forms()[triple == Triple::planar ? 0 : 3];
+  const internal::CsvTable table =
+      internal::parse_csv(text, path, {three, pose_forms()[1], pose_forms()[2], pose_forms()[4]});
+  PoseList list{.lines = table.lines, .has_header = table.has_header};
   int line = 0;  // unknown for the header: comments may precede it
   try {
     const Names& form = form_of(table.columns);
-    list.planar = form.size() == 3;
+    list.columns = form;
+    triple = form == pose_forms()[3] ? Triple::position : Triple::planar;
+    list.planar = form.size() == 2 || (form.size() == 3 && triple == Triple::planar);
+    list.oriented = form.size() > 3 || form == pose_forms()[0];
     std::vector<std::size_t> column_of;  // of each number of the form
     for (const std::string& name : form) {
       const auto column = std::find(table.columns.begin(), table.columns.end(), name);
@@ -108,8 +123,8 @@ PoseList poses_from_csv(std::string_view text, const std::string& path, AngleUni
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
       line = table.lines[row];
       for (std::size_t i = 0; i < form.size(); ++i) values[i] = table.rows[row][column_of[i]];
-      list.poses.push_back(checked_pose(pose_of(values, unit)));
-      list.max_angle = larger_angle(values, unit, list.max_angle);
+      list.poses.push_back(checked_pose(pose_of(values, unit, triple)));
+      list.max_angle = larger_angle(values, unit, triple, list.max_angle);
     }
   } catch (const Error& error) {
     throw FileError(path, line, error.what());
@@ -117,11 +132,11 @@ PoseList poses_from_csv(std::string_view text, const std::string& path, AngleUni
   return list;
 }
 
-PoseList read_poses(const std::string& path, AngleUnit unit) {
-  return poses_from_csv(internal::read_file(path), path, unit);
+PoseList read_poses(const std::string& path, AngleUnit unit, Triple triple) {
+  return poses_from_csv(internal::read_file(path), path, unit, triple);
 }
 
-WrittenPose parse_pose(std::string_view text, AngleUnit unit) {
+WrittenPose parse_pose(std::string_view text, AngleUnit unit, Triple triple) {
   const std::vector<double> values = internal::parse_numbers(text, "pose");
   const bool known = std::any_of(pose_forms().begin(), pose_forms().end(),
                                  [&](const Names& form) { return form.size() == values.size(); });
@@ -129,7 +144,11 @@ WrittenPose parse_pose(std::string_view text, AngleUnit unit) {
     throw Error("pose " + in_quotes(text) + " has " + std::to_string(values.size()) +
                 " numbers; poses are " + known_forms);
   }
-  return {pose_of(values, unit), values.size() == 3, larger_angle(values, unit, 0)};
+  const bool position = values.size() == 3 && triple == Triple::position;
+  return {.pose = pose_of(values, unit, triple),
+          .planar = values.size() <= 3 && !position,
+          .max_angle = larger_angle(values, unit, triple, 0),
+          .oriented = values.size() > 2 && !position};
 }
 
 }  // namespace beeline

@@ -16,39 +16,51 @@ enum class AngleUnit { radians, degrees };
 
 double to_radians(double angle, AngleUnit unit);
 
+/// The meaning of three numbers without names: x,y,theta or x,y,z.
+enum class Triple { planar, position };
+
 /// A pose as a text gives it.
 struct WrittenPose {
   Pose pose;
-  bool planar = false;   ///< given as x,y,theta
+  bool planar = false;   ///< given as x,y,theta or x,y
   double max_angle = 0;  ///< the angle that is largest by magnitude, radians; 0 with a quaternion
+  bool oriented = true;  ///< false: a position, x,y,z or x,y; the orientation is the identity
 };
 
-/// Poses of a CSV file. A text gives a pose in one of three forms, in metres and an AngleUnit:
-///     x,y,theta     x,y,z,roll,pitch,yaw     x,y,z,qw,qx,qy,qz
-/// The first is planar: a pose in the plane z = 0.
+/// Poses of a CSV file. A text gives a pose in one of these forms, in metres and an AngleUnit:
+///     x,y,theta     x,y,z,roll,pitch,yaw     x,y,z,qw,qx,qy,qz     x,y,z     x,y
+/// The first and the last are planar: in the plane z = 0. The last two have no orientation.
 struct PoseList {
-  std::vector<Pose> poses = {};  ///< at least one
-  std::vector<int> lines = {};   ///< the line of the file of each pose
-  bool planar = false;           ///< given as x,y,theta
-  double max_angle = 0;          ///< the angle that is largest by magnitude, radians
+  std::vector<Pose> poses = {};           ///< at least one
+  std::vector<int> lines = {};            ///< the line of the file of each pose
+  bool planar = false;                    ///< given as x,y,theta or x,y
+  double max_angle = 0;                   ///< the angle that is largest by magnitude, radians
+  bool oriented = true;                   ///< false: positions, given as x,y,z or x,y
+  std::vector<std::string> columns = {};  ///< of the form
+  bool has_header = true;                 ///< false: the form follows from the number of columns
 };
 
-/// Returns the names of the columns of the three forms.
-const std::array<std::vector<std::string>, 3>& pose_forms();
+/// Returns the names of the columns of the five forms, in the order above.
+const std::array<std::vector<std::string>, 5>& pose_forms();
 
-/// Returns the pose given by 3, 6 or 7 numbers in the order of pose_forms(). Throws Error for any
-/// other count and for a quaternion that is not of unit length.
-Pose pose_of(std::span<const double> numbers, AngleUnit unit = AngleUnit::radians);
+/// Returns the pose given by 2, 3, 6 or 7 numbers in the order of pose_forms(). Throws Error for
+/// any other count and for a quaternion that is not of unit length.
+Pose pose_of(std::span<const double> numbers, AngleUnit unit = AngleUnit::radians,
+             Triple triple = Triple::planar);
 
-/// Reads a CSV file whose header names the columns of one form, in any order. Throws FileError for
-/// a column that is missing or unknown, for a quaternion that is not of unit length, and for a pose
+/// Reads a CSV file whose header names the columns of one form, in any order. Without a header, the
+/// columns are those of the form with as many, in its order; of three, `triple` says which. The
+/// separator is a comma or, where the first line has no comma, a semicolon. Throws FileError for a
+/// column that is missing or unknown, for a quaternion that is not of unit length, and for a pose
 /// farther away than 1e100 m.
-PoseList read_poses(const std::string& path, AngleUnit unit = AngleUnit::radians);
+PoseList read_poses(const std::string& path, AngleUnit unit = AngleUnit::radians,
+                    Triple triple = Triple::planar);
 /// The same from a text; `path` names it in messages.
 PoseList poses_from_csv(std::string_view text, const std::string& path,
-                        AngleUnit unit = AngleUnit::radians);
+                        AngleUnit unit = AngleUnit::radians, Triple triple = Triple::planar);
 
-/// Parses a pose from 3, 6 or 7 numbers separated by commas, as pose_of().
-WrittenPose parse_pose(std::string_view text, AngleUnit unit = AngleUnit::radians);
+/// Parses a pose from 2, 3, 6 or 7 numbers separated by commas, as pose_of().
+WrittenPose parse_pose(std::string_view text, AngleUnit unit = AngleUnit::radians,
+                       Triple triple = Triple::planar);
 
 }  // namespace beeline

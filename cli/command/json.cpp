@@ -66,6 +66,7 @@ void Json::add(std::string key, Json value) {
 }
 
 void Json::add(const Json& members) {
+  if (std::holds_alternative<std::nullptr_t>(members.value_)) return;
   const Object& object = std::get<Object>(members.value_);
   for (std::size_t i = 0; i < object.keys.size(); ++i) add(object.keys[i], object.values[i]);
 }

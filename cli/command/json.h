@@ -44,7 +44,7 @@ class Json {
   void append(Json element);
   /// Appends a member to an object; null becomes an object.
   void add(std::string key, Json value);
-  void add(const Json& members);  ///< all members of another object
+  void add(const Json& members);  ///< all members of another object; null has none
 
   /// The JSON text, indented by two spaces. Numbers read back exactly; bytes that are not UTF-8
   /// become the replacement character.

@@ -92,30 +92,38 @@ std::string naming_the_option(std::string message, const Selection& selection) {
   return message;
 }
 
-int print(const Answer& answer, bool json) {
-  if (json) {
-    write_stdout(answer.document.text() + "\n");
-  } else if (answer.text_on_stderr) {
+int exit_code(const Answer& answer) {
+  if (!answer.yes) print_error(answer.reason);
+  return static_cast<int>(answer.yes ? Exit::yes : Exit::no);
+}
+
+int print(const Answer& answer) {
+  if (answer.text_on_stderr) {
     write_stderr(answer.text);
   } else {
     write_stdout(answer.text);
   }
-  if (!answer.yes) print_error(answer.reason);
-  return static_cast<int>(answer.yes ? Exit::yes : Exit::no);
+  return exit_code(answer);
+}
+
+int print_json(const Verb& verb, const Answer& answer) {
+  write_stdout(with_units(verb, answer).text() + "\n");
+  return exit_code(answer);
 }
 
 int run(Selection& selection) {
   const Verb& verb = *selection.verb;
   if (asks_for_help(selection.arguments)) {
-    return print({.text = help_text(verb, selection.command)}, false);
+    return print({.text = help_text(verb, selection.command)});
   }
   selection.typed = parse(verb, selection.arguments);
-  return print(verb.run(), verb.json != nullptr && *verb.json);
+  const bool json = verb.json != nullptr && *verb.json;
+  return json ? print_json(verb, verb.run()) : print(verb.run());
 }
 
 int print_version(const std::vector<std::string>& arguments) {
   if (arguments.size() > 1) throw Error("unexpected argument \"" + arguments[1] + "\"");
-  return print({.text = "beeline " BEELINE_VERSION "\n"}, false);
+  return print({.text = "beeline " BEELINE_VERSION "\n"});
 }
 
 int fail(Exit exit, const std::string& message) {
@@ -134,7 +142,7 @@ int run_program(std::vector<Verb> verbs, int argc, char** argv) {
   selection.arguments.assign(argv + std::min(argc, 1), argv + argc);
   try {
     const std::string first = selection.arguments.empty() ? "" : selection.arguments.front();
-    if (first == "--help" || first == "-h") return print({.text = overview(verbs)}, false);
+    if (first == "--help" || first == "-h") return print({.text = overview(verbs)});
     if (first == "--version") return print_version(selection.arguments);
     select(verbs, selection);
     return run(selection);

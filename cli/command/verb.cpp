@@ -8,12 +8,25 @@ std::vector<Option> all_options(const Verb& verb) {
   static bool help = false;
   std::vector<Option> options = verb.options;
   if (verb.json != nullptr) {
-    options.push_back({.name = "--json",
-                       .help = "Print the answer as JSON. Numbers read back exactly.",
-                       .target = verb.json});
+    options.push_back(
+        {.name = "--json",
+         .help = "Print the answer as JSON, with its units. Numbers read back exactly.",
+         .target = verb.json});
   }
   options.push_back({.name = "--help", .help = "Print this help.", .target = &help, .alias = "-h"});
   return options;
+}
+
+Json with_units(const Verb& verb, const Answer& answer) {
+  Json document = answer.document;
+  for (const Option& option : verb.options) {
+    if (option.name != "--degrees") continue;
+    const bool degrees = *std::get<bool*>(option.target);
+    Json units{{"length", "m"}, {"angle", degrees ? "deg" : "rad"}, {"time", "s"}};
+    units.add(answer.units);
+    document.add("units", units);
+  }
+  return document;
 }
 
 std::string usage(const Verb& verb, const std::string& command) {

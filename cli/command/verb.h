@@ -7,10 +7,12 @@
 #include "json.h"
 #include "option.h"
 
-/// What a verb answers. The text, or with --json the document, is printed on stdout.
+/// What a verb answers. The text, or with --json the document, is printed on stdout. The document
+/// of a verb with --degrees has the member "units", see with_units().
 struct Answer {
   std::string text = {};
   Json document = {};
+  Json units = {};              ///< of members in other units than the rest, by their keys
   bool yes = true;              ///< no ends with exit code 1
   std::string reason = {};      ///< of a no, for stderr
   bool text_on_stderr = false;  ///< stdout holds other results
@@ -37,6 +39,10 @@ struct Verb {
 
 /// All options with --json and --help, as the help, the man page and the completions list them.
 std::vector<Option> all_options(const Verb& verb);
+
+/// The document with {"units": {"length": "m", "angle": "rad" or "deg", "time": "s"}} and the
+/// answer's own units, if the verb has --degrees.
+Json with_units(const Verb& verb, const Answer& answer);
 
 /// "beeline line ARM --through FILE [options]".
 std::string usage(const Verb& verb, const std::string& command);

@@ -219,3 +219,70 @@ def test_angles_beyond_a_revolution_get_a_warning(beeline, written):
     (line,) = warnings("line", "rrr", "--from", "0,1.57,0", "--through", poses)
     assert "--through p.csv" in line
     assert warnings("fk", "rp", "--q", "0,90") == []  # metres
+
+
+def test_positions_are_poses_for_the_position_task(beeline, refused, written):
+    plane = beeline("ik", "rrr", "--pose", "3,3", "--task", "position", "--json")
+    assert plane.code == 0
+    q = text(plane.json["solutions"][0])
+    pose = beeline("fk", "rrr", "--q", q, "--json").json["pose"]["planar"]
+    assert (pose["x"], pose["y"]) == pytest.approx((3, 3), abs=1e-8)
+    space = beeline("ik", "panda", "--pose", "0.4,0.1,0.5", "--task", "position", "--json")
+    found = beeline("fk", "panda", "--q", text(space.json["solutions"][0]), "--json").json["pose"]
+    assert found["translation"] == pytest.approx([0.4, 0.1, 0.5], abs=1e-8)
+    refused(2, "ik", "rrr", "--pose", "3,3", says=["--pose: x,y gives no orientation", "--task position"])
+    refused(2, "ik", "panda", "--pose", "0.4,0.1,0.5",
+            says=["--pose: x,y,z gives no orientation; give --task position, or x,y,z,roll"])
+    refused(2, "ik", "panda", "--pose", "3,3", "--task", "position", says=["x,y is for planar arms"])
+    poses = written("p.csv", "x;y;z\n0.4;0.1;0.5\n0.45;0;0.4\n")
+    line = beeline("line", "panda", "--from", Q["panda"], "--through", poses, "--task", "position",
+                   "--out", "m.csv", "--json")
+    assert line.json["status"] == "reached" and line.err == ""
+    assert beeline("check", "panda", "m.csv", "--through", poses, "--task", "position").code == 0
+    refused(3, "line", "panda", "--from", Q["panda"], "--through", poses,
+            says=["p.csv:2: x,y,z gives no orientation; give --task position"])
+
+
+def test_a_file_without_a_header_is_read_with_a_warning(beeline, written):
+    rows = "4.5,5.2,0\n2,6,0.5\n"
+    line = ("line", "rrr", "--from", "0,1.57,0", "--json", "--through")
+    named = beeline(*line, written("w.csv", "x,y,theta\n" + rows))
+    bare = beeline(*line, written("b.csv", rows.replace(",", ";")))
+    assert bare.json == named.json and named.err == ""
+    assert bare.err == (
+        "beeline: warning: b.csv has no header; its columns are read as x, y, theta\n")
+
+
+def test_batch_reads_positions_and_semicolons(beeline, refused, written):
+    written("p.csv", "x;y;z\n0.4;0.1;0.5\n")
+    written("q.csv", "0.4,0.1,0.5\n")
+    batch = ("batch", "ik", "panda", "--out", "-")
+    answer = beeline(*batch, "--in", "p.csv", "--task", "position")
+    assert answer.code == 0 and len(answer.out.splitlines()) == 2
+    assert beeline(*batch, "--in", "q.csv", "--task", "position").out == answer.out
+    refused(3, *batch, "--in", "p.csv", says=["p.csv:2", "--task position"])
+    written("a.csv", "0;90;0\n")
+    err = beeline("batch", "fk", "rrr", "--in", "a.csv", "--out", "f.csv").err
+    assert "--in a.csv, row 1: an angle of 90 rad is more than a revolution" in err
+    assert "revolution" not in beeline("batch", "fk", "rrr", "--in", "a.csv", "--out", "f.csv",
+                                       "--degrees").err
+
+
+def test_a_planar_pose_is_in_the_plane_of_the_arm(beeline):
+    pose = ("ik", "rrr", "--mount", "0,0,0.7,0,0,0", "--json", "--pose")
+    assert beeline(*pose, "3,3", "--task", "position").code == 0
+    assert beeline(*pose, "3,3,0.5", "--task", "spatial").code == 0
+
+
+def test_json_states_its_units(beeline, written):
+    units = {"length": "m", "angle": "rad", "time": "s"}
+    q = ("--q", "0.1,0.2,0.3", "--json")
+    assert beeline("fk", "rrr", *q).json["units"] == units
+    assert beeline("fk", "rrr", *q, "--degrees").json["units"] == {**units, "angle": "deg"}
+    jacobian = beeline("jacobian", "rrr", *q, "--degrees").json["units"]
+    assert jacobian["jacobian"] == "m or rad of the tool, per rad or m of the joint"
+    far = beeline("ik", "rrr", "--pose", "30,3,0", "--json", "--degrees").json
+    assert far["status"] == "unreachable" and far["units"]["residual"] == "m"
+    assert beeline("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--json").json["units"] == {
+        **units, "error": "rad or m"}
+    assert "units" not in beeline("arms", "--json").json

@@ -69,12 +69,15 @@ TEST(PoseList, MistakesAreNamed) {
   const auto read = [](const char* text) { return poses_from_csv(text, "a.csv"); };
   const std::string forms = "poses are x,y,theta or x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz";
   EXPECT_REFUSED(read("x,theta\n1,2\n"), "a.csv: column y is missing; " + forms);
-  EXPECT_REFUSED(read("x,y\n1,2\n"), "column theta is missing; " + forms);
+  EXPECT_REFUSED(read("y\n1\n"), "column x, theta is missing; " + forms);
   EXPECT_REFUSED(read("x,y,z,qw,qx,qz\n1,2,3,1,0,0\n"), "column qy is missing");
   EXPECT_REFUSED(read("x,y,z,roll\n1,2,3,1\n"), "column pitch, yaw is missing");
   EXPECT_REFUSED(read("x,y,z,theta\n1,2,3,1\n"), "column z does not belong to x, y, theta");
   EXPECT_REFUSED(read("x,y,theta,speed\n1,2,3,1\n"), "unknown column \"speed\"; " + forms);
-  EXPECT_REFUSED(read("x;y;theta\n1\n"), "unknown column \"x;y;theta\"");
+  EXPECT_REFUSED(read("x;y;theta\n1\n"), "a.csv:2: this row has 1 items; the header has 3");
+  EXPECT_REFUSED(read("1,2,3,4\n"),
+                 "a.csv:1: the first line must be a header of names, such as x,y,theta; it has 4 "
+                 "numbers, which is no pose");
   EXPECT_REFUSED(read("x,y,theta\n1,2,nan\n"), "a.csv:2: column theta: \"nan\" must be finite");
   EXPECT_REFUSED(read("x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n0,0,0,1,1,0,0\n"),
                  "a.csv:3: quaternion qw,qx,qy,qz = 1,1,0,0 has length 1.41421; it must be 1");
@@ -82,6 +85,59 @@ TEST(PoseList, MistakesAreNamed) {
   EXPECT_REFUSED(parse_pose("1,2,3,4"), "has 4 numbers; " + forms);
   EXPECT_REFUSED(parse_pose("1,2,x"), "pose: item 3: \"x\" is not a number");
   EXPECT_REFUSED(parse_pose("1,2,3,0,0,0,0"), "has length 0");
+}
+
+TEST(PoseList, PositionsHaveNoOrientation) {
+  const PoseList space = poses_from_csv("z,x,y\n3,1,2\n", "a.csv");
+  EXPECT_EQ(space.poses.at(0).matrix(), make_pose({1, 2, 3}).matrix());
+  EXPECT_FALSE(space.oriented);
+  EXPECT_FALSE(space.planar);
+  const PoseList plane = poses_from_csv("x,y\n3,4\n", "a.csv");
+  EXPECT_EQ(plane.poses.at(0).translation(), Vector3(3, 4, 0));
+  EXPECT_FALSE(plane.oriented);
+  EXPECT_TRUE(plane.planar);
+  EXPECT_EQ(parse_pose("1,2,3", AngleUnit::degrees, Triple::position).pose.translation(),
+            Vector3(1, 2, 3));
+  EXPECT_FALSE(parse_pose("1,2,3", AngleUnit::degrees, Triple::position).oriented);
+  EXPECT_TRUE(parse_pose("1,2,3").oriented);
+  EXPECT_TRUE(parse_pose("3,4").planar);
+  EXPECT_FALSE(parse_pose("3,4").oriented);
+}
+
+TEST(PoseList, WithoutAHeaderTheNumberOfColumnsGivesTheForm) {
+  const auto columns = [](const char* text, Triple triple = Triple::planar) {
+    const PoseList list = poses_from_csv(text, "a.csv", AngleUnit::radians, triple);
+    EXPECT_FALSE(list.has_header);
+    EXPECT_EQ(list.poses.size(), 2u);
+    EXPECT_EQ(list.lines, (std::vector<int>{1, 2}));
+    return listed(list.columns);
+  };
+  EXPECT_EQ(columns("1,2\n3,4\n"), "x, y");
+  EXPECT_EQ(columns("1,2,0.5\n3,4,0.1\n"), "x, y, theta");
+  EXPECT_EQ(columns("1,2,0.5\n3,4,0.1\n", Triple::position), "x, y, z");
+  EXPECT_EQ(columns("1;2;3;0;0;0\n1;2;3;0;0;0\n"), "x, y, z, roll, pitch, yaw");
+  EXPECT_EQ(columns("1,2,3,1,0,0,0\n1,2,3,1,0,0,0\n"), "x, y, z, qw, qx, qy, qz");
+  EXPECT_EQ(poses_from_csv("x,y,theta\n1,2,3\n", "a.csv", AngleUnit::radians, Triple::position)
+                .columns.size(),
+            3u);
+}
+
+TEST(PoseList, SemicolonsSeparateToo) {
+  EXPECT_EQ(poses_from_csv("x;y;theta\n1;2.5;0\n", "a.csv").poses.at(0).translation(),
+            Vector3(1, 2.5, 0));
+  const std::string cure = "separate them by commas or by semicolons, and write decimal points";
+  for (const char* text : {"x;y;theta\n1,5;2;0\n", "x,y,theta\n1,5;2;0\n", "1,5;2,5;0\n"}) {
+    EXPECT_REFUSED(poses_from_csv(text, "a.csv"), cure);
+  }
+}
+
+TEST(PoseList, TheLargestAngleIsReported) {
+  EXPECT_EQ(parse_pose("1,2,-90").max_angle, -90);
+  EXPECT_EQ(parse_pose("1,2,180", AngleUnit::degrees).max_angle, pi);
+  EXPECT_EQ(parse_pose("100,200,300,1,2,-3").max_angle, -3);
+  EXPECT_EQ(parse_pose("100,200,300,1,0,0,0").max_angle, 0);
+  EXPECT_EQ(parse_pose("100,200,300", AngleUnit::radians, Triple::position).max_angle, 0);
+  EXPECT_EQ(poses_from_csv("x,y,theta\n1,2,3\n1,2,-9\n1,2,4\n", "a.csv").max_angle, -9);
 }
 
 TEST(PoseList, IsReadFromAFile) {

@@ -68,7 +68,8 @@ CsvReader::CsvReader(const std::string& path, const RowForms& forms)
   std::string_view line;
   if (!lines_.next(line)) throw FileError(file_.path(), 0, "is empty; it needs rows");
   try {
-    const std::vector<std::string> items = csv_items(line);
+    separator_ = csv_separator(line);
+    const std::vector<std::string> items = csv_items(line, separator_);
     if (read_header(items, forms)) return;
     choose_form(items.size(), forms);
   } catch (const Error& error) {
@@ -126,8 +127,8 @@ bool CsvReader::parse_plain(std::string_view line, double* numbers) const {
     const auto [end, fault] = parse_double(at, last, value);
     if (fault != std::errc() || !std::isfinite(value)) return false;
     at = past_blanks(end, last);
-    const bool comma = at < last && *at == ',';
-    if (comma != (k + 1 < index_of_.size()) || (!comma && at != last)) return false;
+    const bool more = at < last && *at == separator_;
+    if (more != (k + 1 < index_of_.size()) || (!more && at != last)) return false;
     ++at;
     numbers[index_of_[k]] = value;
   }
@@ -136,7 +137,7 @@ bool CsvReader::parse_plain(std::string_view line, double* numbers) const {
 
 /// Parses any row, such as "1","2" or +1. Throws Error that describes what is wrong with it.
 void CsvReader::parse_quoted(std::string_view line, double* numbers) const {
-  const std::vector<std::string> items = csv_items(line);
+  const std::vector<std::string> items = csv_items(line, separator_);
   if (items.size() != index_of_.size()) {
     throw Error("it has " + std::to_string(items.size()) + " items; a row has " +
                 std::to_string(index_of_.size()) + ": " + listed(columns_));

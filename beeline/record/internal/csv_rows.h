@@ -30,6 +30,7 @@ class CsvReader {
 
   InputFile file_;
   CsvLines lines_;
+  char separator_ = ',';
   std::size_t form_ = 0;
   std::vector<std::string> columns_;    ///< in the file's order
   std::vector<Eigen::Index> index_of_;  ///< of each column in the form

@@ -75,6 +75,16 @@ TEST(Csv, MistakesAreNamedWithTheirLine) {
   EXPECT_REFUSED(parse_csv(std::string("x\n1\0\n", 5), "a.csv"), "is not a number");
 }
 
+TEST(Csv, SemicolonsSeparateWhereTheFirstLineHasNoComma) {
+  const CsvTable table = parse_csv("x;\"y,;\"\n1;2\n", "a.csv");
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"x", "y,;"}));
+  EXPECT_EQ(table.rows, (std::vector<std::vector<double>>{{1, 2}}));
+  EXPECT_EQ(csv_separator("a,b;c"), ',');
+  EXPECT_EQ(csv_separator("a"), ',');
+  EXPECT_EQ(csv_name("a;b"), "\"a;b\"");
+  EXPECT_EQ(parse_csv("a;b,c\n1,2\n", "a.csv").columns.front(), "a;b");
+}
+
 TEST(Csv, EndlessTablesAreRefused) {
   std::string many = "c0";
   for (int i = 1; i <= 100'000; ++i) many += ",c" + std::to_string(i);
