@@ -81,9 +81,9 @@ Arm ArmArgument::read(const UnitArgument& unit) const {
   const Arm described = read_arm(text, ends, &notes);
   for (const std::string& note : notes) warn(note + "; --tip selects another");
   Arm arm = described;
-  if (!tcp.empty()) arm = with_tcp(arm, parse_pose_option(described, "--tcp", tcp, unit).pose);
+  if (!tcp.empty()) arm = with_tcp(arm, parse_frame_option(described, "--tcp", tcp, unit).pose);
   if (!mount.empty())
-    arm = with_mount(arm, parse_pose_option(described, "--mount", mount, unit).pose);
+    arm = with_mount(arm, parse_frame_option(described, "--mount", mount, unit).pose);
   if (limits.empty()) return arm;
   const JointLimits file = read_joint_limits(limits, arm);
   for (const std::string& note : file.notes) warn(note);

@@ -27,7 +27,7 @@ Option WorkArgument::option() {
 
 WrittenPose WorkArgument::read(const Arm& arm, const UnitArgument& unit) const {
   if (text.empty()) return {.pose = Pose::Identity(), .planar = true};
-  return parse_pose_option(arm, "--work", text, unit);
+  return parse_frame_option(arm, "--work", text, unit);
 }
 
 WrittenPose parse_pose_option(const Arm& arm, const std::string& option, const std::string& text,
@@ -42,6 +42,14 @@ WrittenPose parse_pose_option(const Arm& arm, const std::string& option, const s
     const bool prefixed = message.starts_with("pose:");  // the number's position follows
     throw Error(option + (prefixed ? message.substr(4) : ": " + message));
   }
+}
+
+WrittenPose parse_frame_option(const Arm& arm, const std::string& option, const std::string& text,
+                               const UnitArgument& unit) {
+  const WrittenPose frame = parse_pose_option(arm, option, text, unit);
+  if (!frame.planar || arm.planar()) return frame;
+  throw Error(option + ": x,y is for planar arms; " + arm.name() +
+              " needs x,y,z, x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz");
 }
 
 WrittenPose in_world(const Arm& arm, const WrittenPose& world_T_work, const WrittenPose& pose) {

@@ -13,6 +13,11 @@ beeline::Triple triple_of(const beeline::Arm& arm);
 beeline::WrittenPose parse_pose_option(const beeline::Arm& arm, const std::string& option,
                                        const std::string& text, const UnitArgument& unit);
 
+/// The pose of a frame of the arm's cell as typed for `option`, in the same forms; a position has
+/// no rotation. Throws Error that begins with the option.
+beeline::WrittenPose parse_frame_option(const beeline::Arm& arm, const std::string& option,
+                                        const std::string& text, const UnitArgument& unit);
+
 /// --work: the frame in which poses are given.
 struct WorkArgument {
   std::string text = {};

@@ -49,7 +49,7 @@ struct Srdf {
     int line = 0;
   };
   struct State {
-    std::string name, group;
+    std::string name, group;  ///< the group is empty where the file has none
     std::map<std::string, std::vector<double>> joints = {};  ///< values in rad or m, by joint
     int line = 0;
   };

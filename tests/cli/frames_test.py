@@ -132,7 +132,8 @@ def test_batch_ik_takes_the_work_frame(beeline, written):
 
 def test_bad_frames_name_their_option(refused):
     fk = ("fk", "panda", "--q", Q["panda"])
-    refused(2, *fk, "--tcp", "1,2", says=["--tcp: pose", "2 numbers"])
+    refused(2, *fk, "--tcp", "1,2", says=["--tcp: x,y is for planar arms", "x,y,z"])
+    refused(2, *fk, "--tcp", "1,2,3,4", says=["--tcp: pose", "4 numbers"])
     refused(2, *fk, "--mount", "1,2,x", says=["--mount: item 3"])
     refused(2, *fk, "--mount", "0,0,0,2,0,0,0", says=["--mount: ", "length 2"])
     refused(2, *fk, "--tcp", "1e200,0,0", says=["--tcp: ", "1e100"])
@@ -260,7 +261,7 @@ def test_batch_reads_positions_and_semicolons(beeline, refused, written):
     answer = beeline(*batch, "--in", "p.csv", "--task", "position")
     assert answer.code == 0 and len(answer.out.splitlines()) == 2
     assert beeline(*batch, "--in", "q.csv", "--task", "position").out == answer.out
-    refused(3, *batch, "--in", "p.csv", says=["p.csv:2", "--task position"])
+    refused(3, "batch", "ik", "panda", "--out", "q.npy", "--in", "p.csv", says=["p.csv:2", "--task position"])
     written("a.csv", "0;90;0\n")
     err = beeline("batch", "fk", "rrr", "--in", "a.csv", "--out", "f.csv").err
     assert "--in a.csv, row 1: an angle of 90 rad is more than a revolution" in err

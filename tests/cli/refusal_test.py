@@ -21,7 +21,7 @@ USAGE = [
     (("jacobian", "rrr", *Q3, "--frame", "tol"), ["tol", "tool"]),
     (("jacobian", "rrr", *Q3, "--task", "000000"), ["000000"]),
     (("ik", "rrr", "--pose", "1,2"), ["--pose", "x,y,theta"]),
-    (("ik", "panda", "--pose", "1,2,3"), ["--pose", "panda"]),
+    (("ik", "panda", "--pose", "1,2,3"), ["--pose", "--task position"]),
     (("ik", "panda", "--pose", "1,2,3,1,1,1,1"), ["quaternion"]),
     (("ik", "rrr", "--pose", "1,2,0", "--seed", "0,0"), ["--seed"]),
     (("ik", "rrr", "--pose", "1,2,0", "--tolerance", "-1"), ["tolerance"]),

@@ -122,6 +122,11 @@ TEST(Srdf, NamedStatesAreConfigurations) {
                  "a.srdf:3: state open of group hand has no value for joint j1");
 }
 
+TEST(Srdf, AStateNeedsNoGroup) {
+  const Srdf srdf = parse("<group_state name=\"up\">" + value("j1", "1") + "</group_state>");
+  EXPECT_EQ(named_state(srdf, arm_from_urdf(urdf, "a.urdf", {.tip = "upper"}), "up")[0], 1);
+}
+
 TEST(Srdf, StatesOfOneNameAreToldApartByTheirGroup) {
   const std::string first = value("j1", "1") + value("j2", "2");
   const Srdf srdf =

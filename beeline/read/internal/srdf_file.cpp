@@ -36,7 +36,7 @@ Srdf::Group read_group(const XmlElements& elements, const XMLElement& element) {
 Srdf::State read_state(const XmlElements& elements, const XMLElement& element) {
   Srdf::State state;
   state.name = elements.needed_name(element, "name");
-  state.group = elements.needed_text(element, "group");
+  if (const char* group = element.Attribute("group")) state.group = group;  // some files lack it
   state.line = element.GetLineNum();
   for (const XMLElement* at = element.FirstChildElement("joint"); at;
        at = at->NextSiblingElement("joint")) {
