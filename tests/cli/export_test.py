@@ -222,6 +222,18 @@ def test_what_a_form_cannot_hold_is_refused(refused, written, tmp_path, code, ar
     assert [path.name for path in tmp_path.iterdir()] == ["in.csv"]
 
 
+def test_the_exported_message_is_proved_as_the_trajectory_is(beeline, written, exported):
+    path = written("poses.csv", LINE)
+    made = beeline("line", "ur5e", "--through", path, "--out", "move.csv", "--json").json
+    prove = lambda file: beeline("check", "ur5e", file, "--through", path, "--json")
+    _, report = exported("ros2", "move.json")
+    answer = prove("move.json")
+    assert report["proof"].startswith("all;") and report["samples"] == made["samples"]
+    assert answer.code == 0 and answer.json == prove("move.csv").json
+    _, report = exported("ros2", "fast.json", "--rate", "200")
+    assert report["proof"].startswith("the samples;") and "moves at the last" not in report["note"]
+
+
 def test_a_reader_of_yaml_reads_the_message(beeline, tmp_path):
     yaml = pytest.importorskip("yaml")
     assert beeline("move", "ur5e", *UR5E, "--method", "quickest", "--out", "move.csv").code == 0

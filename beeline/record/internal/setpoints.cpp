@@ -17,6 +17,15 @@ void append_state(const TrajectoryState& state, double time, const Trajectory& c
   if (!columns.accelerations.empty()) result.accelerations.push_back(state.acceleration);
 }
 
+/// The columns of the last sample, where the joints may move.
+TrajectoryState last_state(const Trajectory& trajectory) {
+  TrajectoryState state;
+  state.position = trajectory.positions.back();
+  if (!trajectory.velocities.empty()) state.velocity = trajectory.velocities.back();
+  if (!trajectory.accelerations.empty()) state.acceleration = trajectory.accelerations.back();
+  return state;
+}
+
 }  // namespace
 
 Trajectory from_time_zero(Trajectory trajectory) {
@@ -43,10 +52,8 @@ Trajectory setpoints(const Trajectory& trajectory, double rate) {
   const double end = trajectory.times.back(), near = slack / rate;
   for (double i = 0; i <= periods; ++i) {
     const double time = i / rate, t = begin + time;
-    // After the end the joints are at rest; at the end they may move.
-    const bool at_end = i > 0 && std::abs(t - end) <= near;
-    append_state(at_end ? sample(trajectory, end, Side::before) : sample(trajectory, t), time,
-                 trajectory, result);
+    const bool at_end = std::abs(t - end) <= near;
+    append_state(at_end ? last_state(trajectory) : sample(trajectory, t), time, trajectory, result);
   }
   return result;
 }
