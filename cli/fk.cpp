@@ -77,6 +77,8 @@ Verb fk_verb() {
                     "beeline fk rrr --q 112,-52,-60 --degrees"},
                    {"All links of a Franka Panda, as JSON",
                     "beeline fk panda --q 0,-0.785,0,-2.356,0,1.571,0.785 --all --json"},
+                   {"A gripper on a UR5 that stands on a table of 0.7 m",
+                    "beeline fk ur5 --q 0,-90,90,0,90,0 --degrees --tcp 0,0,0.15 --mount 0,0,0.7"},
                    {"An arm given by its joint letters and link lengths",
                     "beeline fk RRP:1,0.8,0 --q 0.5,0.2,0.3"}},
       .json = &arguments.json,

@@ -161,6 +161,8 @@ Verb ik_verb() {
                     "beeline ik rrr --pose 4.459,5.226,0 --all --degrees"},
                    {"A redundant arm: the solution most centred between its limits",
                     "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --redundancy centred"},
+                   {"A pose in the frame of a pallet, turned by 30 degrees",
+                    "beeline ik ur5 --pose 0.1,0.2,0.3,180,0,0 --work 0.3,0.1,0,0,0,30 --degrees"},
                    {"All solutions with joint 7 at 45 degrees",
                     "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --lock joint7=45 --all"},
                    {"The numerical method for at most 10 ms, as JSON",

@@ -27,6 +27,8 @@ void apply_lock(const std::string& lock, const Arm& arm, const UnitArgument& uni
   if (!options.seed) options.seed = middle_configuration(arm);
   const double value = internal::parse_number(lock.substr(equals + 1), "--lock " + locked);
   (*options.seed)[k] = unit.coordinate(arm, k, value);
+  if (kind(arm.joint_of(k)) != JointKind::prismatic)
+    warn_of_angle("--lock", (*options.seed)[k], unit);
 }
 
 }  // namespace

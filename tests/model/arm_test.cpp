@@ -44,6 +44,26 @@ TEST(Arm, HasTheGivenParts) {
   EXPECT_EQ(with_tool(arm, base).base().matrix(), base.matrix());
 }
 
+TEST(Arm, ATcpIsOnItsToolAndAMountBelowItsBase) {
+  testing::Random random;
+  for (int i = 0; i < 100; ++i) {
+    const Arm arm = testing::random_arm(random, random.integer(1, 6), 3);
+    const Pose tcp = random.pose(), mount = random.pose(3);
+    const Arm cell = with_mount(with_tcp(arm, tcp), mount);
+    EXPECT_TRUE(cell.tool().isApprox(arm.tool() * tcp, 1e-14));
+    EXPECT_TRUE(cell.base().isApprox(mount * arm.base(), 1e-14));
+    EXPECT_EQ(cell.joint_names(), arm.joint_names());
+    EXPECT_EQ(cell.name(), arm.name());
+    const double radius = arm.reach().radius;
+    EXPECT_NEAR(with_mount(arm, mount).reach().radius, radius, 1e-12 * (1 + radius));
+  }
+  Pose bent = Pose::Identity();
+  bent.linear() *= 2;
+  const Arm arm("arm", {turning("a")});
+  EXPECT_REFUSED(with_tcp(arm, bent), "the tool on the flange");
+  EXPECT_REFUSED(with_mount(arm, bent), "the mount");
+}
+
 TEST(Arm, RefusesNoJointsAndDuplicateOrMissingNames) {
   EXPECT_REFUSED(Arm("empty", {}), "arm empty has no joints");
   EXPECT_REFUSED(arm_with_elbow([](Joint& j) { j.name = "wrist"; }), "two joints are called wrist");

@@ -9,9 +9,8 @@ namespace {
 
 [[noreturn]] void refuse_state(const Srdf& srdf, const Srdf::State& state,
                                const std::string& message) {
-  throw FileError(
-      srdf.path, state.line,
-      "state " + state.name + " of group " + internal::printable(state.group) + " " + message);
+  const std::string of = state.group.empty() ? "" : " of group " + internal::printable(state.group);
+  throw FileError(srdf.path, state.line, "state " + state.name + of + " " + message);
 }
 
 /// Returns the name of the first coordinate that the state has no value for; empty if there is
