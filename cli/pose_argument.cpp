@@ -21,7 +21,9 @@ Triple triple_of(const Arm& arm) { return arm.planar() ? Triple::planar : Triple
 Option WorkArgument::option() {
   return {.name = "--work",
           .value = "POSE",
-          .help = "The frame that poses are given in: its pose in the world, as --mount.",
+          .help =
+              "The frame that poses are given in: its pose in the world, as --mount. Poses are "
+              "printed in the world.",
           .target = &text};
 }
 
