@@ -151,7 +151,7 @@ Verb retime_verb() {
           "(a repeated position or a zero velocity) remain. Prints the number of samples, the new "
           "and the previous duration in seconds, the largest fraction of each limit that is used, "
           "and the largest tool speed in m/s. The file is in radians and metres; --degrees "
-          "applies to limits. A velocity limit that is not known is taken as 1 rad/s or 1 m/s.",
+          "applies to limits. Limits that are not known are assumed, and reported as assumed.",
       .arguments = {arguments.arm.argument(),
                     trajectory_argument("FILE",
                                         "The trajectory, .csv or .json. A .csv file without column "

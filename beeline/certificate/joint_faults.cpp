@@ -14,9 +14,9 @@ using namespace internal;
 
 namespace {
 
+constexpr double rest_fraction = 1e-4;  // of a velocity limit: slower is at rest
 // A velocity, acceleration or jerk may exceed its limit by this fraction: rounding of motions that
 // use their limits fully.
-constexpr double rest_fraction = 1e-4;  // of a velocity limit: slower is at rest
 constexpr double limit_slack = 1e-6;
 constexpr std::size_t stencil = 3;  // steps of a third difference, the longest
 

@@ -178,7 +178,7 @@ void add_usage_between(VelocityUsage& usage, const Arm& arm, const Trajectory& r
   }
 }
 
-/// Plays with a Player, at speeds that change. Returns the usage of the lines between samples or of
+/// Plays with a Player, at speeds that change. Returns the usage of the recording's motion or of
 /// the commands, whichever is larger.
 VelocityUsage play_in_steps(const Arm& arm, const Trajectory& recording,
                             const ReplayOptions& options, Replay& result) {

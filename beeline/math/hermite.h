@@ -4,27 +4,6 @@
 
 namespace beeline::internal {
 
-/// The cubic Hermite polynomial of one coordinate over a time step: it has given values and
-/// velocities at both ends. Coefficients in u = (t - t0) / duration, from 0 to 1.
-struct Cubic {
-  double c0 = 0, c1 = 0, c2 = 0, c3 = 0;
-  double duration = 1;  ///< seconds
-
-  double value(double u) const { return c0 + u * (c1 + u * (c2 + u * c3)); }
-  /// First and second derivative with respect to time.
-  double velocity(double u) const { return (c1 + u * (2 * c2 + 3 * u * c3)) / duration; }
-  double acceleration(double u) const { return (2 * c2 + 6 * u * c3) / (duration * duration); }
-};
-
-Cubic cubic_between(double from, double to, double velocity_from, double velocity_to,
-                    double duration);
-
-/// The least and the largest value of the cubic over the step, ends included.
-struct Extremes {
-  double smallest, largest;
-};
-Extremes extremes(const Cubic& cubic);
-
 /// The quintic Hermite polynomial p(u) = p(0) + c[0] u + c[1] u^2 + ... + c[4] u^5 for u from 0 to
 /// 1: it has given first and second derivatives at both ends. `Value` is a number or an Eigen
 /// vector.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/math/hermite.h>
 #include <beeline/math/polynomial.h>
 
 namespace beeline::internal {

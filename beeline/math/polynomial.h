@@ -1,8 +1,7 @@
 #pragma once
 
 #include <array>
-
-#include <beeline/math/hermite.h>
+#include <cstddef>
 
 namespace beeline::internal {
 
@@ -34,6 +33,10 @@ struct Polynomial {
 Polynomial line_between(double p0, double p1);
 Polynomial cubic_between(double p0, double p1, double d0, double d1);
 Polynomial quintic_between(double p0, double p1, double d0, double d1, double dd0, double dd1);
+
+struct Extremes {
+  double smallest, largest;
+};
 
 /// The least and the largest of the Bernstein coefficients of degree five: they enclose the
 /// polynomial's values on [0, 1].

@@ -19,8 +19,8 @@ using namespace internal;
 namespace {
 
 constexpr double min_tolerance = 1e-8;  // smaller ones are comparable with the rounding of samples
-constexpr double interpolated_fraction = 0.01;  // the same, for the joint path between samples
 constexpr double planned_fraction = 0.9;        // of the tolerance; timing may use the remainder
+constexpr double interpolated_fraction = 0.01;  // the same, for the joint path between samples
 // The same if the motion between the plan's samples must stay near a limit. The bound is
 // proportional to the square of the step, so steps are an eighth as long.
 constexpr double fine_fraction = 1.0 / 64;
@@ -149,7 +149,11 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
     prove(arm, route, task, options, motion);
     if (motion || options.rate > 0) break;
     const std::vector<int> times = divisions(motion.deviation, options);
-    if (times.empty()) break;
+    if (times.empty()) {
+      motion.status = MotionStatus::too_many_samples;
+      motion.reason += ", or more than " + std::to_string(options.max_samples) + " samples";
+      break;
+    }
     timing.divide(times);
   }
   return motion;

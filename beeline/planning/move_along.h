@@ -59,13 +59,14 @@ std::ostream& operator<<(std::ostream& out, const PathMotion& motion);
 
 /// Moves the tool along a path, at rest where the route stops. A waypoint is a segment's end.
 ///
-/// - Samples satisfy the path's poses to rounding, within joint limits.
+/// - Samples are within joint limits, and off the path by about a hundredth of the tolerance at
+/// most.
 /// - path_deviation() proves that the tool stays within the tolerance at all times of the motion
 ///   that the trajectory's columns mean (see Interpolation). Hence no change of branch can occur.
 /// - Starts at `start`, whose tool must be at the path's beginning, or at the best configuration
 ///   there; redundancy is resolved for the whole path (plan_path()).
-/// - The duration is the shortest that the profile and the joint limits allow. An unknown velocity
-///   limit counts as `assumed_velocity_limit`.
+/// - The duration is the shortest that the profile and the joint limits allow. Unknown limits
+///   are assumed (motion_limits()).
 ///
 /// Throws Error for a start outside the limits or with the tool elsewhere, an option out of range,
 /// a route without segments, and a task that its segments do not allow.

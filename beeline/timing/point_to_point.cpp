@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include <beeline/error.h>
-#include <beeline/timing/internal/joint_motion.h>
 #include <beeline/timing/internal/s_curve_state.h>
 #include <beeline/timing/internal/uniform_section.h>
 #include <beeline/timing/point_to_point.h>
+#include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/limit_fraction.h>
 #include <beeline/trajectory/limit_usage.h>
 

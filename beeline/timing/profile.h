@@ -12,7 +12,9 @@ namespace beeline {
 /// limits of velocity and acceleration. To add one, add its name here and its row, in the same
 /// order, to the table in profile.cpp.
 enum class Profile {
-  /// Minimum time under velocity and acceleration limits; jerk is not limited.
+  /// Minimum time under velocity and acceleration limits. Its samples keep known jerk limits too,
+  /// by
+  /// wider ramps of acceleration or a slowdown.
   fastest,
   /// Minimum time under velocity, acceleration and jerk limits: a local optimum.
   jerk,

@@ -9,7 +9,7 @@
 namespace beeline {
 
 struct RetimeOptions {
-  std::optional<Profile> profile = std::nullopt;         ///< default_profile() when none is given
+  std::optional<Profile> profile = std::nullopt;         ///< default_profile when none is given
   Interpolation interpolation = Interpolation::quintic;  ///< of the result
   /// Speed scale k from 1e-6 to 1: velocity limits are multiplied by k, acceleration by k^2, jerk
   /// by k^3.
@@ -43,9 +43,11 @@ void check_moves(const Trajectory& trajectory);
 ///
 /// The result is within the limits at all times, for the motion that its columns mean (see
 /// Interpolation): the acceleration of a cubic or quintic one does not jump, so it takes up to 1 %
-/// longer than a time scaling that does, and with a rate about a period more for each section.
-/// Without a rate every position remains a sample, to the motion of a nanosecond; with a rate only
-/// the first and the last of each section do, and each section lasts a whole number of periods.
+/// longer than a time scaling that does, and more where known limits of jerk need wider ramps; with
+/// a rate about a period more for each section. Without a rate every position remains a sample, to
+/// the motion of a nanosecond, unless it follows the one before within 10 microseconds; with a rate
+/// only the first and the last of each section do, and each section lasts a whole number of
+/// periods.
 ///
 /// Returns no motion, with the reason, when a position or the spline between two leaves the arm's
 /// limits. Throws Error when the trajectory does not fit the arm or has no two different positions,

@@ -145,6 +145,30 @@ TEST(PathDeviation, BoundsWhatIsBetweenSamplesAlsoOverTheEndsOfSegments) {
   EXPECT_GT(cut, 20);
 }
 
+// A segment at rest has no part of its own, wherever it is.
+TEST(PathIntervals, CoverTheWholeIntervalWhereSegmentsAreAtRest) {
+  const Arm arm = built_in("ur5");
+  const Configuration q{{0.3, -1, 1.2, -1.5, -1.5, 0.2}};
+  const Pose a = forward_kinematics(arm, q);
+  Pose b = a;
+  b.translation().z() += 0.05;
+  Trajectory motion = linear(arm, {q, q + Configuration::Constant(6, 0.02)});
+  for (const Configuration& v :
+       {Configuration::Constant(6, 0.1), Configuration::Constant(6, -0.3)}) {
+    motion.velocities = {v, Configuration::Zero(6)};
+    for (const auto& poses :
+         {std::vector{a, a, b}, std::vector{a, b, b}, std::vector{a, b, b, b}}) {
+      const ToolPath path = lines_through(poses);
+      const auto segments = static_cast<double>(path.segments.size());
+      const auto parts = path_intervals(arm, motion, 0, path, Task::spatial(), 0.4, segments);
+      ASSERT_FALSE(parts.empty());
+      EXPECT_EQ(parts.front().from, 0);
+      EXPECT_EQ(parts.back().to, 1);
+      for (std::size_t i = 1; i < parts.size(); ++i) EXPECT_EQ(parts[i].from, parts[i - 1].to);
+    }
+  }
+}
+
 TEST(NearestParameter, FindsTheSamplesOfAPath) {
   Random random;
   for (int i = 0; i < 40; ++i) {

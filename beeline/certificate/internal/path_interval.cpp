@@ -96,9 +96,13 @@ std::vector<PathInterval> path_intervals(const Arm& arm, const Trajectory& traje
                       begin.second * division.span(first), end.second * division.span(last));
   std::vector<PathInterval> parts;
   double from = 0;
-  for (std::size_t i = first; i <= last; ++i) {
+  std::size_t last_moving = last;  // whose part extends to the end
+  while (last_moving > first && !(division.span(last_moving) > 0)) --last_moving;
+  for (std::size_t i = first; i <= last_moving; ++i) {
     const double to =
-        i == last ? 1 : reaching(span, division.span_to(i + 1, static_cast<double>(i + 1)), from);
+        i == last_moving
+            ? 1
+            : reaching(span, division.span_to(i + 1, static_cast<double>(i + 1)), from);
     if (!(division.span(i) > 0) || !(to > from)) continue;
     PathInterval piece{i, from, to, part(whole, from, to)};
     piece.interval.s = span.part(from, to);

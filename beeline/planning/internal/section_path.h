@@ -28,7 +28,7 @@ class SectionPath {
 
   const JointPath& joint_path() const { return joint_path_; }
 
-  /// The parameters of the joint path at the ends of segments, but for the section's own.
+  /// The parameters of the joint path at the ends of segments, except the section's own.
   std::vector<double> segment_ends() const;
 
   /// The path parameter of the tool at a configuration of the joint path, at its parameter s; that

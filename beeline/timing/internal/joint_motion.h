@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <vector>
 
 #include <beeline/path/joint_path.h>
@@ -37,9 +36,6 @@ struct Sample {
   double t = 0;
   JointMotion::State state;
 };
-
-/// The time rounded to a whole number of nanoseconds, as trajectory files of ROS hold it.
-inline double in_nanoseconds(double t) { return std::round(t * 1e9) / 1e9; }
 
 /// The samples with the columns of the interpolation.
 SampledSection with_columns(const Arm& arm, const std::vector<Sample>& samples,

@@ -5,6 +5,7 @@
 #include <beeline/timing/internal/section.h>
 #include <beeline/timing/internal/section_limits.h>
 #include <beeline/timing/internal/uniform_section.h>
+#include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 
 namespace beeline::internal {
@@ -22,6 +23,8 @@ constexpr int max_widenings = 3;
 constexpr double velocity_error = 1e-3, acceleration_error = 3e-3, jerk_error = 0.04;
 constexpr double first_intervals = 8;
 constexpr double shortest = 1.0 / 4096;  // interval between samples, of the duration
+
+constexpr double nearest = 1e-5;  // seconds between samples
 
 // Jumps of the acceleration, or of the jerk of a smooth time scaling, that get samples: as a
 // fraction of the largest.
@@ -81,8 +84,9 @@ class Refinement {
   const SectionOptions& options_;
 };
 
-/// The samples whatever the interpolation needs: the ends, the kinks of the acceleration or, for
-/// linear joints, times without longer gaps, and the required ones, whose s is exact.
+/// The samples whatever the interpolation needs: the ends and the required ones, whose s is exact;
+/// for cubics and quintics also even times and the kinks of the acceleration. Required ones nearer
+/// to one before them than `nearest` are left out: the rounding of their positions would count.
 std::vector<Sample> first_samples(const JointMotion& motion, const TimeScaling& given,
                                   const SectionOptions& options) {
   const AveragedScaling& scaling = motion.scaling();
@@ -114,7 +118,10 @@ std::vector<Sample> first_samples(const JointMotion& motion, const TimeScaling& 
     if (!apart && t < duration && !is_required(now.s)) continue;
     if (!apart && samples.size() > 1 && !is_required(samples.back().state.progress.s))
       samples.pop_back();
-    if (samples.empty() || t > samples.back().t) samples.push_back({t, motion.at(now)});
+    const double gap = samples.empty() ? duration : t - samples.back().t;
+    const bool last = t >= duration;
+    if (last && gap < nearest && samples.size() > 1) samples.pop_back();
+    if (last || gap >= nearest) samples.push_back({t, motion.at(now)});
   }
   return samples;
 }
@@ -127,8 +134,8 @@ void slow_down_in_nanoseconds(SampledSection& section, double slower) {
     const double rounded = in_nanoseconds(trajectory.times[k]);
     const double dt = rounded - trajectory.times[k];
     trajectory.times[k] = rounded;
-    if (k + 1 < trajectory.size()) section.progress[k].s += dt * section.progress[k].speed / slower;
     if (trajectory.velocities.empty() || k + 1 == trajectory.size()) continue;
+    section.progress[k].s += dt * section.progress[k].speed / slower;
     trajectory.positions[k] += dt * trajectory.velocities[k];
     if (!trajectory.accelerations.empty()) {
       trajectory.velocities[k] += dt * trajectory.accelerations[k];

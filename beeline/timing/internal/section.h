@@ -31,8 +31,8 @@ struct SectionOptions {
 /// scaling jumps, at both ends too, AveragedScaling makes it a ramp. Without a rate there are as
 /// many samples as the interpolation needs to agree with the motion along the path, at all kinks of
 /// the acceleration first; times are whole nanoseconds. With a rate the samples are k / rate, the
-/// last one included: the section lasts a whole number of periods. Throws Error where no rate
-/// works.
+/// last one included: the section lasts a whole number of periods. Throws Error where no samples
+/// are found at this rate.
 SampledSection sample_section(const Arm& arm, const TimedPath& section,
                               const SectionOptions& options);
 

@@ -4,6 +4,7 @@
 #include <beeline/timing/internal/joint_motion.h>
 #include <beeline/timing/internal/section_limits.h>
 #include <beeline/timing/internal/uniform_section.h>
+#include <beeline/trajectory/internal/append.h>
 
 namespace beeline::internal {
 namespace {

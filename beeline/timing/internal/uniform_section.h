@@ -8,7 +8,8 @@ namespace beeline::internal {
 ///
 /// The time scaling is replaced by one whose d2s/dt2 is constant between samples, slowed down to
 /// whole periods, and that by its moving average over a whole number of periods: s(t) then is a
-/// cubic between two samples, with d2s/dt2 continuous, which the interpolation reproduces exactly.
+/// cubic between two samples, with d2s/dt2 continuous. The joints' polynomials agree with q(s(t))
+/// at the samples, and needed_slowdown() checks them between these.
 SampledSection uniform_section(const Arm& arm, const TimedPath& section,
                                const SectionOptions& options);
 
