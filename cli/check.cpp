@@ -6,6 +6,7 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/read/internal/file.h>
+#include <beeline/trajectory/limit_usage.h>
 
 #include "arm_argument.h"
 #include "format.h"
@@ -41,15 +42,17 @@ void write_check_plot(const CheckArguments& arguments, const Arm& arm, const Tra
   internal::write_file(arguments.plot, render(drawing, format_of(arguments.plot)));
 }
 
-Json check_document(const CheckArguments& arguments, const Verification& verification,
-                    std::size_t samples) {
+Json check_document(const CheckArguments& arguments, const Arm& arm, const Trajectory& trajectory,
+                    const Verification& verification) {
   const bool passed = verification.fault == Fault::none;
   Json document{{"status", passed ? "passed" : "failed"},
                 {"fault", passed ? Json() : Json(name(verification.fault))},
                 {"sample", passed ? Json() : Json(verification.sample + 1)},
-                {"time", passed ? Json() : Json(verification.time)}};
+                {"time", passed ? Json() : Json(verification.time)},
+                {"duration", trajectory.times.back()}};
+  document.add("limits", json_limits(limit_usage(arm, trajectory)));
   document.add(deviation_members(verification.deviation, arguments.unit));
-  document.add("samples", samples);
+  document.add("samples", trajectory.size());
   document.add("reason", verification.reason);
   Json arrivals = Json::list();
   for (const std::size_t arrival : verification.arrivals) arrivals.append(arrival + 1);
@@ -58,15 +61,18 @@ Json check_document(const CheckArguments& arguments, const Verification& verific
   return document;
 }
 
-std::string check_text(const CheckArguments& arguments, const Verification& verification,
-                       const Trajectory& trajectory, std::size_t waypoints) {
+std::string check_text(const CheckArguments& arguments, const Arm& arm,
+                       const Trajectory& trajectory, const Verification& verification,
+                       std::size_t waypoints) {
   const bool passed = verification.fault == Fault::none;
-  std::string text = fmt::format("{}: {} through {}\n", passed ? "passed" : "failed",
+  std::string text = fmt::format("{}: {} in {} s through {}\n", passed ? "passed" : "failed",
                                  counted(static_cast<std::int64_t>(trajectory.size()), "sample"),
+                                 shown(trajectory.times.back()),
                                  counted(static_cast<std::int64_t>(waypoints), "waypoint"));
   text += passed
               ? deviation_text(verification.deviation, trajectory.interpolation(), arguments.unit)
               : fmt::format("fault         {}\n", name(verification.fault));
+  text += limits_text(limit_usage(arm, trajectory));
   if (!arguments.plot.empty()) text += fmt::format("plot          {}\n", arguments.plot);
   return text;
 }
@@ -88,8 +94,8 @@ Answer check_file(const CheckArguments& arguments) {
   const Route route = arguments.path.from(begin, waypoints.poses, *options.task);
   const Verification verification = verify(arm, trajectory, route, options);
   if (!arguments.plot.empty()) write_check_plot(arguments, arm, trajectory, verification, options);
-  return {.text = check_text(arguments, verification, trajectory, waypoints.poses.size()),
-          .document = check_document(arguments, verification, trajectory.size()),
+  return {.text = check_text(arguments, arm, trajectory, verification, waypoints.poses.size()),
+          .document = check_document(arguments, arm, trajectory, verification),
           .yes = verification.fault == Fault::none,
           .reason = verification.reason};
 }

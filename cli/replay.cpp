@@ -4,8 +4,10 @@
 #include <beeline/control/replay.h>
 #include <beeline/error.h>
 #include <beeline/read/internal/numbers.h>
+#include <beeline/trajectory/limit_usage.h>
 
 #include "arm_argument.h"
+#include "command/streams.h"
 #include "format.h"
 #include "input_files.h"
 #include "motion_report.h"
@@ -65,15 +67,25 @@ Json replay_document(const Replay& played) {
           {"reason", played.reason}};
 }
 
+/// Warns of limits of acceleration and jerk, which replay() does not hold.
+void warn_of_limits(const LimitUsage& limits) {
+  constexpr double slack = 1e-6;  // as check has
+  const std::pair<const char*, const LimitFraction*> kinds[] = {
+      {"acceleration", &limits.acceleration}, {"jerk", &limits.jerk}};
+  for (const auto& [kind, use] : kinds) {
+    if (use->joint.empty() || use->assumed || !(use->fraction > 1 + slack)) continue;
+    warn(fmt::format(
+        "the {} limit of joint {} is exceeded at {} s; a lower speed, another rate or the "
+        "recorded samples (no --rate) may keep it",
+        kind, use->joint, shown(use->time)));
+  }
+}
+
 std::string replay_text(const Replay& played) {
   std::string text =
       fmt::format("played        {} in {} s, of which {} s lead-in\n",
                   counted(static_cast<std::int64_t>(played.trajectory.size()), "sample"),
                   shown(played.trajectory.times.back()), shown(played.lead_in));
-  if (played.velocity_usage > 0) {
-    text += fmt::format("velocity      at most {} % of a joint's limit\n",
-                        shown(100 * played.velocity_usage));
-  }
   return text;
 }
 
@@ -96,7 +108,10 @@ Answer replay_file(const ReplayArguments& arguments) {
       .yes = reached,
       .reason = played.reason};
   if (!reached) return answer;
-  answer.text += replay_text(played);
+  const LimitUsage limits = limit_usage(arm, played.trajectory);
+  answer.text += replay_text(played) + limits_text(limits);
+  answer.document.add("limits", json_limits(limits));
+  warn_of_limits(limits);
   if (measured) {
     const TrajectoryDifference tracking = difference(arm, played.trajectory, *measured);
     answer.text += fmt::format("tracking      {} against what is played\n", arguments.measured) +

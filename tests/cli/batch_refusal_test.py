@@ -155,7 +155,7 @@ USAGE = [
     (("jacobian", "rrr", "--in", "q.csv", "--out", "p.csv", "--task", "000000"), ["000000"]),
     (("ik", "rrr", "--in", "q.csv", "--out", "p.csv", "--seed", "1,2"), ["--seed"]),
     (("ik", "panda", "--in", "q.csv", "--out", "p.csv", "--lock", "joint9"), ["joint9", "joint7"]),
-    (("ik", "panda", "--in", "q.csv", "--out", "-", "--lock", "joint1=99"), ["joint1"]),
+    (("ik", "panda", "--in", "q.csv", "--out", "-", "--lock", "joint1=5"), ["joint1"]),
     (("ik", "rrr", "--in", "q.csv", "--out", "p.csv", "--method", "magic"), ["magic"]),
     (("ik", "RRRRRRRR", "--in", "q.csv", "--out", "p.csv", "--method", "closed_form"),
      ["closed form"]),
