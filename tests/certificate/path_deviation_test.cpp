@@ -153,9 +153,8 @@ TEST(PathIntervals, CoverTheWholeIntervalWhereSegmentsAreAtRest) {
   Pose b = a;
   b.translation().z() += 0.05;
   Trajectory motion = linear(arm, {q, q + Configuration::Constant(6, 0.02)});
-  for (const Configuration& v :
-       {Configuration::Constant(6, 0.1), Configuration::Constant(6, -0.3)}) {
-    motion.velocities = {v, Configuration::Zero(6)};
+  for (const double speed : {0.1, -0.3}) {
+    motion.velocities = {Configuration::Constant(6, speed), Configuration::Zero(6)};
     for (const auto& poses :
          {std::vector{a, a, b}, std::vector{a, b, b}, std::vector{a, b, b, b}}) {
       const ToolPath path = lines_through(poses);
