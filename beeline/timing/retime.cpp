@@ -82,6 +82,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
     internal::append(timed.trajectory, internal::sample_section(arm, path, section).trajectory);
     ++timed.sections;
   }
+  internal::round_times(timed.trajectory);
   timed.limits = limit_usage(arm, timed.trajectory);
   timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory);
   return timed;

@@ -101,6 +101,7 @@ TimedPlan PlanTiming::sample() {
       plan.path_parameters.push_back(std::max(s, plan.path_parameters.back()));
     }
   }
+  round_times(plan.trajectory);
   return plan;
 }
 

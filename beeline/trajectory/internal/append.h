@@ -8,8 +8,10 @@ namespace beeline::internal {
 double in_nanoseconds(double t);
 
 /// Appends a trajectory with the same columns. Its first sample is that at which `trajectory` ends,
-/// and is left out, unless `trajectory` has none yet; times are shifted accordingly, and rounded to
-/// whole nanoseconds.
+/// and is left out, unless `trajectory` has none yet; times are shifted accordingly.
 void append(Trajectory& trajectory, const Trajectory& next);
+
+/// Rounds all times to whole nanoseconds: sums of those that are whole may be off by rounding.
+void round_times(Trajectory& trajectory);
 
 }  // namespace beeline::internal

@@ -23,13 +23,17 @@ TEST(Append, LeavesOutTheFirstSampleAndShiftsTheTimes) {
   EXPECT_EQ(all.positions.back()[0], 2);
 }
 
-TEST(Append, KeepsTimesAtWholeNanoseconds) {
+TEST(RoundTimes, MakesThemWholeNanoseconds) {
   testing::Random random;
   Trajectory all;
   for (int i = 0; i < 1000; ++i) {
     append(all, section(in_nanoseconds(random.uniform(0.001, 3)), i));
-    const double t = all.times.back();
-    ASSERT_EQ(t, in_nanoseconds(t));
+  }
+  const std::vector<double> sums = all.times;
+  round_times(all);
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    ASSERT_NEAR(all.times[k], sums[k], 1e-9);
+    ASSERT_EQ(all.times[k], in_nanoseconds(all.times[k]));
   }
 }
 
