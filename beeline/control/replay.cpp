@@ -97,12 +97,6 @@ VelocityUsage usage_of(const Arm& arm, const Trajectory& recording, double speed
   return usage;
 }
 
-/// Keeps the columns of the interpolation.
-void keep_columns(Trajectory& trajectory, Interpolation interpolation) {
-  if (interpolation != Interpolation::quintic) trajectory.accelerations.clear();
-  if (interpolation == Interpolation::linear) trajectory.velocities.clear();
-}
-
 /// Returns the motion from rest at `start` to rest at `goal`, straight in joint space.
 Trajectory lead_in(const Arm& arm, const Configuration& start, const Configuration& goal,
                    double rate) {
@@ -137,7 +131,7 @@ Trajectory at_speed(const Trajectory& recording, const ReplayOptions& options, d
       played.positions.back() = recording.positions[k];
     }
   }
-  keep_columns(played, recording.interpolation());
+  internal::keep_columns(played, recording.interpolation());
   return played;
 }
 
@@ -158,7 +152,7 @@ void play_at_constant_speed(const Arm& arm, const Trajectory& recording,
   const Configuration& first = recording.positions.front();
   if (options.start && (first - *options.start).lpNorm<Eigen::Infinity>() > at_start) {
     result.trajectory = lead_in(arm, *options.start, first, options.rate);
-    keep_columns(result.trajectory, recording.interpolation());
+    internal::keep_columns(result.trajectory, recording.interpolation());
     result.lead_in = result.trajectory.times.back();
   }
   result.trajectory.joint_names = arm.joint_names();

@@ -106,7 +106,7 @@ Trajectory in_periods(const Arm& arm, const PointToPoint& motion, double periods
   Trajectory trajectory = at_rest(arm, motion.from);
   const auto all = static_cast<std::size_t>(periods) + (periods < 2 ? 0 : 1);
   for (std::size_t k = 1; k <= all; ++k) {
-    trajectory.times.push_back(internal::in_nanoseconds(static_cast<double>(k) * period));
+    trajectory.times.push_back(internal::round_to_nanoseconds(static_cast<double>(k) * period));
     trajectory.positions.push_back(motion.to);
     trajectory.velocities.push_back(trajectory.velocities.front());
     trajectory.accelerations.push_back(trajectory.accelerations.front());
@@ -117,12 +117,9 @@ Trajectory in_periods(const Arm& arm, const PointToPoint& motion, double periods
     const double distance = motion.to[i] - motion.from[i];
     const SCurve& curve = motion.curves[static_cast<std::size_t>(i)];
     if (distance == 0) continue;
-    std::vector<double> speeds{0};
-    for (double k = 1; k < periods; ++k) {
-      speeds.push_back(at(curve, k * period / slower).velocity / slower);
-    }
-    speeds.push_back(0);
-    const TimeScaling uniform = internal::uniform_scaling(speeds, period, distance);
+    const TimeScaling uniform = internal::uniform_scaling(periods, period, distance, [&](double t) {
+      return at(curve, t / slower).velocity / slower;
+    });
     const internal::AveragedScaling averaged(uniform, period);
     for (std::size_t k = 1; k < all; ++k) {
       const internal::Progress now = averaged.at(trajectory.times[k]);

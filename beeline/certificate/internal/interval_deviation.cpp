@@ -21,12 +21,6 @@ constexpr double finest = 1e-13;         // metres and radians; smaller bounds a
 /// Hermite's remainder |e - H| <= |e^(6)| / 46080 from a bound on |e^(6)| / 6!.
 constexpr double remainder_factor = 1.0 / 64;
 
-/// The value and first two derivatives of a polynomial.
-std::array<double, 3> jet(const Polynomial& p, double u) {
-  const Polynomial d = p.derivative();
-  return {p(u), d(u), d.derivative()(u)};
-}
-
 class IntervalProof {
  public:
   IntervalProof(const Arm& arm, const Segment& segment, const Task& task, const Deviation& known)
@@ -48,16 +42,9 @@ class IntervalProof {
   };
 
   End end(const Interval& interval, double u) {
-    const auto n = static_cast<Eigen::Index>(interval.coordinates.size());
-    Configuration q(n), dq(n), ddq(n);
-    for (Eigen::Index k = 0; k < n; ++k) {
-      const auto [value, first, second] = jet(interval.coordinates[static_cast<std::size_t>(k)], u);
-      q[k] = value;
-      dq[k] = first;
-      ddq[k] = second;
-    }
-    const auto [s, ds, dds] = jet(interval.s, u);
-    const PoseMotion tool = tool_motion(arm_, q, dq, ddq);
+    const Polynomial rate = interval.s.derivative();
+    const double s = interval.s(u), ds = rate(u), dds = rate.derivative()(u);
+    const PoseMotion tool = tool_motion(arm_, interval.coordinates, u);
     const PoseMotion path = motion_along(segment_, s, {ds, dds});
     grow(result_.measured, deviation_from(segment_, std::clamp(s, 0.0, 1.0), tool.pose, task_));
     const Twist difference = pose_difference(path.pose, tool.pose);

@@ -57,18 +57,6 @@ double reaching(const Polynomial& p, double value, double from) {
   return 1;
 }
 
-PoseMotion tool_at(const Arm& arm, const Interval& whole, double u) {
-  Configuration q(arm.dof()), dq(arm.dof()), ddq(arm.dof());
-  for (int i = 0; i < arm.dof(); ++i) {
-    const Polynomial& p = whole.coordinates[static_cast<std::size_t>(i)];
-    const Polynomial d = p.derivative();
-    q[i] = p(u);
-    dq[i] = d(u);
-    ddq[i] = d.derivative()(u);
-  }
-  return tool_motion(arm, q, dq, ddq);
-}
-
 }  // namespace
 
 std::vector<PathInterval> path_intervals(const Arm& arm, const Trajectory& trajectory,
@@ -81,10 +69,10 @@ std::vector<PathInterval> path_intervals(const Arm& arm, const Trajectory& traje
   const Division division(path, task, s_a, s_b);
   const std::size_t first = division.first(), last = division.last();
   const auto local = [](double s, std::size_t i) { return s - static_cast<double>(i); };
-  const ParameterRates begin =
-      following(path.segments[first], local(s_a, first), task, tool_at(arm, whole, 0));
-  const ParameterRates end =
-      following(path.segments[last], local(s_b, last), task, tool_at(arm, whole, 1));
+  const ParameterRates begin = following(path.segments[first], local(s_a, first), task,
+                                         tool_motion(arm, whole.coordinates, 0));
+  const ParameterRates end = following(path.segments[last], local(s_b, last), task,
+                                       tool_motion(arm, whole.coordinates, 1));
   if (first == last) {
     whole.s = quintic_between(local(s_a, first), local(s_b, first), begin.first, end.first,
                               begin.second, end.second);

@@ -25,4 +25,17 @@ PoseMotion tool_motion(const Arm& arm, const ConfigurationRef& q, const Configur
   return tool;
 }
 
+PoseMotion tool_motion(const Arm& arm, std::span<const Polynomial> coordinates, double u) {
+  const auto n = static_cast<Eigen::Index>(coordinates.size());
+  Configuration q(n), dq(n), ddq(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const Polynomial& p = coordinates[static_cast<std::size_t>(k)];
+    const Polynomial d = p.derivative();
+    q[k] = p(u);
+    dq[k] = d(u);
+    ddq[k] = d.derivative()(u);
+  }
+  return tool_motion(arm, q, dq, ddq);
+}
+
 }  // namespace beeline::internal

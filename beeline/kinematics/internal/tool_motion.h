@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+
+#include <beeline/math/polynomial.h>
 #include <beeline/model/arm.h>
 
 namespace beeline::internal {
@@ -9,5 +12,8 @@ namespace beeline::internal {
 /// dq and ddq must have its size.
 PoseMotion tool_motion(const Arm& arm, const ConfigurationRef& q, const ConfigurationRef& dq,
                        const ConfigurationRef& ddq);
+
+/// The same where each coordinate is a polynomial of u, with derivatives with respect to u.
+PoseMotion tool_motion(const Arm& arm, std::span<const Polynomial> coordinates, double u);
 
 }  // namespace beeline::internal

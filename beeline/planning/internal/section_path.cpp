@@ -11,6 +11,28 @@
 #include <beeline/planning/internal/section_path.h>
 
 namespace beeline::internal {
+namespace {
+
+/// Whether a segment parameter moves backwards.
+bool moves_back(const Polynomial& p) {
+  constexpr int scan = 16;
+  const double rounding = 1e-3 * std::abs(p(1) - p(0));
+  for (int i = 1; i <= scan; ++i) {
+    if (p(static_cast<double>(i) / scan) < p(static_cast<double>(i - 1) / scan) - rounding)
+      return true;
+  }
+  return false;
+}
+
+/// The rows of a task, in the axes of its frame, of a twist in world axes.
+Eigen::VectorXd in_task_rows(const Task& task, const Rotation& world_R_tool, Twist twist) {
+  if (task.frame == Frame::tool) {
+    twist << world_R_tool.transpose() * twist.head<3>(), world_R_tool.transpose() * twist.tail<3>();
+  }
+  return task_rows(task, twist);
+}
+
+}  // namespace
 
 SectionPath::SectionPath(const Arm& arm, const ToolPath& path, const Task& task,
                          BranchSection samples, const Deviation& tolerance)
@@ -34,9 +56,10 @@ void SectionPath::interpolate() {
   }
 }
 
-/// The tool's deviation from the path at fraction u from sample k - 1 to k.
-Deviation SectionPath::deviation(std::size_t k, double u) const {
-  const PathPlace place = between(k, u);
+/// The tool's deviation from the path at fraction u from sample k - 1 to k, where the segment
+/// parameter is p(u).
+Deviation SectionPath::deviation(std::size_t k, const Polynomial& p, double u) const {
+  const PathPlace place = between(k, p, u);
   const Pose pose = forward_kinematics(arm_, path_point(joint_path_, k - 1, u).q);
   return deviation_from(path_.segments[place.index], place.fraction, pose, task_);
 }
@@ -46,10 +69,11 @@ Deviation SectionPath::deviation(std::size_t k, double u) const {
 bool SectionPath::add_samples(const Deviation& tolerance) {
   BranchSection refined{{samples_.samples.front()}, {samples_.path_parameters.front()}};
   for (std::size_t k = 1; k < samples_.samples.size(); ++k) {
-    const auto off = [&](double u) { return !within(deviation(k, u), tolerance); };
-    const bool back = moves_back(k);
+    const Polynomial p = segment_parameter(k);
+    const auto off = [&](double u) { return !within(deviation(k, p, u), tolerance); };
+    const bool back = moves_back(p);
     if (back || off(0.5) || off(0.2) || off(0.8)) {
-      PathPlace place = between(k, 0.5);
+      PathPlace place = between(k, p, 0.5);
       if (back) {
         const double a = samples_.path_parameters[k - 1], b = samples_.path_parameters[k];
         place = at(0.5 * (a + b), b);
@@ -95,22 +119,10 @@ Polynomial SectionPath::segment_parameter(std::size_t j) const {
 }
 
 /// The point of the tool path at fraction u from sample j - 1 to j.
-SectionPath::PathPlace SectionPath::between(std::size_t j, double u) const {
+SectionPath::PathPlace SectionPath::between(std::size_t j, const Polynomial& p, double u) const {
   const auto& parameters = samples_.path_parameters;
   const std::size_t i = at(parameters[j], parameters[j]).index;
-  return {i, std::clamp(segment_parameter(j)(u), 0.0, 1.0)};
-}
-
-/// Whether the tool moves backwards on the path between samples j - 1 and j.
-bool SectionPath::moves_back(std::size_t j) const {
-  const Polynomial p = segment_parameter(j);
-  constexpr int scan = 16;
-  const double rounding = 1e-3 * std::abs(p(1) - p(0));
-  for (int i = 1; i <= scan; ++i) {
-    if (p(static_cast<double>(i) / scan) < p(static_cast<double>(i - 1) / scan) - rounding)
-      return true;
-  }
-  return false;
+  return {i, std::clamp(p(u), 0.0, 1.0)};
 }
 
 double SectionPath::path_parameter(const Configuration& q, double s, double rounding) const {
@@ -118,7 +130,7 @@ double SectionPath::path_parameter(const Configuration& q, double s, double roun
   const auto next = std::lower_bound(grid.begin() + 1, grid.end() - 1, s - rounding);
   const auto j = static_cast<std::size_t>(next - grid.begin());
   if (std::abs(s - grid[j]) <= rounding) return samples_.path_parameters[j];
-  PathPlace place = between(j, (s - grid[j - 1]) / (grid[j] - grid[j - 1]));
+  PathPlace place = between(j, segment_parameter(j), (s - grid[j - 1]) / (grid[j] - grid[j - 1]));
   if (const auto* line = std::get_if<Line>(&path_.segments[place.index])) {
     // The polynomial between two samples is no measure near a singularity.
     place.fraction = nearest_fraction(*line, forward_kinematics(arm_, q), task_);
@@ -134,18 +146,6 @@ std::vector<double> SectionPath::segment_ends() const {
   }
   return ends;
 }
-
-namespace {
-
-/// The rows of a task, in the axes of its frame, of a twist in world axes.
-Eigen::VectorXd in_task_rows(const Task& task, const Rotation& world_R_tool, Twist twist) {
-  if (task.frame == Frame::tool) {
-    twist << world_R_tool.transpose() * twist.head<3>(), world_R_tool.transpose() * twist.tail<3>();
-  }
-  return task_rows(task, twist);
-}
-
-}  // namespace
 
 /// Changes the derivatives at sample k as little as possible, so that the tool has the path's
 /// tangent and curvature in the task's rows. Near a singularity, where that is much, they stay

@@ -44,11 +44,10 @@ class SectionPath {
 
   PathPlace at(double s, double end) const;
   Polynomial segment_parameter(std::size_t j) const;
-  PathPlace between(std::size_t j, double u) const;
-  bool moves_back(std::size_t j) const;
+  PathPlace between(std::size_t j, const Polynomial& p, double u) const;
   ParameterRates rates_of(const PathPlace& place, std::size_t k) const;
   void interpolate();
-  Deviation deviation(std::size_t k, double u) const;
+  Deviation deviation(std::size_t k, const Polynomial& p, double u) const;
   bool add_samples(const Deviation& tolerance);
   void follow(std::size_t k, const PathPlace& place);
 

@@ -3,6 +3,7 @@
 #include <beeline/planning/internal/timed_plan.h>
 #include <beeline/timing/internal/timed_path.h>
 #include <beeline/trajectory/internal/append.h>
+#include <beeline/trajectory/internal/interval_polynomial.h>
 
 namespace beeline::internal {
 namespace {
@@ -77,8 +78,7 @@ void PlanTiming::add(BranchSection samples, const Deviation& tolerance) {
 
 TimedPlan PlanTiming::sample() {
   TimedPlan plan{at_rest(arm_, start_), {start_parameter_}};
-  if (options_.interpolation != Interpolation::quintic) plan.trajectory.accelerations.clear();
-  if (options_.interpolation == Interpolation::linear) plan.trajectory.velocities.clear();
+  keep_columns(plan.trajectory, options_.interpolation);
   for (Section& section : sections_) {
     const SectionOptions options{
         .interpolation = options_.interpolation,

@@ -3,6 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/record/internal/setpoints.h>
+#include <beeline/trajectory/internal/append.h>
 
 namespace beeline::internal {
 namespace {
@@ -31,7 +32,7 @@ TrajectoryState last_state(const Trajectory& trajectory) {
 Trajectory from_time_zero(Trajectory trajectory) {
   const double begin = trajectory.times.front();
   for (double& time : trajectory.times) {
-    const double elapsed = time - begin, rounded = std::round(elapsed * 1e9) / 1e9;
+    const double elapsed = time - begin, rounded = round_to_nanoseconds(elapsed);
     // Differences of whole nanoseconds are whole nanoseconds, but for rounding.
     const double error = std::max(std::abs(time), std::abs(begin)) * 1e-15;
     time = begin != 0 && std::abs(rounded - elapsed) <= error ? rounded : elapsed;

@@ -23,9 +23,7 @@ AveragedScaling::Change AveragedScaling::after(std::size_t k, double x) const {
     return {{x * (v0 + 0.5 * x * a), v0 + x * a, a}, x * x * (v0 / 2 + x * a / 6)};
   }
   const double u = x / h;
-  const Quintic<double> p =
-      quintic_between(scaling_.s[k + 1] - scaling_.s[k], h * v0, h * h * scaling_.acceleration[k],
-                      h * v1, h * h * scaling_.acceleration[k + 1]);
+  const Quintic<double> p = polynomial(k);
   const double area =
       u * u *
       (p.c[0] / 2 + u * (p.c[1] / 3 + u * (p.c[2] / 4 + u * (p.c[3] / 5 + u * p.c[4] / 6))));

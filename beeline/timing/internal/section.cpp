@@ -131,7 +131,7 @@ void slow_down_in_nanoseconds(SampledSection& section, double slower) {
   Trajectory& trajectory = section.trajectory;
   slow_down(trajectory, slower);
   for (std::size_t k = 1; k < trajectory.size(); ++k) {
-    const double rounded = in_nanoseconds(trajectory.times[k]);
+    const double rounded = round_to_nanoseconds(trajectory.times[k]);
     const double dt = rounded - trajectory.times[k];
     trajectory.times[k] = rounded;
     if (trajectory.velocities.empty() || k + 1 == trajectory.size()) continue;

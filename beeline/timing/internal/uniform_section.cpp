@@ -26,11 +26,6 @@ void check_rate(double rate, double duration) {
   }
 }
 
-/// The speed ds/dt of a time scaling at time t.
-double speed_at_time(const TimeScaling& scaling, double t) {
-  return AveragedScaling(scaling, 0).at(t).speed;
-}
-
 /// Periods of a section: those in which the time scaling takes place, and by how many the moving
 /// average lengthens it.
 struct Periods {
@@ -43,12 +38,10 @@ struct Periods {
 /// between them.
 TimeScaling in_whole_periods(const TimeScaling& given, double periods, double period) {
   const double slower = periods * period / given.duration();
-  std::vector<double> speeds{0};
-  for (double k = 1; k < periods; ++k) {
-    speeds.push_back(speed_at_time(given, k * period / slower) / slower);
-  }
-  speeds.push_back(0);
-  TimeScaling uniform = uniform_scaling(speeds, period, given.s.back() - given.s.front());
+  const AveragedScaling exact(given, 0);
+  TimeScaling uniform =
+      uniform_scaling(periods, period, given.s.back() - given.s.front(),
+                      [&](double t) { return exact.at(t / slower).speed / slower; });
   for (double& s : uniform.s) s += given.s.front();
   uniform.s.back() = given.s.back();
   return uniform;
@@ -62,7 +55,7 @@ SampledSection in_periods(const Arm& arm, const TimedPath& section, const Sectio
   const JointMotion motion(section.path, scaling);
   std::vector<Sample> samples;
   for (double k = 0; k <= periods.all(); ++k) {
-    const double t = in_nanoseconds(k / options.rate);
+    const double t = round_to_nanoseconds(k / options.rate);
     samples.push_back({t, motion.at(k == periods.all() ? scaling.duration() : t)});
   }
   return with_columns(arm, samples, options.interpolation);
@@ -73,9 +66,10 @@ SampledSection in_one_period(const Arm& arm, const TimedPath& section,
                              const SectionOptions& options) {
   const AveragedScaling scaling(section.scaling, section.scaling.duration());
   const JointMotion motion(section.path, scaling);
-  return with_columns(
-      arm, {{0, motion.at(0.0)}, {in_nanoseconds(1 / options.rate), motion.at(scaling.duration())}},
-      options.interpolation);
+  return with_columns(arm,
+                      {{0, motion.at(0.0)},
+                       {round_to_nanoseconds(1 / options.rate), motion.at(scaling.duration())}},
+                      options.interpolation);
 }
 
 SampledSection sampled(const Arm& arm, const TimedPath& section, const SectionOptions& options,
@@ -91,18 +85,20 @@ Periods fewest_periods(const TimedPath& section, const SectionOptions& options) 
 
 }  // namespace
 
-TimeScaling uniform_scaling(const std::vector<double>& speeds, double period, double length) {
-  TimeScaling uniform;
-  uniform.speed = speeds;
-  for (std::size_t k = 0; k < speeds.size(); ++k) {
-    uniform.t.push_back(static_cast<double>(k) * period);
-    uniform.s.push_back(k == 0 ? 0 : uniform.s.back() + period * (speeds[k - 1] + speeds[k]) / 2);
+TimeScaling uniform_scaling(double periods, double period, double length,
+                            const std::function<double(double)>& speed) {
+  TimeScaling uniform{.s = {0}, .t = {0}, .speed = {0}};
+  for (double k = 1; k <= periods; ++k) {
+    const double before = uniform.speed.back();
+    uniform.t.push_back(k * period);
+    uniform.speed.push_back(k == periods ? 0 : speed(k * period));
+    uniform.s.push_back(uniform.s.back() + period * (before + uniform.speed.back()) / 2);
   }
   const double scale = length / uniform.s.back();
   for (double& s : uniform.s) s *= scale;
-  for (double& speed : uniform.speed) speed *= scale;
+  for (double& v : uniform.speed) v *= scale;
   uniform.s.back() = length;
-  uniform.acceleration.assign(speeds.size(), 0);
+  uniform.acceleration.assign(uniform.s.size(), 0);
   return uniform;
 }
 
@@ -115,10 +111,9 @@ SampledSection shortest_uniform_section(const Arm& arm, const TimedPath& section
 SampledSection uniform_section(const Arm& arm, const TimedPath& section,
                                const SectionOptions& options) {
   check_rate(options.rate, section.scaling.duration());
-  const bool linear = options.interpolation == Interpolation::linear;
-  Periods periods{std::ceil(section.scaling.duration() * options.rate - 1e-6), linear ? 0.0 : 1.0};
-  bool widen = !linear;    // while it lowers the jerk
-  double jerk_before = 0;  // of the average before it was widened
+  Periods periods = fewest_periods(section, options);
+  bool widen = periods.average > 0;  // while it lowers the jerk
+  double jerk_before = 0;            // of the average before it was widened
   double average_before = 0;
   for (int tries = 0; tries < max_tries; ++tries) {
     SampledSection tried = sampled(arm, section, options, periods);

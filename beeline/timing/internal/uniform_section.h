@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include <beeline/timing/internal/section.h>
 
 namespace beeline::internal {
@@ -17,8 +19,9 @@ SampledSection uniform_section(const Arm& arm, const TimedPath& section,
 SampledSection shortest_uniform_section(const Arm& arm, const TimedPath& section,
                                         const SectionOptions& options);
 
-/// The time scaling from s = 0 to `length` with these speeds at k times the period, linear between
-/// them, scaled such that it ends there.
-TimeScaling uniform_scaling(const std::vector<double>& speeds, double period, double length);
+/// The time scaling from rest at s = 0 to rest at `length` in so many periods, with the speed
+/// linear between them: that of `speed` at k times the period, scaled such that s ends there.
+TimeScaling uniform_scaling(double periods, double period, double length,
+                            const std::function<double(double)>& speed);
 
 }  // namespace beeline::internal

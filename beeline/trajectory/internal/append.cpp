@@ -4,7 +4,7 @@
 
 namespace beeline::internal {
 
-double in_nanoseconds(double t) { return std::round(t * 1e9) / 1e9; }
+double round_to_nanoseconds(double t) { return std::round(t * 1e9) / 1e9; }
 
 void append(Trajectory& trajectory, const Trajectory& next) {
   const bool first = trajectory.times.empty();
@@ -18,7 +18,7 @@ void append(Trajectory& trajectory, const Trajectory& next) {
 }
 
 void round_times(Trajectory& trajectory) {
-  for (double& t : trajectory.times) t = in_nanoseconds(t);
+  for (double& t : trajectory.times) t = round_to_nanoseconds(t);
 }
 
 }  // namespace beeline::internal

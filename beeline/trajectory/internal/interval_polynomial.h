@@ -21,6 +21,12 @@ inline Polynomial interval_polynomial(const Trajectory& trajectory, std::size_t 
                          h * h * at(trajectory.accelerations, k + 1));
 }
 
+/// Removes the columns that the interpolation does not have.
+inline void keep_columns(Trajectory& trajectory, Interpolation interpolation) {
+  if (interpolation != Interpolation::quintic) trajectory.accelerations.clear();
+  if (interpolation == Interpolation::linear) trajectory.velocities.clear();
+}
+
 /// The highest order of derivative that has no jumps in the position, velocity or acceleration
 /// before it, and so is bounded: 1, 2 or 3.
 constexpr int bounded_order(Interpolation interpolation) {

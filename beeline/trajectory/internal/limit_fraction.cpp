@@ -11,17 +11,29 @@ double limit_of(const Limits& limits, int order) {
   return order == 1 ? limits.velocity : order == 2 ? limits.acceleration : limits.jerk;
 }
 
-/// By the trajectory's polynomials: exact.
-void take_interval(CoordinateFraction& largest, const Trajectory& trajectory, std::size_t k, int i,
-                   int order, double limit) {
+/// Of the derivative's polynomial from sample k to the next: exact, or 0 if it is at most `known`.
+double exact_fraction(const Trajectory& trajectory, std::size_t k, int coordinate, int order,
+                      double limit, double known) {
   const double h = trajectory.times[k + 1] - trajectory.times[k];
-  const Polynomial p = time_derivative(interval_polynomial(trajectory, k, i), order, h);
+  const Polynomial p = time_derivative(interval_polynomial(trajectory, k, coordinate), order, h);
   const auto fraction_of = [limit](const Extremes& of) {
     return std::max(-of.smallest, of.largest) / limit;
   };
-  if (!(fraction_of(enclosure(p)) > largest.fraction)) return;
-  const double fraction = fraction_of(extremes(p));
-  if (fraction > largest.fraction) largest = {fraction, i, k, true};
+  return fraction_of(enclosure(p)) > known ? fraction_of(extremes(p)) : 0;
+}
+
+/// Takes the interval after sample k into account.
+void take_interval(CoordinateFraction& largest, std::span<const Limits> limits,
+                   const Trajectory& trajectory, std::size_t k, int order) {
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const double limit = limit_of(limits[i], order);
+    if (!(limit < Limits::none)) continue;
+    const int coordinate = static_cast<int>(i);
+    const double fraction =
+        largest.exact ? exact_fraction(trajectory, k, coordinate, order, limit, largest.fraction)
+                      : mean_derivative(trajectory, k, coordinate, order) / limit;
+    if (fraction > largest.fraction) largest = {fraction, coordinate, k, largest.exact};
+  }
 }
 
 }  // namespace
@@ -31,17 +43,7 @@ CoordinateFraction limit_fraction(std::span<const Limits> limits, const Trajecto
   CoordinateFraction largest;
   largest.exact = order <= bounded_order(trajectory.interpolation());
   for (std::size_t k = 0; k + 1 < trajectory.size(); ++k) {
-    for (std::size_t i = 0; i < limits.size(); ++i) {
-      const double limit = limit_of(limits[i], order);
-      const int coordinate = static_cast<int>(i);
-      if (!(limit < Limits::none)) continue;
-      if (largest.exact) {
-        take_interval(largest, trajectory, k, coordinate, order, limit);
-        continue;
-      }
-      const double fraction = mean_derivative(trajectory, k, coordinate, order) / limit;
-      if (fraction > largest.fraction) largest = {fraction, coordinate, k, false};
-    }
+    take_interval(largest, limits, trajectory, k, order);
   }
   return largest;
 }
@@ -52,11 +54,7 @@ std::vector<double> limit_fractions(std::span<const Limits> limits, const Trajec
   if (order > bounded_order(trajectory.interpolation())) return fractions;
   for (std::size_t k = 0; k < fractions.size(); ++k) {
     CoordinateFraction largest;
-    for (std::size_t i = 0; i < limits.size(); ++i) {
-      const double limit = limit_of(limits[i], order);
-      if (!(limit < Limits::none)) continue;
-      take_interval(largest, trajectory, k, static_cast<int>(i), order, limit);
-    }
+    take_interval(largest, limits, trajectory, k, order);
     fractions[k] = largest.fraction;
   }
   return fractions;

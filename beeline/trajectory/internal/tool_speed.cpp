@@ -49,15 +49,7 @@ class SpeedBound {
   };
 
   Velocity velocity(const std::vector<Polynomial>& coordinates, double u) const {
-    Configuration q(arm_.dof()), dq(arm_.dof()), ddq(arm_.dof());
-    for (int i = 0; i < arm_.dof(); ++i) {
-      const Polynomial& p = coordinates[static_cast<std::size_t>(i)];
-      const Polynomial d = p.derivative();
-      q[i] = p(u);
-      dq[i] = d(u);
-      ddq[i] = d.derivative()(u);
-    }
-    const PoseMotion tool = tool_motion(arm_, q, dq, ddq);
+    const PoseMotion tool = tool_motion(arm_, coordinates, u);
     return {tool.velocity.head<3>(), tool.acceleration.head<3>()};
   }
 

@@ -27,13 +27,13 @@ TEST(RoundTimes, MakesThemWholeNanoseconds) {
   testing::Random random;
   Trajectory all;
   for (int i = 0; i < 1000; ++i) {
-    append(all, section(in_nanoseconds(random.uniform(0.001, 3)), i));
+    append(all, section(round_to_nanoseconds(random.uniform(0.001, 3)), i));
   }
   const std::vector<double> sums = all.times;
   round_times(all);
   for (std::size_t k = 0; k < sums.size(); ++k) {
     ASSERT_NEAR(all.times[k], sums[k], 1e-9);
-    ASSERT_EQ(all.times[k], in_nanoseconds(all.times[k]));
+    ASSERT_EQ(all.times[k], round_to_nanoseconds(all.times[k]));
   }
 }
 
