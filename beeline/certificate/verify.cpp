@@ -38,10 +38,7 @@ struct Verifier {
 
   bool is_line(std::size_t i) const { return std::holds_alternative<Line>(route.path.segments[i]); }
 
-  /// "line 2", "segment 2".
-  std::string name_of(std::size_t i) const {
-    return (is_line(i) ? "line " : "segment ") + std::to_string(i + 1);
-  }
+  std::string name_of(std::size_t i) const { return segment_name(route.path, i); }
 
   /// Records a fault, unless an earlier one is recorded.
   void fail(Fault fault, std::size_t k, const std::string& reason) {
@@ -225,7 +222,8 @@ struct Verifier {
     const Deviation left =
         task_deviation(task, pose_at(route.path.segments[i], 1), world_T_tool.back());
     fail(Fault::not_through, trajectory.size() - 1,
-         (is_line(i) ? "waypoint " : "the end of segment ") + std::to_string(i + 1) +
+         (is_line(i) && route.path.names.empty() ? "waypoint " + std::to_string(i + 1)
+                                                 : "the end of " + name_of(i)) +
              " is not reached; at the end the tool is " + deviation_text(left) + " from it");
   }
 

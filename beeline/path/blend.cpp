@@ -109,14 +109,29 @@ SplineSegment blend_segment(const Pose& corner, const Sides& sides, double radiu
   return segment;
 }
 
+void check_tolerances(std::span<const Deviation> within, std::size_t corners) {
+  if (within.size() != corners) {
+    throw Error(std::to_string(corners) + " corners need as many tolerances, not " +
+                std::to_string(within.size()));
+  }
+  for (const Deviation& one : within) {
+    if (one.position > 0 && one.orientation > 0) continue;
+    throw Error("the tolerances of a blend must be above zero, not " + deviation_text(one));
+  }
+}
+
 }  // namespace
 
-BlendedPath blended_lines(std::span<const Pose> given, const Deviation& within) {
-  if (!(within.position > 0) || !(within.orientation > 0)) {
-    throw Error("the tolerances of a blend must be above zero, not " + deviation_text(within));
-  }
+BlendedPath blended_lines(std::span<const Pose> poses, const Deviation& within) {
+  check_tolerances(std::span(&within, 1), 1);
+  return blended_lines(poses,
+                       std::vector<Deviation>(poses.size() < 2 ? 0 : poses.size() - 2, within));
+}
+
+BlendedPath blended_lines(std::span<const Pose> given, std::span<const Deviation> within) {
   const std::vector<Pose> poses = internal::checked_path(given);
   const std::size_t lines = poses.size() - 1;
+  check_tolerances(within, lines - 1);
   std::vector<double> span(lines), wanted(lines + 1, 0);
   std::vector<Twist> direction(lines);  // per metre of the span
   for (std::size_t i = 0; i < lines; ++i) {
@@ -128,7 +143,7 @@ BlendedPath blended_lines(std::span<const Pose> given, const Deviation& within) 
     const Sides sides{direction[i - 1], direction[i]};
     ones.push_back(of_radius_one(sides));
     ones.back().sharp = reverses(sides);
-    if (!ones.back().sharp) wanted[i] = wanted_radius(ones.back(), within);
+    if (!ones.back().sharp) wanted[i] = wanted_radius(ones.back(), within[i - 1]);
   }
   BlendedPath blended;
   std::vector<double> radius(lines + 1, 0);  // of the blend between the lines i - 1 and i
@@ -152,6 +167,7 @@ BlendedPath blended_lines(std::span<const Pose> given, const Deviation& within) 
       blended.path.spans.push_back(2 * radius[i + 1]);
     }
     blended.stops.resize(blended.path.segments.size(), false);
+    blended.lines.resize(blended.path.segments.size(), i);
     if (i + 1 < lines && blended.blends[i].sharp) blended.stops.back() = true;
   }
   return blended;

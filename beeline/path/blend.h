@@ -24,6 +24,8 @@ struct BlendedPath {
   ToolPath path;              ///< twice continuously differentiable except at sharp corners
   std::vector<bool> stops;    ///< after each segment: true at sharp corners only
   std::vector<Blend> blends;  ///< one for each pose between the first and the last
+  std::vector<std::size_t>
+      lines;  ///< of each segment: the line that it is a part of, or blends out
 };
 
 /// Returns the lines through the poses (world_T_tool) with blended corners. At s = 1/2 a blend
@@ -37,6 +39,10 @@ struct BlendedPath {
 /// pose that is not a rigid motion or repeats the one before it, and tolerances that are not
 /// positive.
 BlendedPath blended_lines(std::span<const Pose> poses, const Deviation& within);
+
+/// The same with tolerances for each pose between the first and the last. Throws Error for another
+/// number of them.
+BlendedPath blended_lines(std::span<const Pose> poses, std::span<const Deviation> within);
 
 /// The route along the path; the tool stops at sharp corners only.
 Route route_of(const BlendedPath& blended);

@@ -35,6 +35,12 @@ double span_of(const Line& line) {
   return std::max(whole.head<3>().norm(), min_metres_per_radian * whole.tail<3>().norm());
 }
 
+std::string segment_name(const ToolPath& path, std::size_t i) {
+  if (!path.names.empty()) return path.names.at(i);
+  return (std::holds_alternative<Line>(path.segments.at(i)) ? "line " : "segment ") +
+         std::to_string(i + 1);
+}
+
 std::size_t segment_at(const ToolPath& path, double s) {
   const double last = static_cast<double>(path.segments.size() - 1);
   return static_cast<std::size_t>(std::clamp(std::ceil(s) - 1, 0.0, last));

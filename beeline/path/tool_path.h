@@ -27,12 +27,20 @@ struct ToolPath {
   /// On a smooth path the velocity with respect to it, motion_at() divided by the span, is
   /// continuous.
   std::vector<double> spans;
+  /// Name each segment in messages, such as "move 3 (line)"; empty: "line 3", "segment 3".
+  std::vector<std::string> names = {};
 };
+
+/// The name of segment i in messages.
+std::string segment_name(const ToolPath& path, std::size_t i);
 
 /// A path, and where the tool comes to rest on it.
 struct Route {
   ToolPath path;
   std::vector<bool> stops;  ///< after each segment; the tool always stops after the last
+  /// Limit of the tool origin's speed on each segment, m/s; empty: that of the motion's options.
+  /// From one stop to the next the lowest holds.
+  std::vector<double> speeds = {};
 };
 
 /// Lines, screws and arcs stop where two of them meet; a spline does not stop.

@@ -6,11 +6,14 @@
 #include <beeline/path/blend.h>
 #include <beeline/planning/move_along.h>
 
+#include <tests/planning/motion_promises.h>
 #include <tests/random.h>
 #include <tests/refusal.h>
 
 namespace beeline {
 namespace {
+
+using testing::motion_between;
 
 const Configuration ready{{0, -0.785, 0, -2.356, 0, 1.571, 0.785}};
 

@@ -5,6 +5,11 @@
 #include <beeline/error.h>
 
 namespace beeline::internal {
+namespace {
+
+constexpr double slowest_tool = 1e-8;  // metres per second
+
+}  // namespace
 
 void check_task(const Arm& arm, const Segment& segment, const Task& task) {
   beeline::check_task(task);
@@ -22,6 +27,17 @@ void check_route(const Arm& arm, const Route& route, const Task& task) {
     throw Error("a route needs segments, and a span and a stop for each; it has " +
                 std::to_string(segments) + " segments, " + std::to_string(route.path.spans.size()) +
                 " spans and " + std::to_string(route.stops.size()) + " stops");
+  }
+  const std::size_t names = route.path.names.size(), speeds = route.speeds.size();
+  if ((names > 0 && names != segments) || (speeds > 0 && speeds != segments)) {
+    throw Error("a route of " + std::to_string(segments) + " segments has " +
+                std::to_string(names) + " names and " + std::to_string(speeds) +
+                " speeds; it needs none, or one for each segment");
+  }
+  for (const double speed : route.speeds) {
+    if (speed >= slowest_tool) continue;
+    throw Error("the tool's speed on a segment must be at least " + number(slowest_tool) +
+                " m/s, not " + number(speed));
   }
   check_task(arm, route.path, task);
 }

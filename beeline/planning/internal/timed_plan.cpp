@@ -37,30 +37,37 @@ PlanTiming::PlanTiming(const Arm& arm, const Route& route, const Branch& plan, c
     : arm_(arm), route_(route), task_(task), options_(options), start_(plan.start) {
   check_options(options.tool_speed, options.rate);
   BranchSection section{{plan.start}, {0}};
+  double tool_speed = Limits::none;
   for (std::size_t i = 0; i < plan.segments.size(); ++i) {
     add_segment(section, plan.segments[i], i);
+    tool_speed = std::min(tool_speed, route.speeds.empty() ? options.tool_speed : route.speeds[i]);
     if (i + 1 < plan.segments.size() && !route.stops[i]) continue;
     BranchSection next{{section.samples.back()}, {section.path_parameters.back()}};
-    add(std::move(section), tolerance);
+    add(std::move(section), tolerance, tool_speed);
+    tool_speed = Limits::none;
     if (status != MotionStatus::reached) {
-      reason = "up to the end of segment " + std::to_string(i + 1) + ": " + reason;
+      reason = "up to the end of " +
+               (route.path.names.empty() ? "segment " + std::to_string(i + 1)
+                                         : segment_name(route.path, i)) +
+               ": " + reason;
       return;
     }
     section = std::move(next);
   }
 }
 
-void PlanTiming::add(BranchSection samples, const Deviation& tolerance) {
+void PlanTiming::add(BranchSection samples, const Deviation& tolerance, double tool_speed) {
   const double end = samples.path_parameters.back();
   if (samples.samples.size() < 2) {  // the tool is at rest
     (sections_.empty() ? start_parameter_ : sections_.back().end) = end;
     return;
   }
   const auto count = static_cast<double>(samples.samples.size());
-  Section section{{arm_, route_.path, task_, std::move(samples), tolerance}, {}, {}, end, {}};
+  Section section{
+      {arm_, route_.path, task_, std::move(samples), tolerance}, {}, {}, end, {}, tool_speed};
   const JointPath& path = section.path.joint_path();
   section.timed = timed_path(arm_, path, options_.profile.value_or(default_profile),
-                             options_.speed_scale, options_.tool_speed);
+                             options_.speed_scale, tool_speed);
   if (!section.timed.scaling) {
     status = MotionStatus::outside_limits;
     reason = section.timed.scaling.reason;
@@ -84,7 +91,7 @@ TimedPlan PlanTiming::sample() {
         .interpolation = options_.interpolation,
         .keep_jerk = keeps_jerk(options_.profile.value_or(default_profile)),
         .speed_scale = options_.speed_scale,
-        .tool_speed = options_.tool_speed,
+        .tool_speed = section.tool_speed,
         .rate = options_.rate,
         .required = section.required};
     const SampledSection sampled = sample_section(arm_, section.timed, options);

@@ -39,9 +39,10 @@ class PlanTiming {
     std::vector<double> required;  ///< parameters of the joint path that get a sample
     double end = 0;                ///< the path parameter, after segments at rest too
     std::vector<double> sampled;   ///< parameters of the last samples
+    double tool_speed = 0;         ///< the limit, metres per second
   };
 
-  void add(BranchSection samples, const Deviation& tolerance);
+  void add(BranchSection samples, const Deviation& tolerance, double tool_speed);
 
   const Arm& arm_;
   const Route& route_;

@@ -17,6 +17,7 @@ constexpr double full_turn = 2 * std::numbers::pi;
 
 /// "line 2 of 3 ", the beginning of a reason.
 std::string segment_number(const ToolPath& path, std::size_t i) {
+  if (!path.names.empty()) return segment_name(path, i) + " ";
   return (all_lines(path) ? "line " : "segment ") + std::to_string(i + 1) + " of " +
          std::to_string(path.segments.size()) + " ";
 }
