@@ -42,6 +42,7 @@
 #include <beeline/planning/branch.h>
 #include <beeline/planning/move_along.h>
 #include <beeline/planning/nearby_path.h>
+#include <beeline/planning/program.h>
 #include <beeline/planning/status.h>
 #include <beeline/pose/angle.h>
 #include <beeline/pose/orientation.h>

@@ -184,7 +184,7 @@ class FaultSearch {
 
 std::string name(Fault fault) {
   constexpr const char* names[] = {"none",     "limits",       "flip", "deviation", "not_through",
-                                   "velocity", "acceleration", "jerk", "moving"};
+                                   "velocity", "acceleration", "jerk", "moving", "dwell", "tool_speed"};
   return names[static_cast<int>(fault)];
 }
 

@@ -20,6 +20,8 @@ enum class Fault {
   acceleration,
   jerk,
   moving,  ///< a joint moves at the trajectory's start or end
+  dwell,   ///< the arm does not rest long enough at a waypoint of a program
+  tool_speed,  ///< the tool is faster than a move of a program allows
 };
 std::string name(Fault fault);
 std::ostream& operator<<(std::ostream& out, Fault fault);  ///< name(fault)

@@ -9,58 +9,17 @@
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/numbers.h>
+#include <beeline/read/internal/pose_form.h>
 #include <beeline/read/pose_list.h>
 
 namespace beeline {
 namespace {
 
 using internal::in_quotes;
+using internal::known_forms;
 using Names = std::vector<std::string>;
 
-constexpr const char* known_forms =
-    "x,y,theta or x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz, and positions x,y,z or x,y";
-
-bool contains(const Names& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// Returns the names of `wanted` that `present` lacks.
-Names missing_from(const Names& present, const Names& wanted) {
-  Names missing;
-  for (const std::string& name : wanted) {
-    if (!contains(present, name)) missing.push_back(name);
-  }
-  return missing;
-}
-
-/// Returns the form that has the columns of the header.
-const Names& form_of(const Names& header) {
-  const std::string known = std::string("; poses are ") + known_forms;
-  const auto distance = [&header](const Names& form) {
-    return missing_from(header, form).size() + missing_from(form, header).size();
-  };
-  for (const std::string& name : header) {
-    const bool is_known =
-        std::any_of(pose_forms().begin(), pose_forms().end(),
-                    [&](const Names& candidate) { return contains(candidate, name); });
-    if (!is_known) throw Error("unknown column " + in_quotes(name) + known);
-  }
-  for (const Names& form : pose_forms()) {
-    if (distance(form) == 0) return form;
-  }
-  const Names& form =  // the nearest with an orientation
-      *std::min_element(pose_forms().begin(), pose_forms().begin() + 3,
-                        [&](const Names& a, const Names& b) { return distance(a) < distance(b); });
-  const Names missing = missing_from(header, form);
-  if (!missing.empty()) throw Error("column " + listed(missing) + " is missing" + known);
-  const Names extra = missing_from(form, header);
-  if (!extra.empty()) {
-    throw Error("column " + listed(extra) + " does not belong to " + listed(form) + known);
-  }
-  return form;
-}
-
-/// Returns the angle of a pose that is largest by magnitude, or `other` if that is larger.
+/// The larger one, by magnitude, of `other` and the largest angle of a pose.
 double larger_angle(std::span<const double> pose, AngleUnit unit, Triple triple, double other) {
   const bool theta = pose.size() == 3 && triple == Triple::planar;
   const std::size_t first = theta ? 2 : pose.size() == 6 ? 3 : pose.size();
@@ -101,6 +60,14 @@ Pose pose_of(std::span<const double> v, AngleUnit unit, Triple triple) {
   return make_pose(position, rotation_from_quaternion(v[3], v[4], v[5], v[6]));
 }
 
+WrittenPose internal::written_pose(std::span<const double> numbers, AngleUnit unit, Triple triple) {
+  const bool position = numbers.size() == 3 && triple == Triple::position;
+  return {.pose = pose_of(numbers, unit, triple),
+          .planar = numbers.size() <= 3 && !position,
+          .max_angle = larger_angle(numbers, unit, triple, 0),
+          .oriented = numbers.size() > 2 && !position};
+}
+
 PoseList poses_from_csv(std::string_view text, const std::string& path, AngleUnit unit,
                         Triple triple) {
   const Names& three = pose_forms()[triple == Triple::planar ? 0 : 3];
@@ -109,7 +76,7 @@ PoseList poses_from_csv(std::string_view text, const std::string& path, AngleUni
   PoseList list{.lines = table.lines, .has_header = table.has_header};
   int line = 0;  // unknown for the header: comments may precede it
   try {
-    const Names& form = form_of(table.columns);
+    const Names& form = internal::pose_form_of(table.columns);
     list.columns = form;
     triple = form == pose_forms()[3] ? Triple::position : Triple::planar;
     list.planar = form.size() == 2 || (form.size() == 3 && triple == Triple::planar);
@@ -144,11 +111,7 @@ WrittenPose parse_pose(std::string_view text, AngleUnit unit, Triple triple) {
     throw Error("pose " + in_quotes(text) + " has " + std::to_string(values.size()) +
                 " numbers; poses are " + known_forms);
   }
-  const bool position = values.size() == 3 && triple == Triple::position;
-  return {.pose = pose_of(values, unit, triple),
-          .planar = values.size() <= 3 && !position,
-          .max_angle = larger_angle(values, unit, triple, 0),
-          .oriented = values.size() > 2 && !position};
+  return internal::written_pose(values, unit, triple);
 }
 
 }  // namespace beeline

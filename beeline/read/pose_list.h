@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -62,5 +63,39 @@ PoseList poses_from_csv(std::string_view text, const std::string& path,
 /// Parses a pose from 2, 3, 6 or 7 numbers separated by commas, as pose_of().
 WrittenPose parse_pose(std::string_view text, AngleUnit unit = AngleUnit::radians,
                        Triple triple = Triple::planar);
+
+/// A row of a program file: a move to a waypoint. What it means is in planning/program.h; an empty
+/// text or option is an empty item.
+struct ProgramRow {
+  std::string motion;               ///< joint, line, screw, arc, spline, via; empty: line
+  std::string relative;             ///< previous, next; empty: the pose is in the work frame
+  std::optional<WrittenPose> pose;  ///< none where all items of the pose are empty
+  std::string q;                    ///< joint values, or the name of a state
+  std::optional<double> speed;      ///< metres per second
+  std::optional<double> blend;      ///< metres
+  std::optional<double> dwell;      ///< seconds
+  int line = 0;                     ///< of the file
+};
+
+struct ProgramRows {
+  std::string path;              ///< names the file in messages
+  std::vector<ProgramRow> rows;  ///< at least one
+};
+
+/// The columns that a program file may have besides those of a pose, in any order:
+///     motion,relative,q,speed,blend,dwell
+const std::vector<std::string>& program_columns();
+
+/// Whether the header of a CSV text names one of program_columns().
+bool is_program(std::string_view text);
+
+/// Reads a program file: a CSV file whose header names some of program_columns(), and the columns
+/// of one form of a pose unless all rows have joint values, `q`. Throws FileError for a column that
+/// is missing or unknown; a row of another length; a motion or relative that is unknown; a row with
+/// neither a pose nor joint values, with both, or with a part of a pose; and as read_poses().
+ProgramRows read_program_rows(const std::string& path, AngleUnit unit = AngleUnit::radians);
+/// The same from a text; `path` names it in messages.
+ProgramRows program_rows_from_csv(std::string_view text, const std::string& path,
+                                  AngleUnit unit = AngleUnit::radians);
 
 }  // namespace beeline

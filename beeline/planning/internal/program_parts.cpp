@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/kinematics/forward.h>
+#include <beeline/path/blend.h>
+#include <beeline/planning/internal/program_parts.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr double max_dwell = 1e6;      // seconds
+constexpr double slowest_move = 1e-8;  // metres per second
+
+[[noreturn]] void refuse_move(const Program& program, std::size_t i, const std::string& reason) {
+  throw Error(move_name(program, i) + ": " + reason);
+}
+
+void check_numbers(const Move& move) {
+  if (move.speed && !(*move.speed >= slowest_move && std::isfinite(*move.speed))) {
+    throw Error("speed must be at least 1e-8 m/s, not " + number(*move.speed));
+  }
+  if (!(move.blend >= 0) || !std::isfinite(move.blend)) {
+    throw Error("blend must be 0 m or more, not " + number(move.blend));
+  }
+  if (!(move.dwell >= 0 && move.dwell <= max_dwell)) {
+    throw Error("dwell must be from 0 s to 1e+06 s, not " + number(move.dwell));
+  }
+}
+
+void check_kind(const Arm& arm, const Program& program, std::size_t i) {
+  const Move& move = program.moves[i];
+  if (move.q && move.kind != MoveKind::joint) {
+    throw Error("only joint moves end at joint values");
+  }
+  if (move.q) {
+    check_configuration(arm, *move.q);
+    const auto outside = limit_violations(arm, *move.q);
+    if (!outside.empty()) throw Error(outside.front());
+  }
+  if (move.via.has_value() != (move.kind == MoveKind::arc)) {
+    throw Error(move.via ? "only arcs have a via position" : "an arc needs a via position");
+  }
+  if (move.blend == 0) return;
+  const bool lines = move.kind == MoveKind::line && i + 1 < program.moves.size() &&
+                     program.moves[i + 1].kind == MoveKind::line;
+  if (!lines) throw Error("a blend must be between two lines");
+  if (move.dwell > 0) throw Error("a dwell and a blend at one waypoint exclude each other");
+}
+
+/// Whether the tool passes the waypoint of move i without a stop.
+bool is_passed(const Program& program, std::size_t i) {
+  const Move& move = program.moves[i];
+  if (i + 1 == program.moves.size()) return false;
+  const bool spline =
+      move.kind == MoveKind::spline && program.moves[i + 1].kind == MoveKind::spline;
+  return move.blend > 0 || (spline && move.dwell == 0);
+}
+
+/// Moves from one stop to the next, or from one sharp corner to the next.
+struct Stretch {
+  Route route;
+  std::vector<std::size_t> moves;  ///< of each segment, 0 for the first move
+  std::vector<double> blend_radii;
+};
+
+Stretch blended_stretch(const Program& program, std::size_t i, const std::vector<Pose>& poses) {
+  std::vector<Deviation> within;
+  for (std::size_t k = 0; k + 2 < poses.size(); ++k) {
+    const double blend = program.moves[i + k].blend;
+    within.push_back({blend, blend / metres_per_radian});
+  }
+  BlendedPath blended = blended_lines(poses, within);
+  Stretch stretch{route_of(blended), std::move(blended.lines), {}};
+  for (const Blend& blend : blended.blends) stretch.blend_radii.push_back(blend.radius);
+  return stretch;
+}
+
+Stretch stretch_through(const Program& program, std::size_t i, std::vector<Pose> poses) {
+  const Move& move = program.moves[i];
+  if (move.kind == MoveKind::line && poses.size() > 2) return blended_stretch(program, i, poses);
+  if (move.kind == MoveKind::line) {
+    return {route_of(lines_through(poses), PathKind::line), {0}, {}};
+  }
+  if (move.kind == MoveKind::arc) {
+    poses.insert(poses.begin() + 1, poses.back());
+    poses[1].translation() = *move.via;
+  }
+  const PathKind kind = path_kind_named(name(move.kind));
+  Stretch stretch{route_of(path_through(poses, kind), kind), {}, {}};
+  for (std::size_t k = 0; k < stretch.route.path.segments.size(); ++k) stretch.moves.push_back(k);
+  return stretch;
+}
+
+/// Appends the moves from move i up to the next stop, with the tool at `from`; returns the next.
+std::size_t add_stretch(const Program& program, std::size_t i, Pose& from, double tool_speed,
+                        ProgramPart& part) {
+  std::vector<Pose> poses{from, program.moves[i].target};
+  std::size_t last = i;
+  while (is_passed(program, last)) poses.push_back(program.moves[++last].target);
+  Stretch stretch;
+  try {
+    stretch = stretch_through(program, i, poses);
+  } catch (const Error& error) {
+    refuse_move(program, last, error.what());
+  }
+  Route& route = part.route;
+  stretch.blend_radii.resize(last - i + 1, 0);
+  for (std::size_t k = 0; k < stretch.moves.size(); ++k) {
+    const std::size_t move = i + stretch.moves[k];
+    const Segment& segment = stretch.route.path.segments[k];
+    const bool blends = program.moves[move].kind == MoveKind::line &&
+                        std::holds_alternative<SplineSegment>(segment);
+    route.path.segments.push_back(segment);
+    route.path.spans.push_back(stretch.route.path.spans[k]);
+    route.path.names.push_back((blends ? "the blend after " : "") + move_name(program, move));
+    route.stops.push_back(stretch.route.stops[k] || k + 1 == stretch.moves.size());
+    route.speeds.push_back(program.moves[move].speed.value_or(tool_speed));
+    part.moves.push_back(move);
+  }
+  part.blend_radii.insert(part.blend_radii.end(), stretch.blend_radii.begin(),
+                          stretch.blend_radii.end());
+  from = program.moves[last].target;
+  return last + 1;
+}
+
+}  // namespace
+
+std::size_t ProgramPart::last_segment(std::size_t move) const {
+  const auto next = std::upper_bound(moves.begin(), moves.end(), move);
+  return static_cast<std::size_t>(next - moves.begin()) - 1;
+}
+
+void check_move(const Arm& arm, const Program& program, std::size_t i) {
+  check_numbers(program.moves[i]);
+  check_kind(arm, program, i);
+}
+
+void check_program(const Arm& arm, const Program& program) {
+  if (program.moves.empty()) throw Error("a program needs moves");
+  for (std::size_t i = 0; i < program.moves.size(); ++i) {
+    try {
+      check_move(arm, program, i);
+    } catch (const Error& error) {
+      refuse_move(program, i, error.what());
+    }
+  }
+}
+
+Pose waypoint_of(const Arm& arm, const Move& move) {
+  return move.q ? forward_kinematics(arm, *move.q) : move.target;
+}
+
+std::vector<ProgramPart> program_parts(const Arm& arm, const Program& program, std::size_t first,
+                                       const Pose& begin, double tool_speed) {
+  std::vector<ProgramPart> parts;
+  Pose from = begin;
+  for (std::size_t i = first; i < program.moves.size();) {
+    ProgramPart part{.first = i, .last = i};
+    if (program.moves[i].kind == MoveKind::joint) {
+      part.joint = true;
+      from = waypoint_of(arm, program.moves[i]);
+      ++i;
+    }
+    while (!part.joint && i < program.moves.size() && program.moves[i].kind != MoveKind::joint) {
+      i = add_stretch(program, i, from, tool_speed, part);
+    }
+    part.last = i - 1;
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+}  // namespace beeline::internal

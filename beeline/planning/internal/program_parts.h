@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include <beeline/planning/program.h>
+
+namespace beeline::internal {
+
+/// A joint move, or all moves from one joint move to the next.
+struct ProgramPart {
+  std::size_t first = 0, last = 0;  ///< moves of the program
+  bool joint = false;
+  Route route = {};                      ///< unless it is a joint move
+  std::vector<std::size_t> moves = {};   ///< of each segment of the route
+  std::vector<double> blend_radii = {};  ///< of each move from `first` on
+
+  /// The last segment of a move, or of those before it if a blend replaces all of its line.
+  std::size_t last_segment(std::size_t move) const;
+};
+
+/// Throws Error, without move_name(), for what move_program() refuses in moves[i] itself.
+void check_move(const Arm& arm, const Program& program, std::size_t i);
+
+/// Does the same, with move_name(), for all moves, and for a program without moves.
+void check_program(const Arm& arm, const Program& program);
+
+/// The waypoint of a move as a pose.
+Pose waypoint_of(const Arm& arm, const Move& move);
+
+/// Divides the program from move `first` on, with the tool at `begin`, into parts. Moves without a
+/// speed get `tool_speed`.
+std::vector<ProgramPart> program_parts(const Arm& arm, const Program& program, std::size_t first,
+                                       const Pose& begin, double tool_speed);
+
+}  // namespace beeline::internal

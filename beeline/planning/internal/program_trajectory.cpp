@@ -1,0 +1,67 @@
+#include <cmath>
+
+#include <beeline/planning/internal/program_trajectory.h>
+#include <beeline/trajectory/internal/append.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr double nearest_dwell = 1e-9;  // seconds: shorter dwells have no sample
+
+/// Appends a sample of `from` at time t.
+void push(Trajectory& to, const Trajectory& from, std::size_t k, double t) {
+  to.times.push_back(t);
+  to.positions.push_back(from.positions[k]);
+  if (!from.velocities.empty()) to.velocities.push_back(from.velocities[k]);
+  if (!from.accelerations.empty()) to.accelerations.push_back(from.accelerations[k]);
+}
+
+}  // namespace
+
+void ProgramTrajectory::begin(const Arm& arm, const Configuration& q, Interpolation interpolation) {
+  trajectory_ = at_rest(arm, q);
+  if (interpolation != Interpolation::quintic) trajectory_.accelerations.clear();
+  if (interpolation == Interpolation::linear) trajectory_.velocities.clear();
+}
+
+void ProgramTrajectory::append(const Trajectory& motion, std::size_t k) {
+  push(trajectory_, motion, k, trajectory_.times.back() + motion.times[k] - motion.times[k - 1]);
+}
+
+std::string ProgramTrajectory::joint_move(const Arm& arm, const Configuration& to,
+                                          const RetimeOptions& options) {
+  constexpr double still = 1e-12;  // radians or metres
+  if ((to - positions().back()).norm() <= still) return {};
+  const Trajectory ends{trajectory_.joint_names, {0, 1}, {positions().back(), to}, {}, {}};
+  const Retimed motion = retime(arm, ends, options);
+  if (!motion) return motion.reason;
+  for (std::size_t k = 1; k < motion.trajectory.size(); ++k) append(motion.trajectory, k);
+  return {};
+}
+
+void ProgramTrajectory::dwell(double seconds, double rate) {
+  constexpr double rounding = 1e-6;  // of a period
+  if (seconds < nearest_dwell) return;
+  const double periods = rate > 0 ? std::max(1.0, std::ceil(seconds * rate - rounding)) : 1;
+  const double period = rate > 0 ? 1 / rate : seconds;
+  for (double k = 0; k < periods; ++k) {
+    push(trajectory_, trajectory_, last(), trajectory_.times.back() + period);
+  }
+}
+
+Trajectory ProgramTrajectory::finished(double rate) const {
+  Trajectory trajectory = trajectory_;
+  for (std::size_t k = 0; rate > 0 && k < trajectory.size(); ++k) {
+    trajectory.times[k] = static_cast<double>(k) / rate;
+  }
+  round_times(trajectory);
+  return trajectory;
+}
+
+Trajectory part_of(const Trajectory& trajectory, std::size_t first, std::size_t last) {
+  Trajectory part{trajectory.joint_names, {}, {}, {}, {}};
+  for (std::size_t k = first; k <= last; ++k) push(part, trajectory, k, trajectory.times[k]);
+  return part;
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,273 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/certificate/internal/path_checks.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/planning/internal/program_parts.h>
+#include <beeline/planning/internal/program_trajectory.h>
+#include <beeline/planning/program.h>
+#include <beeline/trajectory/internal/tool_speed.h>
+
+namespace beeline {
+
+using namespace internal;
+
+namespace {
+
+constexpr double rest_change = 1e-6;         // radians or metres from sample to sample
+constexpr double rest_fraction = 1e-6;       // of the largest velocity
+constexpr double dwell_rounding = 2e-9;      // seconds
+constexpr double speed_rounding = 1 + 1e-6;  // of a limit of the tool's speed
+
+std::string sample_prefix(double time, std::size_t k) {
+  return "at " + number(time) + " s, sample " + std::to_string(k + 1) + ": ";
+}
+
+/// Proves the parts of a program one after the other. Each begins at the sample at which the one
+/// before it ends.
+class ProgramVerifier {
+ public:
+  ProgramVerifier(const Arm& arm, const Trajectory& trajectory, const Program& program,
+                  const VerifyOptions& options)
+      : arm_(arm), trajectory_(trajectory), program_(program), options_(options) {
+    task_ = options.task.value_or(default_task(arm));
+    options_.task = task_;
+    for (const Configuration& q : trajectory.positions) {
+      tool_.push_back(forward_kinematics(arm, q));
+    }
+    for (const Configuration& v : trajectory.velocities) {
+      largest_velocity_ = std::max(largest_velocity_, v.lpNorm<Eigen::Infinity>());
+    }
+    result_.deviation.interval_bounds.resize(trajectory.size() - 1);
+  }
+
+  Verification run() {
+    const Move& first = program_.moves.front();
+    const bool begins = offset(first, 0) <= 1;
+    if (begins) result_.arrivals.push_back(0);
+    const Pose begin = begins ? waypoint_of(arm_, first) : tool_.front();
+    parts_ = program_parts(arm_, program_, begins ? 1 : 0, begin, Limits::none);
+    bool passed = !begins || check_dwell(0);
+    for (std::size_t p = 0; p < parts_.size() && passed; ++p) {
+      const bool last = p + 1 == parts_.size();
+      passed = parts_[p].joint ? check_joint_move(p, last) : check_path(p, last);
+    }
+    if (passed && parts_.empty()) check_rest();
+    const auto joint = first_joint_fault(arm_, trajectory_, options_.moving);
+    if (joint && (result_.fault == Fault::none || joint->sample <= result_.sample)) {
+      fail(joint->kind, joint->sample, joint->reason);
+    }
+    return result_;
+  }
+
+ private:
+  bool fail(Fault fault, std::size_t k, const std::string& reason) {
+    result_.fault = fault;
+    result_.sample = k;
+    result_.time = trajectory_.times[k];
+    result_.reason = sample_prefix(result_.time, k) + reason;
+    return false;
+  }
+
+  double offset(const Pose& goal, std::size_t k) const {
+    const Deviation away = task_deviation(task_, goal, tool_[k]);
+    return std::max(away.position / options_.tolerance,
+                    away.orientation / options_.orientation_tolerance);
+  }
+
+  /// The distance of sample k from a waypoint, as a fraction of the tolerance.
+  double offset(const Move& move, std::size_t k) const {
+    if (!move.q) return offset(move.target, k);
+    double largest = 0;
+    for (int i = 0; i < arm_.dof(); ++i) {
+      const bool slides = kind(arm_.joint_of(i)) == JointKind::prismatic;
+      const double tolerance = slides ? options_.tolerance : options_.orientation_tolerance;
+      largest = std::max(largest, std::abs(trajectory_.positions[k][i] - (*move.q)[i]) / tolerance);
+    }
+    return largest;
+  }
+
+  /// Whether the joints are at rest at sample k, as far as the columns show it.
+  bool rests_at(std::size_t k) const {
+    if (k == 0 || k + 1 == trajectory_.size()) return true;
+    if (trajectory_.velocities.empty()) return rests_after(k - 1) || rests_after(k);
+    return trajectory_.velocities[k].lpNorm<Eigen::Infinity>() <= rest_fraction * largest_velocity_;
+  }
+
+  /// Whether the joints rest from sample k to the next.
+  bool rests_after(std::size_t k) const {
+    const double h = trajectory_.times[k + 1] - trajectory_.times[k];
+    const auto small = [](const Configuration& change) {
+      return change.lpNorm<Eigen::Infinity>() <= rest_change;
+    };
+    const auto small_at = [&](std::size_t i) {
+      return (trajectory_.velocities.empty() || small(h * trajectory_.velocities[i])) &&
+             (trajectory_.accelerations.empty() || small(h * h * trajectory_.accelerations[i]));
+    };
+    return small(trajectory_.positions[k + 1] - trajectory_.positions[k]) && small_at(k) &&
+           small_at(k + 1);
+  }
+
+  /// The sample from `first` on at which the arm is at the waypoint of a move: the nearest at rest
+  /// among the first consecutive ones within tolerance that have one at rest; if there are none,
+  /// the nearest of the first. `leaves`: the arm leaves the waypoint before.
+  std::optional<std::size_t> arrival(const Move& move, std::size_t first, bool leaves) const {
+    std::optional<std::size_t> passed;
+    std::size_t k = first;
+    while (leaves && k < trajectory_.size() && offset(move, k) <= 1) ++k;
+    for (; k < trajectory_.size(); ++k) {
+      std::optional<std::size_t> nearest, resting;
+      const auto closer = [&](const std::optional<std::size_t>& found) {
+        return !found || offset(move, k) < offset(move, *found);
+      };
+      for (; k < trajectory_.size() && offset(move, k) <= 1; ++k) {
+        if (closer(nearest)) nearest = k;
+        if (rests_at(k) && closer(resting)) resting = k;
+      }
+      if (resting) return resting;
+      if (!passed) passed = nearest;
+    }
+    return passed;
+  }
+
+  bool fail_to_reach(std::size_t move) {
+    const std::size_t last = trajectory_.size() - 1;
+    const Deviation away =
+        task_deviation(task_, waypoint_of(arm_, program_.moves[move]), tool_[last]);
+    return fail(Fault::not_through, last,
+                "the waypoint of " + move_name(program_, move) +
+                    " is not reached; at the end the tool is " + deviation_text(away) + " from it");
+  }
+
+  /// Checks the dwell of the move that ends at the last arrival, and sets `begin_` to its end.
+  bool check_dwell(std::size_t move) {
+    const std::size_t at = result_.arrivals.back();
+    begin_ = at;
+    const double dwell = program_.moves[move].dwell;
+    if (dwell == 0) return true;
+    std::size_t from = at;
+    while (from > 0 && rests_after(from - 1)) --from;
+    // Not beyond the dwell: the arm may rest longer, and moves slowly at first.
+    const auto rested = [&] { return trajectory_.times[begin_] - trajectory_.times[from]; };
+    while (rested() < dwell - dwell_rounding && begin_ + 1 < trajectory_.size() &&
+           rests_after(begin_)) {
+      ++begin_;
+    }
+    if (rested() >= dwell - dwell_rounding) return true;
+    return fail(Fault::dwell, at,
+                "the arm is at rest for " + number(rested()) + " s at the waypoint of " +
+                    move_name(program_, move) + ", not for " + number(dwell) + " s");
+  }
+
+  bool check_speed(std::size_t move, std::size_t from, std::size_t to) {
+    const auto& limit = program_.moves[move].speed;
+    if (!limit) return true;
+    const double speed = tool_speed_bound(arm_, part_of(trajectory_, from, to));
+    if (speed <= *limit * speed_rounding) return true;
+    return fail(Fault::tool_speed, from,
+                "on " + move_name(program_, move) + " the tool's speed is up to " + number(speed) +
+                    " m/s, above " + number(*limit) + " m/s");
+  }
+
+  /// Checks that the joints rest from `begin_` to the end.
+  bool check_rest() {
+    for (std::size_t k = begin_; k + 1 < trajectory_.size(); ++k) {
+      if (!rests_after(k)) return fail(Fault::not_through, k, "the arm leaves the last waypoint");
+    }
+    return true;
+  }
+
+  bool check_joint_move(std::size_t p, bool last) {
+    const std::size_t move = parts_[p].first;
+    const auto end = arrival(program_.moves[move], begin_, false);
+    if (!end) return fail_to_reach(move);
+    result_.arrivals.push_back(*end);
+    return check_speed(move, begin_, *end) && check_dwell(move) && (!last || check_rest());
+  }
+
+  bool check_path(std::size_t p, bool last_part) {
+    const ProgramPart& part = parts_[p];
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < part.route.stops.size(); ++i) {
+      if (!part.route.stops[i]) continue;
+      const bool last = last_part && i + 1 == part.route.stops.size();
+      if (!check_stretch(part, begin, i, last)) return false;
+      begin = i + 1;
+    }
+    return true;
+  }
+
+  /// The segments of a part from one stop to the next.
+  static Route stretch_of(const ProgramPart& part, std::size_t first, std::size_t last) {
+    const auto slice = [&](const auto& all) {
+      const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+      return std::decay_t<decltype(all)>(begin,
+                                         begin + static_cast<std::ptrdiff_t>(last - first) + 1);
+    };
+    const ToolPath& path = part.route.path;
+    return {{slice(path.segments), slice(path.spans), slice(path.names)}, slice(part.route.stops)};
+  }
+
+  bool check_stretch(const ProgramPart& part, std::size_t first, std::size_t last, bool to_end) {
+    const Route route = stretch_of(part, first, last);
+    const Pose goal = pose_at(route.path.segments.back(), 1);
+    // Lines of which blends leave nothing have no segment.
+    const std::size_t move = last + 1 < part.moves.size() ? part.moves[last + 1] - 1 : part.last;
+    const bool moves =
+        std::any_of(route.path.segments.begin(), route.path.segments.end(),
+                    [&](const Segment& segment) { return !stands_still(segment, task_); });
+    const bool closed = within(task_deviation(task_, goal, pose_at(route.path, 0)),
+                               {options_.tolerance, options_.orientation_tolerance});
+    const bool loops = closed && moves && route.path.segments.size() > 1;
+    const auto end = arrival({.target = goal}, begin_, loops);
+    if (!end) return fail_to_reach(move);
+    VerifyOptions options = options_;
+    options.moving = {options_.moving.start && begin_ == 0, options_.moving.end && to_end};
+    const std::size_t until = to_end ? trajectory_.size() - 1 : *end;
+    const Verification found = verify(arm_, part_of(trajectory_, begin_, until), route, options);
+    if (!add(found)) return false;
+    std::size_t from = begin_;
+    for (std::size_t i = result_.arrivals.size(); i <= move; ++i) {
+      const std::size_t segment = part.last_segment(i);  // before `first` if the line has none left
+      const std::size_t reached = begin_ + (segment < first ? 0 : found.arrivals[segment - first]);
+      if (!check_speed(i, from, reached)) return false;
+      result_.arrivals.push_back(reached);
+      from = reached;
+    }
+    return check_dwell(move);
+  }
+
+  /// Adds what was found from sample `begin_` on; returns whether it passed.
+  bool add(const Verification& found) {
+    PathDeviation& whole = result_.deviation;
+    grow(whole.sampled, found.deviation.sampled);
+    grow(whole.measured, found.deviation.measured);
+    grow(whole.bound, found.deviation.bound);
+    if (found) return true;
+    const std::size_t prefix = sample_prefix(found.time, found.sample).size();
+    return fail(found.fault, begin_ + found.sample, found.reason.substr(prefix));
+  }
+
+  const Arm& arm_;
+  const Trajectory& trajectory_;
+  const Program& program_;
+  VerifyOptions options_;
+  Task task_;
+  std::vector<Pose> tool_ = {};  // at the samples
+  double largest_velocity_ = 0;
+  std::vector<ProgramPart> parts_ = {};
+  std::size_t begin_ = 0;  // the sample at which the next part begins
+  Verification result_ = {};
+};
+
+}  // namespace
+
+Verification verify(const Arm& arm, const Trajectory& given, const Program& program,
+                    const VerifyOptions& options) {
+  check_program(arm, program);
+  const Trajectory trajectory = matched_to(arm, given);
+  if (trajectory.size() == 0) throw Error("the trajectory has no samples");
+  return ProgramVerifier(arm, trajectory, program, options).run();
+}
+
+}  // namespace beeline

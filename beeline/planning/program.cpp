@@ -1,0 +1,322 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <beeline/certificate/joint_faults.h>
+#include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/planning/branch.h>
+#include <beeline/planning/internal/program_parts.h>
+#include <beeline/planning/internal/program_trajectory.h>
+#include <beeline/planning/program.h>
+#include <beeline/trajectory/internal/tool_speed.h>
+
+namespace beeline {
+
+using namespace internal;
+
+namespace {
+
+constexpr std::array<std::string_view, 5> move_kinds{"joint", "line", "screw", "arc", "spline"};
+
+// Configurations for a pose from which the next moves are tried, the soonest reached first: all of
+// them for an arm without redundant joints, and some on a coarse grid for one with.
+constexpr std::size_t max_candidates = 64, max_redundant_candidates = 12;
+constexpr int coarse_grid = 6;
+
+/// Seconds of a joint move at the velocity limits.
+double least_duration(const Arm& arm, const Configuration& from, const Configuration& to) {
+  double duration = 0;
+  for (int k = 0; k < arm.dof(); ++k) {
+    duration = std::max(duration, std::abs(to[k] - from[k]) / velocity_limit_of(arm.limits(k)));
+  }
+  return duration;
+}
+
+/// Configurations with the tool at the pose, the one that is reached soonest first.
+std::vector<Configuration> configurations_for(const Arm& arm, const Task& task, const Pose& pose,
+                                              const Configuration& from) {
+  const bool redundant = arm.dof() > task.size();
+  InverseOptions options{.seed = from, .task = task, .all = true, .every_turn = !redundant};
+  std::vector<Configuration> found;
+  if (redundant) {
+    options.grid = coarse_grid;
+    options.max_restarts = 4 * coarse_grid;
+    found = inverse_kinematics(arm, pose,
+                               {.seed = from, .task = task, .redundancy = Redundancy::nearest})
+                .solutions;
+  }
+  const InverseResult all = inverse_kinematics(arm, pose, options);
+  found.insert(found.end(), all.solutions.begin(), all.solutions.end());
+  std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {
+    return least_duration(arm, from, a) < least_duration(arm, from, b);
+  });
+  const std::size_t most = redundant ? max_redundant_candidates : max_candidates;
+  if (found.size() > most) found.resize(most);
+  return found;
+}
+
+/// "move 3 (line)", "moves 3 to 5".
+std::string part_name(const Program& program, const ProgramPart& part) {
+  if (part.first == part.last) return move_name(program, part.first);
+  return "moves " + std::to_string(part.first + 1) + " to " + std::to_string(part.last + 1);
+}
+
+class ProgramPlanner {
+ public:
+  ProgramPlanner(const Arm& arm, const Program& program, const PathMotionOptions& options)
+      : arm_(arm), program_(program), options_(options) {
+    options_.task = options.task.value_or(default_task(arm));
+    options_.suggest = false;
+    motion_.failed = program.moves.size();
+    motion_.status = MotionStatus::reached;
+  }
+
+  ProgramMotion run(const std::optional<Configuration>& start) {
+    if (!plan(start)) {
+      ProgramMotion failure;
+      failure.status = motion_.status;
+      failure.reason = motion_.reason;
+      failure.failed = motion_.failed;
+      return failure;
+    }
+    return motion_;
+  }
+
+ private:
+  struct Proved {
+    std::size_t part = 0, begin = 0;      ///< its first sample
+    std::vector<double> path_parameters;  ///< of its samples
+  };
+
+  bool fail(std::size_t move, MotionStatus status, const std::string& reason) {
+    motion_.status = status;
+    motion_.reason = reason;
+    motion_.failed = move;
+    return false;
+  }
+
+  bool plan(const std::optional<Configuration>& start) {
+    if (start) {
+      const auto outside = limit_violations(arm_, *start);
+      if (!outside.empty()) throw Error("the motion cannot start: " + outside.front());
+    }
+    const Move& first = program_.moves.front();
+    if (!start && first.kind != MoveKind::joint && first.kind != MoveKind::line) {
+      throw Error(
+          move_name(program_, 0) +
+          ": the motion begins at this waypoint, as no start is given; it must be that of a "
+          "joint move or a line");
+    }
+    if (!start && (first.speed || first.blend > 0)) {
+      throw Error(move_name(program_, 0) +
+                  ": the motion begins at this waypoint, as no start is given; it has no speed or "
+                  "blend");
+    }
+    const Pose begin = start ? forward_kinematics(arm_, *start) : waypoint_of(arm_, first);
+    parts_ = program_parts(arm_, program_, start ? 0 : 1, begin, options_.tool_speed);
+    std::optional<Configuration> q = start ? start : first.q;
+    const bool open = !q && !parts_.empty() && !parts_.front().joint;
+    if (!q && !open && !configuration_at(0, begin, middle_configuration(arm_), q)) return false;
+    std::optional<PathMotion> ahead;
+    if (open && !follow(0, std::nullopt, ahead)) return false;
+    if (open) q = ahead->trajectory.positions.front();
+    trajectory_.begin(arm_, *q, options_.interpolation);
+    if (!start) {
+      motion_.moves.push_back({});
+      if (!pause(0)) return false;
+    }
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      if (parts_[p].joint ? !add_joint_move(p, ahead) : !add_path(p, ahead)) return false;
+    }
+    return finish();
+  }
+
+  /// Sets q to the configuration with the tool at the pose that is reached soonest.
+  bool configuration_at(std::size_t move, const Pose& pose, const Configuration& from,
+                        std::optional<Configuration>& q) {
+    const auto found = configurations_for(arm_, *options_.task, pose, from);
+    if (!found.empty()) q = found.front();
+    if (q) return true;
+    const InverseResult none =
+        inverse_kinematics(arm_, pose, {.seed = from, .task = options_.task});
+    if (none) q = none.solutions.front();
+    return none ||
+           fail(move, motion_status(none.status), move_name(program_, move) + ": " + none.reason);
+  }
+
+  /// Plans the path of a part.
+  bool follow(std::size_t p, const std::optional<Configuration>& q,
+              std::optional<PathMotion>& ahead) {
+    const ProgramPart& part = parts_[p];
+    ahead = move_along(arm_, q, part.route, options_);
+    if (*ahead) return true;
+    const std::optional<std::size_t> move = named_move(part, ahead->reason);
+    return fail(move.value_or(part.first), ahead->status,
+                (move ? "" : part_name(program_, part) + ": ") + ahead->reason);
+  }
+
+  /// The move that a reason names.
+  std::optional<std::size_t> named_move(const ProgramPart& part, const std::string& reason) const {
+    for (std::size_t i = part.first; i <= part.last; ++i) {
+      if (reason.find(move_name(program_, i)) != std::string::npos) return i;
+    }
+    return std::nullopt;
+  }
+
+  /// Finds the configuration, the soonest reached, from which the path of part p is possible.
+  bool choose_branch(std::size_t p, const Configuration& from, std::optional<Configuration>& q,
+                     std::optional<PathMotion>& ahead) {
+    const ToolPath& path = parts_[p].route.path;
+    BranchOptions planning{.task = *options_.task,
+                           .tolerance = {options_.tolerance, options_.orientation_tolerance},
+                           .max_samples = static_cast<std::size_t>(options_.max_samples),
+                           .max_grid = 16,
+                           .reasons = BranchOptions::Reasons::none};
+    for (const Configuration& candidate :
+         configurations_for(arm_, *options_.task, pose_at(path, 0), from)) {
+      if (!plan_path(arm_, candidate, path, planning) || !follow(p, candidate, ahead)) continue;
+      q = candidate;
+      motion_.status = MotionStatus::reached;
+      return true;
+    }
+    if (!follow(p, std::nullopt, ahead)) return false;
+    motion_.status = MotionStatus::reached;
+    q = ahead->trajectory.positions.front();
+    return true;
+  }
+
+  bool add_joint_move(std::size_t p, std::optional<PathMotion>& ahead) {
+    const std::size_t i = parts_[p].first;
+    const Move& move = program_.moves[i];
+    const Configuration from = trajectory_.positions().back();
+    std::optional<Configuration> to = move.q;
+    ahead.reset();
+    const bool path_follows = p + 1 < parts_.size() && !parts_[p + 1].joint;
+    if (!to && !(path_follows ? choose_branch(p + 1, from, to, ahead)
+                              : configuration_at(i, move.target, from, to))) {
+      return false;
+    }
+    const RetimeOptions timing{.profile = options_.profile,
+                               .interpolation = options_.interpolation,
+                               .tool_speed = move.speed.value_or(options_.tool_speed),
+                               .rate = options_.rate};
+    PlannedMove planned{.begin = trajectory_.last()};
+    if (const auto reason = trajectory_.joint_move(arm_, *to, timing); !reason.empty()) {
+      return fail(i, MotionStatus::outside_limits, move_name(program_, i) + ": " + reason);
+    }
+    planned.end = trajectory_.last();
+    motion_.moves.push_back(planned);
+    return pause(i);
+  }
+
+  /// Adds the dwell of move i.
+  bool pause(std::size_t i) {
+    const double dwell = program_.moves[i].dwell;
+    if (dwell * options_.rate > options_.max_samples) {
+      return fail(i, MotionStatus::too_many_samples,
+                  move_name(program_, i) + ": the dwell needs more than " +
+                      std::to_string(options_.max_samples) + " samples");
+    }
+    trajectory_.dwell(dwell, options_.rate);
+    return true;
+  }
+
+  bool add_path(std::size_t p, std::optional<PathMotion>& ahead) {
+    const ProgramPart& part = parts_[p];
+    if (!ahead && !follow(p, trajectory_.positions().back(), ahead)) return false;
+    motion_.limit_margin = std::min(motion_.limit_margin, ahead->limit_margin);
+    motion_.inverse_condition = std::min(motion_.inverse_condition, ahead->inverse_condition);
+    Proved proved{p, trajectory_.last(), {ahead->path_parameters.front()}};
+    std::size_t k = 0;
+    for (std::size_t i = part.first; i <= part.last; ++i) {
+      PlannedMove planned{.begin = trajectory_.last(),
+                          .blend_radius = part.blend_radii[i - part.first]};
+      for (const std::size_t end = ahead->arrivals[part.last_segment(i)]; k < end;) {
+        trajectory_.append(ahead->trajectory, ++k);
+        proved.path_parameters.push_back(ahead->path_parameters[k]);
+      }
+      planned.end = trajectory_.last();
+      motion_.moves.push_back(planned);
+      if (!pause(i)) return false;
+      proved.path_parameters.resize(trajectory_.last() - proved.begin + 1,
+                                    proved.path_parameters.back());
+    }
+    proved_.push_back(std::move(proved));
+    ahead.reset();
+    return true;
+  }
+
+  /// Completes the trajectory and proves it.
+  bool finish() {
+    motion_.trajectory = trajectory_.finished(options_.rate);
+    const Trajectory& trajectory = motion_.trajectory;
+    motion_.deviation.interval_bounds.resize(trajectory.size() - 1);
+    for (const Proved& proved : proved_) {
+      if (!prove(proved)) return false;
+    }
+    for (PlannedMove& move : motion_.moves) {
+      for (std::size_t k = move.begin; k < move.end; ++k) {
+        grow(move.bound, motion_.deviation.interval_bounds[k]);
+      }
+      move.tool_speed = tool_speed_bound(arm_, part_of(trajectory, move.begin, move.end));
+    }
+    motion_.limits = limit_usage(arm_, trajectory);
+    const auto fault = first_joint_fault(arm_, trajectory);
+    return !fault || fail(program_.moves.size(), MotionStatus::outside_limits,
+                          "at " + number(trajectory.times[fault->sample]) + " s: " + fault->reason);
+  }
+
+  bool prove(const Proved& proved) {
+    const ProgramPart& part = parts_[proved.part];
+    const std::size_t end = proved.begin + proved.path_parameters.size() - 1;
+    const PathDeviation found =
+        path_deviation(arm_, part_of(motion_.trajectory, proved.begin, end), proved.path_parameters,
+                       part.route.path, *options_.task);
+    PathDeviation& whole = motion_.deviation;
+    grow(whole.sampled, found.sampled);
+    grow(whole.measured, found.measured);
+    grow(whole.bound, found.bound);
+    std::copy(found.interval_bounds.begin(), found.interval_bounds.end(),
+              whole.interval_bounds.begin() + static_cast<std::ptrdiff_t>(proved.begin));
+    if (within(found.bound, {options_.tolerance, options_.orientation_tolerance})) return true;
+    return fail(part.first, MotionStatus::not_proved,
+                part_name(program_, part) + ": the tool is only proved to stay within " +
+                    deviation_text(found.bound) + " of its path; allow a larger tolerance");
+  }
+
+  const Arm& arm_;
+  const Program& program_;
+  PathMotionOptions options_;
+  ProgramMotion motion_;
+  std::vector<ProgramPart> parts_;
+  ProgramTrajectory trajectory_;
+  std::vector<Proved> proved_;
+};
+
+}  // namespace
+
+std::string name(MoveKind kind) { return std::string(move_kinds[static_cast<std::size_t>(kind)]); }
+
+std::vector<std::string> move_kind_names() { return {move_kinds.begin(), move_kinds.end()}; }
+
+MoveKind move_kind_named(std::string_view name) {
+  for (std::size_t i = 0; i < move_kinds.size(); ++i) {
+    if (name == move_kinds[i]) return static_cast<MoveKind>(i);
+  }
+  throw unknown_name("motion", name, move_kind_names());
+}
+
+std::string move_name(const Program& program, std::size_t i) {
+  const Move& move = program.moves.at(i);
+  return "move " + std::to_string(i + 1) + " (" + name(move.kind) +
+         (move.place.empty() ? "" : ", " + move.place) + ")";
+}
+
+ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& start,
+                           const Program& program, const PathMotionOptions& options) {
+  check_program(arm, program);
+  return ProgramPlanner(arm, program, options).run(start);
+}
+
+}  // namespace beeline

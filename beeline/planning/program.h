@@ -1,0 +1,130 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <beeline/certificate/verify.h>
+#include <beeline/error.h>
+#include <beeline/planning/move_along.h>
+#include <beeline/read/pose_list.h>
+
+namespace beeline {
+
+enum class MoveKind {
+  joint,  ///< a straight line in joint space
+  line,   ///< the others are those of PathKind
+  screw,
+  arc,     ///< through Move::via
+  spline,  ///< consecutive spline moves make one spline; a dwell ends it
+};
+std::string name(MoveKind kind);
+std::vector<std::string> move_kind_names();
+
+/// Throws Error listing the kinds for another name.
+MoveKind move_kind_named(std::string_view name);
+
+/// A move from the waypoint before it to its own, where the tool is at rest unless the move blends
+/// into the next one or both are part of one spline.
+struct Move {
+  MoveKind kind = MoveKind::line;
+  Pose target = Pose::Identity();  ///< the waypoint, world_T_tool
+  /// The waypoint of a joint move as a configuration; it replaces `target`.
+  std::optional<Configuration> q = std::nullopt;
+  std::optional<Vector3> via = std::nullopt;  ///< a position on the arc, in the world
+  /// Limit of the tool origin's speed, m/s, 1e-8 or more; default: that of the options. Where moves
+  /// follow each other without a stop, the lowest holds for all.
+  std::optional<double> speed = std::nullopt;
+  /// Max deviation of the blend with the next move from the waypoint and from both lines, metres,
+  /// and 5 rad for each metre: see blended_lines(). 0: none. Both moves must be lines.
+  double blend = 0;
+  double dwell = 0;        ///< seconds at rest at the waypoint, 0 or more
+  std::string place = {};  ///< where the move is written, for messages: pick.csv:5
+};
+
+/// The moves of an arm in order, such as those of a whole pick.
+struct Program {
+  std::vector<Move> moves;
+};
+
+/// "move 3 (line, pick.csv:5)": the name of moves[i] in messages.
+std::string move_name(const Program& program, std::size_t i);
+
+/// Returns the program of the rows of a file, whose poses without `relative` are world_T_tool.
+///
+/// - A pose relative to `previous` is in the tool frame of the waypoint before it, as that of a
+///   retreat; one relative to `next` is in the tool frame of the next waypoint that is not
+///   relative, as that of an approach.
+/// - A row with the motion `via` is a position on the arc to the next row, which is an arc.
+/// - `configuration` returns the configuration that an item of the column q means; default: joint
+///   values in radians and metres, separated by commas.
+///
+/// Throws FileError for a relative row without such a waypoint, a via row that no arc follows, an
+/// arc without via row, and the rest of what move_program() refuses; and where `configuration`
+/// throws.
+Program program_of(const Arm& arm, const ProgramRows& rows,
+                   const std::function<Configuration(const std::string&)>& configuration = {});
+
+/// The part of a trajectory that is one move.
+struct PlannedMove {
+  std::size_t begin = 0;  ///< its first sample
+  /// The sample at its waypoint or, if it blends into the next move, at the blend's end or the
+  /// first after it. A dwell follows.
+  std::size_t end = 0;
+  Deviation bound = {};     ///< proved deviation from its path; 0 for a joint move
+  double tool_speed = 0;    ///< a bound on the speed of the tool's origin, m/s
+  double blend_radius = 0;  ///< the part of both lines that the blend replaces: see Blend
+};
+
+/// A trajectory of a program, with its proof. Only status, reason and failed are set unless
+/// reached.
+struct ProgramMotion {
+  MotionStatus status = MotionStatus::not_found;
+  std::string reason;              ///< one sentence that names the move; empty when reached
+  std::size_t failed = 0;          ///< the move at which it ends; moves.size() if it is none
+  Trajectory trajectory;           ///< from rest to rest
+  std::vector<PlannedMove> moves;  ///< one for each of the program
+  PathDeviation deviation;         ///< of all moves but joint moves, proved
+  LimitUsage limits;
+  double limit_margin = 1;       ///< over all moves but joint moves: see Branch
+  double inverse_condition = 1;  ///< the same
+
+  explicit operator bool() const { return status == MotionStatus::reached; }
+};
+
+/// Plans the moves of a program as one trajectory from rest to rest.
+///
+/// - Without `start` the motion begins at the first move's waypoint, which must be that of a joint
+///   move or a line.
+/// - A joint move to a pose ends at a configuration from which the moves up to the next joint move
+///   are possible; among those found, at the one that it reaches soonest at the velocity limits. No
+///   other move changes the branch: see move_along().
+/// - path_deviation() proves the deviation of all moves but joint moves, for the trajectory as it
+///   is, with all pauses. The options hold for all moves, except where a move has its own speed;
+///   `suggest` is ignored.
+/// - A dwell has a sample at both ends; with a rate it lasts whole periods, with a sample at each.
+///
+/// Throws Error, with move_name(), for a program without moves; for a blend that is not between two
+/// lines or at a dwell; a via or a configuration where there is none, or an arc without via; a
+/// speed, blend or dwell out of range; a configuration outside the limits; and where
+/// path_through(), blended_lines() and move_along() do.
+ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& start,
+                           const Program& program, const PathMotionOptions& options = {});
+
+/// Proves or refutes, from the columns alone, that a trajectory is a motion of the program:
+///
+/// - The tool, or the configuration of Move::q to the tolerances, is at the waypoints in order, at
+///   rest where no blend or spline passes them, and at rest for each dwell. A trajectory that does
+///   not begin at the first waypoint moves there first.
+/// - verify() proves all moves but joint moves from stop to stop. A joint move is only held to the
+///   arm's limits.
+/// - The tool's speed is within that of each move.
+///
+/// arrivals[i] of the result is PlannedMove::end of move i; `path` and its parameters are empty.
+/// Throws Error as move_program() and verify() do.
+Verification verify(const Arm& arm, const Trajectory& trajectory, const Program& program,
+                    const VerifyOptions& options = {});
+
+}  // namespace beeline

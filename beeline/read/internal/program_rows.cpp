@@ -1,0 +1,179 @@
+#include <algorithm>
+#include <array>
+
+#include <beeline/error.h>
+#include <beeline/read/internal/csv.h>
+#include <beeline/read/internal/file.h>
+#include <beeline/read/internal/name.h>
+#include <beeline/read/internal/numbers.h>
+#include <beeline/read/internal/pose_form.h>
+#include <beeline/read/pose_list.h>
+
+namespace beeline {
+namespace {
+
+using internal::in_quotes;
+using Columns = std::vector<std::string>;
+
+constexpr std::size_t max_program_rows = 100'000;
+
+const Columns& motions() {
+  static const Columns names{"joint", "line", "screw", "arc", "spline", "via"};
+  return names;
+}
+
+const Columns& frames() {
+  static const Columns names{"previous", "next"};
+  return names;
+}
+
+bool has(const Columns& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The columns of a program file: the index of each in a row.
+struct ProgramColumns {
+  std::array<std::optional<std::size_t>, 6> named;  ///< in the order of program_columns()
+  std::vector<std::size_t> pose;                    ///< in the order of the form
+  Triple triple = Triple::planar;
+  std::size_t count = 0;
+};
+
+ProgramColumns program_columns_of(const Columns& header) {
+  ProgramColumns columns{.named = {}, .pose = {}, .count = header.size()};
+  const auto index_of = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
+  };
+  Columns others;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    internal::check_name(header[i], "the name of column " + std::to_string(i + 1));
+    if (index_of(header[i]) < i) throw Error("column " + in_quotes(header[i]) + " is given twice");
+    if (!has(program_columns(), header[i])) others.push_back(header[i]);
+  }
+  for (std::size_t i = 0; i < program_columns().size(); ++i) {
+    const std::string& name = program_columns()[i];
+    if (has(header, name)) columns.named[i] = index_of(name);
+  }
+  if (others.empty() && columns.named[2]) return columns;
+  const Columns& form = internal::pose_form_of(others);
+  columns.triple = form == pose_forms()[3] ? Triple::position : Triple::planar;
+  for (const std::string& name : form) columns.pose.push_back(index_of(name));
+  return columns;
+}
+
+std::optional<double> optional_number(const std::string& item, const std::string& column) {
+  if (item.empty()) return std::nullopt;
+  return internal::parse_number(item, "column " + column);
+}
+
+std::optional<WrittenPose> pose_in(const std::vector<std::string>& items,
+                                   const ProgramColumns& columns, const Columns& header,
+                                   AngleUnit unit) {
+  std::vector<double> numbers;
+  const auto is_empty = [&](std::size_t i) { return items[i].empty(); };
+  if (std::all_of(columns.pose.begin(), columns.pose.end(), is_empty)) return std::nullopt;
+  for (const std::size_t i : columns.pose) {
+    numbers.push_back(internal::parse_number(items[i], "column " + header[i]));
+  }
+  WrittenPose written = internal::written_pose(numbers, unit, columns.triple);
+  written.pose = checked_pose(written.pose);
+  return written;
+}
+
+void check_row(const ProgramRow& row) {
+  if (!row.motion.empty() && !has(motions(), row.motion)) {
+    throw unknown_name("motion", row.motion, motions());
+  }
+  if (!row.relative.empty() && !has(frames(), row.relative)) {
+    throw unknown_name("relative", row.relative, frames());
+  }
+  if (!row.pose && row.q.empty()) {
+    throw Error("this row has neither a pose nor, in a column q, joint values");
+  }
+  if (row.pose && !row.q.empty()) throw Error("this row has both a pose and joint values, q");
+  if (!row.q.empty() && row.motion != "joint") {
+    throw Error("joint values, q, are for rows with the motion joint");
+  }
+  if (row.motion == "via" && (row.speed || row.blend || row.dwell)) {
+    throw Error("a via row has no speed, blend or dwell: those are the arc's");
+  }
+  if (row.relative.empty()) return;
+  if (!row.pose) throw Error("a row with relative needs a pose");
+  if (!row.pose->oriented) {
+    throw Error("relative is for poses with an orientation: " + std::string(internal::known_forms));
+  }
+}
+
+ProgramRow row_in(const std::vector<std::string>& items, const ProgramColumns& columns,
+                  const Columns& header, AngleUnit unit) {
+  if (items.size() != columns.count) {
+    throw Error("this row has " + std::to_string(items.size()) + " items; the header has " +
+                std::to_string(columns.count));
+  }
+  const auto text = [&](std::size_t i) {
+    return columns.named[i] ? items[*columns.named[i]] : std::string();
+  };
+  ProgramRow row{.motion = text(0),
+                 .relative = text(1),
+                 .pose = pose_in(items, columns, header, unit),
+                 .q = text(2),
+                 .speed = optional_number(text(3), "speed"),
+                 .blend = optional_number(text(4), "blend"),
+                 .dwell = optional_number(text(5), "dwell")};
+  check_row(row);
+  return row;
+}
+
+/// The items of the header; empty for a text without lines.
+Columns header_of(internal::CsvLines& lines, char& separator) {
+  std::string_view line;
+  if (!lines.next(line)) return {};
+  separator = internal::csv_separator(line);
+  return internal::csv_items(line, separator);
+}
+
+}  // namespace
+
+const Columns& program_columns() {
+  static const Columns columns{"motion", "relative", "q", "speed", "blend", "dwell"};
+  return columns;
+}
+
+bool is_program(std::string_view text) {
+  internal::CsvLines lines(text);
+  char separator = ',';
+  try {
+    const Columns header = header_of(lines, separator);
+    return std::any_of(header.begin(), header.end(),
+                       [](const std::string& name) { return has(program_columns(), name); });
+  } catch (const Error&) {  // its reader says what is wrong
+    return false;
+  }
+}
+
+ProgramRows program_rows_from_csv(std::string_view text, const std::string& path, AngleUnit unit) {
+  internal::CsvLines lines(text);
+  ProgramRows program{.path = path, .rows = {}};
+  try {
+    char separator = ',';
+    const Columns header = header_of(lines, separator);
+    const ProgramColumns columns = program_columns_of(header);
+    for (std::string_view line; lines.next(line);) {
+      program.rows.push_back(row_in(internal::csv_items(line, separator), columns, header, unit));
+      program.rows.back().line = static_cast<int>(lines.number());
+      if (program.rows.size() > max_program_rows) {
+        throw Error("a program has at most " + std::to_string(max_program_rows) + " rows");
+      }
+    }
+  } catch (const Error& error) {
+    throw FileError(path, static_cast<int>(lines.number()), error.what());
+  }
+  if (program.rows.empty()) throw FileError(path, 0, "has a header but no rows below it");
+  return program;
+}
+
+ProgramRows read_program_rows(const std::string& path, AngleUnit unit) {
+  return program_rows_from_csv(internal::read_file(path), path, unit);
+}
+
+}  // namespace beeline
