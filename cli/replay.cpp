@@ -1,10 +1,11 @@
 #include <algorithm>
+#include <cmath>
 #include <fmt/core.h>
+#include <tuple>
 
 #include <beeline/control/replay.h>
 #include <beeline/error.h>
 #include <beeline/read/internal/numbers.h>
-#include <beeline/trajectory/limit_usage.h>
 
 #include "arm_argument.h"
 #include "command/streams.h"
@@ -59,34 +60,50 @@ ReplayOptions replay_options(const ReplayArguments& arguments, const Arm& arm) {
 
 Json replay_document(const Replay& played) {
   const bool reached(played);
-  return {{"status", name(played.status)},
-          {"samples", played.trajectory.size()},
-          {"duration", reached ? played.trajectory.times.back() : 0.0},
-          {"lead_in", played.lead_in},
-          {"velocity_fraction", played.velocity_usage > 0 ? Json(played.velocity_usage) : Json()},
-          {"reason", played.reason}};
+  const LimitFraction& velocity = played.limits.velocity;
+  Json document{{"status", name(played.status)},
+                {"samples", played.trajectory.size()},
+                {"duration", reached ? played.trajectory.times.back() : 0.0},
+                {"lead_in", played.lead_in},
+                {"slowdown", played.slowdown},
+                {"velocity_fraction",
+                 velocity.joint.empty() || velocity.assumed ? Json() : Json(velocity.fraction)},
+                {"reason", played.reason}};
+  if (reached) document.add("limits", json_limits(played.limits));
+  return document;
 }
 
-/// Warns of limits of acceleration and jerk, which replay() does not hold.
+/// Warns of limits that the recording itself exceeds: known ones, and assumed ones of velocity and
+/// acceleration, as check does.
 void warn_of_limits(const LimitUsage& limits) {
   constexpr double slack = 1e-6;  // as check has
-  const std::pair<const char*, const LimitFraction*> kinds[] = {
-      {"acceleration", &limits.acceleration}, {"jerk", &limits.jerk}};
-  for (const auto& [kind, use] : kinds) {
-    if (use->joint.empty() || use->assumed || !(use->fraction > 1 + slack)) continue;
-    warn(fmt::format(
-        "the {} limit of joint {} is exceeded at {} s; a lower speed, another rate or the "
-        "recorded samples (no --rate) may keep it",
-        kind, use->joint, shown(use->time)));
+  const std::tuple<const char*, const LimitFraction*, double> kinds[] = {
+      {"velocity", &limits.velocity, 1.0},
+      {"acceleration", &limits.acceleration, 1.0 / 2},
+      {"jerk", &limits.jerk, 1.0 / 3}};
+  for (const auto& [kind, use, root] : kinds) {
+    if (use->joint.empty() || !(use->fraction > 1 + slack)) continue;
+    if (use->assumed && use == &limits.jerk) continue;
+    warn(
+        fmt::format("the recording exceeds the {}{} limit of joint {} at {} s, {} times{}; "
+                    "{} % of this speed keeps it",
+                    use->assumed ? "assumed " : "", kind, use->joint, shown(use->time),
+                    shown(use->fraction), use->exact ? "" : " by divided differences",
+                    shown(std::floor(1000 * std::pow(use->fraction, -root)) / 10)));
   }
 }
 
 std::string replay_text(const Replay& played) {
+  constexpr double little = 1.0005;
   std::string text =
       fmt::format("played        {} in {} s, of which {} s lead-in\n",
                   counted(static_cast<std::int64_t>(played.trajectory.size()), "sample"),
                   shown(played.trajectory.times.back()), shown(played.lead_in));
-  return text;
+  if (played.slowdown > little) {
+    text += fmt::format("slowed down   by {} % for whole periods and limits between samples\n",
+                        shown(std::round(1000 * (played.slowdown - 1)) / 10));
+  }
+  return text + limits_text(played.limits);
 }
 
 Answer replay_file(const ReplayArguments& arguments) {
@@ -108,10 +125,8 @@ Answer replay_file(const ReplayArguments& arguments) {
       .yes = reached,
       .reason = played.reason};
   if (!reached) return answer;
-  const LimitUsage limits = limit_usage(arm, played.trajectory);
-  answer.text += replay_text(played) + limits_text(limits);
-  answer.document.add("limits", json_limits(limits));
-  warn_of_limits(limits);
+  answer.text += replay_text(played);
+  warn_of_limits(played.limits);
   if (measured) {
     const TrajectoryDifference tracking = difference(arm, played.trajectory, *measured);
     answer.text += fmt::format("tracking      {} against what is played\n", arguments.measured) +
@@ -125,42 +140,44 @@ Answer replay_file(const ReplayArguments& arguments) {
 
 std::vector<Option> playing_options(ReplayArguments& arguments) {
   ReplayOptions& replay = arguments.replay;
-  return {joint_values_option("--from",
-                              "Joint values at which the arm is; it first moves to the first "
-                              "sample (the lead-in).",
-                              &arguments.from),
-          {.name = "--speed",
-           .value = "K",
-           .help = "Playback speed: velocities x K, accelerations x K^2, jerks x K^3; at 0.5 the "
-                   "motion takes twice the recorded time.",
-           .target = &replay.speed,
-           .range = above_zero},
-          {.name = "--speed-at",
-           .value = "T:K,...",
-           .help = "Playback speeds from 0 (pause) to 1 and the times at which they begin, lead-in "
-                   "included: 2:0.5,4:0,6:1 is half speed from 2 s on, a pause at 4 s, full speed "
-                   "from 6 s on. The speed changes gradually, starting from 0.",
-           .target = &arguments.speed_at,
-           .excludes = "--speed",
-           .phrases = {"a replay's speed at a time", "a replay's speeds", "the replay pauses"}},
-          {.name = "--ramp",
-           .value = "SECONDS",
-           .help = "Time in which the playback speed changes by 1.",
-           .target = &replay.ramp,
-           .range = above_zero,
-           .needs = "--speed-at"},
-          {.name = "--rate",
-           .value = "HZ",
-           .help = "Samples per second of the output, from the first to the last. Default: the "
-                   "recorded samples; with --speed-at 100.",
-           .target = &arguments.rate,
-           .range = above_zero,
-           .phrases = {"samples per second"}},
-          {.name = "--measured",
-           .value = "FILE",
-           .help = "A measured trajectory, to report the tracking error as `beeline diff` does.",
-           .target = &arguments.measured,
-           .completes = Completes::file}};
+  return {
+      joint_values_option("--from",
+                          "Joint values at which the arm is; it first moves to the first "
+                          "sample (the lead-in).",
+                          &arguments.from),
+      {.name = "--speed",
+       .value = "K",
+       .help = "Playback speed: velocities x K, accelerations x K^2, jerks x K^3; at 0.5 the "
+               "motion takes twice the recorded time.",
+       .target = &replay.speed,
+       .range = above_zero},
+      {.name = "--speed-at",
+       .value = "T:K,...",
+       .help = "Playback speeds from 0 (pause) to 1 and the times at which they begin, lead-in "
+               "included: 2:0.5,4:0,6:1 is half speed from 2 s on, a pause at 4 s, full speed "
+               "from 6 s on. The speed changes gradually; a recording that starts moving starts at "
+               "speed 0.",
+       .target = &arguments.speed_at,
+       .excludes = "--speed",
+       .phrases = {"a replay's speed at a time", "a replay's speeds", "the replay pauses"}},
+      {.name = "--ramp",
+       .value = "SECONDS",
+       .help = "Time in which the playback speed changes by 1.",
+       .target = &replay.ramp,
+       .range = above_zero,
+       .needs = "--speed-at"},
+      {.name = "--rate",
+       .value = "HZ",
+       .help = "Samples per second of the output, from the first to the last. Default: the "
+               "recorded samples; with --speed-at 100.",
+       .target = &arguments.rate,
+       .range = above_zero,
+       .phrases = {"samples per second"}},
+      {.name = "--measured",
+       .value = "FILE",
+       .help = "A measured trajectory, to report the tracking error as `beeline diff` does.",
+       .target = &arguments.measured,
+       .completes = Completes::file}};
 }
 
 }  // namespace
@@ -171,10 +188,11 @@ Verb replay_verb() {
       .name = "replay",
       .summary = "Play a recorded trajectory on an arm, checked against its limits",
       .description =
-          "Checks a recording against the arm's position and velocity limits and resamples it. "
-          "Prints a status, the number of samples, the duration and the lead-in in seconds, and "
-          "the largest fraction of a velocity limit. The recording is in radians and metres; "
-          "--degrees applies to --from and to printed angles.",
+          "Checks a recording against the arm's limits and resamples it. The samples hold the "
+          "limits of position, velocity, acceleration and jerk at all times where the recording "
+          "does: it is slowed down where a rate needs it. Prints a status, the number of samples, "
+          "the duration and the lead-in in seconds, and the largest fraction of each limit. The "
+          "recording is in radians and metres; --degrees applies to --from and to printed angles.",
       .arguments = {arguments.arm.argument(),
                     trajectory_argument("FILE", "A recorded trajectory, .csv or .json.",
                                         &arguments.file)},

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include <beeline/certificate/joint_faults.h>
+#include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/mean_derivative.h>
 
@@ -14,7 +15,6 @@ using namespace internal;
 
 namespace {
 
-constexpr double rest_fraction = 1e-4;  // of a velocity limit: slower is at rest
 // A velocity, acceleration or jerk may exceed its limit by this fraction: rounding of motions that
 // use their limits fully.
 constexpr double limit_slack = 1e-6;
@@ -122,23 +122,15 @@ class FaultSearch {
     return k + 1 < t_.size() ? (q_[k + 1][i] - q_[k][i]) / (t_[k + 1] - t_[k]) : 0;
   }
 
-  /// Whether a coordinate moves at the start or the end. Linear joints always do: they may have the
-  /// velocity that the joint reaches within two intervals.
+  /// Whether a coordinate moves at the start or the end.
   void check_rest(std::size_t k, int i) {
     const bool first = k == 0, last = k + 1 == t_.size();
     if (found_ || t_.size() < 2 || !((first && !moving_.start) || (last && !moving_.end))) return;
-    const Limits limits = motion_limits(arm_.limits(i));
-    double velocity = 0, allowed = rest_fraction * limits.velocity;
-    if (!v_.empty()) {
-      velocity = v_[k][i];
-    } else {
-      const std::size_t interval = first ? 0 : k - 1;
-      velocity = chord_velocity(interval, i);
-      allowed += 2 * limits.acceleration * (t_[interval + 1] - t_[interval]);
-    }
-    if (std::abs(velocity) <= allowed) return;
+    const EndVelocity end = end_velocity(trajectory_, i, motion_limits(arm_.limits(i)),
+                                         first ? TrajectoryEnd::first : TrajectoryEnd::last);
+    if (end.at_rest()) return;
     report(Fault::moving, k, i,
-           std::string(first ? "starts" : "ends") + " at " + quantity(arm_, i, velocity, "/s") +
+           std::string(first ? "starts" : "ends") + " at " + quantity(arm_, i, end.velocity, "/s") +
                ", not at rest");
   }
 

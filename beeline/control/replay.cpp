@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/control/internal/held_limits.h>
+#include <beeline/control/internal/played_section.h>
 #include <beeline/control/internal/recording_limits.h>
-#include <beeline/control/player.h>
+#include <beeline/control/internal/speed_schedule.h>
 #include <beeline/control/replay.h>
 #include <beeline/error.h>
 #include <beeline/timing/point_to_point.h>
@@ -12,10 +14,9 @@
 namespace beeline {
 namespace {
 
-constexpr std::size_t max_samples = 1'000'000;
-constexpr double default_rate = 100;        // of a Player
-constexpr double min_lead_in_samples = 64;  // for linear interpolation of a short motion
-constexpr double at_start = 1e-9;           // rad or m; no motion is needed from this near
+constexpr double default_rate = 100;                             // with changes of speed
+constexpr double lead_in_samples = 64, max_lead_in_rate = 1000;  // without a rate
+constexpr double at_start = 1e-9;  // rad or m; no motion is needed from this near
 
 void check(const ReplayOptions& options) {
   if (!(options.speed > 0 && std::isfinite(options.speed))) {
@@ -37,15 +38,17 @@ void check(const ReplayOptions& options) {
     }
     before = time;
   }
+  if (!(options.ramp > 0 && std::isfinite(options.ramp))) {
+    throw Error("the ramp of a replay must be above zero, not " + number(options.ramp) + " s");
+  }
+  if (!options.speed_at.empty() && !(options.speed <= 1)) {
+    throw Error("a replay's speed before its first change must be from 0 to 1, not " +
+                number(options.speed));
+  }
   if (!options.speed_at.empty() && options.speed_at.back().speed == 0) {
     throw Error("the replay pauses at " + number(before) +
                 " s and would not end; add a later speed above zero");
   }
-}
-
-[[noreturn]] void refuse_length(double duration, double rate) {
-  throw Error("replaying " + number(duration) + " s at " + number(rate) +
-              " samples per second makes more than " + std::to_string(max_samples) + " samples");
 }
 
 /// Throws Error for a rate that leaves too few steps to represent the motion. Not every recorded
@@ -60,36 +63,31 @@ void check_steps(const Trajectory& recording, double rate) {
               " or more are needed");
 }
 
-/// The largest fraction of a velocity limit that a motion uses.
+/// The largest fraction of a known velocity limit that a motion uses.
 struct VelocityUsage {
   double fraction = 0;
   int coordinate = 0;
   double time = 0;   ///< of the recording
   double speed = 1;  ///< of the replay, at that time
-
-  void take(const Arm& arm, const Configuration& velocity, double now, double speed_now) {
-    for (int i = 0; i < arm.dof(); ++i) {
-      const double limit = arm.limits(i).velocity;
-      const double used = std::abs(velocity[i]) / limit;
-      if (used > fraction) *this = {used, i, now, speed_now};
-    }
-  }
 };
 
 /// Adds the usage of the motion between sample k and the next, at this speed.
 void add_usage(VelocityUsage& usage, const Arm& arm, const Trajectory& recording, std::size_t k,
                double speed) {
   const double h = recording.times[k + 1] - recording.times[k];
-  Configuration fastest(arm.dof());
   for (int i = 0; i < arm.dof(); ++i) {
-    const internal::Extremes range = internal::extremes(
-        internal::time_derivative(internal::interval_polynomial(recording, k, i), 1, h));
-    fastest[i] = std::max(-range.smallest, range.largest);
+    const internal::Polynomial v =
+        internal::time_derivative(internal::interval_polynomial(recording, k, i), 1, h);
+    const auto fraction = [&](const internal::Extremes& range) {
+      return speed * std::max(-range.smallest, range.largest) / arm.limits(i).velocity;
+    };
+    if (!(fraction(internal::enclosure(v)) > usage.fraction)) continue;
+    const double used = fraction(internal::extremes(v));
+    if (used > usage.fraction) usage = {used, i, recording.times[k], speed};
   }
-  usage.take(arm, speed * fastest, recording.times[k], speed);
 }
 
-VelocityUsage usage_of(const Arm& arm, const Trajectory& recording, double speed) {
+VelocityUsage usage_at_constant_speed(const Arm& arm, const Trajectory& recording, double speed) {
   VelocityUsage usage;
   for (std::size_t k = 0; k + 1 < recording.size(); ++k) {
     add_usage(usage, arm, recording, k, speed);
@@ -97,117 +95,107 @@ VelocityUsage usage_of(const Arm& arm, const Trajectory& recording, double speed
   return usage;
 }
 
-/// Returns the motion from rest at `start` to rest at `goal`, straight in joint space.
-Trajectory lead_in(const Arm& arm, const Configuration& start, const Configuration& goal,
-                   double rate) {
-  const PointToPoint motion =
-      point_to_point(arm, start, goal, {.synchronise = Synchronise::straight});
-  return sampled(arm, motion, std::max(rate, min_lead_in_samples / motion.duration));
-}
-
-/// The recording at a constant speed: its samples, or samples at the rate. Then the recording lasts
-/// a whole number of periods, so that its end is one of them.
-Trajectory at_speed(const Trajectory& recording, const ReplayOptions& options, double periods) {
-  const double first = recording.times.front(), last = recording.times.back();
-  Trajectory played{recording.joint_names, {}, {}, {}, {}};
-  const auto add = [&](double t, const TrajectoryState& state, double speed) {
-    played.times.push_back(t);
-    played.positions.push_back(state.position);
-    played.velocities.push_back(speed * state.velocity);
-    played.accelerations.push_back(speed * speed * state.acceleration);
-  };
-  if (options.rate > 0 && last > first) {
-    const double speed = (last - first) * options.rate / periods;
-    for (double k = 0; k <= periods; ++k) {
-      const bool ends = k == periods;
-      const double t = ends ? last : std::min(last, first + k / options.rate * speed);
-      add(k / options.rate, sample(recording, t, ends ? Side::before : Side::after), speed);
-    }
-  } else {
-    for (std::size_t k = 0; k < recording.size(); ++k) {
-      const bool ends = k + 1 == recording.size() && k > 0;
-      add((recording.times[k] - first) / options.speed,
-          sample(recording, recording.times[k], ends ? Side::before : Side::after), options.speed);
-      played.positions.back() = recording.positions[k];
-    }
-  }
-  internal::keep_columns(played, recording.interpolation());
-  return played;
-}
-
-/// Plays at a constant speed; with a rate a little slower where the motion through its samples
-/// would be faster than the recording allows.
-void play_at_constant_speed(const Arm& arm, const Trajectory& recording,
-                            const ReplayOptions& options, Replay& result) {
-  const double duration = (recording.times.back() - recording.times.front()) / options.speed;
-  if (!(duration * options.rate + double(recording.size()) < double(max_samples))) {
-    refuse_length(duration, options.rate);
-  }
-  double periods = std::max(1.0, std::ceil(duration * options.rate - 1e-6));
-  Trajectory played = at_speed(recording, options, periods);
-  for (int tries = 0; tries < 100 && options.rate > 0; ++tries) {
-    if (usage_of(arm, played, 1).fraction <= 1) break;
-    played = at_speed(recording, options, ++periods);
-  }
-  const Configuration& first = recording.positions.front();
-  if (options.start && (first - *options.start).lpNorm<Eigen::Infinity>() > at_start) {
-    result.trajectory = lead_in(arm, *options.start, first, options.rate);
-    internal::keep_columns(result.trajectory, recording.interpolation());
-    result.lead_in = result.trajectory.times.back();
-  }
-  result.trajectory.joint_names = arm.joint_names();
-  internal::append(result.trajectory, played);
-}
-
-/// Adds the usage of the motion between two times of the recording, at this speed: a step may pass
-/// many samples.
-void add_usage_between(VelocityUsage& usage, const Arm& arm, const Trajectory& recording,
-                       double from, double to, double speed) {
+/// The usage with changes of speed. A step may pass many samples.
+VelocityUsage usage_in_steps(const Arm& arm, const Trajectory& recording,
+                             std::span<const internal::Progress> steps) {
+  VelocityUsage usage;
   const auto& t = recording.times;
-  if (t.size() < 2) return;
-  const auto after = std::upper_bound(t.begin() + 1, t.end() - 1, from);
-  for (auto k = static_cast<std::size_t>(after - t.begin()); k < t.size(); ++k) {
-    add_usage(usage, arm, recording, k - 1, speed);
-    if (t[k] >= to) break;
+  for (std::size_t j = 1; j < steps.size() && t.size() > 1; ++j) {
+    const double speed = std::max(steps[j - 1].speed, steps[j].speed);
+    const auto after = std::upper_bound(t.begin() + 1, t.end() - 1, steps[j - 1].s);
+    for (auto k = static_cast<std::size_t>(after - t.begin()); k < t.size(); ++k) {
+      add_usage(usage, arm, recording, k - 1, speed);
+      if (t[k] >= steps[j].s) break;
+    }
   }
+  return usage;
 }
 
-/// Plays with a Player, at speeds that change. Returns the usage of the recording's motion or of
-/// the commands, whichever is larger.
-VelocityUsage play_in_steps(const Arm& arm, const Trajectory& recording,
-                            const ReplayOptions& options, Replay& result) {
-  const double rate = options.rate > 0 ? options.rate : default_rate;
-  check_steps(recording, rate);
-  const Configuration start = options.start.value_or(recording.positions.front());
-  const double dt = 1 / rate;
-  Player player(arm, recording, start,
-                {.time_step = dt, .speed = options.speed, .ramp = options.ramp});
-  result.trajectory = at_rest(arm, start);
-  auto& [names, times, q, v, a] = result.trajectory;
-  a.clear();
-  VelocityUsage lines, commands;
-  auto change = options.speed_at.begin();
-  while (!player.done()) {
-    const double begin = times.back(), equal = 1e-6 * dt;
-    while (change != options.speed_at.end() && change->time <= begin + equal) {
-      player.set_speed((change++)->speed);
-    }
-    if (times.size() == max_samples) refuse_length(begin, rate);
-    const bool leading_in = player.leading_in();
-    const double time = player.recording_time(), speed_before = player.speed();
-    const Command& command = player.step();
-    times.push_back(static_cast<double>(times.size()) * dt);
-    q.push_back(command.q);
-    v.push_back(command.velocity);
-    if (leading_in) {
-      result.lead_in = times.back();
-      continue;
-    }
-    const double speed = std::max(speed_before, player.speed());
-    add_usage_between(lines, arm, recording, time, player.recording_time(), speed);
-    commands.take(arm, command.velocity, time, speed);
+/// Sets status and reason where the recording is too fast for a velocity limit.
+bool refuse_velocity(const Arm& arm, const VelocityUsage& usage, Replay& result) {
+  constexpr double rounding = 1e-9, down = 1 - 1e-5;  // number() rounds to six digits
+  if (!(usage.fraction > 1 + rounding)) return false;
+  result.reason = "at " + number(usage.time) + " s joint " + arm.joint_of(usage.coordinate).name +
+                  " moves at " + number(usage.fraction) +
+                  " times its velocity limit; a speed of at most " +
+                  number(down * usage.speed / usage.fraction) + " keeps the limit";
+  result.limits.velocity = {usage.fraction, arm.joint_of(usage.coordinate).name, usage.time};
+  return true;
+}
+
+/// Sets status and reason where a speed above 1 exceeds limits that the recording holds.
+bool refuse_speed(const Arm& arm, const Trajectory& recording, std::span<const Limits> held,
+                  double speed, Replay& result) {
+  constexpr double rounding = 1e-9, down = 1 - 1e-5;
+  if (!(speed > 1)) return false;
+  Trajectory faster = recording;
+  for (double& t : faster.times) t /= speed;
+  for (Configuration& v : faster.velocities) v *= speed;
+  for (Configuration& a : faster.accelerations) a *= speed * speed;
+  const auto excess = internal::largest_excess(held, faster);
+  if (!excess || !(excess->slowdown > 1 + rounding)) return false;
+  result.reason = internal::described(arm, recording, *excess) + " at a speed of " + number(speed) +
+                  "; a speed of at most " + number(down * speed / excess->slowdown) + " keeps it";
+  return true;
+}
+
+/// Plays the motion from rest at the start to rest at the recording's first sample, straight in
+/// joint space.
+internal::PlayedSection lead_in(const Arm& arm, const Configuration& goal,
+                                Interpolation interpolation, const ReplayOptions& options) {
+  const bool steady = options.speed_at.empty();
+  const PointToPoint line =
+      point_to_point(arm, *options.start, goal, {.synchronise = Synchronise::straight});
+  double rate = options.rate > 0 ? options.rate : default_rate;
+  if (steady && options.rate == 0) {
+    rate = std::min(lead_in_samples / line.duration, max_lead_in_rate);
   }
-  return commands.fraction > lines.fraction ? commands : lines;
+  const Trajectory motion = sampled(arm, line, rate);
+  const internal::PlayedMotion played{arm, motion, interpolation,
+                                      internal::held_limits(arm, motion, 1)};
+  return steady ? internal::at_constant_speed(played, 1, rate)
+                : internal::with_speed_changes(played, options, rate);
+}
+
+/// Plays the lead-in, if there is one, and the recording.
+void play(const Arm& arm, const Trajectory& recording, std::vector<Limits> held,
+          const ReplayOptions& options, Replay& result) {
+  const bool steady = options.speed_at.empty();
+  const double rate = options.rate > 0 || steady ? options.rate : default_rate;
+  const Configuration& goal = recording.positions.front();
+  internal::PlayedMotion motion{arm, recording, recording.interpolation(), std::move(held)};
+  Trajectory& played = result.trajectory;
+  if (options.start && (goal - *options.start).lpNorm<Eigen::Infinity>() > at_start) {
+    internal::PlayedSection lead = lead_in(arm, goal, motion.interpolation, options);
+    result.reason = lead.reason;
+    if (!lead.reason.empty()) return;
+    played = std::move(lead.trajectory);
+    result.lead_in = played.times.back();
+    motion.first = played.size() - 1;
+  }
+  if (!steady) {
+    const std::vector<internal::Progress> asked =
+        internal::scheduled_progress(arm, recording, {options, rate, motion.first});
+    if (refuse_velocity(arm, usage_in_steps(arm, recording, asked), result)) return;
+  }
+  const internal::PlayedSection section =
+      steady ? internal::at_constant_speed(motion, options.speed, rate)
+             : internal::with_speed_changes(motion, options, rate);
+  result.reason = section.reason;
+  result.slowdown = section.slowdown;
+  if (!section.reason.empty()) return;
+  internal::append(played, section.trajectory);
+  played.joint_names = arm.joint_names();
+  for (std::size_t k = 0; rate > 0 && k < played.size(); ++k) {
+    played.times[k] = internal::time_at_rate(k, rate);
+  }
+  if (result.lead_in > 0) {  // a recording that does not start at rest
+    const auto excess = internal::largest_excess(motion.held, played);
+    if (excess) {
+      result.reason = "after the lead-in, " + internal::described(arm, played, *excess) +
+                      ": the recording does not start at rest";
+    }
+  }
 }
 
 }  // namespace
@@ -219,6 +207,7 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
   const Trajectory recording = matched_to(arm, recorded);
   const bool steady = options.speed_at.empty();
   if (options.start) check_configuration(arm, *options.start);
+  if (!steady) check_steps(recording, options.rate > 0 ? options.rate : default_rate);
 
   Replay result;
   result.status = MotionStatus::outside_limits;
@@ -228,20 +217,18 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
     if (!violations.empty()) result.reason = "the start: " + violations.front();
   }
   if (!result.reason.empty()) return result;
-  const VelocityUsage usage = steady ? usage_of(arm, recording, options.speed)
-                                     : play_in_steps(arm, recording, options, result);
-  result.velocity_usage = usage.fraction;
-  // Cubics through samples of a motion at its limits exceed the limits a little.
-  const double excess = steady ? 1e-9 : 0.02;
-  if (result.velocity_usage > 1 + excess) {
-    result.reason = "at " + number(usage.time) + " s joint " + arm.joint_of(usage.coordinate).name +
-                    " moves at " + number(result.velocity_usage) +
-                    " times its velocity limit; a speed below " +
-                    number(usage.speed / usage.fraction) + " keeps the limit";
+  if (steady &&
+      refuse_velocity(arm, usage_at_constant_speed(arm, recording, options.speed), result)) {
+    return result;
+  }
+  std::vector<Limits> held = internal::held_limits(arm, recording, options.speed);
+  if (refuse_speed(arm, recording, held, options.speed, result)) return result;
+  play(arm, recording, std::move(held), options, result);
+  if (!result.reason.empty()) {
     result.trajectory = {};
     return result;
   }
-  if (steady) play_at_constant_speed(arm, recording, options, result);
+  result.limits = limit_usage(arm, result.trajectory);
   result.status = MotionStatus::reached;
   return result;
 }

@@ -5,7 +5,7 @@
 
 #include <beeline/error.h>
 #include <beeline/planning/status.h>
-#include <beeline/trajectory/trajectory.h>
+#include <beeline/trajectory/limit_usage.h>
 
 namespace beeline {
 
@@ -28,24 +28,40 @@ struct ReplayOptions {
 
 struct Replay {
   MotionStatus status = MotionStatus::reached;
-  std::string reason;         ///< one sentence; empty when reached
-  Trajectory trajectory;      ///< empty unless reached
-  double lead_in = 0;         ///< seconds of the motion from `start` to the first sample
-  double velocity_usage = 0;  ///< largest |velocity| / velocity limit; 0: no limit is known
+  std::string reason;     ///< one sentence; empty when reached
+  Trajectory trajectory;  ///< empty unless reached
+  double lead_in = 0;     ///< seconds of the motion from `start` to the first sample
+  /// The recording's duration as a multiple of that which was asked for: above 1 where a rate needs
+  /// whole periods, or its samples a lower speed. With `speed_at` speeds are divided by it.
+  double slowdown = 1;
+  LimitUsage limits;  ///< of the trajectory, or of a recording that is too fast at this speed
 
   explicit operator bool() const { return status == MotionStatus::reached; }
 };
 
-/// Replays a recording on the arm; joints are matched by name. Without `speed_at` the replay is the
-/// motion that the recording's columns mean (see Interpolation), at a constant speed: its samples
-/// or, with a rate, samples of that motion at k / rate, the last of which is its end, so that the
-/// speed is lower by up to a period. With `speed_at` the replay consists of the commands of a
-/// Player in steps of 1 / `rate`: the speed starts at zero and changes linearly, and the last step
-/// ends at the recording's end; between them it is cubic.
+/// Replays a recording on the arm; joints are matched by name. The replay has the recording's
+/// columns, and means the motion that these mean (see Interpolation) at the given speed.
 ///
-/// The status is `outside_limits`, with the joint and the time of the recording, when the replay
-/// leaves the position limits or, at this speed, the velocity limits. The cubics of a Player may
-/// exceed these by 2 %, because cubics through samples of a motion at its limits do.
+/// - Without a rate and `speed_at` it consists of the recorded samples. Times at another speed are
+///   whole nanoseconds.
+/// - With a rate, samples are at k / rate from the first to the last, the lead-in included: the
+///   lead-in and the recording last whole periods.
+/// - With `speed_at` the speed changes at the rate of the ramp, less where a joint's acceleration
+///   would exceed its limit, but at least at a twentieth of it. A recording that starts at rest
+///   starts at its first speed, another one at zero.
+///
+/// Polynomials through samples of a motion at its limits may exceed them. The replay holds the
+/// limits of position, velocity, acceleration and jerk, known or assumed (motion_limits()), at all
+/// times, as far as the recording itself holds them at this speed: it is slowed down until the
+/// polynomials do, to half the speed at most. A limit that the recording exceeds is exceeded by no
+/// more than in the recording; `limits` reports it. Derivatives that the interpolation does not
+/// bound count by divided differences (LimitFraction::exact), except for assumed limits of jerk;
+/// those that the recording exceeds are not held.
+///
+/// The status is `outside_limits`, with the joint and the time, when the recording leaves the
+/// position limits or exceeds a known velocity limit at this speed, when a speed above 1 makes it
+/// exceed a limit of acceleration or jerk, and where the slowdown does not suffice: the reason
+/// names a speed or a rate that does.
 /// Throws Error when the recording does not fit the arm, for an invalid option, and when the last
 /// entry of `speed_at` is a pause, which would not end.
 Replay replay(const Arm& arm, const Trajectory& recording, const ReplayOptions& options = {});

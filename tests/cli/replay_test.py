@@ -7,7 +7,7 @@ import pytest
 
 @pytest.fixture
 def recording(beeline):
-    """The name of a recording of a panda, of about 2 s."""
+    """The name of a recording of a panda, of about 1 s."""
     answer = beeline("move", "panda", "--from", "0,-0.8,0,-2.4,0,1.6,0.8", "--to",
                      "2,-0.3,0.2,-1.9,0.1,2,0.3", "--method", "quickest", "--out", "move.csv")
     assert answer.code == 0
@@ -19,7 +19,7 @@ def rows_of(path):
 
 
 def test_it_pauses_and_continues(beeline, recording, tmp_path):
-    answer = beeline("replay", "panda", recording, "--speed-at", "0:0.5,2:0,5:1", "--rate", "200",
+    answer = beeline("replay", "panda", recording, "--speed-at", "0:0.5,1:0,5:1", "--rate", "200",
                      "--out", "played.csv", "--json")
     assert answer.code == 0, answer.err
     rows, recorded = rows_of(tmp_path / "played.csv"), rows_of(tmp_path / recording)
@@ -35,7 +35,8 @@ def test_it_pauses_and_continues(beeline, recording, tmp_path):
 def test_its_times_include_the_lead_in(beeline, recording):
     there = ("replay", "panda", recording, "--from", "0.5,-0.8,0,-2.4,0,1.6,0.8")
     at_once = beeline(*there, "--speed-at", "0:1", "--json").json
-    paused = beeline(*there, "--speed-at", "0.2:0,3:1", "--json").json
+    paused = beeline(*there, "--speed-at", "0.05:0,3:1", "--ramp", "0.1",
+                     "--json").json
     assert paused["lead_in"] > 3 > at_once["lead_in"] > 0
 
 
@@ -59,6 +60,33 @@ def test_the_tracking_error(beeline, recording, tmp_path):
     assert {key: diff[key] for key in answer.json["tracking"]} == answer.json["tracking"]
     text = beeline("replay", "panda", recording, *speeds, "--measured", "measured.csv").out
     assert "measured.csv" in text and "joint3" in text and "0.03" in text
+
+
+@pytest.mark.parametrize("rate", ["50", "60", "1000"])
+@pytest.mark.parametrize("options", [(), ("--speed", "0.9"), ("--speed-at", "0:1,0.3:0.4")])
+def test_it_holds_all_limits_at_any_rate(beeline, recording, tmp_path, rate, options):
+    answer = beeline("replay", "panda", recording, "--from", "0,-0.5,0,-2.4,0,1.6,0.8", "--rate", rate,
+                     *options, "--out", "played.csv", "--json")
+    assert answer.code == 0 and not answer.err, answer.err
+    assert all(use["fraction"] <= 1 + 1e-8 for use in answer.json["limits"].values())
+    assert 1 - 1e-9 <= answer.json["slowdown"] < 1.4
+    times = [row["t"] for row in rows_of(tmp_path / "played.csv")]
+    assert times == pytest.approx([round(k / float(rate), 9) for k in range(len(times))], abs=1e-12)
+    again = beeline("replay", "panda", "played.csv", "--speed", "0.7", "--rate", "250", "--json")
+    assert again.code == 0 and not again.err, again.err
+
+
+def test_a_linear_recording_names_the_rate_that_works(beeline, recording):
+    beeline("retime", "panda", recording, "--interpolation", "linear", "--rate", "100", "--out", "linear.csv")
+    answer = beeline("replay", "panda", "linear.csv", "--rate", "1000")
+    assert answer.code == 1
+    assert "joint" in answer.err and ("a rate of" in answer.err or "without a rate" in answer.err), answer.err
+
+
+def test_a_recording_beyond_limits_is_played_with_a_warning(beeline, recording):
+    answer = beeline("replay", "panda", recording, "--acceleration", "1", "--json")
+    assert answer.code == 0
+    assert "exceeds the acceleration limit" in answer.err and "keeps it" in answer.err
 
 
 @pytest.mark.parametrize("speeds, says", [

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 #include <beeline/control/replay.h>
 #include <beeline/model/catalog.h>
@@ -22,6 +23,23 @@ Trajectory recording(testing::Random& random, const Arm& arm, int samples, doubl
     made.positions.push_back(q);
     for (double& v : velocity) v = random.uniform(-0.5, 0.5);
     q += dt * velocity;
+  }
+  return made;
+}
+
+/// A motion from rest to rest with velocities and accelerations, far below the limits.
+Trajectory smooth_recording(testing::Random& random, const Arm& arm, int samples,
+                            double dt = 0.01) {
+  Trajectory made{arm.joint_names(), {}, {}, {}, {}};
+  const double w = 2 * std::numbers::pi / ((samples - 1) * dt);
+  Configuration amplitude(arm.dof());
+  for (double& a : amplitude) a = random.uniform(-0.5, 0.5) / (w * w);
+  for (int k = 0; k < samples; ++k) {
+    const double t = k * dt, rate = k + 1 == samples ? 0 : w * std::sin(w * t);
+    made.times.push_back(t);
+    made.positions.emplace_back(middle_configuration(arm) + (1 - std::cos(w * t)) * amplitude);
+    made.velocities.emplace_back(rate * amplitude);
+    made.accelerations.emplace_back(w * w * std::cos(w * t) * amplitude);
   }
   return made;
 }
@@ -48,15 +66,15 @@ TEST(Replay, IsTheRecordingAtItsOwnRateAndSpeed) {
 TEST(Replay, TakesTwiceTheTimeAtHalfTheSpeed) {
   testing::Random random;
   const Arm arm = built_in("panda");
-  const Trajectory recorded = recording(random, arm, 50);
+  const Trajectory recorded = smooth_recording(random, arm, 50);
   for (const double speed : {0.5, 0.25, 2.0}) {
     const Replay played = replay(arm, recorded, {.rate = 133, .speed = speed});
     ASSERT_EQ(played.status, MotionStatus::reached) << played.reason;
     const double periods = std::ceil(0.49 / speed * 133), actual = 0.49 / (periods / 133);
-    EXPECT_NEAR(played.trajectory.times.back(), periods / 133, 1e-12);
+    EXPECT_NEAR(played.trajectory.times.back(), periods / 133, 1e-9);
     for (std::size_t k = 0; k < played.trajectory.size(); ++k) {
       const Configuration expected = sample(recorded, played.trajectory.times[k] * actual).position;
-      ASSERT_LT((played.trajectory.positions[k] - expected).norm(), 1e-11);
+      ASSERT_LT((played.trajectory.positions[k] - expected).norm(), 1e-9);
     }
     EXPECT_EQ(played.trajectory.positions.back(), recorded.positions.back());
   }
@@ -65,12 +83,12 @@ TEST(Replay, TakesTwiceTheTimeAtHalfTheSpeed) {
 TEST(Replay, SamplesAtTheRateFromTheFirstToTheLast) {
   testing::Random random;
   const Arm arm = built_in("rrr");
-  const Trajectory recorded = recording(random, arm, 20, 0.0137);
+  const Trajectory recorded = smooth_recording(random, arm, 20, 0.0137);
   for (const double rate : {0.1, 3.0, 100.0, 999.0}) {
     const Trajectory played = replay(arm, recorded, {.rate = rate}).trajectory;
     ASSERT_EQ(played.size(), std::ceil(19 * 0.0137 * rate) + 1);
     for (std::size_t k = 0; k < played.size(); ++k) {
-      ASSERT_NEAR(played.times[k], static_cast<double>(k) / rate, 1e-12);
+      ASSERT_NEAR(played.times[k], static_cast<double>(k) / rate, 1e-9);
     }
     ASSERT_EQ(played.positions.front(), recorded.positions.front());
     ASSERT_EQ(played.positions.back(), recorded.positions.back());
@@ -158,12 +176,12 @@ TEST(Replay, NamesTheJointThatIsTooFastAndTheSpeedThatSuffices) {
   for (std::size_t k = 9; k < 30; ++k) recorded.positions[k] = recorded.positions[8];
   const Replay played = replay(arm, recorded);
   EXPECT_EQ(played.status, MotionStatus::outside_limits);
-  EXPECT_NEAR(played.velocity_usage, 2, 1e-9);
+  EXPECT_NEAR(played.limits.velocity.fraction, 2, 1e-9);
   EXPECT_NE(played.reason.find("at 7 s joint joint5"), std::string::npos) << played.reason;
-  EXPECT_NE(played.reason.find("speed below 0.5 "), std::string::npos) << played.reason;
+  EXPECT_NE(played.reason.find("speed of at most 0.499995 "), std::string::npos) << played.reason;
   const Replay slower = replay(arm, recorded, {.speed = 0.499});
   EXPECT_EQ(slower.status, MotionStatus::reached) << slower.reason;
-  EXPECT_NEAR(slower.velocity_usage, 0.998, 1e-6);
+  EXPECT_NEAR(slower.limits.velocity.fraction, 0.998, 1e-6);
 }
 
 TEST(Replay, MatchesJointsByName) {
@@ -200,14 +218,14 @@ TEST(Replay, InStepsSeesEverySampleThatAStepPasses) {
   }
   const Replay played = replay(slow, recorded, {.rate = 100, .speed_at = {{0, 1}}, .ramp = 1e-3});
   EXPECT_EQ(played.status, MotionStatus::outside_limits);
-  EXPECT_NEAR(played.velocity_usage, 20, 1e-9);
+  EXPECT_NEAR(played.limits.velocity.fraction, 20, 2);  // up to a period slower
   EXPECT_NE(played.reason.find("at 0.053 s"), std::string::npos) << played.reason;
 }
 
 TEST(Replay, ChangesItsSpeedAndPausesAtTheGivenTimes) {
   testing::Random random;
   const Arm arm = built_in("panda");
-  const Trajectory recorded = recording(random, arm, 50, 0.1);  // of 4.9 s
+  const Trajectory recorded = smooth_recording(random, arm, 50, 0.1);  // of 4.9 s
   const ReplayOptions options{.rate = 100, .speed_at = {{0, 0.5}, {2, 0}, {5, 1}}, .ramp = 0.1};
   const Replay played = replay(arm, recorded, options);
   ASSERT_EQ(played.status, MotionStatus::reached) << played.reason;
@@ -234,7 +252,7 @@ TEST(Replay, ChangesItsSpeedAndPausesAtTheGivenTimes) {
 TEST(Replay, ChangesItsSpeedDuringTheLeadInToo) {
   testing::Random random;
   const Arm arm = built_in("panda");
-  const Trajectory recorded = recording(random, arm, 20, 0.1);
+  const Trajectory recorded = smooth_recording(random, arm, 20, 0.1);
   const Configuration start = random.configuration(arm);
   const double at_once = replay(arm, recorded, {.start = start, .speed_at = {{0, 1}}}).lead_in;
   const ReplayOptions options{.start = start, .speed_at = {{0, 1}, {0.1, 0}, {3, 1}}};
@@ -257,10 +275,10 @@ TEST(Replay, NamesTheSpeedThatSufficesAmongSeveral) {
   EXPECT_EQ(fast.status, MotionStatus::outside_limits);
   EXPECT_EQ(fast.trajectory.size(), 0);
   EXPECT_NE(fast.reason.find("joint1"), std::string::npos) << fast.reason;
-  EXPECT_NE(fast.reason.find("speed below 0.5 "), std::string::npos) << fast.reason;
+  EXPECT_NE(fast.reason.find("speed of at most 0.499995 "), std::string::npos) << fast.reason;
   const Replay slow = replay(arm, recorded, {.rate = 1000, .speed_at = {{0, 0.499}}});
   EXPECT_EQ(slow.status, MotionStatus::reached) << slow.reason;
-  EXPECT_NEAR(slow.velocity_usage, 0.998, 1e-3);
+  EXPECT_NEAR(slow.limits.velocity.fraction, 0.998, 1e-3);
 }
 
 TEST(Replay, RefusesInvalidSpeeds) {

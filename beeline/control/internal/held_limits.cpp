@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <beeline/control/internal/held_limits.h>
+#include <beeline/error.h>
+#include <beeline/trajectory/internal/interval_polynomial.h>
+#include <beeline/trajectory/internal/limit_fraction.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr std::array<double Limits::*, 4> rate_limits = {nullptr, &Limits::velocity,
+                                                         &Limits::acceleration, &Limits::jerk};
+constexpr double excess_slack = 1e-9;        // of a limit; rounding
+constexpr double position_rounding = 1e-12;  // rad or m
+
+Extremes position_range(const Trajectory& trajectory, std::size_t k, int i) {
+  const double q = trajectory.positions[k][i];
+  if (k + 1 == trajectory.size()) return {q, q};
+  return extremes(interval_polynomial(trajectory, k, i));
+}
+
+/// The largest position beyond a limit between samples.
+std::optional<LimitExcess> position_excess(std::span<const Limits> held,
+                                           const Trajectory& trajectory) {
+  std::optional<LimitExcess> largest;
+  for (std::size_t k = 0; k < trajectory.size(); ++k) {
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      const int coordinate = static_cast<int>(i);
+      const auto inside = [&](const Extremes& range) {
+        return within_position_limits(held[i], range.smallest, position_rounding) &&
+               within_position_limits(held[i], range.largest, position_rounding);
+      };
+      if (k + 1 < trajectory.size() &&
+          inside(enclosure(interval_polynomial(trajectory, k, coordinate)))) {
+        continue;
+      }
+      const Extremes range = position_range(trajectory, k, coordinate);
+      if (inside(range)) continue;
+      const double beyond = std::max(held[i].lower - range.smallest, range.largest - held[i].upper);
+      if (!largest || beyond > largest->fraction) largest = {0, coordinate, k, beyond, 1};
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::vector<Limits> held_limits(const Arm& arm, const Trajectory& recording, double speed) {
+  std::vector<Limits> held;
+  const auto dof = static_cast<std::size_t>(arm.dof());
+  for (int i = 0; i < arm.dof(); ++i) {
+    const Limits known = arm.limits(i);
+    Limits limits = motion_limits(known);
+    limits.lower -= position_slack / 2;
+    limits.upper += position_slack / 2;
+    for (int order = 1; order <= 3; ++order) {
+      const auto kind = rate_limits[static_cast<std::size_t>(order)];
+      if (order == 1 && known.velocity < Limits::none) continue;
+      std::vector<Limits> only(dof);
+      only[static_cast<std::size_t>(i)] = limits;
+      const CoordinateFraction own = limit_fraction(only, recording, order);
+      const double fraction = own.fraction * std::pow(std::min(1.0, speed), order);
+      const bool free = order == 3 && !(known.jerk < Limits::none);
+      if (!own.exact && (fraction > 1 || free)) limits.*kind = Limits::none;
+      if (own.exact && fraction > 1) limits.*kind *= fraction;
+    }
+    for (std::size_t k = 0; k < recording.size(); ++k) {
+      if (k + 1 < recording.size()) {
+        const Extremes range = enclosure(interval_polynomial(recording, k, i));
+        if (range.smallest >= limits.lower && range.largest <= limits.upper) continue;
+      }
+      const Extremes range = position_range(recording, k, i);
+      limits.lower = std::min(limits.lower, range.smallest);
+      limits.upper = std::max(limits.upper, range.largest);
+    }
+    held.push_back(limits);
+  }
+  return held;
+}
+
+std::optional<LimitExcess> largest_excess(std::span<const Limits> held,
+                                          const Trajectory& trajectory) {
+  std::optional<LimitExcess> largest = position_excess(held, trajectory);
+  if (largest) return largest;
+  for (int order = 1; order <= 3; ++order) {
+    const CoordinateFraction found = limit_fraction(held, trajectory, order);
+    if (!(found.fraction > 1 + excess_slack)) continue;
+    const double slowdown = std::pow(found.fraction, 1.0 / order);
+    if (largest && largest->slowdown >= slowdown) continue;
+    largest = {order, found.coordinate, found.sample, found.fraction, slowdown};
+  }
+  return largest;
+}
+
+std::string described(const Arm& arm, const Trajectory& trajectory, const LimitExcess& excess) {
+  const Joint& joint = arm.joint_of(excess.coordinate);
+  const std::string where =
+      "at " + number(trajectory.times[excess.sample]) + " s joint " + joint.name;
+  if (excess.order == 0) {
+    return where + " is " + number(excess.fraction) + " " + unit(joint) +
+           " beyond its position limit";
+  }
+  const auto order = static_cast<std::size_t>(excess.order);
+  constexpr std::array<const char*, 4> names = {"", "velocity", "acceleration", "jerk"};
+  const bool known = arm.limits(excess.coordinate).*rate_limits[order] < Limits::none;
+  return where + " uses " + number(excess.fraction) + " times its " + (known ? "" : "assumed ") +
+         names[order] + " limit";
+}
+
+}  // namespace beeline::internal

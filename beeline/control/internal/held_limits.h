@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <beeline/trajectory/trajectory.h>
+
+namespace beeline::internal {
+
+/// The limits that the replay of a recording holds, for each coordinate: those of motion_limits(),
+/// or what the recording itself uses at this speed where that is more. A speed above 1 does not
+/// raise them, and known limits of velocity are not raised. A derivative that the interpolation
+/// does not bound has no limit where the recording exceeds it by divided differences, and no
+/// assumed limit of jerk.
+std::vector<Limits> held_limits(const Arm& arm, const Trajectory& recording, double speed);
+
+/// Where and by how much a trajectory exceeds limits.
+struct LimitExcess {
+  int order = 0;  ///< of the derivative: 0 position, 1 velocity, 2 acceleration, 3 jerk
+  int coordinate = 0;
+  std::size_t sample = 0;  ///< the one before it
+  double fraction = 0;     ///< of the limit; for a position radians or metres beyond it
+  double slowdown = 1;     ///< factor on the duration that keeps a limit of a derivative
+};
+
+/// Returns the excess that needs the largest slowdown, one of the position before others; none
+/// where all limits are kept.
+std::optional<LimitExcess> largest_excess(std::span<const Limits> held,
+                                          const Trajectory& trajectory);
+
+/// "at 0.5 s joint elbow uses 1.2 times its acceleration limit".
+std::string described(const Arm& arm, const Trajectory& trajectory, const LimitExcess& excess);
+
+}  // namespace beeline::internal

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <beeline/trajectory/trajectory.h>
+
+namespace beeline::internal {
+
+enum class TrajectoryEnd { first, last };
+
+/// The velocity of a coordinate at an end of a trajectory, and the largest magnitude that counts as
+/// rest there. Linear joints always move at the ends: they may have the velocity that the joint
+/// reaches within two intervals.
+struct EndVelocity {
+  double velocity = 0, allowed = 0;
+
+  bool at_rest() const { return velocity <= allowed && velocity >= -allowed; }
+};
+
+/// `limits` are those of the coordinate, as motion_limits() returns them. At rest for one sample.
+EndVelocity end_velocity(const Trajectory& trajectory, int coordinate, const Limits& limits,
+                         TrajectoryEnd end);
+
+}  // namespace beeline::internal
