@@ -6,6 +6,7 @@
 /// beeline::draw pictures; beeline::beeline is all of them.
 
 #include <beeline/batch/batch.h>
+#include <beeline/budget.h>
 #include <beeline/certificate/joint_faults.h>
 #include <beeline/certificate/path_deviation.h>
 #include <beeline/certificate/verify.h>

@@ -46,6 +46,7 @@ Residual residual_of(const UnitArgument& unit, const Arm& arm, const InverseResu
 }
 
 std::string ik_text(const Arm& arm, const InverseResult& result, const UnitArgument& unit) {
+  const bool solved = result.status == InverseStatus::solved;
   const Residual residual = residual_of(unit, arm, result);
   std::string text =
       fmt::format("{}: {}{} by {}, residual {}{}\n", name(result.status),
@@ -55,7 +56,7 @@ std::string ik_text(const Arm& arm, const InverseResult& result, const UnitArgum
   for (const Configuration& q : result.solutions) {
     text += fmt::format("  {}\n", shown(unit.shown(arm, q)));
   }
-  if (result.singular) text += fmt::format("  {}\n", result.reason);
+  if (result.singular && solved) text += fmt::format("  {}\n", result.reason);
   if (result.nearest) {
     text += fmt::format("  nearest: q {}; tool at {}\n", shown(unit.shown(arm, result.nearest->q)),
                         shown(result.nearest->world_T_tool, arm.planar(), unit));
@@ -97,7 +98,8 @@ Answer ik(const IkArguments& arguments) {
   const WrittenPose goal =
       in_world(arm, arguments.inverse.work.read(arm, arguments.unit),
                parse_pose_option(arm, "--pose", arguments.pose, arguments.unit));
-  const InverseOptions options = arguments.inverse.read(arm, arguments.arm, arguments.unit);
+  InverseOptions options = arguments.inverse.read(arm, arguments.arm, arguments.unit);
+  options.budget = arguments.inverse.budget.next();
   try {
     check_pose_form(arm, goal, arguments.inverse.task);
   } catch (const Error& error) {
@@ -137,6 +139,7 @@ std::vector<Option> ik_options(IkArguments& arguments) {
                    .needs = "--all"}},
                  inverse.choice_options(),
                  inverse.search_options(),
+                 inverse.budget.options(),
                  arguments.arm.options()});
 }
 
@@ -151,7 +154,8 @@ Verb ik_verb() {
           "Prints a status, then the solutions, one line of joint values each. The status is "
           "solved, unreachable (the position is out of reach), orientation_unreachable (the "
           "position can be reached, but not with this orientation), outside_limits (all solutions "
-          "found violate position limits) or not_found (the search ended without a proof). "
+          "found violate position limits) or not_found (the search ended without a proof); or "
+          "time_limit, work_limit or cancelled (by Ctrl-C) with the solutions found so far. "
           "Without a solution, exit code 1, the nearest configuration and the reason are given. "
           "The residual is the error of the solutions, or the distance, the angle or the joint "
           "value by which the pose is missed.",

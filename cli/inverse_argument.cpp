@@ -88,12 +88,7 @@ std::vector<Option> InverseArgument::search_options() {
           {.name = "--random-seed",
            .value = "N",
            .help = "Seed of the random starts; the same seed gives the same answer.",
-           .target = &values.random_seed},
-          {.name = "--time-limit",
-           .value = "SECONDS",
-           .help = "End a numerical search after this time with the solutions found so far.",
-           .target = &values.time_limit,
-           .range = above_zero}};
+           .target = &values.random_seed}};
 }
 
 InverseOptions InverseArgument::read(const Arm& arm, const ArmArgument& argument,

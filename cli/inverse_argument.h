@@ -3,6 +3,7 @@
 #include <beeline/inverse/inverse_kinematics.h>
 
 #include "arm_argument.h"
+#include "budget_argument.h"
 #include "pose_argument.h"
 
 /// The options of inverse kinematics that `ik` and `batch ik` share.
@@ -13,12 +14,13 @@ struct InverseArgument {
   std::string method = name(beeline::InverseMethod::automatic);
   std::string redundancy = name(beeline::Redundancy::any);
   beeline::InverseOptions values = {};
+  BudgetArgument budget = {};
 
   /// The options that select solutions: --work, --seed, --task, --ignore-limits, --lock,
   /// --redundancy,
   /// --grid.
   std::vector<Option> choice_options();
-  /// The options of the search: --method to --time-limit.
+  /// The options of the search: --method to --random-seed.
   std::vector<Option> search_options();
   beeline::InverseOptions read(const beeline::Arm& arm, const ArmArgument& argument,
                                const UnitArgument& unit) const;

@@ -6,6 +6,7 @@
 #include <beeline/planning/move_along.h>
 
 #include "arm_argument.h"
+#include "budget_argument.h"
 #include "command/progress.h"
 #include "input_files.h"
 #include "line_report.h"
@@ -31,6 +32,7 @@ struct LineArguments {
   std::string from, through, method = exact;
   PathMotionOptions motion;
   std::optional<double> tool_speed, rate;
+  BudgetArgument budget;
   CartesianOptions control;
   ResultFiles files;
   bool branches = false, json = false;
@@ -52,7 +54,8 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
                         const Task& task) {
   Progress progress;
   PathMotionOptions options = exact_motion_options(arguments, task);
-  options.progress = [&progress](double fraction) { progress.show(fraction); };
+  options.budget = arguments.budget.next();
+  options.budget.progress = [&progress](double fraction) { progress.show(fraction); };
   const Route route = start ? arguments.path.from(forward_kinematics(arm, *start), poses, task)
                             : arguments.path.through(poses);
   PathMotion motion = move_along(arm, start, route, options);
@@ -64,6 +67,7 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
     report.reason += " (--tolerance, --max-samples)";
   }
   report.trajectory = std::move(motion.trajectory);
+  report.path_parameter = motion.path_parameter;
   report.deviation = motion.deviation;
   report.limits = motion.limits;
   report.limit_margin = motion.limit_margin;
@@ -73,7 +77,8 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
     report.path = {std::move(motion.path), std::move(motion.path_parameters), task, tolerance};
   }
   if (arguments.branches) {
-    report.branches = branch_map(arm, route.path, {.task = task, .tolerance = tolerance});
+    report.branches = branch_map(
+        arm, route.path, {.task = task, .tolerance = tolerance, .budget = arguments.budget.next()});
   }
   return report;
 }
@@ -111,6 +116,7 @@ LineReport line_by_method(const LineArguments& arguments, const Arm& arm,
   if (!start) throw Error("--method " + arguments.method + " needs --from");
   CartesianOptions options = arguments.control;
   options.task = task;
+  options.simulation.budget = arguments.budget.next();
   options.method = arguments.method == name(CartesianMethod::inverse_jacobian)
                        ? CartesianMethod::inverse_jacobian
                        : CartesianMethod::inverse_kinematics;
@@ -241,12 +247,12 @@ Verb line_verb() {
           "the path in metres and radians, measured and proved; the fraction of each joint limit "
           "that is used; and the smallest margins to position limits and singularities. If the "
           "path cannot be followed, it prints where and why, and nearby paths that can; exit "
-          "code 1.",
+          "code 1. The same with how far the path was followed if --time-limit or Ctrl-C ends it.",
       .arguments = {arguments.arm.argument()},
-      .options =
-          joined({line_options(arguments), arguments.unit.options(), arguments.task.options(),
-                  arguments.files.options(), arguments.arm.options(), arguments.limits.options(),
-                  exact_options(arguments), control_options(arguments)}),
+      .options = joined(
+          {line_options(arguments), arguments.unit.options(), arguments.task.options(),
+           arguments.files.options(), arguments.arm.options(), arguments.limits.options(),
+           exact_options(arguments), control_options(arguments), arguments.budget.options()}),
       .examples = {{"Three straight lines of the planar arm, with a picture",
                     "printf 'x,y,theta\\n4.5,5.2,0\\n2,6,45\\n5,3,-20\\n' > planar.csv\n"
                     "beeline line rrr --from 0,90,0 --degrees --through planar.csv --out move.csv "

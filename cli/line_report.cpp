@@ -49,6 +49,7 @@ Json report_document(const Arm& arm, const LineReport& report, const UnitArgumen
   document.add("samples", report.trajectory.size());
   document.add("duration", reached ? Json(report.trajectory.times.back()) : nullptr);
   document.add("reason", report.reason);
+  if (!reached && report.method == "exact") document.add("path_parameter", report.path_parameter);
   if (reached && report.method == "exact") {
     document.add("limits", json_limits(report.limits));
     document.add("limit_margin", report.limit_margin);

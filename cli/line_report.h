@@ -13,6 +13,7 @@ struct LineReport {
   std::size_t waypoints = 0;
   beeline::MotionStatus status = beeline::MotionStatus::not_converged;
   std::string reason = {};
+  double path_parameter = 0;  ///< of method exact: up to which the plan follows the path
   beeline::Trajectory trajectory = {};
   beeline::PathDeviation deviation = {};
   beeline::LimitUsage limits = {};  ///< of method exact, as the margins are

@@ -2,10 +2,12 @@
 
 #include <beeline/control/joint.h>
 #include <beeline/error.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/timing/point_to_point.h>
 
 #include "arm_argument.h"
+#include "budget_argument.h"
 #include "format.h"
 #include "result_files.h"
 #include "verbs.h"
@@ -23,6 +25,7 @@ struct MoveArguments {
   std::string from, to;
   PidGains gains;
   SimulationOptions simulation;
+  BudgetArgument budget;
   std::string method = feedback, synchronise = "time";
   double rate = 100;
   ResultFiles files;
@@ -31,7 +34,8 @@ struct MoveArguments {
 
 /// The motion in minimum time, all joints beginning and ending together.
 ControlledMotion move_quickest(const MoveArguments& arguments, const Arm& arm,
-                               const Configuration& from, const Configuration& to) {
+                               const Configuration& from, const Configuration& to,
+                               const Budget& budget) {
   ControlledMotion result;
   result.trajectory = at_rest(arm, from);
   const std::vector<std::string> start_outside = limit_violations(arm, from);
@@ -46,7 +50,15 @@ ControlledMotion move_quickest(const MoveArguments& arguments, const Arm& arm,
   const Synchronise synchronise =
       arguments.synchronise == "time" ? Synchronise::time : Synchronise::straight;
   const PointToPoint motion = point_to_point(arm, from, to, {.synchronise = synchronise});
-  result.trajectory = sampled(arm, motion, arguments.rate);
+  internal::BudgetMeter meter(budget);
+  Trajectory samples = sampled(arm, motion, arguments.rate, meter.part());
+  if (samples.size() == 0) {
+    result.status = internal::status_of<MotionStatus>(meter.ending());
+    result.reason = internal::ended_by(meter.ending()) + " before the motion was sampled" +
+                    internal::how_to_continue(meter.ending());
+    return result;
+  }
+  result.trajectory = std::move(samples);
   result.steps = static_cast<int>(result.trajectory.size()) - 1;
   return result;
 }
@@ -78,10 +90,11 @@ Answer move_joints(const MoveArguments& arguments) {
   const Configuration from =
       arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
   const Configuration to = arguments.arm.configuration(arm, arguments.to, "--to", arguments.unit);
-  const ControlledMotion motion =
-      arguments.method == feedback
-          ? control_joints(arm, from, to, arguments.gains, arguments.simulation)
-          : move_quickest(arguments, arm, from, to);
+  SimulationOptions simulation = arguments.simulation;
+  simulation.budget = arguments.budget.next();
+  const ControlledMotion motion = arguments.method == feedback
+                                      ? control_joints(arm, from, to, arguments.gains, simulation)
+                                      : move_quickest(arguments, arm, from, to, simulation.budget);
   const bool reached(motion);
   const Pose goal = forward_kinematics(arm, to);
   if (reached) arguments.files.write(arm, motion.trajectory, {goal});
@@ -187,9 +200,10 @@ Verb move_verb() {
           "the overshoot, and the pose of the tool at the goal. In general the tool does not move "
           "in a straight line: see `beeline line`.",
       .arguments = {arguments.arm.argument()},
-      .options = joined({move_options(arguments), arguments.unit.options(),
-                         arguments.files.options(), arguments.arm.options(),
-                         arguments.limits.options(), move_method_options(arguments)}),
+      .options =
+          joined({move_options(arguments), arguments.unit.options(), arguments.files.options(),
+                  arguments.arm.options(), arguments.limits.options(),
+                  move_method_options(arguments), arguments.budget.options()}),
       .examples =
           {{"Proportional control of the planar arm, with a picture of the tool's path",
             "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --draw move.svg"},

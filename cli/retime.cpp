@@ -8,6 +8,7 @@
 #include <beeline/timing/retime.h>
 
 #include "arm_argument.h"
+#include "budget_argument.h"
 #include "format.h"
 #include "input_files.h"
 #include "motion_report.h"
@@ -28,6 +29,7 @@ struct RetimeArguments {
   InterpolationArgument interpolation;
   RetimeOptions retime;
   std::optional<double> tool_speed, rate;
+  BudgetArgument budget;
   ResultFiles files;
   bool json = false;
 };
@@ -94,12 +96,18 @@ std::string retime_text(const RetimeArguments& arguments, const Arm& arm, const 
          arguments.files.text();
 }
 
+std::string retime_status(const Retimed& retimed) {
+  if (retimed.ending != Ending::complete) return name(retimed.ending);
+  return retimed ? "reached" : "outside_limits";
+}
+
 Answer retime_file(const RetimeArguments& arguments) {
   arguments.files.check(
       {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits, arguments.file});
-  const RetimeOptions options = retime_options(arguments);
+  RetimeOptions options = retime_options(arguments);
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   const RetimeInput input = read_input(arguments.file, arm);
+  options.budget = arguments.budget.next();
   const Retimed retimed = retime(arm, input.trajectory, options);
   const bool found(retimed);
   if (found) arguments.files.write(arm, retimed.trajectory, {});
@@ -107,7 +115,7 @@ Answer retime_file(const RetimeArguments& arguments) {
   const std::optional<double> duration_before =
       input.has_times ? std::optional(before.back() - before.front()) : std::nullopt;
   Answer answer{.text = retime_text(arguments, arm, retimed, duration_before),
-                .document = {{"status", found ? "reached" : "outside_limits"},
+                .document = {{"status", retime_status(retimed)},
                              {"profile", name(retimed.profile)},
                              {"samples", retimed.trajectory.size()},
                              {"duration", found ? Json(retimed.trajectory.times.back()) : Json()},
@@ -159,7 +167,7 @@ Verb retime_verb() {
                                         &arguments.file)},
       .options =
           joined({timing_options(arguments), arguments.unit.options(), arguments.files.options(),
-                  arguments.arm.options(), arguments.limits.options()}),
+                  arguments.arm.options(), arguments.limits.options(), arguments.budget.options()}),
       .examples = {{"Record a motion under feedback control, then retime it",
                     "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
                     "--out move.csv\n"

@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <limits>
 
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/certificate/internal/path_interval.h>
 #include <beeline/certificate/internal/path_step.h>
 #include <beeline/certificate/path_deviation.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/nearest_parameter.h>
 #include <beeline/trajectory/internal/mean_derivative.h>
@@ -14,7 +16,7 @@ using namespace internal;
 
 PathDeviation path_deviation(const Arm& arm, const Trajectory& trajectory,
                              std::span<const double> path_parameters, const ToolPath& path,
-                             const Task& task) {
+                             const Task& task, const Budget& budget) {
   if (trajectory.size() == 0 || trajectory.size() != path_parameters.size()) {
     throw Error("path_deviation needs samples and a path parameter for each, not " +
                 std::to_string(trajectory.size()) + " samples and " +
@@ -23,13 +25,14 @@ PathDeviation path_deviation(const Arm& arm, const Trajectory& trajectory,
   check_fits(arm, trajectory);
   internal::check_task(arm, path, task);
   check_path_parameters(path, path_parameters);
+  BudgetMeter meter(budget);
   PathDeviation result;
-  for (std::size_t k = 0; k < trajectory.size(); ++k) {
+  for (std::size_t k = 0; k < trajectory.size() && !meter.ended(); ++k) {
     const Pose pose = forward_kinematics(arm, trajectory.positions[k]);
     grow(result.sampled, deviation_from(path, path_parameters[k], pose, task));
   }
   result.measured = result.sampled;
-  for (std::size_t k = 1; k < trajectory.size(); ++k) {
+  for (std::size_t k = 1; k < trajectory.size() && !meter.ended(); ++k) {
     result.interval_bounds.emplace_back();
     for (const PathInterval& part : path_intervals(arm, trajectory, k - 1, path, task,
                                                    path_parameters[k - 1], path_parameters[k])) {
@@ -41,6 +44,9 @@ PathDeviation path_deviation(const Arm& arm, const Trajectory& trajectory,
     grow(result.bound, result.interval_bounds.back());
   }
   grow(result.bound, result.measured);
+  result.ending = meter.ending();
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  if (result.ending != Ending::complete) result.bound = {unknown, unknown};
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include <beeline/budget.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/task.h>
 #include <beeline/path/tool_path.h>
@@ -16,6 +17,7 @@ struct PathDeviation {
   Deviation measured;  ///< largest deviation at the samples and at some times between them
   Deviation bound;     ///< proved upper bound at all times
   std::vector<Deviation> interval_bounds;  ///< proved from sample k to the next
+  Ending ending = Ending::complete;        ///< otherwise `bound` is infinite
 };
 
 /// Measures and bounds the deviation of a trajectory, whose columns are in the arm's order, from
@@ -33,7 +35,7 @@ struct PathDeviation {
 /// task leaves rows free that the path's segments need (see PathMotionOptions::task).
 PathDeviation path_deviation(const Arm& arm, const Trajectory& trajectory,
                              std::span<const double> path_parameters, const ToolPath& path,
-                             const Task& task);
+                             const Task& task, const Budget& budget = {});
 
 /// Computes the path parameters of samples along the path; sample `arrivals[i]` is at the end of
 /// segment i. Samples between two of these get the parameter of the nearest point, and those after

@@ -5,6 +5,7 @@
 #include <beeline/control/internal/simulate.h>
 #include <beeline/control/joint.h>
 #include <beeline/error.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/math/six_row_svd.h>
@@ -117,9 +118,12 @@ bool control_by_solutions(const Arm& arm, const Pose& goal, const Task& task,
     const std::string where = "at intermediate pose " + std::to_string(i) + " of " +
                               std::to_string(options.intermediate) + ": ";
     const Pose pose = interpolate(from, goal, double(i) / options.intermediate);
-    const InverseResult answer = inverse_kinematics(
-        arm, pose,
-        {.seed = q, .task = task, .tolerance = std::min(1e-9, options.simulation.tolerance)});
+    const InverseResult answer =
+        inverse_kinematics(arm, pose,
+                           {.seed = q,
+                            .task = task,
+                            .tolerance = std::min(1e-9, options.simulation.tolerance),
+                            .budget = options.simulation.budget});
     if (answer.status != InverseStatus::solved) {
       motion.status = motion_status(answer.status);
       motion.reason = where + answer.reason;
@@ -165,7 +169,10 @@ std::string name(CartesianMethod method) {
 
 ControlledMotion control_in_lines(const Arm& arm, const Configuration& start,
                                   std::span<const Pose> given_waypoints,
-                                  const CartesianOptions& options) {
+                                  const CartesianOptions& given) {
+  BudgetMeter budget(given.simulation.budget);
+  CartesianOptions options = given;
+  options.simulation.budget = budget.part();
   check(options);
   const std::vector<Pose> waypoints = checked_waypoints(given_waypoints);
   const Task task = options.task.value_or(default_task(arm));

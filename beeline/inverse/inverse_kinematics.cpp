@@ -2,6 +2,7 @@
 #include <ostream>
 
 #include <beeline/error.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/internal/solve.h>
 #include <beeline/inverse/internal/solve_fast_path.h>
 #include <beeline/inverse/inverse_kinematics.h>
@@ -11,8 +12,9 @@ namespace {
 
 constexpr const char* method_names[] = {"automatic", "closed_form", "numerical"};
 constexpr const char* redundancy_names[] = {"any", "nearest", "centred"};
-constexpr const char* status_names[] = {"solved", "unreachable", "orientation_unreachable",
-                                        "outside_limits", "not_found"};
+constexpr const char* status_names[] = {"solved",         "unreachable", "orientation_unreachable",
+                                        "outside_limits", "not_found",   "time_limit",
+                                        "cancelled",      "work_limit"};
 
 template <std::size_t n>
 int named(std::string_view name, const char* const (&names)[n], const char* what) {
@@ -37,7 +39,7 @@ std::string name(InverseStatus status) { return status_names[static_cast<int>(st
 
 std::ostream& operator<<(std::ostream& out, const InverseResult& result) {
   out << name(result.status);
-  if (!result) return out << ": " << result.reason;
+  if (result.solutions.empty()) return out << ": " << result.reason;
   out << ", " << result.solutions.size() << " solution(s), " << result.method;
   for (const Configuration& q : result.solutions) {
     out << '\n';
@@ -59,7 +61,8 @@ InverseResult InverseSolver::solve(const Pose& world_T_tool) {
 }
 
 InverseResult InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed) {
-  return internal::solve(*state_, world_T_tool, seed, internal::Diagnosis::wanted);
+  internal::BudgetMeter budget(state_->options.budget);
+  return internal::solve(*state_, world_T_tool, seed, internal::Diagnosis::wanted, budget);
 }
 
 int InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed,
@@ -70,10 +73,13 @@ int InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed,
                 " rows and at least one column");
   }
   const Pose goal = checked_pose(world_T_tool);
-  if (const std::optional<int> count = internal::solve_fast_path(*state_, goal, seed, solutions)) {
+  internal::BudgetMeter budget(state_->options.budget);
+  if (const std::optional<int> count =
+          internal::solve_fast_path(*state_, goal, seed, budget, solutions)) {
     return *count;
   }
-  const InverseResult result = internal::solve(*state_, goal, seed, internal::Diagnosis::skipped);
+  const InverseResult result =
+      internal::solve(*state_, goal, seed, internal::Diagnosis::skipped, budget);
   const Eigen::Index found = static_cast<Eigen::Index>(result.solutions.size());
   const Eigen::Index count = std::min(solutions.cols(), found);
   for (Eigen::Index i = 0; i < count; ++i) solutions.col(i) = result.solutions[i];

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <beeline/budget.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/task.h>
 
@@ -53,10 +54,9 @@ struct InverseOptions {
   int max_iterations = 100;       ///< max steps of the numerical solver from one start, 0 or more
   int max_restarts = 1000;        ///< max random starts after the first, 0 or more
   std::uint64_t random_seed = 1;  ///< the same value gives the same result
-  /// Seconds, above 0, after which a numerical search ends with what it has found; the result may
-  /// then depend on the machine. Default: no limit. Formulas and the diagnosis are not interrupted:
-  /// they may take milliseconds more, and a fine grid longer.
-  std::optional<double> time_limit = std::nullopt;
+  /// Of one call. Closed forms for one value of a redundant joint are not interrupted: they take
+  /// microseconds.
+  Budget budget = {};
 };
 
 enum class InverseStatus {
@@ -68,14 +68,18 @@ enum class InverseStatus {
   outside_limits,  ///< the pose is reached, but no solution within the joint limits was found; none
                    ///< exists where `reason` says that every solution is outside
   not_found,       ///< the search ended without a solution, which proves nothing
+  time_limit,      ///< the budget's time ended the search; `solutions` are those found so far
+  cancelled,       ///< the same by Budget::cancelled
+  work_limit,      ///< the same by Budget::max_work
 };
 std::string name(InverseStatus status);
 
 /// The configuration nearest to the requested pose.
 struct NearestMiss {
-  /// outside_limits: the solution that is least outside the limits. not_found: the configuration of
-  /// least error that was found. Otherwise a configuration of least position error and, among
-  /// those, of least orientation error, limits ignored, found by a search from many starts.
+  /// outside_limits: the solution that is least outside the limits. not_found, or ended by the
+  /// budget: the configuration of least error that was found. Otherwise a configuration of least
+  /// position error and, among those, of least orientation error, limits ignored, found by a search
+  /// from many starts.
   Configuration q;
   Pose world_T_tool;  ///< the tool pose at q
   Deviation error;    ///< of that pose from the requested one
@@ -85,16 +89,19 @@ struct NearestMiss {
 
 struct InverseResult {
   InverseStatus status = InverseStatus::not_found;
-  std::vector<Configuration> solutions;  ///< by distance from the seed; empty unless solved
+  /// By distance from the seed. Empty unless solved, or ended by the budget where all solutions are
+  /// requested or the best one: then some may be missing, or a better one.
+  std::vector<Configuration> solutions;
   bool complete = false;  ///< with `all`: these are all solutions, which are finitely many
   /// Solved by a closed form at a singular configuration: each solution represents infinitely many,
   /// connected by self-motions, and is the nearest of them to the seed.
   bool singular = false;
   /// Metres or radians, the larger of both. solved: the largest error of a solution.
   /// unreachable: the least position error. orientation_unreachable: the nearest miss's angle.
-  /// outside_limits: the nearest miss's excess. not_found: the nearest miss's error.
+  /// outside_limits: the nearest miss's excess. Otherwise: that of solutions, or of the nearest
+  /// miss.
   double residual = 0;
-  std::optional<NearestMiss> nearest;  ///< unless solved
+  std::optional<NearestMiss> nearest;  ///< if there are no solutions
   std::string reason;                  ///< one sentence; empty when solved and not singular
   std::string method;                  ///< such as "closed form: three axes meet (joints 4, 5, 6)"
   int iterations = 0;                  ///< of the numerical solver, over all starts
@@ -137,10 +144,10 @@ class InverseSolver {
 
   /// For control loops: writes the solutions, nearest to `seed` first, into the columns of
   /// `solutions`, as many as fit (one suffices unless options.all), and returns their number; 0 if
-  /// there is none, without a diagnosis. Solutions of a closed form are checked by closing the
-  /// loop. Does not allocate in the ordinary case; a lock with a new value in each call does,
-  /// unless it is the first or last of seven joints. Throws Error when a size does not fit or a
-  /// number is not finite.
+  /// there is none, or the budget ended before one was found, without a diagnosis. Solutions of a
+  /// closed form are checked by closing the loop. Does not allocate in the ordinary case; a lock
+  /// with a new value in each call does, unless it is the first or last of seven joints. Throws
+  /// Error when a size does not fit or a number is not finite.
   int solve(const Pose& world_T_tool, const ConfigurationRef& seed,
             Eigen::Ref<Eigen::MatrixXd> solutions);
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/planning/branch.h>
 #include <beeline/planning/internal/layered_graph.h>
@@ -18,7 +19,8 @@ constexpr int grids[] = {16, 64, 256};
 
 /// Returns the branch from one solution for the path's beginning, or the reason why there is none.
 Branch from_first_solution(const Arm& arm, const ToolPath& path, const BranchOptions& options) {
-  const InverseResult begin = inverse_kinematics(arm, pose_at(path, 0), {.task = options.task});
+  const InverseResult begin =
+      inverse_kinematics(arm, pose_at(path, 0), {.task = options.task, .budget = options.budget});
   if (begin.status == InverseStatus::solved) {
     return track_branch(arm, begin.solutions.front(), path, options);
   }
@@ -44,12 +46,16 @@ bool refine(const Arm& arm, const ToolPath& path, const BranchOptions& options, 
 /// graphs are empty.
 std::optional<Branch> track_layered_graphs(const Arm& arm,
                                            const std::optional<Configuration>& start,
-                                           const ToolPath& path, const BranchOptions& options) {
+                                           const ToolPath& path, const BranchOptions& options,
+                                           BudgetMeter& budget) {
   std::optional<Branch> best;
   for (std::size_t i = 0; i < std::size(grids); ++i) {
     const int grid = grids[i];
     const std::vector<Knot> knots =
-        search_layered_graph(arm, path, {.task = options.task, .start = start, .grid = grid}).knots;
+        search_layered_graph(
+            arm, path,
+            {.task = options.task, .start = start, .grid = grid, .budget = options.budget})
+            .knots;
     if (!knots.empty()) {
       const KnotSpline spline(knots, path);
       BranchOptions guided = options;
@@ -60,23 +66,22 @@ std::optional<Branch> track_layered_graphs(const Arm& arm,
       if (branch) break;
     }
     const bool finest = i + 1 == std::size(grids) || grids[i + 1] > options.max_grid;
-    if (finest || !refine(arm, path, options, grid, best)) break;
+    if (finest || budget.ended() || !refine(arm, path, options, grid, best)) break;
   }
   return best;
 }
 
-}  // namespace
-
-Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, const ToolPath& path,
-                 const BranchOptions& options) {
+/// plan_path() with the budget's meter, which may end it.
+Branch best_branch(const Arm& arm, const std::optional<Configuration>& start, const ToolPath& path,
+                   const BranchOptions& options, BudgetMeter& budget) {
   const bool redundant = arm.dof() > options.task.size();
   if (!redundant && start) return track_branch(arm, *start, path, options);
   if (!redundant) {
     const std::vector<Branch> branches = track_branches(arm, path, options);
     return branches.empty() ? from_first_solution(arm, path, options) : branches.front();
   }
-  std::optional<Branch> planned = track_layered_graphs(arm, start, path, options);
-  if (planned && *planned) return *planned;
+  std::optional<Branch> planned = track_layered_graphs(arm, start, path, options, budget);
+  if (planned && (*planned || budget.ended())) return *planned;
   if (!planned && !start) return from_first_solution(arm, path, options);
   // If solutions are too rare for a layered graph, redundancy is resolved step by step.
   const Branch greedy = track_branch(arm, start ? *start : planned->start, path, options);
@@ -85,15 +90,38 @@ Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, cons
   return *planned;
 }
 
-std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, BranchOptions options) {
+/// The options of a part of a search.
+BranchOptions part_of(BudgetMeter& budget, const BranchOptions& given) {
+  BranchOptions options = given;
+  options.budget = budget.part();
+  options.budget.progress = given.budget.progress;
+  return options;
+}
+
+}  // namespace
+
+Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, const ToolPath& path,
+                 const BranchOptions& given) {
+  BudgetMeter budget(given.budget);
+  Branch branch = best_branch(arm, start, path, part_of(budget, given), budget);
+  if (!budget.complete()) set_ended(path, budget.ending(), branch);
+  return branch;
+}
+
+std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, const BranchOptions& given) {
+  BudgetMeter budget(given.budget);
+  BranchOptions options = part_of(budget, given);
   options.reasons = BranchOptions::Reasons::all;
   if (arm.dof() <= options.task.size()) return track_branches(arm, path, options);
   // Approximate number of solutions at the beginning; each is planned separately.
   constexpr int coarse = 6;
   options.max_grid = std::min(options.max_grid, grids[1]);
-  const InverseResult starts = inverse_kinematics(
-      arm, pose_at(path, 0),
-      {.task = options.task, .all = true, .grid = coarse, .max_restarts = 4 * coarse});
+  const InverseResult starts = inverse_kinematics(arm, pose_at(path, 0),
+                                                  {.task = options.task,
+                                                   .all = true,
+                                                   .grid = coarse,
+                                                   .max_restarts = 4 * coarse,
+                                                   .budget = options.budget});
   std::vector<Branch> branches;
   for (const Configuration& start : starts.solutions) {
     branches.push_back(plan_path(arm, start, path, options));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <beeline/budget.h>
 #include <beeline/certificate/path_deviation.h>
 #include <beeline/error.h>
 #include <beeline/planning/status.h>
@@ -51,15 +52,15 @@ struct BranchOptions {
   /// Returns the preferred configuration at a path parameter, for poses with several solutions;
   /// default: no preference.
   std::function<Configuration(double)> guide = {};
-  /// Called now and then with the fraction computed, from 0 to 1; default: not called.
-  std::function<void(double)> progress = {};
+  Budget budget = {};
 };
 
 /// Plans the arm's motion along a path, without times, from `start` or, without a start, from the
 /// best configuration for the path's beginning. An arm that is redundant for the task follows the
 /// shortest path through a layered graph of configurations (Ferrentino & Chiacchio 2020), on grids
 /// that are refined until a motion is complete. Any other arm follows the best of all branches. If
-/// none is complete, returns the one that reaches farthest, with its reason. Throws Error for a
+/// none is complete, returns the one that reaches farthest, with its reason. Where the budget ends
+/// the search, returns the best so far with the budget's status. Throws Error for a
 /// path without segments, a task that its segments do not allow, and a start that does not fit the
 /// arm or whose tool is not at the path's beginning.
 Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, const ToolPath& path,
@@ -67,7 +68,8 @@ Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, cons
 
 /// Computes all branches along a path with their reasons, best first: one for each solution of
 /// inverse kinematics at the path's beginning, on a coarse grid of them where the arm is redundant.
+/// Those that the budget ended have its status, and no segments where they were not begun.
 /// Throws Error as plan_path() does.
-std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, BranchOptions options);
+std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, const BranchOptions& options);
 
 }  // namespace beeline

@@ -5,6 +5,7 @@
 
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/certificate/joint_faults.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/checked_poses.h>
@@ -77,12 +78,14 @@ Arm with_inset_limits(const Arm& arm, const std::optional<Configuration>& start,
 
 /// Computes the deviation of the finished motion, and refuses one that is not proved.
 void prove(const Arm& arm, const Route& route, const Task& task, const PathMotionOptions& options,
-           PathMotion& motion) {
+           BudgetMeter& budget, PathMotion& motion) {
   motion.path = route.path;
   motion.arrivals = arrivals(motion.path_parameters);
-  motion.deviation =
-      path_deviation(arm, motion.trajectory, motion.path_parameters, route.path, task);
-  motion.limits = limit_usage(arm, motion.trajectory);
+  motion.deviation = path_deviation(arm, motion.trajectory, motion.path_parameters, route.path,
+                                    task, budget.part());
+  if (motion.deviation.ending != Ending::complete) return;
+  motion.limits = limit_usage(arm, motion.trajectory, budget.part());
+  if (motion.limits.ending != Ending::complete) return;
   const Deviation& bound = motion.deviation.bound;
   if (within(bound, {options.tolerance, options.orientation_tolerance})) return;
   motion.status = MotionStatus::not_proved;
@@ -115,13 +118,23 @@ std::vector<int> divisions(const PathDeviation& deviation, const PathMotionOptio
   return times;
 }
 
+/// Sets the status and reason of a motion that the budget ended after its branch was planned.
+void set_ended(Ending ending, PathMotion& motion) {
+  motion.status = status_of<MotionStatus>(ending);
+  motion.reason = ended_by(ending) +
+                  " after the whole path was planned, before the motion was timed "
+                  "and proved" +
+                  how_to_continue(ending);
+}
+
 /// Returns a branch as a motion with times and its proof, or the reason why there is none. Without
 /// a rate, takes samples closer together where the motion is not proved.
 PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
-                 const PathMotionOptions& options) {
+                 const PathMotionOptions& options, BudgetMeter& budget) {
   PathMotion motion;
   motion.status = plan.status;
   motion.reason = plan.reason;
+  motion.path_parameter = plan.path_parameter;
   if (!plan) return motion;
   motion.limit_margin = plan.limit_margin;
   motion.inverse_condition = plan.inverse_condition;
@@ -129,15 +142,17 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
                     {.profile = options.profile,
                      .interpolation = options.interpolation,
                      .tool_speed = options.tool_speed,
-                     .rate = options.rate});
+                     .rate = options.rate},
+                    budget);
   motion.status = timing.status;
   motion.reason = timing.reason;
   if (!motion) return motion;
   constexpr int max_rounds = 12;
-  for (int round = 0; round < max_rounds; ++round) {
+  for (int round = 0; round < max_rounds && !budget.ended(); ++round) {
     motion.status = MotionStatus::reached;
     motion.reason.clear();
     TimedPlan timed = timing.sample();
+    if (budget.ended()) break;
     motion.trajectory = std::move(timed.trajectory);
     motion.path_parameters = std::move(timed.path_parameters);
     const auto fault = first_joint_fault(arm, motion.trajectory);
@@ -146,7 +161,8 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
       motion.reason = fault->reason;
       return motion;
     }
-    prove(arm, route, task, options, motion);
+    prove(arm, route, task, options, budget, motion);
+    if (!budget.complete()) break;
     if (motion || options.rate > 0) break;
     const std::vector<int> times = divisions(motion.deviation, options);
     if (times.empty()) {
@@ -156,6 +172,7 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
     }
     timing.divide(times);
   }
+  if (!budget.complete()) set_ended(budget.ending(), motion);
   return motion;
 }
 
@@ -163,44 +180,50 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
 /// exceed it between samples. Replaces `motion` by the first that does not.
 void retry_inside_limits(const Arm& arm, const std::optional<Configuration>& start,
                          const Route& route, const BranchOptions& planning,
-                         const PathMotionOptions& options, PathMotion& motion) {
+                         const PathMotionOptions& options, BudgetMeter& budget,
+                         PathMotion& motion) {
   // Inset of the limits, radians or metres, and fraction of the tolerance, smallest change first.
   constexpr std::pair<double, double> attempts[] = {{1e-3, 1}, {1e-2, 1}, {1e-3, fine_fraction}};
   for (const auto& [inset, fraction] : attempts) {
+    if (budget.ended()) return set_ended(budget.ending(), motion);
     BranchOptions again = planning;
     again.tolerance.position *= fraction;
     again.tolerance.orientation *= fraction;
     Branch plan = plan_path(with_inset_limits(arm, start, inset), start, route.path, again);
     if (plan) measure(arm, planning.task, plan);
-    PathMotion inside = timed(arm, route, plan, planning.task, options);
+    PathMotion inside = timed(arm, route, plan, planning.task, options, budget);
     if (!inside) continue;
     motion = std::move(inside);
     return;
   }
+  if (!budget.complete()) set_ended(budget.ending(), motion);
 }
 
 PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
                 const Task& task, const PathMotionOptions& options) {
+  BudgetMeter budget(options.budget);
   BranchOptions planning{.task = task,
                          .tolerance = part_of_tolerance(options, planned_fraction),
                          .max_samples = static_cast<std::size_t>(options.max_samples),
-                         .progress = options.progress};
+                         .budget = budget.part()};
+  planning.budget.progress = options.budget.progress;
   const Branch plan = plan_path(arm, start, route.path, planning);
-  PathMotion motion = timed(arm, route, plan, task, options);
+  PathMotion motion = timed(arm, route, plan, task, options, budget);
   if (plan && motion.status == MotionStatus::outside_limits) {
-    retry_inside_limits(arm, start, route, planning, options, motion);
+    retry_inside_limits(arm, start, route, planning, options, budget, motion);
   }
   if (motion) return motion;
   PathMotion failure;
   failure.status = motion.status;
   failure.reason = motion.reason;
+  failure.path_parameter = plan.path_parameter;
   const bool quick = arm.dof() <= task.size() + 1;  // a plan takes long with more redundancy
-  if (!options.suggest || !quick || plan) return failure;
-  planning.tolerance = part_of_tolerance(options, planned_fraction);
+  if (!options.suggest || !quick || plan || !budget.complete()) return failure;
   for (const bool rotate : {false, true}) {
     auto nearby = nearby_path(arm, start, route.path, planning, rotate);
     if (nearby) failure.nearby.push_back(std::move(*nearby));
   }
+  if (!budget.complete()) failure.reason += "; " + ended_by(budget.ending()) + " for paths near it";
   return failure;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <initializer_list>
 #include <iosfwd>
 #include <optional>
@@ -8,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <beeline/budget.h>
 #include <beeline/certificate/path_deviation.h>
 #include <beeline/error.h>
 #include <beeline/planning/nearby_path.h>
@@ -31,15 +31,15 @@ struct PathMotionOptions {
   double rate = 0;
   int max_samples = 200'000;  ///< of the whole path, 2 or more; else too_many_samples
   bool suggest = false;       ///< where the path cannot be followed, search for paths near it
-  /// Called now and then with the fraction computed, from 0 to 1; default: not called.
-  std::function<void(double)> progress = {};
+  Budget budget = {};         ///< of the plan, its timing, its proof and the suggestions
 };
 
-/// A trajectory along a path, with its proof. Only status, reason and nearby are set unless
-/// reached.
+/// A trajectory along a path, with its proof. Only status, reason, path_parameter and nearby are
+/// set unless reached.
 struct PathMotion {
   MotionStatus status = MotionStatus::not_found;
   std::string reason;                   ///< one sentence, with the position; empty when reached
+  double path_parameter = 0;            ///< up to which the plan follows the path: see Branch
   std::vector<NearbyPath> nearby;       ///< paths that work, if options.suggest
   Trajectory trajectory;                ///< from rest to rest
   ToolPath path;                        ///< the path that it follows

@@ -1,4 +1,5 @@
 #include <beeline/certificate/internal/path_checks.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/planning/nearby_path.h>
 
 namespace beeline {
@@ -84,7 +85,8 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
   if (start && !internal::all_lines(path)) return {};
   Trial trial{arm, start, path, rotate, options, options};
   trial.exact.reasons = BranchOptions::Reasons::none;
-  trial.exact.progress = {};
+  internal::BudgetMeter budget(options.budget);
+  trial.exact.budget = budget.part();
   trial.exact.max_grid = 64;
   trial.coarse = trial.exact;
   trial.coarse.tolerance = {10 * options.tolerance.position, 10 * options.tolerance.orientation};
@@ -93,6 +95,7 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
     for (int axis = 0; axis < 3; ++axis) {
       if (arm.planar() && rotate != (axis == 2)) continue;
       for (const double sign : {1.0, -1.0}) {
+        if (budget.ended()) return {};
         const Vector3 unit = sign * Vector3::Unit(axis);
         if (!trial.works(size * unit, trial.coarse) || !trial.works(size * unit, trial.exact)) {
           continue;

@@ -5,8 +5,10 @@
 namespace beeline {
 
 std::string name(MotionStatus status) {
-  constexpr const char* names[] = {"reached",  "unreachable", "not_found",        "outside_limits",
-                                   "singular", "not_proved",  "too_many_samples", "not_converged"};
+  constexpr const char* names[] = {"reached",          "unreachable",   "not_found",
+                                   "outside_limits",   "singular",      "not_proved",
+                                   "too_many_samples", "not_converged", "time_limit",
+                                   "cancelled",        "work_limit"};
   return names[static_cast<int>(status)];
 }
 
@@ -19,6 +21,12 @@ MotionStatus motion_status(InverseStatus status) {
     case InverseStatus::unreachable:
     case InverseStatus::orientation_unreachable:
       return MotionStatus::unreachable;
+    case InverseStatus::time_limit:
+      return MotionStatus::time_limit;
+    case InverseStatus::cancelled:
+      return MotionStatus::cancelled;
+    case InverseStatus::work_limit:
+      return MotionStatus::work_limit;
     default:
       return MotionStatus::not_found;
   }

@@ -18,6 +18,9 @@ enum class MotionStatus {
   not_proved,        ///< the deviation between samples is not proved to be within tolerance
   too_many_samples,  ///< the tolerance needs more than the option max_samples
   not_converged,     ///< a feedback controller did not converge to the goal, see ControlledMotion
+  time_limit,        ///< the budget's time ended the search
+  cancelled,         ///< Budget::cancelled ended it
+  work_limit,        ///< Budget::max_work ended it
 };
 std::string name(MotionStatus status);
 std::ostream& operator<<(std::ostream& out, MotionStatus status);  ///< name(status)

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/timing/internal/s_curve_state.h>
 #include <beeline/timing/internal/uniform_section.h>
 #include <beeline/timing/point_to_point.h>
@@ -101,11 +102,15 @@ void set_one_curve(std::span<const Limits> limits, PointToPoint& motion, MeantLi
 }
 
 /// Samples of the motion slowed down to whole periods and averaged over one: joints whose
-/// acceleration is linear between samples, as the quintics through these are.
-Trajectory in_periods(const Arm& arm, const PointToPoint& motion, double periods, double period) {
+/// acceleration is linear between samples, as the quintics through these are. Empty where the
+/// budget ends it.
+Trajectory in_periods(const Arm& arm, const PointToPoint& motion, double periods, double period,
+                      internal::BudgetMeter& budget) {
+  constexpr std::size_t batch = 256;  // samples, of less than a microsecond
   Trajectory trajectory = at_rest(arm, motion.from);
   const auto all = static_cast<std::size_t>(periods) + (periods < 2 ? 0 : 1);
   for (std::size_t k = 1; k <= all; ++k) {
+    if (k % batch == 0 && budget.ended(batch)) return {};
     trajectory.times.push_back(internal::round_to_nanoseconds(static_cast<double>(k) * period));
     trajectory.positions.push_back(motion.to);
     trajectory.velocities.push_back(trajectory.velocities.front());
@@ -122,6 +127,7 @@ Trajectory in_periods(const Arm& arm, const PointToPoint& motion, double periods
     });
     const internal::AveragedScaling averaged(uniform, period);
     for (std::size_t k = 1; k < all; ++k) {
+      if (k % batch == 0 && budget.ended(batch)) return {};
       const internal::Progress now = averaged.at(trajectory.times[k]);
       trajectory.positions[k][i] = motion.from[i] + now.s;
       trajectory.velocities[k][i] = now.speed;
@@ -195,7 +201,8 @@ void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
   }
 }
 
-Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate) {
+Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate, const Budget& budget) {
+  internal::BudgetMeter meter(budget);
   check_configuration(arm, motion.from);
   if (!(rate > 0)) throw Error("the rate is " + number(rate) + "; it must be above zero");
   const double steps = motion.duration * rate;
@@ -207,11 +214,13 @@ Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate) {
   std::vector<Limits> limits;
   for (const Limits& known : arm.limits()) limits.push_back(motion_limits(known));
   for (double periods = std::max(1.0, std::ceil(steps - 1e-6));;) {
-    Trajectory trajectory = in_periods(arm, motion, periods, 1 / rate);
+    Trajectory trajectory = in_periods(arm, motion, periods, 1 / rate, meter);
+    if (!meter.complete()) return {};
     const auto usage = [&](int order) {
-      return internal::limit_fraction(limits, trajectory, order).fraction;
+      return internal::limit_fraction(limits, trajectory, order, &meter).fraction;
     };
     const double slower = slowdown(usage(1), usage(2), usage(3));
+    if (!meter.complete()) return {};
     if (!(slower > 1 + 1e-12)) return trajectory;
     periods = std::max(periods + 1, std::floor(periods * std::min(slower, 1e3)));
   }

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include <beeline/budget.h>
 #include <beeline/error.h>
 #include <beeline/timing/s_curve.h>
 #include <beeline/trajectory/trajectory.h>
@@ -56,8 +57,10 @@ void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
 /// Samples the motion at times k / rate, rounded to nanoseconds, slowed down to whole periods and
 /// one more, over which its accelerations are averaged: the quintics between the samples are within
 /// the arm's limits (motion_limits()) at all times. The first sample is exactly `from`, the last
-/// `to`; one sample where nothing moves. Throws Error when the rate is not above zero, the motion
-/// does not fit the arm, or there would be more than ten million samples.
-Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate);
+/// `to`; one sample where nothing moves; none where the budget ends it. Throws Error when the rate
+/// is not above zero, the motion does not fit the arm, or there would be more than ten million
+/// samples.
+Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate,
+                   const Budget& budget = {});
 
 }  // namespace beeline

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <beeline/internal/budget_meter.h>
 #include <beeline/timing/internal/fastest.h>
 #include <beeline/timing/internal/jerk_limited.h>
 #include <beeline/timing/internal/scalar_profile.h>
@@ -12,15 +13,17 @@ struct Row {
   Profile profile;
   const char* name;
   bool keeps_jerk;
-  TimeScaling (*scaling)(const JointPath& path, const PathLimits& limits);
+  TimeScaling (*scaling)(const JointPath& path, const PathLimits& limits,
+                         internal::BudgetMeter* budget);
 };
 
 template <internal::ScalarForm form>
-TimeScaling scalar(const JointPath& path, const PathLimits& limits) {
+TimeScaling scalar(const JointPath& path, const PathLimits& limits, internal::BudgetMeter*) {
   return internal::scalar_profile(form, path, limits);
 }
 
-TimeScaling from_rest_to_rest(const JointPath& path, const PathLimits& limits) {
+TimeScaling from_rest_to_rest(const JointPath& path, const PathLimits& limits,
+                              internal::BudgetMeter*) {
   return internal::fastest(path, limits);
 }
 
@@ -63,8 +66,10 @@ Profile profile_named(const std::string& name) {
 
 bool keeps_jerk(Profile profile) { return row(profile).keeps_jerk; }
 
-TimeScaling time_scaling(const JointPath& path, const PathLimits& limits, Profile profile) {
-  return row(profile).scaling(path, limits);
+TimeScaling time_scaling(const JointPath& path, const PathLimits& limits, Profile profile,
+                         const Budget& budget) {
+  internal::BudgetMeter meter(budget);
+  return row(profile).scaling(path, limits, &meter);
 }
 
 }  // namespace beeline

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <beeline/budget.h>
 #include <beeline/error.h>
 #include <beeline/timing/time_scaling.h>
 
@@ -48,8 +49,10 @@ constexpr Profile default_profile = Profile::jerk;
 ///                             |d3q_i/dt3| <= jerk_i (where the profile keeps it),
 ///                             ds/dt <= speed,  at rest at t = 0 and t = T,
 /// over all s(t) for fastest and jerk, and over those of the profile's form for the others.
-/// Throws Error for a path or limits that check_path() or check_limits() refuse, and for
-/// Profile::jerk without any jerk limit.
-TimeScaling time_scaling(const JointPath& path, const PathLimits& limits, Profile profile);
+/// Where the budget ends the search of the profile jerk, returns the best found so far, which keeps
+/// the limits. Throws Error for a path or limits that check_path() or check_limits() refuse, and
+/// for Profile::jerk without any jerk limit.
+TimeScaling time_scaling(const JointPath& path, const PathLimits& limits, Profile profile,
+                         const Budget& budget = {});
 
 }  // namespace beeline

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/timing/internal/section.h>
 #include <beeline/timing/retime.h>
 #include <beeline/trajectory/internal/append.h>
@@ -67,20 +68,31 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   check_moves(trajectory);
   timed.trajectory.joint_names = arm.joint_names();
   const bool linear = options.interpolation == Interpolation::linear;
-  for (const std::vector<Configuration>& samples : parts_between_stops(trajectory)) {
+  internal::BudgetMeter budget(options.budget);
+  const std::vector<std::vector<Configuration>> parts = parts_between_stops(trajectory);
+  for (const std::vector<Configuration>& samples : parts) {
+    if (budget.ended()) break;
     const internal::SectionOptions section{.interpolation = options.interpolation,
                                            .keep_jerk = keeps_jerk(timed.profile),
                                            .speed_scale = options.speed_scale,
                                            .tool_speed = options.tool_speed,
                                            .rate = options.rate,
-                                           .required = required_samples(samples, linear)};
+                                           .required = required_samples(samples, linear),
+                                           .budget = &budget};
     const internal::TimedPath path =
         internal::timed_path(arm, joint_spline(samples, chord_length(samples)), timed.profile,
-                             options.speed_scale, options.tool_speed);
+                             options.speed_scale, options.tool_speed, budget);
     timed.reason = path.scaling.reason;
     if (!timed) return timed;
     internal::append(timed.trajectory, internal::sample_section(arm, path, section).trajectory);
     ++timed.sections;
+  }
+  timed.ending = budget.ending();
+  if (!budget.complete()) {
+    timed.reason = internal::ended_by(timed.ending) + " after " + std::to_string(timed.sections) +
+                   " of " + std::to_string(parts.size()) + " sections between stops" +
+                   internal::how_to_continue(timed.ending);
+    if (timed.sections == 0) return timed;
   }
   internal::round_times(timed.trajectory);
   timed.limits = limit_usage(arm, timed.trajectory);

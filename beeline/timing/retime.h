@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include <beeline/budget.h>
 #include <beeline/error.h>
 #include <beeline/timing/profile.h>
 #include <beeline/trajectory/limit_usage.h>
@@ -18,15 +19,19 @@ struct RetimeOptions {
   /// Samples per second, at times k / rate from the first to the last of them; 0: every sample of
   /// the path, and as many more as the interpolation needs.
   double rate = 0;
+  Budget budget = {};
 };
 
 struct Retimed {
   Profile profile = Profile::fastest;
-  std::string reason;        ///< why there is no motion; empty when there is one
+  std::string reason;        ///< why there is no motion, or not the best; empty when there is
   Trajectory trajectory;     ///< empty when there is none
   LimitUsage limits;         ///< of the trajectory, relative to the arm's own limits
   double tool_speed = 0;     ///< a bound on the tool origin's speed, m/s
-  std::size_t sections = 0;  ///< number of sections of the path between stops
+  std::size_t sections = 0;  ///< number of sections of the path between stops, those retimed
+  /// Unless complete, the trajectory is that of the sections so far, up to a stop, and may take
+  /// longer than necessary.
+  Ending ending = Ending::complete;
 
   explicit operator bool() const { return reason.empty(); }
 };

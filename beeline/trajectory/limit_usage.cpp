@@ -6,12 +6,14 @@
 
 namespace beeline {
 
-LimitUsage limit_usage(const Arm& arm, const Trajectory& given) {
+LimitUsage limit_usage(const Arm& arm, const Trajectory& given, const Budget& budget) {
+  internal::BudgetMeter meter(budget);
   const Trajectory trajectory = matched_to(arm, given);
   std::vector<Limits> limits;
   for (const Limits& known : arm.limits()) limits.push_back(motion_limits(known));
   const auto fraction = [&](int order, double Limits::*kind) {
-    const internal::CoordinateFraction found = internal::limit_fraction(limits, trajectory, order);
+    const internal::CoordinateFraction found =
+        internal::limit_fraction(limits, trajectory, order, &meter);
     LimitFraction result;
     result.exact = found.exact;
     if (!(found.fraction > 0)) return result;
@@ -21,8 +23,10 @@ LimitUsage limit_usage(const Arm& arm, const Trajectory& given) {
     result.assumed = !(arm.limits(found.coordinate).*kind < Limits::none);
     return result;
   };
-  return {fraction(1, &Limits::velocity), fraction(2, &Limits::acceleration),
-          fraction(3, &Limits::jerk)};
+  LimitUsage usage{fraction(1, &Limits::velocity), fraction(2, &Limits::acceleration),
+                   fraction(3, &Limits::jerk)};
+  usage.ending = meter.ending();
+  return usage;
 }
 
 double slowdown(double velocity, double acceleration, double jerk) {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include <beeline/budget.h>
 #include <beeline/error.h>
 #include <beeline/trajectory/trajectory.h>
 
@@ -21,6 +22,7 @@ struct LimitFraction {
 
 struct LimitUsage {
   LimitFraction velocity, acceleration, jerk;
+  Ending ending = Ending::complete;  ///< otherwise these are the largest so far
 };
 
 /// Returns the fractions of the arm's limits that a trajectory uses: the extremes of the
@@ -28,7 +30,7 @@ struct LimitUsage {
 /// for the velocity of any trajectory, the acceleration of cubics and quintics, and the jerk of
 /// quintics. Limits that are not known are assumed: see motion_limits(). Throws Error where
 /// matched_to() does.
-LimitUsage limit_usage(const Arm& arm, const Trajectory& trajectory);
+LimitUsage limit_usage(const Arm& arm, const Trajectory& trajectory, const Budget& budget = {});
 
 /// Returns the smallest factor k on the duration with which a motion that uses these fractions of
 /// its limits is within them: slowed down by k it uses v / k, a / k^2 and j / k^3. The factor is

@@ -60,6 +60,8 @@ void assign(const Option& option, const std::string& name, const std::string& te
     **target = whole_number<int>(option, text, name);
   } else if (auto* const* large = std::get_if<std::uint64_t*>(&option.target)) {
     **large = whole_number<std::uint64_t>(option, text, name);
+  } else if (auto* const* count = std::get_if<std::optional<std::int64_t>*>(&option.target)) {
+    **count = whole_number<std::int64_t>(option, text, name);
   } else if (auto* const* real = std::get_if<double*>(&option.target)) {
     **real = real_number(option, text, name);
   } else if (auto* const* optional = std::get_if<std::optional<double>*>(&option.target)) {

@@ -9,8 +9,8 @@
 
 /// The variable that an option sets. Its value before parsing is the option's default. Whole
 /// numbers are not negative, real numbers are finite; bool makes the option a flag.
-using Target =
-    std::variant<bool*, int*, std::uint64_t*, double*, std::optional<double>*, std::string*>;
+using Target = std::variant<bool*, int*, std::uint64_t*, double*, std::optional<double>*,
+                            std::optional<std::int64_t>*, std::string*>;
 
 /// The numbers that an option accepts.
 struct Range {

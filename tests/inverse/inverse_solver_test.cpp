@@ -198,7 +198,8 @@ TEST(InverseSolver, RefusesWhatDoesNotFit) {
   EXPECT_REFUSED(InverseSolver(arm, {.every_turn = true}), "all");
   EXPECT_REFUSED(InverseSolver(arm, {.lock = 6}), "0 to 5");
   EXPECT_REFUSED(InverseSolver(arm, {.grid = 1}), "grid");
-  EXPECT_REFUSED(InverseSolver(arm, {.time_limit = 0.0}), "time limit");
+  EXPECT_REFUSED(InverseSolver(arm, {.budget = {.time_limit = -1e-9}}), "time_limit");
+  EXPECT_REFUSED(InverseSolver(arm, {.budget = {.max_work = -1}}), "max_work");
 }
 
 TEST(InverseSolver, ATimeLimitEndsASearch) {
@@ -211,13 +212,13 @@ TEST(InverseSolver, ATimeLimitEndsASearch) {
     Pose pose = reached;
     pose.translation() = arm.reach().centre + factor * arm.reach().radius * random.direction();
     const InverseResult result =
-        inverse_kinematics(arm, pose, {.max_restarts = 1'000'000, .time_limit = 0.01});
+        inverse_kinematics(arm, pose, {.max_restarts = 1'000'000, .budget = {.time_limit = 0.01}});
     testing::expect_no(result, result.status);
     EXPECT_NE(result.status, InverseStatus::solved);
     EXPECT_GT(result.residual, 0);
     EXPECT_TRUE(result.nearest && result.nearest->q.allFinite());
   }
-  const InverseResult result = inverse_kinematics(arm, reached, {.time_limit = 10.0});
+  const InverseResult result = inverse_kinematics(arm, reached, {.budget = {.time_limit = 10.0}});
   expect_solved(arm, reached, Task::spatial(), result);
 }
 

@@ -142,7 +142,7 @@ TEST(MoveInLines, TellsItsProgress) {
   std::vector<double> told;
   const std::vector<Pose> waypoints{planar(4.5, 5.2, 0), planar(2, 6, 0.5)};
   move_in_lines(arm, Configuration{{0, 90 * deg, 0}}, waypoints,
-                {.progress = [&told](double share) { told.push_back(share); }});
+                {.budget = {.progress = [&told](double share) { told.push_back(share); }}});
   ASSERT_FALSE(told.empty());
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_GE(told.front(), 0);

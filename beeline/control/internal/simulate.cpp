@@ -4,6 +4,7 @@
 
 #include <beeline/control/internal/simulate.h>
 #include <beeline/error.h>
+#include <beeline/internal/budget_meter.h>
 
 namespace beeline::internal {
 namespace {
@@ -93,9 +94,16 @@ bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& op
   motion.error = law.error(q);
   const double first_error = motion.error;
   Progress progress(first_error);
+  BudgetMeter budget(options.budget);
   bool stuck = false;
   int since_reversal = recent;
   while (true) {
+    if (budget.ended()) {
+      return stop(motion, status_of<MotionStatus>(budget.ending()),
+                  ended_by(budget.ending()) + " after " + std::to_string(motion.steps) +
+                      " steps, with an error of " + number(motion.error) +
+                      how_to_continue(budget.ending()));
+    }
     const Configuration step = law.step(q);
     if (!step.allFinite()) {
       return stop(motion, MotionStatus::not_converged, "the step of the controller is not finite");

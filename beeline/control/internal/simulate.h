@@ -23,7 +23,7 @@ ControlledMotion begin_motion(const Arm& arm, const Configuration& start);
 /// the tolerance, and appends each step to the motion. A step that exceeds velocity limits is
 /// scaled down as a whole, which keeps its direction. Returns whether the goal was reached; stops
 /// with a status and a reason when a step would leave the joint limits, the error diverges, the
-/// error stagnates, or `max_steps` are done.
+/// error stagnates, `max_steps` are done, or the budget ends.
 bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& options,
               ControlledMotion& motion);
 

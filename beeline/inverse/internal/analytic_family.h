@@ -26,7 +26,7 @@ struct AnalyticFamily {
   /// For control loops, or null: writes the solutions nearest to the seed, as many as fit, and
   /// returns their number; nothing if the request needs solve(). Does not allocate.
   std::optional<int> (*solve_fast)(SolverState& state, const Pose& goal,
-                                   const ConfigurationRef& seed,
+                                   const ConfigurationRef& seed, BudgetMeter& budget,
                                    Eigen::Ref<Eigen::MatrixXd> solutions) = nullptr;
 
   /// For one solution the numerical stage is faster: the family then runs only if that finds none.

@@ -55,7 +55,8 @@ Configuration nearest_for(const Request& request, const Task& task, SolverState&
               {.tolerance = request.tolerance,
                .max_iterations = 200,  // towards a minimum above zero it converges linearly
                .max_restarts = max_starts,
-               .random_seed = request.options.random_seed},
+               .random_seed = request.options.random_seed,
+               .budget = &request.budget},
               state.buffers, state.search);
   const NumericalResult& nearest = state.search.nearest;
   if (nearest.converged || request.arm.dof() > max_refined) return nearest.q;
@@ -72,11 +73,15 @@ Configuration nearest_orientation_of_many(const Request& request, const Task& po
               {.tolerance = request.tolerance,
                .max_restarts = max_starts,
                .all = true,
-               .random_seed = request.options.random_seed},
+               .random_seed = request.options.random_seed,
+               .budget = &request.budget},
               state.buffers, state.search);
-  Configuration best = nearest_orientation(request.arm, request.goal, request.task, start);
+  Configuration best =
+      nearest_orientation(request.arm, request.goal, request.task, start, request.budget);
   for (const Configuration& q : state.search.solutions) {
-    const Configuration there = nearest_orientation(request.arm, request.goal, request.task, q);
+    if (request.budget.ended()) break;
+    const Configuration there =
+        nearest_orientation(request.arm, request.goal, request.task, q, request.budget);
     if (deviation_at(request, there).orientation < deviation_at(request, best).orientation) {
       best = there;
     }
@@ -106,6 +111,17 @@ void set_not_found(const Request& request, const Configuration& q, const std::st
                   miss(error, request.tolerance) + "; that none exists is not shown";
 }
 
+/// The status of a request that the budget ended before it had a solution.
+void set_ended(const Request& request, const Configuration& q, InverseResult& result) {
+  const Ending ending = request.budget.ending();
+  result.status = status_of<InverseStatus>(ending);
+  result.nearest = nearest_miss(request, q);
+  const Deviation& error = result.nearest->error;
+  result.residual = std::max(error.position, error.orientation);
+  result.reason = ended_by(ending) + " before a solution was found; the nearest misses by " +
+                  miss(error, request.tolerance) + how_to_continue(ending);
+}
+
 /// Fills in the result from a proof of infeasibility.
 void set_violation(const Infeasibility& violation, InverseResult& result) {
   result.method = "geometry";
@@ -121,7 +137,7 @@ void set_unreachable(const Request& request, const UnconstrainedResult& evidence
   if (evidence.violation && !evidence.violation->of_orientation) {
     return set_violation(*evidence.violation, result);
   }
-  const bool refined = request.arm.dof() <= max_refined;
+  const bool refined = request.arm.dof() <= max_refined && request.budget.complete();
   result.reason = "the position is out of reach by " + number(result.residual) +
                   " m: the tool of arm " + request.arm.name() +
                   (refined ? " comes no nearer than " : " was found to come as near as ") +
@@ -172,8 +188,8 @@ bool solve_without_limits(const Request& request, InverseResult& result) {
   SolverState state = make_solver_state(request.arm, options);
   Configuration seed = request.seed;
   wrap_unlimited_angles(state.arm, state.bounds, farthest_seed, seed);
-  const Request unlimited =
-      make_request(state.arm, state.options, state.task, state.bounds, request.goal, seed);
+  const Request unlimited = make_request(state.arm, state.options, state.task, state.bounds,
+                                         request.goal, seed, request.budget);
   StageResult found = run_stages(state, unlimited);
   if (found.result.solutions.empty()) return false;
   finish(unlimited, found.result);
@@ -227,15 +243,14 @@ void set_nearest(const Request& request, const UnconstrainedResult& evidence, bo
 
 void diagnose(SolverState& state, const Request& request, const UnconstrainedResult& evidence,
               InverseResult& result) {
-  const bool late = std::chrono::steady_clock::now() >= request.deadline;
   const bool proved = evidence.violation ||
                       out_of_reach(request.arm, request.goal, request.task, request.tolerance);
   const bool outside = evidence.least_outside && evidence.excess > 0;
-  if (late && !proved && !(outside && evidence.complete)) {
+  if (!request.budget.complete() && !proved && !(outside && evidence.complete)) {
     const Configuration& met = state.search.nearest.q;
-    const bool nearer = met.size() == request.seed.size() &&
-                        error_at(request, met) < error_at(request, request.seed);
-    return set_not_found(request, nearer ? met : request.seed, " before the time limit", result);
+    const bool nearer =
+        state.search.iterations > 0 && error_at(request, met) < error_at(request, request.seed);
+    return set_ended(request, nearer ? met : request.seed, result);
   }
   if (outside) {
     const bool all_examined = evidence.complete && !evidence.continuum;
@@ -243,6 +258,7 @@ void diagnose(SolverState& state, const Request& request, const UnconstrainedRes
   }
   const std::optional<Configuration> nearest = nearest_configuration(state, request, result);
   if (!nearest || (!proved && solve_without_limits(request, result))) return;
+  if (!request.budget.complete() && !proved) return set_ended(request, *nearest, result);
   set_nearest(request, evidence, proved, *nearest, result);
 }
 

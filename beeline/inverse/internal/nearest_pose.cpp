@@ -79,14 +79,14 @@ Configuration nearest_for_task(const Arm& arm, const Pose& world_T_tool, const T
 }
 
 Configuration nearest_orientation(const Arm& arm, const Pose& world_T_tool, const Task& task,
-                                  const Configuration& q) {
+                                  const Configuration& q, BudgetMeter& budget) {
   const int positions = position_part(task).size(), angles = task.size() - positions;
   const auto error_at = [&](const Configuration& at) {
     return task_error(task, world_T_tool, forward_kinematics(arm, at));
   };
   Configuration best = q, at = q;
   double smallest = error_at(q).tail(angles).norm();
-  for (int step = 0; step < max_steps; ++step) {
+  for (int step = 0; step < max_steps && !budget.ended(); ++step) {
     const Eigen::MatrixXd j = task_jacobian(arm, at, task);
     const Eigen::VectorXd error = error_at(at);
     const Eigen::MatrixXd linear = j.topRows(positions), angular = j.bottomRows(angles);

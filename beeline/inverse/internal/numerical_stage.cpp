@@ -19,7 +19,7 @@ void search(SolverState& state, const Request& request, const PreparedSearch& pr
                .max_restarts = restarts,
                .all = all,
                .random_seed = request.options.random_seed,
-               .deadline = request.deadline},
+               .budget = &request.budget},
               state.buffers, state.search);
   result.iterations += state.search.iterations;
   result.restarts += state.search.restarts;
@@ -28,9 +28,11 @@ void search(SolverState& state, const Request& request, const PreparedSearch& pr
 
 /// Runs Levenberg-Marquardt within limits from one configuration and adds its solution.
 void solve_from(const Request& request, const Configuration& start, InverseResult& result) {
-  const NumericalResult run = levenberg_marquardt(
-      request.arm, request.goal, request.task, request.bounds, start,
-      {.tolerance = request.tolerance, .max_iterations = request.options.max_iterations});
+  const NumericalResult run =
+      levenberg_marquardt(request.arm, request.goal, request.task, request.bounds, start,
+                          {.tolerance = request.tolerance,
+                           .max_iterations = request.options.max_iterations,
+                           .budget = &request.budget});
   result.iterations += run.iterations;
   if (run.converged) add_solution(request, run.q, result);
 }
@@ -48,7 +50,7 @@ void search_without_limits(SolverState& state, const Request& request, StageResu
          std::min(request.options.max_restarts, max_restarts_without_limits), true, found.result);
   const std::vector<Configuration> postures = state.search.solutions;
   for (const Configuration& q : postures) {
-    if (!found.result.solutions.empty()) break;
+    if (!found.result.solutions.empty() || request.budget.ended()) break;
     found.unconstrained.consider(request, q);
     const Configuration nearest =
         nearest_representative(request.arm, q, request.seed, request.bounds);
@@ -59,13 +61,14 @@ void search_without_limits(SolverState& state, const Request& request, StageResu
 }  // namespace
 
 bool search_fast_path(SolverState& state, const Pose& goal, const ConfigurationRef& seed,
-                      Eigen::Ref<Eigen::MatrixXd> solutions) {
+                      BudgetMeter& budget, Eigen::Ref<Eigen::MatrixXd> solutions) {
   const PreparedSearch& prepared = search_within_limits(state);
   multi_start(prepared.problem, prepared.seeds, goal, seed,
               {.tolerance = state.options.tolerance,
                .max_iterations = state.options.max_iterations,
                .max_restarts = state.options.max_restarts,
-               .random_seed = state.options.random_seed},
+               .random_seed = state.options.random_seed,
+               .budget = &budget},
               state.buffers, state.search);
   if (state.search.solutions.empty()) return false;
   solutions.col(0) = state.search.solutions.front();
@@ -98,7 +101,8 @@ void solve_numerical(SolverState& state, const Request& request, StageResult& fo
   if (!request.options.all) solve_from(request, request.seed, result);
   if (request.options.all || result.solutions.empty()) {
     search(state, request, prepared, request.options.max_restarts, request.options.all, result);
-    if (result.solutions.empty() && any_finite(request.bounds) && !found.unconstrained.complete) {
+    if (result.solutions.empty() && any_finite(request.bounds) && !found.unconstrained.complete &&
+        !request.budget.ended()) {
       search_without_limits(state, request, found);
     }
   }

@@ -13,7 +13,7 @@ void solve_numerical(SolverState& state, const Request& request, StageResult& fo
 /// Writes one solution of multi_start() from the seed into the first column. Returns whether it
 /// finds one. Allocates in the first call only.
 bool search_fast_path(SolverState& state, const Pose& goal, const ConfigurationRef& seed,
-                      Eigen::Ref<Eigen::MatrixXd> solutions);
+                      BudgetMeter& budget, Eigen::Ref<Eigen::MatrixXd> solutions);
 
 /// Runs Levenberg-Marquardt within limits from up to eight solutions outside them, and writes the
 /// first that converges into q. Returns whether one converges. Allocates in the first call only.

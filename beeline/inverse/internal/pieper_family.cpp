@@ -74,6 +74,7 @@ void solve_locked(SolverState& state, const Request& request, CandidateSolutions
   const int grid = request.options.grid;
   if (request.options.all) {
     for (const double value : grid_values(range, grid)) {
+      if (request.budget.ended()) break;
       PieperBranches found;
       form.branches(request.goal, value, loop, found);
       add_branches(form, found, value, dof, candidates);
@@ -83,8 +84,9 @@ void solve_locked(SolverState& state, const Request& request, CandidateSolutions
   LeastOutside outside;
   const LockedBranch branch =
       request.options.redundancy == Redundancy::any
-          ? first_within(form, request.goal, range, grid, loop, outside)
-          : best_within(form, request.goal, range, grid, request.options.redundancy, loop);
+          ? first_within(form, request.goal, range, grid, loop, request.budget, outside)
+          : best_within(form, request.goal, range, grid, request.options.redundancy, loop,
+                        request.budget);
   Configuration q(dof);
   if (branch.lane >= 0) {
     form.configuration(branch.found, branch.lane, branch.value, q);
@@ -125,13 +127,13 @@ void solve_pieper(SolverState& state, const Request& request, StageResult& found
 /// than further values.
 std::optional<int> solve_redundant(SolverState& state, const Pose& goal,
                                    const ConfigurationRef& seed, PieperRequest& loop,
-                                   Eigen::Ref<Eigen::MatrixXd> solutions) {
+                                   BudgetMeter& budget, Eigen::Ref<Eigen::MatrixXd> solutions) {
   constexpr int few = 9;  // the seed's, and two rounds of steps: see first_within()
   const PieperSolver& form = *state.pieper;
   const LockedRange range = locked_range(state.arm, state.bounds, seed, form);
   LeastOutside outside;
   const LockedBranch branch =
-      first_within(form, goal, range, std::min(few, state.options.grid), loop, outside);
+      first_within(form, goal, range, std::min(few, state.options.grid), loop, budget, outside);
   if (branch.lane >= 0 && (branch.found.continuum >> branch.lane & 1) == 0) {
     form.configuration(branch.found, branch.lane, branch.value, solutions.col(0));
     return 1;
@@ -141,7 +143,7 @@ std::optional<int> solve_redundant(SolverState& state, const Pose& goal,
       solve_from_outside(state, goal, outside, state.options.tolerance, solutions.col(0))) {
     return 1;
   }
-  if (search_fast_path(state, goal, seed, solutions)) return 1;
+  if (search_fast_path(state, goal, seed, budget, solutions)) return 1;
   return std::nullopt;
 }
 
@@ -203,7 +205,7 @@ std::optional<int> write_all(const PieperSolver& form, const PieperRequest& loop
 
 /// Writes solutions whose loops close within the tolerance, without further checks.
 std::optional<int> solve_pieper_fast(SolverState& state, const Pose& goal,
-                                     const ConfigurationRef& seed,
+                                     const ConfigurationRef& seed, BudgetMeter& budget,
                                      Eigen::Ref<Eigen::MatrixXd> solutions) {
   const InverseOptions& options = state.options;
   const bool any_one = !options.all && options.redundancy == Redundancy::any;
@@ -218,7 +220,7 @@ std::optional<int> solve_pieper_fast(SolverState& state, const Pose& goal,
     value = seed[*options.lock];
   } else if (form.locked()) {
     if (!any_one || options.method != InverseMethod::automatic) return std::nullopt;
-    return solve_redundant(state, goal, seed, loop, solutions);
+    return solve_redundant(state, goal, seed, loop, budget, solutions);
   }
   PieperBranches found;
   form.branches(goal, value, loop, found);

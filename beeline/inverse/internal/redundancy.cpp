@@ -118,7 +118,7 @@ Configuration optimised(const Request& request, const Configuration& q) {
       best = back.q;
       cost = there;
     }
-    if (!moved || std::chrono::steady_clock::now() >= request.deadline) break;
+    if (!moved || request.budget.ended()) break;
   }
   return best;
 }

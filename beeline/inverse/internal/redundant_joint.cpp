@@ -84,7 +84,8 @@ bool nearly_found(const PieperSolver& form, const PieperBranches& found) {
 }
 
 LockedBranch first_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                          int tries, PieperRequest& loop, LeastOutside& outside) {
+                          int tries, PieperRequest& loop, BudgetMeter& budget,
+                          LeastOutside& outside) {
   LockedBranch branch;
   int tried = 0;
   const auto succeeds = [&](double value) {
@@ -106,6 +107,7 @@ LockedBranch first_within(const PieperSolver& form, const Pose& goal, const Lock
     for (int i = 1; i * step <= width && tried < tries; i += first ? 1 : 2) {
       for (const double value : {range.seed + i * step, range.seed - i * step}) {
         if (value < range.lower || value > range.upper) continue;
+        if (budget.ended()) return branch;
         if (succeeds(value)) return branch;
       }
     }
@@ -123,11 +125,13 @@ std::vector<double> grid_values(const LockedRange& range, int grid) {
 }
 
 LockedBranch best_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                         int grid, Redundancy redundancy, PieperRequest& loop) {
+                         int grid, Redundancy redundancy, PieperRequest& loop,
+                         BudgetMeter& budget) {
   constexpr double none = std::numeric_limits<double>::infinity();
   LockedBranch best, branch;
   double smallest = none;
   const auto cost_at = [&](double value) {
+    if (budget.ended()) return none;
     form.branches(goal, value, loop, branch.found);
     double lowest = none;
     for (unsigned rest = branch.found.within; rest != 0; rest &= rest - 1) {

@@ -41,14 +41,15 @@ struct LeastOutside {
 
 /// Tries up to `tries` values of the redundant joint until a branch is within limits: the seed's
 /// value, then values at multiples of a quarter of the range from it, then of an eighth, and so on,
-/// nearest to the seed first. Does not allocate.
+/// nearest to the seed first, at least the first of them. Does not allocate.
 LockedBranch first_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                          int tries, PieperRequest& loop, LeastOutside& outside);
+                          int tries, PieperRequest& loop, BudgetMeter& budget,
+                          LeastOutside& outside);
 
 /// Returns the branch within limits that is nearest to the seed, or farthest from the limits.
 /// Refines the three best values of a grid between their neighbours by golden-section search.
 LockedBranch best_within(const PieperSolver& form, const Pose& goal, const LockedRange& range,
-                         int grid, Redundancy redundancy, PieperRequest& loop);
+                         int grid, Redundancy redundancy, PieperRequest& loop, BudgetMeter& budget);
 
 /// Returns the values of a grid over the range, its ends included.
 std::vector<double> grid_values(const LockedRange& range, int grid);

@@ -39,9 +39,7 @@ void check_options(const Arm& arm, const InverseOptions& options) {
   if (options.grid > finest) {
     throw Error("grid is " + std::to_string(options.grid) + "; it must be 10000 or less");
   }
-  if (options.time_limit && !(*options.time_limit > 0)) {
-    throw Error("time limit is " + number(*options.time_limit) + " s; it must be above zero");
-  }
+  const BudgetMeter checked(options.budget);
   if (options.lock && (*options.lock < 0 || *options.lock >= arm.dof())) {
     throw Error("lock is coordinate " + std::to_string(*options.lock) + "; arm " + arm.name() +
                 " has 0 to " + std::to_string(arm.dof() - 1));
@@ -51,17 +49,12 @@ void check_options(const Arm& arm, const InverseOptions& options) {
 }
 
 Request make_request(const Arm& arm, const InverseOptions& options, const Task& task,
-                     const Bounds& bounds, const Pose& world_T_tool, const Configuration& seed) {
-  using Clock = std::chrono::steady_clock;
+                     const Bounds& bounds, const Pose& world_T_tool, const Configuration& seed,
+                     BudgetMeter& budget) {
   Request request{arm,  options, checked_pose(world_T_tool), task,
-                  seed, bounds,  options.tolerance,          Clock::time_point::max()};
+                  seed, bounds,  options.tolerance,          budget};
   check_configuration(arm, request.seed);
   request.tolerance = std::max(options.tolerance, rounding_of(arm, request.goal));
-  constexpr double forever = 1e9;  // seconds; the clock's count would overflow beyond
-  if (options.time_limit && *options.time_limit < forever) {
-    request.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                          std::chrono::duration<double>(*options.time_limit));
-  }
   return request;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <chrono>
-
+#include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/inverse/numerical/bounds.h>
 
@@ -15,8 +14,8 @@ struct Request {
   Task task;
   Configuration seed;
   Bounds bounds;  ///< the joint limits, or none where they are ignored
-  double tolerance = 0;
-  std::chrono::steady_clock::time_point deadline;
+  double tolerance;
+  BudgetMeter& budget;
 };
 
 /// Throws Error for options that are not valid for the arm, whatever the pose.
@@ -24,7 +23,8 @@ void check_options(const Arm& arm, const InverseOptions& options);
 
 /// Requires checked options. Throws Error when pose or seed are not valid.
 Request make_request(const Arm& arm, const InverseOptions& options, const Task& task,
-                     const Bounds& bounds, const Pose& world_T_tool, const Configuration& seed);
+                     const Bounds& bounds, const Pose& world_T_tool, const Configuration& seed,
+                     BudgetMeter& budget);
 
 /// Replaces the angles of joints without limits that are more than `beyond` from zero, radians, by
 /// their representatives in (-pi, pi]: sums of many turns lose digits.

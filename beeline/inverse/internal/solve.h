@@ -8,8 +8,9 @@ namespace beeline::internal {
 enum class Diagnosis { wanted, skipped };
 
 /// Solves one pose: checks the request, runs the stages, then diagnoses a failure or resolves
-/// redundancy and sorts the solutions.
+/// redundancy and sorts the solutions. The status is that of the budget if it ended a step that
+/// might have changed the solutions.
 InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configuration& seed,
-                    Diagnosis diagnosis);
+                    Diagnosis diagnosis, BudgetMeter& budget);
 
 }  // namespace beeline::internal

@@ -5,17 +5,17 @@
 namespace beeline::internal {
 
 std::optional<int> solve_fast_path(SolverState& state, const Pose& goal,
-                                   const ConfigurationRef& seed,
+                                   const ConfigurationRef& seed, BudgetMeter& budget,
                                    const Eigen::Ref<Eigen::MatrixXd>& solutions) {
   const InverseOptions& options = state.options;
-  if (options.time_limit || seed.cwiseAbs().maxCoeff() > farthest_seed) return std::nullopt;
+  if (seed.cwiseAbs().maxCoeff() > farthest_seed) return std::nullopt;
   if (state.family) {
     if (!state.family->solve_fast) return std::nullopt;
-    return state.family->solve_fast(state, goal, seed, solutions);
+    return state.family->solve_fast(state, goal, seed, budget, solutions);
   }
   const bool any_one = !options.all && options.redundancy == Redundancy::any;
   if (!any_one || options.lock || out_of_reach(state.arm, goal, state.task, options.tolerance) ||
-      !search_fast_path(state, goal, seed, solutions)) {
+      !search_fast_path(state, goal, seed, budget, solutions)) {
     return std::nullopt;
   }
   return 1;

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/internal/solver_state.h>
 
 namespace beeline::internal {
@@ -10,7 +11,7 @@ namespace beeline::internal {
 /// needs a correction. Returns their number, or nothing if solve() is needed. A solution of a
 /// closed form is checked by closing the loop. Does not allocate in the ordinary case.
 std::optional<int> solve_fast_path(SolverState& state, const Pose& goal,
-                                   const ConfigurationRef& seed,
+                                   const ConfigurationRef& seed, BudgetMeter& budget,
                                    const Eigen::Ref<Eigen::MatrixXd>& solutions);
 
 }  // namespace beeline::internal

@@ -150,6 +150,7 @@ NumericalResult levenberg_marquardt(const Arm& arm, const Pose& world_T_tool, co
   for (;
        run.iterations < options.max_iterations && work.now.cost > 0 && std::isfinite(work.now.cost);
        ++run.iterations) {
+    if (ended(options.budget)) break;
     const bool polishing = within(work.now.deviation);
     const double before = work.now.cost;
     // Damping that falls with the error's square keeps convergence quadratic (Sugihara 2011).

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/numerical/bounds.h>
 
 namespace beeline::internal {
 
 struct NumericalOptions {
-  double tolerance = 1e-10;  ///< of position and orientation error, metres and radians
-  int max_iterations = 100;  ///< max steps
+  double tolerance = 1e-10;       ///< of position and orientation error, metres and radians
+  int max_iterations = 100;       ///< max steps
+  BudgetMeter* budget = nullptr;  ///< asked before each step; default: none
 };
 
 struct NumericalResult {

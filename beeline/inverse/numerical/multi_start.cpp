@@ -10,7 +10,7 @@
 namespace beeline::internal {
 namespace {
 
-// Steps between two checks of the deadline, which may be exceeded by as many. Most runs end within
+// Steps between two questions to the budget, which may be exceeded by as many. Most runs end within
 // this number, so the clock is rarely read.
 constexpr int steps_per_check = 16;
 // Max restarts after a lane has stagnated within the tolerance, in search of one that converges to
@@ -55,7 +55,7 @@ class Run {
       }
       if (found_ > 0 && !options_.all && result_.restarts >= last_restart_) break;
       fill();
-      if (held_ == 0 || (ran_ && late())) break;
+      if (held_ == 0 || (ran_ && ended())) break;
       ran_ = true;
       run_lanes(problem_, world_T_tool_, lane_options(), steps_per_check, lanes_);
     }
@@ -69,10 +69,7 @@ class Run {
   /// Whether the lane has a run that is not collected yet.
   bool holds(int lane) const { return (held_ >> lane & 1) != 0; }
 
-  bool late() const {
-    return options_.deadline != std::chrono::steady_clock::time_point::max() &&
-           std::chrono::steady_clock::now() >= options_.deadline;
-  }
+  bool ended() const { return internal::ended(options_.budget, steps_per_check); }
 
   LaneOptions lane_options() const {
     return {.tolerance = options_.tolerance,

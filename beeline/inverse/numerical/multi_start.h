@@ -1,7 +1,6 @@
 #pragma once
 
-#include <chrono>
-
+#include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/numerical/gauss_newton.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/inverse/numerical/seed_table.h>
@@ -14,8 +13,8 @@ struct MultiStartOptions {
   int max_restarts = 1000;   ///< max starts after the first
   bool all = false;          ///< use all restarts, and collect the distinct solutions
   std::uint64_t random_seed = 1;
-  /// Checked every few steps. After it the result holds what has been found so far.
-  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+  /// Asked every few steps; default: none. When it ends, the result holds what was found so far.
+  BudgetMeter* budget = nullptr;
 };
 
 struct SearchResult {
@@ -45,7 +44,7 @@ PreparedSearch prepared_search(const Arm& arm, const Task& task, const Bounds& b
 /// the pose; a lane that ends without converging starts again from a random configuration. Ends
 /// when a lane converges. If several converge in the same step, the solution is the one nearest to
 /// `start`. It is given as its representative nearest to `start`. The same seed table and
-/// random_seed give the same result if there is no deadline. `result` is overwritten. Throws Error
+/// random_seed give the same result if no time limit ends it. `result` is overwritten. Throws Error
 /// for a start or a pose that is not finite or does not fit, and for an option out of range.
 void multi_start(const NumericalProblem& problem, const SeedTable& seeds, const Pose& world_T_tool,
                  const ConfigurationRef& start, const MultiStartOptions& options,

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/certificate/internal/path_checks.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/inverse/numerical/representative.h>
@@ -108,13 +109,14 @@ std::optional<Configuration> solved_near(const Arm& arm, const Pose& pose, const
 /// Fills in the solutions of the layers, and removes the first layer that has none and all after
 /// it.
 void solve(std::vector<Layer>& layers, const Arm& arm, const Costs& costs,
-           const LayeredGraphOptions& options) {
+           const LayeredGraphOptions& options, BudgetMeter& budget) {
   InverseSolver solver(arm, {.task = options.task,
                              .all = true,
                              .every_turn = false,
                              .grid = options.grid,
                              .tolerance = 1e-9,
-                             .max_restarts = 4 * options.grid});
+                             .max_restarts = 4 * options.grid,
+                             .budget = budget.part()});
   const Configuration middle = middle_configuration(arm);
   Eigen::MatrixXd columns(arm.dof(), 16 * options.grid);
   // The start is not on the grid: its continuation is added to the solutions of each layer.
@@ -131,7 +133,7 @@ void solve(std::vector<Layer>& layers, const Arm& arm, const Costs& costs,
       continuation = solved_near(arm, layers[r].pose, options.task, costs.bounds, *continuation);
       if (continuation) solutions.push_back(*continuation);
     }
-    if (solutions.empty()) {
+    if (solutions.empty() || budget.ended()) {
       layers.resize(r);
       break;
     }
@@ -140,9 +142,10 @@ void solve(std::vector<Layer>& layers, const Arm& arm, const Costs& costs,
 
 /// Computes the shortest paths to the solutions of one layer; returns whether any can be reached.
 bool relax(const Layer& before, Layer& layer, std::size_t r, const Costs& costs,
-           const std::vector<Edge>& removed) {
+           const std::vector<Edge>& removed, BudgetMeter& budget) {
   bool reached = false;
   for (std::size_t j = 0; j < layer.solutions.size(); ++j) {
+    if (budget.ended()) return false;
     const Configuration& q = layer.solutions[j];
     for (std::size_t i = 0; i < before.solutions.size(); ++i) {
       if (!(before.cost[i] < layer.cost[j])) continue;
@@ -164,13 +167,13 @@ bool relax(const Layer& before, Layer& layer, std::size_t r, const Costs& costs,
 
 /// Does the same for all layers from `first` on; returns the number of layers that can be reached.
 std::size_t relax(std::vector<Layer>& layers, const Costs& costs, const std::vector<Edge>& removed,
-                  std::size_t first) {
+                  std::size_t first, BudgetMeter& budget) {
   for (std::size_t r = first; r < layers.size(); ++r) {
     Layer& layer = layers[r];
     layer.cost.assign(layer.solutions.size(), Limits::none);
     layer.predecessor.assign(layer.solutions.size(), -1);
     if (r > 0) {
-      if (!relax(layers[r - 1], layer, r, costs, removed)) return r;
+      if (!relax(layers[r - 1], layer, r, costs, removed, budget)) return r;
       continue;
     }
     for (std::size_t j = 0; j < layer.solutions.size(); ++j) {
@@ -206,7 +209,8 @@ bool is_continuous(const Arm& arm, const ToolPath& path, const Task& task, const
 /// Smooths the knots in the null space: moves each towards the line between its neighbours and away
 /// from the joint limits, then restores the tool's pose by damped least squares.
 void smooth(const Arm& arm, const ToolPath& path, const Task& task, const Costs& costs,
-            const std::vector<Layer>& layers, bool keep_first, std::vector<Knot>& knots) {
+            const std::vector<Layer>& layers, bool keep_first, BudgetMeter& budget,
+            std::vector<Knot>& knots) {
   // Gauss-Seidel passes with relaxation 1/2. 12 passes remove the alternating steps of the grid;
   // oscillations over many knots remain, which take little time. The push away from the limits is
   // small relative to the steps of the grid.
@@ -217,6 +221,7 @@ void smooth(const Arm& arm, const ToolPath& path, const Task& task, const Costs&
   for (const Knot& knot : knots) spans.push_back(span_to(path, knot.s));
   for (int pass = 0; pass < passes; ++pass) {
     for (std::size_t r = keep_first ? 1 : 0; r < knots.size(); ++r) {
+      if (budget.ended()) return;
       const Configuration& q = knots[r].q;
       const Configuration& before = knots[r == 0 ? 0 : r - 1].q;
       const Configuration& after = knots[std::min(r + 1, knots.size() - 1)].q;
@@ -236,16 +241,17 @@ void smooth(const Arm& arm, const ToolPath& path, const Task& task, const Costs&
 
 KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
                                   const LayeredGraphOptions& options) {
+  BudgetMeter budget(options.budget);
   const Costs costs(arm);
   std::vector<Layer> layers = empty_layers(path, options.task, options.spacing);
   const std::size_t wanted = layers.size();
-  solve(layers, arm, costs, options);
+  solve(layers, arm, costs, options, budget);
   if (layers.empty()) return {};
   std::vector<Edge> removed;
   KnotSequence result;
   std::size_t first = 0;
   while (removed.size() <= max_removed_edges) {
-    const std::size_t end = relax(layers, costs, removed, first);
+    const std::size_t end = relax(layers, costs, removed, first, budget);
     const std::vector<int> chosen = shortest_path(layers, end);
     std::vector<Knot> knots;
     std::size_t r = 0;
@@ -259,11 +265,11 @@ KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
     }
     if (knots.size() > result.knots.size()) result.knots = knots;
     result.complete = knots.size() == wanted;
-    if (r == end) break;
+    if (r == end || budget.ended()) break;
     first = r;
   }
   if (result.knots.size() > 1) {
-    smooth(arm, path, options.task, costs, layers, options.start.has_value(), result.knots);
+    smooth(arm, path, options.task, costs, layers, options.start.has_value(), budget, result.knots);
   }
   return result;
 }

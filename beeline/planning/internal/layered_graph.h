@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include <beeline/budget.h>
 #include <beeline/kinematics/task.h>
 #include <beeline/path/joint_path.h>
 #include <beeline/path/tool_path.h>
@@ -20,6 +21,7 @@ struct LayeredGraphOptions {
   std::optional<Configuration> start = std::nullopt;  ///< the first knot; default: any
   int grid = 16;          ///< solutions per pose, roughly: values of the redundant joint x branches
   double spacing = 0.06;  ///< of the layers, metres; rotations count by metres_per_radian
+  Budget budget = {};
 };
 
 struct KnotSequence {
@@ -35,7 +37,8 @@ struct KnotSequence {
 /// where v_k are the velocity limits. An edge joins nodes that are near each other and have a
 /// solution near their midpoint, so that a continuous motion between them is likely. The knots are
 /// then smoothed in the null space, at constant tool pose. This does not prove that the arm can
-/// move from knot to knot: see track_segment().
+/// move from knot to knot: see track_segment(). Where the budget ends it, the knots are those so
+/// far.
 KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
                                   const LayeredGraphOptions& options);
 

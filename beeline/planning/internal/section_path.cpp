@@ -35,14 +35,15 @@ Eigen::VectorXd in_task_rows(const Task& task, const Rotation& world_R_tool, Twi
 }  // namespace
 
 SectionPath::SectionPath(const Arm& arm, const ToolPath& path, const Task& task,
-                         BranchSection samples, const Deviation& tolerance)
+                         BranchSection samples, const Deviation& tolerance, BudgetMeter& budget)
     : arm_(arm), path_(path), task_(task), bounds_(bounds_of(arm)), samples_(std::move(samples)) {
   // Tasks with one orientation row, whose error is no linear function of the angular velocity, may
   // need very many; the proof decides whether these are enough.
   constexpr std::size_t max_samples = 1024;
   const std::size_t given = samples_.samples.size();
   interpolate();
-  while (samples_.samples.size() < std::max(max_samples, 2 * given) && add_samples(tolerance)) {
+  while (samples_.samples.size() < std::max(max_samples, 2 * given) &&
+         add_samples(tolerance, budget)) {
     interpolate();
   }
 }
@@ -65,10 +66,11 @@ Deviation SectionPath::deviation(std::size_t k, const Polynomial& p, double u) c
 }
 
 /// Adds one half-way between any two between which the tool is off the path; returns whether
-/// there were any.
-bool SectionPath::add_samples(const Deviation& tolerance) {
+/// there were any, and the budget has not ended.
+bool SectionPath::add_samples(const Deviation& tolerance, BudgetMeter& budget) {
   BranchSection refined{{samples_.samples.front()}, {samples_.path_parameters.front()}};
   for (std::size_t k = 1; k < samples_.samples.size(); ++k) {
+    if (budget.ended()) return false;
     const Polynomial p = segment_parameter(k);
     const auto off = [&](double u) { return !within(deviation(k, p, u), tolerance); };
     const bool back = moves_back(p);

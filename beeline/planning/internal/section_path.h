@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/math/polynomial.h>
 #include <beeline/path/internal/following.h>
@@ -24,7 +25,7 @@ class SectionPath {
  public:
   /// Keeps references to the arm, the path and the task.
   SectionPath(const Arm& arm, const ToolPath& path, const Task& task, BranchSection samples,
-              const Deviation& tolerance);
+              const Deviation& tolerance, BudgetMeter& budget);
 
   const JointPath& joint_path() const { return joint_path_; }
 
@@ -48,7 +49,7 @@ class SectionPath {
   ParameterRates rates_of(const PathPlace& place, std::size_t k) const;
   void interpolate();
   Deviation deviation(std::size_t k, const Polynomial& p, double u) const;
-  bool add_samples(const Deviation& tolerance);
+  bool add_samples(const Deviation& tolerance, BudgetMeter& budget);
   void follow(std::size_t k, const PathPlace& place);
 
   const Arm& arm_;

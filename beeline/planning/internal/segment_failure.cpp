@@ -39,11 +39,12 @@ std::string passed_limits(const Arm& arm, const Segment& segment, const Task& ta
 /// Solves inverse kinematics for the pose ahead. Just outside the workspace it may not prove that
 /// no solution exists; then poses farther ahead are tried.
 InverseResult solve_ahead(const Arm& arm, const Segment& segment, const Task& task,
-                          const Configuration& q, double s) {
+                          const Configuration& q, double s, const Budget& budget) {
   InverseResult answer;
   for (const double ahead : {1e-3, 1e-2, 1e-1}) {
     const Pose next = pose_at(segment, std::min(1.0, s + ahead));
-    InverseResult result = inverse_kinematics(arm, next, {.seed = q, .task = task});
+    InverseResult result =
+        inverse_kinematics(arm, next, {.seed = q, .task = task, .budget = budget});
     const bool proved = result.status == InverseStatus::unreachable ||
                         result.status == InverseStatus::orientation_unreachable;
     if (answer.reason.empty() || proved) answer = std::move(result);
@@ -69,11 +70,11 @@ std::string limit_message(const Arm& arm, int coordinate, bool lower) {
 }
 
 SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Task& task,
-                               const Configuration& q, double s) {
+                               const Configuration& q, double s, const Budget& budget) {
   const std::string where = stop_message(segment, s);
   const std::string joints = passed_limits(arm, segment, task, q, s);
   if (!joints.empty()) return {MotionStatus::outside_limits, where + joints};
-  const InverseResult ahead = solve_ahead(arm, segment, task, q, s);
+  const InverseResult ahead = solve_ahead(arm, segment, task, q, s, budget);
   const double condition = manipulability_measures(task_jacobian(arm, q, task)).condition;
   switch (ahead.status) {
     case InverseStatus::solved:
@@ -92,6 +93,10 @@ SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Tas
               where + "the path leaves the arm's workspace; " + ahead.reason};
     case InverseStatus::orientation_unreachable:
       return {MotionStatus::unreachable, where + ahead.reason};
+    case InverseStatus::time_limit:
+    case InverseStatus::cancelled:
+    case InverseStatus::work_limit:
+      return {motion_status(ahead.status), where + ahead.reason};
     case InverseStatus::not_found:
       break;
   }

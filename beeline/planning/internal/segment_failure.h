@@ -1,5 +1,6 @@
 #pragma once
 
+#include <beeline/budget.h>
 #include <beeline/kinematics/task.h>
 #include <beeline/path/segment.h>
 #include <beeline/planning/status.h>
@@ -22,7 +23,7 @@ std::string limit_message(const Arm& arm, int coordinate, bool lower);
 /// Determines why the arm cannot continue from configuration q at the fraction s of the segment, by
 /// inverse kinematics for the poses just ahead, with and without limits.
 SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Task& task,
-                               const Configuration& q, double s);
+                               const Configuration& q, double s, const Budget& budget = {});
 
 SegmentFailure too_many_samples(std::size_t max_samples);
 

@@ -33,8 +33,14 @@ void add_segment(BranchSection& section, const TrackedSegment& segment, std::siz
 }  // namespace
 
 PlanTiming::PlanTiming(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
-                       const Deviation& tolerance, const RetimeOptions& options)
-    : arm_(arm), route_(route), task_(task), options_(options), start_(plan.start) {
+                       const Deviation& tolerance, const RetimeOptions& options,
+                       BudgetMeter& budget)
+    : arm_(arm),
+      route_(route),
+      task_(task),
+      options_(options),
+      budget_(budget),
+      start_(plan.start) {
   check_options(options.tool_speed, options.rate);
   BranchSection section{{plan.start}, {0}};
   double tool_speed = Limits::none;
@@ -53,6 +59,7 @@ PlanTiming::PlanTiming(const Arm& arm, const Route& route, const Branch& plan, c
       return;
     }
     section = std::move(next);
+    if (budget_.ended()) break;
   }
 }
 
@@ -63,11 +70,15 @@ void PlanTiming::add(BranchSection samples, const Deviation& tolerance, double t
     return;
   }
   const auto count = static_cast<double>(samples.samples.size());
-  Section section{
-      {arm_, route_.path, task_, std::move(samples), tolerance}, {}, {}, end, {}, tool_speed};
+  Section section{{arm_, route_.path, task_, std::move(samples), tolerance, budget_},
+                  {},
+                  {},
+                  end,
+                  {},
+                  tool_speed};
   const JointPath& path = section.path.joint_path();
   section.timed = timed_path(arm_, path, options_.profile.value_or(default_profile),
-                             options_.speed_scale, tool_speed);
+                             options_.speed_scale, tool_speed, budget_);
   if (!section.timed.scaling) {
     status = MotionStatus::outside_limits;
     reason = section.timed.scaling.reason;
@@ -87,13 +98,15 @@ TimedPlan PlanTiming::sample() {
   TimedPlan plan{at_rest(arm_, start_), {start_parameter_}};
   keep_columns(plan.trajectory, options_.interpolation);
   for (Section& section : sections_) {
+    if (budget_.ended()) break;
     const SectionOptions options{
         .interpolation = options_.interpolation,
         .keep_jerk = keeps_jerk(options_.profile.value_or(default_profile)),
         .speed_scale = options_.speed_scale,
         .tool_speed = section.tool_speed,
         .rate = options_.rate,
-        .required = section.required};
+        .required = section.required,
+        .budget = &budget_};
     const SampledSection sampled = sample_section(arm_, section.timed, options);
     append(plan.trajectory, sampled.trajectory);
     section.sampled.clear();

@@ -20,12 +20,12 @@ class PlanTiming {
   /// `tolerance`: the joint path through the branch's samples leaves the tool path by about so much
   /// at most. Keeps references to the arm, the route and the task.
   PlanTiming(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
-             const Deviation& tolerance, const RetimeOptions& options);
+             const Deviation& tolerance, const RetimeOptions& options, BudgetMeter& budget);
 
   MotionStatus status = MotionStatus::reached;
   std::string reason = {};  ///< unless reached
 
-  /// Returns the samples.
+  /// Returns the samples, of the sections before the budget ended.
   TimedPlan sample();
 
   /// From now on there are `times` as many samples between sample k and the next, if `times[k]` is
@@ -48,6 +48,7 @@ class PlanTiming {
   const Route& route_;
   const Task& task_;
   RetimeOptions options_;
+  BudgetMeter& budget_;
   Configuration start_;
   double start_parameter_ = 0;
   std::deque<Section> sections_;

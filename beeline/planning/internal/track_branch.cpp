@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <beeline/certificate/internal/path_checks.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
@@ -23,9 +24,9 @@ std::string segment_number(const ToolPath& path, std::size_t i) {
 }
 
 /// Tracks the path from branch.start. An incomplete branch gets the status not_found and no reason:
-/// see explain().
+/// see explain(); or the budget's status, if that ended it.
 void track_path(const Arm& arm, const ToolPath& path, const Bounds& bounds,
-                const BranchOptions& options, Branch& branch) {
+                const BranchOptions& options, BudgetMeter& budget, Branch& branch) {
   Configuration q = branch.start;
   std::size_t samples_left = options.max_samples;
   const auto segments = static_cast<double>(path.segments.size());
@@ -36,12 +37,13 @@ void track_path(const Arm& arm, const ToolPath& path, const Bounds& bounds,
       branch.path_parameter = begin + 1;
       continue;
     }
-    TrackOptions track_options{.tolerance = options.tolerance, .max_samples = samples_left};
+    TrackOptions track_options{
+        .tolerance = options.tolerance, .max_samples = samples_left, .budget = &budget};
     if (options.guide) {
       track_options.guide = [&](double s) { return options.guide(begin + s); };
     }
-    if (options.progress) {
-      track_options.progress = [&](double s) { options.progress((begin + s) / segments); };
+    if (budget.reports()) {
+      track_options.progress = [&](double s) { budget.report((begin + s) / segments); };
     }
     branch.segments.push_back(
         track_segment(arm, path.segments[i], options.task, bounds, q, track_options));
@@ -50,6 +52,7 @@ void track_path(const Arm& arm, const ToolPath& path, const Bounds& bounds,
     q = tracked.samples.back();
     if (!tracked.complete()) {
       branch.status = MotionStatus::not_found;
+      if (!budget.complete()) set_ended(path, budget.ending(), branch);
       return;
     }
     // The sample at the joint of two segments belongs to both.
@@ -149,15 +152,17 @@ void keep_limits(const Arm& arm, const ToolPath& path, Branch& branch) {
 
 /// The complete branches from the path's end to its beginning, reversed.
 std::vector<Branch> backward_branches(const Arm& arm, const ToolPath& path, const Bounds& bounds,
-                                      const BranchOptions& options) {
+                                      const BranchOptions& options, BudgetMeter& budget) {
   const ToolPath back = reversed(path);
   const InverseResult ends = inverse_kinematics(
-      arm, pose_at(back, 0), {.task = options.task, .all = true, .ignore_limits = true});
+      arm, pose_at(back, 0),
+      {.task = options.task, .all = true, .ignore_limits = true, .budget = budget.part()});
   std::vector<Branch> branches;
   for (const Configuration& end : ends.solutions) {
     if (!within(bounds, end)) continue;
+    if (budget.ended()) break;
     Branch branch{.start = end};
-    track_path(arm, back, bounds, options, branch);
+    track_path(arm, back, bounds, options, budget, branch);
     if (!branch) continue;
     std::reverse(branch.segments.begin(), branch.segments.end());
     for (TrackedSegment& segment : branch.segments) {
@@ -180,9 +185,10 @@ bool is_singular(const Arm& arm, const Task& task, const Configuration& q) {
 
 /// Computes all branches, unsorted, without reasons for those that end inside the limits.
 std::vector<Branch> unordered_branches(const Arm& arm, const ToolPath& path,
-                                       const BranchOptions& options) {
+                                       const BranchOptions& options, BudgetMeter& budget) {
   const InverseResult starts = inverse_kinematics(
-      arm, pose_at(path, 0), {.task = options.task, .all = true, .ignore_limits = true});
+      arm, pose_at(path, 0),
+      {.task = options.task, .all = true, .ignore_limits = true, .budget = budget.part()});
   const Bounds limits = bounds_of(arm);
   Bounds bounds = limits;
   for (int k = 0; k < arm.dof(); ++k) {
@@ -202,14 +208,19 @@ std::vector<Branch> unordered_branches(const Arm& arm, const ToolPath& path,
   for (const Configuration& start : starts.solutions) {
     if (!within(bounds, start)) continue;
     Branch branch{.start = start};
-    track_path(arm, path, bounds, options, branch);
+    if (budget.ended()) {
+      set_ended(path, budget.ending(), branch);
+    } else {
+      track_path(arm, path, bounds, options, budget, branch);
+    }
     add(std::move(branch));
   }
   const bool complete = std::any_of(branches.begin(), branches.end(),
                                     [](const Branch& branch) { return bool(branch); });
   const auto singular = [&](const Configuration& q) { return is_singular(arm, options.task, q); };
   if (!complete && std::any_of(starts.solutions.begin(), starts.solutions.end(), singular)) {
-    for (Branch& branch : backward_branches(arm, path, bounds, options)) add(std::move(branch));
+    for (Branch& branch : backward_branches(arm, path, bounds, options, budget))
+      add(std::move(branch));
   }
   return branches;
 }
@@ -237,14 +248,32 @@ void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options,
   if (branch || !branch.reason.empty()) return;
   std::size_t samples = 1;
   for (const TrackedSegment& segment : branch.segments) samples += segment.samples.size() - 1;
+  BudgetMeter budget(options.budget);
+  if (budget.ended()) return set_ended(path, budget.ending(), branch);
   const std::size_t w = branch.segments.size() - 1;
   const TrackedSegment& last = branch.segments.back();
-  const SegmentFailure failure = samples >= options.max_samples
-                                     ? too_many_samples(options.max_samples)
-                                     : segment_failure(arm, path.segments[w], options.task,
-                                                       last.samples.back(), last.fractions.back());
+  const SegmentFailure failure =
+      samples >= options.max_samples
+          ? too_many_samples(options.max_samples)
+          : segment_failure(arm, path.segments[w], options.task, last.samples.back(),
+                            last.fractions.back(), budget.part());
+  if (!budget.complete()) return set_ended(path, budget.ending(), branch);
   branch.status = failure.status;
   branch.reason = segment_number(path, w) + failure.reason;
+}
+
+void set_ended(const ToolPath& path, Ending ending, Branch& branch) {
+  branch.status = status_of<MotionStatus>(ending);
+  branch.reason = ended_by(ending);
+  const double end = static_cast<double>(path.segments.size());
+  if (branch.path_parameter == end) {
+    branch.reason += " after it had followed the whole path";
+  } else if (branch.path_parameter > 0) {
+    const auto i = static_cast<std::size_t>(branch.path_parameter);
+    branch.reason += " after it had followed " + segment_number(path, i) + "to " +
+                     number(100 * (branch.path_parameter - static_cast<double>(i))) + " %";
+  }
+  branch.reason += how_to_continue(ending);
 }
 
 bool better(const Branch& a, const Branch& b) {
@@ -256,8 +285,9 @@ bool better(const Branch& a, const Branch& b) {
 Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& path,
                     const BranchOptions& options) {
   check_task(arm, path, options.task);
+  BudgetMeter budget(options.budget);
   Branch branch{.start = start};
-  track_path(arm, path, bounds_of(arm), options, branch);
+  track_path(arm, path, bounds_of(arm), options, budget, branch);
   if (options.reasons != BranchOptions::Reasons::none) explain(arm, path, options, branch);
   measure(arm, options.task, branch);
   return branch;
@@ -267,7 +297,8 @@ std::vector<Branch> track_branches(const Arm& arm, const ToolPath& path,
                                    const BranchOptions& options) {
   using Reasons = BranchOptions::Reasons;
   check_task(arm, path, options.task);
-  std::vector<Branch> branches = unordered_branches(arm, path, options);
+  BudgetMeter budget(options.budget);
+  std::vector<Branch> branches = unordered_branches(arm, path, options, budget);
   double farthest = 0;
   for (const Branch& branch : branches) farthest = std::max(farthest, branch.path_parameter);
   for (Branch& branch : branches) {  // margins only order branches that reach equally far

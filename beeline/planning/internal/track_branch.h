@@ -22,6 +22,9 @@ Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& 
 /// Sets the status and reason of a branch that is incomplete and has no reason yet.
 void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options, Branch& branch);
 
+/// Sets the status and reason of a branch that the budget ended.
+void set_ended(const ToolPath& path, Ending ending, Branch& branch);
+
 /// Sets limit_margin and inverse_condition from the branch's samples.
 void measure(const Arm& arm, const Task& task, Branch& branch);
 

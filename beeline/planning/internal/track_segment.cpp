@@ -127,7 +127,7 @@ TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task&
   deviation.sampled = at_start;
   double length = first_step;
   while (!tracked.complete() && length >= shortest_step &&
-         tracked.samples.size() < options.max_samples) {
+         tracked.samples.size() < options.max_samples && !ended(options.budget)) {
     const double s_a = tracked.fractions.back(), left = 1 - s_a;
     // Equal steps to the end, so that no step is as short as rounding.
     const double steps = std::ceil(left / length);

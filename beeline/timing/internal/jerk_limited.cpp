@@ -64,7 +64,8 @@ std::vector<double> knots_for(const QuinticMotion& motion) {
 }
 
 /// Minimises the duration over the splines with these knots.
-SquaredRateSpline optimal_rate(QuinticMotion& motion, std::vector<double> knots) {
+SquaredRateSpline optimal_rate(QuinticMotion& motion, std::vector<double> knots,
+                               BudgetMeter* budget) {
   SquaredRateSpline spline(std::move(knots));
   DurationProblem problem(spline, motion.limits().acceleration, motion.limits().jerk);
   double largest = 1;
@@ -74,7 +75,7 @@ SquaredRateSpline optimal_rate(QuinticMotion& motion, std::vector<double> knots)
     problem.set(k, sample);
   }
   spline.coefficients.setConstant(start_fraction / largest);
-  minimise_duration(spline, problem);
+  minimise_duration(spline, problem, budget);
   return spline;
 }
 
@@ -193,12 +194,12 @@ TimeScaling scaling_of(const QuinticMotion& motion, const SquaredRateSpline& spl
 /// Returns the best time scaling of the whole path by one spline among several attempts. Each has
 /// more knots where the previous one violates limits, because slowing the whole motion down
 /// increases the duration everywhere.
-TimeScaling without_stops(const JointPath& path, const PathLimits& limits) {
+TimeScaling without_stops(const JointPath& path, const PathLimits& limits, BudgetMeter* budget) {
   TimeScaling best = scalar_profile(ScalarForm::quintic, path, limits);
   QuinticMotion motion(path, limits, best);
   std::vector<double> knots = knots_for(motion);
-  for (int attempt = 0; attempt < max_attempts; ++attempt) {
-    const SquaredRateSpline spline = optimal_rate(motion, std::move(knots));
+  for (int attempt = 0; attempt < max_attempts && !ended(budget); ++attempt) {
+    const SquaredRateSpline spline = optimal_rate(motion, std::move(knots), budget);
     const std::vector<double> factors = slowdowns(motion, spline);
     const double factor = *std::max_element(factors.begin(), factors.end());
     TimeScaling scaling = scaling_of(motion, spline);
@@ -264,30 +265,31 @@ void append(TimeScaling& scaling, const TimeScaling& next) {
 
 /// Returns the time scaling without stops or, if that is slow because of a tight corner, the faster
 /// of it and the one that stops there. Both parts are computed by recursion, to this depth.
-TimeScaling with_stops(const JointPath& path, const PathLimits& limits, int bisections) {
-  TimeScaling scaling = without_stops(path, limits);
-  if (bisections == 0 || best_stop(scaling.speed) == 0) return scaling;
+TimeScaling with_stops(const JointPath& path, const PathLimits& limits, int bisections,
+                       BudgetMeter* budget) {
+  TimeScaling scaling = without_stops(path, limits, budget);
+  if (bisections == 0 || ended(budget) || best_stop(scaling.speed) == 0) return scaling;
   const TimeScaling bound = fastest(path, limits);
   if (scaling.duration() < slow * bound.duration()) return scaling;
   const std::size_t stop = best_stop(bound.speed);
   if (stop == 0) return scaling;
   const Part first = part_of(path, limits, 0, stop);
   const Part second = part_of(path, limits, stop, path.size() - 1);
-  TimeScaling both = with_stops(first.path, first.limits, bisections - 1);
+  TimeScaling both = with_stops(first.path, first.limits, bisections - 1, budget);
   if (both.duration() > scaling.duration()) return scaling;
-  append(both, with_stops(second.path, second.limits, bisections - 1));
+  append(both, with_stops(second.path, second.limits, bisections - 1, budget));
   return both.duration() < scaling.duration() ? both : scaling;
 }
 
 }  // namespace
 
-TimeScaling jerk_limited(const JointPath& path, const PathLimits& limits) {
+TimeScaling jerk_limited(const JointPath& path, const PathLimits& limits, BudgetMeter* budget) {
   check_path(path);
   check_limits(limits, path);
   if (!limits.jerk.array().isFinite().any()) {
     throw Error("profile jerk needs a limit of jerk: none of the joints has one");
   }
-  return with_stops(path, limits, max_bisections);
+  return with_stops(path, limits, max_bisections, budget);
 }
 
 }  // namespace beeline::internal

@@ -51,7 +51,8 @@ void add(std::vector<double>& to, double fraction, const std::vector<double>& st
 
 }  // namespace
 
-void minimise_duration(SquaredRateSpline& spline, const DurationProblem& problem) {
+void minimise_duration(SquaredRateSpline& spline, const DurationProblem& problem,
+                       BudgetMeter* budget) {
   const auto size = static_cast<std::size_t>(spline.coefficients.size());
   std::vector<double> c(problem.coefficients(), 1), next(c), dc(c.size(), 0);
   std::copy(spline.coefficients.begin(), spline.coefficients.end(), c.begin());
@@ -63,7 +64,7 @@ void minimise_duration(SquaredRateSpline& spline, const DurationProblem& problem
   add(multipliers, 1, change);
   NewtonEquations equations(problem);
   bool inside = set_up(equations, problem, c.data(), multipliers.data(), gap);
-  for (int i = 0; i < max_steps && inside; ++i) {
+  for (int i = 0; i < max_steps && inside && !ended(budget); ++i) {
     solve(equations, size, dc);
     const MultiplierStep step =
         multiplier_step(problem, c.data(), dc.data(), multipliers.data(), gap, change.data());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <beeline/internal/budget_meter.h>
 #include <beeline/timing/internal/duration_problem.h>
 
 namespace beeline::internal {
@@ -8,7 +9,9 @@ namespace beeline::internal {
 /// of 1e-3, from coefficients that satisfy all limits strictly; otherwise the coefficients are
 /// unchanged. A primal-dual interior-point method (Boyd and Vandenberghe, *Convex Optimization*,
 /// section 11.7; Nocedal and Wright, *Numerical Optimization*, section 19.3). The limits of jerk
-/// are not convex, so the result is a local optimum.
-void minimise_duration(SquaredRateSpline& spline, const DurationProblem& problem);
+/// are not convex, so the result is a local optimum. Where the budget ends it, the coefficients are
+/// those of the last step, which satisfy the limits.
+void minimise_duration(SquaredRateSpline& spline, const DurationProblem& problem,
+                       BudgetMeter* budget = nullptr);
 
 }  // namespace beeline::internal

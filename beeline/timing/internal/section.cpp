@@ -178,6 +178,7 @@ SampledSection without_rate(const Arm& arm, const TimedPath& section,
   double factor = std::max(1.0, needed_slowdown(arm, result.trajectory, options).both());
   // Wider ramps where their jerk exceeds a limit, as long as they cost less than the slowdown.
   for (int attempt = 0; attempt < max_widenings && jumps && factor > worth_widening; ++attempt) {
+    if (ended(options.budget)) break;
     const double wider = width * factor * factor * factor;
     if (wider > widest_ramp * section.scaling.duration()) break;
     SampledSection tried = refined_samples(arm, section, options, wider);
@@ -221,10 +222,12 @@ SampledSection sample_section(const Arm& arm, const TimedPath& given,
   const double period = options.rate > 0 ? 1 / options.rate : 0;
   TimedPath section = given;
   for (int round = 0; round < max_rounds; ++round) {
+    if (ended(options.budget)) return best;
     const double duration = best.trajectory.times.back();
     if (duration <= worthwhile * given.scaling.duration() + periods * period) return best;
     if (!lower_speed_limits(arm, unslowed(arm, section, options), options, section)) return best;
-    section.scaling = time_scaling(section.path, section.limits, section.profile);
+    section.scaling =
+        time_scaling(section.path, section.limits, section.profile, part_of(options.budget));
     if (!section.scaling) return best;
     SampledSection tried = slowed(arm, section, options);
     if (tried.trajectory.times.back() < duration) best = std::move(tried);

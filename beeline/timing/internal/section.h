@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include <beeline/internal/budget_meter.h>
 #include <beeline/timing/internal/averaged_scaling.h>
 #include <beeline/timing/internal/timed_path.h>
 #include <beeline/timing/retime.h>
@@ -22,6 +23,7 @@ struct SectionOptions {
   double tool_speed = Limits::none;   ///< metres per second
   double rate = 0;                    ///< see RetimeOptions
   std::vector<double> required = {};  ///< path parameters that get a sample, without a rate
+  BudgetMeter* budget = nullptr;      ///< default: none
 };
 
 /// Returns the samples of a section, slowed down until the motion that they mean is within the
@@ -31,8 +33,9 @@ struct SectionOptions {
 /// scaling jumps, at both ends too, AveragedScaling makes it a ramp. Without a rate there are as
 /// many samples as the interpolation needs to agree with the motion along the path, at all kinks of
 /// the acceleration first; times are whole nanoseconds. With a rate the samples are k / rate, the
-/// last one included: the section lasts a whole number of periods. Throws Error where no samples
-/// are found at this rate.
+/// last one included: the section lasts a whole number of periods. Where the budget ends the
+/// search, the motion may take longer than necessary. Throws Error where no samples are found at
+/// this rate.
 SampledSection sample_section(const Arm& arm, const TimedPath& section,
                               const SectionOptions& options);
 

@@ -57,7 +57,7 @@ void check_options(double tool_speed, double rate) {
 }
 
 TimedPath timed_path(const Arm& arm, const JointPath& path, Profile profile, double speed_scale,
-                     double tool_speed) {
+                     double tool_speed, BudgetMeter& budget) {
   TimedPath section;
   section.path = refined(path);
   section.scaling.reason = outside(arm, path, section.path);
@@ -65,7 +65,7 @@ TimedPath timed_path(const Arm& arm, const JointPath& path, Profile profile, dou
   section.profile = profile;
   section.limits = path_limits(arm, speed_scale);
   section.limits.speed = path_speeds(arm, section.path, tool_speed);
-  section.scaling = time_scaling(section.path, section.limits, profile);
+  section.scaling = time_scaling(section.path, section.limits, profile, budget.part());
   return section;
 }
 

@@ -39,10 +39,12 @@ void take_interval(CoordinateFraction& largest, std::span<const Limits> limits,
 }  // namespace
 
 CoordinateFraction limit_fraction(std::span<const Limits> limits, const Trajectory& trajectory,
-                                  int order) {
+                                  int order, BudgetMeter* budget) {
   CoordinateFraction largest;
   largest.exact = order <= bounded_order(trajectory.interpolation());
+  constexpr std::size_t batch = 64;  // samples, of less than a microsecond
   for (std::size_t k = 0; k + 1 < trajectory.size(); ++k) {
+    if (k % batch == 0 && ended(budget, batch)) break;
     take_interval(largest, limits, trajectory, k, order);
   }
   return largest;

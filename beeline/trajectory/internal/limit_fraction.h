@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include <beeline/internal/budget_meter.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline::internal {
@@ -16,9 +17,10 @@ struct CoordinateFraction {
 };
 
 /// Computes it for the derivative of an order from 1 (velocity) to 3 (jerk). `limits`: of each
-/// column of the trajectory; infinite ones count as not used.
+/// column of the trajectory; infinite ones count as not used. The largest so far where the budget
+/// ends it.
 CoordinateFraction limit_fraction(std::span<const Limits> limits, const Trajectory& trajectory,
-                                  int order);
+                                  int order, BudgetMeter* budget = nullptr);
 
 /// The largest fraction of the limits of that order between each two samples; 0 for an order that
 /// the interpolation does not bound.

@@ -159,14 +159,17 @@ TEST(MultiStart, OutOfReachEndsWithTheNearest) {
   EXPECT_NEAR(seen.orientation, result.nearest.error.orientation, 1e-12);
 }
 
-TEST(MultiStart, DeadlineEndsTheSearch) {
+TEST(MultiStart, ATimeLimitEndsTheSearch) {
   const Arm arm = built_in("ur5");
   Solver solve(arm, Task::spatial(), bounds_of(arm));
   MultiStartOptions options{.max_restarts = 1'000'000'000};
-  options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(2);
+  const Budget limit{.time_limit = 2e-3};
+  BudgetMeter budget(limit);
+  options.budget = &budget;
   const SearchResult& result = solve(make_pose({3, 0, 0}), Configuration::Zero(6), options);
   EXPECT_TRUE(result.solutions.empty());
   EXPECT_LT(result.restarts, 1'000'000'000);
+  EXPECT_EQ(budget.ending(), Ending::time_limit);
   EXPECT_EQ(result.nearest.q.size(), 6);
 }
 

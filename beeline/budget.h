@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <beeline/error.h>
+
+namespace beeline {
+
+namespace internal {
+class BudgetMeter;
+}
+
+/// Whether a computation came to its own end, and if not, which part of its budget ended it. Where
+/// a result has a status, the status has the same name.
+enum class Ending {
+  complete,
+  time_limit,  ///< Budget::time_limit
+  cancelled,   ///< Budget::cancelled
+  work_limit,  ///< Budget::max_work
+};
+std::string name(Ending ending);
+
+/// What a search may spend. It ends at the limit that it reaches first, soon after that limit, with
+/// a status of its own and with what it has found so far; it never throws for that. Searches have
+/// limits of their own besides, such as max_restarts and max_samples. By default only these hold,
+/// so that results do not depend on the speed of the machine; a result that no limit of the budget
+/// ended is the same as without it.
+struct Budget {
+  /// Seconds from the call, 0 or more. What it ends depends on the machine. Default: no limit.
+  std::optional<double> time_limit = std::nullopt;
+  /// Units of work, 0 or more: one is an iteration of a numerical method, a configuration of a
+  /// graph, a sample, or a step of a simulation, which take some microseconds. What it ends is the
+  /// same on every machine. Default: no limit.
+  std::optional<std::int64_t> max_work = std::nullopt;
+  /// Returns whether the search is to end. Called every millisecond or more often, by several
+  /// threads at once where the search has several; it must not throw. Default: never.
+  std::function<bool()> cancelled = {};
+  /// Called now and then with the fraction computed, from 0 to 1, by motions along paths.
+  std::function<void(double)> progress = {};
+  /// Set by the library: the meter of the computation that this one is a part of.
+  internal::BudgetMeter* part_of = nullptr;
+};
+
+}  // namespace beeline

@@ -1,0 +1,74 @@
+#include <beeline/error.h>
+#include <beeline/internal/budget_meter.h>
+
+namespace beeline {
+
+std::string name(Ending ending) {
+  constexpr const char* names[] = {"complete", "time_limit", "cancelled", "work_limit"};
+  return names[static_cast<int>(ending)];
+}
+
+namespace internal {
+
+BudgetMeter::BudgetMeter(const Budget& budget) : budget_(budget) {
+  using Clock = std::chrono::steady_clock;
+  if (budget.time_limit) {
+    if (!(*budget.time_limit >= 0)) {
+      throw Error("time_limit is " + number(*budget.time_limit) + " s; it must be 0 or more");
+    }
+    constexpr double forever = 1e9;  // seconds; the clock's count would overflow beyond
+    if (*budget.time_limit < forever) {
+      deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                     std::chrono::duration<double>(*budget.time_limit));
+    }
+  }
+  if (budget.max_work && *budget.max_work < 0) {
+    throw Error("max_work is " + std::to_string(*budget.max_work) + "; it must be 0 or more");
+  }
+  limited_ = budget.time_limit || budget.max_work || budget.cancelled ||
+             (budget.part_of != nullptr && budget.part_of->limited_);
+}
+
+bool BudgetMeter::exceeded(std::int64_t work) {
+  if (!complete()) return true;
+  const Ending reached = reached_limit(work);
+  if (reached == Ending::complete) return false;
+  Ending expected = Ending::complete;  // another thread may have been first
+  ending_.compare_exchange_strong(expected, reached);
+  return true;
+}
+
+Ending BudgetMeter::reached_limit(std::int64_t work) {
+  using Clock = std::chrono::steady_clock;
+  const std::int64_t all = work_.fetch_add(work, std::memory_order_relaxed) + work;
+  if (budget_.part_of != nullptr && budget_.part_of->ended(work)) return budget_.part_of->ending();
+  if (budget_.cancelled && budget_.cancelled()) return Ending::cancelled;
+  if (budget_.max_work && all > *budget_.max_work) return Ending::work_limit;
+  const bool late = deadline_ != Clock::time_point::max() && Clock::now() >= deadline_;
+  return late ? Ending::time_limit : Ending::complete;
+}
+
+std::string ended_by(Ending ending) {
+  switch (ending) {
+    case Ending::time_limit:
+      return "the time limit ended the search";
+    case Ending::work_limit:
+      return "the limit of work ended the search";
+    default:
+      return "the search was cancelled";
+  }
+}
+
+std::string how_to_continue(Ending ending) {
+  switch (ending) {
+    case Ending::time_limit:
+      return "; allow more time";
+    case Ending::work_limit:
+      return "; allow more work";
+    default:
+      return "";
+  }
+}
+
+}  // namespace internal
+}  // namespace beeline

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+
+#include <beeline/budget.h>
+
+namespace beeline::internal {
+
+/// The budget of one computation, with what it has spent. Functions that search take it by
+/// reference and ask ended() at intervals of less than a millisecond.
+class BudgetMeter {
+ public:
+  /// Starts the clock. Keeps a reference to the budget. Throws Error for a limit below zero.
+  explicit BudgetMeter(const Budget& budget);
+  BudgetMeter(const BudgetMeter&) = delete;
+  BudgetMeter& operator=(const BudgetMeter&) = delete;
+
+  /// Adds to the work done and returns whether the computation must end, from now on. Several
+  /// threads may call it. Costs one comparison without limits.
+  bool ended(std::int64_t work = 1) { return limited_ && exceeded(work); }
+
+  /// Why ended() has returned true; complete if it has not.
+  Ending ending() const { return ending_.load(std::memory_order_relaxed); }
+  bool complete() const { return ending() == Ending::complete; }
+
+  /// The budget of a part of the computation: what is left of this one.
+  Budget part() { return {.part_of = this}; }
+
+  /// Reports the fraction computed.
+  void report(double fraction) const {
+    if (budget_.progress) budget_.progress(fraction);
+  }
+  bool reports() const { return static_cast<bool>(budget_.progress); }
+
+ private:
+  bool exceeded(std::int64_t work);
+  Ending reached_limit(std::int64_t work);
+
+  const Budget& budget_;
+  bool limited_ = false;
+  std::atomic<Ending> ending_ = Ending::complete;
+  std::atomic<std::int64_t> work_ = 0;
+  std::chrono::steady_clock::time_point deadline_ = std::chrono::steady_clock::time_point::max();
+};
+
+/// Where a budget is optional.
+inline bool ended(BudgetMeter* budget, std::int64_t work = 1) {
+  return budget != nullptr && budget->ended(work);
+}
+
+/// The budget of a part of a computation whose budget is optional.
+inline Budget part_of(BudgetMeter* budget) { return {.part_of = budget}; }
+
+/// "the time limit ended the search".
+std::string ended_by(Ending ending);
+
+/// "; allow more time", the end of a reason; empty for a search that was cancelled.
+std::string how_to_continue(Ending ending);
+
+/// The enumerator of a status with the name of an ending that is not complete.
+template <class Status>
+Status status_of(Ending ending) {
+  return ending == Ending::time_limit  ? Status::time_limit
+         : ending == Ending::cancelled ? Status::cancelled
+                                       : Status::work_limit;
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,38 @@
+#include "budget_argument.h"
+
+#include <algorithm>
+
+#include "command/interrupt.h"
+
+Option BudgetArgument::time_limit_option() {
+  return {.name = "--time-limit",
+          .value = "SECONDS",
+          .help =
+              "End after this time, as Ctrl-C does, with exit code 1, the status time_limit and "
+              "what has been found so far. Default: no limit.",
+          .target = &time_limit_,
+          .range = zero_or_more};
+}
+
+std::vector<Option> BudgetArgument::options() {
+  return {time_limit_option(),
+          {.name = "--max-work",
+           .value = "N",
+           .help = "End after N iterations, configurations and samples in all, with the status "
+                   "work_limit; the answer is the same on every machine. Default: no limit.",
+           .target = &max_work_}};
+}
+
+beeline::Budget BudgetArgument::next() const {
+  using Clock = std::chrono::steady_clock;
+  if (!begin_) {
+    begin_ = Clock::now();
+    catch_interrupt();
+  }
+  beeline::Budget budget{.max_work = max_work_, .cancelled = interrupted};
+  if (time_limit_) {
+    const double spent = std::chrono::duration<double>(Clock::now() - *begin_).count();
+    budget.time_limit = std::max(0.0, *time_limit_ - spent);
+  }
+  return budget;
+}

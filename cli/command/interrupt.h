@@ -1,0 +1,7 @@
+#pragma once
+
+/// From now on the first interrupt (Ctrl-C) does not end the process: interrupted() reports it, so
+/// that a computation can end with what it has found. A second one ends the process.
+void catch_interrupt();
+
+bool interrupted();
