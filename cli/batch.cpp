@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <beeline/error.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/record/number_rows.h>
 
@@ -49,16 +50,18 @@ BatchReport process(const BatchArguments& arguments, const BatchWork& work) {
     reader.read(block, report.bad);
     if (block.positions.empty()) break;
     work.step(reader.form(), block, results, report.counts, report.bad);
+    if (report.counts.ending != Ending::complete) break;
     writer.write(results);
     report.rows += results.cols();
     if (const auto fraction = reader.fraction_read()) progress.show(*fraction);
   }
   // A .npy file states that its array has no rows; a .csv file without rows was cut off.
-  const bool nothing = report.rows == 0 && report.bad.count == 0;
+  const bool complete = report.counts.ending == Ending::complete;
+  const bool nothing = complete && report.rows == 0 && report.bad.count == 0;
   if (nothing && internal::extension(arguments.in) != "npy") {
     throw FileError(reader.path(), 0, "has a header but no rows below it");
   }
-  writer.commit();
+  if (complete) writer.commit();
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }
@@ -86,13 +89,15 @@ std::string batch_text(const BatchArguments& arguments, const std::string& kind,
                                  counted(report.rows, "row"), report.seconds, report.rate());
   if (kind == "jacobian") text += fmt::format("frame         {}\n", arguments.jacobian.frame);
   if (kind == "ik") text += fmt::format("solved        {}\n", report.counts.solved);
-  if (arguments.out != "-") text += fmt::format("rows          {}\n", arguments.out);
+  if (arguments.out != "-" && report.counts.ending == Ending::complete)
+    text += fmt::format("rows          {}\n", arguments.out);
   return text;
 }
 
 Json batch_document(const BatchArguments& arguments, const std::string& kind, const Arm& arm,
                     const BatchWork& work, const BatchReport& report) {
-  Json document{{"arm", arm.name()},
+  Json document{{"status", name(report.counts.ending)},
+                {"arm", arm.name()},
                 {"rows", report.rows},
                 {"bad_rows", report.bad.count},
                 {"seconds", report.seconds},
@@ -107,6 +112,13 @@ Json batch_document(const BatchArguments& arguments, const std::string& kind, co
   document.add("columns", work.columns);
   document.add("out", arguments.out);
   return document;
+}
+
+std::string ended_reason(const BatchReport& report, bool rows_on_stdout) {
+  const Ending ending = report.counts.ending;
+  return fmt::format("{} after {}{}{}", internal::ended_by(ending), counted(report.rows, "row"),
+                     rows_on_stdout ? "" : "; no file is written",
+                     internal::how_to_continue(ending));
 }
 
 using MakeWork = BatchWork (*)(const BatchArguments&, const Arm&);
@@ -124,12 +136,14 @@ Answer batch(const BatchArguments& arguments, const std::string& kind, MakeWork 
   const BatchReport report = process(arguments, work);
   warn_of_rows(arguments, report);
   const std::int64_t unsolved = report.rows - report.counts.solved;
+  const bool complete = report.counts.ending == Ending::complete;
   return {.text = batch_text(arguments, kind, arm, report),
           .document = batch_document(arguments, kind, arm, work, report),
           .units = kind == "jacobian" ? Json{{"rows", jacobian_units}} : Json(),
-          .yes = kind != "ik" || unsolved == 0,
-          .reason = fmt::format("{} of {} poses without a solution: their rows are nan", unsolved,
-                                report.rows),
+          .yes = complete && (kind != "ik" || unsolved == 0),
+          .reason = complete ? fmt::format("{} of {} poses without a solution: their rows are nan",
+                                           unsolved, report.rows)
+                             : ended_reason(report, rows_on_stdout),
           .text_on_stderr = rows_on_stdout};
 }
 
@@ -174,6 +188,7 @@ Verb common(BatchArguments& arguments, const char* name, const char* rows,
          .help = "Leave bad rows out and count them. By default a bad row ends the run with an "
                  "error and no file is written.",
          .target = &arguments.skip_bad}},
+       {arguments.budget.time_limit_option()},
        arguments.arm.options()});
   verb.json = &arguments.json;
   verb.run = [&arguments, name, make_work] { return batch(arguments, name, make_work); };

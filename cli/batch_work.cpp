@@ -150,12 +150,16 @@ BatchWork forward_work(const BatchArguments& arguments, const Arm& arm) {
   const PoseLayout layout = layout_named(arguments.layout);
   const bool matrix = layout == PoseLayout::matrix;
   const BatchOptions options{.layout = layout, .threads = arguments.threads};
-  const auto step = [&arm, options, matrix, rows = Configurations(arguments, arm)](
+  const auto step = [&arm, &arguments, options, matrix, rows = Configurations(arguments, arm)](
                         std::size_t, RowBlock& block, Eigen::MatrixXd& results, BatchCounts& counts,
                         BadRows& bad) {
     rows.convert(block, counts);
     results.resize(size(options.layout), block.count());
-    batch_forward<double>(arm, block.numbers.leftCols(block.count()), results, options);
+    BatchOptions limited = options;
+    limited.budget = arguments.budget.next();
+    counts.ending =
+        batch_forward<double>(arm, block.numbers.leftCols(block.count()), results, limited).ending;
+    if (counts.ending != Ending::complete) return;
     rows.check(block, results, bad);
     if (!matrix) return;
     for (auto pose : results.colwise()) {  // the matrix row by row
@@ -179,13 +183,18 @@ BatchWork jacobian_work(const BatchArguments& arguments, const Arm& arm) {
     for (int k = 0; k < arm.dof(); ++k) source.push_back(6 * k + row);
   }
   const BatchOptions options{.frame = task.frame, .threads = arguments.threads};
-  work.step = [&arm, options, source, rows = Configurations(arguments, arm),
+  work.step = [&arm, &arguments, options, source, rows = Configurations(arguments, arm),
                whole = Eigen::MatrixXd()](std::size_t, RowBlock& block, Eigen::MatrixXd& results,
                                           BatchCounts& counts, BadRows& bad) mutable {
     rows.convert(block, counts);
     whole.resize(6 * arm.dof(), block.count());
     Eigen::MatrixXd no_poses(size(options.layout), 0);
-    batch_jacobian<double>(arm, block.numbers.leftCols(block.count()), whole, no_poses, options);
+    BatchOptions limited = options;
+    limited.budget = arguments.budget.next();
+    counts.ending =
+        batch_jacobian<double>(arm, block.numbers.leftCols(block.count()), whole, no_poses, limited)
+            .ending;
+    if (counts.ending != Ending::complete) return;
     rows.check(block, whole, bad);
     results = whole(source, Eigen::all);
   };
@@ -211,8 +220,12 @@ BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
                                           BadRows& bad) mutable {
     read_goals(arguments, arm, world_T_work, forms[form], block, goals, counts, bad);
     results.resize(arm.dof(), block.count());
-    counts.solved += batch_inverse(arm, goals.leftCols(block.count()), seed, results, options,
-                                   {.threads = arguments.threads});
+    const BatchResult result =
+        batch_inverse(arm, goals.leftCols(block.count()), seed, results, options,
+                      {.threads = arguments.threads, .budget = arguments.budget.next()});
+    counts.ending = result.ending;
+    if (counts.ending != Ending::complete) return;
+    counts.solved += result.solved;
     if (!arguments.unit.degrees) return;
     for (auto q : results.colwise()) q = arguments.unit.shown(arm, Configuration(q));
   };

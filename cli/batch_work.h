@@ -17,6 +17,7 @@ struct BatchArguments {
   std::string layout = "matrix";  ///< of fk
   JacobianArgument jacobian;      ///< of jacobian
   InverseArgument inverse;        ///< of ik
+  BudgetArgument budget;
   int threads = 0;
   bool single = false, skip_bad = false, json = false;
 
@@ -30,6 +31,7 @@ struct BatchCounts {
   std::int64_t solved = 0;          ///< poses
   double large_angle = 0;           ///< the first beyond a revolution, in the unit of the input
   std::int64_t large_angle_row = 0;
+  beeline::Ending ending = beeline::Ending::complete;  ///< of the last block
 
   /// Notes the first row with an angle of more than 2 pi.
   template <class Angles>

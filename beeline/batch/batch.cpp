@@ -7,6 +7,7 @@
 #include <beeline/batch/batch.h>
 #include <beeline/batch/internal/kernel.h>
 #include <beeline/batch/internal/parallel.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/pose/orientation.h>
 
 #include <hwy/aligned_allocator.h>
@@ -107,9 +108,27 @@ void compute_buffered(BatchJob<Real>& job, const ConstColumnsRef<Real>& q,
   }
 }
 
+/// The state of a batch whose threads may end it.
+class Counts {
+ public:
+  explicit Counts(const Budget& budget) : budget_(budget) {}
+
+  internal::BudgetMeter& budget() { return budget_; }
+  void add(Eigen::Index computed, Eigen::Index solved) {
+    computed_ += computed;
+    solved_ += solved;
+  }
+  BatchResult result() const { return {budget_.ending(), computed_, solved_}; }
+
+ private:
+  internal::BudgetMeter budget_;
+  std::atomic<Eigen::Index> computed_ = 0, solved_ = 0;
+};
+
 template <class Real>
-void run(const Arm& arm, const ConstColumnsRef<Real>& q, const Outputs<Real>& outputs,
-         const BatchOptions& options) {
+BatchResult run(const Arm& arm, const ConstColumnsRef<Real>& q, const Outputs<Real>& outputs,
+                const BatchOptions& options) {
+  constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
   check_rows(arm, "q", q, arm.dof());
   double bytes = 0;
   bool contiguous = q.outerStride() == q.rows();
@@ -125,7 +144,15 @@ void run(const Arm& arm, const ConstColumnsRef<Real>& q, const Outputs<Real>& ou
   all.write = bytes > cached_bytes ? BatchWrite::past_caches
               : bytes > near_bytes ? BatchWrite::by_lines
                                    : BatchWrite::directly;
+  Counts counts(options.budget);
   in_parallel(q.cols(), block, options.threads, [&](Eigen::Index first, Eigen::Index last) {
+    if (counts.budget().ended(last - first)) {
+      for (const Output<Real>& output : outputs) {
+        output.matrix->middleCols(first, last - first).setConstant(unknown);
+      }
+      return;
+    }
+    counts.add(last - first, 0);
     BatchJob<Real> job = all;
     const Buffer<Real> work = allocated<Real>(batch_work_size(plan));
     job.work = work.get();
@@ -134,6 +161,7 @@ void run(const Arm& arm, const ConstColumnsRef<Real>& q, const Outputs<Real>& ou
     if (whole != first) compute(job, q, outputs, first, whole);
     if (whole != last) compute_buffered(job, q, outputs, whole, last);
   });
+  return counts.result();
 }
 
 Pose pose_of(const double* number, PoseLayout layout) {
@@ -151,57 +179,57 @@ Pose pose_of(const double* number, PoseLayout layout) {
 int size(PoseLayout layout) { return layout == PoseLayout::matrix ? 16 : 7; }
 
 template <class Real>
-void batch_forward(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> world_T_tool,
-                   const BatchOptions& options) {
+BatchResult batch_forward(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> world_T_tool,
+                          const BatchOptions& options) {
   check_shape(arm, "world_T_tool", world_T_tool, size(options.layout), q.cols());
-  run<Real>(arm, q, {{&BatchJob<Real>::world_T_tool, &world_T_tool}}, options);
+  return run<Real>(arm, q, {{&BatchJob<Real>::world_T_tool, &world_T_tool}}, options);
 }
 
 template <class Real>
-void batch_link_poses(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> world_T_link,
-                      const BatchOptions& options) {
+BatchResult batch_link_poses(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> world_T_link,
+                             const BatchOptions& options) {
   const Eigen::Index poses = static_cast<Eigen::Index>(arm.joints().size()) + 1;
   check_shape(arm, "world_T_link", world_T_link, poses * size(options.layout), q.cols());
-  run<Real>(arm, q, {{&BatchJob<Real>::world_T_link, &world_T_link}}, options);
+  return run<Real>(arm, q, {{&BatchJob<Real>::world_T_link, &world_T_link}}, options);
 }
 
 template <class Real>
-void batch_jacobian(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> jacobians,
-                    ColumnsRef<Real> world_T_tool, const BatchOptions& options) {
+BatchResult batch_jacobian(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> jacobians,
+                           ColumnsRef<Real> world_T_tool, const BatchOptions& options) {
   check_shape(arm, "jacobians", jacobians, 6 * arm.dof(), q.cols());
   Outputs<Real> outputs{{&BatchJob<Real>::columns, &jacobians}};
   if (world_T_tool.cols() != 0) {
     check_shape(arm, "world_T_tool", world_T_tool, size(options.layout), q.cols());
     outputs.push_back({&BatchJob<Real>::world_T_tool, &world_T_tool});
   }
-  run<Real>(arm, q, outputs, options);
+  return run<Real>(arm, q, outputs, options);
 }
 
 template <class Real>
-void batch_manipulability(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> values,
-                          const BatchOptions& options) {
+BatchResult batch_manipulability(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> values,
+                                 const BatchOptions& options) {
   check_shape(arm, "values", values, 1, q.cols());
   BatchOptions in_base = options;
   in_base.frame = Frame::base;  // there the axes of planar arms are exact
-  run<Real>(arm, q, {{&BatchJob<Real>::manipulability, &values}}, in_base);
+  return run<Real>(arm, q, {{&BatchJob<Real>::manipulability, &values}}, in_base);
 }
 
-#define BEELINE_BATCH(REAL)                                                                     \
-  template void batch_forward<REAL>(const Arm&, ConstColumnsRef<REAL>, ColumnsRef<REAL>,        \
-                                    const BatchOptions&);                                       \
-  template void batch_link_poses<REAL>(const Arm&, ConstColumnsRef<REAL>, ColumnsRef<REAL>,     \
-                                       const BatchOptions&);                                    \
-  template void batch_jacobian<REAL>(const Arm&, ConstColumnsRef<REAL>, ColumnsRef<REAL>,       \
-                                     ColumnsRef<REAL>, const BatchOptions&);                    \
-  template void batch_manipulability<REAL>(const Arm&, ConstColumnsRef<REAL>, ColumnsRef<REAL>, \
-                                           const BatchOptions&);
+#define BEELINE_BATCH(REAL)                                                                        \
+  template BatchResult batch_forward<REAL>(const Arm&, ConstColumnsRef<REAL>, ColumnsRef<REAL>,    \
+                                           const BatchOptions&);                                   \
+  template BatchResult batch_link_poses<REAL>(const Arm&, ConstColumnsRef<REAL>, ColumnsRef<REAL>, \
+                                              const BatchOptions&);                                \
+  template BatchResult batch_jacobian<REAL>(const Arm&, ConstColumnsRef<REAL>, ColumnsRef<REAL>,   \
+                                            ColumnsRef<REAL>, const BatchOptions&);                \
+  template BatchResult batch_manipulability<REAL>(const Arm&, ConstColumnsRef<REAL>,               \
+                                                  ColumnsRef<REAL>, const BatchOptions&);
 BEELINE_BATCH(double)
 BEELINE_BATCH(float)
 #undef BEELINE_BATCH
 
-Eigen::Index batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
-                           ConstColumnsRef<double> seeds, ColumnsRef<double> q,
-                           const InverseOptions& inverse, const BatchOptions& options) {
+BatchResult batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
+                          ConstColumnsRef<double> seeds, ColumnsRef<double> q,
+                          const InverseOptions& inverse, const BatchOptions& options) {
   const Eigen::Index count = world_T_tool.cols();
   check_rows(arm, "world_T_tool", world_T_tool, size(options.layout));
   check_shape(arm, "q", q, arm.dof(), count);
@@ -211,24 +239,30 @@ Eigen::Index batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
   InverseOptions one = inverse;
   one.all = false;
   one.every_turn = false;
+  Counts counts(options.budget);
+  one.budget.part_of = &counts.budget();
   const InverseSolver original(arm, one);
   tbb::enumerable_thread_specific<InverseSolver> solvers(original);
-  std::atomic<Eigen::Index> solved = 0;
   constexpr Eigen::Index block = 32;
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   in_parallel(count, block, options.threads, [&](Eigen::Index first, Eigen::Index last) {
     InverseSolver& solver = solvers.local();
     Eigen::MatrixXd solution(arm.dof(), 1);
     for (Eigen::Index i = first; i < last; ++i) {
+      if (counts.budget().ended()) {
+        q.middleCols(i, last - i).setConstant(unknown);
+        return;
+      }
       const auto seed = seeds.col(seeds.cols() == 1 ? 0 : i);
       const double* pose = world_T_tool.data() + i * world_T_tool.outerStride();
       const bool finite = world_T_tool.col(i).allFinite() && seed.allFinite();
       const int found = finite ? solver.solve(pose_of(pose, options.layout), seed, solution) : 0;
-      if (found == 0) solution.setConstant(std::numeric_limits<double>::quiet_NaN());
+      if (found == 0) solution.setConstant(unknown);
       q.col(i) = solution;
-      if (found != 0) ++solved;
+      if (found != 0 || counts.budget().complete()) counts.add(1, found);
     }
   });
-  return solved;
+  return counts.result();
 }
 
 }  // namespace beeline

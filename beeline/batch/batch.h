@@ -1,5 +1,6 @@
 #pragma once
 
+#include <beeline/budget.h>
 #include <beeline/error.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/jacobian.h>
@@ -18,6 +19,16 @@ struct BatchOptions {
   PoseLayout layout = PoseLayout::matrix;
   Frame frame = Frame::base;  ///< of Jacobians
   int threads = 0;            ///< 0: one for each core. The results do not depend on it.
+  /// Of the whole batch. A unit of its work is one column. Which columns are computed before it
+  /// ends depends on the threads.
+  Budget budget = {};
+};
+
+/// What a batch has computed. Columns that it did not come to, as its budget ended, are NaN.
+struct BatchResult {
+  Ending ending = Ending::complete;
+  Eigen::Index computed = 0;  ///< columns
+  Eigen::Index solved = 0;    ///< those with a solution, of batch_inverse()
 };
 
 // Kinematics of N configurations, one in each column of q: dof x N, rad and m. A row-major numpy
@@ -33,31 +44,31 @@ using ConstColumnsRef = Eigen::Ref<const Eigen::Matrix<Real, Eigen::Dynamic, Eig
 
 /// Computes the poses of the tool, size(layout) x N.
 template <class Real>
-void batch_forward(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> world_T_tool,
-                   const BatchOptions& options = {});
+BatchResult batch_forward(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> world_T_tool,
+                          const BatchOptions& options = {});
 
 /// Computes the poses of links 0 to n, one below the other: (n + 1) size(layout) x N.
 template <class Real>
-void batch_link_poses(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> world_T_link,
-                      const BatchOptions& options = {});
+BatchResult batch_link_poses(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> world_T_link,
+                             const BatchOptions& options = {});
 
 /// Computes the Jacobians, column by column, 6 dof x N; and the poses of the tool, unless
 /// `world_T_tool` has no columns.
 template <class Real>
-void batch_jacobian(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> jacobians,
-                    ColumnsRef<Real> world_T_tool, const BatchOptions& options = {});
+BatchResult batch_jacobian(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> jacobians,
+                           ColumnsRef<Real> world_T_tool, const BatchOptions& options = {});
 
 /// Computes the manipulability sqrt(det(J J^T)) of all six rows of the Jacobian, as
 /// manipulability_measures() does: 1 x N.
 template <class Real>
-void batch_manipulability(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> values,
-                          const BatchOptions& options = {});
+BatchResult batch_manipulability(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> values,
+                                 const BatchOptions& options = {});
 
 /// Computes one solution for each pose: `world_T_tool` is size(layout) x N, `q` dof x N, `seeds`
-/// dof x N, or dof x 1 for all. Where no solution is found the column of q is NaN. Returns the
-/// number of solutions. `inverse.all` and `inverse.every_turn` are ignored.
-Eigen::Index batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
-                           ConstColumnsRef<double> seeds, ColumnsRef<double> q,
-                           const InverseOptions& inverse = {}, const BatchOptions& options = {});
+/// dof x N, or dof x 1 for all. Where no solution is found the column of q is NaN. `inverse.all`
+/// and `inverse.every_turn` are ignored; `inverse.budget` is that of each pose.
+BatchResult batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
+                          ConstColumnsRef<double> seeds, ColumnsRef<double> q,
+                          const InverseOptions& inverse = {}, const BatchOptions& options = {});
 
 }  // namespace beeline

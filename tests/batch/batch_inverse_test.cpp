@@ -26,7 +26,7 @@ TEST(BatchInverse, IsTheSolversAnswers) {
     poses(3, 60) = std::numeric_limits<double>::quiet_NaN();
 
     MatrixXd q(arm.dof(), count), one = MatrixXd::Zero(arm.dof(), 1);
-    const Eigen::Index solved = batch_inverse(arm, poses, seeds, q, {}, {.threads = 2});
+    const Eigen::Index solved = batch_inverse(arm, poses, seeds, q, {}, {.threads = 2}).solved;
     InverseSolver solver(arm);
     Eigen::Index expected = 0;
     for (Eigen::Index i = 0; i < count; ++i) {
@@ -45,7 +45,7 @@ TEST(BatchInverse, IsTheSolversAnswers) {
 
     MatrixXd again(arm.dof(), count);
     for (const int threads : {1, 3}) {
-      EXPECT_EQ(batch_inverse(arm, poses, seeds, again, {}, {.threads = threads}), solved);
+      EXPECT_EQ(batch_inverse(arm, poses, seeds, again, {}, {.threads = threads}).solved, solved);
       EXPECT_TRUE(
           (again.array() == q.array() || (again.array().isNaN() && q.array().isNaN())).all());
     }
@@ -59,7 +59,7 @@ TEST(BatchInverse, TakesQuaternionsAndOneSeedForAll) {
   for (Eigen::Index i = 0; i < 40; ++i) goal.col(i) = random.configuration(arm);
   const BatchOptions options{.layout = PoseLayout::position_quaternion};
   batch_forward<double>(arm, goal, poses, options);
-  EXPECT_EQ(batch_inverse(arm, poses, goal.col(0), q, {}, options), 40);
+  EXPECT_EQ(batch_inverse(arm, poses, goal.col(0), q, {}, options).solved, 40);
   batch_forward<double>(arm, q, reached, options);
   for (Eigen::Index i = 0; i < 40; ++i) {
     const double sign = reached.col(i).tail<4>().dot(poses.col(i).tail<4>()) < 0 ? -1 : 1;

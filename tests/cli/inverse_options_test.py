@@ -28,6 +28,8 @@ def test_a_time_limit_ends_a_search(ik, pose_at):
     endless = ("--method", "numerical", "--all", "--max-restarts", "2000000000")
     answer = ik("ur5", pose, *endless, "--time-limit", "0.05")
     assert answer["restarts"] < 2000000000
+    assert answer["status"] == "time_limit" and not answer["complete"]
+    assert "the time limit ended the search" in answer["reason"]
     assert ik("ur5", pose, "--time-limit", "3600") == ik("ur5", pose)
 
 
@@ -132,7 +134,8 @@ def test_the_same_seed_gives_the_same_answer(beeline):
     ("--method", ["fast", "closed-form", "1"]),
     ("--redundancy", ["centered", "0"]),
     ("--grid", ["0", "1", "-4", "nan", "many", "2.5", "99999999999"]),
-    ("--time-limit", ["0", "-1", "nan", "soon"]),
+    ("--time-limit", ["-1", "nan", "soon"]),
+    ("--max-work", ["-1", "nan", "1.5", "99999999999999999999"]),
     ("--max-restarts", ["-1", "nan", "1.5", "99999999999"]),
     ("--max-iterations", ["-1", "ten", "99999999999999999999"]),
     ("--random-seed", ["-1", "1.5", "nan", "18446744073709551616", "99999999999999999999999"]),

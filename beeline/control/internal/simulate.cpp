@@ -58,6 +58,12 @@ bool stop(ControlledMotion& motion, MotionStatus status, const std::string& reas
   return false;
 }
 
+bool stop_by_budget(ControlledMotion& motion, Ending ending) {
+  return stop(motion, status_of<MotionStatus>(ending),
+              ended_by(ending) + " after " + std::to_string(motion.steps) +
+                  " steps, with an error of " + number(motion.error) + how_to_continue(ending));
+}
+
 void append(ControlledMotion& motion, const Configuration& q, double time_step) {
   motion.trajectory.times.push_back(++motion.steps * time_step);
   motion.trajectory.positions.push_back(q);
@@ -98,12 +104,7 @@ bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& op
   bool stuck = false;
   int since_reversal = recent;
   while (true) {
-    if (budget.ended()) {
-      return stop(motion, status_of<MotionStatus>(budget.ending()),
-                  ended_by(budget.ending()) + " after " + std::to_string(motion.steps) +
-                      " steps, with an error of " + number(motion.error) +
-                      how_to_continue(budget.ending()));
-    }
+    if (budget.ended()) return stop_by_budget(motion, budget.ending());
     const Configuration step = law.step(q);
     if (!step.allFinite()) {
       return stop(motion, MotionStatus::not_converged, "the step of the controller is not finite");
