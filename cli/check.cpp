@@ -13,6 +13,7 @@
 #include "input_files.h"
 #include "motion_report.h"
 #include "path_argument.h"
+#include "program_argument.h"
 #include "result_files.h"
 #include "verbs.h"
 
@@ -38,7 +39,9 @@ void write_check_plot(const CheckArguments& arguments, const Arm& arm, const Tra
   const Deviation tolerance{options.tolerance, options.orientation_tolerance};
   const FollowedPath path{verification.path, verification.path_parameters, *options.task,
                           tolerance};
-  const Drawing drawing = timing_figure(arm, trajectory, {.path = path});
+  const bool along_path = !path.path.segments.empty();  // a program's joint moves have none
+  const Drawing drawing =
+      timing_figure(arm, trajectory, {.path = along_path ? std::optional(path) : std::nullopt});
   internal::write_file(arguments.plot, render(drawing, format_of(arguments.plot)));
 }
 
@@ -63,18 +66,42 @@ Json check_document(const CheckArguments& arguments, const Arm& arm, const Traje
 
 std::string check_text(const CheckArguments& arguments, const Arm& arm,
                        const Trajectory& trajectory, const Verification& verification,
-                       std::size_t waypoints) {
+                       const std::string& waypoints) {
   const bool passed = verification.fault == Fault::none;
   std::string text = fmt::format("{}: {} in {} s through {}\n", passed ? "passed" : "failed",
                                  counted(static_cast<std::int64_t>(trajectory.size()), "sample"),
-                                 shown(trajectory.times.back()),
-                                 counted(static_cast<std::int64_t>(waypoints), "waypoint"));
+                                 shown(trajectory.times.back()), waypoints);
   text += passed
               ? deviation_text(verification.deviation, trajectory.interpolation(), arguments.unit)
               : fmt::format("fault         {}\n", name(verification.fault));
   text += limits_text(limit_usage(arm, trajectory));
   if (!arguments.plot.empty()) text += fmt::format("plot          {}\n", arguments.plot);
   return text;
+}
+
+/// What a file is checked against.
+struct CheckedMotion {
+  Verification verification;
+  std::size_t waypoints = 0;
+  bool program = false;
+};
+
+CheckedMotion check_through(const CheckArguments& arguments, const Arm& arm,
+                            const Trajectory& trajectory, const VerifyOptions& options) {
+  const std::string text = internal::read_file(arguments.through);
+  if (is_program(text)) {
+    const Program program = program_from(
+        text, arguments.through, arm,
+        {arguments.arm, arguments.task, arguments.work, arguments.unit}, arguments.path, false);
+    const Verification verification = at_rows(
+        program, arguments.through, [&] { return verify(arm, trajectory, program, options); });
+    return {verification, program.moves.size(), true};
+  }
+  const PoseList waypoints =
+      waypoints_from(text, arguments.through, arm, arguments.task, arguments.work, arguments.unit);
+  const Pose begin = forward_kinematics(arm, trajectory.positions.front());
+  const Route route = arguments.path.from(begin, waypoints.poses, *options.task);
+  return {verify(arm, trajectory, route, options), waypoints.poses.size(), false};
 }
 
 Answer check_file(const CheckArguments& arguments) {
@@ -85,16 +112,15 @@ Answer check_file(const CheckArguments& arguments) {
   }
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   const Trajectory trajectory = read_recording(arguments.file, arm);
-  const PoseList waypoints =
-      read_waypoints(arguments.through, arm, arguments.task, arguments.work, arguments.unit);
   VerifyOptions options = arguments.verify;
   options.task = arguments.task.read(arm);
   if (trajectory.size() == 0) throw FileError(arguments.file, 0, "has no samples");
-  const Pose begin = forward_kinematics(arm, trajectory.positions.front());
-  const Route route = arguments.path.from(begin, waypoints.poses, *options.task);
-  const Verification verification = verify(arm, trajectory, route, options);
+  const auto [verification, waypoints, program] =
+      check_through(arguments, arm, trajectory, options);
   if (!arguments.plot.empty()) write_check_plot(arguments, arm, trajectory, verification, options);
-  return {.text = check_text(arguments, arm, trajectory, verification, waypoints.poses.size()),
+  return {.text = check_text(
+              arguments, arm, trajectory, verification,
+              counted(static_cast<std::int64_t>(waypoints), program ? "move" : "waypoint")),
           .document = check_document(arguments, arm, trajectory, verification),
           .yes = verification.fault == Fault::none,
           .reason = verification.reason};

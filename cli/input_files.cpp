@@ -45,10 +45,11 @@ Trajectory read_recording(const std::string& path, const Arm& arm) {
   return checked_for_arm(path, arm, read_trajectory(path));
 }
 
-PoseList read_waypoints(const std::string& path, const Arm& arm, const TaskArgument& task,
-                        const WorkArgument& work, const UnitArgument& unit) {
+PoseList waypoints_from(const std::string& text, const std::string& path, const Arm& arm,
+                        const TaskArgument& task, const WorkArgument& work,
+                        const UnitArgument& unit) {
   const WrittenPose world_T_work = work.read(arm, unit);
-  PoseList list = read_poses(path, unit.angle_unit(), triple_of(arm));
+  PoseList list = poses_from_csv(text, path, unit.angle_unit(), triple_of(arm));
   if (!list.has_header)
     warn(path + " has no header; its columns are read as " + listed(list.columns));
   warn_of_angle("--through " + path, list.max_angle, unit);
@@ -72,7 +73,8 @@ Option through_option(std::string help, std::string* target) {
           .help = std::move(help) +
                   " A .csv file with the header x,y,theta (planar arms), x,y,z,roll,pitch,yaw or "
                   "x,y,z,qw,qx,qy,qz, or with --task position x,y,z or x,y, and a pose in each "
-                  "row.",
+                  "row; or a program, whose rows also have motion, relative, q, speed, blend or "
+                  "dwell (see `beeline help line`).",
           .target = target,
           .required = true,
           .completes = Completes::file};

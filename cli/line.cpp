@@ -4,6 +4,8 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/move_along.h>
+#include <beeline/planning/program.h>
+#include <beeline/read/internal/file.h>
 
 #include "arm_argument.h"
 #include "budget_argument.h"
@@ -12,6 +14,7 @@
 #include "line_report.h"
 #include "path_argument.h"
 #include "profile_argument.h"
+#include "program_argument.h"
 #include "verbs.h"
 
 using namespace beeline;
@@ -83,6 +86,29 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
   return report;
 }
 
+LineReport line_by_program(const LineArguments& arguments, const Arm& arm,
+                           const std::optional<Configuration>& start, const Program& program,
+                           const Task& task) {
+  Progress progress;
+  PathMotionOptions options = exact_motion_options(arguments, task);
+  options.budget = arguments.budget.next();
+  options.budget.progress = [&progress](double fraction) { progress.show(fraction); };
+  ProgramMotion motion = at_rows(program, arguments.through,
+                                 [&] { return move_program(arm, start, program, options); });
+  LineReport report;
+  report.status = motion.status;
+  report.reason = std::move(motion.reason);
+  report.trajectory = std::move(motion.trajectory);
+  report.deviation = motion.deviation;
+  report.limits = motion.limits;
+  report.limit_margin = motion.limit_margin;
+  report.inverse_condition = motion.inverse_condition;
+  report.program = program;
+  report.moves = std::move(motion.moves);
+  report.failed = motion.failed;
+  return report;
+}
+
 LineReport line_by_control(const Arm& arm, const Configuration& start,
                            const std::vector<Pose>& waypoints, const CartesianOptions& options) {
   ControlledMotion motion = control_in_lines(arm, start, waypoints, options);
@@ -105,12 +131,14 @@ LineReport line_by_control(const Arm& arm, const Configuration& start,
   return report;
 }
 
+std::optional<Configuration> start_of(const LineArguments& arguments, const Arm& arm) {
+  if (arguments.from.empty()) return std::nullopt;
+  return arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
+}
+
 LineReport line_by_method(const LineArguments& arguments, const Arm& arm,
                           const std::vector<Pose>& waypoints) {
-  std::optional<Configuration> start;
-  if (!arguments.from.empty()) {
-    start = arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
-  }
+  const std::optional<Configuration> start = start_of(arguments, arm);
   const Task task = arguments.task.read(arm);
   if (arguments.method == exact) return line_by_plan(arguments, arm, start, waypoints, task);
   if (!start) throw Error("--method " + arguments.method + " needs --from");
@@ -123,17 +151,38 @@ LineReport line_by_method(const LineArguments& arguments, const Arm& arm,
   return line_by_control(arm, *start, waypoints, options);
 }
 
+/// Plans the poses or the program of a file; `waypoints` becomes the poses for a picture.
+LineReport line_through(const LineArguments& arguments, const Arm& arm,
+                        std::vector<Pose>& waypoints) {
+  const std::string text = internal::read_file(arguments.through);
+  if (!is_program(text)) {
+    waypoints =
+        waypoints_from(text, arguments.through, arm, arguments.task, arguments.work, arguments.unit)
+            .poses;
+    return line_by_method(arguments, arm, waypoints);
+  }
+  if (arguments.method != exact || arguments.branches) {
+    throw Error((arguments.branches ? "--branches" : "--method " + arguments.method) +
+                " is for files of poses; " + arguments.through + " is a program");
+  }
+  const Program program = program_from(
+      text, arguments.through, arm, {arguments.arm, arguments.task, arguments.work, arguments.unit},
+      arguments.path, arguments.from.empty());
+  waypoints = waypoints_of(arm, program);
+  return line_by_program(arguments, arm, start_of(arguments, arm), program,
+                         arguments.task.read(arm));
+}
+
 Answer line(const LineArguments& arguments) {
   arguments.files.check(
       {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits, arguments.through});
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
-  const PoseList waypoints =
-      read_waypoints(arguments.through, arm, arguments.task, arguments.work, arguments.unit);
-  LineReport report = line_by_method(arguments, arm, waypoints.poses);
+  std::vector<Pose> waypoints;
+  LineReport report = line_through(arguments, arm, waypoints);
   report.method = arguments.method;
-  report.waypoints = waypoints.poses.size();
+  report.waypoints = waypoints.size();
   const bool reached = report.status == MotionStatus::reached;
-  if (reached) arguments.files.write(arm, report.trajectory, waypoints.poses, report.path);
+  if (reached) arguments.files.write(arm, report.trajectory, waypoints, report.path);
   return {.text = report_text(arm, report, arguments.unit, arguments.files),
           .document = report_document(arm, report, arguments.unit, arguments.files),
           .yes = reached,

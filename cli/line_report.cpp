@@ -25,17 +25,69 @@ std::string motion_text(const LineReport& report, const UnitArgument& unit) {
          deviation_text(report.deviation, report.trajectory.interpolation(), unit);
 }
 
+/// The seconds from the end of move i to the next one, or to the end.
+double pause_after(const LineReport& report, std::size_t i) {
+  const auto& t = report.trajectory.times;
+  const bool last = i + 1 == report.moves.size();
+  return (last ? t.back() : t[report.moves[i + 1].begin]) - t[report.moves[i].end];
+}
+
+double duration_of(const LineReport& report, std::size_t i) {
+  const auto& t = report.trajectory.times;
+  return t[report.moves[i].end] - t[report.moves[i].begin];
+}
+
+/// A line for each move.
+std::string moves_text(const LineReport& report, const UnitArgument& unit) {
+  std::string text =
+      fmt::format("moves   motion    seconds     at rest     tool speed      proved deviation\n");
+  for (std::size_t i = 0; i < report.moves.size(); ++i) {
+    const Move& move = report.program.moves[i];
+    const PlannedMove& planned = report.moves[i];
+    std::string bound = "joints move in proportion";
+    if (move.kind != MoveKind::joint) {
+      bound = fmt::format("{:.2e} m   {:.2e} {}", planned.bound.position,
+                          unit.shown(planned.bound.orientation), unit.name());
+    }
+    text += fmt::format("  {:>4}  {:<8}  {:<10}  {:<10}  {:<14}  {}   {}\n", i + 1, name(move.kind),
+                        shown(duration_of(report, i)), shown(pause_after(report, i)),
+                        shown(planned.tool_speed) + " m/s", bound, move.place);
+  }
+  return text;
+}
+
+Json json_moves(const LineReport& report, const UnitArgument& unit) {
+  Json moves = Json::list();
+  for (std::size_t i = 0; i < report.moves.size(); ++i) {
+    const PlannedMove& planned = report.moves[i];
+    moves.append({{"motion", name(report.program.moves[i].kind)},
+                  {"place", report.program.moves[i].place},
+                  {"begin", planned.begin + 1},
+                  {"end", planned.end + 1},
+                  {"duration", duration_of(report, i)},
+                  {"dwell", pause_after(report, i)},
+                  {"tool_speed", planned.tool_speed},
+                  {"deviation_bound", planned.bound.position},
+                  {"orientation_bound", unit.shown(planned.bound.orientation)}});
+  }
+  return moves;
+}
+
 }  // namespace
 
 std::string report_text(const Arm& arm, const LineReport& report, const UnitArgument& unit,
                         const ResultFiles& files) {
+  const std::string noun = report.program.moves.empty() ? "waypoint" : "move";
   std::string text =
       fmt::format("{}: {}, method {}\n", name(report.status),
-                  counted(static_cast<std::int64_t>(report.waypoints), "waypoint"), report.method);
+                  counted(static_cast<std::int64_t>(report.waypoints), noun), report.method);
   for (const NearbyPath& nearby : report.nearby) {
     text += fmt::format("would work    {}\n", nearby.description);
   }
-  if (report.status == MotionStatus::reached) text += motion_text(report, unit) + files.text();
+  if (report.status == MotionStatus::reached) {
+    text += motion_text(report, unit) + (report.moves.empty() ? "" : moves_text(report, unit)) +
+            files.text();
+  }
   if (report.branches) text += branches_text(arm, *report.branches, unit);
   return text;
 }
@@ -50,6 +102,11 @@ Json report_document(const Arm& arm, const LineReport& report, const UnitArgumen
   document.add("duration", reached ? Json(report.trajectory.times.back()) : nullptr);
   document.add("reason", report.reason);
   if (!reached && report.method == "exact") document.add("path_parameter", report.path_parameter);
+  if (!report.moves.empty()) document.add("moves", json_moves(report, unit));
+  if (!reached && report.failed < report.program.moves.size()) {
+    document.add("failed_move", report.failed + 1);
+    document.add("failed_place", report.program.moves[report.failed].place);
+  }
   if (reached && report.method == "exact") {
     document.add("limits", json_limits(report.limits));
     document.add("limit_margin", report.limit_margin);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include <beeline/planning/move_along.h>
+#include <beeline/planning/program.h>
 
 #include "motion_report.h"
 #include "result_files.h"
@@ -23,6 +24,9 @@ struct LineReport {
   int steps = 0;                                              ///< of a controller
   double overshoot = 0;                                       ///< fraction of a line
   std::optional<beeline::FollowedPath> path = std::nullopt;   ///< when reached
+  beeline::Program program = {};                              ///< without moves: poses
+  std::vector<beeline::PlannedMove> moves = {};               ///< of the program, when reached
+  std::size_t failed = 0;                                     ///< its move that is not possible
 };
 
 std::string report_text(const beeline::Arm& arm, const LineReport& report, const UnitArgument& unit,

@@ -30,6 +30,17 @@ double larger_angle(std::span<const double> pose, AngleUnit unit, Triple triple,
   return other;
 }
 
+/// Throws FileError for a header that is not that of a form, whatever its rows are.
+void check_header(std::string_view text, const std::string& path, const std::vector<Names>& forms) {
+  internal::CsvLines lines(text);
+  const internal::CsvRows header(lines, path, forms);
+  try {
+    internal::pose_form_of(header.columns());
+  } catch (const Error& error) {
+    throw FileError(path, header.line(), error.what());
+  }
+}
+
 }  // namespace
 
 double to_radians(double angle, AngleUnit unit) {
@@ -71,8 +82,9 @@ WrittenPose internal::written_pose(std::span<const double> numbers, AngleUnit un
 PoseList poses_from_csv(std::string_view text, const std::string& path, AngleUnit unit,
                         Triple triple) {
   const Names& three = pose_forms()[triple == Triple::planar ? 0 : 3];
-  const internal::CsvTable table =
-      internal::parse_csv(text, path, {three, pose_forms()[1], pose_forms()[2], pose_forms()[4]});
+  const std::vector<Names> forms{three, pose_forms()[1], pose_forms()[2], pose_forms()[4]};
+  check_header(text, path, forms);
+  const internal::CsvTable table = internal::parse_csv(text, path, forms);
   PoseList list{.lines = table.lines, .has_header = table.has_header};
   int line = 0;  // unknown for the header: comments may precede it
   try {

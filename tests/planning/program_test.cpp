@@ -1,5 +1,6 @@
 #include <beeline/planning/program.h>
 
+#include <tests/planning/dense_search.h>
 #include <tests/planning/motion_promises.h>
 
 namespace beeline {
@@ -66,74 +67,89 @@ bool stops_after(const Program& program, std::size_t i) {
   return move.blend == 0 && !(spline && move.dwell == 0);
 }
 
+/// Checks a move between its waypoints: tool speed, and straightness where it is straight.
+void expect_move(const Arm& arm, const Program& program, const ProgramMotion& motion,
+                 std::size_t i) {
+  constexpr int parts = 200;
+  const Trajectory& trajectory = motion.trajectory;
+  const Move& move = program.moves[i];
+  const auto [begin, end, bound, speed, radius] = motion.moves[i];
+  const double start = trajectory.times[begin], dt = (trajectory.times[end] - start) / parts;
+  Configuration before = trajectory.positions[begin];
+  const Line line{forward_kinematics(arm, before),
+                  forward_kinematics(arm, trajectory.positions[end])};
+  const Configuration whole = trajectory.positions[end] - trajectory.positions[begin];
+  for (int k = 1; k <= parts && dt > 0; ++k) {
+    const Configuration q = at_time(trajectory, start + k * dt);
+    const Pose tool = forward_kinematics(arm, q);
+    const Vector3 step = tool.translation() - forward_kinematics(arm, before).translation();
+    ASSERT_LE(step.norm() / dt, speed * (1 + 1e-6) + 1e-9);
+    ASSERT_LE(step.norm() / dt, move.speed.value_or(Limits::none) * (1 + 1e-6));
+    if (move.kind == MoveKind::joint) {  // straight in joint space
+      const Configuration moved = q - trajectory.positions[begin];
+      ASSERT_LE((moved - whole * (moved.dot(whole) / whole.squaredNorm())).norm(), 1e-6);
+    }
+    const bool straight = move.kind == MoveKind::line && move.blend == 0 &&
+                          (i == 0 || program.moves[i - 1].blend == 0);
+    if (straight) {
+      const Deviation off = off_segment(line, tool);
+      ASSERT_LE(off.position, bound.position + 1e-9);
+      ASSERT_LE(off.orientation, bound.orientation + 1e-9);
+    }
+    before = q;
+  }
+}
+
+/// Checks that the arm rests for the dwell after move i.
+void expect_dwell(const Program& program, const ProgramMotion& motion, std::size_t i, double rate) {
+  const Trajectory& trajectory = motion.trajectory;
+  const double dwell = program.moves[i].dwell;
+  const std::size_t end = motion.moves[i].end;
+  const std::size_t next =
+      i + 1 < motion.moves.size() ? motion.moves[i + 1].begin : trajectory.size() - 1;
+  const double rested = trajectory.times[next] - trajectory.times[end];
+  EXPECT_GE(rested, dwell - 2e-9);
+  EXPECT_LE(rested, dwell + (rate > 0 && dwell > 0 ? 1 / rate : 0) + 2e-9);
+  if (rate > 0) {
+    EXPECT_EQ(next - end, std::lround(rested * rate)) << "a sample at every period";
+  }
+  for (const double u : {0.1, 0.5, 0.9}) {
+    if (next == end) break;
+    const Configuration q = at_time(trajectory, trajectory.times[end] + u * rested);
+    EXPECT_LE((q - trajectory.positions[end]).norm(), 1e-12) << "at rest";
+  }
+}
+
 /// Checks waypoints, stops, dwells, lines and tool speeds from outside.
 void expect_program(const Arm& arm, const Program& program, const ProgramMotion& motion,
                     double rate) {
   const Trajectory& trajectory = motion.trajectory;
-  const auto& t = trajectory.times;
   ASSERT_NO_THROW(check_trajectory(trajectory));
   expect_within_limits(arm, trajectory);
   ASSERT_EQ(motion.moves.size(), program.moves.size());
   EXPECT_EQ(motion.moves.front().begin, 0);
   for (std::size_t i = 0; i < program.moves.size(); ++i) {
     const Move& move = program.moves[i];
-    const auto [begin, end, bound, speed, radius] = motion.moves[i];
+    const std::size_t end = motion.moves[i].end;
     SCOPED_TRACE(move_name(program, i));
-    const Pose tool = forward_kinematics(arm, trajectory.positions[end]);
     if (stops_after(program, i) || (move.blend == 0 && rate == 0)) {
+      const Pose tool = forward_kinematics(arm, trajectory.positions[end]);
       const Pose goal = move.q ? forward_kinematics(arm, *move.q) : move.target;
       EXPECT_LE(pose_difference(goal, tool).norm(), 1e-5 * arm.reach().radius);
     }
     if (move.q) {
       EXPECT_LE((trajectory.positions[end] - *move.q).norm(), 1e-12);
     }
-    const std::size_t next = i + 1 < motion.moves.size() ? motion.moves[i + 1].begin : t.size() - 1;
     if (stops_after(program, i)) {
       EXPECT_TRUE(trajectory.velocities[end].isZero(0));
     }
-    const double rested = t[next] - t[end];
-    EXPECT_GE(rested, move.dwell - 2e-9);
-    EXPECT_LE(rested, move.dwell + (rate > 0 && move.dwell > 0 ? 1 / rate : 0) + 2e-9);
-    for (double u : {0.1, 0.5, 0.9}) {
-      if (!(rested > 0)) break;
-      const Configuration q = at_time(trajectory, t[end] + u * rested);
-      EXPECT_LE((q - trajectory.positions[end]).norm(), 1e-12) << "at rest";
-    }
-    if (rate > 0 && move.dwell > 0) {
-      EXPECT_EQ(next - end, std::lround(rested * rate));
-    }
-    constexpr int parts = 200;
-    Configuration before = trajectory.positions[begin];
-    const Pose from = forward_kinematics(arm, before);
-    const Line line{from, tool};
-    for (int k = 1; k <= parts && t[end] > t[begin]; ++k) {
-      const double dt = (t[end] - t[begin]) / parts;
-      const Configuration q = at_time(trajectory, t[begin] + k * dt);
-      const Vector3 step =
-          forward_kinematics(arm, q).translation() - forward_kinematics(arm, before).translation();
-      EXPECT_LE(step.norm() / dt, speed * (1 + 1e-6) + 1e-9);
-      if (move.speed) {
-        EXPECT_LE(step.norm() / dt, *move.speed * (1 + 1e-6));
-      }
-      if (move.kind == MoveKind::joint) {  // straight in joint space
-        const Configuration whole = trajectory.positions[end] - trajectory.positions[begin];
-        const Configuration moved = q - trajectory.positions[begin];
-        EXPECT_LE((moved - whole * (moved.dot(whole) / whole.squaredNorm())).norm(), 1e-6);
-      }
-      const bool straight = move.kind == MoveKind::line && move.blend == 0 &&
-                            (i == 0 || program.moves[i - 1].blend == 0);
-      if (straight) {
-        const Deviation off = off_segment(line, forward_kinematics(arm, q));
-        EXPECT_LE(off.position, bound.position + 1e-9);
-        EXPECT_LE(off.orientation, bound.orientation + 1e-9);
-      }
-      before = q;
-    }
+    expect_dwell(program, motion, i, rate);
+    expect_move(arm, program, motion, i);
   }
   EXPECT_LE(motion.deviation.bound.position, 1e-4);
   EXPECT_LE(motion.deviation.bound.orientation, 1e-4);
-  for (std::size_t k = 0; rate > 0 && k < t.size(); ++k) {
-    ASSERT_EQ(t[k], std::round(double(k) / rate * 1e9) / 1e9);
+  for (std::size_t k = 0; rate > 0 && k < trajectory.size(); ++k) {
+    ASSERT_EQ(trajectory.times[k], std::round(double(k) / rate * 1e9) / 1e9);
   }
 }
 
@@ -176,6 +192,149 @@ TEST(MoveProgram, KeepsItsPromisesOnRandomPrograms) {
   }
   EXPECT_GE(reached, tried / 3);
   std::cout << reached << " of " << tried << " programs are possible\n";
+}
+
+/// A pick of a panda: from above, down, a rest, and back.
+Program pick() {
+  const Pose object = make_pose({0.5, 0.2, 0.15}, so3_exp({pi, 0, 0}));
+  const Pose above = object * make_pose({0, 0, -0.12}, Rotation::Identity());
+  Program program;
+  program.moves = {{.kind = MoveKind::joint, .target = above},
+                   {.target = object, .speed = 0.1, .dwell = 0.3},
+                   {.target = above, .speed = 0.25}};
+  return program;
+}
+
+const Configuration home{{0, -0.785, 0, -2.356, 0, 1.571, 0.785}};
+
+TEST(MoveProgram, ChoosesTheBranchThatTheNextMovesNeed) {
+  const Arm arm = built_in("ur5");
+  Random random;
+  int changed = 0, tried = 0;
+  for (int i = 0; i < cases(40); ++i) {
+    const Line line = random_certified_line(random, arm);
+    Program program;
+    program.moves = {{.kind = MoveKind::joint, .target = line.from}, {.target = line.to}};
+    const Configuration start = random.configuration(arm);
+    const ProgramMotion motion = move_program(arm, start, program);
+    const PathMotion best = move_in_lines(arm, {line.from, line.to});
+    ASSERT_EQ(bool(motion), bool(best)) << motion.reason << " / " << best.reason;
+    if (!motion) continue;
+    ++tried;
+    // Solutions that are reached sooner do not allow the line.
+    const Configuration chosen = motion.trajectory.positions[motion.moves[0].end];
+    const auto distance = [&](const Configuration& q) {
+      return ((q - start).array().abs() / assumed_velocity_limit).maxCoeff();
+    };
+    for (const Configuration& q :
+         inverse_kinematics(arm, line.from, {.seed = start, .all = true, .every_turn = true})
+             .solutions) {
+      if (distance(q) >= distance(chosen) - 1e-9) continue;
+      ++changed;
+      EXPECT_FALSE(move_in_lines(arm, q, {line.to})) << "a nearer branch is possible";
+    }
+  }
+  EXPECT_GT(tried, 5);
+  std::cout << changed << " nearer solutions are not possible, " << tried << " lines\n";
+}
+
+TEST(MoveProgram, ReasonsNameTheMoveAndItsPlace) {
+  const Arm arm = built_in("panda");
+  Program program = pick();
+  for (std::size_t i = 0; i < 3; ++i) {
+    program.moves[i].place = "pick.csv:" + std::to_string(i + 2);
+  }
+  program.moves[2].target.translation().x() = 2;
+  const ProgramMotion far = move_program(arm, home, program);
+  EXPECT_EQ(far.failed, 2);
+  EXPECT_NE(far.reason.find("move 3 (line, pick.csv:4) stops after "), std::string::npos)
+      << far.reason;
+  EXPECT_EQ(far.trajectory.size(), 0);
+  program.moves = {{.kind = MoveKind::joint, .target = program.moves[2].target, .place = "a:7"}};
+  const ProgramMotion joint = move_program(arm, home, program);
+  EXPECT_EQ(joint.status, MotionStatus::unreachable);
+  EXPECT_NE(joint.reason.find("move 1 (joint, a:7): "), std::string::npos) << joint.reason;
+}
+
+TEST(MoveProgram, RefusesWhatNoMoveCanBe) {
+  const Arm arm = built_in("panda");
+  const auto planned = [&](auto change) {
+    Program program = pick();
+    change(program.moves);
+    return move_program(arm, home, program);
+  };
+  using Moves = std::vector<Move>;
+  EXPECT_REFUSED(planned([](Moves& moves) { moves.clear(); }), "needs moves");
+  EXPECT_REFUSED(planned([](Moves& moves) { moves[0].blend = 0.1; }), "move 1 (joint): a blend");
+  EXPECT_REFUSED(planned([](Moves& moves) { moves[1].blend = 0.1; }), "move 2 (line): a dwell");
+  EXPECT_REFUSED(planned([](Moves& moves) { moves[2].blend = 0.1; }), "move 3 (line): a blend");
+  EXPECT_REFUSED(planned([](Moves& moves) { moves[1].dwell = -1; }), "move 2 (line): dwell");
+  EXPECT_REFUSED(planned([](Moves& moves) { moves[1].dwell = NAN; }), "move 2 (line): dwell");
+  EXPECT_REFUSED(planned([](Moves& moves) { moves[1].speed = 0; }), "move 2 (line): speed");
+  EXPECT_REFUSED(planned([](Moves& moves) { moves[1].q = home; }), "only joint moves");
+  EXPECT_REFUSED(planned([](Moves& moves) { moves[1].via = Vector3(1, 0, 0); }), "only arcs");
+  EXPECT_REFUSED(planned([](Moves& moves) { moves[1].kind = MoveKind::arc; }), "needs a via");
+  EXPECT_REFUSED(planned([](Moves& moves) {
+                   moves[1].kind = MoveKind::arc;
+                   moves[1].via = moves[1].target.translation();
+                 }),
+                 "move 2 (arc): the via position");
+  EXPECT_REFUSED(planned([](Moves& moves) { moves[0].q = Configuration::Zero(6); }), "move 1");
+  EXPECT_REFUSED(planned([](Moves& moves) { moves[0].q = Configuration::Constant(7, 9); }),
+                 "move 1 (joint): joint joint1 at 9 rad");
+  Program spline = pick();
+  spline.moves.front().kind = MoveKind::spline;
+  EXPECT_REFUSED(move_program(arm, std::nullopt, spline), "no start is given");
+}
+
+TEST(VerifyProgram, RefusesPlantedFaults) {
+  const Arm arm = built_in("panda");
+  const Program program = pick();
+  const ProgramMotion motion = move_program(arm, home, program);
+  ASSERT_TRUE(motion) << motion.reason;
+  ASSERT_TRUE(verify(arm, motion.trajectory, program));
+  const auto fault = [&](auto change) {
+    Trajectory trajectory = motion.trajectory;
+    Program asked = program;
+    change(trajectory, asked.moves);
+    return verify(arm, trajectory, asked);
+  };
+  using Moves = std::vector<Move>;
+  const std::size_t at = motion.moves[1].end;
+  const Verification shorter = fault([&](Trajectory& moved, Moves&) {
+    for (std::size_t k = at + 1; k < moved.size(); ++k) moved.times[k] -= 0.01;
+  });
+  EXPECT_EQ(shorter.fault, Fault::dwell) << shorter.reason;
+  EXPECT_EQ(shorter.sample, at);
+  EXPECT_NE(shorter.reason.find("0.29 s at the waypoint of move 2 (line), not for 0.3 s"),
+            std::string::npos)
+      << shorter.reason;
+  EXPECT_EQ(fault([](Trajectory&, Moves& moves) { moves[1].speed = 0.0999; }).fault,
+            Fault::tool_speed);
+  EXPECT_EQ(fault([](Trajectory&, Moves& moves) { moves[0].speed = 0.1; }).fault,
+            Fault::tool_speed);
+  EXPECT_EQ(
+      fault([](Trajectory&, Moves& moves) { moves[1].target.translation().y() += 3e-4; }).fault,
+      Fault::not_through);
+  EXPECT_NE(fault([](Trajectory&, Moves& moves) { std::swap(moves[0], moves[1]); }).fault,
+            Fault::none);
+  const std::size_t middle = (motion.moves[1].begin + at) / 2;
+  const Verification off =
+      fault([&](Trajectory& moved, Moves&) { moved.positions[middle][5] += 1e-3; });
+  EXPECT_NE(off.fault, Fault::none);
+  EXPECT_NE(
+      fault([&](Trajectory& moved, Moves&) { moved.positions[moved.size() - 1] = home; }).fault,
+      Fault::none);
+  const Verification cut = fault([&](Trajectory& moved, Moves&) {
+    moved.times.resize(at + 1);
+    moved.positions.resize(at + 1);
+    moved.velocities.resize(at + 1);
+    moved.accelerations.resize(at + 1);
+  });
+  EXPECT_NE(cut.fault, Fault::none);
+  const Verification extra = fault(
+      [&](Trajectory&, Moves& moves) { moves.push_back({.kind = MoveKind::joint, .q = home}); });
+  EXPECT_EQ(extra.fault, Fault::not_through) << extra.reason;
 }
 
 }  // namespace

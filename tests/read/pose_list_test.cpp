@@ -68,7 +68,7 @@ TEST(PoseList, DegreesTouchAnglesOnly) {
 TEST(PoseList, MistakesAreNamed) {
   const auto read = [](const char* text) { return poses_from_csv(text, "a.csv"); };
   const std::string forms = "poses are x,y,theta or x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz";
-  EXPECT_REFUSED(read("x,theta\n1,2\n"), "a.csv: column y is missing; " + forms);
+  EXPECT_REFUSED(read("x,theta\n1,2\n"), "a.csv:1: column y is missing; " + forms);
   EXPECT_REFUSED(read("y\n1\n"), "column x, theta is missing; " + forms);
   EXPECT_REFUSED(read("x,y,z,qw,qx,qz\n1,2,3,1,0,0\n"), "column qy is missing");
   EXPECT_REFUSED(read("x,y,z,roll\n1,2,3,1\n"), "column pitch, yaw is missing");

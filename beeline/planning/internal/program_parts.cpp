@@ -91,12 +91,28 @@ Stretch stretch_through(const Program& program, std::size_t i, std::vector<Pose>
   return stretch;
 }
 
+/// Refuses waypoints that repeat where a path needs different ones. A line alone may stand still.
+void check_distinct(const Program& program, std::size_t i, const std::vector<Pose>& poses) {
+  constexpr double identical = 1e-12;  // metres, radians
+  const Move& move = program.moves[i];
+  if (move.kind == MoveKind::line && poses.size() == 2) return;
+  for (std::size_t k = 1; k < poses.size(); ++k) {
+    if (pose_difference(poses[k], poses[k - 1]).norm() > identical) continue;
+    refuse_move(program, i + k - 1, "the waypoint is the same as the one before it");
+  }
+  for (const Pose& end : poses) {
+    if (!move.via || (end.translation() - *move.via).norm() > identical) continue;
+    refuse_move(program, i, "the via position is the same as that of a waypoint");
+  }
+}
+
 /// Appends the moves from move i up to the next stop, with the tool at `from`; returns the next.
 std::size_t add_stretch(const Program& program, std::size_t i, Pose& from, double tool_speed,
                         ProgramPart& part) {
   std::vector<Pose> poses{from, program.moves[i].target};
   std::size_t last = i;
   while (is_passed(program, last)) poses.push_back(program.moves[++last].target);
+  check_distinct(program, i, poses);
   Stretch stretch;
   try {
     stretch = stretch_through(program, i, poses);

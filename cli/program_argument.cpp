@@ -1,0 +1,76 @@
+#include "program_argument.h"
+
+#include <cmath>
+
+#include <beeline/error.h>
+#include <beeline/kinematics/forward.h>
+
+using namespace beeline;
+
+namespace {
+
+/// Gives the poses that are not relative in the world.
+void set_in_world(const Arm& arm, const ProgramContext& context, ProgramRows& program) {
+  const WrittenPose world_T_work = context.work.read(arm, context.unit);
+  double max_angle = 0;
+  for (ProgramRow& row : program.rows) {
+    if (!row.pose) continue;
+    if (std::abs(row.pose->max_angle) > std::abs(max_angle)) max_angle = row.pose->max_angle;
+    try {
+      const bool relative = !row.relative.empty();
+      const WrittenPose pose = relative ? *row.pose : in_world(arm, world_T_work, *row.pose);
+      if (!relative || pose.planar) check_pose_form(arm, pose, context.task);
+      row.pose = pose;
+    } catch (const Error& error) {
+      throw FileError(program.path, row.line, error.what());
+    }
+  }
+  warn_of_angle("--through " + program.path, max_angle, context.unit);
+}
+
+/// Gives rows from `first` on this blend where they are lines before a line, without a dwell and a
+/// blend of their own.
+void blend_lines(double blend, std::size_t first, std::vector<ProgramRow>& rows) {
+  const auto line = [](const ProgramRow& row) {
+    return row.motion.empty() || row.motion == name(MoveKind::line);
+  };
+  for (std::size_t i = first; i + 1 < rows.size(); ++i) {
+    const bool lines = line(rows[i]) && line(rows[i + 1]);
+    if (lines && !rows[i].blend && rows[i].dwell.value_or(0) == 0) rows[i].blend = blend;
+  }
+}
+
+}  // namespace
+
+Program program_from(const std::string& text, const std::string& file, const Arm& arm,
+                     const ProgramContext& context, const PathArgument& path, bool first_is_start) {
+  if (path.kind != name(PathKind::line)) {
+    throw Error("--path: " + file + " is a program, whose column motion gives the paths");
+  }
+  ProgramRows rows = program_rows_from_csv(text, file, context.unit.angle_unit());
+  set_in_world(arm, context, rows);
+  if (path.blend) blend_lines(*path.blend, first_is_start ? 1 : 0, rows.rows);
+  return program_of(arm, rows, [&](const std::string& q) {
+    return context.arm_argument.configuration(arm, q, "q", context.unit);
+  });
+}
+
+void throw_at_row(const Program& program, const std::string& file, const Error& error) {
+  const std::string message = error.what();
+  for (std::size_t i = 0; i < program.moves.size(); ++i) {
+    const std::string prefix = move_name(program, i) + ": ";
+    if (!message.starts_with(prefix)) continue;
+    const std::string& place = program.moves[i].place;
+    const int line = std::stoi(place.substr(place.rfind(':') + 1));
+    throw FileError(file, line, message.substr(prefix.size()));
+  }
+  throw error;
+}
+
+std::vector<Pose> waypoints_of(const Arm& arm, const Program& program) {
+  std::vector<Pose> poses;
+  for (const Move& move : program.moves) {
+    poses.push_back(move.q ? forward_kinematics(arm, *move.q) : move.target);
+  }
+  return poses;
+}
