@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <beeline/certificate/joint_faults.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/branch.h>
@@ -35,15 +36,17 @@ double least_duration(const Arm& arm, const Configuration& from, const Configura
 
 /// Configurations with the tool at the pose, the one that is reached soonest first.
 std::vector<Configuration> configurations_for(const Arm& arm, const Task& task, const Pose& pose,
-                                              const Configuration& from) {
+                                              const Configuration& from, const Budget& budget) {
   const bool redundant = arm.dof() > task.size();
-  InverseOptions options{.seed = from, .task = task, .all = true, .every_turn = !redundant};
+  InverseOptions options{
+      .seed = from, .task = task, .all = true, .every_turn = !redundant, .budget = budget};
   std::vector<Configuration> found;
   if (redundant) {
     options.grid = coarse_grid;
     options.max_restarts = 4 * coarse_grid;
-    found = inverse_kinematics(arm, pose,
-                               {.seed = from, .task = task, .redundancy = Redundancy::nearest})
+    found = inverse_kinematics(
+                arm, pose,
+                {.seed = from, .task = task, .redundancy = Redundancy::nearest, .budget = budget})
                 .solutions;
   }
   const InverseResult all = inverse_kinematics(arm, pose, options);
@@ -65,7 +68,8 @@ std::string part_name(const Program& program, const ProgramPart& part) {
 class ProgramPlanner {
  public:
   ProgramPlanner(const Arm& arm, const Program& program, const PathMotionOptions& options)
-      : arm_(arm), program_(program), options_(options) {
+      : arm_(arm), program_(program), budget_(options.budget), options_(options) {
+    options_.budget = budget_.part();
     options_.task = options.task.value_or(default_task(arm));
     options_.suggest = false;
     motion_.failed = program.moves.size();
@@ -94,6 +98,12 @@ class ProgramPlanner {
     motion_.reason = reason;
     motion_.failed = move;
     return false;
+  }
+
+  bool fail_ended(std::size_t move) {
+    return fail(move, status_of<MotionStatus>(budget_.ending()),
+                move_name(program_, move) + ": " + ended_by(budget_.ending()) +
+                    how_to_continue(budget_.ending()));
   }
 
   bool plan(const std::optional<Configuration>& start) {
@@ -127,6 +137,8 @@ class ProgramPlanner {
       if (!pause(0)) return false;
     }
     for (std::size_t p = 0; p < parts_.size(); ++p) {
+      budget_.report(static_cast<double>(p) / static_cast<double>(parts_.size()));
+      if (budget_.ended()) return fail_ended(parts_[p].first);
       if (parts_[p].joint ? !add_joint_move(p, ahead) : !add_path(p, ahead)) return false;
     }
     return finish();
@@ -135,11 +147,11 @@ class ProgramPlanner {
   /// Sets q to the configuration with the tool at the pose that is reached soonest.
   bool configuration_at(std::size_t move, const Pose& pose, const Configuration& from,
                         std::optional<Configuration>& q) {
-    const auto found = configurations_for(arm_, *options_.task, pose, from);
+    const auto found = configurations_for(arm_, *options_.task, pose, from, budget_.part());
     if (!found.empty()) q = found.front();
     if (q) return true;
-    const InverseResult none =
-        inverse_kinematics(arm_, pose, {.seed = from, .task = options_.task});
+    const InverseResult none = inverse_kinematics(
+        arm_, pose, {.seed = from, .task = options_.task, .budget = budget_.part()});
     if (none) q = none.solutions.front();
     return none ||
            fail(move, motion_status(none.status), move_name(program_, move) + ": " + none.reason);
@@ -172,9 +184,11 @@ class ProgramPlanner {
                            .tolerance = {options_.tolerance, options_.orientation_tolerance},
                            .max_samples = static_cast<std::size_t>(options_.max_samples),
                            .max_grid = 16,
-                           .reasons = BranchOptions::Reasons::none};
+                           .reasons = BranchOptions::Reasons::none,
+                           .budget = budget_.part()};
     for (const Configuration& candidate :
-         configurations_for(arm_, *options_.task, pose_at(path, 0), from)) {
+         configurations_for(arm_, *options_.task, pose_at(path, 0), from, budget_.part())) {
+      if (budget_.ended()) break;
       if (!plan_path(arm_, candidate, path, planning) || !follow(p, candidate, ahead)) continue;
       q = candidate;
       motion_.status = MotionStatus::reached;
@@ -200,9 +214,11 @@ class ProgramPlanner {
     const RetimeOptions timing{.profile = options_.profile,
                                .interpolation = options_.interpolation,
                                .tool_speed = move.speed.value_or(options_.tool_speed),
-                               .rate = options_.rate};
+                               .rate = options_.rate,
+                               .budget = budget_.part()};
     PlannedMove planned{.begin = trajectory_.last()};
     if (const auto reason = trajectory_.joint_move(arm_, *to, timing); !reason.empty()) {
+      if (!budget_.complete()) return fail_ended(i);
       return fail(i, MotionStatus::outside_limits, move_name(program_, i) + ": " + reason);
     }
     planned.end = trajectory_.last();
@@ -254,12 +270,13 @@ class ProgramPlanner {
     motion_.deviation.interval_bounds.resize(trajectory.size() - 1);
     for (const Proved& proved : proved_) {
       if (!prove(proved)) return false;
+      if (budget_.ended()) return fail_ended(parts_[proved.part].first);
     }
     for (PlannedMove& move : motion_.moves) {
       for (std::size_t k = move.begin; k < move.end; ++k) {
         grow(move.bound, motion_.deviation.interval_bounds[k]);
       }
-      move.tool_speed = tool_speed_bound(arm_, part_of(trajectory, move.begin, move.end));
+      move.tool_speed = tool_speed_bound(arm_, samples_between(trajectory, move.begin, move.end));
     }
     motion_.limits = limit_usage(arm_, trajectory);
     const auto fault = first_joint_fault(arm_, trajectory);
@@ -271,8 +288,9 @@ class ProgramPlanner {
     const ProgramPart& part = parts_[proved.part];
     const std::size_t end = proved.begin + proved.path_parameters.size() - 1;
     const PathDeviation found =
-        path_deviation(arm_, part_of(motion_.trajectory, proved.begin, end), proved.path_parameters,
-                       part.route.path, *options_.task);
+        path_deviation(arm_, samples_between(motion_.trajectory, proved.begin, end),
+                       proved.path_parameters, part.route.path, *options_.task);
+    if (!budget_.complete()) return fail_ended(part.first);
     PathDeviation& whole = motion_.deviation;
     grow(whole.sampled, found.sampled);
     grow(whole.measured, found.measured);
@@ -287,6 +305,7 @@ class ProgramPlanner {
 
   const Arm& arm_;
   const Program& program_;
+  BudgetMeter budget_;
   PathMotionOptions options_;
   ProgramMotion motion_;
   std::vector<ProgramPart> parts_;

@@ -256,6 +256,16 @@ TEST(MoveProgram, ReasonsNameTheMoveAndItsPlace) {
   EXPECT_NE(joint.reason.find("move 1 (joint, a:7): "), std::string::npos) << joint.reason;
 }
 
+TEST(MoveProgram, EndsByItsBudget) {
+  const Arm arm = built_in("panda");
+  for (const std::int64_t work : {0, 1, 30, 300}) {
+    const ProgramMotion motion = move_program(arm, home, pick(), {.budget = {.max_work = work}});
+    EXPECT_EQ(motion.status, MotionStatus::work_limit) << work;
+    EXPECT_NE(motion.reason, "");
+    EXPECT_EQ(motion.trajectory.size(), 0);
+  }
+}
+
 TEST(MoveProgram, RefusesWhatNoMoveCanBe) {
   const Arm arm = built_in("panda");
   const auto planned = [&](auto change) {

@@ -58,7 +58,7 @@ Trajectory ProgramTrajectory::finished(double rate) const {
   return trajectory;
 }
 
-Trajectory part_of(const Trajectory& trajectory, std::size_t first, std::size_t last) {
+Trajectory samples_between(const Trajectory& trajectory, std::size_t first, std::size_t last) {
   Trajectory part{trajectory.joint_names, {}, {}, {}, {}};
   for (std::size_t k = first; k <= last; ++k) push(part, trajectory, k, trajectory.times[k]);
   return part;

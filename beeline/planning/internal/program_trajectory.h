@@ -36,6 +36,6 @@ class ProgramTrajectory {
 };
 
 /// The samples from `first` to `last`, with their times.
-Trajectory part_of(const Trajectory& trajectory, std::size_t first, std::size_t last);
+Trajectory samples_between(const Trajectory& trajectory, std::size_t first, std::size_t last);
 
 }  // namespace beeline::internal

@@ -162,7 +162,7 @@ class ProgramVerifier {
   bool check_speed(std::size_t move, std::size_t from, std::size_t to) {
     const auto& limit = program_.moves[move].speed;
     if (!limit) return true;
-    const double speed = tool_speed_bound(arm_, part_of(trajectory_, from, to));
+    const double speed = tool_speed_bound(arm_, samples_between(trajectory_, from, to));
     if (speed <= *limit * speed_rounding) return true;
     return fail(Fault::tool_speed, from,
                 "on " + move_name(program_, move) + " the tool's speed is up to " + number(speed) +
@@ -224,7 +224,8 @@ class ProgramVerifier {
     VerifyOptions options = options_;
     options.moving = {options_.moving.start && begin_ == 0, options_.moving.end && to_end};
     const std::size_t until = to_end ? trajectory_.size() - 1 : *end;
-    const Verification found = verify(arm_, part_of(trajectory_, begin_, until), route, options);
+    const Verification found =
+        verify(arm_, samples_between(trajectory_, begin_, until), route, options);
     if (!add(found)) return false;
     std::size_t from = begin_;
     for (std::size_t i = result_.arrivals.size(); i <= move; ++i) {
