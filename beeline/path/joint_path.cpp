@@ -110,6 +110,42 @@ JointPath joint_spline(std::span<const Configuration> samples, std::span<const d
   return path;
 }
 
+void smooth_derivatives(JointPath& path) {
+  check_path(path);
+  using Rows = Eigen::Matrix<double, 2, Eigen::Dynamic>;  // of dq and ddq
+  const auto& [s, q, dq, ddq] = path;
+  const std::size_t last = path.size() - 1;
+  const auto at_end = [&](std::size_t k) {
+    Rows rows(2, q[0].size());
+    rows << dq[k].transpose(), ddq[k].transpose();
+    return rows;
+  };
+  // Block elimination of the equations that the third and fourth derivatives, times h^3 and h^4 of
+  // the step after the grid point, are the same on both sides.
+  std::vector<Eigen::Matrix2d> upper(path.size(), Eigen::Matrix2d::Zero());
+  std::vector<Rows> right(path.size(), at_end(0));
+  for (std::size_t k = 1; k < last; ++k) {
+    const double a = s[k] - s[k - 1], b = s[k + 1] - s[k], r = b / a;
+    Eigen::Matrix2d before, here, after;
+    before << 24 * r * r * b, 3 * r * b * b, 168 * r * r * r * b, 24 * r * r * b * b;
+    here << 36 * (r * r - 1) * b, -9 * (r + 1) * b * b, 192 * (r * r * r + 1) * b,
+        36 * (1 - r * r) * b * b;
+    after << -24 * b, 3 * b * b, 168 * b, -24 * b * b;
+    Rows equal(2, q[0].size());
+    const Configuration left = r * r * r * (q[k] - q[k - 1]), next = q[k + 1] - q[k];
+    equal << 60 * (left - next).transpose(), 360 * (r * left + next).transpose();
+    const Eigen::Matrix2d pivot = (here - before * upper[k - 1]).inverse();
+    upper[k] = pivot * after;
+    right[k] = pivot * (equal - before * right[k - 1]);
+  }
+  right[last] = at_end(last);
+  for (std::size_t k = last; k-- > 1;) {
+    right[k] -= upper[k] * right[k + 1];
+    path.dq[k] = right[k].row(0);
+    path.ddq[k] = right[k].row(1);
+  }
+}
+
 std::vector<double> chord_length(std::span<const Configuration> samples) {
   std::vector<double> length;
   for (std::size_t k = 0; k < samples.size(); ++k) {

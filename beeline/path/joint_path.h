@@ -39,6 +39,11 @@ PathPoint path_point(const JointPath& path, std::size_t step, double u);
 /// sizes differ.
 JointPath joint_spline(std::span<const Configuration> samples, std::span<const double> parameter);
 
+/// Makes the path four times continuously differentiable at its inner grid points by changing dq
+/// and ddq there; positions, and the derivatives at both ends, stay. Throws Error as check_path()
+/// does.
+void smooth_derivatives(JointPath& path);
+
 /// Arc length along the joint-space polyline, for each sample; 0 first. It does not increase where
 /// samples repeat.
 std::vector<double> chord_length(std::span<const Configuration> samples);

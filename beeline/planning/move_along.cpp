@@ -22,9 +22,10 @@ namespace {
 constexpr double min_tolerance = 1e-8;  // smaller ones are comparable with the rounding of samples
 constexpr double planned_fraction = 0.9;        // of the tolerance; timing may use the remainder
 constexpr double interpolated_fraction = 0.01;  // the same, for the joint path between samples
-// The same if the motion between the plan's samples must stay near a limit. The bound is
-// proportional to the square of the step, so steps are an eighth as long.
-constexpr double fine_fraction = 1.0 / 64;
+
+// Samples of each segment of the plan that the joint path passes through: with few it is smooth,
+// with many it stays near the plan, as next to limits.
+constexpr std::size_t few_samples = 32, many_samples = 128;
 
 /// Throws Error for tolerances, speeds, rates or numbers of samples out of range.
 void check_options(const PathMotionOptions& options) {
@@ -130,7 +131,7 @@ void set_ended(Ending ending, PathMotion& motion) {
 /// Returns a branch as a motion with times and its proof, or the reason why there is none. Without
 /// a rate, takes samples closer together where the motion is not proved.
 PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
-                 const PathMotionOptions& options, BudgetMeter& budget) {
+                 std::size_t samples, const PathMotionOptions& options, BudgetMeter& budget) {
   PathMotion motion;
   motion.status = plan.status;
   motion.reason = plan.reason;
@@ -139,6 +140,7 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
   motion.limit_margin = plan.limit_margin;
   motion.inverse_condition = plan.inverse_condition;
   PlanTiming timing(arm, route, plan, task, part_of_tolerance(options, interpolated_fraction),
+                    samples,
                     {.profile = options.profile,
                      .interpolation = options.interpolation,
                      .tool_speed = options.tool_speed,
@@ -183,7 +185,8 @@ void retry_inside_limits(const Arm& arm, const std::optional<Configuration>& sta
                          const PathMotionOptions& options, BudgetMeter& budget,
                          PathMotion& motion) {
   // Inset of the limits, radians or metres, and fraction of the tolerance, smallest change first.
-  constexpr std::pair<double, double> attempts[] = {{1e-3, 1}, {1e-2, 1}, {1e-3, fine_fraction}};
+  // The steps of a plan are proportional to the square root of its tolerance.
+  constexpr std::pair<double, double> attempts[] = {{0, 1}, {1e-3, 1}, {1e-2, 1}, {1e-3, 1.0 / 64}};
   for (const auto& [inset, fraction] : attempts) {
     if (budget.ended()) return set_ended(budget.ending(), motion);
     BranchOptions again = planning;
@@ -191,7 +194,7 @@ void retry_inside_limits(const Arm& arm, const std::optional<Configuration>& sta
     again.tolerance.orientation *= fraction;
     Branch plan = plan_path(with_inset_limits(arm, start, inset), start, route.path, again);
     if (plan) measure(arm, planning.task, plan);
-    PathMotion inside = timed(arm, route, plan, planning.task, options, budget);
+    PathMotion inside = timed(arm, route, plan, planning.task, many_samples, options, budget);
     if (!inside) continue;
     motion = std::move(inside);
     return;
@@ -208,7 +211,7 @@ PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const
                          .budget = budget.part()};
   planning.budget.progress = options.budget.progress;
   const Branch plan = plan_path(arm, start, route.path, planning);
-  PathMotion motion = timed(arm, route, plan, task, options, budget);
+  PathMotion motion = timed(arm, route, plan, task, few_samples, options, budget);
   if (plan && motion.status == MotionStatus::outside_limits) {
     retry_inside_limits(arm, start, route, planning, options, budget, motion);
   }

@@ -13,9 +13,9 @@ namespace beeline {
 /// limits of velocity and acceleration. To add one, add its name here and its row, in the same
 /// order, to the table in profile.cpp.
 enum class Profile {
-  /// Minimum time under velocity and acceleration limits. Its samples keep known jerk limits too,
-  /// by
-  /// wider ramps of acceleration or a slowdown.
+  /// Minimum time under velocity and acceleration limits. The samples of a motion keep known jerk
+  /// limits too, by wider ramps of acceleration or a slowdown; a motion is that of `jerk` where that
+  /// one is shorter.
   fastest,
   /// Minimum time under velocity, acceleration and jerk limits: a local optimum.
   jerk,

@@ -32,17 +32,25 @@ void check_limits(const PathLimits& limits, const JointPath& path) {
     for (const double limit : kind) {
       if (limit >= min_limit) continue;
       throw Error("a velocity, acceleration or jerk limit must be above zero, " +
-                  number(min_limit) + " at min_limit, not " + number(limit));
+                  number(min_limit) + " at least, not " + number(limit));
     }
   }
   if (!limits.speed.empty() && limits.speed.size() != path.size()) {
     throw Error("a path of " + std::to_string(path.size()) + " grid points has " +
                 std::to_string(limits.speed.size()) + " limits of its speed");
   }
+  if (!limits.fraction.empty() && limits.fraction.size() != path.size()) {
+    throw Error("a path of " + std::to_string(path.size()) + " grid points has " +
+                std::to_string(limits.fraction.size()) + " fractions of its limits");
+  }
+  for (const double fraction : limits.fraction) {
+    if (fraction > 0 && fraction <= 1) continue;
+    throw Error("a fraction of the limits must be above 0 and at most 1, not " + number(fraction));
+  }
   for (const double speed : limits.speed) {
     if (speed >= min_limit) continue;
     throw Error("a speed limit of a path must be above zero, " + number(min_limit) +
-                " at min_limit, not " + number(speed));
+                " at least, not " + number(speed));
   }
 }
 

@@ -15,6 +15,9 @@ struct PathLimits {
   /// The largest ds/dt at each grid point of the path, as for a limit of the tool's speed; empty:
   /// no such limit.
   std::vector<double> speed;
+  /// The fraction of the limits of acceleration and jerk that may be used at each grid point, above
+  /// 0 to 1; empty: all of them everywhere.
+  std::vector<double> fraction = {};
 };
 
 /// Returns the arm's limits, unknown ones replaced by assumed ones: see motion_limits(). The
@@ -23,7 +26,7 @@ struct PathLimits {
 PathLimits path_limits(const Arm& arm, double speed_scale = 1);
 
 /// Throws Error unless there is one limit of each kind, 1e-100 or more, for each coordinate of the
-/// path, and no speed or one for each grid point.
+/// path, and no speed or fraction or one for each grid point.
 void check_limits(const PathLimits& limits, const JointPath& path);
 
 /// A time scaling s(t) of a path: the path parameter as a function of time.

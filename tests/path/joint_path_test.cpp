@@ -28,6 +28,63 @@ TEST(Spline, IsExactForCubicsWhateverTheParameters) {
   }
 }
 
+TEST(SmoothDerivatives, ReproduceAQuinticFromItsValuesAndEnds) {
+  testing::Random random;
+  for (int i = 0; i < 100; ++i) {
+    Eigen::Matrix<double, 6, 1> c;
+    for (double& value : c) value = random.uniform(-2, 2);
+    const auto at = [&](double s, int order) {
+      double sum = 0;
+      for (int k = 5; k >= order; --k) {
+        double factor = c[k];
+        for (int j = 0; j < order; ++j) factor *= k - j;
+        sum = sum * s + factor;
+      }
+      return sum;
+    };
+    JointPath path;
+    double s = random.uniform(-1, 0);
+    for (int k = random.integer(2, 9); k >= 0; --k, s += random.uniform(0.05, 0.4)) {
+      path.s.push_back(s);
+      path.q.push_back(one(at(s, 0)));
+      path.dq.push_back(one(at(s, 1) + 1));  // wrong inside
+      path.ddq.push_back(one(at(s, 2) - 1));
+    }
+    for (auto* end : {&path.s.front(), &path.s.back()}) {
+      const auto k = static_cast<std::size_t>(end - path.s.data());
+      path.dq[k] = one(at(*end, 1));
+      path.ddq[k] = one(at(*end, 2));
+    }
+    smooth_derivatives(path);
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      ASSERT_NEAR(path.dq[k][0], at(path.s[k], 1), 1e-10);
+      ASSERT_NEAR(path.ddq[k][0], at(path.s[k], 2), 1e-8);
+    }
+  }
+}
+
+TEST(SmoothDerivatives, MakeTheThirdAndFourthContinuousAndKeepTheEnds) {
+  testing::Random random;
+  for (int i = 0; i < 100; ++i) {
+    const auto samples = testing::random_waypoints(random, 3, random.integer(2, 12));
+    const JointPath cubic = joint_spline(samples, chord_length(samples));
+    JointPath path = cubic;
+    smooth_derivatives(path);
+    EXPECT_EQ(path.dq.front(), cubic.dq.front());
+    EXPECT_EQ(path.ddq.back(), cubic.ddq.back());
+    for (std::size_t k = 1; k + 1 < path.size(); ++k) {
+      const PathPoint end = path_point(path, k - 1, 1), begin = path_point(path, k, 0);
+      ASSERT_LT((end.dddq - begin.dddq).norm(), 1e-8 * (1 + begin.dddq.norm()));
+      const double h = 1e-5;  // of a step
+      const Configuration before = (end.dddq - path_point(path, k - 1, 1 - h).dddq) /
+                                   (h * (path.s[k] - path.s[k - 1]));
+      const Configuration after =
+          (path_point(path, k, h).dddq - begin.dddq) / (h * (path.s[k + 1] - path.s[k]));
+      ASSERT_LT((before - after).norm(), 1e-2 * (1 + after.norm() + before.norm()));
+    }
+  }
+}
+
 TEST(Spline, OfThreeSamplesIsAParabolaOfTwoALine) {
   const std::vector<double> s{0, 1, 3};
   const std::vector<Configuration> samples{one(0), one(1), one(9)};  // s^2

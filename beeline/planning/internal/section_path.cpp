@@ -48,13 +48,18 @@ SectionPath::SectionPath(const Arm& arm, const ToolPath& path, const Task& task,
   }
 }
 
-/// The spline through the samples, with the derivatives of the tool path there.
+/// The smooth path through the samples, with the derivatives of the tool path there. Jumps of its
+/// third derivative would be jumps of the joints' jerk.
 void SectionPath::interpolate() {
   joint_path_ = joint_spline(samples_.samples, chord_length(samples_.samples));
   const auto& parameters = samples_.path_parameters;
-  for (std::size_t k = 0; k < joint_path_.size(); ++k) {
+  const auto follow_at = [&](std::size_t k) {
     follow(k, at(parameters[k], parameters[std::max<std::size_t>(k, 1)]));
-  }
+  };
+  follow_at(0);
+  follow_at(joint_path_.size() - 1);
+  smooth_derivatives(joint_path_);
+  for (std::size_t k = 0; k < joint_path_.size(); ++k) follow_at(k);
 }
 
 /// The tool's deviation from the path at fraction u from sample k - 1 to k, where the segment

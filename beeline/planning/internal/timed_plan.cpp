@@ -10,13 +10,12 @@ namespace {
 
 constexpr double nanoseconds = 2e-9;  // by which times of samples have been rounded
 
-/// Adds segment i of a branch to the section, every few samples where there are very many: for
-/// tight tolerances straight lines in joint space need more than the quintics of SectionPath. Of
-/// samples at one position only the last is kept: the path is at rest there in the task's rows.
-void add_segment(BranchSection& section, const TrackedSegment& segment, std::size_t i) {
-  constexpr double still = 1e-12;    // radians or metres
-  constexpr std::size_t many = 128;  // of a segment
-  const std::size_t last = segment.samples.size() - 1, stride = 1 + last / many;
+/// Adds at most so many samples of segment i of a branch to the section. Of samples at one position
+/// only the last is kept: the path is at rest there in the task's rows.
+void add_segment(BranchSection& section, const TrackedSegment& segment, std::size_t i,
+                 std::size_t samples) {
+  constexpr double still = 1e-12;  // radians or metres
+  const std::size_t last = segment.samples.size() - 1, stride = 1 + last / samples;
   for (std::size_t k = 1; k <= last; ++k) {
     if (k % stride != 0 && k < last) continue;
     const bool moves = (segment.samples[k] - section.samples.back()).norm() > still;
@@ -33,8 +32,8 @@ void add_segment(BranchSection& section, const TrackedSegment& segment, std::siz
 }  // namespace
 
 PlanTiming::PlanTiming(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
-                       const Deviation& tolerance, const RetimeOptions& options,
-                       BudgetMeter& budget)
+                       const Deviation& tolerance, std::size_t samples,
+                       const RetimeOptions& options, BudgetMeter& budget)
     : arm_(arm),
       route_(route),
       task_(task),
@@ -45,7 +44,7 @@ PlanTiming::PlanTiming(const Arm& arm, const Route& route, const Branch& plan, c
   BranchSection section{{plan.start}, {0}};
   double tool_speed = Limits::none;
   for (std::size_t i = 0; i < plan.segments.size(); ++i) {
-    add_segment(section, plan.segments[i], i);
+    add_segment(section, plan.segments[i], i, samples);
     tool_speed = std::min(tool_speed, route.speeds.empty() ? options.tool_speed : route.speeds[i]);
     if (i + 1 < plan.segments.size() && !route.stops[i]) continue;
     BranchSection next{{section.samples.back()}, {section.path_parameters.back()}};

@@ -17,10 +17,12 @@ struct TimedPlan {
 /// (timing/internal/section.h).
 class PlanTiming {
  public:
-  /// `tolerance`: the joint path through the branch's samples leaves the tool path by about so much
-  /// at most. Keeps references to the arm, the route and the task.
+  /// `tolerance`: the joint path leaves the tool path by about so much at most. It passes through
+  /// `samples` of each of the branch's segments, at most, and those that the tolerance needs. Keeps
+  /// references to the arm, the route and the task.
   PlanTiming(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
-             const Deviation& tolerance, const RetimeOptions& options, BudgetMeter& budget);
+             const Deviation& tolerance, std::size_t samples, const RetimeOptions& options,
+             BudgetMeter& budget);
 
   MotionStatus status = MotionStatus::reached;
   std::string reason = {};  ///< unless reached

@@ -108,10 +108,12 @@ class Constraints {
     const double h = path_.s[k + 1] - path_.s[k], half = 0.5 / h;
     double* along = &strips_.along[k * strips_of_a_step()];
     double* across = &strips_.across[k * strips_of_a_step()];
+    const auto& fraction = limits_.fraction;
+    const double usable = fraction.empty() ? 1 : std::min(fraction[k], fraction[k + 1]);
     double slowest[3] = {0, 0, 0};  // inverse of the speed at each quarter of the step
     for (Eigen::Index i = 0; i < slowness_.size(); ++i) {
       const double d0 = path_.dq[k][i], d1 = path_.dq[k + 1][i];
-      const double scale = 1 / limits_.acceleration[i];
+      const double scale = 1 / (usable * limits_.acceleration[i]);
       const Middle mid = middle(path_, k, i, h);
       const double e0 = d0 * half, e = mid.dq * half, e1 = d1 * half;  // q' / 2h
       const double x0 = path_.ddq[k][i] - e0, y1 = path_.ddq[k + 1][i] + e1;

@@ -250,6 +250,7 @@ Part part_of(const JointPath& path, const PathLimits& limits, std::size_t from, 
   };
   Part part{{cut(path.s), cut(path.q), cut(path.dq), cut(path.ddq)}, limits};
   if (!limits.speed.empty()) part.limits.speed = cut(limits.speed);
+  if (!limits.fraction.empty()) part.limits.fraction = cut(limits.fraction);
   return part;
 }
 

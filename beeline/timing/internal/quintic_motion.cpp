@@ -32,12 +32,15 @@ const MotionSample& QuinticMotion::at(double tau) {
   const double u = std::clamp((s - begin) / length, 0.0, 1.0);
   derivatives_.at(step_, u, dq, ddq, dddq);
   double fraction = 0;  // of a velocity limit
+  const double usable = limits_.fraction.empty()
+                            ? 1
+                            : std::lerp(limits_.fraction[step_], limits_.fraction[step_ + 1], u);
   for (std::size_t i = 0; i < derivatives_.joints(); ++i) {
     fraction =
         std::max(fraction, std::abs(dq[i] * v) / limits_.velocity[static_cast<Eigen::Index>(i)]);
-    dddq[i] = dq[i] * j + v * (3 * ddq[i] * a + v * v * dddq[i]);
-    ddq[i] = dq[i] * a + ddq[i] * v * v;
-    dq[i] *= 0.5 * v;
+    dddq[i] = (dq[i] * j + v * (3 * ddq[i] * a + v * v * dddq[i])) / usable;
+    ddq[i] = (dq[i] * a + ddq[i] * v * v) / usable;
+    dq[i] *= 0.5 * v / usable;
   }
   if (!limits_.speed.empty()) {
     const double limit = std::lerp(limits_.speed[step_], limits_.speed[step_ + 1], u);

@@ -23,7 +23,8 @@ class QuinticMotion {
   /// s(tau) and its derivatives; exactly at rest at both ends.
   JointState along(double tau) const;
 
-  /// The joints' motion at tau. The reference is valid until the next call. Fast where consecutive
+  /// The joints' motion at tau, divided by the fraction of the limits of acceleration and jerk that
+  /// may be used there. The reference is valid until the next call. Fast where consecutive
   /// times are near each other.
   const MotionSample& at(double tau);
 

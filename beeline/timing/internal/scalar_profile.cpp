@@ -79,15 +79,18 @@ class LimitFractions {
         by_acceleration_(limits.acceleration.cwiseInverse()),
         by_jerk_(limits.jerk.cwiseInverse()) {}
 
-  /// Adds the state at a path parameter with these derivatives of the path.
-  void add(const double* dq, const double* ddq, const double* dddq, const JointState& state) {
+  /// Adds the state at a path parameter with these derivatives of the path, where this fraction of
+  /// the limits of acceleration and jerk may be used.
+  void add(const double* dq, const double* ddq, const double* dddq, const JointState& state,
+           double usable = 1) {
     const double v = state.velocity, a = state.acceleration;
     for (Eigen::Index i = 0; i < by_jerk_.size(); ++i) {
       const double acceleration = dq[i] * a + ddq[i] * v * v;
       const double jerk = dq[i] * state.jerk + v * (3 * ddq[i] * a + dddq[i] * v * v);
       velocity_ = std::max(velocity_, std::abs(dq[i] * v) * by_velocity_[i]);
-      acceleration_ = std::max(acceleration_, std::abs(acceleration) * by_acceleration_[i]);
-      jerk_ = std::max(jerk_, std::abs(jerk) * by_jerk_[i]);
+      acceleration_ =
+          std::max(acceleration_, std::abs(acceleration) * by_acceleration_[i] / usable);
+      jerk_ = std::max(jerk_, std::abs(jerk) * by_jerk_[i] / usable);
     }
   }
 
@@ -226,9 +229,11 @@ double seconds_for(const Shape& shape, const std::vector<Point>& points, const J
     const double first = points[i].u, length = points[i + 1].u - first;
     for (const double part : {1e-6, 0.5, 1 - 1e-6}) {
       const JointState state = shape.at(first + part * length);
-      const double u = (path.s[0] + state.position - begin) / h;
-      derivatives.at(step, std::clamp(u, 0.0, 1.0), dq.data(), ddq, dddq);
-      fractions.add(dq.data(), ddq, dddq, state);
+      const double u = std::clamp((path.s[0] + state.position - begin) / h, 0.0, 1.0);
+      derivatives.at(step, u, dq.data(), ddq, dddq);
+      const auto& fraction = limits.fraction;
+      fractions.add(dq.data(), ddq, dddq, state,
+                    fraction.empty() ? 1 : std::lerp(fraction[step], fraction[step + 1], u));
     }
     if (limits.speed.empty() || !points[i].of_grid) continue;
     longest = std::max(longest, shape.at(first).velocity / limits.speed[step]);

@@ -209,23 +209,21 @@ SampledSection unslowed(const Arm& arm, const TimedPath& section, const SectionO
                           : refined_samples(arm, section, options, ramp_width(section, options));
 }
 
-}  // namespace
-
-SampledSection sample_section(const Arm& arm, const TimedPath& given,
-                              const SectionOptions& options) {
-  SampledSection best = slowed(arm, given, options);
-  const bool any_form = given.profile == Profile::fastest || given.profile == Profile::jerk;
-  if (!any_form || options.interpolation == Interpolation::linear) return best;
-  // Where few places need a slowdown, only they get it.
+/// Samples whose places that exceed limits get lower ones, where the slowdown of the whole is
+/// large.
+SampledSection locally_slowed(const Arm& arm, TimedPath section, const SectionOptions& options) {
+  SampledSection best = slowed(arm, section, options);
+  const bool optimised = section.profile == Profile::fastest || section.profile == Profile::jerk;
+  if (!optimised || options.interpolation == Interpolation::linear) return best;
   constexpr int max_rounds = 6;
-  constexpr double worthwhile = 1.006, periods = 2;
+  constexpr double small = 1.006, periods = 2;
   const double period = options.rate > 0 ? 1 / options.rate : 0;
-  TimedPath section = given;
+  const double shortest_duration = section.scaling.duration();
   for (int round = 0; round < max_rounds; ++round) {
     if (ended(options.budget)) return best;
     const double duration = best.trajectory.times.back();
-    if (duration <= worthwhile * given.scaling.duration() + periods * period) return best;
-    if (!lower_speed_limits(arm, unslowed(arm, section, options), options, section)) return best;
+    if (duration <= small * shortest_duration + periods * period) return best;
+    if (!lower_limits(arm, unslowed(arm, section, options), options, section)) return best;
     section.scaling =
         time_scaling(section.path, section.limits, section.profile, part_of(options.budget));
     if (!section.scaling) return best;
@@ -233,6 +231,23 @@ SampledSection sample_section(const Arm& arm, const TimedPath& given,
     if (tried.trajectory.times.back() < duration) best = std::move(tried);
   }
   return best;
+}
+
+}  // namespace
+
+SampledSection sample_section(const Arm& arm, const TimedPath& section,
+                              const SectionOptions& options) {
+  SampledSection best = locally_slowed(arm, section, options);
+  if (section.profile != Profile::fastest) return best;
+  // The ramps of acceleration may take longer than a motion with limited jerk.
+  TimedPath gentle = section;
+  gentle.profile = Profile::jerk;
+  gentle.scaling =
+      time_scaling(section.path, section.limits, Profile::jerk, part_of(options.budget));
+  if (!gentle.scaling) return best;
+  if (!(gentle.scaling.duration() < best.trajectory.times.back())) return best;
+  SampledSection other = locally_slowed(arm, gentle, options);
+  return other.trajectory.times.back() < best.trajectory.times.back() ? other : best;
 }
 
 }  // namespace beeline::internal

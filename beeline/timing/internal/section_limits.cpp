@@ -40,35 +40,42 @@ NeededSlowdown needed_slowdown(const Arm& arm, const Trajectory& trajectory,
   return needed;
 }
 
-bool lower_speed_limits(const Arm& arm, const SampledSection& samples,
-                        const SectionOptions& options, TimedPath& section) {
+bool lower_limits(const Arm& arm, const SampledSection& samples, const SectionOptions& options,
+                  TimedPath& section) {
   constexpr double worthwhile = 1.001;  // smaller excesses are left to a slowdown of the whole
-  const std::vector<Limits> limits = kept_limits(arm, options);
-  std::vector<double> slower(samples.trajectory.size() - 1, 1.0);
-  for (int order = 1; order <= (section.scaling.smooth ? 3 : 2); ++order) {
-    const auto fractions = limit_fractions(limits, samples.trajectory, order);
-    for (std::size_t k = 0; k < slower.size(); ++k) {
-      const double factor = std::pow(fractions[k], 1.0 / order) / options.speed_scale;
-      slower[k] = std::max(slower[k], factor);
-    }
-  }
+  const auto excess = [&, limits = kept_limits(arm, options)](int order) {
+    std::vector<double> factors = limit_fractions(limits, samples.trajectory, order);
+    for (double& factor : factors) factor /= std::pow(options.speed_scale, order);
+    return factors;
+  };
+  const auto velocity = excess(1), acceleration = excess(2), jerk = excess(3);
+  const auto& s = section.path.s;
+  std::vector<double> slower(s.size(), 1), gentler(s.size(), 1);
   bool lowered = false;
-  auto& speeds = section.limits.speed;
-  if (speeds.empty()) speeds.assign(section.path.size(), Limits::none);
-  for (std::size_t k = 0; k < slower.size(); ++k) {
-    if (slower[k] < worthwhile) continue;
+  for (std::size_t k = 0; k < velocity.size(); ++k) {
+    // Where d2s/dt2 jumps, accelerations are at their limits nearly everywhere, and only less speed
+    // lowers them.
+    const bool smooth = section.scaling.smooth;
+    const double speed = smooth ? velocity[k] : std::max(velocity[k], std::sqrt(acceleration[k]));
+    const double force = smooth ? std::max(acceleration[k], jerk[k]) : 1;
+    if (std::max(speed, force) < worthwhile) continue;
+    lowered = true;
     // The grid points in the interval, and one on each side.
-    const auto& s = section.path.s;
     const auto begin = std::upper_bound(s.begin(), s.end(), samples.progress[k].s);
     const auto end = std::lower_bound(s.begin(), s.end(), samples.progress[k + 1].s);
-    const auto first = static_cast<std::size_t>(begin - s.begin()) - 1;
     const auto last = std::min(static_cast<std::size_t>(end - s.begin()), s.size() - 1);
-    for (std::size_t g = first; g <= last; ++g) {
-      const double speed = speed_at(section.scaling, s[g]);
-      if (!(speed > 0)) continue;  // at rest
-      speeds[g] = std::min(speeds[g], speed / slower[k]);
-      lowered = true;
+    for (auto g = static_cast<std::size_t>(begin - s.begin()) - 1; g <= last; ++g) {
+      slower[g] = std::max(slower[g], speed);
+      gentler[g] = std::max(gentler[g], force);
     }
+  }
+  PathLimits& limits = section.limits;
+  if (limits.speed.empty()) limits.speed.assign(s.size(), Limits::none);
+  if (limits.fraction.empty()) limits.fraction.assign(s.size(), 1);
+  for (std::size_t g = 0; g < s.size(); ++g) {
+    const double speed = speed_at(section.scaling, s[g]);
+    if (slower[g] > 1 && speed > 0) limits.speed[g] = std::min(limits.speed[g], speed / slower[g]);
+    limits.fraction[g] /= gentler[g];
   }
   return lowered;
 }

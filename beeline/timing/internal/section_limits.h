@@ -16,9 +16,10 @@ struct NeededSlowdown {
 NeededSlowdown needed_slowdown(const Arm& arm, const Trajectory& trajectory,
                                const SectionOptions& options);
 
-/// Lowers the path's speed limits where samples of its time scaling, not slowed down, exceed limits
-/// of velocity or acceleration, or of jerk if it is smooth. Returns whether there are such places.
-bool lower_speed_limits(const Arm& arm, const SampledSection& samples,
-                        const SectionOptions& options, TimedPath& section);
+/// Lowers the path's limits where samples of its time scaling, not slowed down, exceed the arm's:
+/// of its speed, or the fraction of acceleration and jerk if the scaling is smooth. Returns whether
+/// there are such places.
+bool lower_limits(const Arm& arm, const SampledSection& samples, const SectionOptions& options,
+                  TimedPath& section);
 
 }  // namespace beeline::internal

@@ -87,7 +87,8 @@ Periods fewest_periods(const TimedPath& section, const SectionOptions& options) 
 
 TimeScaling uniform_scaling(double periods, double period, double length,
                             const std::function<double(double)>& speed) {
-  TimeScaling uniform{.s = {0}, .t = {0}, .speed = {0}};
+  TimeScaling uniform;
+  uniform.s = uniform.t = uniform.speed = {0};
   for (double k = 1; k <= periods; ++k) {
     const double before = uniform.speed.back();
     uniform.t.push_back(k * period);
@@ -126,11 +127,9 @@ SampledSection uniform_section(const Arm& arm, const TimedPath& section,
       return std::max(periods.scaling + 1, std::floor(periods.scaling * (1 + at_once * excess)));
     };
     // Where d2s/dt2 jumps, a wider average lowers its jerk in proportion, often for less time than
-    // a slowdown.
-    constexpr double worthwhile = 0.8;  // of that proportion
+    // a slowdown. One that saved less time than it takes is taken back.
     if (average_before > 0) {
-      const double gain = std::pow(periods.average / average_before, worthwhile / 3);
-      if (!(needed.jerk * gain < jerk_before)) {
+      if (!(periods.scaling * (jerk_before - needed.jerk) > periods.average - average_before)) {
         widen = false;
         periods.average = average_before;
       }
