@@ -16,10 +16,10 @@ constexpr int recent = 100;  // steps after a reversal in which the motion count
 
 /// Detects an error that no longer decreases. A slow approach has new minima, and a decaying
 /// oscillation has lower peaks. The motion stagnates if neither occurs within `patience` steps.
-class Progress {
+class Convergence {
  public:
   static constexpr int patience = 1000;
-  explicit Progress(double error) : minimum_(error), last_peak_(error) {}
+  explicit Convergence(double error) : minimum_(error), last_peak_(error) {}
 
   /// Takes the error after each step; returns false when the motion stagnates.
   bool decreases(double error) {
@@ -99,7 +99,7 @@ bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& op
   Configuration last = Configuration::Zero(arm.dof());  // the last step of the controller
   motion.error = law.error(q);
   const double first_error = motion.error;
-  Progress progress(first_error);
+  Convergence convergence(first_error);
   BudgetMeter budget(options.budget);
   bool stuck = false;
   int since_reversal = recent;
@@ -124,8 +124,8 @@ bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& op
     if (stuck) {
       return stop(
           motion, MotionStatus::not_converged,
-          "the error has stayed at " + number(progress.minimum()) + " or above for " +
-              std::to_string(Progress::patience) + " steps: " +
+          "the error has stayed at " + number(convergence.minimum()) + " or above for " +
+              std::to_string(Convergence::patience) + " steps: " +
               (oscillates ? "the motion oscillates, the gain is too large" : "the arm is stuck"));
     }
     const double scale = allowed_scale(arm, step, options.time_step);
@@ -146,7 +146,7 @@ bool simulate(const Arm& arm, const ControlLaw& law, const SimulationOptions& op
                   "the error diverges, to " + number(motion.error) + " after " +
                       std::to_string(motion.steps) + " steps: the gain is too large");
     }
-    stuck = !progress.decreases(motion.error);
+    stuck = !convergence.decreases(motion.error);
   }
 }
 
