@@ -58,14 +58,13 @@ std::string move_name(const Program& program, std::size_t i);
 ///   retreat; one relative to `next` is in the tool frame of the next waypoint that is not
 ///   relative, as that of an approach.
 /// - A row with the motion `via` is a position on the arc to the next row, which is an arc.
-/// - `configuration` returns the configuration that an item of the column q means; default: joint
-///   values in radians and metres, separated by commas.
+/// - `configuration` returns the configuration that an item of the column q means.
 ///
 /// Throws FileError for a relative row without such a waypoint, a via row that no arc follows, an
 /// arc without via row, and the rest of what move_program() refuses; and where `configuration`
 /// throws.
 Program program_of(const Arm& arm, const ProgramRows& rows,
-                   const std::function<Configuration(const std::string&)>& configuration = {});
+                   const std::function<Configuration(const std::string&)>& configuration);
 
 /// The part of a trajectory that is one move.
 struct PlannedMove {

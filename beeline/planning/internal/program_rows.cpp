@@ -2,7 +2,6 @@
 
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/internal/program_parts.h>
-#include <beeline/read/internal/numbers.h>
 
 namespace beeline {
 namespace {
@@ -22,15 +21,6 @@ auto at_row(const ProgramRows& program, std::size_t i, const Compute& compute) {
 }
 
 bool passes(const ProgramRow& row) { return row.motion == "via"; }
-
-Configuration configuration_of(const Arm& arm, const std::string& text,
-                               const Configure& configuration) {
-  if (configuration) return configuration(text);
-  const std::vector<double> values = internal::parse_numbers(text, "q");
-  const ConfigurationRef q(values);
-  check_configuration(arm, q);
-  return q;
-}
 
 /// The frame of a relative row, world_T_waypoint, among the poses of the rows.
 const Pose& frame_of(const std::vector<ProgramRow>& rows, std::size_t i,
@@ -77,7 +67,11 @@ Program program_of(const Arm& arm, const ProgramRows& rows, const Configure& con
   for (std::size_t i = 0; i < count; ++i) {
     const ProgramRow& row = rows.rows[i];
     if (!row.q.empty()) {
-      q[i] = at_row(rows, i, [&] { return configuration_of(arm, row.q, configuration); });
+      q[i] = at_row(rows, i, [&] {
+        Configuration read = configuration(row.q);
+        check_configuration(arm, read);
+        return read;
+      });
     }
     poses[i] = q[i] ? forward_kinematics(arm, *q[i]) : row.pose->pose;
   }
