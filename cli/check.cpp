@@ -156,11 +156,11 @@ Verb check_verb() {
           "Proves from a trajectory file alone, whoever made it, that the tool moves in straight "
           "lines (or on the path of --path, --blend) through the poses and that the joints respect "
           "their limits of position, velocity, acceleration and jerk, for the motion that the "
-          "file's "
-          "columns mean: linear between the samples, cubic with velocities, quintic with "
-          "accelerations too. Prints passed with the measured and the proved deviation in metres "
-          "and "
-          "radians, or failed with the first fault, its sample and time; then the exit code is 1. "
+          "file's columns mean: linear between the samples, cubic with velocities, quintic with "
+          "accelerations too. Limits of velocity and acceleration that are not known are assumed "
+          "and reported as assumed; --limits, --velocity and --acceleration give them. Prints "
+          "passed with the measured and the proved deviation in metres and radians, or failed with "
+          "the first fault, its sample and time; then the exit code is 1. "
           "The trajectory is in radians and metres; --degrees applies to the poses and the output.",
       .arguments = {arguments.arm.argument(),
                     trajectory_argument("FILE", "The trajectory to check, .csv or .json.",

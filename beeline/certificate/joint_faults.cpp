@@ -85,24 +85,30 @@ class FaultSearch {
   }
 
   void check_derivatives(std::size_t k, int i) {
-    const Limits& limits = arm_.limits(i);
+    const Limits &known = arm_.limits(i), limits = motion_limits(known);
     check_rest(k, i);
-    check_derivative(Fault::velocity, k, i, 1, limits.velocity, "/s");
-    check_corner(k, i);
-    check_derivative(Fault::acceleration, k, i, 2, limits.acceleration, "/s^2");
-    check_derivative(Fault::jerk, k, i, 3, limits.jerk, "/s^3");
+    check_derivative(Fault::velocity, k, i, 1, limits.velocity, known.velocity, "/s");
+    check_derivative(Fault::acceleration, k, i, 2, limits.acceleration, known.acceleration, "/s^2");
+    check_derivative(Fault::jerk, k, i, 3, known.jerk, known.jerk, "/s^3");
   }
 
-  void check_derivative(Fault fault, std::size_t k, int i, int order, double limit,
+  /// `known` is the joint's own limit, infinite where `limit` is assumed.
+  void check_derivative(Fault fault, std::size_t k, int i, int order, double limit, double known,
                         const char* per) {
     if (found_ || !(limit < Limits::none)) return;
     const double allowed = limit * (1 + limit_slack);
+    const auto limit_text = [&] {
+      const std::string value = quantity(arm_, i, limit, per);
+      return known < Limits::none ? "its limit is " + value
+                                  : "its limit is not known, " + value +
+                                        " is assumed (--limits or --" + name(fault) + " gives it)";
+    };
     if (order > bounded_order(trajectory_.interpolation())) {
-      const double needed = mean_derivative(trajectory_, k, i, order);
+      const double needed = needed_derivative(trajectory_, k, i, order);
       if (needed <= allowed) return;
-      return report(fault, k, i,
-                    "needs " + quantity(arm_, i, needed, per) +
-                        " over the next samples; its limit is " + quantity(arm_, i, limit, per));
+      return report(
+          fault, k, i,
+          "needs " + quantity(arm_, i, needed, per) + " over the next samples; " + limit_text());
     }
     if (k + 1 == t_.size()) return;
     const Polynomial p =
@@ -111,15 +117,9 @@ class FaultSearch {
     if (largest(enclosure(p)) <= allowed) return;
     const double reached = largest(extremes(p));
     if (reached <= allowed) return;
-    report(fault, k, i,
-           "reaches " + quantity(arm_, i, reached, per) + " before the next sample; its limit is " +
-               quantity(arm_, i, limit, per));
-  }
-
-  /// The velocity of a linear coordinate between sample k and the next; 0 before the first and
-  /// after the last.
-  double chord_velocity(std::size_t k, int i) const {
-    return k + 1 < t_.size() ? (q_[k + 1][i] - q_[k][i]) / (t_[k + 1] - t_[k]) : 0;
+    report(
+        fault, k, i,
+        "reaches " + quantity(arm_, i, reached, per) + " before the next sample; " + limit_text());
   }
 
   /// Whether a coordinate moves at the start or the end.
@@ -132,27 +132,6 @@ class FaultSearch {
     report(Fault::moving, k, i,
            std::string(first ? "starts" : "ends") + " at " + quantity(arm_, i, end.velocity, "/s") +
                ", not at rest");
-  }
-
-  /// The change of velocity of a linear coordinate at a sample must be possible within the shorter
-  /// one of the intervals on both sides of it, on each side. Divided differences do not show a
-  /// short interval beside a long one.
-  void check_corner(std::size_t k, int i) {
-    if (found_ || !v_.empty() || k == 0 || k + 1 == t_.size()) return;
-    const double limit = arm_.limits(i).acceleration;
-    const double shorter = std::min(t_[k] - t_[k - 1], t_[k + 1] - t_[k]);
-    const double change = std::abs(chord_velocity(k, i) - chord_velocity(k - 1, i));
-    const double rounding =
-        16 * std::numeric_limits<double>::epsilon() * std::abs(q_[k][i]) / shorter;
-    const double needed = (change - rounding) / (2 * shorter);
-    if (!(needed > limit * (1 + limit_slack))) return;
-    report(Fault::acceleration, k, i,
-           "changes its velocity by " + quantity(arm_, i, change, "/s") +
-               " at this sample, between "
-               "intervals of " +
-               number(t_[k] - t_[k - 1]) + " s and " + number(t_[k + 1] - t_[k]) +
-               " s: that needs " + quantity(arm_, i, needed, "/s^2") + "; its limit is " +
-               quantity(arm_, i, limit, "/s^2"));
   }
 
   std::string range(int i) const {
@@ -175,8 +154,9 @@ class FaultSearch {
 }  // namespace
 
 std::string name(Fault fault) {
-  constexpr const char* names[] = {"none",     "limits",       "flip", "deviation", "not_through",
-                                   "velocity", "acceleration", "jerk", "moving", "dwell", "tool_speed"};
+  constexpr const char* names[] = {"none",        "limits",   "flip",         "deviation",
+                                   "not_through", "velocity", "acceleration", "jerk",
+                                   "moving",      "dwell",    "tool_speed"};
   return names[static_cast<int>(fault)];
 }
 

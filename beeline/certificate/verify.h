@@ -47,8 +47,15 @@ std::ostream& operator<<(std::ostream& out, const Verification& verification);
 /// - Position and velocity limits hold at all times, by the extremes of the polynomials, and so do
 ///   those of acceleration for cubics and quintics and of jerk for quintics. Derivatives that jump
 ///   at the samples are checked for the smoothest motion through these: divided differences of the
-///   positions times the factorial of the order are weighted means of the derivative. Unknown
-///   limits are not checked.
+///   positions times the factorial of the order are weighted means of the derivative. The velocity
+///   of linear joints may also change at a sample by no more than the acceleration limit allows
+///   within the shorter interval beside it, on both sides. Planning counts them alike.
+/// - Limits of velocity and acceleration that are not known count as assumed (motion_limits()). A
+///   jerk limit that is not known is not checked, because minimum-time motions have no jerk limit.
+///
+/// Columns of velocity or acceleration are what the motion is, so they cannot be wrong by
+/// themselves: false ones are found by the limits and the tolerance that the motion they mean
+/// exceeds between samples. A motion within both passes, whatever its author meant.
 ///
 /// Throws Error when the trajectory is empty or does not fit the arm, for a route without segments,
 /// a task that its segments do not allow, and tolerances that are not above zero.

@@ -287,9 +287,13 @@ std::vector<std::string> limit_violations(const Arm& arm, const ConfigurationRef
   for (const int k : outside_limits(arm, q, slack)) {
     const Joint& joint = arm.joint_of(k);
     const Limits& limits = arm.limits(k);
+    const double beyond = std::max(limits.lower - q[k], q[k] - limits.upper);
+    const double limit = q[k] > limits.upper ? limits.upper : limits.lower;
+    const bool alike = number(limit) == number(q[k]);
     violations.push_back("joint " + joint.name + " at " + with_unit(joint, q[k]) +
                          " is outside its limits " + with_unit(joint, limits.lower) + " to " +
-                         with_unit(joint, limits.upper));
+                         with_unit(joint, limits.upper) +
+                         (alike ? " by " + number(beyond) + " " + unit(joint) : ""));
   }
   return violations;
 }

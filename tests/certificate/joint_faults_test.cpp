@@ -61,7 +61,7 @@ TEST(FirstJointFault, LooksAtTheCubicBetweenSamplesWithVelocities) {
   Arm arm = two_joints();
   std::vector<Joint> joints = arm.joints();
   for (Joint& joint : joints) {
-    joint.limits.velocity = joint.limits.acceleration = joint.limits.jerk = Limits::none;
+    joint.limits.velocity = joint.limits.acceleration = joint.limits.jerk = 1e9;
   }
   arm = Arm("two", joints);
   Trajectory motion = along(nothing, nothing, 10);
@@ -76,6 +76,31 @@ TEST(FirstJointFault, LooksAtTheCubicBetweenSamplesWithVelocities) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->kind, Fault::limits) << found->reason;
   EXPECT_EQ(found->sample, 5u);
+}
+
+TEST(FirstJointFault, HoldsAssumedLimitsOfVelocityAndAcceleration) {
+  std::vector<Joint> joints = two_joints().joints();
+  joints[1].limits = {.lower = -20, .upper = 20, .velocity = 2};  // 8 rad/s^2, 80 rad/s^3
+  joints[0].limits = {.lower = -1, .upper = 1};                   // 1 m/s
+  const Arm arm("two", joints);
+  const MovingEnds moving{.start = true, .end = true};
+  const auto first = [&](const auto& slide, const auto& turning, double end) {
+    return first_joint_fault(arm, along(slide, turning, end), moving);
+  };
+  EXPECT_FALSE(first(
+      nothing, [](double t) { return 3.9 * t * t; }, 0.2));
+  const auto found = first(
+      nothing, [](double t) { return 4.1 * t * t; }, 0.2);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, Fault::acceleration);
+  EXPECT_NE(found->reason.find("not known, 8 rad/s^2 is assumed"), std::string::npos);
+  EXPECT_NE(found->reason.find("--acceleration"), std::string::npos) << found->reason;
+  const auto fast = first([](double t) { return 1.1 * t - 0.5; }, nothing, 0.5);
+  ASSERT_TRUE(fast);
+  EXPECT_EQ(fast->kind, Fault::velocity);
+  // No jerk: minimum-time motions do not keep an assumed one.
+  EXPECT_FALSE(first(
+      nothing, [](double t) { return 50 * t * t * t; }, 0.02));
 }
 
 }  // namespace

@@ -144,6 +144,66 @@ def test_a_motion_that_is_too_fast_is_found(made, checked):
     assert checked(rows, "panda", through)["fault"] in ("velocity", "acceleration", "jerk")
 
 
+def columns(rows, ending):
+    return [name for name in rows[0] if name.endswith(ending)]
+
+
+def pause(rows):
+    """The motion stands still for a second in full motion."""
+    k = len(rows) // 4
+    again = dict(rows[k])
+    later = [{**row, "t": repr(float(row["t"]) + 1)} for row in [again, *rows[k + 1:]]]
+    return [*rows[:k + 1], *later]
+
+
+def pause_at_rest(rows):
+    rows = pause(rows)
+    for row in rows[(len(rows) - 1) // 4:(len(rows) - 1) // 4 + 2]:
+        row.update({name: "0" for name in columns(rows, "_vel") + columns(rows, "_acc")})
+    return rows
+
+
+def cut(rows):
+    first = len(rows) // 3
+    return [{**row, "t": repr(float(row["t"]) - float(rows[first]["t"]))} for row in rows[first:]]
+
+
+def without_velocities(rows):
+    return [{**row, **{name: "0" for name in columns(rows, "_vel")}} for row in rows]
+
+
+def doubled_velocities(rows):
+    return [{**row, **{name: repr(2 * float(row[name])) for name in columns(rows, "_vel")}}
+            for row in rows]
+
+
+def opposite_accelerations(rows):
+    return [{**row, **{name: repr(-float(row[name])) for name in columns(rows, "_acc")}}
+            for row in rows]
+
+
+@pytest.mark.parametrize("arm", STARTS)
+@pytest.mark.parametrize("rate", [(), ("--rate", "100")])
+@pytest.mark.parametrize("fault", [pause, pause_at_rest, cut, without_velocities, doubled_velocities,
+                                   opposite_accelerations])
+def test_planted_faults_are_found_without_known_accelerations(made, checked, arm, rate, fault):
+    through, rows = made(arm, *rate)
+    report = checked(fault(rows), arm, through)
+    assert report["status"] == "failed"
+
+
+def test_an_assumed_limit_is_named_with_the_cure(beeline, made):
+    through, _ = made("ur5")
+    answer = beeline("check", "ur5", "move.csv", "--through", through, "--speed", "0.9", "--json")
+    assert answer.code == 1 and answer.json["fault"] in ("velocity", "acceleration")
+    through, _ = made("ur5", "--acceleration", "20")
+    answer = beeline("check", "ur5", "move.csv", "--through", through, "--json")
+    assert answer.code == 1 and answer.json["fault"] == "acceleration"
+    assert "assumed" in answer.err and "--acceleration" in answer.err
+    answer = beeline("check", "ur5", "move.csv", "--through", through, "--acceleration", "20")
+    assert answer.code == 0, answer.err
+
+
 def test_files_without_a_trajectory_are_refused(made, checked):
     through, rows = made("ur5")
     rows[4]["t"] = rows[3]["t"]

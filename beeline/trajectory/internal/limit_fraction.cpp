@@ -31,7 +31,7 @@ void take_interval(CoordinateFraction& largest, std::span<const Limits> limits,
     const int coordinate = static_cast<int>(i);
     const double fraction =
         largest.exact ? exact_fraction(trajectory, k, coordinate, order, limit, largest.fraction)
-                      : mean_derivative(trajectory, k, coordinate, order) / limit;
+                      : needed_derivative(trajectory, k, coordinate, order) / limit;
     if (fraction > largest.fraction) largest = {fraction, coordinate, k, largest.exact};
   }
 }

@@ -35,6 +35,18 @@ double mean_derivative(const Trajectory& trajectory, std::size_t k, int coordina
   return std::max(0.0, std::abs(table[0]) - error) * factorial;
 }
 
+double needed_derivative(const Trajectory& trajectory, std::size_t k, int coordinate, int order) {
+  const double mean = mean_derivative(trajectory, k, coordinate, order);
+  if (order != 2 || !trajectory.velocities.empty() || k + 2 >= trajectory.size()) return mean;
+  const auto q = [&](std::size_t sample) { return trajectory.positions[sample][coordinate]; };
+  const double before = trajectory.times[k + 1] - trajectory.times[k];
+  const double after = trajectory.times[k + 2] - trajectory.times[k + 1];
+  const double shorter = std::min(before, after);
+  const double change = std::abs((q(k + 2) - q(k + 1)) / after - (q(k + 1) - q(k)) / before);
+  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+  return std::max(mean, (change - rounding * std::abs(q(k + 1)) / shorter) / (2 * shorter));
+}
+
 void check_fits(const Arm& arm, const Trajectory& trajectory) {
   check_trajectory(trajectory);
   if (trajectory.joint_names.size() == static_cast<std::size_t>(arm.dof())) return;

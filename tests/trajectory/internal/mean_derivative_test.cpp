@@ -37,6 +37,24 @@ TEST(MeanDerivative, IsNeverMoreThanASmoothMotionNeeds) {
   }
 }
 
+// A standstill of two samples in a constant velocity: the long interval hides it from a divided
+// difference.
+TEST(NeededDerivative, CountsAChangeOfVelocityWithinTheShorterInterval) {
+  Trajectory motion = along([](double t) { return t; }, [](double t) { return t * t; }, 1);
+  motion.times = {0, 0.01, 1.01, 1.02};
+  motion.positions = {Configuration{{0, 0}}, Configuration{{0.01, 0}}, Configuration{{0.01, 0}},
+                      Configuration{{0.02, 0}}};
+  EXPECT_NEAR(mean_derivative(motion, 0, 0, 2), 2 / 1.01, 1e-9);
+  EXPECT_NEAR(needed_derivative(motion, 0, 0, 2), 50, 1e-9);
+  EXPECT_EQ(needed_derivative(motion, 0, 0, 3), mean_derivative(motion, 0, 0, 3));
+  motion.velocities = motion.positions;  // cubics have an acceleration
+  EXPECT_EQ(needed_derivative(motion, 0, 0, 2), mean_derivative(motion, 0, 0, 2));
+  const Trajectory even = along([](double t) { return t; }, [](double t) { return t * t; }, 1);
+  for (std::size_t k = 0; k + 2 < even.size(); ++k) {
+    EXPECT_NEAR(needed_derivative(even, k, 1, 2), 2, 1e-8);
+  }
+}
+
 TEST(MeanDerivative, IsZeroForTooFewSamples) {
   const Trajectory motion = along([](double t) { return t * t * t; }, nothing, 1, 3);
   EXPECT_GT(mean_derivative(motion, 0, 0, 3), 5);
