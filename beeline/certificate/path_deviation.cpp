@@ -7,7 +7,7 @@
 #include <beeline/certificate/path_deviation.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/path/internal/nearest_parameter.h>
+#include <beeline/path/internal/path_tracker.h>
 #include <beeline/trajectory/internal/mean_derivative.h>
 
 namespace beeline {
@@ -58,6 +58,7 @@ std::vector<double> path_parameters_along(const Arm& arm, std::span<const Config
                 std::to_string(samples.size()) + " samples and " + std::to_string(arrivals.size()) +
                 " arrivals for " + std::to_string(path.segments.size()) + " segments");
   }
+  constexpr Deviation fine{1e-4, 1e-4};  // of the cells of the path
   std::vector<double> path_parameters{0};
   for (std::size_t i = 0; i < arrivals.size(); ++i) {
     const auto end = static_cast<double>(i + 1);
@@ -66,10 +67,10 @@ std::vector<double> path_parameters_along(const Arm& arm, std::span<const Config
                   "; arrivals are indices of the " + std::to_string(samples.size()) +
                   " samples, in order");
     }
+    const PathTracker tracker(path, task, end - 1, end, fine);
     for (std::size_t k = path_parameters.size(); k <= arrivals[i]; ++k) {
       const Pose pose = forward_kinematics(arm, samples[k]);
-      path_parameters.push_back(
-          nearest_parameter(path, task, pose, std::max(path_parameters.back(), end - 1), end));
+      path_parameters.push_back(tracker.nearest(pose, std::max(path_parameters.back(), end - 1)));
     }
     path_parameters.back() = end;
   }

@@ -8,7 +8,9 @@
 #include <beeline/certificate/verify.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/checked_poses.h>
-#include <beeline/path/internal/nearest_parameter.h>
+#include <beeline/path/internal/consistent_parameters.h>
+#include <beeline/path/internal/path_tracker.h>
+#include <beeline/trajectory/internal/interval_polynomial.h>
 
 namespace beeline {
 
@@ -58,12 +60,14 @@ struct Verifier {
   struct Located {
     std::vector<double> path_parameters, from_end;
     bool reached = false;  ///< the end, by some sample
+    bool off = false;      ///< the last one is off the path
   };
 
   /// Finds the path parameters of the samples from `first` on, from `begin` to the end of
   /// `segment`. Stops at a sample that is off the path, and at one that leaves the segment's end
   /// again. The route's end is an exception: the tool may pass near it before.
-  Located locate(std::size_t first, double begin, std::size_t segment) const {
+  Located locate(std::size_t first, const PathTracker& tracker, double begin,
+                 std::size_t segment) const {
     const auto end = static_cast<double>(segment + 1);
     const bool last = segment + 1 == route.path.segments.size();
     const Pose goal = pose_at(route.path.segments[segment], 1);
@@ -78,8 +82,9 @@ struct Verifier {
       if (!last && found.reached && found.from_end.back() < 0) break;
       const Pose& tool = world_T_tool[k];
       const double from = found.path_parameters.empty() ? begin : found.path_parameters.back();
-      const double s = line ? nearest_parameter(route.path, task, tool, from, end)
-                            : fitting_parameter(route.path, task, tool, from, end, tolerance);
+      const std::optional<double> fit =
+          line ? tracker.nearest(tool, from) : tracker.first_within(tool, from);
+      const double s = fit.value_or(from);
       found.path_parameters.push_back(s);
       const Deviation left = task_deviation(task, goal, tool);
       const bool at_end = near(left) && (line || s > closing);
@@ -87,9 +92,29 @@ struct Verifier {
                                                  left.orientation / tolerance.orientation)
                                       : -1);
       found.reached = found.reached || at_end;
-      if (!line && !near(deviation_from(route.path, s, tool, task))) break;
+      if (fit) continue;
+      found.path_parameters.back() = tracker.nearest(tool, from);
+      found.off = true;
+      break;
     }
     return found;
+  }
+
+  /// Replaces the first path parameters within the tolerance by those that fit best together.
+  void make_consistent(const PathTracker& tracker, std::size_t first, Located& found) const {
+    std::vector<double>& s = found.path_parameters;
+    const auto poses = std::span(world_T_tool).subspan(first);
+    const double off = s.back();
+    if (found.off && !found.reached) s.pop_back();
+    if (!found.reached && s.size() > 1) {
+      const std::size_t last = s.size() - 1;
+      s[last] = tracker.first_fit(poses[last], s[last]).value_or(s[last]);
+    }
+    if (s.size() > 1) {
+      s = consistent_parameters(tracker, poses, s,
+                                [&](std::size_t k) { return moved(tracker, first + k); });
+    }
+    if (found.off && !found.reached) s.push_back(std::max(off, s.back()));
   }
 
   /// Keeps the samples up to the one nearest to the end. It is chosen among the first consecutive
@@ -106,6 +131,23 @@ struct Verifier {
       if (from_end[k] < from_end[nearest]) nearest = k;
     }
     found.path_parameters.resize(nearest + 1);
+  }
+
+  /// The length of the tool's motion from sample k to the next.
+  double moved(const PathTracker& tracker, std::size_t k) const {
+    constexpr int chords = 8;
+    double length = 0;
+    Pose before = world_T_tool[k];
+    for (int j = 1; j <= chords; ++j) {
+      Configuration q = trajectory.positions[k + 1];
+      for (int i = 0; i < arm.dof() && j < chords; ++i) {
+        q[i] = interval_polynomial(trajectory, k, i)(static_cast<double>(j) / chords);
+      }
+      const Pose here = forward_kinematics(arm, q);
+      length += tracker.distance(before, here);
+      before = here;
+    }
+    return length;
   }
 
   /// Returns whether sample k, with this deviation, is within tolerance; records a fault if not.
@@ -237,11 +279,14 @@ struct Verifier {
                  "the path's beginning");
     for (std::size_t i = 0; i < segments && result.fault == Fault::none; ++i) {
       if (i + 1 < segments && !route.stops[i]) continue;
-      Located found = locate(first, static_cast<double>(begin), i);
+      const PathTracker tracker(route.path, task, static_cast<double>(begin),
+                                static_cast<double>(i + 1), tolerance);
+      Located found = locate(first, tracker, static_cast<double>(begin), i);
       if (found.reached) {
         cut_at_arrival(found, i + 1 == segments);
         found.path_parameters.back() = static_cast<double>(i + 1);
       }
+      if (begin < i || !is_line(i)) make_consistent(tracker, first, found);
       check_samples(first, found.path_parameters);
       if (!found.reached) {
         fail_to_reach(i);

@@ -5,7 +5,7 @@
 #include <beeline/certificate/path_deviation.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
-#include <beeline/path/internal/nearest_parameter.h>
+#include <beeline/path/internal/path_tracker.h>
 #include <beeline/planning/internal/track_segment.h>
 #include <beeline/pose/orientation.h>
 
@@ -168,7 +168,7 @@ TEST(PathIntervals, CoverTheWholeIntervalWhereSegmentsAreAtRest) {
   }
 }
 
-TEST(NearestParameter, FindsTheSamplesOfAPath) {
+TEST(PathTracker, FindsTheSamplesOfAPath) {
   Random random;
   for (int i = 0; i < 40; ++i) {
     const Arm arm = built_in("ur5");
@@ -182,7 +182,8 @@ TEST(NearestParameter, FindsTheSamplesOfAPath) {
       const double end = stops ? segment + 1 : static_cast<double>(path.segments.size());
       const Pose tool = forward_kinematics(arm, way.samples[k]);
       if (stops) before = std::max(before, segment);
-      before = internal::nearest_parameter(path, Task::spatial(), tool, before, end);
+      const internal::PathTracker tracker(path, Task::spatial(), before, end, {1e-4, 1e-4});
+      before = tracker.nearest(tool, before);
       const Deviation off = task_deviation(Task::spatial(), pose_at(path, before), tool);
       ASSERT_LT(off.position, 1e-9)
           << i % 5 << " place " << before << " of " << way.path_parameters[k];
@@ -194,7 +195,7 @@ TEST(NearestParameter, FindsTheSamplesOfAPath) {
 
 // If the rotation dominates, the nearest path parameter by both together may have a larger position
 // error.
-TEST(FittingParameter, IsWithinTheToleranceWherePossible) {
+TEST(PathTracker, IsWithinTheToleranceWherePossible) {
   Random random;
   const Deviation tolerance{1e-4, 1e-4};
   int nearest_is_none = 0;
@@ -211,9 +212,10 @@ TEST(FittingParameter, IsWithinTheToleranceWherePossible) {
     const auto fits = [&](double place) {
       return within(task_deviation(Task::spatial(), pose_at(path, place), tool), tolerance);
     };
-    ASSERT_TRUE(fits(internal::fitting_parameter(path, Task::spatial(), tool, 0, 1, tolerance)))
-        << i;
-    nearest_is_none += !fits(internal::nearest_parameter(path, Task::spatial(), tool, 0, 1));
+    const internal::PathTracker tracker(path, Task::spatial(), 0, 1, tolerance);
+    const auto found = tracker.first_fit(tool, 0);
+    ASSERT_TRUE(found && fits(*found)) << i;
+    nearest_is_none += !fits(tracker.nearest(tool, 0));
   }
   EXPECT_GT(nearest_is_none, 10);
 }
