@@ -9,6 +9,7 @@
 #include <beeline/trajectory/limit_usage.h>
 
 #include "arm_argument.h"
+#include "budget_argument.h"
 #include "format.h"
 #include "input_files.h"
 #include "motion_report.h"
@@ -30,6 +31,7 @@ struct CheckArguments {
   WorkArgument work;
   PathArgument path;
   VerifyOptions verify;
+  BudgetArgument budget;
   bool json = false;
 };
 
@@ -45,16 +47,23 @@ void write_check_plot(const CheckArguments& arguments, const Arm& arm, const Tra
   internal::write_file(arguments.plot, render(drawing, format_of(arguments.plot)));
 }
 
-Json check_document(const CheckArguments& arguments, const Arm& arm, const Trajectory& trajectory,
-                    const Verification& verification) {
-  const bool passed = verification.fault == Fault::none;
-  Json document{{"status", passed ? "passed" : "failed"},
-                {"fault", passed ? Json() : Json(name(verification.fault))},
-                {"sample", passed ? Json() : Json(verification.sample + 1)},
-                {"time", passed ? Json() : Json(verification.time)},
+std::string status_of(const Verification& verification) {
+  if (verification) return "passed";
+  return verification.fault == Fault::none ? name(verification.ending) : "failed";
+}
+
+Json check_document(const CheckArguments& arguments, const Trajectory& trajectory,
+                    const Verification& verification, const LimitUsage& limits) {
+  const bool faulty = verification.fault != Fault::none;
+  const bool complete = verification.ending == Ending::complete;
+  Json document{{"status", status_of(verification)},
+                {"fault", faulty ? Json(name(verification.fault)) : Json()},
+                {"sample", faulty ? Json(verification.sample + 1) : Json()},
+                {"time", faulty ? Json(verification.time) : Json()},
                 {"duration", trajectory.times.back()}};
-  document.add("limits", json_limits(limit_usage(arm, trajectory)));
-  document.add(deviation_members(verification.deviation, arguments.unit));
+  document.add("limits", limits.ending == Ending::complete ? json_limits(limits) : Json());
+  document.add(deviation_members(complete ? std::optional(verification.deviation) : std::nullopt,
+                                 arguments.unit));
   document.add("samples", trajectory.size());
   document.add("reason", verification.reason);
   Json arrivals = Json::list();
@@ -64,17 +73,18 @@ Json check_document(const CheckArguments& arguments, const Arm& arm, const Traje
   return document;
 }
 
-std::string check_text(const CheckArguments& arguments, const Arm& arm,
-                       const Trajectory& trajectory, const Verification& verification,
+std::string check_text(const CheckArguments& arguments, const Trajectory& trajectory,
+                       const Verification& verification, const LimitUsage& limits,
                        const std::string& waypoints) {
-  const bool passed = verification.fault == Fault::none;
-  std::string text = fmt::format("{}: {} in {} s through {}\n", passed ? "passed" : "failed",
+  std::string text = fmt::format("{}: {} in {} s through {}\n", status_of(verification),
                                  counted(static_cast<std::int64_t>(trajectory.size()), "sample"),
                                  shown(trajectory.times.back()), waypoints);
-  text += passed
-              ? deviation_text(verification.deviation, trajectory.interpolation(), arguments.unit)
-              : fmt::format("fault         {}\n", name(verification.fault));
-  text += limits_text(limit_usage(arm, trajectory));
+  if (verification.fault != Fault::none) {
+    text += fmt::format("fault         {}\n", name(verification.fault));
+  } else if (verification) {
+    text += deviation_text(verification.deviation, trajectory.interpolation(), arguments.unit);
+  }
+  if (limits.ending == Ending::complete) text += limits_text(limits);
   if (!arguments.plot.empty()) text += fmt::format("plot          {}\n", arguments.plot);
   return text;
 }
@@ -115,14 +125,19 @@ Answer check_file(const CheckArguments& arguments) {
   VerifyOptions options = arguments.verify;
   options.task = arguments.task.read(arm);
   if (trajectory.size() == 0) throw FileError(arguments.file, 0, "has no samples");
+  options.budget = arguments.budget.next();
   const auto [verification, waypoints, program] =
       check_through(arguments, arm, trajectory, options);
-  if (!arguments.plot.empty()) write_check_plot(arguments, arm, trajectory, verification, options);
+  const LimitUsage limits = limit_usage(arm, trajectory, arguments.budget.next());
+  const bool complete = verification.ending == Ending::complete;
+  if (!arguments.plot.empty() && complete) {
+    write_check_plot(arguments, arm, trajectory, verification, options);
+  }
   return {.text = check_text(
-              arguments, arm, trajectory, verification,
+              arguments, trajectory, verification, limits,
               counted(static_cast<std::int64_t>(waypoints), program ? "move" : "waypoint")),
-          .document = check_document(arguments, arm, trajectory, verification),
-          .yes = verification.fault == Fault::none,
+          .document = check_document(arguments, trajectory, verification, limits),
+          .yes = static_cast<bool>(verification),
           .reason = verification.reason};
 }
 
@@ -174,7 +189,8 @@ Verb check_verb() {
                          proof_options(arguments.verify),
                          {plot_option(&arguments.plot)},
                          arguments.arm.options(),
-                         arguments.limits.options()}),
+                         arguments.limits.options(),
+                         {arguments.budget.time_limit_option()}}),
       .examples = {{"Plan a motion, then check the file that was written",
                     "printf 'x,y,theta\\n4.5,5.2,0\\n2,6,45\\n' > planar.csv\n"
                     "beeline line rrr --from 0,90,0 --degrees --through planar.csv --out move.csv\n"

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include <beeline/certificate/joint_faults.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/mean_derivative.h>
@@ -34,8 +35,10 @@ class FaultSearch {
         q_(trajectory.positions),
         v_(trajectory.velocities) {}
 
-  std::optional<JointFault> first() {
+  std::optional<JointFault> first(BudgetMeter& budget) {
+    constexpr std::size_t batch = 64;  // samples, of about a microsecond
     for (std::size_t k = 0; k < t_.size(); ++k) {
+      if (k % batch == 0 && budget.ended(batch)) return {};
       for (int i = 0; i < arm_.dof() && !found_; ++i) check_positions(k, i);
       if (found_) return found_;
       for (int i = 0; i < arm_.dof() && !found_; ++i) check_derivatives(k, i);
@@ -163,9 +166,10 @@ std::string name(Fault fault) {
 std::ostream& operator<<(std::ostream& out, Fault fault) { return out << name(fault); }
 
 std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& trajectory,
-                                            const MovingEnds& moving) {
+                                            const MovingEnds& moving, const Budget& budget) {
   check_fits(arm, trajectory);
-  return FaultSearch(arm, trajectory, moving).first();
+  BudgetMeter meter(budget);
+  return FaultSearch(arm, trajectory, moving).first(meter);
 }
 
 }  // namespace beeline

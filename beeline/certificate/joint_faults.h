@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include <beeline/budget.h>
 #include <beeline/error.h>
 #include <beeline/trajectory/trajectory.h>
 
@@ -19,8 +20,8 @@ enum class Fault {
   velocity,     ///< a velocity limit is exceeded between two samples
   acceleration,
   jerk,
-  moving,  ///< a joint moves at the trajectory's start or end
-  dwell,   ///< the arm does not rest long enough at a waypoint of a program
+  moving,      ///< a joint moves at the trajectory's start or end
+  dwell,       ///< the arm does not rest long enough at a waypoint of a program
   tool_speed,  ///< the tool is faster than a move of a program allows
 };
 std::string name(Fault fault);
@@ -40,8 +41,9 @@ struct JointFault {
 
 /// Returns the first fault in time of a trajectory's joints, whose columns are in the arm's order:
 /// limits, flip, velocity, acceleration, jerk or moving; see verify() for their meaning.
-/// Throws Error when the trajectory does not fit the arm.
+/// Nothing where the budget ends it before. Throws Error when the trajectory does not fit the arm.
 std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& trajectory,
-                                            const MovingEnds& moving = {});
+                                            const MovingEnds& moving = {},
+                                            const Budget& budget = {});
 
 }  // namespace beeline

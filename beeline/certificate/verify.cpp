@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ostream>
 
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/certificate/internal/path_interval.h>
 #include <beeline/certificate/internal/path_step.h>
 #include <beeline/certificate/verify.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/checked_poses.h>
 #include <beeline/path/internal/consistent_parameters.h>
@@ -25,6 +27,7 @@ struct Verifier {
   Task task;
   Deviation tolerance;
   MovingEnds moving;
+  BudgetMeter& budget;
   std::vector<Pose> world_T_tool = {};  ///< at the samples
   Verification result = {};
 
@@ -80,6 +83,7 @@ struct Verifier {
     Located found;
     for (std::size_t k = first; k < trajectory.size(); ++k) {
       if (!last && found.reached && found.from_end.back() < 0) break;
+      if (budget.ended()) break;
       const Pose& tool = world_T_tool[k];
       const double from = found.path_parameters.empty() ? begin : found.path_parameters.back();
       const std::optional<double> fit =
@@ -232,7 +236,7 @@ struct Verifier {
     for (std::size_t i = 0; i < path_parameters.size(); ++i) {
       if (!check_sample(first + i, path_parameters[i])) return;
       if (i > 0) result.path_parameters.push_back(path_parameters[i]);
-      if (i + 1 == path_parameters.size()) return;
+      if (i + 1 == path_parameters.size() || budget.ended()) return;
       const std::size_t k = first + i;
       const Deviation next =
           deviation_from(route.path, path_parameters[i + 1], world_T_tool[k + 1], task);
@@ -250,6 +254,7 @@ struct Verifier {
     const Pose goal = pose_at(route.path.segments.back(), 1);
     const ToolPath stay = lines_through(std::vector{goal, goal});
     for (std::size_t k = first + 1; k < trajectory.size() && result.fault == Fault::none; ++k) {
+      if (budget.ended()) return;
       const Deviation left = task_deviation(task, goal, world_T_tool[k]);
       if (near(left)) {
         check_interval(k - 1, stay,
@@ -282,12 +287,14 @@ struct Verifier {
       const PathTracker tracker(route.path, task, static_cast<double>(begin),
                                 static_cast<double>(i + 1), tolerance);
       Located found = locate(first, tracker, static_cast<double>(begin), i);
+      if (!budget.complete()) break;
       if (found.reached) {
         cut_at_arrival(found, i + 1 == segments);
         found.path_parameters.back() = static_cast<double>(i + 1);
       }
       if (begin < i || !is_line(i)) make_consistent(tracker, first, found);
       check_samples(first, found.path_parameters);
+      if (!budget.complete()) break;
       if (!found.reached) {
         fail_to_reach(i);
         break;
@@ -296,14 +303,14 @@ struct Verifier {
       first += found.path_parameters.size() - 1;
       begin = i + 1;
     }
-    if (result.fault == Fault::none) check_after_end(first);
+    if (result.fault == Fault::none && budget.complete()) check_after_end(first);
     result.arrivals = arrivals(result.path_parameters);
   }
 
   /// A fault of a joint replaces a deviation at the same time or later.
   void check_joints() {
     constexpr std::size_t stencil = 3;  // samples by which a difference may precede its cause
-    const auto fault = first_joint_fault(arm, trajectory, moving);
+    const auto fault = first_joint_fault(arm, trajectory, moving, budget.part());
     if (!fault) return;
     const bool position = fault->kind == Fault::limits || fault->kind == Fault::flip;
     if (result.fault == Fault::none ||
@@ -312,6 +319,16 @@ struct Verifier {
     }
   }
 };
+
+/// Reports that the budget ended the proof.
+void set_ended(Ending ending, Verification& result) {
+  result.ending = ending;
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  result.deviation.bound = {unknown, unknown};
+  if (result.fault != Fault::none) return;
+  result.reason =
+      ended_by(ending) + " before the whole trajectory was checked" + how_to_continue(ending);
+}
 
 /// The trajectory with its joints in the arm's order.
 Trajectory checked_trajectory(const Arm& arm, const Trajectory& given) {
@@ -331,14 +348,21 @@ Verification verify(const Arm& arm, const Trajectory& given, const Route& route,
   const Trajectory trajectory = checked_trajectory(arm, given);
   const Task task = options.task.value_or(default_task(arm));
   check_route(arm, route, task);
-  Verifier verifier{
-      arm,           trajectory, route, task, {options.tolerance, options.orientation_tolerance},
-      options.moving};
+  BudgetMeter budget(options.budget);
+  Verifier verifier{arm,
+                    trajectory,
+                    route,
+                    task,
+                    {options.tolerance, options.orientation_tolerance},
+                    options.moving,
+                    budget};
   for (const Configuration& q : trajectory.positions) {
+    if (budget.ended()) break;
     verifier.world_T_tool.push_back(forward_kinematics(arm, q));
   }
-  verifier.check_route();
-  verifier.check_joints();
+  if (budget.complete()) verifier.check_route();
+  if (budget.complete()) verifier.check_joints();
+  if (!budget.complete()) set_ended(budget.ending(), verifier.result);
   return verifier.result;
 }
 
@@ -357,7 +381,10 @@ Verification verify(const Arm& arm, const Trajectory& trajectory,
 }
 
 std::ostream& operator<<(std::ostream& out, const Verification& verification) {
-  if (!verification) return out << verification.fault << ": " << verification.reason;
+  if (verification.fault != Fault::none) {
+    return out << verification.fault << ": " << verification.reason;
+  }
+  if (!verification) return out << verification.ending << ": " << verification.reason;
   return out << "verified, deviation at most " << verification.deviation.bound;
 }
 

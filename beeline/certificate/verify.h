@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <beeline/budget.h>
 #include <beeline/certificate/joint_faults.h>
 #include <beeline/certificate/path_deviation.h>
 #include <beeline/error.h>
@@ -18,11 +19,12 @@ struct VerifyOptions {
   std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
   double tolerance = 1e-4;                  ///< max deviation in position, metres, above 0
   double orientation_tolerance = 1e-4;      ///< max deviation in orientation, radians, above 0
+  Budget budget = {};
 };
 
 struct Verification {
   Fault fault = Fault::none;  ///< the first in time
-  std::string reason;         ///< one sentence: time, sample, what, by how much; empty if no fault
+  std::string reason;         ///< one sentence: time, sample, what, by how much; empty if proved
   std::size_t sample = 0;     ///< the fault is at this sample, or between it and the next
   double time = 0;            ///< of that sample, seconds
   PathDeviation deviation;    ///< over the whole trajectory, or up to the fault
@@ -31,8 +33,11 @@ struct Verification {
   /// arrivals[i] is the sample at the end of segment i, or the first after it, as far as the
   /// trajectory follows the path.
   std::vector<std::size_t> arrivals;
+  /// Otherwise the rest of the trajectory has not been checked, and nothing is proved; a fault that
+  /// was found is one, but not always the first.
+  Ending ending = Ending::complete;
 
-  explicit operator bool() const { return fault == Fault::none; }
+  explicit operator bool() const { return fault == Fault::none && ending == Ending::complete; }
 };
 
 /// Prints the fault with its reason, or the proved deviation.

@@ -50,7 +50,7 @@ inline bool ended(BudgetMeter* budget, std::int64_t work = 1) {
 }
 
 /// The budget of a part of a computation whose budget is optional.
-inline Budget part_of(BudgetMeter* budget) { return {.part_of = budget}; }
+inline Budget budget_of(BudgetMeter* budget) { return {.part_of = budget}; }
 
 /// "the time limit ended the search".
 std::string ended_by(Ending ending);

@@ -91,7 +91,7 @@ Branch best_branch(const Arm& arm, const std::optional<Configuration>& start, co
 }
 
 /// The options of a part of a search.
-BranchOptions part_of(BudgetMeter& budget, const BranchOptions& given) {
+BranchOptions within(BudgetMeter& budget, const BranchOptions& given) {
   BranchOptions options = given;
   options.budget = budget.part();
   options.budget.progress = given.budget.progress;
@@ -103,14 +103,14 @@ BranchOptions part_of(BudgetMeter& budget, const BranchOptions& given) {
 Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, const ToolPath& path,
                  const BranchOptions& given) {
   BudgetMeter budget(given.budget);
-  Branch branch = best_branch(arm, start, path, part_of(budget, given), budget);
+  Branch branch = best_branch(arm, start, path, within(budget, given), budget);
   if (!budget.complete()) set_ended(path, budget.ending(), branch);
   return branch;
 }
 
 std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, const BranchOptions& given) {
   BudgetMeter budget(given.budget);
-  BranchOptions options = part_of(budget, given);
+  BranchOptions options = within(budget, given);
   options.reasons = BranchOptions::Reasons::all;
   if (arm.dof() <= options.task.size()) return track_branches(arm, path, options);
   // Approximate number of solutions at the beginning; each is planned separately.

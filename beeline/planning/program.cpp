@@ -278,8 +278,9 @@ class ProgramPlanner {
       }
       move.tool_speed = tool_speed_bound(arm_, samples_between(trajectory, move.begin, move.end));
     }
-    motion_.limits = limit_usage(arm_, trajectory);
-    const auto fault = first_joint_fault(arm_, trajectory);
+    motion_.limits = limit_usage(arm_, trajectory, budget_.part());
+    const auto fault = first_joint_fault(arm_, trajectory, {}, budget_.part());
+    if (!budget_.complete()) return fail_ended(program_.moves.size() - 1);
     return !fault || fail(program_.moves.size(), MotionStatus::outside_limits,
                           "at " + number(trajectory.times[fault->sample]) + " s: " + fault->reason);
   }
@@ -289,7 +290,7 @@ class ProgramPlanner {
     const std::size_t end = proved.begin + proved.path_parameters.size() - 1;
     const PathDeviation found =
         path_deviation(arm_, samples_between(motion_.trajectory, proved.begin, end),
-                       proved.path_parameters, part.route.path, *options_.task);
+                       proved.path_parameters, part.route.path, *options_.task, budget_.part());
     if (!budget_.complete()) return fail_ended(part.first);
     PathDeviation& whole = motion_.deviation;
     grow(whole.sampled, found.sampled);

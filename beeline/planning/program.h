@@ -108,7 +108,7 @@ struct ProgramMotion {
 /// Throws Error, with move_name(), for a program without moves; for a blend that is not between two
 /// lines or at a dwell; a via or a configuration where there is none, or an arc without via; a
 /// speed, blend or dwell out of range; a configuration outside the limits; and where
-/// path_through(), blended_lines() and move_along() do.
+/// path_through(), blended_lines() and move_along() do. `budget` is that of the whole program.
 ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& start,
                            const Program& program, const PathMotionOptions& options = {});
 

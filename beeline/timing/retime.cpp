@@ -87,16 +87,15 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
     internal::append(timed.trajectory, internal::sample_section(arm, path, section).trajectory);
     ++timed.sections;
   }
+  internal::round_times(timed.trajectory);
+  timed.limits = limit_usage(arm, timed.trajectory, budget.part());
+  timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory, &budget);
   timed.ending = budget.ending();
   if (!budget.complete()) {
     timed.reason = internal::ended_by(timed.ending) + " after " + std::to_string(timed.sections) +
                    " of " + std::to_string(parts.size()) + " sections between stops" +
                    internal::how_to_continue(timed.ending);
-    if (timed.sections == 0) return timed;
   }
-  internal::round_times(timed.trajectory);
-  timed.limits = limit_usage(arm, timed.trajectory);
-  timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory);
   return timed;
 }
 

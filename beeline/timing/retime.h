@@ -30,7 +30,7 @@ struct Retimed {
   double tool_speed = 0;     ///< a bound on the tool origin's speed, m/s
   std::size_t sections = 0;  ///< number of sections of the path between stops, those retimed
   /// Unless complete, the trajectory is that of the sections so far, up to a stop, and may take
-  /// longer than necessary.
+  /// longer than necessary; `limits` and `tool_speed` are not known.
   Ending ending = Ending::complete;
 
   explicit operator bool() const { return reason.empty(); }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/certificate/internal/path_checks.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/internal/program_parts.h>
 #include <beeline/planning/internal/program_trajectory.h>
@@ -53,7 +54,12 @@ class ProgramVerifier {
       passed = parts_[p].joint ? check_joint_move(p, last) : check_path(p, last);
     }
     if (passed && parts_.empty()) check_rest();
-    const auto joint = first_joint_fault(arm_, trajectory_, options_.moving);
+    const auto joint = first_joint_fault(arm_, trajectory_, options_.moving, options_.budget);
+    if (!options_.budget.part_of->complete()) {
+      const Ending ending = options_.budget.part_of->ending();
+      end(ending,
+          ended_by(ending) + " before the whole trajectory was checked" + how_to_continue(ending));
+    }
     if (joint && (result_.fault == Fault::none || joint->sample <= result_.sample)) {
       fail(joint->kind, joint->sample, joint->reason);
     }
@@ -245,8 +251,15 @@ class ProgramVerifier {
     grow(whole.measured, found.deviation.measured);
     grow(whole.bound, found.deviation.bound);
     if (found) return true;
+    if (found.fault == Fault::none) return end(found.ending, found.reason);
     const std::size_t prefix = sample_prefix(found.time, found.sample).size();
     return fail(found.fault, begin_ + found.sample, found.reason.substr(prefix));
+  }
+
+  bool end(Ending ending, const std::string& reason) {
+    result_.ending = ending;
+    if (result_.fault == Fault::none) result_.reason = reason;
+    return false;
   }
 
   const Arm& arm_;
@@ -268,7 +281,10 @@ Verification verify(const Arm& arm, const Trajectory& given, const Program& prog
   check_program(arm, program);
   const Trajectory trajectory = matched_to(arm, given);
   if (trajectory.size() == 0) throw Error("the trajectory has no samples");
-  return ProgramVerifier(arm, trajectory, program, options).run();
+  BudgetMeter budget(options.budget);
+  VerifyOptions shared = options;
+  shared.budget = budget.part();
+  return ProgramVerifier(arm, trajectory, program, shared).run();
 }
 
 }  // namespace beeline

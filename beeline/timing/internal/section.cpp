@@ -225,7 +225,7 @@ SampledSection locally_slowed(const Arm& arm, TimedPath section, const SectionOp
     if (duration <= small * shortest_duration + periods * period) return best;
     if (!lower_limits(arm, unslowed(arm, section, options), options, section)) return best;
     section.scaling =
-        time_scaling(section.path, section.limits, section.profile, part_of(options.budget));
+        time_scaling(section.path, section.limits, section.profile, budget_of(options.budget));
     if (!section.scaling) return best;
     SampledSection tried = slowed(arm, section, options);
     if (tried.trajectory.times.back() < duration) best = std::move(tried);

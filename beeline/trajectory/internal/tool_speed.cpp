@@ -59,9 +59,9 @@ class SpeedBound {
 
 }  // namespace
 
-double tool_speed_bound(const Arm& arm, const Trajectory& trajectory) {
+double tool_speed_bound(const Arm& arm, const Trajectory& trajectory, BudgetMeter* budget) {
   SpeedBound bound(arm, 0);
-  for (std::size_t k = 0; k + 1 < trajectory.size(); ++k) {
+  for (std::size_t k = 0; k + 1 < trajectory.size() && !ended(budget); ++k) {
     std::vector<Polynomial> coordinates;
     for (int i = 0; i < arm.dof(); ++i) {
       coordinates.push_back(interval_polynomial(trajectory, k, i));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <beeline/internal/budget_meter.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline::internal {
@@ -8,7 +9,8 @@ namespace beeline::internal {
 /// that the columns mean; they are in the arm's order. Between two samples the velocity is compared
 /// with its cubic Hermite polynomial, whose Bernstein coefficients bound it: the difference is at
 /// most 1/384 of the fourth derivative, which tool_taylor_bound() bounds. Intervals are halved
-/// until the difference is below a thousandth. 0 for one sample.
-double tool_speed_bound(const Arm& arm, const Trajectory& trajectory);
+/// until the difference is below a thousandth. 0 for one sample; no bound where the budget ends it.
+double tool_speed_bound(const Arm& arm, const Trajectory& trajectory,
+                        BudgetMeter* budget = nullptr);
 
 }  // namespace beeline::internal
