@@ -1,0 +1,35 @@
+#pragma once
+
+#include <atomic>
+
+#include <beeline/budget.h>
+
+namespace beeline::testing {
+
+/// A budget that cancels at its question number n, from 0 on, and at all later ones.
+class CancelAt {
+ public:
+  explicit CancelAt(int n) : n_(n) {}
+  CancelAt(const CancelAt&) = delete;
+  CancelAt& operator=(const CancelAt&) = delete;
+
+  Budget budget() {
+    return {.cancelled = [this] { return asked_++ >= n_; }};
+  }
+  /// Whether it has cancelled.
+  bool cancelled() const { return asked_ > n_; }
+
+ private:
+  int n_;
+  std::atomic<int> asked_ = 0;
+};
+
+/// Calls `run(n)` with n = 0, 1, 2, ..., from `dense` on in growing steps, until it returns false,
+/// which it does for a computation that was not cancelled.
+template <class Run>
+void for_each_cancellation(int dense, Run&& run) {
+  for (int n = 0; run(n); n += n < dense ? 1 : 1 + n / 8) {
+  }
+}
+
+}  // namespace beeline::testing
