@@ -238,12 +238,12 @@ SampledSection locally_slowed(const Arm& arm, TimedPath section, const SectionOp
 SampledSection sample_section(const Arm& arm, const TimedPath& section,
                               const SectionOptions& options) {
   SampledSection best = locally_slowed(arm, section, options);
-  if (section.profile != Profile::fastest) return best;
+  if (section.profile != Profile::fastest || ended(options.budget)) return best;
   // The ramps of acceleration may take longer than a motion with limited jerk.
   TimedPath gentle = section;
   gentle.profile = Profile::jerk;
   gentle.scaling =
-      time_scaling(section.path, section.limits, Profile::jerk, part_of(options.budget));
+      time_scaling(section.path, section.limits, Profile::jerk, budget_of(options.budget));
   if (!gentle.scaling) return best;
   if (!(gentle.scaling.duration() < best.trajectory.times.back())) return best;
   SampledSection other = locally_slowed(arm, gentle, options);
