@@ -4,11 +4,13 @@
 
 #include <beeline/error.h>
 #include <beeline/read/internal/file.h>
+#include <beeline/read/internal/file_stream.h>
 #include <beeline/record/trajectory_file.h>
 
 #include "arm_argument.h"
 #include "format.h"
 #include "input_files.h"
+#include "program_argument.h"
 #include "result_files.h"
 #include "verbs.h"
 
@@ -18,9 +20,12 @@ namespace {
 
 struct ExportArguments {
   ArmArgument arm;
+  LimitsArgument limits;
   UnitArgument unit;
-  std::string file, form, out;
-  std::optional<double> rate;
+  WorkArgument work;
+  PathArgument path;
+  std::string file, form, out, from;
+  std::optional<double> rate, tool_speed;
   bool json = false;
 };
 
@@ -39,21 +44,94 @@ ControllerFileOptions file_options(const ExportArguments& arguments) {
   return options;
 }
 
+/// Whether the file, which is no pipe, is a program.
+bool holds_program(const std::string& path) {
+  constexpr std::size_t begin = 65536;  // the header is there, after comments
+  internal::InputFile file(path);
+  return file.size() && is_program(file.peek(begin));
+}
+
+/// Throws Error for options that only programs have.
+void check_trajectory_options(const ExportArguments& arguments) {
+  const std::pair<const char*, bool> given[] = {{"--from", !arguments.from.empty()},
+                                                {"--work", !arguments.work.text.empty()},
+                                                {"--blend", arguments.path.blend.has_value()},
+                                                {"--tool-speed", arguments.tool_speed.has_value()}};
+  for (const auto& [option, used] : given) {
+    if (used) throw Error(option + (" is for programs; " + arguments.file + " is a trajectory"));
+  }
+}
+
+ControllerFile trajectory_export(const ExportArguments& arguments, const Arm& arm,
+                                 ControllerForm form) {
+  check_trajectory_options(arguments);
+  try {
+    return controller_file(arm, read_recording(arguments.file, arm), form, file_options(arguments));
+  } catch (const FileError& error) {
+    const std::string message = error.what();
+    if (message.find("column \"t\" is missing") == std::string::npos) throw;
+    throw FileError(arguments.file, 0,
+                    message.substr(arguments.file.size() + 2) + "; a program has a column motion");
+  }
+}
+
+/// A program as planned; without a file where it is not possible.
+struct PlannedExport {
+  ProgramMotion motion;
+  std::optional<ControllerFile> file = {};
+};
+
+PlannedExport program_export(const ExportArguments& arguments, const Arm& arm,
+                             ControllerForm form) {
+  const TaskArgument spatial{"spatial"};
+  const Program program = program_from(internal::read_file(arguments.file), arguments.file, arm,
+                                       {arguments.arm, spatial, arguments.work, arguments.unit},
+                                       arguments.path, arguments.from.empty());
+  std::optional<Configuration> start;
+  if (!arguments.from.empty()) {
+    start = arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
+  }
+  PathMotionOptions options{.task = spatial.read(arm)};
+  if (arguments.tool_speed) options.tool_speed = *arguments.tool_speed;
+  return at_rows(program, arguments.file, [&] {
+    PlannedExport planned{move_program(arm, start, program, options)};
+    if (planned.motion) {
+      planned.file = controller_file(arm, program, planned.motion, form, file_options(arguments));
+    }
+    return planned;
+  });
+}
+
+Answer failed_export(const ProgramMotion& motion) {
+  return {.text = name(motion.status) + ": nothing is exported\n",
+          .document = {{"status", name(motion.status)}, {"reason", motion.reason}},
+          .yes = false,
+          .reason = motion.reason};
+}
+
 Answer export_file(const ExportArguments& arguments) {
   const ControllerForm form = controller_form_named(arguments.form);
   check_ending(form, arguments.out);
   refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits,
                                      arguments.file});
-  const Arm arm = arguments.arm.read(arguments.unit);
-  const Trajectory trajectory = read_recording(arguments.file, arm);
-  const ControllerFile file = controller_file(arm, trajectory, form, file_options(arguments));
+  const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
+  const bool program = holds_program(arguments.file);
+  ControllerFile file;
+  if (program) {
+    PlannedExport planned = program_export(arguments, arm, form);
+    if (!planned.file) return failed_export(planned.motion);
+    file = std::move(*planned.file);
+  } else {
+    file = trajectory_export(arguments, arm, form);
+  }
   internal::write_file(arguments.out, file.text);
-  Answer answer{.text = fmt::format("exported      {} in {} s, as {}\nproof holds   for {}\n",
-                                    counted(static_cast<std::int64_t>(file.samples), "sample"),
-                                    shown(file.duration), name(form), file.proof),
+  Answer answer{.text = fmt::format(
+                    "exported      {} in {} s, as {}\nproof holds   for {}\n",
+                    counted(static_cast<std::int64_t>(file.samples), program ? "move" : "sample"),
+                    shown(file.duration), name(form), file.proof),
                 .document = {{"status", "exported"},
                              {"form", name(form)},
-                             {"samples", file.samples},
+                             {program ? "moves" : "samples", file.samples},
                              {"duration", file.duration},
                              {"proof", file.proof},
                              {"note", file.note},
@@ -62,6 +140,20 @@ Answer export_file(const ExportArguments& arguments) {
   if (!file.note.empty()) answer.text += fmt::format("note          {}\n", file.note);
   answer.text += fmt::format("file          {}\n", arguments.out);
   return answer;
+}
+
+/// Options of the plan of a program.
+std::vector<Option> program_options(ExportArguments& arguments) {
+  return {joint_values_option(
+              "--from", "Joint values at the start of a program. Default: its first waypoint.",
+              &arguments.from, {"the motion cannot start"}),
+          arguments.work.option(),
+          arguments.path.options()[1],
+          {.name = "--tool-speed",
+           .value = "V",
+           .help = "Largest speed of the tool origin in a program's moves without a speed, m/s.",
+           .target = &arguments.tool_speed,
+           .range = {.lowest = 1e-8}}};
 }
 
 std::vector<Option> export_options(ExportArguments& arguments) {
@@ -95,7 +187,7 @@ Verb export_verb() {
   static ExportArguments arguments;
   return {
       .name = "export",
-      .summary = "Write a trajectory in the form that a robot's controller takes",
+      .summary = "Write a trajectory or a program in the form that a robot's controller takes",
       .description =
           "Writes a trajectory for a controller, from time 0 at its first sample, and prints on "
           "stderr what of a proof (`beeline check`) holds there; the file says it in comments.\n\n"
@@ -105,14 +197,21 @@ Verb export_verb() {
           "instructions; krl: PTP instructions: their controllers plan the motion between the "
           "samples again. csv: setpoints at a constant rate. Programs need an arm of six revolute "
           "joints in the controller's order, zeros and directions.\n\n"
+          "A program, a .csv file with a column motion (see `beeline help line`), is planned and "
+          "certified, then written as moves of urscript (movej, movel, movec), rapid (MoveAbsJ, "
+          "MoveL, MoveC) or krl (PTP, LIN, CIRC, SPLINE): the order and the waypoints are exact, "
+          "and "
+          "the controller plans the motions between them again.\n\n"
           "With --rate the last sample is up to one period later than the trajectory's. Files are "
           "in radians and metres, those of "
           "rapid and krl in degrees; --degrees applies to --tcp and --mount.",
       .arguments = {arguments.arm.argument(),
-                    trajectory_argument("FILE", "A trajectory of the arm, .csv or .json.",
-                                        &arguments.file)},
+                    trajectory_argument(
+                        "FILE", "A trajectory of the arm, .csv or .json, or a program, .csv.",
+                        &arguments.file)},
       .options =
-          joined({export_options(arguments), arguments.unit.options(), arguments.arm.options()}),
+          joined({export_options(arguments), program_options(arguments), arguments.unit.options(),
+                  arguments.arm.options(), arguments.limits.options()}),
       .examples =
           {{"A motion of a UR5e for ROS 2, and as a program of its controller",
             "beeline move ur5e --from 0,-1.5,1.5,0,0,0 --to 0.5,-1,1,0,0.3,0 --method quickest "
@@ -120,7 +219,13 @@ Verb export_verb() {
             "beeline export ur5e move.csv --as ros2 --out move.yaml\n"
             "beeline export ur5e move.csv --as urscript --rate 500 --out move.script"},
            {"A sample every 0.1 s, as instructions of ABB",
-            "beeline export ur5e move.csv --as rapid --rate 10 --out move.mod"}},
+            "beeline export ur5e move.csv --as rapid --rate 10 --out move.mod"},
+           {"A pick as a program of Universal Robots: down to a pose, 0.5 s there, and back",
+            "printf "
+            "'motion,relative,x,y,z,roll,pitch,yaw,speed,dwell\\njoint,next,0,0,-0.1,0,0,0,,\\n"
+            "line,,-0.4,-0.3,0.2,180,0,0,0.1,0.5\\nline,previous,0,0,-0.1,0,0,0,0.25,\\n' > "
+            "pick.csv\n"
+            "beeline export ur5e pick.csv --degrees --as urscript --out pick.script"}},
       .json = &arguments.json,
       .run = [] { return export_file(arguments); }};
 }

@@ -163,6 +163,12 @@ class ProgramPlanner {
     const ProgramPart& part = parts_[p];
     ahead = move_along(arm_, q, part.route, options_);
     if (*ahead) return true;
+    const std::string_view beginning = "the path's beginning: ";
+    if (part.first > 0 && ahead->reason.starts_with(beginning)) {  // the waypoint before
+      return fail(part.first - 1, ahead->status,
+                  move_name(program_, part.first - 1) + ": " +
+                      ahead->reason.substr(beginning.size()));
+    }
     const std::optional<std::size_t> move = named_move(part, ahead->reason);
     return fail(move.value_or(part.first), ahead->status,
                 (move ? "" : part_name(program_, part) + ": ") + ahead->reason);

@@ -5,6 +5,7 @@
 #include <beeline/read/internal/file_stream.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/record/internal/controller_form.h>
+#include <beeline/record/internal/controller_moves.h>
 #include <beeline/record/internal/controller_program.h>
 #include <beeline/record/internal/setpoints.h>
 #include <beeline/record/internal/trajectory_csv.h>
@@ -53,6 +54,17 @@ std::string text_in_form(ControllerForm form, const Trajectory& samples,
       return with_comments(comments, internal::trajectory_to_csv(samples));
   }
   return "";
+}
+
+/// Throws Error for a move that the form does not have.
+void check_moves_in(ControllerForm form, const Program& program) {
+  for (std::size_t i = 0; i < program.moves.size(); ++i) {
+    const MoveKind kind = program.moves[i].kind;
+    const bool spline = kind == MoveKind::spline && form != ControllerForm::krl;
+    if (kind != MoveKind::screw && !spline) continue;
+    throw Error(move_name(program, i) + ": " + name(form) + " has no " + name(kind) + " moves" +
+                (spline ? "; krl has" : "") + "; export the planned trajectory instead");
+  }
 }
 
 }  // namespace
@@ -146,6 +158,41 @@ ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, Con
     if (!file.note.empty()) comments.push_back(comment("Note: " + file.note));
   }
   file.text = text_in_form(form, samples, comments, options);
+  return file;
+}
+
+ControllerFile controller_file(const Arm& arm, const Program& program, const ProgramMotion& motion,
+                               ControllerForm form, const ControllerFileOptions& options) {
+  const internal::FormDescription& described = description(form);
+  if (!described.six_axes) {
+    throw Error(name(form) + " files hold trajectories; plan the program first and export that");
+  }
+  if (options.rate) throw Error("a rate is for the export of trajectories, not of programs");
+  internal::check_form(described, arm, options.rate);
+  check_moves_in(form, program);
+  if (!motion || motion.moves.size() != program.moves.size()) {
+    throw Error("only a program that is planned completely is exported");
+  }
+  ControllerFile file;
+  file.proof =
+      "the order and the waypoints; the controller plans each motion between them again, with its "
+      "own profiles and blends, so that times, limits, deviations and the arm's branch are not "
+      "proved there";
+  file.note = "the controller's tool must be the arm's tool, its base frame the arm's base; " +
+              internal::note_on_form(described, motion.trajectory);
+  file.samples = program.moves.size();
+  file.duration = motion.trajectory.times.back();
+  const std::vector<std::string> comments{
+      "Beeline: " + std::to_string(file.samples) + " moves, planned and certified with " +
+          number(file.duration) + " s and a deviation of at most " +
+          deviation_text(motion.deviation.bound),
+      comment("What of that proof holds here: " + file.proof), comment("Note: " + file.note)};
+  const internal::MoveSource source{motion.trajectory.positions.front(),
+                                    internal::controller_moves(arm, program, motion), comments,
+                                    options.program};
+  file.text = form == ControllerForm::urscript ? internal::urscript_moves(source)
+              : form == ControllerForm::rapid  ? internal::rapid_moves(source)
+                                               : internal::krl_moves(source);
   return file;
 }
 

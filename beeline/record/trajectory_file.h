@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <beeline/error.h>
+#include <beeline/planning/program.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
@@ -80,5 +81,15 @@ struct ControllerFile {
 /// urscript periods of whole control cycles of 2 ms.
 ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, ControllerForm form,
                                const ControllerFileOptions& options = {});
+
+/// Returns a planned program as moves for a controller, from the configuration at which its
+/// trajectory begins: joint moves to the planned joint values, the others to their poses in the
+/// arm's base, with speeds, blends and dwells. Moves without a speed get the largest of the planned
+/// motion. The controller plans all motions again. `samples` is the number of moves, `duration`
+/// that of the planned motion. Throws Error for a motion that is not complete or not of the
+/// program; as the function above; for ros2, csv and a rate, which need a trajectory; and for a
+/// kind of move that the form does not have: screws, and splines except of krl.
+ControllerFile controller_file(const Arm& arm, const Program& program, const ProgramMotion& motion,
+                               ControllerForm form, const ControllerFileOptions& options = {});
 
 }  // namespace beeline

@@ -6,7 +6,7 @@ import re
 OPENS = re.compile(r"(def \w+\([\w, ]*\)|if .+|while .+):")
 SIMPLE = re.compile(r"halt|return \w+|(local )?\w+ = .+")
 CALL = re.compile(r"(\w+)\((.*)\)")
-ARGUMENT = re.compile(r"(?:(\w+)=)?(\[[^\]]*\]|\"[^\"]*\"|[^,\[\"]+)(?:, |$)")
+ARGUMENT = re.compile(r"(?:(\w+)=)?(p?\[[^\]]*\]|\"[^\"]*\"|[^,\[\"]+)(?:, |$)")
 
 
 def arguments(text):
@@ -20,8 +20,9 @@ def arguments(text):
 
 
 def numbers(text):
-    assert text.startswith("[") and text.endswith("]"), text
-    return [float(item) for item in text[1:-1].split(",")]
+    """A list of numbers, or a pose p[...]."""
+    assert text.removeprefix("p").startswith("[") and text.endswith("]"), text
+    return [float(item) for item in text.removeprefix("p")[1:-1].split(",")]
 
 
 def read(text):

@@ -42,25 +42,6 @@ void check_identifier(const std::string& name, const char* language, std::size_t
               " characters, and no word of the language");
 }
 
-std::string commented(const std::vector<std::string>& lines, const char* prefix) {
-  std::string text;
-  for (const std::string& line : lines) text += prefix + line + '\n';
-  return text;
-}
-
-std::string radians_of(const Configuration& q) {
-  std::string text = "[";
-  for (Eigen::Index i = 0; i < q.size(); ++i) {
-    text += (i == 0 ? "" : ",") + fixed_point(q[i] + 0.0, 9);
-  }
-  return text + "]";
-}
-
-double degrees_of(double radians) {
-  const double degrees = std::round(radians * 180 / std::numbers::pi * 1e6) / 1e6;
-  return degrees + 0.0;  // -0 becomes 0
-}
-
 /// Whether the arm must stop at sample k: at the ends, before and after a pause, and where the
 /// velocity is zero.
 bool stops_at(const Trajectory& samples, std::size_t k) {
@@ -81,36 +62,77 @@ std::string time_to(const Trajectory& samples, std::size_t k) {
 
 }  // namespace
 
+std::string commented(const std::vector<std::string>& lines, const char* prefix) {
+  std::string text;
+  for (const std::string& line : lines) text += prefix + line + '\n';
+  return text;
+}
+
+std::string radians_of(const Configuration& q) {
+  std::string text = "[";
+  for (Eigen::Index i = 0; i < q.size(); ++i) {
+    text += (i == 0 ? "" : ",") + fixed_point(q[i] + 0.0, 9);
+  }
+  return text + "]";
+}
+
+double degrees_of(double radians) {
+  const double degrees = std::round(radians * 180 / std::numbers::pi * 1e6) / 1e6;
+  return degrees + 0.0;  // -0 becomes 0
+}
+
+void check_rapid_name(const std::string& name) { check_identifier(name, "RAPID", 27, rapid_words); }
+
+void check_krl_name(const std::string& name) { check_identifier(name, "KRL", 24, krl_words); }
+
+std::string rapid_axes(const Configuration& q) {
+  std::string axes;
+  for (const double angle : q) {
+    axes += (axes.empty() ? "" : ",") + fixed_point(degrees_of(angle), 6);
+  }
+  return "[[" + axes + "],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+}
+
+std::string krl_axes(const Configuration& q) {
+  std::string axes;
+  for (Eigen::Index i = 0; i < q.size(); ++i) {
+    axes += (i == 0 ? "A" : ",A") + std::to_string(i + 1) + " " + fixed_point(degrees_of(q[i]), 6);
+  }
+  return "{" + axes + "}";
+}
+
+std::string urscript_approach(const Configuration& first) {
+  return "  def farthest(a, b):\n"
+         "    local far = 0.0\n"
+         "    local i = 0\n"
+         "    while i < 6:\n"
+         "      if norm(a[i] - b[i]) > far:\n"
+         "        far = norm(a[i] - b[i])\n"
+         "      end\n"
+         "      i = i + 1\n"
+         "    end\n"
+         "    return far\n"
+         "  end\n"
+         "  first = " +
+         radians_of(first) +
+         "\n"
+         "  if farthest(get_actual_joint_positions(), first) > 0.1:\n"
+         "    popup(\"The arm moves to the first sample. Is that motion free of obstacles?\", "
+         "title=\"Beeline\", warning=True, blocking=True)\n"
+         "  end\n"
+         "  movej(first, a=0.5, v=0.25)\n"
+         "  if farthest(get_actual_joint_positions(), first) > 0.001:\n"
+         "    popup(\"The arm is not at the first sample.\", title=\"Beeline\", error=True, "
+         "blocking=True)\n"
+         "    halt\n"
+         "  end\n";
+}
+
 std::string urscript_program(const ProgramSource& source, double period) {
   const std::vector<Configuration>& positions = source.samples.positions;
   const std::string tracking = ", lookahead_time=0.1, gain=300)\n";
   std::string text = commented(source.comments, "# ");
-  text +=
-      "def beeline_motion():\n"
-      "  def farthest(a, b):\n"
-      "    local far = 0.0\n"
-      "    local i = 0\n"
-      "    while i < 6:\n"
-      "      if norm(a[i] - b[i]) > far:\n"
-      "        far = norm(a[i] - b[i])\n"
-      "      end\n"
-      "      i = i + 1\n"
-      "    end\n"
-      "    return far\n"
-      "  end\n"
-      "  first = " +
-      radians_of(positions.front()) +
-      "\n"
-      "  if farthest(get_actual_joint_positions(), first) > 0.1:\n"
-      "    popup(\"The arm moves to the first sample. Is that motion free of obstacles?\", "
-      "title=\"Beeline\", warning=True, blocking=True)\n"
-      "  end\n"
-      "  movej(first, a=0.5, v=0.25)\n"
-      "  if farthest(get_actual_joint_positions(), first) > 0.001:\n"
-      "    popup(\"The arm is not at the first sample.\", title=\"Beeline\", error=True, "
-      "blocking=True)\n"
-      "    halt\n"
-      "  end\n";
+  text += "def beeline_motion():\n" + urscript_approach(positions.front());
   const std::string step = ", t=" + fixed_point(period, 3) + tracking;
   for (const Configuration& q : positions) text += "  servoj(" + radians_of(q) + step;
   // servoj() follows with a delay: the arm reaches the last setpoint while it is held.
@@ -119,7 +141,7 @@ std::string urscript_program(const ProgramSource& source, double period) {
 }
 
 std::string rapid_program(const ProgramSource& source) {
-  check_identifier(source.name, "RAPID", 27, rapid_words);
+  check_rapid_name(source.name);
   const Trajectory& samples = source.samples;
   std::string text = "MODULE " + source.name + "\n" + commented(source.comments, "  ! ") +
                      "  PROC play_" + source.name + "()\n";
@@ -128,11 +150,7 @@ std::string rapid_program(const ProgramSource& source) {
       text += "    WaitTime " + time_to(samples, k) + ";\n";
       continue;
     }
-    std::string axes;
-    for (const double angle : samples.positions[k]) {
-      axes += (axes.empty() ? "" : ",") + fixed_point(degrees_of(angle), 6);
-    }
-    text += "    MoveAbsJ [[" + axes + "],[9E9,9E9,9E9,9E9,9E9,9E9]]\\NoEOffs,v100" +
+    text += "    MoveAbsJ " + rapid_axes(samples.positions[k]) + "\\NoEOffs,v100" +
             (k == 0 ? "" : "\\T:=" + time_to(samples, k)) +
             (stops_at(samples, k) ? ",fine" : ",z1") + ",tool0;\n";
   }
@@ -140,7 +158,7 @@ std::string rapid_program(const ProgramSource& source) {
 }
 
 std::string krl_program(const ProgramSource& source) {
-  check_identifier(source.name, "KRL", 24, krl_words);
+  check_krl_name(source.name);
   const Trajectory& samples = source.samples;
   std::string text = "DEF " + source.name + "()\n" + commented(source.comments, "; ") +
                      "INT I\n"
@@ -155,12 +173,7 @@ std::string krl_program(const ProgramSource& source) {
       text += "WAIT SEC " + time_to(samples, k) + "\n";
       continue;
     }
-    std::string axes;
-    for (Eigen::Index i = 0; i < samples.positions[k].size(); ++i) {
-      axes += (i == 0 ? "A" : ",A") + std::to_string(i + 1) + " " +
-              fixed_point(degrees_of(samples.positions[k][i]), 6);
-    }
-    text += "PTP {" + axes + (stops_at(samples, k) ? "}\n" : "} C_PTP\n");
+    text += "PTP " + krl_axes(samples.positions[k]) + (stops_at(samples, k) ? "\n" : " C_PTP\n");
   }
   return text + "END\n";
 }

@@ -14,6 +14,26 @@ struct ProgramSource {
   const std::string& name;                   ///< of the program
 };
 
+/// Each line after the prefix of a comment.
+std::string commented(const std::vector<std::string>& lines, const char* prefix);
+
+/// Radians as a list in brackets, to 1e-9; degrees, to 1e-6.
+std::string radians_of(const Configuration& q);
+double degrees_of(double radians);
+
+/// Throws Error for a name that is no identifier of the language, is too long or has a meaning in
+/// it.
+void check_rapid_name(const std::string& name);
+void check_krl_name(const std::string& name);
+
+/// A configuration as jointtarget of RAPID, and as AXIS of KRL.
+std::string rapid_axes(const Configuration& q);
+std::string krl_axes(const Configuration& q);
+
+/// Statements of URScript that move the arm to `first`, after a question if it is far away, and
+/// halt where it is not there.
+std::string urscript_approach(const Configuration& first);
+
 /// A program of URScript: the arm moves to the first sample, asks first when it is far from it, and
 /// follows the samples, which are `period` seconds apart, by servoj().
 std::string urscript_program(const ProgramSource& source, double period);
