@@ -176,7 +176,11 @@ Verb check_verb() {
           "and reported as assumed; --limits, --velocity and --acceleration give them. Prints "
           "passed with the measured and the proved deviation in metres and radians, or failed with "
           "the first fault, its sample and time; then the exit code is 1. "
-          "The trajectory is in radians and metres; --degrees applies to the poses and the output.",
+          "A program (see `beeline help line`) is proved move by move: its waypoints in order, "
+          "lines, arcs, splines and blends as paths, speeds, dwells at rest; joint moves within "
+          "the "
+          "limits. The trajectory is in radians and metres; --degrees applies to the poses and the "
+          "output.",
       .arguments = {arguments.arm.argument(),
                     trajectory_argument("FILE", "The trajectory to check, .csv or .json.",
                                         &arguments.file)},

@@ -296,24 +296,46 @@ Verb line_verb() {
           "the path in metres and radians, measured and proved; the fraction of each joint limit "
           "that is used; and the smallest margins to position limits and singularities. If the "
           "path cannot be followed, it prints where and why, and nearby paths that can; exit "
-          "code 1. The same with how far the path was followed if --time-limit or Ctrl-C ends it.",
+          "code 1.\n\n"
+          "A program is a file whose rows also have some of these columns, so that a whole pick is "
+          "one "
+          "certified trajectory. motion: joint (a straight line in joint space), line (also for an "
+          "empty item), screw, arc after a row via with a position on it, spline (consecutive rows "
+          "are one curve). relative: previous, a pose in the tool frame of the waypoint before (a "
+          "retreat); next, in that of the next waypoint that is not relative (an approach). q: the "
+          "joint values of a joint move, in quotes, or a named state of --srdf. speed: largest "
+          "speed "
+          "of the tool, m/s. blend: metres, as --blend. dwell: seconds at rest. A joint move to a "
+          "pose "
+          "ends on the branch that the rows up to the next joint move need. For each move it "
+          "prints "
+          "its duration, the tool's speed and the proved deviation.\n\n"
+          "If --time-limit or Ctrl-C ends it, it prints how far the path was followed.",
       .arguments = {arguments.arm.argument()},
       .options = joined(
           {line_options(arguments), arguments.unit.options(), arguments.task.options(),
            arguments.files.options(), arguments.arm.options(), arguments.limits.options(),
            exact_options(arguments), control_options(arguments), arguments.budget.options()}),
-      .examples = {{"Three straight lines of the planar arm, with a picture",
-                    "printf 'x,y,theta\\n4.5,5.2,0\\n2,6,45\\n5,3,-20\\n' > planar.csv\n"
-                    "beeline line rrr --from 0,90,0 --degrees --through planar.csv --out move.csv "
-                    "--draw move.svg"},
-                   {"A Franka Panda with blended corners, sampled at 250 Hz",
-                    "printf 'x,y,z,roll,pitch,yaw\\n0.5,-0.2,0.5,180,0,0\\n0.5,0.2,0.4,180,0,20\\n"
-                    "0.4,0.1,0.5,180,0,0\\n' > poses.csv\n"
-                    "beeline line panda --degrees --through poses.csv --blend 0.02 --rate 250 "
-                    "--out panda.csv"},
-                   {"The same lines by feedback, to compare the deviation",
-                    "beeline line rrr --from 0,90,0 --degrees --through planar.csv "
-                    "--method inverse-jacobian --gain 0.5"}},
+      .examples =
+          {{"Three straight lines of the planar arm, with a picture",
+            "printf 'x,y,theta\\n4.5,5.2,0\\n2,6,45\\n5,3,-20\\n' > planar.csv\n"
+            "beeline line rrr --from 0,90,0 --degrees --through planar.csv --out move.csv "
+            "--draw move.svg"},
+           {"A Franka Panda with blended corners, sampled at 250 Hz",
+            "printf 'x,y,z,roll,pitch,yaw\\n0.5,-0.2,0.5,180,0,0\\n0.5,0.2,0.4,180,0,20\\n"
+            "0.4,0.1,0.5,180,0,0\\n' > poses.csv\n"
+            "beeline line panda --degrees --through poses.csv --blend 0.02 --rate 250 "
+            "--out panda.csv"},
+           {"A pick as a program: a joint move to 0.1 m above, down, 0.5 s at rest, and back",
+            "printf 'motion,relative,x,y,z,roll,pitch,yaw,speed,dwell\\n"
+            "joint,next,0,0,-0.1,0,0,0,,\\nline,,0.5,0.2,0.15,180,0,0,0.1,0.5\\n"
+            "line,previous,0,0,-0.1,0,0,0,0.25,\\n' > pick.csv\n"
+            "beeline line panda --from 0,-45,0,-135,0,90,45 --degrees --through pick.csv "
+            "--out pick_motion.csv\n"
+            "beeline check panda pick_motion.csv --degrees --through pick.csv"},
+           {"The same lines by feedback, to compare the deviation",
+            "beeline line rrr --from 0,90,0 --degrees --through planar.csv "
+            "--method inverse-jacobian --gain 0.5"}},
       .json = &arguments.json,
       .run = [] { return line(arguments); }};
 }
