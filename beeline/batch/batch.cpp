@@ -256,7 +256,8 @@ BatchResult batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
       const auto seed = seeds.col(seeds.cols() == 1 ? 0 : i);
       const double* pose = world_T_tool.data() + i * world_T_tool.outerStride();
       const bool finite = world_T_tool.col(i).allFinite() && seed.allFinite();
-      const int found = finite ? solver.solve(pose_of(pose, options.layout), seed, solution) : 0;
+      int found = finite ? solver.solve(pose_of(pose, options.layout), seed, solution) : 0;
+      if (!counts.budget().complete()) found = 0;  // not the one of a whole search
       if (found == 0) solution.setConstant(unknown);
       q.col(i) = solution;
       if (found != 0 || counts.budget().complete()) counts.add(1, found);

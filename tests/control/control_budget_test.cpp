@@ -1,0 +1,50 @@
+#include <gtest/gtest.h>
+
+#include <beeline/control/cartesian.h>
+#include <beeline/control/joint.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
+
+#include "../ended_budget.h"
+
+namespace beeline {
+namespace {
+
+template <class Run>
+void expect_parts(Run&& run) {
+  const ControlledMotion whole = run(Budget{});
+  ASSERT_TRUE(whole) << whole.reason;
+  std::size_t steps = 0;
+  testing::for_each_cancellation(1000, [&](int n) {
+    SCOPED_TRACE("cancelled at question " + std::to_string(n));
+    testing::CancelAt cancel(n);
+    const ControlledMotion part = run(cancel.budget());
+    EXPECT_EQ(part.status, cancel.cancelled() ? MotionStatus::cancelled : MotionStatus::reached);
+    const auto& q = part.trajectory.positions;
+    EXPECT_GE(q.size(), std::max<std::size_t>(steps, 1));
+    EXPECT_LE(q.size(), whole.trajectory.size());
+    EXPECT_TRUE(std::equal(q.begin(), q.end(), whole.trajectory.positions.begin()));
+    steps = q.size();
+    return cancel.cancelled() && !::testing::Test::HasFailure();
+  });
+  EXPECT_EQ(steps, whole.trajectory.size());
+}
+
+TEST(ControlBudget, AMotionIsThatUpToThere) {
+  const Arm arm = built_in("rrr");
+  const Configuration from{{0.3, 1.2, 0.4}}, to{{1, 0.5, -0.3}};
+  expect_parts([&](const Budget& budget) {
+    return control_joints(arm, from, to, {.kp = 0.1}, {.budget = budget});
+  });
+  std::vector<Pose> waypoints{forward_kinematics(arm, to), forward_kinematics(arm, from)};
+  for (const CartesianMethod method :
+       {CartesianMethod::inverse_jacobian, CartesianMethod::inverse_kinematics}) {
+    expect_parts([&](const Budget& budget) {
+      return control_in_lines(arm, from, waypoints,
+                              {.method = method, .gain = 0.3, .simulation = {.budget = budget}});
+    });
+  }
+}
+
+}  // namespace
+}  // namespace beeline
