@@ -6,6 +6,7 @@
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/certificate/internal/path_interval.h>
 #include <beeline/certificate/internal/path_step.h>
+#include <beeline/certificate/internal/segment_taylor_bound.h>
 #include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/forward.h>
@@ -180,7 +181,7 @@ struct Verifier {
   void check_interval(std::size_t k, const ToolPath& path, const PathInterval& part) {
     constexpr int probes = 64;  // of an interval that fails, to find its largest deviation
     const Segment& segment = path.segments[part.segment];
-    auto [measured, bound] =
+    auto [measured, bound, along] =
         interval_deviation(arm, segment, task, part.interval, result.deviation.measured);
     for (int i = 1; i < probes && !near(bound); ++i) {
       const double u = static_cast<double>(i) / probes;
@@ -195,7 +196,7 @@ struct Verifier {
     grow(result.deviation.bound, bound);
     if (!near(bound))
       return fail_between(k, std::holds_alternative<Line>(segment), measured, bound);
-    check_direction(k, segment, part);
+    check_direction(k, segment, part, along);
   }
 
   /// Records that the deviation after sample k is not proved to be within tolerance.
@@ -212,23 +213,24 @@ struct Verifier {
                               deviation_text(measured) + jump);
   }
 
-  /// Records a fault where the tool, between two samples, moves on the path beyond one of them and
-  /// back by more than the tolerance, as with false velocities.
-  void check_direction(std::size_t k, const Segment& segment, const PathInterval& part) {
-    const Polynomial& s = part.interval.s;
-    const auto beyond = [&](const Extremes& range) {
-      return std::max(
-          {0.0, std::min(s(0), s(1)) - range.smallest, range.largest - std::max(s(0), s(1))});
-    };
-    if (!(beyond(enclosure(s)) > 0)) return;
-    const Twist rate = motion_at(segment, std::clamp(s(0.5), 0.0, 1.0)).velocity;
-    const double back = beyond(extremes(s));
-    const Deviation moved{task.positions() > 0 ? back * rate.head<3>().norm() : 0,
-                          task.orientations() > 0 ? back * rate.tail<3>().norm() : 0};
+  /// Records a fault where the tool may move backwards on the path between two samples by more than
+  /// the tolerance, as with false velocities: by the largest decrease of s(u), or by the tool's
+  /// distance `along` a line from the pose at s(u).
+  void check_direction(std::size_t k, const Segment& segment, const PathInterval& part,
+                       double along) {
+    const double back = largest_decrease(part.interval.s);
+    Deviation moved{along, 0};
+    if (back > 0) {
+      const Extremes range = extremes(part.interval.s);
+      const SegmentTaylorBound rates = segment_taylor_bound(segment, std::max(range.smallest, 0.0),
+                                                            std::min(range.largest, 1.0));
+      if (task.positions() > 0) grow(moved, {back * rates.position.c[1], 0});
+      if (task.orientations() > 0) grow(moved, {0, back * rates.rotation.c[1]});
+    }
     if (near(moved)) return;
     fail(Fault::deviation, k,
-         "up to the next sample the tool moves backwards on " + name_of(part.segment) + " by " +
-             deviation_text(moved));
+         "up to the next sample the tool moves backwards on " + name_of(part.segment) +
+             " by up to " + deviation_text(moved));
   }
 
   /// Checks the samples that have path parameters, from `first` on, and the steps between them.

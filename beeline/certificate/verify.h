@@ -47,8 +47,12 @@ std::ostream& operator<<(std::ostream& out, const Verification& verification);
 /// route within the arm's limits, whichever program computed it. The joints move between samples as
 /// the columns mean (see Interpolation).
 ///
-/// - Deviation: finds the path parameter of each sample; these do not decrease, so the tool may not
-///   move backwards. path_deviation() bounds the deviation between samples.
+/// - Deviation: assigns a path parameter to each sample; these do not decrease, and fit all samples
+///   between two stops together where the path approaches itself. path_deviation() bounds the
+///   deviation between samples.
+/// - Direction: at all times the tool is within the tolerance of the path's pose at a parameter
+///   s(t), on a line across it and along it, and s(t) does not fall behind an earlier value by more
+///   than the tolerance.
 /// - Position and velocity limits hold at all times, by the extremes of the polynomials, and so do
 ///   those of acceleration for cubics and quintics and of jerk for quintics. Derivatives that jump
 ///   at the samples are checked for the smoothest motion through these: divided differences of the

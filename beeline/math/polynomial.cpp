@@ -92,4 +92,17 @@ Extremes extremes(const Polynomial& p) {
   return found;
 }
 
+double largest_decrease(const Polynomial& p) {
+  const Polynomial slope = p.derivative();
+  if (enclosure(slope).smallest >= 0) return 0;
+  double largest = p(0), decrease = 0;
+  const Breakpoints turns = zeros(slope, degree - 1);
+  for (std::size_t i = 0; i < turns.count; ++i) {
+    const double value = p(turns.u[i]);
+    largest = std::max(largest, value);
+    decrease = std::max(decrease, largest - value);
+  }
+  return decrease;
+}
+
 }  // namespace beeline::internal

@@ -46,4 +46,8 @@ Extremes enclosure(const Polynomial& p);
 /// derivative, which are isolated by the zeros of its own derivatives.
 Extremes extremes(const Polynomial& p);
 
+/// The largest p(a) - p(b) for a <= b in [0, 1], to rounding: 0 for a polynomial that does not
+/// decrease.
+double largest_decrease(const Polynomial& p);
+
 }  // namespace beeline::internal

@@ -66,5 +66,22 @@ TEST(Polynomial, HermitePolynomialsMeetTheirEnds) {
   }
 }
 
+TEST(Polynomial, LargestDecreaseIsThatOfItsValues) {
+  testing::Random random;
+  for (int i = 0; i < 1000; ++i) {
+    Polynomial p;
+    for (double& c : p.c) c = random.uniform(-1, 1);
+    double largest = p(0), decrease = 0;
+    for (int k = 0; k <= 2000; ++k) {
+      const double value = p(k / 2000.0);
+      largest = std::max(largest, value);
+      decrease = std::max(decrease, largest - value);
+    }
+    ASSERT_NEAR(largest_decrease(p), decrease, 1e-5);
+    ASSERT_GE(largest_decrease(p), decrease - 1e-14);
+  }
+  EXPECT_EQ(largest_decrease({{1, 2, 0, 3}}), 0);
+}
+
 }  // namespace
 }  // namespace beeline::internal

@@ -81,6 +81,7 @@ class IntervalProof {
     if (depth == max_depth || (settled(&Deviation::position, bound, remainder) &&
                                settled(&Deviation::orientation, bound, remainder))) {
       grow(result_.bound, bound);
+      result_.along = std::max(result_.along, error_.along_bound(a.error, b.error, remainder));
       return;
     }
     const End middle = end(interval, 0.5);

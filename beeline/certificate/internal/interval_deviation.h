@@ -23,6 +23,9 @@ Interval part(const Interval& interval, double from, double to);
 /// points where it was divided, and a proved bound at all times.
 struct IntervalDeviation {
   Deviation measured, bound;
+  /// On a line by position, whose nearest point counts: a proved bound on the distance along the
+  /// line from the pose at s(u) to that point, metres.
+  double along = 0;
 };
 
 /// Let e(u) = tool(q(u)) - segment(s(u)), in the rows of the task; for orientations the difference

@@ -191,4 +191,14 @@ Deviation ToolErrorRows::bound(const ToolError& a, const ToolError& b, const Dev
   return {at_s.position, std::min(at_s.orientation, std::numbers::pi)};
 }
 
+double ToolErrorRows::along_bound(const ToolError& a, const ToolError& b,
+                                  const Deviation& remainder) const {
+  if (direction_.isZero(0)) return 0;
+  double along = 0;
+  for (const Vector3& v : bernstein(a.position, b.position)) {
+    along = std::max(along, std::abs(v.dot(direction_)));
+  }
+  return along + remainder.position;
+}
+
 }  // namespace beeline::internal

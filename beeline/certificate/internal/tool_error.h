@@ -56,6 +56,9 @@ class ToolErrorRows {
   Deviation bound(const ToolError& a, const ToolError& b, const Deviation& remainder,
                   const Range& range) const;
 
+  /// Bounds the error along a line by position, which does not count in bound(); else 0.
+  double along_bound(const ToolError& a, const ToolError& b, const Deviation& remainder) const;
+
  private:
   /// The form of the orientation error.
   enum class Orientation {
