@@ -1,0 +1,87 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include <beeline/timing/internal/uniform_section.h>
+
+#include <tests/refusal.h>
+#include <tests/timing/random_section.h>
+
+namespace beeline::internal {
+namespace {
+
+using testing::Random;
+using testing::RandomSection;
+
+TEST(UniformScaling, HasTheGivenSpeedsScaledToTheLength) {
+  Random random;
+  for (int i = 0; i < 100; ++i) {
+    const double periods = random.integer(2, 40), period = random.uniform(0.001, 0.1);
+    const double length = random.uniform(0.1, 3), end = periods * period;
+    const auto speed = [&](double t) { return t * (end - t) * (2 + std::sin(3 * t)); };
+    const TimeScaling scaling = uniform_scaling(periods, period, length, speed);
+    ASSERT_EQ(scaling.s.size(), std::size_t(periods) + 1);
+    ASSERT_EQ(scaling.s.front(), 0);
+    ASSERT_EQ(scaling.s.back(), length);
+    ASSERT_EQ(scaling.speed.front(), 0);
+    ASSERT_EQ(scaling.speed.back(), 0);
+    const double scale = scaling.speed[1] / speed(period);
+    for (std::size_t k = 1; k < scaling.s.size(); ++k) {
+      ASSERT_NEAR(scaling.t[k], double(k) * period, 1e-15 * double(k));
+      ASSERT_NEAR(scaling.speed[k], scale * speed(scaling.t[k]), 1e-9);
+      ASSERT_NEAR(scaling.s[k] - scaling.s[k - 1],
+                  period * (scaling.speed[k] + scaling.speed[k - 1]) / 2, 1e-12);
+    }
+  }
+}
+
+TEST(UniformSection, ShortestIsThatOfTheTimeScalingRoundedUpAndAPeriod) {
+  Random random;
+  for (int i = 0; i < testing::cases(60); ++i) {
+    const auto interpolation = testing::interpolations[i % 3];
+    const double rate = random.uniform(20, 1000);
+    const RandomSection made =
+        testing::random_section(random, testing::profiles[i % 5], interpolation, rate, 1);
+    const double duration = made.timed.scaling.duration();
+    const Trajectory shortest =
+        shortest_uniform_section(made.arm, made.timed, made.options).trajectory;
+    const double average = interpolation == Interpolation::linear ? 0 : 1;
+    ASSERT_EQ(shortest.size() - 1, std::size_t(std::ceil(duration * rate - 1e-6) + average));
+    const Trajectory kept = uniform_section(made.arm, made.timed, made.options).trajectory;
+    ASSERT_GE(kept.size(), shortest.size());
+  }
+}
+
+TEST(UniformSection, KeepsTheRateUpToRatesOfAPeriodOrTwo) {
+  Random random;
+  for (int i = 0; i < testing::cases(60); ++i) {
+    RandomSection made = testing::random_section(random, testing::profiles[i % 5],
+                                                 testing::interpolations[i % 3], 100, 1);
+    made.options.rate = random.uniform(1.01, 4) / made.timed.scaling.duration();
+    Trajectory motion;
+    try {
+      motion = uniform_section(made.arm, made.timed, made.options).trajectory;
+    } catch (const Error& error) {
+      std::cout << error.what() << '\n';
+      continue;
+    }
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      ASSERT_EQ(motion.times[k], std::round(double(k) / made.options.rate * 1e9) / 1e9);
+    }
+    for (int order = 1; order <= 3; ++order) {
+      ASSERT_LE(testing::asked_fraction(made.arm, motion, made.options, order), 1 + 1e-9);
+    }
+  }
+}
+
+TEST(UniformSection, RefusesRatesWithTooFewPeriodsOrTooMany) {
+  Random random;
+  RandomSection made =
+      testing::random_section(random, Profile::jerk, Interpolation::quintic, 100, 1);
+  made.options.rate = 0.5 / made.timed.scaling.duration();
+  EXPECT_REFUSED(uniform_section(made.arm, made.timed, made.options), "the rate must be at least");
+  made.options.rate = 2e6 / made.timed.scaling.duration();
+  EXPECT_REFUSED(uniform_section(made.arm, made.timed, made.options), "samples per second make");
+}
+
+}  // namespace
+}  // namespace beeline::internal
