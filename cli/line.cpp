@@ -16,6 +16,7 @@
 #include "profile_argument.h"
 #include "program_argument.h"
 #include "verbs.h"
+#include "work_frame.h"
 
 using namespace beeline;
 
@@ -136,10 +137,9 @@ std::optional<Configuration> start_of(const LineArguments& arguments, const Arm&
   return arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
 }
 
-LineReport line_by_method(const LineArguments& arguments, const Arm& arm,
+LineReport line_by_method(const LineArguments& arguments, const Arm& arm, const Task& task,
                           const std::vector<Pose>& waypoints) {
   const std::optional<Configuration> start = start_of(arguments, arm);
-  const Task task = arguments.task.read(arm);
   if (arguments.method == exact) return line_by_plan(arguments, arm, start, waypoints, task);
   if (!start) throw Error("--method " + arguments.method + " needs --from");
   CartesianOptions options = arguments.control;
@@ -151,15 +151,16 @@ LineReport line_by_method(const LineArguments& arguments, const Arm& arm,
   return line_by_control(arm, *start, waypoints, options);
 }
 
-/// Plans the poses or the program of a file; `waypoints` becomes the poses for a picture.
-LineReport line_through(const LineArguments& arguments, const Arm& arm,
-                        std::vector<Pose>& waypoints) {
+/// Plans the poses or the program of a file in the frame of --work; `waypoints` becomes the poses
+/// in the world, for a picture.
+LineReport line_through(const LineArguments& arguments, const Arm& arm, const Task& task,
+                        const WorkFrame& frame, std::vector<Pose>& waypoints) {
   const std::string text = internal::read_file(arguments.through);
   if (!is_program(text)) {
     waypoints =
         waypoints_from(text, arguments.through, arm, arguments.task, arguments.work, arguments.unit)
             .poses;
-    return line_by_method(arguments, arm, waypoints);
+    return line_by_method(arguments, frame.arm, task, frame.seen(waypoints));
   }
   if (arguments.method != exact || arguments.branches) {
     throw Error((arguments.branches ? "--branches" : "--method " + arguments.method) +
@@ -169,20 +170,22 @@ LineReport line_through(const LineArguments& arguments, const Arm& arm,
       text, arguments.through, arm, {arguments.arm, arguments.task, arguments.work, arguments.unit},
       arguments.path, arguments.from.empty());
   waypoints = waypoints_of(arm, program);
-  return line_by_program(arguments, arm, start_of(arguments, arm), program,
-                         arguments.task.read(arm));
+  return line_by_program(arguments, frame.arm, start_of(arguments, arm), frame.seen(program), task);
 }
 
 Answer line(const LineArguments& arguments) {
   arguments.files.check(
       {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits, arguments.through});
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
+  const Task task = arguments.task.read(arm);
+  const WorkFrame frame(arm, task, arguments.work, arguments.unit);
   std::vector<Pose> waypoints;
-  LineReport report = line_through(arguments, arm, waypoints);
+  LineReport report = line_through(arguments, arm, task, frame, waypoints);
   report.method = arguments.method;
   report.waypoints = waypoints.size();
   const bool reached = report.status == MotionStatus::reached;
-  if (reached) arguments.files.write(arm, report.trajectory, waypoints, report.path);
+  if (reached) arguments.files.write(arm, report.trajectory, waypoints, report.path, frame.arm);
+  if (!reached) report.reason += frame.note;
   return {.text = report_text(arm, report, arguments.unit, arguments.files),
           .document = report_document(arm, report, arguments.unit, arguments.files),
           .yes = reached,

@@ -22,8 +22,8 @@ Option WorkArgument::option() {
   return {.name = "--work",
           .value = "POSE",
           .help =
-              "The frame that poses are given in: its pose in the world, as --mount. Poses are "
-              "printed in the world.",
+              "The frame that poses are given in: its pose in the world, as --mount. Answers are "
+              "in the world; positions in the reasons of `line` are in this frame.",
           .target = &text};
 }
 

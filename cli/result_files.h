@@ -27,10 +27,12 @@ struct ResultFiles {
   /// Throws Error for an unknown format and for the name of an input file. Called before the
   /// computation begins.
   void check(const std::vector<std::string>& inputs) const;
-  /// Writes all files or none. `path` is the path that the motion follows.
+  /// Writes all files or none. `path` is the path that the motion follows, in the world of
+  /// `plotted`, which is the arm where it is not given.
   void write(const beeline::Arm& arm, const beeline::Trajectory& trajectory,
              const std::vector<beeline::Pose>& waypoints,
-             const std::optional<beeline::FollowedPath>& path = std::nullopt) const;
+             const std::optional<beeline::FollowedPath>& path = std::nullopt,
+             const std::optional<beeline::Arm>& plotted = std::nullopt) const;
   /// The names of the files, one a line.
   std::string text() const;
   void add_to(Json& document) const;
