@@ -6,6 +6,8 @@
 #include <beeline/pose/orientation.h>
 #include <beeline/read/arm_json.h>
 #include <beeline/read/internal/file.h>
+#include <beeline/read/urdf.h>
+#include <beeline/trajectory/trajectory.h>
 
 #include "arm_argument.h"
 #include "format.h"
@@ -24,12 +26,19 @@ struct ShowArguments {
   bool json = false;
 };
 
-/// An infinite limit is `unlimited`: a position has none, a rate none that is known.
-std::string limit_text(double limit, const char* unlimited, bool prismatic,
-                       const UnitArgument& unit) {
-  if (!std::isfinite(limit)) return unlimited;
+/// A limit of the position; an infinite one is none.
+std::string position_limit(double limit, bool prismatic, const UnitArgument& unit) {
+  if (!std::isfinite(limit)) return "none";
   return shown(prismatic ? limit : unit.shown(limit));
 }
+
+/// A limit of a derivative; one that is not known is assumed, and marked.
+std::string rate_limit(double known, double kept, bool prismatic, const UnitArgument& unit) {
+  return shown(prismatic ? kept : unit.shown(kept)) + (std::isfinite(known) ? "  " : " a");
+}
+
+constexpr double Limits::*rates[] = {&Limits::velocity, &Limits::acceleration, &Limits::jerk};
+constexpr const char* rate_names[] = {"velocity", "acceleration", "jerk"};
 
 /// The limits of joint i. Those of a joint that mimic joints follow are tightened so that these
 /// stay within theirs.
@@ -48,11 +57,13 @@ std::string joint_row(const Arm& arm, std::size_t i, const Pose& link, std::size
   std::string row = fmt::format("{:>3}  {:<{}}  {:<9}  {:<22}", i + 1, joint.name, width,
                                 name(kind(joint)), shown(axis));
   for (const double limit : {limits.lower, limits.upper}) {
-    row += fmt::format("  {:>9}", limit_text(limit, "none", prismatic, unit));
+    row += fmt::format("  {:>9}", position_limit(limit, prismatic, unit));
   }
-  for (const double limit : {limits.velocity, limits.acceleration, limits.jerk}) {
-    row += fmt::format("  {:>12}", limit_text(limit, "unknown", prismatic, unit));
+  const Limits kept = motion_limits(limits);
+  for (const auto rate : rates) {
+    row += fmt::format("  {:>12}", rate_limit(limits.*rate, kept.*rate, prismatic, unit));
   }
+  row.erase(row.find_last_not_of(' ') + 1);
   if (kind(joint) == JointKind::helical) {
     row += fmt::format("  pitch {} m/rad", shown(pitch(joint)));
   }
@@ -68,11 +79,15 @@ std::string joint_table(const Arm& arm, const UnitArgument& unit) {
   for (const Joint& joint : arm.joints()) width = std::max(width, joint.name.size());
   std::string table = fmt::format(
       "{:>3}  {:<{}}  {:<9}  {:<22}  {:>9}  {:>9}  {:>12}  {:>12}  {:>12}\n", "", "joint", width,
-      "type", "axis in the world", "lower", "upper", "velocity", "acceleration", "jerk");
+      "type", "axis in the world", "lower", "upper", "velocity  ", "acceleration", "jerk");
+  bool assumed = false;
   const std::vector<Pose> links = link_poses(arm, Configuration::Zero(arm.dof()));
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
     table += joint_row(arm, i, links[i + 1], width, unit);
+    const Limits& limits = limits_of(arm, i);
+    for (const auto rate : rates) assumed = assumed || !std::isfinite(limits.*rate);
   }
+  if (assumed) table += "     (a: not known, assumed in motions; see --limits, --velocity)\n";
   return table + fmt::format(
                      "     (revolute joints in {}, prismatic joints in m; velocity per s, "
                      "acceleration per s^2, jerk per s^3)\n",
@@ -123,9 +138,15 @@ Json joint_document(const Arm& arm, std::size_t i, const UnitArgument& unit) {
   add("velocity", known.velocity);
   add("acceleration", known.acceleration);
   add("jerk", known.jerk);
+  const Limits kept = motion_limits(known);
+  Json assumed = Json::object();
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!std::isfinite(known.*rates[k])) assumed.add(rate_names[k], value(kept.*rates[k]));
+  }
   Json document{{"name", joint.name}, {"type", name(kind(joint))}};
   if (!joint.link.empty()) document.add("link", joint.link);
   document.add("limits", limits);
+  document.add("assumed", assumed);
   if (joint.mimic) {
     document.add("mimic", Json{{"joint", joint.mimic->leader},
                                {"multiplier", joint.mimic->multiplier},
@@ -147,6 +168,51 @@ Json arm_document(const Arm& arm, const UnitArgument& unit) {
            Json{{"centre", Eigen::VectorXd(arm.reach().centre)}, {"radius", arm.reach().radius}}}};
 }
 
+/// The chain of a group, or why it is none.
+std::string chain_text(const Srdf& srdf, const std::string& group, const std::string& urdf) {
+  try {
+    const ChainEnds ends = group_ends(srdf, group, urdf);
+    return fmt::format("{} to {}", ends.base, ends.tip);
+  } catch (const Error&) {
+    return "not one chain of this file";
+  }
+}
+
+/// The state's values for the arm, or why it has none for it.
+std::string state_text(const Srdf& srdf, const Srdf::State& state, const Arm& arm,
+                       const UnitArgument& unit) {
+  try {
+    return shown(unit.shown(arm, named_state(srdf, arm, state.name, state.group)));
+  } catch (const Error&) {
+    return "not for this arm";
+  }
+}
+
+/// Adds the groups and named states of --srdf.
+void add_srdf(const ShowArguments& arguments, const Arm& arm, Answer& answer) {
+  const Srdf srdf = read_srdf(arguments.arm.srdf);
+  Json groups = Json::list(), states = Json::list();
+  answer.text += fmt::format("\ngroups of {}\n", srdf.path);
+  for (const Srdf::Group& group : srdf.groups) {
+    const std::string chain = chain_text(srdf, group.name, arguments.arm.text);
+    answer.text += fmt::format("  {:<24}  {}\n", group.name, chain);
+    groups.append({{"name", group.name}, {"chain", chain}});
+  }
+  answer.text += fmt::format("\nnamed states (joint values in {}, m)\n", arguments.unit.name());
+  for (const Srdf::State& state : srdf.states) {
+    const std::string values = state_text(srdf, state, arm, arguments.unit);
+    answer.text += fmt::format("  {:<24}  {:<16}  {}\n", state.name, state.group, values);
+    Json joints = Json::object();
+    for (const auto& [joint, numbers] : state.joints) {
+      joints.add(joint, Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(
+                            numbers.data(), static_cast<Eigen::Index>(numbers.size()))));
+    }
+    states.append({{"name", state.name}, {"group", state.group}, {"joints", joints}});
+  }
+  answer.document.add("groups", groups);
+  answer.document.add("states", states);
+}
+
 Answer show(const ShowArguments& arguments) {
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   if (!arguments.out.empty()) {
@@ -157,34 +223,40 @@ Answer show(const ShowArguments& arguments) {
                        {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits});
     internal::write_file(arguments.out, arm_to_json(arm));
   }
-  return {.text = arm_text(arm, arguments.unit), .document = arm_document(arm, arguments.unit)};
+  Answer answer{.text = arm_text(arm, arguments.unit),
+                .document = arm_document(arm, arguments.unit)};
+  if (!arguments.arm.srdf.empty()) add_srdf(arguments, arm, answer);
+  return answer;
 }
 
 }  // namespace
 
 Verb show_verb() {
   static ShowArguments arguments;
-  return {.name = "show",
-          .summary = "Print an arm as a table: joints, limits, frames, reach",
-          .description =
-              "Prints each joint with its type, its axis in the world at zero joint values, its "
-              "position limits (lower, upper) and its limits of velocity, acceleration and jerk; "
-              "the frames of all links and of the tool at zero joint values; and a ball that the "
-              "tool cannot leave. A limit that is not known is `unknown`, null with --json.",
-          .arguments = {arguments.arm.argument()},
-          .options = joined({arguments.unit.options(),
-                             {{.name = "--out",
-                               .value = "FILE",
-                               .help = "Also write the arm to this .json file.",
-                               .target = &arguments.out,
-                               .completes = Completes::file}},
-                             arguments.arm.options(),
-                             arguments.limits.options()}),
-          .examples = {{"The Franka Panda, angles in degrees", "beeline show panda --degrees"},
-                       {"A UR5 with limits of its user",
-                        "beeline show ur5 --velocity 3.14 --acceleration 15 --speed 0.5"},
-                       {"An arm file to change and use in place of the built-in arm",
-                        "beeline show ur5 --out my_arm.json\nbeeline show my_arm.json"}},
-          .json = &arguments.json,
-          .run = [] { return show(arguments); }};
+  return {
+      .name = "show",
+      .summary = "Print an arm as a table: joints, limits, frames, reach",
+      .description =
+          "Prints each joint with its type, its axis in the world at zero joint values, its "
+          "position limits (lower, upper) and its limits of velocity, acceleration and jerk; "
+          "the frames of all links and of the tool at zero joint values; and a ball that the "
+          "tool cannot leave. Limits that are not known are assumed in motions; they are marked "
+          "with an a, and with --json null, with the assumed ones in `assumed`. With --srdf also "
+          "its groups and named states.",
+      .arguments = {arguments.arm.argument()},
+      .options = joined({arguments.unit.options(),
+                         {{.name = "--out",
+                           .value = "FILE",
+                           .help = "Also write the arm to this .json file.",
+                           .target = &arguments.out,
+                           .completes = Completes::file}},
+                         arguments.arm.options(),
+                         arguments.limits.options()}),
+      .examples = {{"The Franka Panda, angles in degrees", "beeline show panda --degrees"},
+                   {"A UR5 with limits of its user",
+                    "beeline show ur5 --velocity 3.14 --acceleration 15 --speed 0.5"},
+                   {"An arm file to change and use in place of the built-in arm",
+                    "beeline show ur5 --out my_arm.json\nbeeline show my_arm.json"}},
+      .json = &arguments.json,
+      .run = [] { return show(arguments); }};
 }

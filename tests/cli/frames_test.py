@@ -1,6 +1,7 @@
 """Frames of a cell: --tcp, --mount, --work, --base, --tip, --srdf and --group."""
 
 import math
+import re
 
 import pytest
 
@@ -187,6 +188,35 @@ def test_states_serve_any_arm_with_these_joints(beeline, written):
     written("u.srdf", f'<robot name="u"><group_state name="up" group="all">{values}</group_state></robot>')
     answer = beeline("fk", "ur5", "--srdf", "u.srdf", "--q", "up", "--json")
     assert matrix(answer) == matrix(beeline("fk", "ur5", "--q", text([0.1] * 6), "--json"))
+
+
+def test_show_lists_groups_and_named_states(beeline, written):
+    written("r.urdf", URDF)
+    srdf = ("--srdf", written("r.srdf", SRDF), "--group", "arm")
+    answer = beeline("show", "r.urdf", *srdf, "--json").json
+    assert answer["groups"] == [{"name": "arm", "chain": "base to flange"},
+                                {"name": "back", "chain": "base to camera"}]
+    assert answer["states"] == [{"name": "home", "group": "arm", "joints": {"j1": [0.25], "j2": [-0.5]}},
+                                {"name": "far", "group": "arm", "joints": {"j1": [9], "j2": [0]}}]
+    text = beeline("show", "r.urdf", *srdf).out
+    assert "base to flange" in text and "0.25, -0.5" in text
+    assert "groups" not in beeline("show", "r.urdf", "--tip", "tool0").out
+
+
+def test_reasons_of_line_are_in_the_work_frame(beeline, written):
+    written("far.csv", "x,y,z,roll,pitch,yaw\n0.2,0.1,0.1,180,0,0\n1.2,0.1,0.1,180,0,0\n")
+    written("p.csv", "motion,x,y,z,roll,pitch,yaw\njoint,0.2,0.1,0.1,180,0,0\n,1.2,0.1,0.1,180,0,0\n")
+    work = ("--degrees", "--work", "0.3,0,0.2,0,0,30")
+    for file in ("far.csv", "p.csv"):
+        plain = beeline("line", "panda", "--through", file, *work)
+        assert plain.code == 1
+        at = re.search(r"at x (\S+), y (\S+), z (\S+) m: ", plain.err)
+        assert float(at[1]) > 0.2 and (float(at[2]), float(at[3])) == pytest.approx((0.1, 0.1), abs=1e-9)
+        assert plain.err.endswith("; positions are in the frame of --work\n")
+    # A task whose rows are axes of the world, in a frame that is not upright: the world.
+    tilted = beeline("line", "panda", "--through", "far.csv", "--task", "110001", "--degrees", "--work",
+                     "0.3,0,0.2,20,0,30")
+    assert tilted.code == 1 and "positions are in the world" in tilted.err
 
 
 def test_unknown_groups_and_states_list_the_known_ones(refused, written):

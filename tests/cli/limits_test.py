@@ -1,6 +1,7 @@
 """Limits of the user: --limits, --velocity, --acceleration, --jerk and --speed."""
 
 import math
+import re
 
 import pytest
 
@@ -33,7 +34,9 @@ def test_a_file_replaces_limits_and_says_what_is_not_applied(beeline, written):
         "l.yaml: has_acceleration_limits is false, so no limit is known: joint1",
     ]
     text = beeline("show", "panda", "--limits", "l.yaml").out
-    assert "unknown" in text.splitlines()[3] and "unknown" not in text.splitlines()[4]
+    assert re.search(r"\b4 a\b", text.splitlines()[3]) and " a" not in text.splitlines()[4][30:]
+    joints = beeline("show", "panda", "--limits", "l.yaml", "--json").json["joints"]
+    assert [joint["assumed"] for joint in joints] == [{"acceleration": 4}] + 6 * [{}]
 
 
 def test_a_json_file_too(beeline, written):
