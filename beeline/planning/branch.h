@@ -29,7 +29,7 @@ struct Branch {
   std::string reason = {};    ///< where and why it ends before the path does
   double path_parameter = 0;  ///< that it reaches: whole segments, with a fraction of the next
   /// Smallest distance of a joint to a position limit, as a fraction of half its range; 1 where no
-  /// joint has limits.
+  /// joint has limits. Where the budget ended the search, this and the next are 0.
   double limit_margin = 1;
   /// Smallest inverse condition number of the task's Jacobian along the branch: its smallest over
   /// its largest singular value, lengths in units of the arm's reach. From 0, at a singularity, to

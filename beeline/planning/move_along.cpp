@@ -193,7 +193,7 @@ void retry_inside_limits(const Arm& arm, const std::optional<Configuration>& sta
     again.tolerance.position *= fraction;
     again.tolerance.orientation *= fraction;
     Branch plan = plan_path(with_inset_limits(arm, start, inset), start, route.path, again);
-    if (plan) measure(arm, planning.task, plan);
+    if (plan) measure(arm, planning.task, budget, plan);
     PathMotion inside = timed(arm, route, plan, planning.task, many_samples, options, budget);
     if (!inside) continue;
     motion = std::move(inside);

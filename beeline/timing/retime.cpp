@@ -84,7 +84,9 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
                              options.speed_scale, options.tool_speed, budget);
     timed.reason = path.scaling.reason;
     if (!timed) return timed;
-    internal::append(timed.trajectory, internal::sample_section(arm, path, section).trajectory);
+    const internal::SampledSection sampled = internal::sample_section(arm, path, section);
+    if (sampled.trajectory.size() == 0) break;  // the budget has ended
+    internal::append(timed.trajectory, sampled.trajectory);
     ++timed.sections;
   }
   internal::round_times(timed.trajectory);

@@ -107,6 +107,7 @@ TimedPlan PlanTiming::sample() {
         .required = section.required,
         .budget = &budget_};
     const SampledSection sampled = sample_section(arm_, section.timed, options);
+    if (sampled.trajectory.size() == 0) break;  // the budget has ended
     append(plan.trajectory, sampled.trajectory);
     section.sampled.clear();
     for (std::size_t k = 0; k < sampled.progress.size(); ++k) {

@@ -227,11 +227,15 @@ std::vector<Branch> unordered_branches(const Arm& arm, const ToolPath& path,
 
 }  // namespace
 
-void measure(const Arm& arm, const Task& task, Branch& branch) {
+void measure(const Arm& arm, const Task& task, BudgetMeter& budget, Branch& branch) {
   branch.limit_margin = 1;
   branch.inverse_condition = 1;
   for (const TrackedSegment& segment : branch.segments) {
     for (const Configuration& q : segment.samples) {
+      if (budget.ended()) {
+        branch.limit_margin = branch.inverse_condition = 0;
+        return;
+      }
       for (int k = 0; k < arm.dof(); ++k) {
         const Limits& limits = arm.limits(k);
         const double margin = std::max(0.0, limit_margin(q[k], limits.lower, limits.upper));
@@ -289,7 +293,7 @@ Branch track_branch(const Arm& arm, const Configuration& start, const ToolPath& 
   Branch branch{.start = start};
   track_path(arm, path, bounds_of(arm), options, budget, branch);
   if (options.reasons != BranchOptions::Reasons::none) explain(arm, path, options, branch);
-  measure(arm, options.task, branch);
+  measure(arm, options.task, budget, branch);
   return branch;
 }
 
@@ -303,7 +307,7 @@ std::vector<Branch> track_branches(const Arm& arm, const ToolPath& path,
   for (const Branch& branch : branches) farthest = std::max(farthest, branch.path_parameter);
   for (Branch& branch : branches) {  // margins only order branches that reach equally far
     if (options.reasons == Reasons::all || branch.path_parameter == farthest) {
-      measure(arm, options.task, branch);
+      measure(arm, options.task, budget, branch);
     }
   }
   std::stable_sort(branches.begin(), branches.end(), better);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <beeline/internal/budget_meter.h>
 #include <beeline/planning/internal/track_segment.h>
 
 namespace beeline::internal {
@@ -25,8 +26,9 @@ void explain(const Arm& arm, const ToolPath& path, const BranchOptions& options,
 /// Sets the status and reason of a branch that the budget ended.
 void set_ended(const ToolPath& path, Ending ending, Branch& branch);
 
-/// Sets limit_margin and inverse_condition from the branch's samples.
-void measure(const Arm& arm, const Task& task, Branch& branch);
+/// Sets limit_margin and inverse_condition from the branch's samples; to 0 where the budget has
+/// ended.
+void measure(const Arm& arm, const Task& task, BudgetMeter& budget, Branch& branch);
 
 /// The order of branches: `a` reaches farther than b, or as far with the larger smallest margin.
 bool better(const Branch& a, const Branch& b);

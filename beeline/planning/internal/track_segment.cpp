@@ -63,6 +63,7 @@ struct SegmentTracker {
     const Pose target = pose_at(segment, s);
     for (int k = 0; k < arm.dof(); ++k) {
       for (const double side : {side_step, -side_step}) {
+        if (ended(options.budget)) return {};
         Configuration guess = last.q;
         guess[k] += side;
         if (auto next = proved(last, s, target, guess)) return next;
@@ -74,8 +75,9 @@ struct SegmentTracker {
   std::optional<Step> proved(const StepEnd& last, double s, const Pose& target,
                              const Configuration& guess) {
     usage = 0;
-    const NumericalResult found = levenberg_marquardt(arm, target, task, bounds, guess,
-                                                      {.tolerance = exact, .max_iterations = 30});
+    const NumericalResult found =
+        levenberg_marquardt(arm, target, task, bounds, guess,
+                            {.tolerance = exact, .max_iterations = 30, .budget = options.budget});
     if (!found.converged) return {};
     for (int k = 0; k < arm.dof(); ++k) {
       const bool rotates = kind(arm.joint_of(k)) != JointKind::prismatic;

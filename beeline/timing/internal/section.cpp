@@ -102,6 +102,7 @@ std::vector<Sample> first_samples(const JointMotion& motion, const TimeScaling& 
   }
   for (const double s : options.required) {
     if (!(s > given.s.front() && s < given.s.back())) continue;
+    if (ended(options.budget)) return {};
     const double t = scaling.time_of(s);
     Progress now = scaling.at(t);
     now.s = s;
@@ -143,17 +144,20 @@ void slow_down_in_nanoseconds(SampledSection& section, double slower) {
   }
 }
 
-/// The samples before they are slowed down, with ramps of this width.
+/// The samples before they are slowed down, with ramps of this width. Empty where the budget ends
+/// it.
 SampledSection refined_samples(const Arm& arm, const TimedPath& section,
                                const SectionOptions& options, double width) {
   const AveragedScaling scaling(section.scaling, width);
   const JointMotion motion(section.path, scaling);
   std::vector<Sample> samples = first_samples(motion, section.scaling, options);
+  if (samples.empty()) return {};
   if (options.interpolation != Interpolation::linear) {
     const PathLimits limits = path_limits(arm, options.speed_scale);
     const Refinement refinement(motion, limits, options);
     std::vector<Sample> refined{samples.front()};
     for (std::size_t k = 1; k < samples.size(); ++k) {
+      if (ended(options.budget)) return {};
       refinement.append(refined, samples[k - 1], samples[k]);
     }
     samples = std::move(refined);
@@ -175,6 +179,7 @@ SampledSection without_rate(const Arm& arm, const TimedPath& section,
   const bool jumps = has_jumps(section, options);
   double width = ramp_width(section, options);
   SampledSection result = refined_samples(arm, section, options, width);
+  if (result.trajectory.size() == 0) return result;
   double factor = std::max(1.0, needed_slowdown(arm, result.trajectory, options).both());
   // Wider ramps where their jerk exceeds a limit, as long as they cost less than the slowdown.
   for (int attempt = 0; attempt < max_widenings && jumps && factor > worth_widening; ++attempt) {
@@ -182,6 +187,7 @@ SampledSection without_rate(const Arm& arm, const TimedPath& section,
     const double wider = width * factor * factor * factor;
     if (wider > widest_ramp * section.scaling.duration()) break;
     SampledSection tried = refined_samples(arm, section, options, wider);
+    if (tried.trajectory.size() == 0) break;
     const double needed = std::max(1.0, needed_slowdown(arm, tried.trajectory, options).both());
     if (!(needed * tried.trajectory.times.back() < factor * result.trajectory.times.back())) break;
     width = wider;
@@ -220,14 +226,16 @@ SampledSection locally_slowed(const Arm& arm, TimedPath section, const SectionOp
   const double period = options.rate > 0 ? 1 / options.rate : 0;
   const double shortest_duration = section.scaling.duration();
   for (int round = 0; round < max_rounds; ++round) {
-    if (ended(options.budget)) return best;
+    if (ended(options.budget) || best.trajectory.size() == 0) return best;
     const double duration = best.trajectory.times.back();
     if (duration <= small * shortest_duration + periods * period) return best;
-    if (!lower_limits(arm, unslowed(arm, section, options), options, section)) return best;
+    const SampledSection free = unslowed(arm, section, options);
+    if (free.trajectory.size() == 0 || !lower_limits(arm, free, options, section)) return best;
     section.scaling =
         time_scaling(section.path, section.limits, section.profile, budget_of(options.budget));
     if (!section.scaling) return best;
     SampledSection tried = slowed(arm, section, options);
+    if (tried.trajectory.size() == 0) return best;
     if (tried.trajectory.times.back() < duration) best = std::move(tried);
   }
   return best;
@@ -247,6 +255,7 @@ SampledSection sample_section(const Arm& arm, const TimedPath& section,
   if (!gentle.scaling) return best;
   if (!(gentle.scaling.duration() < best.trajectory.times.back())) return best;
   SampledSection other = locally_slowed(arm, gentle, options);
+  if (other.trajectory.size() == 0) return best;
   return other.trajectory.times.back() < best.trajectory.times.back() ? other : best;
 }
 

@@ -34,8 +34,8 @@ struct SectionOptions {
 /// many samples as the interpolation needs to agree with the motion along the path, at all kinks of
 /// the acceleration first; times are whole nanoseconds. With a rate the samples are k / rate, the
 /// last one included: the section lasts a whole number of periods. Where the budget ends the
-/// search, the motion may take longer than necessary. Throws Error where no samples are found at
-/// this rate.
+/// search, the motion may take longer than necessary, or there are no samples. Throws Error where
+/// no samples are found at this rate.
 SampledSection sample_section(const Arm& arm, const TimedPath& section,
                               const SectionOptions& options);
 

@@ -117,6 +117,7 @@ SampledSection uniform_section(const Arm& arm, const TimedPath& section,
   double jerk_before = 0;            // of the average before it was widened
   double average_before = 0;
   for (int tries = 0; tries < max_tries; ++tries) {
+    if (ended(options.budget)) return {};
     SampledSection tried = sampled(arm, section, options, periods);
     const NeededSlowdown needed = needed_slowdown(arm, tried.trajectory, options);
     if (!(needed.both() > 1)) return tried;
