@@ -42,8 +42,11 @@ ParameterRates following(const Segment& segment, double s, const Task& task,
 
 ErrorRates error_rates(const Task& task, const PoseMotion& tool, const PoseMotion& path) {
   ErrorRates error{tool.velocity - path.velocity, tool.acceleration - path.acceleration};
-  if (task.frame != Frame::tool) return error;
   const Vector3 w = tool.velocity.tail<3>(), alpha = tool.acceleration.tail<3>();
+  if (task.frame != Frame::tool) {
+    error.second.tail<3>() -= w.cross(Vector3(path.velocity.tail<3>()));
+    return error;
+  }
   const Vector3 offset = tool.pose.translation() - path.pose.translation();
   error.first.head<3>() -= w.cross(offset);
   error.second.head<3>() -=

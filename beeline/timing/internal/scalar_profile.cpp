@@ -82,7 +82,7 @@ class LimitFractions {
   /// Adds the state at a path parameter with these derivatives of the path, where this fraction of
   /// the limits of acceleration and jerk may be used.
   void add(const double* dq, const double* ddq, const double* dddq, const JointState& state,
-           double usable = 1) {
+           double usable) {
     const double v = state.velocity, a = state.acceleration;
     for (Eigen::Index i = 0; i < by_jerk_.size(); ++i) {
       const double acceleration = dq[i] * a + ddq[i] * v * v;
@@ -104,13 +104,17 @@ class LimitFractions {
   double velocity_ = 0, acceleration_ = 0, jerk_ = 0;
 };
 
-/// The derivatives of the path at equidistant path parameters, on which shapes are compared.
+/// The derivatives and limits of the path at equidistant path parameters, on which shapes are
+/// compared.
 struct DerivativeGrid {
   std::size_t joints;
   std::vector<double> rates;
+  std::vector<double> fraction, speed;  ///< see PathLimits; 1 and infinity where there are none
 
-  explicit DerivativeGrid(const JointPath& path)
-      : joints(static_cast<std::size_t>(path.q[0].size())) {
+  DerivativeGrid(const JointPath& path, const PathLimits& limits)
+      : joints(static_cast<std::size_t>(path.q[0].size())),
+        fraction(grid_count + 1, 1),
+        speed(grid_count + 1, Limits::none) {
     const PathDerivatives along(path);
     rates.resize(3 * joints * (grid_count + 1));
     const double begin = path.s.front(), length = path.s.back() - begin;
@@ -119,15 +123,20 @@ struct DerivativeGrid {
       const double s = begin + length * k / grid_count;
       while (step + 2 < path.size() && path.s[step + 1] <= s) ++step;
       const double u = (s - path.s[step]) / (path.s[step + 1] - path.s[step]);
-      double* dq = rates.data() + 3 * joints * static_cast<std::size_t>(k);
+      const auto point = static_cast<std::size_t>(k);
+      double* dq = rates.data() + 3 * joints * point;
       along.at(step, std::min(u, 1.0), dq, dq + joints, dq + 2 * joints);
+      const auto least = [&](const std::vector<double>& values) {
+        return std::min(values[step], values[step + 1]);
+      };
+      if (!limits.fraction.empty()) fraction[point] = least(limits.fraction);
+      if (!limits.speed.empty()) speed[point] = least(limits.speed);
     }
   }
 
-  /// Returns the derivatives at the grid point nearest to this fraction of the path length.
-  const double* nearest(double fraction) const {
-    const double index = std::clamp(fraction * grid_count + 0.5, 0.0, grid_count + 0.5);
-    return rates.data() + 3 * joints * static_cast<std::size_t>(index);
+  /// Returns the grid point nearest to this fraction of the path length.
+  static std::size_t nearest(double part) {
+    return static_cast<std::size_t>(std::clamp(part * grid_count + 0.5, 0.0, grid_count + 0.5));
   }
 };
 
@@ -135,10 +144,13 @@ struct DerivativeGrid {
 /// derivatives of the path at the nearest grid points.
 double duration(const Shape& shape, const DerivativeGrid& grid, const PathLimits& limits) {
   LimitFractions fractions(limits);
+  double longest = 0;
   const auto take = [&](double u) {
     const JointState state = shape.at(u);
-    const double* dq = grid.nearest(state.position / shape.length);
-    fractions.add(dq, dq + grid.joints, dq + 2 * grid.joints, state);
+    const std::size_t point = grid.nearest(state.position / shape.length);
+    const double* dq = grid.rates.data() + 3 * grid.joints * point;
+    fractions.add(dq, dq + grid.joints, dq + 2 * grid.joints, state, grid.fraction[point]);
+    longest = std::max(longest, state.velocity / grid.speed[point]);
   };
   constexpr int times = 100;  // to compare shapes; seconds_for() is exact
   for (int k = 0; k < times; ++k) take((k + 0.5) / times);
@@ -147,7 +159,7 @@ double duration(const Shape& shape, const DerivativeGrid& grid, const PathLimits
     take(end - 1e-9);
     take(end + 1e-9);
   }
-  return fractions.slowdown_of(shape.form);
+  return std::max(longest, fractions.slowdown_of(shape.form));
 }
 
 /// Minimises f over [min_ramp, 0.5]: a scan of geometric steps, then golden sections.
@@ -163,7 +175,7 @@ Minimum minimised(int sections, Function&& f) {
 Shape best_shape(ScalarForm form, const JointPath& path, const PathLimits& limits) {
   const double length = path.s.back() - path.s.front();
   if (form == ScalarForm::quintic) return {form, length};
-  const DerivativeGrid grid(path);
+  const DerivativeGrid grid(path, limits);
   const auto lasts = [&](double ramp, double round) {
     return duration(Shape(form, length, ramp, round), grid, limits);
   };
