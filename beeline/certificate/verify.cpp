@@ -116,8 +116,8 @@ struct Verifier {
       s[last] = tracker.first_fit(poses[last], s[last]).value_or(s[last]);
     }
     if (s.size() > 1) {
-      s = consistent_parameters(tracker, poses, s,
-                                [&](std::size_t k) { return moved(tracker, first + k); });
+      s = consistent_parameters(
+          tracker, poses, s, [&](std::size_t k) { return moved(tracker, first + k); }, &budget);
     }
     if (found.off && !found.reached) s.push_back(std::max(off, s.back()));
   }
@@ -295,6 +295,7 @@ struct Verifier {
         found.path_parameters.back() = static_cast<double>(i + 1);
       }
       if (begin < i || !is_line(i)) make_consistent(tracker, first, found);
+      if (!budget.complete()) break;
       check_samples(first, found.path_parameters);
       if (!budget.complete()) break;
       if (!found.reached) {

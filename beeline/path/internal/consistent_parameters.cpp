@@ -15,9 +15,16 @@ struct Candidate {
 class Assignment {
  public:
   Assignment(const PathTracker& tracker, std::span<const Pose> poses,
-             const std::vector<double>& first, const std::function<double(std::size_t)>& moved)
-      : tracker_(tracker), poses_(poses), first_(first), last_(first), moved_(moved) {
+             const std::vector<double>& first, const std::function<double(std::size_t)>& moved,
+             BudgetMeter* budget)
+      : tracker_(tracker),
+        poses_(poses),
+        first_(first),
+        last_(first),
+        moved_(moved),
+        budget_(budget) {
     for (std::size_t k = first.size() - 1; k-- > 1;) {
+      if (ended(budget)) return;
       last_[k] = tracker.last_within(poses[k], last_[k + 1], first[k]);
     }
   }
@@ -25,7 +32,10 @@ class Assignment {
   std::vector<double> run() {
     const std::size_t size = first_.size();
     all_ = {{{first_.front()}}};
-    for (std::size_t k = 1; k < size; ++k) all_.push_back(candidates(k));
+    for (std::size_t k = 1; k < size; ++k) {
+      if (ended(budget_)) return first_;
+      all_.push_back(candidates(k));
+    }
     std::vector<double> result(size);
     std::size_t chosen = 0;  // the last sample has one candidate
     for (std::size_t k = size; k-- > 0;) {
@@ -71,6 +81,7 @@ class Assignment {
   const std::vector<double>& first_;
   std::vector<double> last_;  ///< the largest parameters that later samples allow
   const std::function<double(std::size_t)>& moved_;
+  BudgetMeter* budget_;
   std::vector<std::vector<Candidate>> all_;
 };
 
@@ -78,8 +89,9 @@ class Assignment {
 
 std::vector<double> consistent_parameters(const PathTracker& tracker, std::span<const Pose> poses,
                                           const std::vector<double>& first_within,
-                                          const std::function<double(std::size_t)>& moved) {
-  return Assignment(tracker, poses, first_within, moved).run();
+                                          const std::function<double(std::size_t)>& moved,
+                                          BudgetMeter* budget) {
+  return Assignment(tracker, poses, first_within, moved, budget).run();
 }
 
 }  // namespace beeline::internal

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include <beeline/internal/budget_meter.h>
 #include <beeline/path/internal/path_tracker.h>
 
 namespace beeline::internal {
@@ -18,9 +19,10 @@ namespace beeline::internal {
 ///     sum d_k^2 + sum (l_k - m_k)^2,
 /// d the distance from the path, l the length of the path between two samples, and m that of the
 /// tool's motion, `moved(k)` from sample k to the next. Takes time in proportion to the number of
-/// samples.
+/// samples; where the budget ends it, returns `first_within`.
 std::vector<double> consistent_parameters(const PathTracker& tracker, std::span<const Pose> poses,
                                           const std::vector<double>& first_within,
-                                          const std::function<double(std::size_t)>& moved);
+                                          const std::function<double(std::size_t)>& moved,
+                                          BudgetMeter* budget = nullptr);
 
 }  // namespace beeline::internal
