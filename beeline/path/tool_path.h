@@ -39,7 +39,6 @@ struct Route {
   ToolPath path;
   std::vector<bool> stops;  ///< after each segment; the tool always stops after the last
   /// Limit of the tool origin's speed on each segment, m/s; empty: that of the motion's options.
-  /// From one stop to the next the lowest holds.
   std::vector<double> speeds = {};
 };
 

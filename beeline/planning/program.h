@@ -34,8 +34,8 @@ struct Move {
   /// The waypoint of a joint move as a configuration; it replaces `target`.
   std::optional<Configuration> q = std::nullopt;
   std::optional<Vector3> via = std::nullopt;  ///< a position on the arc, in the world
-  /// Limit of the tool origin's speed, m/s, 1e-8 or more; default: that of the options. Where moves
-  /// follow each other without a stop, the lowest holds for all.
+  /// Limit of the tool origin's speed, m/s, 1e-8 or more; default: that of the options. It holds on
+  /// the blend with the next move too.
   std::optional<double> speed = std::nullopt;
   /// Max deviation of the blend with the next move from the waypoint and from both lines, metres,
   /// and 5 rad for each metre: see blended_lines(). 0: none. Both moves must be lines.

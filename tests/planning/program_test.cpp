@@ -256,6 +256,36 @@ TEST(MoveProgram, ReasonsNameTheMoveAndItsPlace) {
   EXPECT_NE(joint.reason.find("move 1 (joint, a:7): "), std::string::npos) << joint.reason;
 }
 
+TEST(MoveProgram, ChangesItsSpeedWithoutAStop) {
+  const Arm arm = built_in("panda");
+  Pose pose = forward_kinematics(arm, home);
+  Program program;
+  for (const auto& [step, speed] : std::initializer_list<std::pair<Vector3, double>>{
+           {{0, 0.2, 0}, 0.5}, {{0, 0, -0.2}, 0.1}, {{0, -0.2, 0}, 0.4}}) {
+    pose.translation() += step;
+    program.moves.push_back({.target = pose, .speed = speed, .blend = 0.005});
+  }
+  program.moves.back().blend = 0;
+  for (const double rate : {0.0, 250.0, 60.0}) {
+    for (const Profile profile : {Profile::jerk, Profile::fastest, Profile::trapezoidal}) {
+      SCOPED_TRACE(name(profile) + " at " + std::to_string(rate));
+      const PathMotionOptions options{.profile = profile, .rate = rate};
+      const ProgramMotion motion = move_program(arm, home, program, options);
+      ASSERT_TRUE(motion) << motion.reason;
+      expect_program(arm, program, motion, rate);
+      const Verification check = verify(arm, motion.trajectory, program);
+      EXPECT_TRUE(check) << check.reason;
+      Program slow = program;
+      for (Move& move : slow.moves) move.speed = 0.1;
+      const ProgramMotion whole = move_program(arm, home, slow, options);
+      if (profile == Profile::trapezoidal) continue;  // one form from stop to stop
+      EXPECT_LT(motion.trajectory.times.back(), 0.65 * whole.trajectory.times.back());
+      EXPECT_GT(motion.moves[1].tool_speed, 0.097);
+      EXPECT_GT(motion.moves[2].tool_speed, 0.35);
+    }
+  }
+}
+
 TEST(MoveProgram, EndsByItsBudget) {
   const Arm arm = built_in("panda");
   for (const std::int64_t work : {0, 1, 30, 300}) {

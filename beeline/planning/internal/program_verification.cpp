@@ -166,13 +166,44 @@ class ProgramVerifier {
   }
 
   bool check_speed(std::size_t move, std::size_t from, std::size_t to) {
-    const auto& limit = program_.moves[move].speed;
-    if (!limit) return true;
+    return check_speed(move, from, to, program_.moves[move].speed);
+  }
+
+  bool check_speed(std::size_t move, std::size_t from, std::size_t to,
+                   const std::optional<double>& limit) {
+    if (!limit || from >= to) return true;
     const double speed = tool_speed_bound(arm_, samples_between(trajectory_, from, to));
     if (speed <= *limit * speed_rounding) return true;
     return fail(Fault::tool_speed, from,
                 "on " + move_name(program_, move) + " the tool's speed is up to " + number(speed) +
                     " m/s, above " + number(*limit) + " m/s");
+  }
+
+  /// The sample before those from `from` to `at` that are within tolerance of the pose.
+  std::size_t before_near(const Pose& pose, std::size_t from, std::size_t at) const {
+    while (at > from && offset(pose, at - 1) <= 1) --at;
+    return at > from ? at - 1 : at;
+  }
+
+  /// The sample after those from `at` to `to` that are within tolerance of the pose.
+  std::size_t after_near(const Pose& pose, std::size_t at, std::size_t to) const {
+    while (at < to && offset(pose, at + 1) <= 1) ++at;
+    return at < to ? at + 1 : at;
+  }
+
+  /// Checks the speed of move i from sample `from` to `reached`, at the end of a segment which the
+  /// tool passes to the next move; returns the sample from which that move's own limit holds. Which
+  /// sample is the first of that move is only known to the tolerance.
+  std::optional<std::size_t> check_passing(std::size_t i, const Segment& segment, std::size_t from,
+                                           std::size_t reached, std::size_t end) {
+    const Pose passed = pose_at(segment, 1);
+    const std::size_t before = before_near(passed, from, reached);
+    const std::size_t after = after_near(passed, reached, end);
+    const auto &limit = program_.moves[i].speed, &next = program_.moves[i + 1].speed;
+    const std::optional<double> larger =
+        limit && next ? std::optional(std::max(*limit, *next)) : std::nullopt;
+    if (!check_speed(i, from, before) || !check_speed(i, before, after, larger)) return {};
+    return after;
   }
 
   /// Checks that the joints rest from `begin_` to the end.
@@ -237,9 +268,16 @@ class ProgramVerifier {
     for (std::size_t i = result_.arrivals.size(); i <= move; ++i) {
       const std::size_t segment = part.last_segment(i);  // before `first` if the line has none left
       const std::size_t reached = begin_ + (segment < first ? 0 : found.arrivals[segment - first]);
-      if (!check_speed(i, from, reached)) return false;
       result_.arrivals.push_back(reached);
-      from = reached;
+      if (i == move || segment < first) {
+        if (!check_speed(i, from, reached)) return false;
+        continue;
+      }
+      const std::size_t last_sample = begin_ + found.arrivals.back();
+      const auto after =
+          check_passing(i, route.path.segments[segment - first], from, reached, last_sample);
+      if (!after) return false;
+      from = *after;
     }
     return check_dwell(move);
   }

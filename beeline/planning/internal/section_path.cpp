@@ -154,6 +154,12 @@ std::vector<double> SectionPath::segment_ends() const {
   return ends;
 }
 
+double SectionPath::parameter_at(double path_parameter) const {
+  const auto& parameters = samples_.path_parameters;
+  const auto sample = std::lower_bound(parameters.begin(), parameters.end() - 1, path_parameter);
+  return joint_path_.s[static_cast<std::size_t>(sample - parameters.begin())];
+}
+
 /// Changes the derivatives at sample k as little as possible, so that the tool has the path's
 /// tangent and curvature in the task's rows. Near a singularity, where that is much, they stay
 /// those of the spline.

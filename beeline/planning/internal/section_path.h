@@ -32,6 +32,9 @@ class SectionPath {
   /// The parameters of the joint path at the ends of segments, except the section's own.
   std::vector<double> segment_ends() const;
 
+  /// The parameter of the joint path at the first sample from this path parameter on.
+  double parameter_at(double path_parameter) const;
+
   /// The path parameter of the tool at a configuration of the joint path, at its parameter s; that
   /// of the nearest sample if it is at most `rounding` away.
   double path_parameter(const Configuration& q, double s, double rounding) const;

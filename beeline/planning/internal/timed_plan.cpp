@@ -42,14 +42,13 @@ PlanTiming::PlanTiming(const Arm& arm, const Route& route, const Branch& plan, c
       start_(plan.start) {
   check_options(options.tool_speed, options.rate);
   BranchSection section{{plan.start}, {0}};
-  double tool_speed = Limits::none;
+  std::size_t first = 0;
   for (std::size_t i = 0; i < plan.segments.size(); ++i) {
     add_segment(section, plan.segments[i], i, samples);
-    tool_speed = std::min(tool_speed, route.speeds.empty() ? options.tool_speed : route.speeds[i]);
     if (i + 1 < plan.segments.size() && !route.stops[i]) continue;
     BranchSection next{{section.samples.back()}, {section.path_parameters.back()}};
-    add(std::move(section), tolerance, tool_speed);
-    tool_speed = Limits::none;
+    add(std::move(section), tolerance, first, i);
+    first = i + 1;
     if (status != MotionStatus::reached) {
       reason = "up to the end of " +
                (route.path.names.empty() ? "segment " + std::to_string(i + 1)
@@ -62,22 +61,38 @@ PlanTiming::PlanTiming(const Arm& arm, const Route& route, const Branch& plan, c
   }
 }
 
-void PlanTiming::add(BranchSection samples, const Deviation& tolerance, double tool_speed) {
+ToolSpeeds PlanTiming::tool_speeds(const SectionPath& path, std::size_t first,
+                                   std::size_t last) const {
+  const double end = path.joint_path().s.back();
+  ToolSpeeds speeds;
+  speeds.ends.clear();
+  speeds.limits.clear();
+  for (std::size_t i = first; i <= last; ++i) {
+    const double limit = route_.speeds.empty() ? options_.tool_speed : route_.speeds[i];
+    if (!speeds.limits.empty() && speeds.limits.back() == limit)
+      speeds.ends.pop_back();
+    else
+      speeds.limits.push_back(limit);
+    speeds.ends.push_back(i == last ? end : path.parameter_at(static_cast<double>(i + 1)));
+  }
+  return speeds;
+}
+
+void PlanTiming::add(BranchSection samples, const Deviation& tolerance, std::size_t first,
+                     std::size_t last) {
   const double end = samples.path_parameters.back();
   if (samples.samples.size() < 2) {  // the tool is at rest
     (sections_.empty() ? start_parameter_ : sections_.back().end) = end;
     return;
   }
   const auto count = static_cast<double>(samples.samples.size());
-  Section section{{arm_, route_.path, task_, std::move(samples), tolerance, budget_},
-                  {},
-                  {},
-                  end,
-                  {},
-                  tool_speed};
+  Section section{
+      {arm_, route_.path, task_, std::move(samples), tolerance, budget_}, {}, {}, end, {}, {}};
   const JointPath& path = section.path.joint_path();
+  section.tool_speeds = tool_speeds(section.path, first, last);
+  const ToolSpeeds& speeds = section.tool_speeds;
   section.timed = timed_path(arm_, path, options_.profile.value_or(default_profile),
-                             options_.speed_scale, tool_speed, budget_);
+                             options_.speed_scale, speeds, budget_);
   if (!section.timed.scaling) {
     status = MotionStatus::outside_limits;
     reason = section.timed.scaling.reason;
@@ -102,7 +117,7 @@ TimedPlan PlanTiming::sample() {
         .interpolation = options_.interpolation,
         .keep_jerk = keeps_jerk(options_.profile.value_or(default_profile)),
         .speed_scale = options_.speed_scale,
-        .tool_speed = section.tool_speed,
+        .tool_speed = section.tool_speeds,
         .rate = options_.rate,
         .required = section.required,
         .budget = &budget_};

@@ -41,10 +41,12 @@ class PlanTiming {
     std::vector<double> required;  ///< parameters of the joint path that get a sample
     double end = 0;                ///< the path parameter, after segments at rest too
     std::vector<double> sampled;   ///< parameters of the last samples
-    double tool_speed = 0;         ///< the limit, metres per second
+    ToolSpeeds tool_speeds = {};   ///< along the joint path; of one speed if it is the same
   };
 
-  void add(BranchSection samples, const Deviation& tolerance, double tool_speed);
+  /// Adds the section along these segments of the route.
+  void add(BranchSection samples, const Deviation& tolerance, std::size_t first, std::size_t last);
+  ToolSpeeds tool_speeds(const SectionPath& path, std::size_t first, std::size_t last) const;
 
   const Arm& arm_;
   const Route& route_;

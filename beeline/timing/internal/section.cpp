@@ -180,7 +180,7 @@ SampledSection without_rate(const Arm& arm, const TimedPath& section,
   double width = ramp_width(section, options);
   SampledSection result = refined_samples(arm, section, options, width);
   if (result.trajectory.size() == 0) return result;
-  double factor = std::max(1.0, needed_slowdown(arm, result.trajectory, options).both());
+  double factor = std::max(1.0, needed_slowdown(arm, result, options).both());
   // Wider ramps where their jerk exceeds a limit, as long as they cost less than the slowdown.
   for (int attempt = 0; attempt < max_widenings && jumps && factor > worth_widening; ++attempt) {
     if (ended(options.budget)) break;
@@ -188,7 +188,7 @@ SampledSection without_rate(const Arm& arm, const TimedPath& section,
     if (wider > widest_ramp * section.scaling.duration()) break;
     SampledSection tried = refined_samples(arm, section, options, wider);
     if (tried.trajectory.size() == 0) break;
-    const double needed = std::max(1.0, needed_slowdown(arm, tried.trajectory, options).both());
+    const double needed = std::max(1.0, needed_slowdown(arm, tried, options).both());
     if (!(needed * tried.trajectory.times.back() < factor * result.trajectory.times.back())) break;
     width = wider;
     factor = needed;
@@ -199,7 +199,7 @@ SampledSection without_rate(const Arm& arm, const TimedPath& section,
        margin *= 4) {  // rounding is nearly always below the first
     result = exact;
     slow_down_in_nanoseconds(result, factor * (1 + margin));
-    if (!(needed_slowdown(arm, result.trajectory, options).both() > 1)) return result;
+    if (!(needed_slowdown(arm, result, options).both() > 1)) return result;
   }
 }
 

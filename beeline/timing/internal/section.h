@@ -20,7 +20,7 @@ struct SectionOptions {
   Interpolation interpolation = Interpolation::quintic;
   bool keep_jerk = true;
   double speed_scale = 1;             ///< see RetimeOptions
-  double tool_speed = Limits::none;   ///< metres per second
+  ToolSpeeds tool_speed = {};         ///< limits along the path
   double rate = 0;                    ///< see RetimeOptions
   std::vector<double> required = {};  ///< path parameters that get a sample, without a rate
   BudgetMeter* budget = nullptr;      ///< default: none

@@ -26,7 +26,35 @@ double speed_at(const TimeScaling& scaling, double s) {
   return (1 - u) * scaling.speed[k - 1] + u * scaling.speed[k];
 }
 
+/// By which factor the tool exceeds its limits along the path between each sample and the next; 1
+/// where it does not.
+std::vector<double> tool_excess(const Arm& arm, const SampledSection& samples,
+                                const ToolSpeeds& tool_speed) {
+  constexpr double rounding = 1e-3;  // of an interval: samples at a change of the limit are near it
+  std::vector<double> limits;
+  for (std::size_t k = 1; k < samples.progress.size(); ++k) {
+    const double from = samples.progress[k - 1].s, to = samples.progress[k].s;
+    const double margin = rounding * (to - from);
+    limits.push_back(tool_speed.lowest(from + margin, to - margin));
+  }
+  std::vector<double> factors = tool_speed_bounds(arm, samples.trajectory, limits);
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    factors[k] = limits[k] < Limits::none ? factors[k] / limits[k] : 1;
+  }
+  return factors;
+}
+
 }  // namespace
+
+NeededSlowdown needed_slowdown(const Arm& arm, const SampledSection& samples,
+                               const SectionOptions& options) {
+  NeededSlowdown needed = needed_slowdown(arm, samples.trajectory, options);
+  if (options.tool_speed.limits.size() == 1) return needed;
+  for (const double factor : tool_excess(arm, samples, options.tool_speed)) {
+    needed.speed = std::max(needed.speed, factor);
+  }
+  return needed;
+}
 
 NeededSlowdown needed_slowdown(const Arm& arm, const Trajectory& trajectory,
                                const SectionOptions& options) {
@@ -34,8 +62,9 @@ NeededSlowdown needed_slowdown(const Arm& arm, const Trajectory& trajectory,
   const auto usage = [&](int order) { return limit_fraction(limits, trajectory, order).fraction; };
   NeededSlowdown needed{slowdown(usage(1), usage(2), 0) / options.speed_scale,
                         slowdown(0, 0, usage(3)) / options.speed_scale};
-  if (options.tool_speed < Limits::none) {
-    needed.speed = std::max(needed.speed, tool_speed_bound(arm, trajectory) / options.tool_speed);
+  const ToolSpeeds& tool = options.tool_speed;
+  if (tool.limits.size() == 1 && tool.lowest() < Limits::none) {
+    needed.speed = std::max(needed.speed, tool_speed_bound(arm, trajectory) / tool.lowest());
   }
   return needed;
 }
@@ -48,7 +77,12 @@ bool lower_limits(const Arm& arm, const SampledSection& samples, const SectionOp
     for (double& factor : factors) factor /= std::pow(options.speed_scale, order);
     return factors;
   };
-  const auto velocity = excess(1), acceleration = excess(2), jerk = excess(3);
+  auto velocity = excess(1);
+  const auto acceleration = excess(2), jerk = excess(3);
+  if (options.tool_speed.limits.size() > 1) {
+    const std::vector<double> tool = tool_excess(arm, samples, options.tool_speed);
+    for (std::size_t k = 0; k < tool.size(); ++k) velocity[k] = std::max(velocity[k], tool[k]);
+  }
   const auto& s = section.path.s;
   std::vector<double> slower(s.size(), 1), gentler(s.size(), 1);
   bool lowered = false;

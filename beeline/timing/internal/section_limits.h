@@ -16,9 +16,14 @@ struct NeededSlowdown {
 NeededSlowdown needed_slowdown(const Arm& arm, const Trajectory& trajectory,
                                const SectionOptions& options);
 
+/// The same for samples of a section, which keep several limits of the tool's speed along the path
+/// too.
+NeededSlowdown needed_slowdown(const Arm& arm, const SampledSection& samples,
+                               const SectionOptions& options);
+
 /// Lowers the path's limits where samples of its time scaling, not slowed down, exceed the arm's:
-/// of its speed, or the fraction of acceleration and jerk if the scaling is smooth. Returns whether
-/// there are such places.
+/// and the tool's along the path: of its speed, or the fraction of acceleration and jerk if the
+/// scaling is smooth. Returns whether there are such places.
 bool lower_limits(const Arm& arm, const SampledSection& samples, const SectionOptions& options,
                   TimedPath& section);
 

@@ -26,18 +26,29 @@ std::string outside(const Arm& arm, const JointPath& samples, const JointPath& r
 }
 
 /// The limits of the path's speed ds/dt at its grid points with which the tool's speed is kept.
-std::vector<double> path_speeds(const Arm& arm, const JointPath& path, double tool_speed) {
+std::vector<double> path_speeds(const Arm& arm, const JointPath& path,
+                                const ToolSpeeds& tool_speed) {
   std::vector<double> speeds;
-  if (!(tool_speed < Limits::none)) return speeds;
+  if (!(tool_speed.lowest() < Limits::none)) return speeds;
   Jacobian columns(6, arm.dof());
   for (std::size_t k = 0; k < path.size(); ++k) {
     jacobian(arm, path.q[k], columns);
-    speeds.push_back(tool_speed / (columns.topRows<3>() * path.dq[k]).norm());
+    const double limit = tool_speed.lowest(path.s[k], path.s[k]);
+    speeds.push_back(limit / (columns.topRows<3>() * path.dq[k]).norm());
   }
   return speeds;
 }
 
 }  // namespace
+
+double ToolSpeeds::lowest(double from, double to) const {
+  double least = Limits::none;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const bool before = i > 0 && ends[i - 1] > to;
+    if (ends[i] >= from && !before) least = std::min(least, limits[i]);
+  }
+  return least;
+}
 
 void slow_down(TimeScaling& scaling, double k) {
   for (double& t : scaling.t) t *= k;
@@ -57,7 +68,7 @@ void check_options(double tool_speed, double rate) {
 }
 
 TimedPath timed_path(const Arm& arm, const JointPath& path, Profile profile, double speed_scale,
-                     double tool_speed, BudgetMeter& budget) {
+                     const ToolSpeeds& tool_speed, BudgetMeter& budget) {
   TimedPath section;
   section.path = refined(path);
   section.scaling.reason = outside(arm, path, section.path);

@@ -119,7 +119,7 @@ SampledSection uniform_section(const Arm& arm, const TimedPath& section,
   for (int tries = 0; tries < max_tries; ++tries) {
     if (ended(options.budget)) return {};
     SampledSection tried = sampled(arm, section, options, periods);
-    const NeededSlowdown needed = needed_slowdown(arm, tried.trajectory, options);
+    const NeededSlowdown needed = needed_slowdown(arm, tried, options);
     if (!(needed.both() > 1)) return tried;
     // Most of the slowdown at once: the excess is at few samples, and others are the worst later.
     constexpr double at_once = 0.7;

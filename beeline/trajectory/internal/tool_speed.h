@@ -13,4 +13,8 @@ namespace beeline::internal {
 double tool_speed_bound(const Arm& arm, const Trajectory& trajectory,
                         BudgetMeter* budget = nullptr);
 
+/// The same between each sample and the next; known[k] where it is not above that.
+std::vector<double> tool_speed_bounds(const Arm& arm, const Trajectory& trajectory,
+                                      const std::vector<double>& known);
+
 }  // namespace beeline::internal
