@@ -8,6 +8,7 @@
 #include <beeline/record/trajectory_file.h>
 
 #include "arm_argument.h"
+#include "budget_argument.h"
 #include "format.h"
 #include "input_files.h"
 #include "program_argument.h"
@@ -26,6 +27,7 @@ struct ExportArguments {
   PathArgument path;
   std::string file, form, out, from;
   std::optional<double> rate, tool_speed;
+  BudgetArgument budget;
   bool json = false;
 };
 
@@ -91,7 +93,7 @@ PlannedExport program_export(const ExportArguments& arguments, const Arm& arm,
   if (!arguments.from.empty()) {
     start = arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
   }
-  PathMotionOptions options{.task = spatial.read(arm)};
+  PathMotionOptions options{.task = spatial.read(arm), .budget = arguments.budget.next()};
   if (arguments.tool_speed) options.tool_speed = *arguments.tool_speed;
   return at_rows(program, arguments.file, [&] {
     PlannedExport planned{move_program(arm, start, program, options)};
@@ -153,7 +155,8 @@ std::vector<Option> program_options(ExportArguments& arguments) {
            .value = "V",
            .help = "Largest speed of the tool origin in a program's moves without a speed, m/s.",
            .target = &arguments.tool_speed,
-           .range = {.lowest = 1e-8}}};
+           .range = {.lowest = 1e-8}},
+          arguments.budget.time_limit_option()};
 }
 
 std::vector<Option> export_options(ExportArguments& arguments) {

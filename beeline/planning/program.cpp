@@ -25,6 +25,8 @@ constexpr std::array<std::string_view, 5> move_kinds{"joint", "line", "screw", "
 constexpr std::size_t max_candidates = 64, max_redundant_candidates = 12;
 constexpr int coarse_grid = 6;
 
+constexpr double max_trajectory = 1e7;  // samples: some 3 GB for seven joints
+
 /// Seconds of a joint move at the velocity limits.
 double least_duration(const Arm& arm, const Configuration& from, const Configuration& to) {
   double duration = 0;
@@ -165,9 +167,9 @@ class ProgramPlanner {
     if (*ahead) return true;
     const std::string_view beginning = "the path's beginning: ";
     if (part.first > 0 && ahead->reason.starts_with(beginning)) {  // the waypoint before
-      return fail(part.first - 1, ahead->status,
-                  move_name(program_, part.first - 1) + ": " +
-                      ahead->reason.substr(beginning.size()));
+      return fail(
+          part.first - 1, ahead->status,
+          move_name(program_, part.first - 1) + ": " + ahead->reason.substr(beginning.size()));
     }
     const std::optional<std::size_t> move = named_move(part, ahead->reason);
     return fail(move.value_or(part.first), ahead->status,
@@ -235,10 +237,10 @@ class ProgramPlanner {
   /// Adds the dwell of move i.
   bool pause(std::size_t i) {
     const double dwell = program_.moves[i].dwell;
-    if (dwell * options_.rate > options_.max_samples) {
+    if (static_cast<double>(trajectory_.last()) + dwell * options_.rate > max_trajectory) {
       return fail(i, MotionStatus::too_many_samples,
-                  move_name(program_, i) + ": the dwell needs more than " +
-                      std::to_string(options_.max_samples) + " samples");
+                  move_name(program_, i) + ": the motion up to here needs more than " +
+                      number(max_trajectory) + " samples; lower the rate");
     }
     trajectory_.dwell(dwell, options_.rate);
     return true;

@@ -296,6 +296,20 @@ TEST(MoveProgram, EndsByItsBudget) {
   }
 }
 
+TEST(MoveProgram, LongDwellsNeedNoMoreMemoryThanAllowed) {
+  const Arm arm = built_in("panda");
+  Program program = pick();
+  program.moves[1].dwell = 1e6;
+  const ProgramMotion motion = move_program(arm, home, program, {.rate = 1000});
+  EXPECT_EQ(motion.status, MotionStatus::too_many_samples);
+  EXPECT_EQ(motion.failed, 1u);
+  EXPECT_NE(motion.reason.find("move 2 (line)"), std::string::npos) << motion.reason;
+  const ProgramMotion long_rest = move_program(arm, home, program);
+  ASSERT_TRUE(long_rest) << long_rest.reason;
+  EXPECT_GT(long_rest.trajectory.times.back(), 1e6);
+  EXPECT_TRUE(verify(arm, long_rest.trajectory, program));
+}
+
 TEST(MoveProgram, RefusesWhatNoMoveCanBe) {
   const Arm arm = built_in("panda");
   const auto planned = [&](auto change) {

@@ -60,6 +60,10 @@ std::vector<Case> cases() {
       {"dh", dh, json, "{}[]\",:\\-+.e019 \n"},
       {"poses", "# c\nx,y,z,qw,qx,qy,qz\n1,2,3,1,0,0,0\n\"1\",2,-3e-1,0,1,0,0\n",
        [](const std::string& text) { poses_from_csv(text, "a.csv"); }, ",\"#\n\r-+.e01 "},
+      {"program",
+       "# c\nmotion,relative,q,x,y,z,roll,pitch,yaw,speed,blend,dwell\njoint,,\"1,2\",,,,,,,,,\n"
+       "via,previous,,0,1,0,0,0,0,,,\narc,next,,1,0,0,0,0,0,0.1,,3\n,,,1,2,3,0,0,0,,1e-2,\n",
+       [](const std::string& text) { program_rows_from_csv(text, "a.csv"); }, ",\"#\n\r-+.e01 "},
       {"limits", testing::ur_limits,
        [](const std::string& text) {
          joint_limits_from_text(text, "l.yaml", arm_with("elbow_joint"));
