@@ -287,7 +287,8 @@ struct Verifier {
     for (std::size_t i = 0; i < segments && result.fault == Fault::none; ++i) {
       if (i + 1 < segments && !route.stops[i]) continue;
       const PathTracker tracker(route.path, task, static_cast<double>(begin),
-                                static_cast<double>(i + 1), tolerance);
+                                static_cast<double>(i + 1), tolerance, &budget);
+      if (!budget.complete()) break;
       Located found = locate(first, tracker, static_cast<double>(begin), i);
       if (!budget.complete()) break;
       if (found.reached) {

@@ -29,7 +29,7 @@ void CandidateSolutions::add(Configuration q, bool continuum) {
     q = corrected.q;
   }
   evidence().consider(request_, q);
-  add_solution(request_, q, found_.result);
+  add_solution(request_, q, found_.result, &known_);
 }
 
 }  // namespace beeline::internal

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <beeline/inverse/internal/stage_result.h>
+#include <beeline/inverse/numerical/posture_index.h>
 
 namespace beeline::internal {
 
@@ -19,6 +20,7 @@ class CandidateSolutions {
  private:
   const Request& request_;
   StageResult& found_;
+  PostureIndex known_;
 };
 
 }  // namespace beeline::internal

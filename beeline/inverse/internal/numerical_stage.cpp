@@ -13,16 +13,22 @@ void search(SolverState& state, const Request& request, const PreparedSearch& pr
             int restarts, bool all, InverseResult& result) {
   Configuration start = request.seed;
   wrap_unlimited_angles(request.arm, prepared.problem.bounds, 0, start);
-  multi_start(prepared.problem, prepared.seeds, request.goal, start,
-              {.tolerance = request.tolerance,
-               .max_iterations = request.options.max_iterations,
-               .max_restarts = restarts,
-               .all = all,
-               .random_seed = request.options.random_seed,
-               .budget = &request.budget},
-              state.buffers, state.search);
+  PostureIndex known;
+  MultiStartOptions options{.tolerance = request.tolerance,
+                            .max_iterations = request.options.max_iterations,
+                            .max_restarts = restarts,
+                            .all = all,
+                            .random_seed = request.options.random_seed,
+                            .budget = &request.budget};
+  // There may be very many, which the budget is to end with the search.
+  if (all) {
+    options.found = [&](const Configuration& q) { add_solution(request, q, result, &known); };
+  }
+  multi_start(prepared.problem, prepared.seeds, request.goal, start, options, state.buffers,
+              state.search);
   result.iterations += state.search.iterations;
   result.restarts += state.search.restarts;
+  if (all) return;
   for (const Configuration& q : state.search.solutions) add_solution(request, q, result);
 }
 

@@ -13,7 +13,8 @@ double error_at(const Request& request, const Configuration& q) {
   return std::max(error.position, error.orientation);
 }
 
-void add_solution(const Request& request, const Configuration& q, InverseResult& result) {
+void add_solution(const Request& request, const Configuration& q, InverseResult& result,
+                  PostureIndex* known) {
   // A value near a singular solution is determined only to the square root of rounding, 1e-8 to
   // 1e-7.
   constexpr double slack = 1e-6;  // radians or metres
@@ -35,9 +36,10 @@ void add_solution(const Request& request, const Configuration& q, InverseResult&
     }
   }
   if (!(error <= request.tolerance)) return;
-  for (const Configuration& known : result.solutions) {
-    if (same_posture(request.arm, known, nearest)) return;
-  }
+  PostureIndex compared;
+  const bool again = (known != nullptr ? *known : compared)
+                         .contains(request.arm, result.solutions, result.solutions.size(), nearest);
+  if (again) return;
   result.solutions.push_back(nearest);
 }
 

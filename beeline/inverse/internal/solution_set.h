@@ -1,6 +1,7 @@
 #pragma once
 
 #include <beeline/inverse/internal/request.h>
+#include <beeline/inverse/numerical/posture_index.h>
 
 namespace beeline::internal {
 
@@ -9,8 +10,9 @@ double error_at(const Request& request, const Configuration& q);
 
 /// Adds the representative of the candidate q nearest to the seed to the solutions if it is within
 /// limits, forward kinematics confirms it, and it is not among them yet. Levenberg-Marquardt steps
-/// correct its last digits.
-void add_solution(const Request& request, const Configuration& q, InverseResult& result);
+/// correct its last digits. `known`: an index of the solutions, for many calls; default: none.
+void add_solution(const Request& request, const Configuration& q, InverseResult& result,
+                  PostureIndex* known = nullptr);
 
 /// Completes a result that has solutions: adds the representatives with other multiples of 2 pi if
 /// they are requested, sorts, keeps the first unless all are requested, and fills in status and

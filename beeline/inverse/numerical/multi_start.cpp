@@ -4,6 +4,7 @@
 
 #include <beeline/error.h>
 #include <beeline/inverse/numerical/multi_start.h>
+#include <beeline/inverse/numerical/posture_index.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/pose/angle.h>
 
@@ -130,10 +131,8 @@ class Run {
     return square;
   }
 
-  bool known(const Configuration& q) const {
-    return std::any_of(
-        result_.solutions.begin(), result_.solutions.begin() + static_cast<std::ptrdiff_t>(found_),
-        [&](const Configuration& solution) { return same_posture(problem_.arm, solution, q); });
+  bool known(const Configuration& q) {
+    return postures_.contains(problem_.arm, result_.solutions, found_, q);
   }
 
   void collect(int lane) {
@@ -168,6 +167,7 @@ class Run {
     result_.solutions.resize(found_);
     result_.solutions.emplace_back(q);
     ++found_;
+    if (options_.found) options_.found(result_.solutions.back());
   }
 
   const NumericalProblem& problem_;
@@ -186,6 +186,7 @@ class Run {
   Grade grade_ = Grade::none;  ///< of result_.nearest
   double rank_ = 0;
   int last_restart_ = 0;
+  PostureIndex postures_;  ///< of result_.solutions
 };
 
 }  // namespace

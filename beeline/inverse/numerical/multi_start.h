@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/numerical/gauss_newton.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
@@ -15,6 +17,8 @@ struct MultiStartOptions {
   std::uint64_t random_seed = 1;
   /// Asked every few steps; default: none. When it ends, the result holds what was found so far.
   BudgetMeter* budget = nullptr;
+  /// With `all`: called with each of the solutions when it is found; default: not called.
+  std::function<void(const Configuration&)> found = {};
 };
 
 struct SearchResult {

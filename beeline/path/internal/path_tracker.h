@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/task.h>
 #include <beeline/path/tool_path.h>
 
@@ -18,9 +19,9 @@ namespace beeline::internal {
 /// nearest point (nearest_on_line.h).
 class PathTracker {
  public:
-  /// Keeps a reference to the path.
+  /// Keeps a reference to the path. Where the budget ends it, the tracker cannot be used.
   PathTracker(const ToolPath& path, const Task& task, double from, double to,
-              const Deviation& tolerance);
+              const Deviation& tolerance, BudgetMeter* budget = nullptr);
 
   /// The first local minimum of the distance, from `from` on; `from` itself where the distance
   /// increases there.
