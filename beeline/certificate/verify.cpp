@@ -92,7 +92,8 @@ struct Verifier {
       const double s = fit.value_or(from);
       found.path_parameters.push_back(s);
       const Deviation left = task_deviation(task, goal, tool);
-      const bool at_end = near(left) && (line || s > closing);
+      // s is the first parameter within the tolerance, not the nearest.
+      const bool at_end = near(left) && (line || tracker.first_fit(tool, s).value_or(s) > closing);
       found.from_end.push_back(at_end ? std::max(left.position / tolerance.position,
                                                  left.orientation / tolerance.orientation)
                                       : -1);
@@ -182,7 +183,7 @@ struct Verifier {
     constexpr int probes = 64;  // of an interval that fails, to find its largest deviation
     const Segment& segment = path.segments[part.segment];
     auto [measured, bound, along] =
-        interval_deviation(arm, segment, task, part.interval, result.deviation.measured);
+        interval_deviation(arm, segment, task, part.interval, result.deviation.measured, tolerance);
     for (int i = 1; i < probes && !near(bound); ++i) {
       const double u = static_cast<double>(i) / probes;
       Configuration q(arm.dof());

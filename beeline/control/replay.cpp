@@ -124,7 +124,7 @@ bool refuse_velocity(const Arm& arm, const VelocityUsage& usage, Replay& result)
 }
 
 /// Sets status and reason where a speed above 1 exceeds limits that the recording holds.
-bool refuse_speed(const Arm& arm, const Trajectory& recording, std::span<const Limits> held,
+bool refuse_speed(const Arm& arm, const Trajectory& recording, const internal::HeldLimits& held,
                   double speed, Replay& result) {
   constexpr double rounding = 1e-9, down = 1 - 1e-5;
   if (!(speed > 1)) return false;
@@ -158,7 +158,7 @@ internal::PlayedSection lead_in(const Arm& arm, const Configuration& goal,
 }
 
 /// Plays the lead-in, if there is one, and the recording.
-void play(const Arm& arm, const Trajectory& recording, std::vector<Limits> held,
+void play(const Arm& arm, const Trajectory& recording, internal::HeldLimits held,
           const ReplayOptions& options, Replay& result) {
   const bool steady = options.speed_at.empty();
   const double rate = options.rate > 0 || steady ? options.rate : default_rate;
@@ -221,7 +221,7 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
       refuse_velocity(arm, usage_at_constant_speed(arm, recording, options.speed), result)) {
     return result;
   }
-  std::vector<Limits> held = internal::held_limits(arm, recording, options.speed);
+  internal::HeldLimits held = internal::held_limits(arm, recording, options.speed);
   if (refuse_speed(arm, recording, held, options.speed, result)) return result;
   play(arm, recording, std::move(held), options, result);
   if (!result.reason.empty()) {

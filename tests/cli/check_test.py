@@ -238,6 +238,20 @@ def test_every_kind_of_path_is_checked_as_it_was_made(beeline, made, checked, ar
     checked(rows, arm, through)
 
 
+def test_a_spline_with_a_cusp_is_checked_as_it_was_made(beeline, written):
+    through = written("cusp.csv", "x,y,theta\n-1.4895142267148835,4.81329077278462,-2.53606536542102\n"
+                      "-0.4525992402916854,5.263021343141883,-2.6530539926860275\n"
+                      "-1.916881271558655,5.398356481921038,-2.601943275426942\n"
+                      "-4.273440145485141,4.136672138006768,-2.340825837545646\n")
+    path = ("--through", through, "--path", "spline", "--tolerance", "1e-3")
+    start = "0.5163193671107278,0.6510234143033649,1.2485277069274998"
+    for rate in ([], ["--rate", "50"]):
+        made = beeline("line", "rrr", "--from", start, *path, "--tool-speed", "0.1", *rate, "--out", "move.csv")
+        assert made.code == 0, made.err
+        answer = beeline("check", "rrr", "move.csv", *path)
+        assert answer.code == 0, answer.err
+
+
 def test_branches_are_listed_along_every_kind_of_path(beeline, lines):
     for path in (["--path", "screw"], ["--path", "spline"], ["--blend", "0.02"]):
         answer = beeline("line", "ur5", "--through", lines("ur5"), "--branches", "--json", *path)

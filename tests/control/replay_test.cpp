@@ -268,9 +268,10 @@ TEST(Replay, ChangesItsSpeedDuringTheLeadInToo) {
 TEST(Replay, NamesTheSpeedThatSufficesAmongSeveral) {
   const Arm arm = built_in("panda");
   const Configuration middle = middle_configuration(arm);
-  Trajectory recorded{arm.joint_names(), {0, 4}, {middle, middle}, {}, {}};
-  recorded.positions[1][0] += 2;
-  recorded.times[1] = 2 / (2 * arm.limits(0).velocity);  // at twice the limit
+  const Configuration rest = Configuration::Zero(7);
+  Trajectory recorded{arm.joint_names(), {0, 4}, {middle, middle}, {rest, rest}, {}};
+  recorded.positions[1][0] += 2;  // a cubic, whose largest velocity is 3/2 of its mean one
+  recorded.times[1] = 1.5 * 2 / (2 * arm.limits(0).velocity);  // at twice the limit
   const Replay fast = replay(arm, recorded, {.rate = 1000, .speed_at = {{0, 1}}, .ramp = 0.01});
   EXPECT_EQ(fast.status, MotionStatus::outside_limits);
   EXPECT_EQ(fast.trajectory.size(), 0);

@@ -23,8 +23,14 @@ constexpr double remainder_factor = 1.0 / 64;
 
 class IntervalProof {
  public:
-  IntervalProof(const Arm& arm, const Segment& segment, const Task& task, const Deviation& known)
-      : arm_(arm), segment_(segment), task_(task), error_(arm, segment, task), known_(known) {}
+  IntervalProof(const Arm& arm, const Segment& segment, const Task& task, const Deviation& known,
+                const Deviation& wanted)
+      : arm_(arm),
+        segment_(segment),
+        task_(task),
+        error_(arm, segment, task),
+        known_(known),
+        wanted_(wanted) {}
 
   IntervalDeviation run(const Interval& interval) {
     const End begin = end(interval, 0), last = end(interval, 1);
@@ -90,8 +96,10 @@ class IntervalProof {
   }
 
   bool settled(double Deviation::*part, const Deviation& bound, const Deviation& remainder) const {
-    return bound.*part <= std::max({finest, known_.*part, result_.measured.*part}) ||
-           remainder.*part <= small_remainder * (bound.*part);
+    const double largest = result_.measured.*part;
+    if (bound.*part <= std::max({finest, known_.*part, largest})) return true;
+    if (bound.*part > wanted_.*part && largest <= wanted_.*part) return false;
+    return remainder.*part <= small_remainder * (bound.*part);
   }
 
   static End halved(End end) {
@@ -103,7 +111,7 @@ class IntervalProof {
   const Segment& segment_;
   const Task& task_;
   ToolErrorRows error_;
-  Deviation known_;
+  Deviation known_, wanted_;
   IntervalDeviation result_;
 };
 
@@ -116,8 +124,9 @@ Interval part(const Interval& interval, double from, double to) {
 }
 
 IntervalDeviation interval_deviation(const Arm& arm, const Segment& segment, const Task& task,
-                                     const Interval& interval, const Deviation& known) {
-  return IntervalProof(arm, segment, task, known).run(interval);
+                                     const Interval& interval, const Deviation& known,
+                                     const Deviation& wanted) {
+  return IntervalProof(arm, segment, task, known, wanted).run(interval);
 }
 
 }  // namespace beeline::internal

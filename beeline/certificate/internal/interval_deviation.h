@@ -38,8 +38,10 @@ struct IntervalDeviation {
 ///
 /// On a line by position only the component of e across the line counts, as the nearest point of
 /// the line is the one to compare with. An s(u) outside [0, 1] counts as the segment's end. Bounds
-/// that are not above `known` are not refined.
+/// that are not above `known` are not refined; those above `wanted` are refined further, as long as
+/// no measured deviation is above it.
 IntervalDeviation interval_deviation(const Arm& arm, const Segment& segment, const Task& task,
-                                     const Interval& interval, const Deviation& known = {});
+                                     const Interval& interval, const Deviation& known = {},
+                                     const Deviation& wanted = {Limits::none, Limits::none});
 
 }  // namespace beeline::internal

@@ -4,6 +4,7 @@
 
 #include <beeline/control/internal/held_limits.h>
 #include <beeline/error.h>
+#include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/limit_fraction.h>
 
@@ -22,7 +23,7 @@ Extremes position_range(const Trajectory& trajectory, std::size_t k, int i) {
 }
 
 /// The largest position beyond a limit between samples.
-std::optional<LimitExcess> position_excess(std::span<const Limits> held,
+std::optional<LimitExcess> position_excess(const std::vector<Limits>& held,
                                            const Trajectory& trajectory) {
   std::optional<LimitExcess> largest;
   for (std::size_t k = 0; k < trajectory.size(); ++k) {
@@ -47,8 +48,8 @@ std::optional<LimitExcess> position_excess(std::span<const Limits> held,
 
 }  // namespace
 
-std::vector<Limits> held_limits(const Arm& arm, const Trajectory& recording, double speed) {
-  std::vector<Limits> held;
+HeldLimits held_limits(const Arm& arm, const Trajectory& recording, double speed) {
+  HeldLimits held{{}, true, true};
   const auto dof = static_cast<std::size_t>(arm.dof());
   for (int i = 0; i < arm.dof(); ++i) {
     const Limits known = arm.limits(i);
@@ -75,21 +76,41 @@ std::vector<Limits> held_limits(const Arm& arm, const Trajectory& recording, dou
       limits.lower = std::min(limits.lower, range.smallest);
       limits.upper = std::max(limits.upper, range.largest);
     }
-    held.push_back(limits);
+    held.limits.push_back(limits);
+    const auto rests = [&](TrajectoryEnd end) {
+      return end_velocity(recording, i, limits, end).at_rest();
+    };
+    held.starts_at_rest = held.starts_at_rest && rests(TrajectoryEnd::first);
+    held.ends_at_rest = held.ends_at_rest && rests(TrajectoryEnd::last);
   }
   return held;
 }
 
-std::optional<LimitExcess> largest_excess(std::span<const Limits> held,
-                                          const Trajectory& trajectory) {
-  std::optional<LimitExcess> largest = position_excess(held, trajectory);
+std::optional<LimitExcess> largest_excess(const HeldLimits& held, const Trajectory& trajectory) {
+  std::optional<LimitExcess> largest = position_excess(held.limits, trajectory);
   if (largest) return largest;
+  const auto take = [&](const LimitExcess& excess) {
+    if (!largest || excess.slowdown > largest->slowdown) largest = excess;
+  };
   for (int order = 1; order <= 3; ++order) {
-    const CoordinateFraction found = limit_fraction(held, trajectory, order);
+    const CoordinateFraction found = limit_fraction(held.limits, trajectory, order);
     if (!(found.fraction > 1 + excess_slack)) continue;
-    const double slowdown = std::pow(found.fraction, 1.0 / order);
-    if (largest && largest->slowdown >= slowdown) continue;
-    largest = {order, found.coordinate, found.sample, found.fraction, slowdown};
+    take({order, found.coordinate, found.sample, found.fraction,
+          std::pow(found.fraction, 1.0 / order)});
+  }
+  // The change of velocity of linear joints at the ends, to and from rest.
+  for (const TrajectoryEnd end : {TrajectoryEnd::first, TrajectoryEnd::last}) {
+    const bool first = end == TrajectoryEnd::first;
+    if (!trajectory.velocities.empty() || !(first ? held.starts_at_rest : held.ends_at_rest)) {
+      continue;
+    }
+    for (std::size_t i = 0; i < held.limits.size(); ++i) {
+      const int coordinate = static_cast<int>(i);
+      const EndVelocity found = end_velocity(trajectory, coordinate, held.limits[i], end);
+      if (found.at_rest()) continue;
+      const double fraction = std::abs(found.velocity) / found.allowed;
+      take({2, coordinate, first ? 0 : trajectory.size() - 1, fraction, fraction});
+    }
   }
   return largest;
 }

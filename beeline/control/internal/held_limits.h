@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -9,12 +8,18 @@
 
 namespace beeline::internal {
 
-/// The limits that the replay of a recording holds, for each coordinate: those of motion_limits(),
-/// or what the recording itself uses at this speed where that is more. A speed above 1 does not
-/// raise them, and known limits of velocity are not raised. A derivative that the interpolation
-/// does not bound has no limit where the recording exceeds it by divided differences, and no
-/// assumed limit of jerk.
-std::vector<Limits> held_limits(const Arm& arm, const Trajectory& recording, double speed);
+/// What the replay of a recording holds.
+struct HeldLimits {
+  std::vector<Limits> limits;                         ///< of each coordinate
+  bool starts_at_rest = false, ends_at_rest = false;  ///< see end_velocity.h
+};
+
+/// Returns what the replay of a recording holds at this speed: for each coordinate the limits of
+/// motion_limits(), or what the recording itself uses at this speed where that is more. A speed
+/// above 1 does not raise them, and known limits of velocity are not raised. A derivative that the
+/// interpolation does not bound has no limit where the recording exceeds it by divided differences,
+/// and no assumed limit of jerk.
+HeldLimits held_limits(const Arm& arm, const Trajectory& recording, double speed);
 
 /// Where and by how much a trajectory exceeds limits.
 struct LimitExcess {
@@ -27,8 +32,7 @@ struct LimitExcess {
 
 /// Returns the excess that needs the largest slowdown, one of the position before others; none
 /// where all limits are kept.
-std::optional<LimitExcess> largest_excess(std::span<const Limits> held,
-                                          const Trajectory& trajectory);
+std::optional<LimitExcess> largest_excess(const HeldLimits& held, const Trajectory& trajectory);
 
 /// "at 0.5 s joint elbow uses 1.2 times its acceleration limit".
 std::string described(const Arm& arm, const Trajectory& trajectory, const LimitExcess& excess);

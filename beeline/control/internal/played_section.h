@@ -16,7 +16,7 @@ struct PlayedMotion {
   const Arm& arm;
   const Trajectory& recording;
   Interpolation interpolation;  ///< of the samples
-  std::vector<Limits> held;     ///< see held_limits()
+  HeldLimits held;              ///< see held_limits()
   std::size_t first = 0;        ///< number of the sample at which it begins, with a rate
 };
 
