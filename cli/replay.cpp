@@ -8,6 +8,7 @@
 #include <beeline/read/internal/numbers.h>
 
 #include "arm_argument.h"
+#include "budget_argument.h"
 #include "command/streams.h"
 #include "format.h"
 #include "input_files.h"
@@ -27,6 +28,7 @@ struct ReplayArguments {
   std::string from, speed_at, measured;
   std::optional<double> rate;
   ReplayOptions replay;
+  BudgetArgument budget;
   ResultFiles files;
   bool json = false;
 };
@@ -110,10 +112,11 @@ Answer replay_file(const ReplayArguments& arguments) {
   arguments.files.check({arguments.arm.text, arguments.arm.srdf, arguments.arm.limits,
                          arguments.file, arguments.measured});
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
-  const ReplayOptions options = replay_options(arguments, arm);
+  ReplayOptions options = replay_options(arguments, arm);
   const Trajectory recording = read_recording(arguments.file, arm);
   std::optional<Trajectory> measured;
   if (!arguments.measured.empty()) measured = read_recording(arguments.measured, arm);
+  options.budget = arguments.budget.next();
   const Replay played = replay(arm, recording, options);
   const bool reached(played);
   if (reached) arguments.files.write(arm, played.trajectory, {});
@@ -196,9 +199,12 @@ Verb replay_verb() {
       .arguments = {arguments.arm.argument(),
                     trajectory_argument("FILE", "A recorded trajectory, .csv or .json.",
                                         &arguments.file)},
-      .options =
-          joined({playing_options(arguments), arguments.unit.options(), arguments.files.options(),
-                  arguments.arm.options(), arguments.limits.rate_options()}),
+      .options = joined({playing_options(arguments),
+                         arguments.unit.options(),
+                         arguments.files.options(),
+                         arguments.arm.options(),
+                         arguments.limits.rate_options(),
+                         {arguments.budget.time_limit_option()}}),
       .examples = {{"Record a motion, then play it at half speed",
                     "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
                     "--method quickest --out move.csv\n"

@@ -7,6 +7,7 @@
 #include <beeline/control/internal/speed_schedule.h>
 #include <beeline/control/replay.h>
 #include <beeline/error.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/timing/point_to_point.h>
 #include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
@@ -142,7 +143,8 @@ bool refuse_speed(const Arm& arm, const Trajectory& recording, const internal::H
 /// Plays the motion from rest at the start to rest at the recording's first sample, straight in
 /// joint space.
 internal::PlayedSection lead_in(const Arm& arm, const Configuration& goal,
-                                Interpolation interpolation, const ReplayOptions& options) {
+                                Interpolation interpolation, const ReplayOptions& options,
+                                internal::BudgetMeter& budget) {
   const bool steady = options.speed_at.empty();
   const PointToPoint line =
       point_to_point(arm, *options.start, goal, {.synchronise = Synchronise::straight});
@@ -150,23 +152,25 @@ internal::PlayedSection lead_in(const Arm& arm, const Configuration& goal,
   if (steady && options.rate == 0) {
     rate = std::min(lead_in_samples / line.duration, max_lead_in_rate);
   }
-  const Trajectory motion = sampled(arm, line, rate);
-  const internal::PlayedMotion played{arm, motion, interpolation,
-                                      internal::held_limits(arm, motion, 1)};
+  const Trajectory motion = sampled(arm, line, rate, budget.part());
+  if (motion.size() == 0) return {.trajectory = {}, .reason = internal::ended_by(budget.ending())};
+  internal::PlayedMotion played{arm, motion, interpolation, internal::held_limits(arm, motion, 1)};
+  played.budget = &budget;
   return steady ? internal::at_constant_speed(played, 1, rate)
                 : internal::with_speed_changes(played, options, rate);
 }
 
 /// Plays the lead-in, if there is one, and the recording.
 void play(const Arm& arm, const Trajectory& recording, internal::HeldLimits held,
-          const ReplayOptions& options, Replay& result) {
+          const ReplayOptions& options, internal::BudgetMeter& budget, Replay& result) {
   const bool steady = options.speed_at.empty();
   const double rate = options.rate > 0 || steady ? options.rate : default_rate;
   const Configuration& goal = recording.positions.front();
   internal::PlayedMotion motion{arm, recording, recording.interpolation(), std::move(held)};
+  motion.budget = &budget;
   Trajectory& played = result.trajectory;
   if (options.start && (goal - *options.start).lpNorm<Eigen::Infinity>() > at_start) {
-    internal::PlayedSection lead = lead_in(arm, goal, motion.interpolation, options);
+    internal::PlayedSection lead = lead_in(arm, goal, motion.interpolation, options, budget);
     result.reason = lead.reason;
     if (!lead.reason.empty()) return;
     played = std::move(lead.trajectory);
@@ -223,9 +227,11 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
   }
   internal::HeldLimits held = internal::held_limits(arm, recording, options.speed);
   if (refuse_speed(arm, recording, held, options.speed, result)) return result;
-  play(arm, recording, std::move(held), options, result);
+  internal::BudgetMeter budget(options.budget);
+  play(arm, recording, std::move(held), options, budget, result);
   if (!result.reason.empty()) {
     result.trajectory = {};
+    if (!budget.complete()) result.status = internal::status_of<MotionStatus>(budget.ending());
     return result;
   }
   result.limits = limit_usage(arm, result.trajectory);

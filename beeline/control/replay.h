@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include <beeline/budget.h>
 #include <beeline/error.h>
 #include <beeline/planning/status.h>
 #include <beeline/trajectory/limit_usage.h>
@@ -24,6 +25,7 @@ struct ReplayOptions {
   std::optional<Configuration> start = std::nullopt;
   std::vector<SpeedChange> speed_at = {};  ///< at increasing times; none: `speed` throughout
   double ramp = 0.5;  ///< seconds in which the speed changes by 1, above 0; for `speed_at` only
+  Budget budget = {};
 };
 
 struct Replay {

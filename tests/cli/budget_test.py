@@ -36,6 +36,7 @@ VERBS = {
                        "quickest", "--rate", "1000", "--out", "x.csv"],
     "retime": ["retime", "rrr", "path.csv", "--out", "x.csv"],
     "check": ["check", "rrr", "made.csv", "--degrees", "--through", "p.csv"],
+    "replay": ["replay", "rrr", "made.csv", "--rate", "1000", "--out", "x.csv"],
     "batch fk": ["batch", "fk", "rrr", "--in", "q.csv", "--out", "x.csv"],
     "batch jacobian": ["batch", "jacobian", "rrr", "--in", "q.csv", "--out", "x.csv"],
     "batch ik": ["batch", "ik", "rrr", "--in", "goals.csv", "--out", "x.csv"],

@@ -2,8 +2,10 @@
 
 #include <beeline/control/cartesian.h>
 #include <beeline/control/joint.h>
+#include <beeline/control/replay.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
+#include <beeline/timing/point_to_point.h>
 
 #include "../ended_budget.h"
 
@@ -43,6 +45,32 @@ TEST(ControlBudget, AMotionIsThatUpToThere) {
       return control_in_lines(arm, from, waypoints,
                               {.method = method, .gain = 0.3, .simulation = {.budget = budget}});
     });
+  }
+}
+
+TEST(ControlBudget, AReplayIsTheWholeOrNone) {
+  const Arm arm = built_in("panda");
+  const Configuration q = middle_configuration(arm);
+  const Trajectory recording = sampled(arm, point_to_point(arm, q, q.array() + 0.3), 100);
+  ReplayOptions steady{.rate = 333, .start = q.array() - 0.1}, changing{.rate = 200};
+  changing.speed_at = {{0, 0.5}, {0.2, 1}};
+  for (ReplayOptions options : {steady, changing}) {
+    const Replay whole = replay(arm, recording, options);
+    ASSERT_TRUE(whole) << whole.reason;
+    int ended = 0;
+    testing::for_each_cancellation(1000, [&](int n) {
+      SCOPED_TRACE("cancelled at question " + std::to_string(n));
+      testing::CancelAt cancel(n);
+      options.budget = cancel.budget();
+      const Replay part = replay(arm, recording, options);
+      EXPECT_EQ(part.status, cancel.cancelled() ? MotionStatus::cancelled : MotionStatus::reached);
+      EXPECT_EQ(part.trajectory.positions,
+                cancel.cancelled() ? std::vector<Configuration>() : whole.trajectory.positions);
+      EXPECT_EQ(part.reason.empty(), !cancel.cancelled());
+      ended += cancel.cancelled() ? 1 : 0;
+      return cancel.cancelled() && !::testing::Test::HasFailure();
+    });
+    EXPECT_GT(ended, 2);
   }
 }
 

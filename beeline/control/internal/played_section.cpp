@@ -17,12 +17,14 @@ constexpr int max_tries = 60;
 constexpr double at_once = 0.8;  // of a slowdown with a rate: other samples are the worst later
 constexpr double rounding_margin = 1e-6;  // of a slowdown, for the rounding of times
 
-/// The samples at these times.
+/// The samples at these times; none where the budget ends.
 Trajectory samples_at(const PlayedMotion& motion, const std::vector<double>& times,
                       std::span<const Progress> progress) {
   Trajectory played{motion.arm.joint_names(), times, {}, {}, {}};
   const double last = motion.recording.times.back();
+  constexpr std::size_t batch = 64;  // samples, of about a microsecond
   for (const Progress& now : progress) {
+    if (played.positions.size() % batch == 0 && ended(motion.budget, batch)) return {};
     const bool ends = now.s >= last && motion.recording.size() > 1;
     const TrajectoryState state =
         sample(motion.recording, std::min(now.s, last), ends ? Side::before : Side::after);
@@ -106,6 +108,7 @@ FoundPeriods find_periods(const PlayedMotion& motion, double duration, double ra
   double least = first_step;
   for (double periods = asked; periods <= longest * asked + 1; least *= growth) {
     found.trajectory = in_periods_at(motion, periods, rate);
+    if (found.trajectory.size() == 0) return found;
     found.slowdown = periods / (duration * rate);
     const auto excess = largest_excess(motion.held, found.trajectory);
     if (!excess) return found;
@@ -131,10 +134,18 @@ double possible_rate(const PlayedMotion& motion, double duration, double rate) {
   return 0;
 }
 
+PlayedSection ended_section(const PlayedMotion& motion) {
+  const Ending ending = motion.budget->ending();
+  return {.trajectory = {},
+          .reason = ended_by(ending) + " before samples within the limits were found" +
+                    how_to_continue(ending)};
+}
+
 PlayedSection at_rate(const PlayedMotion& motion, double duration, double rate) {
   FoundPeriods found = find_periods(motion, duration, rate, max_slowdown);
   PlayedSection section{std::move(found.trajectory), found.slowdown, ""};
   if (section.trajectory.size() > 0) return section;
+  if (ended(motion.budget)) return ended_section(motion);
   const double possible = possible_rate(motion, duration, rate);
   section.reason = "with " + number(rate) + " samples per second " + found.first_excess + "; " +
                    (possible > 0 ? "a rate of " + number(possible) + " keeps it"
@@ -162,6 +173,7 @@ PlayedSection at_constant_speed(const PlayedMotion& motion, double speed, double
   PlayedSection section;
   std::optional<LimitExcess> excess;
   for (int tries = 0; tries < max_tries && section.slowdown <= max_slowdown; ++tries) {
+    if (ended(motion.budget)) return ended_section(motion);
     section.trajectory = recorded_samples(motion, speed / section.slowdown);
     excess = largest_excess(motion.held, section.trajectory);
     if (!excess) return section;
@@ -177,6 +189,7 @@ PlayedSection with_speed_changes(const PlayedMotion& motion, const ReplayOptions
   PlayedSection section;
   std::string first_excess;
   for (double scale = 1; scale * max_slowdown >= 1;) {
+    if (ended(motion.budget)) return ended_section(motion);
     std::vector<Progress> progress =
         scheduled_progress(motion.arm, motion.recording, {options, rate, motion.first, scale});
     const auto times = times_from(motion.first, progress.size(), rate);
@@ -184,6 +197,7 @@ PlayedSection with_speed_changes(const PlayedMotion& motion, const ReplayOptions
       progress[k].s += (times[k] - static_cast<double>(k) / rate) * progress[k].speed;
     }
     section.trajectory = samples_at(motion, times, progress);
+    if (section.trajectory.size() == 0) return ended_section(motion);
     section.slowdown = 1 / scale;
     const auto excess = largest_excess(motion.held, section.trajectory);
     if (!excess) return section;

@@ -6,6 +6,7 @@
 
 #include <beeline/control/internal/held_limits.h>
 #include <beeline/control/replay.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/timing/internal/averaged_scaling.h>
 
 namespace beeline::internal {
@@ -18,9 +19,11 @@ struct PlayedMotion {
   Interpolation interpolation;  ///< of the samples
   HeldLimits held;              ///< see held_limits()
   std::size_t first = 0;        ///< number of the sample at which it begins, with a rate
+  BudgetMeter* budget = nullptr;
 };
 
-/// Samples of a played motion within the held limits, or the reason why there are none.
+/// Samples of a played motion within the held limits, or the reason why there are none, such as the
+/// end of the budget.
 struct PlayedSection {
   Trajectory trajectory;  ///< times from 0
   double slowdown = 1;    ///< the duration as a multiple of that which was asked for
