@@ -201,7 +201,7 @@ std::optional<double> PathTracker::first_fit(const Pose& pose, double from) cons
 
 /// A parameter within the tolerance near the boundary between two, by bisection.
 double PathTracker::boundary(const Pose& pose, double outside, double inside) const {
-  constexpr int halvings = 10;
+  constexpr int halvings = 6;
   for (int i = 0; i < halvings; ++i) {
     const double middle = 0.5 * (outside + inside);
     (within_tolerance(pose, middle) ? inside : outside) = middle;

@@ -33,7 +33,7 @@ class PathTracker {
   std::optional<double> first_fit(const Pose& pose, double from) const;
 
   /// The first parameter from `from` on, at most two segments further, at which the pose is within
-  /// the tolerance, to a thousandth of the way from `from` to the first fit.
+  /// the tolerance, to a sixtieth of the way from `from` to the first fit.
   std::optional<double> first_within(const Pose& pose, double from) const;
 
   /// The last one from `from` back to `to`; `to` if there is none between.
