@@ -91,8 +91,9 @@ std::vector<Sample> first_samples(const JointMotion& motion, const TimeScaling& 
                                   const SectionOptions& options) {
   const AveragedScaling& scaling = motion.scaling();
   const double duration = scaling.duration();
-  std::vector<std::pair<double, Progress>> points{{0, scaling.at(0)},
-                                                  {duration, scaling.at(duration)}};
+  // Exactly at rest at both ends, whatever the rounding of the time scaling.
+  std::vector<std::pair<double, Progress>> points{{0, {scaling.at(0).s, 0, 0}},
+                                                  {duration, {scaling.at(duration).s, 0, 0}}};
   const auto add = [&](double t) { points.emplace_back(t, scaling.at(t)); };
   const bool linear = options.interpolation == Interpolation::linear;
   const double gaps = linear ? 1 : first_intervals;
