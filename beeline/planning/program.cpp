@@ -289,8 +289,12 @@ class ProgramPlanner {
     motion_.limits = limit_usage(arm_, trajectory, budget_.part());
     const auto fault = first_joint_fault(arm_, trajectory, {}, budget_.part());
     if (!budget_.complete()) return fail_ended(program_.moves.size() - 1);
-    return !fault || fail(program_.moves.size(), MotionStatus::outside_limits,
-                          "at " + number(trajectory.times[fault->sample]) + " s: " + fault->reason);
+    if (!fault) return true;
+    std::size_t move = 0;
+    while (move + 1 < motion_.moves.size() && motion_.moves[move].end <= fault->sample) ++move;
+    return fail(move, MotionStatus::outside_limits,
+                move_name(program_, move) + ", at " + number(trajectory.times[fault->sample]) +
+                    " s: " + fault->reason);
   }
 
   bool prove(const Proved& proved) {
