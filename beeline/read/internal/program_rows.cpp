@@ -100,7 +100,9 @@ void check_row(const ProgramRow& row) {
   if (row.relative.empty()) return;
   if (!row.pose) throw Error("a row with relative needs a pose");
   if (!row.pose->oriented) {
-    throw Error("relative is for poses with an orientation: " + std::string(internal::known_forms));
+    throw Error(
+        "relative is for poses with an orientation: x,y,theta or x,y,z,roll,pitch,yaw or "
+        "x,y,z,qw,qx,qy,qz");
   }
 }
 
