@@ -89,9 +89,9 @@ def test_a_bad_public_header_is_refused(library, text, reason):
 
 
 def test_public_headers_are_counted(library):
-    for k in range(60):
+    for k in range(62):
         (library / "beeline" / "pose" / f"h{k}.h").write_text("#include <string>\n")
-    assert any("at most 60" in line for line in violations(library))
+    assert any("at most 62" in line for line in violations(library))
 
 
 @pytest.mark.parametrize(
