@@ -64,7 +64,7 @@ class FaultSearch {
     const double here = q_[k][i];
     if (!inside(here)) {
       return report(Fault::limits, k, i,
-                    "is at " + quantity(arm_, i, here) + ", outside " + range(i));
+                    "is at " + quantity(arm_, i, here) + ", outside " + range(i, here));
     }
     if (k + 1 == t_.size()) return;
     const double step = q_[k + 1][i] - q_[k][i];
@@ -80,11 +80,11 @@ class FaultSearch {
     if (inside(between.smallest) && inside(between.largest)) return;
     between = extremes(p);
     if (inside(between.smallest) && inside(between.largest)) return;
+    const double extreme = inside(between.smallest) ? between.largest : between.smallest;
     report(Fault::limits, k, i,
-           "moves to " +
-               quantity(arm_, i, inside(between.smallest) ? between.largest : between.smallest) +
-               " before the next sample, by the " + name(trajectory_.interpolation()) +
-               " with its velocities: outside " + range(i));
+           "moves to " + quantity(arm_, i, extreme) + " before the next sample, by the " +
+               name(trajectory_.interpolation()) + " with its velocities: outside " +
+               range(i, extreme));
   }
 
   void check_derivatives(std::size_t k, int i) {
@@ -137,9 +137,12 @@ class FaultSearch {
                ", not at rest");
   }
 
-  std::string range(int i) const {
+  /// "its limits of 0 to 1 rad", with the excess of q where the digits do not show it.
+  std::string range(int i, double q) const {
     const Limits& limits = arm_.limits(i);
-    return "its limits of " + number(limits.lower) + " to " + quantity(arm_, i, limits.upper);
+    const double limit = q > limits.upper ? limits.upper : limits.lower;
+    return "its limits of " + number(limits.lower) + " to " + quantity(arm_, i, limits.upper) +
+           (number(q) == number(limit) ? " by " + quantity(arm_, i, std::abs(q - limit)) : "");
   }
 
   void report(Fault fault, std::size_t k, int i, const std::string& what) {

@@ -31,6 +31,14 @@ TEST(FirstJointFault, TellsEachKind) {
   expect_first(motion, Fault::jerk, 0);
 }
 
+TEST(FirstJointFault, NamesAnExcessThatSixDigitsDoNotShow) {
+  Trajectory motion = along(nothing, nothing, 10);
+  motion.positions[7][0] = 1 + 2.5e-8;
+  const auto found = first_joint_fault(two_joints(), motion);
+  ASSERT_TRUE(found);
+  EXPECT_NE(found->reason.find("to 1 m by 2.5e-08 m"), std::string::npos) << found->reason;
+}
+
 TEST(FirstJointFault, FindsMotionAtTheEnds) {
   Trajectory motion = along([](double t) { return 0.5 * t - 0.5; }, nothing, 1);
   const auto found = [&](MovingEnds moving) {

@@ -185,11 +185,20 @@ std::optional<double> PathTracker::fit(const Pose& pose, double from, double end
                                        double& resume, bool start) const {
   const double low = std::min(from, end), high = std::max(from, end);
   for (resume = from;; start = false) {
-    const auto at = minimum(pose, resume, end, start);
+    const double begin = resume;
+    const auto at = minimum(pose, begin, end, start);
     if (!at) return {};
     resume = at->resume;
     const auto found = fit_near(pose, *at, low, high);
     if (found) return found;
+    // On a slow path position and orientation may be nearest far from one another.
+    for (double s = begin; at->distance <= weighted(tolerance_);) {
+      if (within_tolerance(pose, s)) return s;
+      const bool passed = end >= begin ? s > at->s : s < at->s;
+      if (s == end || std::abs(s - from) > farthest) break;
+      if (passed && distance_at(pose, s) > weighted(tolerance_)) break;
+      s = next_node(s, end >= begin, end);
+    }
     if (at->s == end || std::abs(at->s - from) > farthest) return {};
   }
 }

@@ -15,10 +15,11 @@ constexpr Deviation tolerance{1e-3, 1e-3};
 std::vector<Pose> close_poses(testing::Random& random) {
   std::vector<Pose> poses;
   const int count = random.integer(4, 8);
-  const double rotation = random.integer(0, 1) == 0 ? 0 : 0.3;
+  const bool rotates_only = random.integer(0, 4) == 0;  // back and forth
+  const double rotation = rotates_only ? 0.5 : random.integer(0, 1) == 0 ? 0 : 0.3;
   for (int k = 0; k < count; ++k) {
     Pose pose = Pose::Identity();
-    pose.translation() = random.vector(0.1);
+    if (!rotates_only) pose.translation() = random.vector(0.1);
     if (random.integer(0, 1) == 0) pose.translation().z() = 0;
     pose.linear() = random.rotation(rotation);
     // Back to near an earlier pose, or along a hairpin.
