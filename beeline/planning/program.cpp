@@ -133,7 +133,7 @@ class ProgramPlanner {
     std::optional<PathMotion> ahead;
     if (open && !follow(0, std::nullopt, ahead)) return false;
     if (open) q = ahead->trajectory.positions.front();
-    trajectory_.begin(arm_, *q, options_.interpolation);
+    trajectory_.begin(arm_, *q, options_.interpolation, options_.rate);
     if (!start) {
       motion_.moves.push_back({});
       if (!pause(0)) return false;
@@ -229,6 +229,7 @@ class ProgramPlanner {
       if (!budget_.complete()) return fail_ended(i);
       return fail(i, MotionStatus::outside_limits, move_name(program_, i) + ": " + reason);
     }
+    trajectory_.stop();
     planned.end = trajectory_.last();
     motion_.moves.push_back(planned);
     return pause(i);
@@ -242,7 +243,7 @@ class ProgramPlanner {
                   move_name(program_, i) + ": the motion up to here needs more than " +
                       number(max_trajectory) + " samples; lower the rate");
     }
-    trajectory_.dwell(dwell, options_.rate);
+    trajectory_.dwell(dwell);
     return true;
   }
 
@@ -258,8 +259,12 @@ class ProgramPlanner {
                           .blend_radius = part.blend_radii[i - part.first]};
       for (const std::size_t end = ahead->arrivals[part.last_segment(i)]; k < end;) {
         trajectory_.append(ahead->trajectory, ++k);
+        // A rest before it is at the same path parameter.
+        proved.path_parameters.resize(trajectory_.last() - proved.begin,
+                                      proved.path_parameters.back());
         proved.path_parameters.push_back(ahead->path_parameters[k]);
       }
+      if (part.route.stops[part.last_segment(i)]) trajectory_.stop();
       planned.end = trajectory_.last();
       motion_.moves.push_back(planned);
       if (!pause(i)) return false;
@@ -273,7 +278,7 @@ class ProgramPlanner {
 
   /// Completes the trajectory and proves it.
   bool finish() {
-    motion_.trajectory = trajectory_.finished(options_.rate);
+    motion_.trajectory = trajectory_.finished();
     const Trajectory& trajectory = motion_.trajectory;
     motion_.deviation.interval_bounds.resize(trajectory.size() - 1);
     for (const Proved& proved : proved_) {

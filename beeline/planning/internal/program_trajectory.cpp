@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <beeline/planning/internal/program_trajectory.h>
@@ -18,13 +19,32 @@ void push(Trajectory& to, const Trajectory& from, std::size_t k, double t) {
 
 }  // namespace
 
-void ProgramTrajectory::begin(const Arm& arm, const Configuration& q, Interpolation interpolation) {
+void ProgramTrajectory::begin(const Arm& arm, const Configuration& q, Interpolation interpolation,
+                              double rate) {
+  rate_ = rate;
   trajectory_ = at_rest(arm, q);
   if (interpolation != Interpolation::quintic) trajectory_.accelerations.clear();
   if (interpolation == Interpolation::linear) trajectory_.velocities.clear();
 }
 
+void ProgramTrajectory::rest_before(double interval) {
+  std::vector<double>& t = trajectory_.times;
+  const std::size_t count = t.size();
+  if (count < 2 || !is_linear()) return;
+  const bool rests = positions()[count - 1] == positions()[count - 2];
+  const std::size_t end = rests ? count - 2 : count - 1;  // of the motion before
+  const double before = end > 0 ? t[end] - t[end - 1] : 0;
+  const double shortest = std::max(before, interval);
+  if (rests) {
+    t.back() = std::max(t.back(), t[end] + shortest);
+  } else if (before != interval) {
+    push(trajectory_, trajectory_, last(), t.back() + shortest);
+  }
+}
+
 void ProgramTrajectory::append(const Trajectory& motion, std::size_t k) {
+  if (stopped_) rest_before(motion.times[k] - motion.times[k - 1]);
+  stopped_ = false;
   push(trajectory_, motion, k, trajectory_.times.back() + motion.times[k] - motion.times[k - 1]);
 }
 
@@ -39,20 +59,22 @@ std::string ProgramTrajectory::joint_move(const Arm& arm, const Configuration& t
   return {};
 }
 
-void ProgramTrajectory::dwell(double seconds, double rate) {
+void ProgramTrajectory::dwell(double seconds) {
   constexpr double rounding = 1e-6;  // of a period
   if (seconds < nearest_dwell) return;
-  const double periods = rate > 0 ? std::max(1.0, std::ceil(seconds * rate - rounding)) : 1;
-  const double period = rate > 0 ? 1 / rate : seconds;
+  const std::vector<double>& t = trajectory_.times;
+  if (is_linear() && t.size() > 1) seconds = std::max(seconds, t.back() - t[t.size() - 2]);
+  const double periods = rate_ > 0 ? std::max(1.0, std::ceil(seconds * rate_ - rounding)) : 1;
+  const double period = rate_ > 0 ? 1 / rate_ : seconds;
   for (double k = 0; k < periods; ++k) {
     push(trajectory_, trajectory_, last(), trajectory_.times.back() + period);
   }
 }
 
-Trajectory ProgramTrajectory::finished(double rate) const {
+Trajectory ProgramTrajectory::finished() const {
   Trajectory trajectory = trajectory_;
-  for (std::size_t k = 0; rate > 0 && k < trajectory.size(); ++k) {
-    trajectory.times[k] = static_cast<double>(k) / rate;
+  for (std::size_t k = 0; rate_ > 0 && k < trajectory.size(); ++k) {
+    trajectory.times[k] = static_cast<double>(k) / rate_;
   }
   round_times(trajectory);
   return trajectory;

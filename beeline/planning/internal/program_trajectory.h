@@ -12,10 +12,15 @@ namespace beeline::internal {
 class ProgramTrajectory {
  public:
   /// Begins at rest at q, with the columns of the interpolation.
-  void begin(const Arm& arm, const Configuration& q, Interpolation interpolation);
+  void begin(const Arm& arm, const Configuration& q, Interpolation interpolation, double rate);
 
   const std::vector<Configuration>& positions() const { return trajectory_.positions; }
   std::size_t last() const { return trajectory_.size() - 1; }
+
+  /// The motion is at rest at the last sample. Linear joints without a rate then rest, before the
+  /// next motion, for at least its first interval and the last one before, so that their velocity
+  /// does not change within a shorter interval than each motion was planned for.
+  void stop() { stopped_ = true; }
 
   /// Appends sample k of a motion that continues this one, in the time from its sample before.
   void append(const Trajectory& motion, std::size_t k);
@@ -25,14 +30,19 @@ class ProgramTrajectory {
   std::string joint_move(const Arm& arm, const Configuration& to, const RetimeOptions& options);
 
   /// Appends the last sample after a pause of this many seconds; with a rate after each period, up
-  /// to whole periods.
-  void dwell(double seconds, double rate);
+  /// to whole periods. Linear joints without a rate rest for at least the interval before.
+  void dwell(double seconds);
 
   /// The trajectory: with a rate, sample k is at k / rate. Its times are whole nanoseconds.
-  Trajectory finished(double rate) const;
+  Trajectory finished() const;
 
  private:
+  bool is_linear() const { return rate_ == 0 && trajectory_.velocities.empty(); }
+  void rest_before(double interval);
+
   Trajectory trajectory_;
+  double rate_ = 0;
+  bool stopped_ = false;
 };
 
 /// The samples from `first` to `last`, with their times.
