@@ -92,10 +92,6 @@ void prove(const Arm& arm, const Route& route, const Task& task, const PathMotio
   motion.status = MotionStatus::not_proved;
   motion.reason = "the tool is only proved to stay within " + deviation_text(bound) +
                   " of its path; allow a larger tolerance";
-  if (options.rate > 0) {
-    motion.reason = "at " + number(options.rate) + " samples per second " + motion.reason +
-                    ", a higher rate or a lower speed";
-  }
 }
 
 /// How often each interval between samples is to be divided for its deviation to be proved: the
@@ -128,6 +124,24 @@ void set_ended(Ending ending, PathMotion& motion) {
                   how_to_continue(ending);
 }
 
+/// The lowest of the usual rates above the one asked for at which the motion is proved; 0: none.
+double proved_rate(const Arm& arm, const Route& route, const Task& task,
+                   const PathMotionOptions& options, BudgetMeter& budget, PlanTiming& timing) {
+  for (const double rate : {50, 100, 125, 250, 500, 1000, 2000, 4000, 8000}) {
+    if (!(rate > options.rate)) continue;
+    timing.set_rate(rate);
+    TimedPlan timed = timing.sample();
+    if (budget.ended() || timing.status != MotionStatus::reached) break;
+    PathMotion tried;
+    tried.status = MotionStatus::reached;
+    tried.trajectory = std::move(timed.trajectory);
+    tried.path_parameters = std::move(timed.path_parameters);
+    prove(arm, route, task, options, budget, tried);
+    if (tried && budget.complete()) return rate;
+  }
+  return 0;
+}
+
 /// Returns a branch as a motion with times and its proof, or the reason why there is none. Without
 /// a rate, takes samples closer together where the motion is not proved.
 PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
@@ -155,6 +169,11 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
     motion.reason.clear();
     TimedPlan timed = timing.sample();
     if (budget.ended()) break;
+    if (timing.status != MotionStatus::reached) {
+      motion.status = timing.status;
+      motion.reason = timing.reason;
+      return motion;
+    }
     motion.trajectory = std::move(timed.trajectory);
     motion.path_parameters = std::move(timed.path_parameters);
     const auto fault = first_joint_fault(arm, motion.trajectory);
@@ -173,6 +192,11 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
       break;
     }
     timing.divide(times);
+  }
+  if (motion.status == MotionStatus::not_proved && options.rate > 0) {
+    motion.reason = "at " + number(options.rate) + " samples per second " + motion.reason;
+    const double rate = proved_rate(arm, route, task, options, budget, timing);
+    motion.reason += rate > 0 ? ", or a rate of " + number(rate) : " or a lower speed";
   }
   if (!budget.complete()) set_ended(budget.ending(), motion);
   return motion;

@@ -85,7 +85,12 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
     timed.reason = path.scaling.reason;
     if (!timed) return timed;
     const internal::SampledSection sampled = internal::sample_section(arm, path, section);
-    if (sampled.trajectory.size() == 0) break;  // the budget has ended
+    if (!sampled && sampled.reason.empty()) break;  // the budget has ended
+    timed.reason = sampled.reason;
+    if (!timed) {
+      timed.trajectory = {};
+      return timed;
+    }
     internal::append(timed.trajectory, sampled.trajectory);
     ++timed.sections;
   }

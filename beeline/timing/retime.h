@@ -55,8 +55,8 @@ void check_moves(const Trajectory& trajectory);
 /// periods.
 ///
 /// Returns no motion, with the reason, when a position or the spline between two leaves the arm's
-/// limits. Throws Error when the trajectory does not fit the arm or has no two different positions,
-/// and for options out of range.
+/// limits, and where the rate makes too many samples or none within limits. Throws Error when the
+/// trajectory does not fit the arm or has no two different positions, and for options out of range.
 Retimed retime(const Arm& arm, const Trajectory& trajectory, const RetimeOptions& options = {});
 
 }  // namespace beeline

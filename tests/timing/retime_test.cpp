@@ -226,15 +226,18 @@ TEST(Retime, AcceptsTheSmallestSpeeds) {
   }
 }
 
-TEST(Retime, NamesTheLeastRate) {
+TEST(Retime, LengthensASectionToAPeriod) {
   testing::Random random;
   const Arm arm = built_in("ur5");
   const Trajectory given{
       arm.joint_names(), {0, 1}, {random.configuration(arm), random.configuration(arm)}, {}, {}};
-  const double duration = retime(arm, given).trajectory.times.back();
-  EXPECT_REFUSED(retime(arm, given, {.rate = 1e-9}), "must be at least");
-  EXPECT_REFUSED(retime(arm, given, {.rate = 0.9 / duration}), "must be at least");
-  EXPECT_GE(retime(arm, given, {.rate = 1.1 / duration}).trajectory.size(), 3u);
+  const double rate = 0.9 / retime(arm, given).trajectory.times.back();
+  const Retimed timed = retime(arm, given, {.rate = rate});
+  EXPECT_NEAR(timed.trajectory.times.back() * rate,
+              std::round(timed.trajectory.times.back() * rate), 1e-6);
+  const Retimed many = retime(arm, given, {.rate = 1e7});
+  EXPECT_FALSE(many);
+  EXPECT_NE(many.reason.find("a rate of "), std::string::npos) << many.reason;
 }
 
 TEST(Retime, RefusesOptionsOutOfRange) {

@@ -122,7 +122,12 @@ TimedPlan PlanTiming::sample() {
         .required = section.required,
         .budget = &budget_};
     const SampledSection sampled = sample_section(arm_, section.timed, options);
-    if (sampled.trajectory.size() == 0) break;  // the budget has ended
+    if (!sampled && sampled.reason.empty()) break;  // the budget has ended
+    if (!sampled) {
+      status = sampled.too_many ? MotionStatus::too_many_samples : MotionStatus::outside_limits;
+      reason = sampled.reason;
+      return {};
+    }
     append(plan.trajectory, sampled.trajectory);
     section.sampled.clear();
     for (std::size_t k = 0; k < sampled.progress.size(); ++k) {

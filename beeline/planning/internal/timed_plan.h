@@ -27,8 +27,11 @@ class PlanTiming {
   MotionStatus status = MotionStatus::reached;
   std::string reason = {};  ///< unless reached
 
-  /// Returns the samples, of the sections before the budget ended.
+  /// Returns the samples, of the sections before the budget ended; where there are none at the
+  /// rate, sets status and reason.
   TimedPlan sample();
+
+  void set_rate(double rate) { options_.rate = rate; }
 
   /// From now on there are `times` as many samples between sample k and the next, if `times[k]` is
   /// above 1. For samples without a rate.

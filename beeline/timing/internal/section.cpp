@@ -220,6 +220,7 @@ SampledSection unslowed(const Arm& arm, const TimedPath& section, const SectionO
 /// large.
 SampledSection locally_slowed(const Arm& arm, TimedPath section, const SectionOptions& options) {
   SampledSection best = slowed(arm, section, options);
+  if (!best) return best;
   const bool optimised = section.profile == Profile::fastest || section.profile == Profile::jerk;
   if (!optimised || options.interpolation == Interpolation::linear) return best;
   constexpr int max_rounds = 6;
@@ -227,17 +228,16 @@ SampledSection locally_slowed(const Arm& arm, TimedPath section, const SectionOp
   const double period = options.rate > 0 ? 1 / options.rate : 0;
   const double shortest_duration = section.scaling.duration();
   for (int round = 0; round < max_rounds; ++round) {
-    if (ended(options.budget) || best.trajectory.size() == 0) return best;
-    const double duration = best.trajectory.times.back();
+    if (ended(options.budget)) return best;
+    const double duration = best.duration();
     if (duration <= small * shortest_duration + periods * period) return best;
     const SampledSection free = unslowed(arm, section, options);
-    if (free.trajectory.size() == 0 || !lower_limits(arm, free, options, section)) return best;
+    if (!free || !lower_limits(arm, free, options, section)) return best;
     section.scaling =
         time_scaling(section.path, section.limits, section.profile, budget_of(options.budget));
     if (!section.scaling) return best;
     SampledSection tried = slowed(arm, section, options);
-    if (tried.trajectory.size() == 0) return best;
-    if (tried.trajectory.times.back() < duration) best = std::move(tried);
+    if (tried && tried.duration() < duration) best = std::move(tried);
   }
   return best;
 }
@@ -254,10 +254,11 @@ SampledSection sample_section(const Arm& arm, const TimedPath& section,
   gentle.scaling =
       time_scaling(section.path, section.limits, Profile::jerk, budget_of(options.budget));
   if (!gentle.scaling) return best;
-  if (!(gentle.scaling.duration() < best.trajectory.times.back())) return best;
-  SampledSection other = locally_slowed(arm, gentle, options);
-  if (other.trajectory.size() == 0) return best;
-  return other.trajectory.times.back() < best.trajectory.times.back() ? other : best;
+  if (best && !(gentle.scaling.duration() < best.duration())) return best;
+  SectionOptions limited = options;
+  limited.keep_jerk = true;
+  SampledSection other = locally_slowed(arm, gentle, limited);
+  return other && (!best || other.duration() < best.duration()) ? other : best;
 }
 
 }  // namespace beeline::internal

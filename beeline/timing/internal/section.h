@@ -12,8 +12,13 @@ namespace beeline::internal {
 
 /// Samples of a section: times from 0, and the path parameter of each with its time derivatives.
 struct SampledSection {
-  Trajectory trajectory;
-  std::vector<Progress> progress;  ///< along the joint path
+  Trajectory trajectory = {};
+  std::vector<Progress> progress = {};  ///< along the joint path
+  std::string reason = {};              ///< why there are none at the rate
+  bool too_many = false;                ///< the reason: there would be more than max_samples
+
+  explicit operator bool() const { return trajectory.size() > 0; }
+  double duration() const { return trajectory.times.back(); }
 };
 
 struct SectionOptions {
@@ -22,6 +27,7 @@ struct SectionOptions {
   double speed_scale = 1;             ///< see RetimeOptions
   ToolSpeeds tool_speed = {};         ///< limits along the path
   double rate = 0;                    ///< see RetimeOptions
+  double max_samples = 1e6;           ///< with a rate; for seven joints some 300 MB
   std::vector<double> required = {};  ///< path parameters that get a sample, without a rate
   BudgetMeter* budget = nullptr;      ///< default: none
 };
@@ -34,8 +40,9 @@ struct SectionOptions {
 /// many samples as the interpolation needs to agree with the motion along the path, at all kinks of
 /// the acceleration first; times are whole nanoseconds. With a rate the samples are k / rate, the
 /// last one included: the section lasts a whole number of periods. Where the budget ends the
-/// search, the motion may take longer than necessary, or there are no samples. Throws Error where
-/// no samples are found at this rate.
+/// search, the motion may take longer than necessary, or there are no samples. Returns none, with
+/// the reason and a rate that works, where there would be more than max_samples or none are found
+/// within limits.
 SampledSection sample_section(const Arm& arm, const TimedPath& section,
                               const SectionOptions& options);
 

@@ -11,19 +11,19 @@ namespace {
 
 constexpr int max_tries = 60;  // of numbers of periods
 
-/// Throws Error for a rate with too few periods in a section, or too many.
-void check_rate(double rate, double duration) {
-  constexpr double min_periods = 1, max_periods = 1e6;  // some 300 MB for seven joints
-  if (rate * duration > max_periods) {
-    throw Error(number(rate) + " samples per second make more than " + number(max_periods) +
-                " in " + number(duration) + " s");
-  }
-  if (rate * duration < min_periods) {
-    constexpr double up = 1 + 1e-5;  // number() rounds to six digits
-    throw Error(number(rate) + " samples per second leave fewer than " + number(min_periods) +
-                " period in a motion of " + number(duration) + " s; the rate must be at least " +
-                number(up * min_periods / duration));
-  }
+/// The number rounded down to two digits.
+double rounded_down(double x) {
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
+  return std::floor(x / unit) * unit;
+}
+
+/// No samples, because there would be too many.
+SampledSection too_many(double duration, const SectionOptions& options) {
+  SampledSection none;
+  none.too_many = true;
+  none.reason = number(options.rate) + " samples per second make more than " +
+                number(options.max_samples) + " in " + number(duration) + " s";
+  return none;
 }
 
 /// Periods of a section: those in which the time scaling takes place, and by how many the moving
@@ -80,44 +80,21 @@ SampledSection sampled(const Arm& arm, const TimedPath& section, const SectionOp
 
 Periods fewest_periods(const TimedPath& section, const SectionOptions& options) {
   const bool linear = options.interpolation == Interpolation::linear;
-  return {std::ceil(section.scaling.duration() * options.rate - 1e-6), linear ? 0.0 : 1.0};
+  return {std::max(1.0, std::ceil(section.scaling.duration() * options.rate - 1e-6)),
+          linear ? 0.0 : 1.0};
 }
 
-}  // namespace
-
-TimeScaling uniform_scaling(double periods, double period, double length,
-                            const std::function<double(double)>& speed) {
-  TimeScaling uniform;
-  uniform.s = uniform.t = uniform.speed = {0};
-  for (double k = 1; k <= periods; ++k) {
-    const double before = uniform.speed.back();
-    uniform.t.push_back(k * period);
-    uniform.speed.push_back(k == periods ? 0 : speed(k * period));
-    uniform.s.push_back(uniform.s.back() + period * (before + uniform.speed.back()) / 2);
-  }
-  const double scale = length / uniform.s.back();
-  for (double& s : uniform.s) s *= scale;
-  for (double& v : uniform.speed) v *= scale;
-  uniform.s.back() = length;
-  uniform.acceleration.assign(uniform.s.size(), 0);
-  return uniform;
-}
-
-SampledSection shortest_uniform_section(const Arm& arm, const TimedPath& section,
-                                        const SectionOptions& options) {
-  check_rate(options.rate, section.scaling.duration());
-  return sampled(arm, section, options, fewest_periods(section, options));
-}
-
-SampledSection uniform_section(const Arm& arm, const TimedPath& section,
-                               const SectionOptions& options) {
-  check_rate(options.rate, section.scaling.duration());
+/// The fewest periods within limits; no samples where there would be too many or none are found.
+SampledSection within_limits(const Arm& arm, const TimedPath& section,
+                             const SectionOptions& options) {
   Periods periods = fewest_periods(section, options);
   bool widen = periods.average > 0;  // while it lowers the jerk
   double jerk_before = 0;            // of the average before it was widened
   double average_before = 0;
   for (int tries = 0; tries < max_tries; ++tries) {
     if (ended(options.budget)) return {};
+    const double count = periods.all();
+    if (!(count <= options.max_samples)) return too_many(count / options.rate, options);
     SampledSection tried = sampled(arm, section, options, periods);
     const NeededSlowdown needed = needed_slowdown(arm, tried, options);
     if (!(needed.both() > 1)) return tried;
@@ -147,8 +124,54 @@ SampledSection uniform_section(const Arm& arm, const TimedPath& section,
       periods.scaling = slower(needed.both());
     }
   }
-  throw Error("no samples were found that keep the limits at " + number(options.rate) +
-              " samples per second; try another rate");
+  SampledSection none;
+  none.reason =
+      "no motion within the limits was found at " + number(options.rate) + " samples per second";
+  return none;
+}
+
+}  // namespace
+
+TimeScaling uniform_scaling(double periods, double period, double length,
+                            const std::function<double(double)>& speed) {
+  TimeScaling uniform;
+  uniform.s = uniform.t = uniform.speed = {0};
+  for (double k = 1; k <= periods; ++k) {
+    const double before = uniform.speed.back();
+    uniform.t.push_back(k * period);
+    uniform.speed.push_back(k == periods ? 0 : speed(k * period));
+    uniform.s.push_back(uniform.s.back() + period * (before + uniform.speed.back()) / 2);
+  }
+  const double scale = length / uniform.s.back();
+  for (double& s : uniform.s) s *= scale;
+  for (double& v : uniform.speed) v *= scale;
+  uniform.s.back() = length;
+  uniform.acceleration.assign(uniform.s.size(), 0);
+  return uniform;
+}
+
+SampledSection shortest_uniform_section(const Arm& arm, const TimedPath& section,
+                                        const SectionOptions& options) {
+  return sampled(arm, section, options, fewest_periods(section, options));
+}
+
+SampledSection uniform_section(const Arm& arm, const TimedPath& section,
+                               const SectionOptions& options) {
+  SampledSection found = within_limits(arm, section, options);
+  if (found || ended(options.budget)) return found;
+  SectionOptions other = options;
+  if (found.too_many) {
+    other.rate = rounded_down(options.max_samples / section.scaling.duration());
+    other.rate = std::min(other.rate, options.rate);
+  }
+  for (const double factor : {1.0, 0.5, 0.25, 2.0, 4.0}) {
+    SectionOptions tried = other;
+    tried.rate *= factor;
+    if (tried.rate == options.rate || !within_limits(arm, section, tried)) continue;
+    found.reason += "; a rate of " + number(tried.rate) + " works";
+    break;
+  }
+  return found;
 }
 
 }  // namespace beeline::internal

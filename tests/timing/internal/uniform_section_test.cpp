@@ -57,13 +57,12 @@ TEST(UniformSection, KeepsTheRateUpToRatesOfAPeriodOrTwo) {
     RandomSection made = testing::random_section(random, testing::profiles[i % 5],
                                                  testing::interpolations[i % 3], 100, 1);
     made.options.rate = random.uniform(1.01, 4) / made.timed.scaling.duration();
-    Trajectory motion;
-    try {
-      motion = uniform_section(made.arm, made.timed, made.options).trajectory;
-    } catch (const Error& error) {
-      std::cout << error.what() << '\n';
+    const SampledSection sampled = uniform_section(made.arm, made.timed, made.options);
+    if (!sampled) {
+      std::cout << sampled.reason << '\n';
       continue;
     }
+    const Trajectory& motion = sampled.trajectory;
     for (std::size_t k = 0; k < motion.size(); ++k) {
       ASSERT_EQ(motion.times[k], std::round(double(k) / made.options.rate * 1e9) / 1e9);
     }
@@ -73,14 +72,28 @@ TEST(UniformSection, KeepsTheRateUpToRatesOfAPeriodOrTwo) {
   }
 }
 
-TEST(UniformSection, RefusesRatesWithTooFewPeriodsOrTooMany) {
+TEST(UniformSection, LengthensASectionShorterThanAPeriod) {
   Random random;
   RandomSection made =
       testing::random_section(random, Profile::jerk, Interpolation::quintic, 100, 1);
-  made.options.rate = 0.5 / made.timed.scaling.duration();
-  EXPECT_REFUSED(uniform_section(made.arm, made.timed, made.options), "the rate must be at least");
-  made.options.rate = 2e6 / made.timed.scaling.duration();
-  EXPECT_REFUSED(uniform_section(made.arm, made.timed, made.options), "samples per second make");
+  made.options.rate = 0.1 / made.timed.scaling.duration();
+  const Trajectory motion = uniform_section(made.arm, made.timed, made.options).trajectory;
+  ASSERT_EQ(motion.size(), 2);
+  EXPECT_NEAR(motion.times[1] * made.options.rate, 1, 1e-6);
+}
+
+TEST(UniformSection, ReportsARateThatMakesFewEnoughSamples) {
+  Random random;
+  RandomSection made =
+      testing::random_section(random, Profile::jerk, Interpolation::quintic, 100, 1);
+  made.options.max_samples = 50;
+  made.options.rate = 200 / made.timed.scaling.duration();
+  const SampledSection none = uniform_section(made.arm, made.timed, made.options);
+  EXPECT_TRUE(none.too_many);
+  const std::size_t named = none.reason.find("a rate of ");
+  ASSERT_NE(named, std::string::npos) << none.reason;
+  made.options.rate = std::stod(none.reason.substr(named + 10));
+  EXPECT_TRUE(uniform_section(made.arm, made.timed, made.options)) << none.reason;
 }
 
 }  // namespace
