@@ -61,8 +61,8 @@ def test_the_option_at_fault_is_named(refused, written):
     written("m.csv", "t,joint1,joint2,joint3\n0,0,0,0\n1,1,0,0\n")
     says = refused(2, "replay", "rrr", "m.csv", "--speed-at", "0:1,2:0")
     assert says.startswith("beeline: --speed-at: the replay pauses")
-    says = refused(2, "retime", "rrr", "m.csv", "--rate", "0.1")
-    assert says.startswith("beeline: --rate: 0.1 samples per second")
+    says = refused(2, "retime", "rrr", "m.csv", "--rate=-1")
+    assert says.startswith("beeline: --rate must be above 0")
 
 
 def test_replay_takes_one_kind_of_speed(refused, written):

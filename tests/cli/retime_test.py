@@ -96,10 +96,9 @@ def test_bad_input_is_refused_in_one_line(refused, beeline, written):
     path = written("waypoints.csv", WAYPOINTS)
     refused(2, "retime", "panda", path, "--profile", "scurve", says=("scurve", "s-curve"))
     refused(2, "retime", "panda", path, "--rate", "0", says=("--rate",))
-    refused(2, "retime", "panda", path, "--rate", "1e9", says=("samples",))
-    line = refused(2, "retime", "panda", path, "--rate", "1e-9", says=("1e-09", "at least"))
-    enough = line.split("must be at least ")[1].split()[0].rstrip(",")
-    assert beeline("retime", "panda", path, "--rate", enough).code == 0
+    line = refused(1, "retime", "panda", path, "--rate", "1e9", says=("samples", "a rate of"))
+    works = line.split("a rate of ")[1].split()[0]
+    assert beeline("retime", "panda", path, "--rate", works).code == 0
     for scale in ("2", "1e-300"):
         refused(2, "retime", "panda", path, "--speed", scale, says=("--speed", "from 1e-06 to 1", scale))
     for speed in ("-1", "1e-300"):
