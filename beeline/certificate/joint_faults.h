@@ -20,7 +20,7 @@ enum class Fault {
   velocity,     ///< a velocity limit is exceeded between two samples
   acceleration,
   jerk,
-  moving,      ///< a joint moves at the trajectory's start or end
+  moving,      ///< a joint moves at the start, the end or a waypoint at which a program stops
   dwell,       ///< the arm does not rest long enough at a waypoint of a program
   tool_speed,  ///< the tool is faster than a move of a program allows
 };

@@ -116,7 +116,10 @@ ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& s
 ///
 /// - The tool, or the configuration of Move::q to the tolerances, is at the waypoints in order, at
 ///   rest where no blend or spline passes them, and at rest for each dwell. A trajectory that does
-///   not begin at the first waypoint moves there first.
+///   not begin at the first waypoint moves there first. Rest is to the tolerance of verify() for
+///   the ends; a dwell is within 1e-5 rad or m of one configuration.
+/// - A joint move to a pose ends at the last rest there before the next waypoint: it may change the
+///   configuration at the same pose.
 /// - verify() proves all moves but joint moves from stop to stop. A joint move is only held to the
 ///   arm's limits.
 /// - The tool's speed is within that of each move.

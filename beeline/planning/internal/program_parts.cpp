@@ -47,15 +47,6 @@ void check_kind(const Arm& arm, const Program& program, std::size_t i) {
   if (move.dwell > 0) throw Error("a dwell and a blend at one waypoint exclude each other");
 }
 
-/// Whether the tool passes the waypoint of move i without a stop.
-bool is_passed(const Program& program, std::size_t i) {
-  const Move& move = program.moves[i];
-  if (i + 1 == program.moves.size()) return false;
-  const bool spline =
-      move.kind == MoveKind::spline && program.moves[i + 1].kind == MoveKind::spline;
-  return move.blend > 0 || (spline && move.dwell == 0);
-}
-
 /// Moves from one stop to the next, or from one sharp corner to the next.
 struct Stretch {
   Route route;
@@ -160,6 +151,14 @@ void check_program(const Arm& arm, const Program& program) {
       refuse_move(program, i, error.what());
     }
   }
+}
+
+bool is_passed(const Program& program, std::size_t i) {
+  const Move& move = program.moves[i];
+  if (i + 1 == program.moves.size()) return false;
+  const bool spline =
+      move.kind == MoveKind::spline && program.moves[i + 1].kind == MoveKind::spline;
+  return move.blend > 0 || (spline && move.dwell == 0);
 }
 
 Pose waypoint_of(const Arm& arm, const Move& move) {

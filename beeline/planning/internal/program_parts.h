@@ -24,6 +24,9 @@ void check_move(const Arm& arm, const Program& program, std::size_t i);
 /// Does the same, with move_name(), for all moves, and for a program without moves.
 void check_program(const Arm& arm, const Program& program);
 
+/// Whether the tool passes the waypoint of move i without a stop.
+bool is_passed(const Program& program, std::size_t i);
+
 /// The waypoint of a move as a pose.
 Pose waypoint_of(const Arm& arm, const Move& move);
 

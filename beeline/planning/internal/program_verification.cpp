@@ -7,6 +7,8 @@
 #include <beeline/planning/internal/program_parts.h>
 #include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/program.h>
+#include <beeline/trajectory/internal/end_velocity.h>
+#include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/tool_speed.h>
 
 namespace beeline {
@@ -15,8 +17,7 @@ using namespace internal;
 
 namespace {
 
-constexpr double rest_change = 1e-6;         // radians or metres from sample to sample
-constexpr double rest_fraction = 1e-6;       // of the largest velocity
+constexpr double rest_distance = 1e-5;       // radians or metres from the arrival's configuration
 constexpr double dwell_rounding = 2e-9;      // seconds
 constexpr double speed_rounding = 1 + 1e-6;  // of a limit of the tool's speed
 
@@ -36,15 +37,13 @@ class ProgramVerifier {
     for (const Configuration& q : trajectory.positions) {
       tool_.push_back(forward_kinematics(arm, q));
     }
-    for (const Configuration& v : trajectory.velocities) {
-      largest_velocity_ = std::max(largest_velocity_, v.lpNorm<Eigen::Infinity>());
-    }
     result_.deviation.interval_bounds.resize(trajectory.size() - 1);
   }
 
   Verification run() {
     const Move& first = program_.moves.front();
-    const bool begins = offset(first, 0) <= 1;
+    // A joint move may change the configuration at the same pose.
+    const bool begins = first.kind != MoveKind::joint && offset(first, 0) <= 1;
     if (begins) result_.arrivals.push_back(0);
     const Pose begin = begins ? waypoint_of(arm_, first) : tool_.front();
     parts_ = program_parts(arm_, program_, begins ? 1 : 0, begin, Limits::none);
@@ -53,7 +52,7 @@ class ProgramVerifier {
       const bool last = p + 1 == parts_.size();
       passed = parts_[p].joint ? check_joint_move(p, last) : check_path(p, last);
     }
-    if (passed && parts_.empty()) check_rest();
+    if (passed && parts_.empty()) check_rest(0);
     const auto joint = first_joint_fault(arm_, trajectory_, options_.moving, options_.budget);
     if (!options_.budget.part_of->complete()) {
       const Ending ending = options_.budget.part_of->ending();
@@ -93,47 +92,116 @@ class ProgramVerifier {
     return largest;
   }
 
-  /// Whether the joints are at rest at sample k, as far as the columns show it.
+  /// Whether the joints are at rest at sample k, to the tolerance of first_joint_fault() for the
+  /// ends, which it checks itself.
   bool rests_at(std::size_t k) const {
     if (k == 0 || k + 1 == trajectory_.size()) return true;
-    if (trajectory_.velocities.empty()) return rests_after(k - 1) || rests_after(k);
-    return trajectory_.velocities[k].lpNorm<Eigen::Infinity>() <= rest_fraction * largest_velocity_;
+    const auto slow = [&](const Configuration& change, double h) {
+      for (int i = 0; i < arm_.dof(); ++i) {
+        const double largest = rest_velocity(trajectory_, motion_limits(arm_.limits(i)), h);
+        if (!(std::abs(change[i]) <= largest)) return false;
+      }
+      return true;
+    };
+    if (!trajectory_.velocities.empty()) return slow(trajectory_.velocities[k], 0);
+    const auto slow_after = [&](std::size_t first) {
+      const double h = trajectory_.times[first + 1] - trajectory_.times[first];
+      return slow((trajectory_.positions[first + 1] - trajectory_.positions[first]) / h, h);
+    };
+    return slow_after(k - 1) && slow_after(k);
   }
 
-  /// Whether the joints rest from sample k to the next.
-  bool rests_after(std::size_t k) const {
+  /// Whether the joints rest from sample k to the next, at the waypoint of a move that ends at
+  /// sample `at`.
+  bool rests_after(std::size_t k, const Move& move, std::size_t at) const {
+    if (offset(move, k) > 1 || offset(move, k + 1) > 1) return false;
     const double h = trajectory_.times[k + 1] - trajectory_.times[k];
-    const auto small = [](const Configuration& change) {
-      return change.lpNorm<Eigen::Infinity>() <= rest_change;
-    };
-    const auto small_at = [&](std::size_t i) {
-      return (trajectory_.velocities.empty() || small(h * trajectory_.velocities[i])) &&
-             (trajectory_.accelerations.empty() || small(h * h * trajectory_.accelerations[i]));
-    };
-    return small(trajectory_.positions[k + 1] - trajectory_.positions[k]) && small_at(k) &&
-           small_at(k + 1);
+    for (int i = 0; i < arm_.dof(); ++i) {
+      const Polynomial p = interval_polynomial(trajectory_, k, i);
+      const Extremes q = enclosure(p), v = enclosure(time_derivative(p, 1, h));
+      const double goal = trajectory_.positions[at][i];
+      const double largest = rest_velocity(trajectory_, motion_limits(arm_.limits(i)), h);
+      const bool near = q.smallest >= goal - rest_distance && q.largest <= goal + rest_distance;
+      if (!near || !(v.smallest >= -largest && v.largest <= largest)) return false;
+    }
+    return true;
   }
 
-  /// The sample from `first` on at which the arm is at the waypoint of a move: the nearest at rest
-  /// among the first consecutive ones within tolerance that have one at rest; if there are none,
-  /// the nearest of the first. `leaves`: the arm leaves the waypoint before.
+  /// Consecutive samples within tolerance of a waypoint.
+  struct Visit {
+    std::size_t nearest = 0, end = 0;                   ///< `end`: after the last
+    std::optional<std::size_t> resting = std::nullopt;  ///< the nearest at rest
+  };
+
+  /// The first visit from sample k on.
+  std::optional<Visit> next_visit(const Move& move, std::size_t k) const {
+    const std::size_t size = trajectory_.size();
+    while (k < size && !(offset(move, k) <= 1)) ++k;
+    if (k == size) return {};
+    Visit visit{.nearest = k};
+    double nearest = offset(move, k), resting = 2;
+    for (double here = nearest; k < size && here <= 1; here = ++k < size ? offset(move, k) : 2) {
+      if (here < nearest) visit.nearest = k, nearest = here;
+      if (here < resting && rests_at(k)) visit.resting = k, resting = here;
+    }
+    visit.end = k;
+    return visit;
+  }
+
+  /// The sample from `first` on at which the arm is at the waypoint of a move: that at rest of the
+  /// first visit that has one; if there is none, the nearest of the first visit. `leaves`: the arm
+  /// leaves the waypoint before.
   std::optional<std::size_t> arrival(const Move& move, std::size_t first, bool leaves) const {
     std::optional<std::size_t> passed;
-    std::size_t k = first;
-    while (leaves && k < trajectory_.size() && offset(move, k) <= 1) ++k;
-    for (; k < trajectory_.size(); ++k) {
-      std::optional<std::size_t> nearest, resting;
-      const auto closer = [&](const std::optional<std::size_t>& found) {
-        return !found || offset(move, k) < offset(move, *found);
-      };
-      for (; k < trajectory_.size() && offset(move, k) <= 1; ++k) {
-        if (closer(nearest)) nearest = k;
-        if (rests_at(k) && closer(resting)) resting = k;
-      }
-      if (resting) return resting;
-      if (!passed) passed = nearest;
+    while (leaves && first < trajectory_.size() && offset(move, first) <= 1) ++first;
+    for (auto visit = next_visit(move, first); visit; visit = next_visit(move, visit->end)) {
+      if (visit->resting) return visit->resting;
+      if (!passed) passed = visit->nearest;
     }
     return passed;
+  }
+
+  /// The next move that stops away from the waypoint of a joint move; moves.size() if all stand
+  /// still there, none if a path or a joint move returns to it before.
+  std::optional<std::size_t> next_elsewhere(std::size_t move) const {
+    const Pose here = waypoint_of(arm_, program_.moves[move]);
+    for (std::size_t i = move + 1; i < program_.moves.size(); ++i) {
+      if (is_passed(program_, i)) continue;
+      const Deviation away = task_deviation(task_, waypoint_of(arm_, program_.moves[i]), here);
+      if (!within(away, {options_.tolerance, options_.orientation_tolerance})) return i;
+      if (program_.moves[i].kind != MoveKind::line || is_passed(program_, i - 1)) return {};
+    }
+    return program_.moves.size();
+  }
+
+  /// arrival() of a joint move. One to a pose may begin at this pose, or pass it at rest, and end
+  /// there in another configuration: it ends at the last visit before the next waypoint.
+  std::optional<std::size_t> joint_arrival(std::size_t i) const {
+    const Move& move = program_.moves[i];
+    std::optional<std::size_t> found = arrival(move, begin_, false);
+    const auto next = move.q || !found ? std::nullopt : next_elsewhere(i);
+    if (!next) return found;
+    std::size_t until = trajectory_.size();
+    if (*next < program_.moves.size()) {
+      const auto reached = arrival(program_.moves[*next], *found, false);
+      if (!reached || !rests_at(*reached)) return found;
+      until = *reached;
+    }
+    for (auto visit = next_visit(move, *found); visit; visit = next_visit(move, visit->end)) {
+      if (visit->nearest >= until) break;
+      if (visit->resting && *visit->resting < until && visit->nearest > *found)
+        found = visit->resting;
+    }
+    return found;
+  }
+
+  /// Checks that the arm is at rest where move i ends.
+  bool check_stop(std::size_t i) {
+    const std::size_t at = result_.arrivals.back();
+    if (rests_at(at)) return true;
+    return fail(Fault::moving, at,
+                "the arm passes the waypoint of " + move_name(program_, i) +
+                    ", where it has to be at rest");
   }
 
   bool fail_to_reach(std::size_t move) {
@@ -149,14 +217,15 @@ class ProgramVerifier {
   bool check_dwell(std::size_t move) {
     const std::size_t at = result_.arrivals.back();
     begin_ = at;
-    const double dwell = program_.moves[move].dwell;
+    const Move& goal = program_.moves[move];
+    const double dwell = goal.dwell;
     if (dwell == 0) return true;
     std::size_t from = at;
-    while (from > 0 && rests_after(from - 1)) --from;
+    while (from > 0 && rests_after(from - 1, goal, at)) --from;
     // Not beyond the dwell: the arm may rest longer, and moves slowly at first.
     const auto rested = [&] { return trajectory_.times[begin_] - trajectory_.times[from]; };
     while (rested() < dwell - dwell_rounding && begin_ + 1 < trajectory_.size() &&
-           rests_after(begin_)) {
+           rests_after(begin_, goal, at)) {
       ++begin_;
     }
     if (rested() >= dwell - dwell_rounding) return true;
@@ -206,20 +275,23 @@ class ProgramVerifier {
     return after;
   }
 
-  /// Checks that the joints rest from `begin_` to the end.
-  bool check_rest() {
+  /// Checks that the joints rest at the waypoint of the last move from `begin_` to the end.
+  bool check_rest(std::size_t move) {
+    const std::size_t at = result_.arrivals.back();
     for (std::size_t k = begin_; k + 1 < trajectory_.size(); ++k) {
-      if (!rests_after(k)) return fail(Fault::not_through, k, "the arm leaves the last waypoint");
+      if (rests_after(k, program_.moves[move], at)) continue;
+      return fail(Fault::not_through, k, "the arm leaves the last waypoint");
     }
     return true;
   }
 
   bool check_joint_move(std::size_t p, bool last) {
     const std::size_t move = parts_[p].first;
-    const auto end = arrival(program_.moves[move], begin_, false);
+    const auto end = joint_arrival(move);
     if (!end) return fail_to_reach(move);
     result_.arrivals.push_back(*end);
-    return check_speed(move, begin_, *end) && check_dwell(move) && (!last || check_rest());
+    return check_speed(move, begin_, *end) && check_stop(move) && check_dwell(move) &&
+           (!last || check_rest(move));
   }
 
   bool check_path(std::size_t p, bool last_part) {
@@ -279,7 +351,7 @@ class ProgramVerifier {
       if (!after) return false;
       from = *after;
     }
-    return check_dwell(move);
+    return check_stop(move) && check_dwell(move);
   }
 
   /// Adds what was found from sample `begin_` on; returns whether it passed.
@@ -306,7 +378,6 @@ class ProgramVerifier {
   VerifyOptions options_;
   Task task_;
   std::vector<Pose> tool_ = {};  // at the samples
-  double largest_velocity_ = 0;
   std::vector<ProgramPart> parts_ = {};
   std::size_t begin_ = 0;  // the sample at which the next part begins
   Verification result_ = {};

@@ -2,10 +2,15 @@
 
 namespace beeline::internal {
 
+double rest_velocity(const Trajectory& trajectory, const Limits& limits, double h) {
+  constexpr double rest_fraction = 1e-4;  // of a velocity limit: slower is at rest
+  const double change = trajectory.velocities.empty() ? 2 * limits.acceleration * h : 0;
+  return rest_fraction * limits.velocity + change;
+}
+
 EndVelocity end_velocity(const Trajectory& trajectory, int coordinate, const Limits& limits,
                          TrajectoryEnd end) {
-  constexpr double rest_fraction = 1e-4;  // of a velocity limit: slower is at rest
-  EndVelocity result{0, rest_fraction * limits.velocity};
+  EndVelocity result{0, rest_velocity(trajectory, limits, 0)};
   const std::size_t size = trajectory.size();
   if (size < 2) return result;
   const bool first = end == TrajectoryEnd::first;
@@ -18,7 +23,7 @@ EndVelocity end_velocity(const Trajectory& trajectory, int coordinate, const Lim
   const double h = trajectory.times[k + 1] - trajectory.times[k];
   result.velocity =
       (trajectory.positions[k + 1][coordinate] - trajectory.positions[k][coordinate]) / h;
-  result.allowed += 2 * limits.acceleration * h;
+  result.allowed = rest_velocity(trajectory, limits, h);
   return result;
 }
 

@@ -15,6 +15,10 @@ struct EndVelocity {
   bool at_rest() const { return velocity <= allowed && velocity >= -allowed; }
 };
 
+/// The largest velocity that counts as rest at a sample beside an interval of h seconds; see
+/// EndVelocity.
+double rest_velocity(const Trajectory& trajectory, const Limits& limits, double h);
+
 /// `limits` are those of the coordinate, as motion_limits() returns them. At rest for one sample.
 EndVelocity end_velocity(const Trajectory& trajectory, int coordinate, const Limits& limits,
                          TrajectoryEnd end);

@@ -7,6 +7,109 @@ namespace {
 
 using namespace testing;
 
+const Configuration bent{{0, -1.2, 1.3, -1.5, -1.4, 0.3}};  // of a ur5e
+
+Configuration turned(double angle) {
+  Configuration q = bent;
+  q[0] += angle;
+  return q;
+}
+
+Program joint_moves(std::initializer_list<double> angles) {
+  Program program;
+  for (const double angle : angles) {
+    program.moves.push_back({.kind = MoveKind::joint, .q = turned(angle)});
+  }
+  return program;
+}
+
+/// Appends a motion of the first joint by `angle` along 10 s^3 - 15 s^4 + 6 s^5 in n intervals of h
+/// seconds.
+void append_move(double angle, int n, double h, Trajectory& trajectory) {
+  const Configuration begin = trajectory.positions.back();
+  const double start = trajectory.times.back(), duration = n * h;
+  for (int k = 1; k <= n; ++k) {
+    const double s = double(k) / n;
+    trajectory.times.push_back(start + k * h);
+    Configuration q = begin, v = 0 * begin;
+    q[0] += angle * s * s * s * (10 - 15 * s + 6 * s * s);
+    v[0] = angle * 30 * s * s * (1 - s) * (1 - s) / duration;
+    trajectory.positions.push_back(q);
+    trajectory.velocities.push_back(v);
+  }
+}
+
+Trajectory bent_at_rest(const Arm& arm) {
+  return {arm.joint_names(), {0}, {bent}, {Configuration(0 * bent)}, {}};
+}
+
+TEST(VerifyProgram, ArmRestsAtTheWaypointsOfJointMoves) {
+  const Arm arm = built_in("ur5e");
+  Trajectory passing = bent_at_rest(arm);
+  append_move(1, 400, 0.01, passing);
+  const Verification refused = verify(arm, passing, joint_moves({0.5, 1}));
+  EXPECT_EQ(refused.fault, Fault::moving) << refused.reason;
+  EXPECT_EQ(refused.sample, 200u);
+  EXPECT_NE(refused.reason.find("passes the waypoint of move 1 (joint)"), std::string::npos)
+      << refused.reason;
+  EXPECT_TRUE(verify(arm, passing, joint_moves({1})));
+  passing.velocities.clear();
+  EXPECT_EQ(verify(arm, passing, joint_moves({0.5, 1})).fault, Fault::moving);
+
+  Trajectory stopping = bent_at_rest(arm);
+  append_move(0.5, 200, 0.01, stopping);
+  append_move(0.5, 200, 0.01, stopping);
+  const Verification proved = verify(arm, stopping, joint_moves({0.5, 1}));
+  EXPECT_TRUE(proved) << proved.reason;
+  EXPECT_EQ(proved.arrivals, (std::vector<std::size_t>{200, 400}));
+  stopping.velocities.clear();
+  EXPECT_TRUE(verify(arm, stopping, joint_moves({0.5, 1})));
+}
+
+TEST(VerifyProgram, SlowMotionIsNotRest) {
+  const Arm arm = built_in("ur5e");
+  Trajectory resting = bent_at_rest(arm);
+  append_move(0.5, 2000, 0.001, resting);
+  Program program = joint_moves({0.5}), dwells = program;
+  dwells.moves[0].dwell = 0.5;
+  for (const double velocity : {1e-4, 8e-4}) {  // radians per second
+    Trajectory creeping = resting;
+    append_move(velocity, 1000, 0.001, creeping);
+    EXPECT_EQ(verify(arm, creeping, program).fault, Fault::not_through) << velocity;
+    EXPECT_EQ(verify(arm, creeping, dwells).fault, Fault::dwell) << velocity;
+  }
+  append_move(0, 1000, 0.001, resting);
+  EXPECT_TRUE(verify(arm, resting, program));
+  EXPECT_TRUE(verify(arm, resting, dwells));
+}
+
+TEST(VerifyProgram, JointMoveMayChangeTheConfigurationAtOnePose) {
+  const Arm arm = built_in("ur5e");
+  Configuration start = bent;
+  start[5] = 6.1;
+  const Pose here = forward_kinematics(arm, start);
+  const Pose there = here * make_pose({0, 0, 0.02}, so3_exp({0, 0, 1.2}));
+  for (const double dwell : {0.0, 0.2}) {
+    Program program;
+    program.moves = {{.kind = MoveKind::joint, .target = here, .dwell = dwell}, {.target = there}};
+    const ProgramMotion motion = move_program(arm, start, program);
+    ASSERT_TRUE(motion) << motion.reason;
+    ASSERT_GT(motion.moves[0].end, 0u);
+    const Verification proved = verify(arm, motion.trajectory, program);
+    EXPECT_TRUE(proved) << proved.reason;
+    ASSERT_EQ(proved.arrivals.size(), 2u);
+    EXPECT_GE(proved.arrivals[0], motion.moves[0].end);
+    EXPECT_EQ(proved.arrivals[1], motion.moves[1].end);
+
+    program.moves.push_back({.target = here});  // and back: the waypoint of the joint move again
+    program.moves.push_back({.kind = MoveKind::joint, .target = here});
+    const ProgramMotion both = move_program(arm, start, program);
+    ASSERT_TRUE(both) << both.reason;
+    const Verification returned = verify(arm, both.trajectory, program);
+    EXPECT_TRUE(returned) << returned.reason;
+  }
+}
+
 TEST(VerifyProgram, RefusesPlantedFaults) {
   const Arm arm = built_in("panda");
   const Program program = pick();
