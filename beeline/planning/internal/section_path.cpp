@@ -85,10 +85,15 @@ bool SectionPath::add_samples(const Deviation& tolerance, BudgetMeter& budget) {
         const double a = samples_.path_parameters[k - 1], b = samples_.path_parameters[k];
         place = at(0.5 * (a + b), b);
       }
+      // Near a singularity the solution may be on another branch: only one near both is taken.
+      const Configuration middle = (samples_.samples[k - 1] + samples_.samples[k]) / 2;
+      const double step = (samples_.samples[k] - samples_.samples[k - 1]).norm();
+      const auto near = [&](const Configuration& q) { return (q - middle).norm() <= step; };
+      const Configuration guess = path_point(joint_path_, k - 1, 0.5).q;
       const NumericalResult exact =
           levenberg_marquardt(arm_, pose_at(path_.segments[place.index], place.fraction), task_,
-                              bounds_, path_point(joint_path_, k - 1, 0.5).q);
-      if (exact.converged) {
+                              bounds_, near(guess) ? guess : middle);
+      if (exact.converged && near(exact.q)) {
         refined.samples.push_back(exact.q);
         refined.path_parameters.push_back(static_cast<double>(place.index) + place.fraction);
       }
