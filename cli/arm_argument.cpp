@@ -74,7 +74,10 @@ std::vector<Option> ArmArgument::options() {
 
 Arm ArmArgument::read(const UnitArgument& unit) const {
   ChainEnds ends;
-  if (!group.empty()) ends = group_ends(read_srdf(srdf), group, text);
+  if (!srdf.empty()) {
+    const Srdf semantics = read_srdf(srdf);  // refused also where no name of it is used
+    if (!group.empty()) ends = group_ends(semantics, group, text);
+  }
   if (!base.empty()) ends.base = base;
   if (!tip.empty()) ends.tip = tip;
   std::vector<std::string> notes;

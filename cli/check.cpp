@@ -85,7 +85,9 @@ std::string check_text(const CheckArguments& arguments, const Trajectory& trajec
     text += deviation_text(verification.deviation, trajectory.interpolation(), arguments.unit);
   }
   if (limits.ending == Ending::complete) text += limits_text(limits);
-  if (!arguments.plot.empty()) text += fmt::format("plot          {}\n", arguments.plot);
+  if (!arguments.plot.empty() && verification.ending == Ending::complete) {
+    text += fmt::format("plot          {}\n", arguments.plot);
+  }
   return text;
 }
 

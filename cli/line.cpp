@@ -218,7 +218,7 @@ std::vector<Option> exact_options(LineArguments& arguments) {
         arguments.interpolation.option({exact}),
         {.name = "--tool-speed",
          .value = "V",
-         .help = "Largest speed of the tool origin, m/s.",
+         .help = "Largest speed of the tool origin, m/s; of a program, in moves without a speed.",
          .target = &arguments.tool_speed,
          .range = {.lowest = 1e-8},
          .methods = {exact}},

@@ -113,11 +113,12 @@ JointPath joint_spline(std::span<const Configuration> samples, std::span<const d
 void smooth_derivatives(JointPath& path) {
   check_path(path);
   using Rows = Eigen::Matrix<double, 2, Eigen::Dynamic>;  // of dq and ddq
-  const auto& [s, q, dq, ddq] = path;
+  const std::vector<double>& s = path.s;
+  const std::vector<Configuration>& q = path.q;
   const std::size_t last = path.size() - 1;
-  const auto at_end = [&](std::size_t k) {
-    Rows rows(2, q[0].size());
-    rows << dq[k].transpose(), ddq[k].transpose();
+  const auto at_end = [&path](std::size_t k) {
+    Rows rows(2, path.q[0].size());
+    rows << path.dq[k].transpose(), path.ddq[k].transpose();
     return rows;
   };
   // Block elimination of the equations that the third and fourth derivatives, times h^3 and h^4 of

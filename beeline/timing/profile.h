@@ -14,8 +14,8 @@ namespace beeline {
 /// order, to the table in profile.cpp.
 enum class Profile {
   /// Minimum time under velocity and acceleration limits. The samples of a motion keep known jerk
-  /// limits too, by wider ramps of acceleration or a slowdown; a motion is that of `jerk` where that
-  /// one is shorter.
+  /// limits too, by wider ramps of acceleration or a slowdown. Where a motion by `jerk` is shorter,
+  /// it is that one.
   fastest,
   /// Minimum time under velocity, acceleration and jerk limits: a local optimum.
   jerk,

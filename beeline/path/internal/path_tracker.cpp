@@ -31,7 +31,7 @@ double weighted(const Deviation& deviation) {
 
 PathTracker::PathTracker(const ToolPath& path, const Task& task, double from, double to,
                          const Deviation& tolerance, BudgetMeter* budget)
-    : path_(path), task_(task), from_(from), to_(to), tolerance_(tolerance), nodes_{from} {
+    : path_(path), task_(task), to_(to), tolerance_(tolerance), nodes_{from} {
   for (double a = from; a < to;) {
     if (ended(budget)) return;
     const double next = (std::floor(a / stride + 1e-9) + 1) * stride;

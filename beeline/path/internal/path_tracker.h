@@ -74,7 +74,7 @@ class PathTracker {
 
   const ToolPath& path_;
   Task task_;
-  double from_, to_;
+  double to_;
   Deviation tolerance_;
   std::vector<double> nodes_, lengths_;  ///< ends of the cells, and the path's length up to them
 };

@@ -27,7 +27,7 @@ struct SectionOptions {
   double speed_scale = 1;             ///< see RetimeOptions
   ToolSpeeds tool_speed = {};         ///< limits along the path
   double rate = 0;                    ///< see RetimeOptions
-  double max_samples = 1e6;           ///< with a rate; for seven joints some 300 MB
+  double max_samples = 200'000;       ///< with a rate
   std::vector<double> required = {};  ///< path parameters that get a sample, without a rate
   BudgetMeter* budget = nullptr;      ///< default: none
 };

@@ -164,7 +164,7 @@ SampledSection uniform_section(const Arm& arm, const TimedPath& section,
     other.rate = rounded_down(options.max_samples / section.scaling.duration());
     other.rate = std::min(other.rate, options.rate);
   }
-  for (const double factor : {1.0, 0.5, 0.25, 2.0, 4.0}) {
+  for (const double factor : {0.5, 2.0, 4.0}) {
     SectionOptions tried = other;
     tried.rate *= factor;
     if (tried.rate == options.rate || !within_limits(arm, section, tried)) continue;
