@@ -18,7 +18,7 @@ std::vector<Option> PathArgument::options(const std::vector<std::string>& method
       {.name = "--blend",
        .value = "METRES",
        .help = "Blend the corners of straight lines, so that the tool passes them without a "
-               "stop, at most this far from the corner (and 5 rad for each metre).",
+               "stop, at most this far from the corner (and 5 rad for each metre); 1e-4 or more.",
        .target = &blend,
        .range = above_zero,
        .methods = methods}};

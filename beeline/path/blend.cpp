@@ -114,9 +114,11 @@ void check_tolerances(std::span<const Deviation> within, std::size_t corners) {
     throw Error(std::to_string(corners) + " corners need as many tolerances, not " +
                 std::to_string(within.size()));
   }
+  constexpr double smallest = 1e-4;  // metres and radians; joints nearly stop in smaller ones
   for (const Deviation& one : within) {
-    if (one.position > 0 && one.orientation > 0) continue;
-    throw Error("the tolerances of a blend must be above zero, not " + deviation_text(one));
+    if (one.position >= smallest && one.orientation >= smallest) continue;
+    throw Error("the tolerances of a blend must be at least " + number(smallest) +
+                " m and rad, not " + deviation_text(one) + "; without a blend the tool stops");
   }
 }
 

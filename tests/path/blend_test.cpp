@@ -216,8 +216,8 @@ TEST(BlendedLines, StopAtASharpCornerWhereARoundingEnds) {
 
 TEST(BlendedLines, RefuseWhatMakesNoSense) {
   const std::vector poses{at(0, 0), at(1, 0), at(1, 1)};
-  EXPECT_REFUSED(blended_lines(poses, {0, 1}), "above zero");
-  EXPECT_REFUSED(blended_lines(poses, {1, NAN}), "above zero");
+  EXPECT_REFUSED(blended_lines(poses, {0, 1}), "at least 0.0001");
+  EXPECT_REFUSED(blended_lines(poses, {1, NAN}), "at least 0.0001");
   EXPECT_REFUSED(blended_lines({poses.data(), 1}, {1, 1}), "two poses");
   EXPECT_REFUSED(blended_lines(std::vector{poses[0], poses[0]}, {1, 1}), "pose 2");
 }

@@ -253,7 +253,7 @@ TEST(Retime, RefusesOptionsOutOfRange) {
   for (const double speed : {0.0, -1.0, 1e-10, 1e-300, std::nan("")}) {
     EXPECT_REFUSED(retime(arm, still, {.tool_speed = speed}), "1e-09 m/s at least");
   }
-  EXPECT_REFUSED(retime(arm, still, {.rate = -1}), "above zero");
+  EXPECT_REFUSED(retime(arm, still, {.rate = -1}), "or above");
   EXPECT_REFUSED(profile_named("scurve"), "s-curve");
   for (const Profile profile : profiles) EXPECT_EQ(profile_named(name(profile)), profile);
 }
