@@ -87,8 +87,10 @@ bool SectionPath::add_samples(const Deviation& tolerance, BudgetMeter& budget) {
       }
       // Near a singularity the solution may be on another branch: only one near both is taken.
       const Configuration middle = (samples_.samples[k - 1] + samples_.samples[k]) / 2;
-      const double step = (samples_.samples[k] - samples_.samples[k - 1]).norm();
-      const auto near = [&](const Configuration& q) { return (q - middle).norm() <= step; };
+      constexpr double excursion =
+          0.5;  // radians or metres, of a path that turns back between them
+      const double farthest = excursion + (samples_.samples[k] - samples_.samples[k - 1]).norm();
+      const auto near = [&](const Configuration& q) { return (q - middle).norm() <= farthest; };
       const Configuration guess = path_point(joint_path_, k - 1, 0.5).q;
       const NumericalResult exact =
           levenberg_marquardt(arm_, pose_at(path_.segments[place.index], place.fraction), task_,
