@@ -76,8 +76,8 @@ TEST(SmoothDerivatives, MakeTheThirdAndFourthContinuousAndKeepTheEnds) {
       const PathPoint end = path_point(path, k - 1, 1), begin = path_point(path, k, 0);
       ASSERT_LT((end.dddq - begin.dddq).norm(), 1e-8 * (1 + begin.dddq.norm()));
       const double h = 1e-5;  // of a step
-      const Configuration before = (end.dddq - path_point(path, k - 1, 1 - h).dddq) /
-                                   (h * (path.s[k] - path.s[k - 1]));
+      const Configuration before =
+          (end.dddq - path_point(path, k - 1, 1 - h).dddq) / (h * (path.s[k] - path.s[k - 1]));
       const Configuration after =
           (path_point(path, k, h).dddq - begin.dddq) / (h * (path.s[k + 1] - path.s[k]));
       ASSERT_LT((before - after).norm(), 1e-2 * (1 + after.norm() + before.norm()));
