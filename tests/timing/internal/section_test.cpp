@@ -138,7 +138,9 @@ TEST(SampleSection, TakesLittleLongerThanTheTimeScalingAndFastestNoLongerThanJer
         SCOPED_TRACE((durations == &jerk ? "jerk, " : "fastest, ") + name(interpolation) + ", " +
                      number(rate) + " Hz");
         const double periods = rate > 0 ? 2 / rate : 0;
-        if (count >= 10) EXPECT_LE(durations->excess(0.9, periods), 0.03);
+        if (count >= 10) {
+          EXPECT_LE(durations->excess(0.9, periods), 0.03);
+        }
         EXPECT_LE(durations->excess(1, periods), 0.1);
         // The grid of the path costs the time scaling of `fastest` up to a hundredth.
         const double below = durations == &jerk ? 1e-3 : 1e-2;
