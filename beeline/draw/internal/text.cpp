@@ -1,46 +1,13 @@
 #include <algorithm>
-#include <cairo.h>
 #include <cmath>
 #include <numbers>
 
 #include <beeline/draw/internal/text.h>
+#include <beeline/draw/internal/text_width.h>
 #include <beeline/read/internal/numbers.h>
 
 namespace beeline::internal {
 namespace {
-
-/// A Cairo context that only measures text.
-class TextMeasure {
- public:
-  TextMeasure()
-      : surface_(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1)),
-        context_(cairo_create(surface_)) {
-    cairo_font_options_t* options = cairo_font_options_create();
-    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
-    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
-    cairo_set_font_options(context_, options);
-    cairo_font_options_destroy(options);
-  }
-  ~TextMeasure() {
-    cairo_destroy(context_);
-    cairo_surface_destroy(surface_);
-  }
-  TextMeasure(const TextMeasure&) = delete;
-  TextMeasure& operator=(const TextMeasure&) = delete;
-
-  double width(const std::string& text, double size, bool bold) {
-    cairo_select_font_face(context_, typeface, CAIRO_FONT_SLANT_NORMAL,
-                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(context_, size);
-    cairo_text_extents_t extents;
-    cairo_text_extents(context_, drawable(text).c_str(), &extents);
-    return std::max(extents.x_advance, extents.width);
-  }
-
- private:
-  cairo_surface_t* surface_;
-  cairo_t* context_;
-};
 
 /// Returns the bytes of the UTF-8 character at the start of `text`; 0 when there is none.
 std::size_t character_length(std::string_view text) {
@@ -87,8 +54,7 @@ std::string cut(const std::string& word, double size, double width, bool bold) {
 }  // namespace
 
 PaperPoint text_size(const std::string& text, double size, bool bold) {
-  thread_local TextMeasure measure;
-  return {measure.width(text, size, bold), 1.2 * size};
+  return {text_width(drawable(text), size, bold), 1.2 * size};
 }
 
 std::string drawable(std::string_view text) {

@@ -8,9 +8,6 @@
 
 namespace beeline::internal {
 
-/// The typeface of all pictures: a sans serif with Greek letters and subscript digits.
-constexpr const char* typeface = "DejaVu Sans";
-
 /// Returns the width and line height of a line of text, points.
 PaperPoint text_size(const std::string& text, double size, bool bold = false);
 

@@ -1,0 +1,155 @@
+#include <cairo-pdf.h>
+#include <cairo.h>
+#include <cmath>
+#include <memory>
+
+#include <beeline/draw/internal/cairo.h>
+#include <beeline/draw/internal/text.h>
+#include <beeline/draw/internal/text_width.h>
+#include <beeline/error.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr double pixels_per_point = 2.5;
+
+struct Destroy {
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+  void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
+using Context = std::unique_ptr<cairo_t, Destroy>;
+
+cairo_status_t append(void* bytes, const unsigned char* data, unsigned length) {
+  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+void check(cairo_status_t status) {
+  if (status == CAIRO_STATUS_SUCCESS) return;
+  throw Error(std::string("the picture could not be drawn: ") + cairo_status_to_string(status));
+}
+
+void set_colour(cairo_t* to, const Colour& colour) {
+  cairo_set_source_rgba(to, colour.red, colour.green, colour.blue, colour.alpha);
+}
+
+void trace(cairo_t* to, const PaperPath& path) {
+  const PaperPoint* p = path.points.data();
+  cairo_new_path(to);
+  for (const PaperPath::Verb verb : path.verbs) {
+    switch (verb) {
+      case PaperPath::Verb::move:
+        cairo_move_to(to, p->x(), p->y());
+        break;
+      case PaperPath::Verb::line:
+        cairo_line_to(to, p->x(), p->y());
+        break;
+      case PaperPath::Verb::close:
+        cairo_close_path(to);
+        continue;
+      case PaperPath::Verb::curve:
+        cairo_curve_to(to, p[0].x(), p[0].y(), p[1].x(), p[1].y(), p[2].x(), p[2].y());
+        p += 2;
+        break;
+    }
+    ++p;
+  }
+}
+
+void put(cairo_t* to, const PaperStroke& stroke) {
+  trace(to, stroke.path);
+  if (stroke.fill.alpha > 0) {
+    set_colour(to, stroke.fill);
+    cairo_fill_preserve(to);
+  }
+  if (stroke.line.alpha > 0 && stroke.width > 0) {
+    set_colour(to, stroke.line);
+    cairo_set_line_width(to, stroke.width);
+    // Round caps would close the gaps between dashes.
+    cairo_set_line_cap(to, stroke.dashes.empty() ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+    cairo_set_dash(to, stroke.dashes.data(), static_cast<int>(stroke.dashes.size()), 0);
+    cairo_stroke(to);
+  }
+  cairo_new_path(to);
+}
+
+void put(cairo_t* to, const PaperText& text) {
+  const std::string words = drawable(text.text);
+  cairo_select_font_face(to, typeface, CAIRO_FONT_SLANT_NORMAL,
+                         text.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(to, text.size);
+  cairo_save(to);
+  cairo_translate(to, text.centre.x(), text.centre.y());
+  if (text.upright) cairo_rotate(to, -1.5707963267948966);
+  cairo_text_extents_t extents;
+  cairo_text_extents(to, words.c_str(), &extents);
+  const double left = -extents.x_advance / 2;
+  const double baseline = 0.36 * text.size;  // half the height of a capital letter
+  if (text.halo) {
+    cairo_move_to(to, left, baseline);
+    cairo_text_path(to, words.c_str());
+    set_colour(to, paper_white);
+    cairo_set_line_width(to, 2.4);
+    cairo_set_dash(to, nullptr, 0, 0);
+    cairo_stroke(to);
+  }
+  set_colour(to, text.colour);
+  cairo_move_to(to, left, baseline);
+  cairo_show_text(to, words.c_str());
+  cairo_restore(to);
+}
+
+void paint(cairo_surface_t* surface, const Drawing& drawing, double scale) {
+  const Context context(cairo_create(surface));
+  cairo_t* to = context.get();
+  cairo_scale(to, scale, scale);
+  cairo_font_options_t* options = cairo_font_options_create();
+  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+  cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+  cairo_set_font_options(to, options);
+  cairo_font_options_destroy(options);
+  cairo_set_line_join(to, CAIRO_LINE_JOIN_ROUND);
+  set_colour(to, paper_white);
+  cairo_paint(to);
+  for (const PaperMark& mark : drawing.marks) {
+    std::visit([to](const auto& what) { put(to, what); }, mark);
+  }
+  check(cairo_status(to));
+}
+
+/// An image of the page, without an opacity channel.
+Surface painted_image(const Drawing& drawing, int width, int height, double scale) {
+  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
+  paint(surface.get(), drawing, scale);
+  return surface;
+}
+
+}  // namespace
+
+std::string png_of(const Drawing& drawing) {
+  std::string bytes;
+  const auto pixels = [](double points) {
+    return static_cast<int>(std::ceil(points * pixels_per_point));
+  };
+  const Surface surface =
+      painted_image(drawing, pixels(drawing.width), pixels(drawing.height), pixels_per_point);
+  check(cairo_surface_write_to_png_stream(surface.get(), append, &bytes));
+  return bytes;
+}
+
+std::string pdf_of(const Drawing& drawing) {
+  std::string bytes;
+  const Surface surface(
+      cairo_pdf_surface_create_for_stream(append, &bytes, drawing.width, drawing.height));
+  // A fixed creation date, so that equal figures give equal files.
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
+                                 "1970-01-01T00:00:00Z");
+  paint(surface.get(), drawing, 1);
+  cairo_surface_finish(surface.get());
+  check(cairo_surface_status(surface.get()));
+  return bytes;
+}
+
+}  // namespace beeline::internal
