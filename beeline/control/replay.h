@@ -47,7 +47,10 @@ struct Replay {
 /// - Without a rate and `speed_at` it consists of the recorded samples. Times at another speed are
 ///   whole nanoseconds.
 /// - With a rate, samples are at k / rate from the first to the last, the lead-in included: the
-///   lead-in and the recording last whole periods.
+///   lead-in and each section of the recording from stop to stop last whole periods.
+/// - Stops of the recording remain: each is a sample, with the recorded position and at rest. A
+///   dwell, where the joints stay within 1e-5 rad or m, is never shorter than in the recording, not
+///   even at a speed above 1.
 /// - With `speed_at` the speed changes at the rate of the ramp, less where a joint's acceleration
 ///   would exceed its limit, but at least at a twentieth of it. A recording that starts at rest
 ///   starts at its first speed, another one at zero.
@@ -63,7 +66,8 @@ struct Replay {
 /// The status is `outside_limits`, with the joint and the time, when the recording leaves the
 /// position limits or exceeds a known velocity limit at this speed, when a speed above 1 makes it
 /// exceed a limit of acceleration or jerk, and where the slowdown does not suffice: the reason
-/// names a speed or a rate that does.
+/// names a speed, a rate or a ramp with which the replay was tried and is within the limits, or that
+/// none was found.
 /// Throws Error when the recording does not fit the arm, for an invalid option, and when the last
 /// entry of `speed_at` is a pause, which would not end.
 Replay replay(const Arm& arm, const Trajectory& recording, const ReplayOptions& options = {});

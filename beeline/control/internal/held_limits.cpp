@@ -46,6 +46,15 @@ std::optional<LimitExcess> position_excess(const std::vector<Limits>& held,
   return largest;
 }
 
+/// The factor k on the duration with which a velocity v of linear joints at an end counts as rest:
+/// slowed down by k it is v / k, and r + k d does, d the velocity that the acceleration allows.
+double slowdown_to_rest(const Trajectory& trajectory, const Limits& limits,
+                        const EndVelocity& end) {
+  const double rest = rest_velocity(trajectory, limits, 0), d = end.allowed - rest;
+  const double v = std::abs(end.velocity);
+  return (std::sqrt(rest * rest + 4 * d * v) - rest) / (2 * d);
+}
+
 }  // namespace
 
 HeldLimits held_limits(const Arm& arm, const Trajectory& recording, double speed) {
@@ -109,7 +118,8 @@ std::optional<LimitExcess> largest_excess(const HeldLimits& held, const Trajecto
       const EndVelocity found = end_velocity(trajectory, coordinate, held.limits[i], end);
       if (found.at_rest()) continue;
       const double fraction = std::abs(found.velocity) / found.allowed;
-      take({2, coordinate, first ? 0 : trajectory.size() - 1, fraction, fraction});
+      take({2, coordinate, first ? 0 : trajectory.size() - 1, fraction,
+            slowdown_to_rest(trajectory, held.limits[i], found)});
     }
   }
   return largest;

@@ -12,65 +12,110 @@ namespace beeline::internal {
 namespace {
 
 constexpr double max_samples = 1'000'000;
-constexpr double max_slowdown = 2;  // beyond whole periods
 constexpr int max_tries = 60;
-constexpr double at_once = 0.8;  // of a slowdown with a rate: other samples are the worst later
 constexpr double rounding_margin = 1e-6;  // of a slowdown, for the rounding of times
 
-/// The samples at these times; none where the budget ends.
+/// The stop of the motion at this time of the recording, its ends included.
+std::optional<std::size_t> stop_at(const PlayedMotion& motion, double s) {
+  const auto& times = motion.recording.times;
+  if (s <= times.front()) return 0;
+  const auto found = std::lower_bound(
+      motion.sections.begin(), motion.sections.end(), s,
+      [&](const RecordedSection& section, double t) { return times[section.end] < t; });
+  if (found == motion.sections.end()) return times.size() - 1;
+  if (times[found->end] == s) return found->end;
+  return {};
+}
+
+/// The state of the recording at a sample, by its columns.
+TrajectoryState recorded_state(const Trajectory& recording, std::size_t k) {
+  const Configuration zero = Configuration::Zero(recording.positions[k].size());
+  return {recording.positions[k], recording.velocities.empty() ? zero : recording.velocities[k],
+          recording.accelerations.empty() ? zero : recording.accelerations[k], zero};
+}
+
+/// Whether two samples are so near that rounding their times to nanoseconds changes the motion.
+bool has_near_samples(const Trajectory& recording, double speed) {
+  constexpr double nearest = 4e-9;  // seconds
+  for (std::size_t k = 1; k < recording.size(); ++k) {
+    if (!((recording.times[k] - recording.times[k - 1]) / speed > nearest)) return true;
+  }
+  return false;
+}
+
+/// Times from 0, in whole nanoseconds where they are so but for rounding.
+Trajectory from_zero(const Trajectory& recording, bool round) {
+  constexpr double same = 1e-12;  // seconds
+  Trajectory played = recording;
+  for (double& t : played.times) {
+    t -= recording.times.front();
+    const double rounded = round_to_nanoseconds(t);
+    if (round && std::abs(rounded - t) <= same) t = rounded;
+  }
+  return played;
+}
+
+}  // namespace
+
 Trajectory samples_at(const PlayedMotion& motion, const std::vector<double>& times,
                       std::span<const Progress> progress) {
   Trajectory played{motion.arm.joint_names(), times, {}, {}, {}};
-  const double last = motion.recording.times.back();
   constexpr std::size_t batch = 64;  // samples, of about a microsecond
   for (const Progress& now : progress) {
     if (played.positions.size() % batch == 0 && ended(motion.budget, batch)) return {};
-    const bool ends = now.s >= last && motion.recording.size() > 1;
+    const auto stop = stop_at(motion, now.s);
     const TrajectoryState state =
-        sample(motion.recording, std::min(now.s, last), ends ? Side::before : Side::after);
+        stop ? recorded_state(motion.recording, *stop) : sample(motion.recording, now.s);
     played.positions.push_back(state.position);
     played.velocities.push_back(now.speed * state.velocity);
     played.accelerations.push_back(now.speed * now.speed * state.acceleration +
                                    now.acceleration * state.velocity);
   }
-  played.positions.front() = motion.recording.positions.front();
-  if (progress.back().s >= last) played.positions.back() = motion.recording.positions.back();
   keep_columns(played, motion.interpolation);
   return played;
 }
 
-/// The recorded samples. At another speed than their own their times are rounded to whole
-/// nanoseconds, along the motion, unless they are too near to one another.
-Trajectory recorded_samples(const PlayedMotion& motion, double speed) {
-  constexpr double same = 1e-12, nearest = 4e-9;  // seconds
+Trajectory recorded_samples(const PlayedMotion& motion, double speed, double slowdown) {
+  constexpr double rounding = 1e-3;  // nanoseconds
   const Trajectory& recording = motion.recording;
-  Trajectory played = recording;
-  double shortest = Limits::none;
-  for (std::size_t k = 1; k < recording.size(); ++k) {
-    shortest = std::min(shortest, (recording.times[k] - recording.times[k - 1]) / speed);
-  }
-  for (Configuration& v : played.velocities) v *= speed;
-  for (Configuration& a : played.accelerations) a *= speed * speed;
-  for (std::size_t k = 0; k < recording.size(); ++k) {
-    const double exact = (recording.times[k] - recording.times.front()) / speed;
-    const double rounded = round_to_nanoseconds(exact), moved = rounded - exact;
-    played.times[k] = exact;
-    if (!(shortest > nearest)) continue;
-    if (std::abs(moved) > same && speed == 1) continue;
-    played.times[k] = rounded;
-    if (std::abs(moved) <= same || k + 1 == recording.size()) continue;
-    const TrajectoryState state = sample(recording, recording.times[k] + speed * moved);
+  const bool round = !has_near_samples(recording, speed / slowdown);
+  Trajectory played = from_zero(recording, round);
+  if (speed == 1 && slowdown == 1) return played;
+  const auto set = [&](std::size_t k, double t, double own, const TrajectoryState& state) {
+    played.times[k] = t;
     played.positions[k] = state.position;
-    if (!played.velocities.empty()) played.velocities[k] = speed * state.velocity;
-    if (!played.accelerations.empty()) {
-      played.accelerations[k] = speed * speed * state.acceleration;
+    if (!played.velocities.empty()) played.velocities[k] = own * state.velocity;
+    if (!played.accelerations.empty()) played.accelerations[k] = own * own * state.acceleration;
+  };
+  double begin = 0, before = Limits::none;  // the speed before the stop
+  for (const auto& [first, last, rests] : motion.sections) {
+    const double t0 = recording.times[first], length = recording.times[last] - t0;
+    double own = rests ? std::min(1.0, speed) : speed / slowdown;
+    double end = begin + length / own;
+    if (round) {
+      end = std::ceil(end * 1e9 - rounding) / 1e9;
+      own = length / (end - begin);
     }
+    set(first, begin, std::min(before, own), recorded_state(recording, first));
+    for (std::size_t k = first + 1; k < last; ++k) {
+      const double exact = begin + (recording.times[k] - t0) / own;
+      const double t = round ? round_to_nanoseconds(exact) : exact;
+      const bool moved = t != exact;
+      set(k, t, own,
+          moved ? sample(recording, recording.times[k] + own * (t - exact))
+                : recorded_state(recording, k));
+    }
+    set(last, end, own, recorded_state(recording, last));
+    before = own;
+    begin = end;
   }
-  keep_columns(played, motion.interpolation);
   return played;
 }
 
-/// Times at the rate from 0, for a motion that begins at sample `first`.
+double time_at_rate(std::size_t k, double rate) {
+  return round_to_nanoseconds(static_cast<double>(k) / rate);
+}
+
 std::vector<double> times_from(std::size_t first, std::size_t count, double rate) {
   std::vector<double> times;
   for (std::size_t k = 0; k < count; ++k) {
@@ -79,59 +124,10 @@ std::vector<double> times_from(std::size_t first, std::size_t count, double rate
   return times;
 }
 
-/// Samples at the rate, so many periods long.
-Trajectory in_periods_at(const PlayedMotion& motion, double periods, double rate) {
-  const double first = motion.recording.times.front(), last = motion.recording.times.back();
-  const auto times = times_from(motion.first, static_cast<std::size_t>(periods) + 1, rate);
-  const double speed = (last - first) / times.back();
-  std::vector<Progress> progress;
-  for (const double t : times) progress.push_back({first + t * speed, speed, 0});
-  progress.back().s = last;
-  return samples_at(motion, times, progress);
-}
-
-/// The result of a search for a number of periods.
-struct FoundPeriods {
-  Trajectory trajectory;  ///< within limits; empty if none was found
-  double slowdown = 1;
-  std::string first_excess;  ///< of the fewest periods
-};
-
-/// Finds a number of periods with which the samples hold the limits, at most `longest` times the
-/// duration.
-FoundPeriods find_periods(const PlayedMotion& motion, double duration, double rate,
-                          double longest) {
-  constexpr double first_step = 1e-4, growth = 1.6;  // of the smallest steps of the search
-  constexpr double hopeless = 2;                     // times `longest`, of a needed slowdown
-  const double asked = std::max(1.0, std::ceil(duration * rate - 1e-6));
-  FoundPeriods found;
-  double least = first_step;
-  for (double periods = asked; periods <= longest * asked + 1; least *= growth) {
-    found.trajectory = in_periods_at(motion, periods, rate);
-    if (found.trajectory.size() == 0) return found;
-    found.slowdown = periods / (duration * rate);
-    const auto excess = largest_excess(motion.held, found.trajectory);
-    if (!excess) return found;
-    if (found.first_excess.empty()) {
-      found.first_excess = described(motion.arm, found.trajectory, *excess);
-    }
-    if (excess->slowdown > hopeless * longest) break;
-    const double step = std::max(least, at_once * (excess->slowdown - 1));
-    periods = std::max(periods + 1, std::floor(periods * (1 + step)));
-  }
-  found.trajectory = {};
-  return found;
-}
-
-/// The largest of usual rates at which the motion can be played with at most a tenth more duration;
-/// 0: none.
-double possible_rate(const PlayedMotion& motion, double duration, double rate) {
-  constexpr double little = 1.1;
-  for (const double tried : {1000., 500., 250., 200., 125., 100., 60., 50., 25., 20., 10.}) {
-    if (tried >= rate || tried * duration < 1) continue;
-    if (find_periods(motion, duration, tried, little).trajectory.size() > 0) return tried;
-  }
-  return 0;
+void check_samples(double samples, double duration, double rate) {
+  if (samples < max_samples) return;
+  throw Error("replaying " + number(duration) + " s at " + number(rate) +
+              " samples per second makes more than " + number(max_samples) + " samples");
 }
 
 PlayedSection ended_section(const PlayedMotion& motion) {
@@ -141,43 +137,21 @@ PlayedSection ended_section(const PlayedMotion& motion) {
                     how_to_continue(ending)};
 }
 
-PlayedSection at_rate(const PlayedMotion& motion, double duration, double rate) {
-  FoundPeriods found = find_periods(motion, duration, rate, max_slowdown);
-  PlayedSection section{std::move(found.trajectory), found.slowdown, ""};
-  if (section.trajectory.size() > 0) return section;
-  if (ended(motion.budget)) return ended_section(motion);
-  const double possible = possible_rate(motion, duration, rate);
-  section.reason = "with " + number(rate) + " samples per second " + found.first_excess + "; " +
-                   (possible > 0 ? "a rate of " + number(possible) + " keeps it"
-                                 : "the recorded samples, without a rate, keep it");
-  return section;
-}
-
-}  // namespace
-
-double time_at_rate(std::size_t k, double rate) {
-  return round_to_nanoseconds(static_cast<double>(k) / rate);
-}
-
-void check_samples(double samples, double duration, double rate) {
-  if (samples < max_samples) return;
-  throw Error("replaying " + number(duration) + " s at " + number(rate) +
-              " samples per second makes more than " + number(max_samples) + " samples");
-}
-
 PlayedSection at_constant_speed(const PlayedMotion& motion, double speed, double rate) {
-  const Trajectory& recording = motion.recording;
-  const double duration = (recording.times.back() - recording.times.front()) / speed;
-  check_samples(duration * rate + static_cast<double>(recording.size()), duration, rate);
-  if (rate > 0 && duration > 0) return at_rate(motion, duration, rate);
+  if (rate > 0 && !motion.sections.empty()) return in_periods(motion, speed, rate);
   PlayedSection section;
+  const double asked = recorded_samples(motion, speed, 1).times.back();
   std::optional<LimitExcess> excess;
-  for (int tries = 0; tries < max_tries && section.slowdown <= max_slowdown; ++tries) {
+  double slowdown = 1;
+  for (int tries = 0; tries < max_tries && slowdown <= motion.max_slowdown; ++tries) {
     if (ended(motion.budget)) return ended_section(motion);
-    section.trajectory = recorded_samples(motion, speed / section.slowdown);
+    section.trajectory = recorded_samples(motion, speed, slowdown);
     excess = largest_excess(motion.held, section.trajectory);
-    if (!excess) return section;
-    section.slowdown *= excess->slowdown * (1 + rounding_margin);
+    if (!excess) {
+      if (asked > 0) section.slowdown = section.trajectory.times.back() / asked;
+      return section;
+    }
+    slowdown *= excess->slowdown * (1 + rounding_margin);
   }
   section.reason = described(motion.arm, section.trajectory, *excess);
   section.trajectory = {};
@@ -186,14 +160,17 @@ PlayedSection at_constant_speed(const PlayedMotion& motion, double speed, double
 
 PlayedSection with_speed_changes(const PlayedMotion& motion, const ReplayOptions& options,
                                  double rate) {
+  constexpr double at_once = 0.8;  // of a slowdown: other samples are the worst later
   PlayedSection section;
   std::string first_excess;
-  for (double scale = 1; scale * max_slowdown >= 1;) {
+  for (double scale = 1; scale * motion.max_slowdown >= 1;) {
     if (ended(motion.budget)) return ended_section(motion);
     std::vector<Progress> progress =
-        scheduled_progress(motion.arm, motion.recording, {options, rate, motion.first, scale});
+        scheduled_progress(motion.arm, motion.recording,
+                           {options, rate, motion.first, scale, motion.sections, motion.budget});
     const auto times = times_from(motion.first, progress.size(), rate);
     for (std::size_t k = 1; k + 1 < progress.size(); ++k) {
+      if (stop_at(motion, progress[k].s)) continue;
       progress[k].s += (times[k] - static_cast<double>(k) / rate) * progress[k].speed;
     }
     section.trajectory = samples_at(motion, times, progress);
@@ -205,8 +182,7 @@ PlayedSection with_speed_changes(const PlayedMotion& motion, const ReplayOptions
     constexpr double least = 1.002;
     scale /= std::max(least, 1 + at_once * std::min(excess->slowdown - 1, 1.0));
   }
-  section.reason = "with " + number(rate) + " samples per second " + first_excess +
-                   "; lower speeds, a longer ramp or another rate keep it";
+  section.reason = "with " + number(rate) + " samples per second " + first_excess;
   section.trajectory = {};
   return section;
 }

@@ -1,25 +1,30 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <beeline/control/internal/held_limits.h>
+#include <beeline/control/internal/recorded_sections.h>
 #include <beeline/control/replay.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/timing/internal/averaged_scaling.h>
 
 namespace beeline::internal {
 
-/// A motion from rest to rest that is played: the lead-in or the recording. Columns are in the
-/// arm's order.
+/// A motion that is played: the lead-in or the recording. Columns are in the arm's order.
 struct PlayedMotion {
   const Arm& arm;
   const Trajectory& recording;
   Interpolation interpolation;  ///< of the samples
   HeldLimits held;              ///< see held_limits()
-  std::size_t first = 0;        ///< number of the sample at which it begins, with a rate
+  std::vector<RecordedSection> sections = sections_between_stops(arm, recording);
+  std::size_t first = 0;    ///< number of the sample at which it begins, with a rate
+  double max_slowdown = 2;  ///< beyond whole periods
   BudgetMeter* budget = nullptr;
+
+  double duration() const { return recording.times.back() - recording.times.front(); }
 };
 
 /// Samples of a played motion within the held limits, or the reason why there are none, such as the
@@ -31,9 +36,18 @@ struct PlayedSection {
 };
 
 /// Plays a motion at a constant speed: its samples at whole nanoseconds along the motion or, with a
-/// rate, samples at k / rate. The whole is slowed down, with a rate by whole periods, until the
-/// samples hold the limits.
+/// rate, samples at k / rate. Stops of the recording are samples; the sections between them last
+/// whole nanoseconds or periods, dwells at least as long as recorded. The motion is slowed down,
+/// with a rate each section by whole periods, until the samples hold the limits.
 PlayedSection at_constant_speed(const PlayedMotion& motion, double speed, double rate);
+
+/// The recorded samples at this speed, slowed down beyond it where there is no dwell. At another
+/// speed than their own their times are rounded to whole nanoseconds, along the motion, unless they
+/// are too near to one another.
+Trajectory recorded_samples(const PlayedMotion& motion, double speed, double slowdown);
+
+/// Samples at the rate for a constant speed; see at_constant_speed().
+PlayedSection in_periods(const PlayedMotion& motion, double speed, double rate);
 
 /// Plays a motion with the speed changes of `options`, whose times are those of the samples
 /// `motion.first` / `rate` and later. All speeds are multiplied by a factor, and the rates at which
@@ -41,8 +55,19 @@ PlayedSection at_constant_speed(const PlayedMotion& motion, double speed, double
 PlayedSection with_speed_changes(const PlayedMotion& motion, const ReplayOptions& options,
                                  double rate);
 
+/// The samples at these times and this progress along the recording; none where the budget ends.
+/// Those at stops have the recorded values.
+Trajectory samples_at(const PlayedMotion& motion, const std::vector<double>& times,
+                      std::span<const Progress> progress);
+
 /// The time of sample k at a rate, in whole nanoseconds.
 double time_at_rate(std::size_t k, double rate);
+
+/// Times at the rate from 0, for a motion that begins at sample `first`.
+std::vector<double> times_from(std::size_t first, std::size_t count, double rate);
+
+/// The reason where the budget has ended.
+PlayedSection ended_section(const PlayedMotion& motion);
 
 /// Throws Error for more samples than a replay may have.
 void check_samples(double samples, double duration, double rate);

@@ -35,23 +35,32 @@ class SpeedSimulation {
   }
 
   std::vector<Progress> run() {
-    const double end = recording_.times.back();
-    set_target();
-    const double first = starts_at_rest(arm_, recording_) ? schedule_.scale * target_ : 0;
+    const double first = starts_at_rest(arm_, recording_) ? schedule_.scale * first_target() : 0;
     speeds_.assign(window_ + 1, first);
-    progress_ = {{recording_.times.front(), first, 0}};
-    while (progress_.back().s < end) {
-      const auto steps = static_cast<double>(progress_.size());
-      check_samples(steps, steps * period_, schedule_.rate);
-      set_target();
-      step();
+    simulated_ = {recording_.times.front(), first, 0};
+    progress_ = {simulated_};
+    for (const RecordedSection& section : schedule_.sections) {
+      const double end = recording_.times[section.end];
+      const std::size_t begin = progress_.size() - 1;
+      while (progress_.back().s < end) {
+        if (ended(schedule_.budget)) return std::move(progress_);
+        const auto steps = static_cast<double>(progress_.size());
+        check_samples(steps, steps * period_, schedule_.rate);
+        set_target();
+        step();
+      }
+      stretch(begin, end);
     }
-    stretch(end);
     return std::move(progress_);
   }
 
  private:
   static constexpr double max_window = 1000;
+
+  double first_target() {
+    set_target();
+    return target_;
+  }
 
   /// Takes the changes into account whose time has come.
   void set_target() {
@@ -68,7 +77,7 @@ class SpeedSimulation {
   /// The rate of change of the speed, as near to the wanted one as the limits of acceleration
   /// allow.
   double speed_rate(double wanted) const {
-    const Progress& now = progress_.back();
+    const Progress& now = simulated_;
     const TrajectoryState state = sample(recording_, now.s);
     double low = -ramp_rate_, high = ramp_rate_;
     for (int i = 0; i < arm_.dof(); ++i) {
@@ -99,25 +108,28 @@ class SpeedSimulation {
     double sum = (speeds_[begin] + speeds_[now]) / 2;
     for (std::size_t k = begin + 1; k < now; ++k) sum += speeds_[k];
     const double count = static_cast<double>(window_);
-    const Progress& last = progress_.back();
+    const Progress& last = simulated_;
     Progress next{0, sum / count, (speeds_[now] - speeds_[begin]) / (count * period_)};
     // The averaged speed is quadratic between samples.
     next.s = last.s + period_ * (last.speed + next.speed) / 2 -
              period_ * period_ * (next.acceleration - last.acceleration) / 12;
     next.s = std::max(next.s, last.s);
     progress_.push_back(next);
+    simulated_ = next;
   }
 
-  /// Slows the whole down by up to a period, so that the last sample is at the end.
-  void stretch(double end) {
-    const double begin = progress_.front().s;
+  /// Slows the samples after `first` down by up to a period, so that the last one is at `end`.
+  void stretch(std::size_t first, double end) {
+    const double begin = progress_[first].s;
     const double passed = progress_.back().s - begin;
     if (!(passed > 0)) return;
     const double factor = (end - begin) / passed;
-    for (Progress& now : progress_) {
+    // At a stop the speed is that of the section before.
+    for (std::size_t k = first == 0 ? 0 : first + 1; k < progress_.size(); ++k) {
+      Progress& now = progress_[k];
       now = {begin + factor * (now.s - begin), factor * now.speed, factor * now.acceleration};
     }
-    progress_.back().s = end;
+    simulated_.s = progress_.back().s = end;
   }
 
   const Arm& arm_;
@@ -127,6 +139,7 @@ class SpeedSimulation {
   std::size_t window_ = 1, next_change_ = 0;
   std::vector<double> speeds_;  ///< before they are averaged; first `window_` before the beginning
   std::vector<Progress> progress_;
+  Progress simulated_ = {};  ///< the last one, as it was before its section was slowed down
 };
 
 }  // namespace

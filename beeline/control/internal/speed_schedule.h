@@ -3,7 +3,9 @@
 #include <span>
 #include <vector>
 
+#include <beeline/control/internal/recorded_sections.h>
 #include <beeline/control/replay.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/timing/internal/averaged_scaling.h>
 
 namespace beeline::internal {
@@ -14,6 +16,8 @@ struct SpeedSchedule {
   double rate = 0;
   std::size_t first = 0;  ///< number of the first sample
   double scale = 1;       ///< factor on all speeds; the rates at which they change have its square
+  std::span<const RecordedSection> sections = {};  ///< of the recording
+  BudgetMeter* budget = nullptr;
 };
 
 /// Returns the recording's time, with its derivatives by the time of playing, at each sample from
@@ -21,7 +25,8 @@ struct SpeedSchedule {
 /// the rate of the ramp; less where the acceleration q'' s^2 + q' ds/dt of a joint would exceed its
 /// limit, but at least a twentieth. It is averaged over a fifth of the ramp, so that the
 /// acceleration is continuous. The speed starts at its first target where the motion starts at
-/// rest, otherwise at zero. Throws Error for more samples than a replay may have.
+/// rest, otherwise at zero. Each section is slowed down such that it ends at a sample. Returns what
+/// was found where the budget ends. Throws Error for more samples than a replay may have.
 std::vector<Progress> scheduled_progress(const Arm& arm, const Trajectory& recording,
                                          const SpeedSchedule& schedule);
 

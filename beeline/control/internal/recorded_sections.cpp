@@ -1,0 +1,109 @@
+#include <algorithm>
+
+#include <beeline/control/internal/recorded_sections.h>
+#include <beeline/trajectory/internal/end_velocity.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr double still_distance = 1e-5;  // radians or metres, of a dwell
+constexpr double zero_velocity = 1e-9;   // of the largest velocity
+constexpr double pass_ratio = 0.1;       // of the velocities beside a stop that is not exact
+constexpr double rise_ratio = 1.5;       // of the velocities of linear joints towards a stop
+constexpr double parallel = 0.9;         // cosine: the direction does not change
+constexpr double least_move = 1e-12;     // radians or metres; nearer positions count as equal
+
+class StopSearch {
+ public:
+  StopSearch(const Arm& arm, const Trajectory& recording) : recording_(recording) {
+    for (const Limits& known : arm.limits()) limits_.push_back(motion_limits(known));
+    for (const Configuration& v : recording.velocities) {
+      largest_ = std::max(largest_, v.lpNorm<Eigen::Infinity>());
+    }
+  }
+
+  /// Whether the arm stops at an inner sample.
+  bool stops_at(std::size_t k) const {
+    return recording_.velocities.empty() ? stops_between_lines(k) : stops_with_velocity(k);
+  }
+
+ private:
+  /// Whether a velocity beside intervals of h seconds counts as rest.
+  bool slow(const Configuration& velocity, double h) const {
+    for (std::size_t i = 0; i < limits_.size(); ++i) {
+      const double speed = std::abs(velocity[static_cast<Eigen::Index>(i)]);
+      if (!(speed <= rest_velocity(recording_, limits_[i], h))) return false;
+    }
+    return true;
+  }
+
+  bool stops_with_velocity(std::size_t k) const {
+    const auto& v = recording_.velocities;
+    const double speed = v[k].norm();
+    if (v[k].lpNorm<Eigen::Infinity>() <= zero_velocity * largest_) return true;
+    return slow(v[k], 0) && speed <= pass_ratio * v[k - 1].norm() &&
+           speed <= pass_ratio * v[k + 1].norm();
+  }
+
+  double duration_after(std::size_t k) const {
+    return recording_.times[k + 1] - recording_.times[k];
+  }
+  Configuration move_after(std::size_t k) const {
+    return recording_.positions[k + 1] - recording_.positions[k];
+  }
+  double speed_after(std::size_t k) const { return move_after(k).norm() / duration_after(k); }
+
+  bool stops_between_lines(std::size_t k) const {
+    const Configuration before = move_after(k - 1), after = move_after(k);
+    if (!slow(before / duration_after(k - 1), duration_after(k - 1)) ||
+        !slow(after / duration_after(k), duration_after(k))) {
+      return false;
+    }
+    if (before.norm() <= least_move || after.norm() <= least_move) return true;
+    if (before.dot(after) < parallel * before.norm() * after.norm()) return true;
+    const bool falls = k == 1 || speed_after(k - 2) >= rise_ratio * speed_after(k - 1);
+    const bool rises =
+        k + 2 == recording_.size() || speed_after(k + 1) >= rise_ratio * speed_after(k);
+    return falls && rises;
+  }
+
+  const Trajectory& recording_;
+  std::vector<Limits> limits_ = {};
+  double largest_ = 0;  // velocity
+};
+
+/// Whether the positions after sample `begin` up to `end` are near q.
+bool stays(const Trajectory& recording, const Configuration& q, std::size_t begin,
+           std::size_t end) {
+  for (std::size_t k = end; k > begin; --k) {
+    if ((recording.positions[k] - q).lpNorm<Eigen::Infinity>() > still_distance) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<RecordedSection> sections_between_stops(const Arm& arm, const Trajectory& recording) {
+  std::vector<RecordedSection> sections;
+  if (recording.size() < 2) return sections;
+  const StopSearch search(arm, recording);
+  const std::size_t last = recording.size() - 1;
+  for (std::size_t begin = 0, k = 1; k <= last; ++k) {
+    if (k < last && !search.stops_at(k)) continue;
+    const auto near = [&](std::size_t from) {
+      return stays(recording, recording.positions[from], begin, k);
+    };
+    const bool rests = near(begin);
+    const bool continues =
+        rests && !sections.empty() && sections.back().rests && near(sections.back().begin);
+    if (continues) {
+      sections.back().end = k;
+    } else {
+      sections.push_back({begin, k, rests});
+    }
+    begin = k;
+  }
+  return sections;
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/control/internal/replay_attempt.h>
+#include <beeline/error.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr double little = 1.1;  // the largest slowdown of advice beyond whole periods
+
+/// Tries other options of a replay.
+class AdviceSearch {
+ public:
+  AdviceSearch(const Arm& arm, const Trajectory& recording, const ReplayOptions& options,
+               BudgetMeter& budget)
+      : arm_(arm), recording_(recording), options_(options), budget_(budget) {}
+
+  /// The highest speed found, from this one on down.
+  std::string speed(double first) {
+    constexpr int max_speeds = 12;
+    constexpr double step = 0.8;
+    double next = first;
+    for (int tries = 0; tries < max_speeds; ++tries) {
+      const double tried = printed_below(next);
+      const ReplayAttempt attempt = with_speed(tried);
+      if (!budget_.complete()) return {};
+      if (attempt.replay) {
+        return "a speed of at most " + number(tried) + " keeps the limits";
+      }
+      next = std::min(attempt.speed.value_or(step * tried), (1 - 1e-4) * tried);
+    }
+    return {};
+  }
+
+  /// The highest of usual rates below the present one, and the recorded samples.
+  std::string rate() {
+    const double present = replay_rate(options_);
+    const double duration = recording_.times.back() - recording_.times.front();
+    for (const double tried : {1000., 500., 250., 200., 125., 100., 60., 50., 25., 20., 10.}) {
+      if (tried >= present || tried * duration < least_periods()) continue;
+      ReplayOptions options = options_;
+      options.rate = tried;
+      if (works(options)) return "a rate of " + number(tried) + " keeps the limits";
+      if (!budget_.complete()) return {};
+    }
+    if (!options_.speed_at.empty()) return {};
+    ReplayOptions recorded = options_;
+    recorded.rate = 0;
+    return works(recorded) ? "the recorded samples, without a rate, keep the limits" : "";
+  }
+
+  std::string ramp() {
+    for (const double factor : {2., 5., 10.}) {
+      ReplayOptions options = options_;
+      options.ramp = printed_below(factor * options_.ramp);
+      if (works(options)) return "a ramp of " + number(options.ramp) + " s keeps the limits";
+      if (!budget_.complete()) return {};
+    }
+    return {};
+  }
+
+ private:
+  /// With speed changes 4 samples are needed at least, see replay().
+  double least_periods() const { return options_.speed_at.empty() ? 1 : 4; }
+
+  /// A number a little below x, of six digits, as messages print it.
+  static double printed_below(double x) {
+    constexpr double down = 1 - 1e-5;
+    const double unit = std::pow(10, std::floor(std::log10(down * x)) - 5);
+    return std::round(down * x / unit) * unit;
+  }
+
+  /// Speeds are at most this one.
+  ReplayAttempt with_speed(double speed) {
+    ReplayOptions options = options_;
+    options.speed = std::min(options.speed, speed);
+    for (SpeedChange& change : options.speed_at) change.speed = std::min(change.speed, speed);
+    return attempt_replay(arm_, recording_, options, little, budget_);
+  }
+
+  bool works(const ReplayOptions& options) {
+    return static_cast<bool>(attempt_replay(arm_, recording_, options, little, budget_).replay);
+  }
+
+  const Arm& arm_;
+  const Trajectory& recording_;
+  const ReplayOptions& options_;
+  BudgetMeter& budget_;
+};
+
+/// The highest speed asked for.
+double highest_speed(const ReplayOptions& options) {
+  double highest = options.speed_at.empty() ? options.speed : 0;
+  for (const SpeedChange& change : options.speed_at) highest = std::max(highest, change.speed);
+  return highest;
+}
+
+}  // namespace
+
+std::string tried_advice(const Arm& arm, const Trajectory& recording, const ReplayOptions& options,
+                         const ReplayAttempt& failed, BudgetMeter& budget) {
+  AdviceSearch search(arm, recording, options, budget);
+  std::string advice;
+  if (!failed.speed && replay_rate(options) > 0) advice = search.rate();
+  if (advice.empty() && !failed.speed && !options.speed_at.empty()) advice = search.ramp();
+  if (advice.empty()) advice = search.speed(failed.speed.value_or(0.8 * highest_speed(options)));
+  if (!budget.complete()) return {};
+  return "; " +
+         (advice.empty() ? "no other rate, ramp or speed was found that keeps the limits" : advice);
+}
+
+}  // namespace beeline::internal
