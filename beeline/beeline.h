@@ -3,7 +3,8 @@
 /// Includes all public headers of Beeline. A program links with what it calls: beeline::core has
 /// poses, arms, kinematics, inverse kinematics, trajectories, paths, timing, certificates, planning
 /// and control; beeline::read the readers and writers of files, beeline::batch many rows at once,
-/// beeline::draw pictures; beeline::beeline is all of them.
+/// beeline::draw pictures, beeline::formula
+/// formulas in symbols; beeline::beeline is all of them.
 
 #include <beeline/batch/batch.h>
 #include <beeline/budget.h>
@@ -25,6 +26,10 @@
 #include <beeline/draw/scene.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
+#include <beeline/formula/document.h>
+#include <beeline/formula/expression.h>
+#include <beeline/formula/formula.h>
+#include <beeline/formula/symbolic_arm.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>

@@ -18,3 +18,4 @@ Verb diff_verb();
 Verb export_verb();
 Verb draw_verb();
 Verb figure_verb();
+Verb formula_verb();

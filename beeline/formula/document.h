@@ -1,0 +1,76 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <beeline/error.h>
+#include <beeline/formula/formula.h>
+#include <beeline/kinematics/task.h>
+
+namespace beeline {
+
+struct FormulaStyle {
+  bool latex = false;    ///< otherwise text with Unicode subscripts
+  bool numbers = false;  ///< constants as numbers, not as symbols
+};
+
+/// An expression with common factors before brackets: `c₁(a₁ + q₂)`.
+std::string written(const Expression& expression, const SymbolicArm& arm,
+                    const FormulaStyle& style = {});
+
+/// A written formula: `left` equals a matrix of cells, or one cell.
+struct WrittenFormula {
+  std::string left;
+  std::vector<std::vector<std::string>> cells = {};  ///< rows
+  std::vector<std::string> row_names = {};           ///< of the rows of a Jacobian
+  /// Names of the cells, for a matrix that is too wide to be printed as such; cells without a name
+  /// are left out then.
+  std::vector<std::vector<std::string>> cell_names = {};
+};
+
+struct WrittenSection {
+  std::string key;  ///< the member of the JSON document
+  std::string title;
+  std::vector<std::string> remarks = {};  ///< sentences below the title
+  std::vector<WrittenFormula> formulas = {};
+};
+
+struct WrittenSymbol {
+  std::string name;
+  std::string code_name;  ///< in generated code
+  double value = 0;
+  std::string unit, meaning;
+};
+
+/// Formulas of an arm as strings, in order.
+struct FormulaDocument {
+  std::string title;
+  std::string convention;
+  std::vector<WrittenSymbol> symbols = {};                              ///< constants that occur
+  std::vector<std::pair<std::string, std::string>> abbreviations = {};  ///< c12, cos(q1 + q2)
+  std::vector<std::string> notes = {};
+  bool latex = false;  ///< how the strings are written
+  std::vector<WrittenSection> sections = {};
+};
+
+/// Which formulas a document has.
+struct FormulaContent {
+  bool forward = true;      ///< the transform of each link, and the pose of the tool
+  bool products = false;    ///< with forward also the pose of each link in the base
+  bool jacobian = false;    ///< the rows of the task, in its frame
+  bool derivative = false;  ///< the time derivative of the same
+  Frame frame = Frame::base;
+  Task task = Task::spatial();  ///< its rows; planar arms have Task::planar()
+};
+
+/// Derives and writes formulas. Throws Error for a formula that is too large.
+FormulaDocument formula_document(const SymbolicArm& arm, const FormulaContent& content = {},
+                                 const FormulaStyle& style = {});
+
+/// The document as text, or as LaTeX that needs amsmath; `standalone` adds a preamble, so that it
+/// compiles by itself.
+std::string text_of(const FormulaDocument& document);
+std::string latex_of(const FormulaDocument& document, bool standalone = false);
+
+}  // namespace beeline

@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <map>
+
+#include <beeline/formula/document.h>
+#include <beeline/formula/internal/notation.h>
+
+namespace beeline {
+namespace {
+
+constexpr std::size_t line_width = 120;  // letters of a landscape page
+
+/// About how many letters a formula is wide: a command counts as one, braces and spaces do not.
+std::size_t width(const std::string& latex) {
+  std::size_t letters = 0;
+  bool command = false;
+  for (const char c : latex) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    if (command && letter) continue;
+    command = c == '\\';
+    if (c != '{' && c != '}' && c != '_' && c != '^' && c != ' ') ++letters;
+  }
+  return letters;
+}
+
+/// Text of LaTeX: characters with a meaning of their own are escaped. Letters outside of ASCII,
+/// which need fonts that not every system has, become question marks.
+std::string escaped(const std::string& text) {
+  const std::map<char, std::string> commands{
+      {'\\', "\\textbackslash{}"}, {'~', "\\textasciitilde{}"}, {'^', "\\textasciicircum{}"}};
+  std::string result;
+  for (const char c : text) {
+    const auto command = commands.find(c);
+    if (command != commands.end()) {
+      result += command->second;
+    } else if (static_cast<unsigned char>(c) >= 0x80) {
+      if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) result += '?';
+    } else {
+      if (std::string("#$%&_{}").find(c) != std::string::npos) result += '\\';
+      result += c;
+    }
+  }
+  return result;
+}
+
+/// Breaks a long formula before a sign outside of braces, for an align environment.
+std::string broken(const std::string& latex) {
+  std::string result, line;
+  int depth = 0;
+  for (std::size_t i = 0; i < latex.size(); ++i) {
+    const char c = latex[i];
+    depth += c == '{' ? 1 : c == '}' ? -1 : 0;
+    const bool sign = depth == 0 && c == ' ' && i + 2 < latex.size() && latex[i + 2] == ' ' &&
+                      (latex[i + 1] == '+' || latex[i + 1] == '-');
+    if (sign && width(line) > line_width) {
+      result += line + " \\\\\n  &\\quad";
+      line.clear();
+    }
+    line += c;
+  }
+  return result + line;
+}
+
+std::string matrix(const WrittenFormula& formula) {
+  std::string text = "\\begin{pmatrix}\n";
+  for (const std::vector<std::string>& row : formula.cells) {
+    for (std::size_t k = 0; k < row.size(); ++k) text += (k == 0 ? "  " : " & ") + row[k];
+    text += " \\\\\n";
+  }
+  return text + "\\end{pmatrix}";
+}
+
+std::size_t matrix_width(const WrittenFormula& formula) {
+  std::size_t sum = 0;
+  for (std::size_t k = 0; k < formula.cells.front().size(); ++k) {
+    std::size_t widest = 0;
+    for (const auto& row : formula.cells) widest = std::max(widest, width(row[k]));
+    sum += widest + 2;
+  }
+  return sum;
+}
+
+std::string as_entries(const WrittenFormula& formula) {
+  std::string lines;
+  for (std::size_t k = 0; k < formula.cells.front().size(); ++k) {
+    for (std::size_t row = 0; row < formula.cells.size(); ++row) {
+      const std::string& name = formula.cell_names[row][k];
+      if (name.empty()) continue;
+      lines += (lines.empty() ? "  " : " \\\\\n  ") + name + " &= " + broken(formula.cells[row][k]);
+    }
+  }
+  return "\\begin{align*}\n" + lines + "\n\\end{align*}\n";
+}
+
+std::string latex_of(const WrittenFormula& formula) {
+  if (formula.cells.size() == 1 && formula.cells.front().size() == 1) {
+    return "\\begin{align*}\n  " + formula.left + " &= " + broken(formula.cells[0][0]) +
+           "\n\\end{align*}\n";
+  }
+  if (matrix_width(formula) > line_width) {
+    return "\\noindent $" + formula.left + "$, column by column:\n" + as_entries(formula);
+  }
+  return "\\[\n" + formula.left + " = " + matrix(formula) + "\n\\]\n";
+}
+
+std::string symbol_table(const FormulaDocument& document) {
+  std::string text;
+  if (!document.symbols.empty()) {
+    text += "\\begin{tabular}{@{}lrll@{}}\n";
+    for (const WrittenSymbol& symbol : document.symbols) {
+      text += "  $" + symbol.name + "$ & $" + internal::decimal(symbol.value) + "$ & " +
+              symbol.unit + " & " + escaped(symbol.meaning) + " \\\\\n";
+    }
+    text += "\\end{tabular}\n\n";
+  }
+  std::string list;
+  for (const auto& [name, meaning] : document.abbreviations) {
+    list += (list.empty() ? "\\noindent $" : ", $") + name + " = " + meaning + "$";
+  }
+  return text + (list.empty() ? "" : list + ".\n");
+}
+
+}  // namespace
+
+std::string latex_of(const FormulaDocument& document, bool standalone) {
+  std::string text;
+  if (standalone) {
+    text =
+        "\\documentclass{article}\n"
+        "\\usepackage[a4paper,landscape,margin=15mm]{geometry}\n\\usepackage{amsmath}\n"
+        "\\setcounter{MaxMatrixCols}{64}\n\\setlength{\\parindent}{0pt}\n\\allowdisplaybreaks\n"
+        "\\begin{document}\n";
+  }
+  text += "\\section*{" + escaped(document.title) + "}\n" + document.convention + "\n";
+  for (const WrittenSection& section : document.sections) {
+    text += "\n\\subsection*{" + escaped(section.title) + "}\n";
+    for (const std::string& remark : section.remarks) text += remark + "\n\n";
+    for (const WrittenFormula& formula : section.formulas) text += latex_of(formula);
+  }
+  const std::string symbols = symbol_table(document);
+  if (!symbols.empty()) text += "\n\\subsection*{where}\n" + symbols;
+  for (const std::string& note : document.notes) text += "\n" + note + "\n";
+  return text + (standalone ? "\\end{document}\n" : "");
+}
+
+}  // namespace beeline

@@ -1,0 +1,141 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <beeline/error.h>
+
+namespace beeline {
+
+/// A number a + b sqrt(2) + c sqrt(3) + d sqrt(6) with rational a, b, c, d. These numbers form a
+/// field that contains the cosines and sines of all multiples of 15 degrees. Arithmetic is exact as
+/// long as numerators and denominator fit 64 bits; a result that does not is a plain number.
+class Coefficient {
+ public:
+  Coefficient(std::int64_t integer = 0) : parts_{integer, 0, 0, 0} {}  // NOLINT: implicit
+
+  /// (a + b sqrt(2) + c sqrt(3) + d sqrt(6)) / denominator, which is positive.
+  static Coefficient exactly(const std::array<std::int64_t, 4>& parts,
+                             std::int64_t denominator = 1);
+  static Coefficient plain(double value);     ///< a number that is not exact
+  static Coefficient cosine(int fifteenths);  ///< cos(fifteenths * 15 degrees)
+  static Coefficient sine(int fifteenths);
+
+  bool exact() const { return exact_; }
+  bool is_zero() const { return exact_ ? parts_ == std::array<std::int64_t, 4>{} : value_ == 0; }
+  bool is_negative() const { return value() < 0; }
+  double value() const;
+  const std::array<std::int64_t, 4>& parts() const { return parts_; }  ///< a, b, c, d if exact
+  std::int64_t denominator() const { return denominator_; }
+
+  friend Coefficient operator+(const Coefficient& a, const Coefficient& b);
+  friend Coefficient operator*(const Coefficient& a, const Coefficient& b);
+  friend Coefficient operator-(const Coefficient& a) { return a * Coefficient(-1); }
+  friend Coefficient operator-(const Coefficient& a, const Coefficient& b) { return a + -b; }
+  bool operator==(const Coefficient&) const = default;
+
+ private:
+  std::array<std::int64_t, 4> parts_{};
+  std::int64_t denominator_ = 1;
+  double value_ = 0;  ///< if not exact
+  bool exact_ = true;
+};
+
+enum class SymbolKind {
+  length,        ///< a constant of the arm, metres
+  angle,         ///< a constant of the arm, rad
+  joint_angle,   ///< the coordinate of a revolute or helical joint, rad
+  displacement,  ///< the coordinate of a prismatic joint, metres
+  rate           ///< the time derivative of a coordinate
+};
+
+/// A named quantity: letter and subscript, such as a and 2 of the length a2.
+struct Symbol {
+  SymbolKind kind = SymbolKind::length;
+  std::string letter;     ///< "a", "alpha", "q"
+  std::string subscript;  ///< "2", "t"
+  double value = 0;       ///< of a constant; of a variable the shift, see ratio
+  int coordinate = -1;    ///< of a variable and of a rate: the index in the configuration
+  double ratio = 1;       ///< a variable is ratio * q[coordinate] + value; 1 and 0 except for mimic
+                          ///< joints
+  std::string meaning = {};  ///< for the list of symbols
+
+  std::string name() const { return letter + subscript; }  ///< ASCII, as in generated code
+};
+
+/// An integer combination of angle symbols: multiples of symbol numbers, in ascending order. Angles
+/// of one group share symbols: those of joints with parallel axes. Angles of different groups have
+/// no symbol in common.
+struct Angle {
+  int group = 0;
+  std::vector<std::pair<int, int>> multiples = {};  ///< symbol, multiple (not 0)
+
+  bool is_zero() const { return multiples.empty(); }
+  auto operator<=>(const Angle&) const = default;
+};
+Angle operator+(const Angle& a, const Angle& b);  ///< of the same group, or one of them zero
+Angle operator*(int factor, const Angle& a);
+
+/// The cosine or sine of an angle whose first multiple is positive.
+struct Trig {
+  Angle angle;
+  bool sine = false;
+
+  auto operator<=>(const Trig&) const = default;
+};
+
+/// A product of powers of symbols and of at most one cosine or sine for each group.
+struct Monomial {
+  std::vector<std::pair<int, int>> powers = {};  ///< symbol, exponent (positive)
+  std::vector<Trig> trigs = {};                  ///< in ascending order of groups
+
+  auto operator<=>(const Monomial&) const = default;
+};
+
+/// A polynomial in symbols and in cosines and sines. A product of two cosines or sines of one group
+/// is replaced by a sum (cos a cos b = (cos(a - b) + cos(a + b)) / 2), so the terms are linearly
+/// independent functions: two expressions are equal if and only if their terms are. In particular
+/// cos^2 + sin^2 is 1, and sin(a + b) cos(a) - cos(a + b) sin(a) is sin(b).
+class Expression {
+ public:
+  using Terms = std::map<Monomial, Coefficient>;
+
+  Expression() = default;                                        ///< zero
+  Expression(const Coefficient& coefficient);                    // NOLINT: implicit
+  Expression(int integer) : Expression(Coefficient(integer)) {}  // NOLINT: implicit
+  static Expression symbol(int number);
+  static Expression cosine(const Angle& angle);
+  static Expression sine(const Angle& angle);
+
+  const Terms& terms() const { return terms_; }
+  bool is_zero() const { return terms_.empty(); }
+  std::size_t size() const;  ///< number of symbols that are written out, and at least that of terms
+
+  Expression& operator+=(const Expression& other);
+  friend Expression operator+(Expression a, const Expression& b) { return a += b; }
+  friend Expression operator-(const Expression& a) { return Expression(-1) * a; }
+  friend Expression operator-(const Expression& a, const Expression& b) { return a + -b; }
+  friend Expression operator*(const Expression& a, const Expression& b);
+  bool operator==(const Expression&) const = default;
+
+  /// The partial derivative with respect to a symbol, which may be an angle.
+  Expression derivative(int symbol) const;
+
+  /// The value for given values of all symbols, in the order of their numbers.
+  double value(std::span<const double> symbols) const;
+
+  /// Adds a term. The monomial has the form that Monomial and Trig describe.
+  void add(const Monomial& monomial, const Coefficient& coefficient);
+
+ private:
+  Terms terms_;
+};
+
+}  // namespace beeline

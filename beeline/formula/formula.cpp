@@ -1,0 +1,79 @@
+#include <beeline/formula/formula.h>
+#include <beeline/formula/internal/symbolic_chain.h>
+
+namespace beeline {
+namespace {
+
+ExpressionMatrix matrix_of(const internal::SymbolicPose& pose) {
+  const internal::ExpressionRotation rotation = pose.rotation();
+  ExpressionMatrix matrix{4, 4, std::vector<Expression>(16)};
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      matrix(row, column) = rotation[column][row];
+    }
+    matrix(row, 3) = pose.position()[row];
+  }
+  matrix(3, 3) = 1;
+  return matrix;
+}
+
+/// cos(sign * angle + fifteenths * 15 degrees), and with `quarter` the sine.
+Expression turned(const Angle& angle, int sign, int fifteenths, bool sine) {
+  const Expression c = Expression::cosine(angle), s = Expression(sign) * Expression::sine(angle);
+  const Expression c0 = Coefficient::cosine(fifteenths), s0 = Coefficient::sine(fifteenths);
+  return sine ? s * c0 + c * s0 : c * c0 - s * s0;
+}
+
+}  // namespace
+
+Eigen::MatrixXd ExpressionMatrix::value(std::span<const double> symbols) const {
+  Eigen::MatrixXd numbers(rows, columns);
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      numbers(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
+          (*this)(row, column).value(symbols);
+    }
+  }
+  return numbers;
+}
+
+ExpressionMatrix link_formula(const SymbolicArm& arm, std::size_t i, std::size_t k) {
+  if (k > i || i > arm.links()) {
+    throw Error("link " + std::to_string(i) + " in link " + std::to_string(k) + " of arm " +
+                arm.name + ": links are numbered from 0 to " + std::to_string(arm.links()) +
+                ", the second is not above the first");
+  }
+  return matrix_of(internal::pose_between(arm, k + 1, i + 1));
+}
+
+ExpressionMatrix tool_formula(const SymbolicArm& arm) {
+  return matrix_of(internal::pose_between(arm, 0, arm.transforms.size()));
+}
+
+ExpressionMatrix base_formula(const SymbolicArm& arm) {
+  return matrix_of(internal::pose_between(arm, 0, 1));
+}
+
+ExpressionMatrix flange_formula(const SymbolicArm& arm) {
+  return matrix_of(internal::pose_between(arm, arm.transforms.size() - 1, arm.transforms.size()));
+}
+
+PlanarAngle planar_angle(const SymbolicArm& arm) {
+  if (!arm.planar) throw Error("arm " + arm.name + " is not planar; its tool has no angle theta");
+  const internal::ExpressionVector x =
+      internal::pose_between(arm, 0, arm.transforms.size()).rotation()[0];
+  Angle angle;
+  for (const auto& [monomial, coefficient] : x[0].terms()) {
+    if (!monomial.trigs.empty()) angle = monomial.trigs.front().angle;
+  }
+  for (const int sign : {1, -1}) {
+    for (int m = -11; m <= 12; ++m) {
+      const bool same =
+          x[0] == turned(angle, sign, m, false) && x[1] == turned(angle, sign, m, true);
+      if (same) return {sign * angle, m};
+    }
+  }
+  throw Error("the orientation of the tool of arm " + arm.name + " is no sum of joint angles");
+}
+
+}  // namespace beeline

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+
+#include <beeline/formula/symbolic_arm.h>
+
+namespace beeline::internal {
+
+/// Builds a SymbolicArm: names each number of an arm as its transforms are added, in their order.
+/// Zero lengths and angles are left out.
+class ArmNamer {
+ public:
+  ArmNamer(const Arm& arm, const SymbolicOptions& options);
+
+  SymbolicArm& arm() { return named_; }
+
+  /// Lengths of equal magnitude have one symbol from now on.
+  void share_lengths() { shares_lengths_ = true; }
+
+  void begin_transform() { named_.transforms.emplace_back(); }
+  void rotate(int axis, double angle, const std::string& letter, const std::string& subscript,
+              const std::string& meaning);
+  void translate(int axis, double length, const std::string& letter, const std::string& subscript,
+                 const std::string& meaning);
+
+  /// A constant pose: translations along x, y and z, then rotations. `before` and `after` are the
+  /// axes of the joints on both sides, see axis_rotations().
+  void place(const Pose& pose, const std::string& subscript, int before, int after);
+
+  /// The motion of joint i (from 0) about or along an axis of the current frame.
+  void move(std::size_t i, int axis, int sign = 1);
+
+  /// The motion of joint i about its screw, wherever that is in the frame of link i.
+  void move_about_screw(std::size_t i);
+
+  /// The axis (0, 1, 2) of joint i (from 1) in its link frame; 2 if it is no axis of the frame, or
+  /// there is no such joint.
+  int axis_of(std::size_t i) const;
+
+  /// Returns the arm with the symbols of the rates.
+  SymbolicArm finish();
+
+ private:
+  void add(ElementaryTransform transform);
+  int symbol(Symbol symbol);
+  int coordinate_symbol(int coordinate);
+  int mimic_symbol(std::size_t i);
+  Expression shared_length(double length, const std::string& letter, const std::string& subscript,
+                           const std::string& meaning);
+
+  const Arm& source_;
+  SymbolicArm named_;
+  bool shares_lengths_ = false;
+};
+
+}  // namespace beeline::internal

@@ -1,0 +1,305 @@
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include <beeline/formula/internal/tree.h>
+
+namespace beeline::internal {
+namespace {
+
+/// A symbol, or a cosine or sine.
+struct Factor {
+  int symbol = -1;  ///< -1: trig
+  Trig trig = {};
+
+  auto operator<=>(const Factor&) const = default;
+};
+
+/// A product of powers with a coefficient. Unlike in a Monomial, several cosines and sines may be
+/// of one group.
+struct Product {
+  Coefficient coefficient;
+  std::map<Factor, int> factors = {};
+};
+using Products = std::vector<Product>;
+
+Products products_of(const Expression& expression) {
+  Products products;
+  for (const auto& [monomial, coefficient] : expression.terms()) {
+    Product product{coefficient};
+    for (const auto& [symbol, exponent] : monomial.powers) {
+      product.factors[{.symbol = symbol}] = exponent;
+    }
+    for (const Trig& trig : monomial.trigs) product.factors[{.trig = trig}] = 1;
+    products.push_back(std::move(product));
+  }
+  return products;
+}
+
+/// Half of an angle, if its multiples are even.
+std::optional<Angle> half(Angle angle) {
+  for (auto& multiple : angle.multiples) {
+    if (multiple.second % 2 != 0) return std::nullopt;
+    multiple.second /= 2;
+  }
+  return angle;
+}
+
+/// The factor of a product that is a cosine or sine, without the others; the product has at most
+/// one of each group.
+struct Split {
+  Trig trig;  ///< zero angle: cos 0 = 1
+  Product rest;
+};
+
+void multiply(Product& product, Trig trig) {
+  if (trig.angle.is_zero()) return;  // cos 0; sin 0 does not arise
+  if (trig.angle.multiples.front().second < 0) {
+    trig.angle = -1 * trig.angle;
+    if (trig.sine) product.coefficient = -product.coefficient;
+  }
+  ++product.factors[{.trig = trig}];
+}
+
+/// The product form of rest * (cos u + sign cos v) or rest * (sin u + sign sin v), if the half sum
+/// and half difference of the angles are integer combinations.
+std::optional<Product> as_product(const Split& a, const Split& b) {
+  const Trig &u = a.trig, &v = b.trig;
+  if (u.sine != v.sine || (u.angle.is_zero() && u.sine)) return std::nullopt;
+  const bool same = a.rest.coefficient == b.rest.coefficient;
+  if (!same && !(a.rest.coefficient == -b.rest.coefficient)) return std::nullopt;
+  const std::optional<Angle> mean = half(u.angle + v.angle);
+  const std::optional<Angle> offset = half(u.angle + -1 * v.angle);
+  if (!mean || !offset) return std::nullopt;
+  // cos u + cos v = 2 cos m cos d, cos u - cos v = -2 sin m sin d,
+  // sin u + sin v = 2 sin m cos d, sin u - sin v = 2 cos m sin d.
+  Product product = a.rest;
+  product.coefficient = Coefficient(!u.sine && !same ? -2 : 2) * product.coefficient;
+  multiply(product, {*mean, u.sine == same});
+  multiply(product, {*offset, !same});
+  return product;
+}
+
+/// Each way to take one cosine or sine out of a product, and the product itself as 1 times it.
+std::vector<Split> splits(const Product& product) {
+  std::vector<Split> found;
+  for (const auto& [factor, exponent] : product.factors) {
+    if (factor.symbol >= 0) continue;
+    Split split{factor.trig, product};
+    split.rest.factors.erase(factor);
+    found.push_back(std::move(split));
+  }
+  found.push_back({Trig{}, product});
+  return found;
+}
+
+std::optional<Product> combined(const Product& a, const Product& b) {
+  for (const Split& left : splits(a)) {
+    for (const Split& right : splits(b)) {
+      const bool same_group = left.trig.angle.is_zero() || right.trig.angle.is_zero() ||
+                              left.trig.angle.group == right.trig.angle.group;
+      if (!same_group || left.rest.factors != right.rest.factors) continue;
+      if (std::optional<Product> product = as_product(left, right)) return product;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Whether two angles of one group have an integer half sum: otherwise no two terms combine.
+bool may_combine(const Products& products) {
+  std::map<int, std::vector<Angle>> of_group;
+  for (const Product& product : products) {
+    for (const auto& [factor, exponent] : product.factors) {
+      if (factor.symbol >= 0) continue;
+      std::vector<Angle>& angles = of_group[factor.trig.angle.group];
+      const bool known = std::find(angles.begin(), angles.end(), factor.trig.angle) != angles.end();
+      if (!known) angles.push_back(factor.trig.angle);
+    }
+  }
+  for (const auto& [group, angles] : of_group) {
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      if (half(angles[i])) return true;
+      for (std::size_t k = i + 1; k < angles.size(); ++k) {
+        if (half(angles[i] + angles[k])) return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Replaces pairs of terms by products as long as there are any. The linearised form has the most
+/// terms of all equal forms of this kind, so each replacement shortens it by one term.
+void combine_pairs(Products& products) {
+  constexpr std::size_t most = 400;  // a quadratic search
+  if (products.size() > most || !may_combine(products)) return;
+  const auto linear = [](const Product& product) {
+    std::map<int, int> of_group;
+    for (const auto& [factor, exponent] : product.factors) {
+      if (factor.symbol < 0 && (of_group[factor.trig.angle.group] += exponent) > 1) return false;
+    }
+    return true;
+  };
+  for (std::size_t i = 0; i < products.size(); ++i) {
+    if (!linear(products[i])) continue;
+    for (std::size_t k = i + 1; k < products.size(); ++k) {
+      if (!linear(products[k])) continue;
+      std::optional<Product> product = combined(products[i], products[k]);
+      if (!product) continue;
+      products[i] = std::move(*product);
+      products.erase(products.begin() + static_cast<std::ptrdiff_t>(k));
+      break;
+    }
+  }
+}
+
+Tree tree_of(const Factor& factor, int exponent) {
+  Tree tree;
+  tree.kind = factor.symbol >= 0 ? Tree::Kind::symbol : Tree::Kind::trig;
+  tree.symbol = factor.symbol;
+  tree.trig = factor.trig;
+  if (exponent == 1) return tree;
+  return {.kind = Tree::Kind::power, .exponent = exponent, .parts = {tree}};
+}
+
+Tree tree_of(const Product& product) {
+  Tree tree{.kind = Tree::Kind::product, .coefficient = product.coefficient};
+  for (const auto& [factor, exponent] : product.factors) {
+    if (factor.symbol >= 0) tree.parts.push_back(tree_of(factor, exponent));
+  }
+  for (const auto& [factor, exponent] : product.factors) {
+    if (factor.symbol < 0) tree.parts.push_back(tree_of(factor, exponent));
+  }
+  return tree;
+}
+
+/// The factor that the most terms have, at least two; of several the first.
+std::optional<Factor> most_common(const Products& products) {
+  std::map<Factor, int> count;
+  for (const Product& product : products) {
+    for (const auto& [factor, exponent] : product.factors) ++count[factor];
+  }
+  const auto more = [](const auto& a, const auto& b) { return a.second < b.second; };
+  const auto most = std::max_element(count.begin(), count.end(), more);
+  if (most == count.end() || most->second < 2) return std::nullopt;
+  return most->first;
+}
+
+Tree sum_of(Products products, bool is_factor);
+
+/// factor * (sum of the quotients), with factors of the sum's own product before its bracket.
+Tree with_factor(const Factor& factor, const Products& quotients) {
+  Tree inner = sum_of(quotients, true);
+  Tree product{.kind = Tree::Kind::product, .parts = {tree_of(factor, 1)}};
+  if (inner.kind == Tree::Kind::product) {
+    product.coefficient = inner.coefficient;
+    for (Tree& part : inner.parts) product.parts.push_back(std::move(part));
+  } else {
+    product.parts.push_back(std::move(inner));
+  }
+  return product;
+}
+
+/// The coefficient that all terms share up to its sign, negative if they all are; in a sum that is
+/// a factor also -1 if they all are negative.
+Coefficient content(const Products& products, bool is_factor) {
+  bool all_negative = true, all_equal = true;
+  const Coefficient& first = products.front().coefficient;
+  for (const Product& product : products) {
+    const Coefficient& other = product.coefficient;
+    all_negative = all_negative && other.is_negative();
+    all_equal = all_equal && (other == first || other == -first);
+  }
+  if (all_equal && !(first == Coefficient(1)) && !(first == Coefficient(-1))) {
+    return first.is_negative() != all_negative ? -first : first;
+  }
+  return all_negative && is_factor ? -1 : 1;
+}
+
+Products divided(Products products, const Coefficient& coefficient) {
+  for (Product& product : products) {
+    product.coefficient =
+        coefficient == Coefficient(-1)
+            ? -product.coefficient
+            : Coefficient(product.coefficient.is_negative() == coefficient.is_negative() ? 1 : -1);
+  }
+  return products;
+}
+
+void append(std::vector<Tree>& parts, Tree part) {
+  if (part.kind != Tree::Kind::sum) {
+    parts.push_back(std::move(part));
+    return;
+  }
+  for (Tree& inner : part.parts) parts.push_back(std::move(inner));
+}
+
+/// A positive term comes first, if there is one.
+Tree sum(std::vector<Tree> parts) {
+  const auto negative = [](const Tree& part) {
+    return part.kind == Tree::Kind::product && part.coefficient.is_negative();
+  };
+  const auto positive = std::find_if_not(parts.begin(), parts.end(), negative);
+  if (positive != parts.end()) std::rotate(parts.begin(), positive, positive + 1);
+  return {.kind = Tree::Kind::sum, .parts = std::move(parts)};
+}
+
+Tree sum_of(Products products, bool is_factor) {
+  if (products.empty()) return {.coefficient = 0};
+  if (products.size() == 1) return tree_of(products.front());
+  if (const Coefficient common = content(products, is_factor); !(common == Coefficient(1))) {
+    Tree inner = sum_of(divided(std::move(products), common), true);
+    if (inner.kind != Tree::Kind::product) inner = {.kind = Tree::Kind::product, .parts = {inner}};
+    inner.coefficient = inner.coefficient * common;
+    return inner;
+  }
+  const std::optional<Factor> factor = most_common(products);
+  Products with, without;
+  for (Product& product : products) {
+    const auto place = factor ? product.factors.find(*factor) : product.factors.end();
+    if (place == product.factors.end()) {
+      without.push_back(std::move(product));
+      continue;
+    }
+    if (--place->second == 0) product.factors.erase(place);
+    with.push_back(std::move(product));
+  }
+  if (with.empty()) {
+    std::vector<Tree> parts;
+    for (const Product& product : without) parts.push_back(tree_of(product));
+    return sum(std::move(parts));
+  }
+  Tree first = with_factor(*factor, with);
+  if (without.empty()) return first;
+  std::vector<Tree> parts{std::move(first)};
+  append(parts, sum_of(std::move(without), false));
+  return sum(std::move(parts));
+}
+
+}  // namespace
+
+Tree factored(const Expression& expression) {
+  Products products = products_of(expression);
+  combine_pairs(products);
+  return sum_of(std::move(products), false);
+}
+
+Operations operations(const Tree& tree) {
+  Operations count;
+  for (const Tree& part : tree.parts) {
+    const Operations inner = operations(part);
+    count.multiplications += inner.multiplications;
+    count.additions += inner.additions;
+  }
+  const int parts = static_cast<int>(tree.parts.size());
+  if (tree.kind == Tree::Kind::sum) count.additions += parts - 1;
+  if (tree.kind == Tree::Kind::power) count.multiplications += tree.exponent - 1;
+  if (tree.kind == Tree::Kind::quotient) ++count.multiplications;
+  if (tree.kind == Tree::Kind::product) {
+    const bool scaled =
+        !(tree.coefficient == Coefficient(1)) && !(tree.coefficient == Coefficient(-1));
+    count.multiplications += std::max(0, parts - 1 + (scaled ? 1 : 0));
+  }
+  return count;
+}
+
+}  // namespace beeline::internal

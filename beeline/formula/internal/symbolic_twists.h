@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include <beeline/formula/internal/symbolic_vector.h>
+#include <beeline/formula/symbolic_arm.h>
+
+namespace beeline::internal {
+
+/// A velocity of the tool and its angular velocity.
+struct SymbolicTwist {
+  ExpressionVector linear = {}, angular = {};
+};
+
+/// The transforms of an arm as one list, from the world to the tool. Place k is the frame before
+/// transform k.
+struct TransformList {
+  std::vector<ElementaryTransform> transforms = {};
+  std::vector<std::size_t> frames = {};  ///< the place of frame i of pose_between()
+};
+TransformList transform_list(const SymbolicArm& arm);
+
+/// The place in `list` where the velocity is taken, and the place whose axes it is expressed in.
+struct TwistFrame {
+  std::size_t origin = 0;
+  std::size_t axes = 0;
+};
+
+/// The twist for unit rate of each coordinate: of the point of the last link at the origin of a
+/// place, in the axes of a place. Each twist is carried from its joint's frame through one
+/// transform after another, so its size is that of the result.
+std::vector<SymbolicTwist> symbolic_twists(const SymbolicArm& arm, const TransformList& list,
+                                           const TwistFrame& frame);
+
+}  // namespace beeline::internal

@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <beeline/formula/internal/arm_namer.h>
+#include <beeline/formula/internal/dimensions.h>
+#include <beeline/formula/internal/symbolic_chain.h>
+#include <beeline/formula/symbolic_arm.h>
+
+namespace beeline {
+namespace {
+
+using internal::ArmNamer;
+using internal::dh_row;
+using internal::planar_row;
+
+using Rows = std::vector<DhRow>;
+
+/// The rows of all joints, or none if a joint does not fit.
+template <class RowOf>
+Rows rows_of(const Arm& arm, RowOf row_of) {
+  Rows rows;
+  for (const Joint& joint : arm.joints()) {
+    const std::optional<DhRow> row = row_of(joint);
+    if (!row) return {};
+    rows.push_back(*row);
+  }
+  return rows;
+}
+
+void add_standard(ArmNamer& namer, const Rows& rows) {
+  namer.arm().convention = NamingConvention::standard;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string index = std::to_string(i + 1);
+    namer.begin_transform();
+    if (rows[i].kind == JointKind::revolute) namer.move(i, 2);
+    namer.rotate(2, rows[i].theta, "theta", index, "joint offset");
+    namer.translate(2, rows[i].d, "d", index, "link offset");
+    if (rows[i].kind == JointKind::prismatic) namer.move(i, 2);
+    namer.translate(0, rows[i].a, "a", index, "link length");
+    namer.rotate(0, rows[i].alpha, "alpha", index, "link twist");
+  }
+}
+
+/// In Craig's notation row i has a and alpha of link i-1.
+void add_modified(ArmNamer& namer, const Rows& rows) {
+  namer.arm().convention = NamingConvention::modified;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string before = std::to_string(i), index = std::to_string(i + 1);
+    namer.begin_transform();
+    namer.translate(0, rows[i].a, "a", before, "link length");
+    namer.rotate(0, rows[i].alpha, "alpha", before, "link twist");
+    if (rows[i].kind == JointKind::revolute) namer.move(i, 2);
+    namer.rotate(2, rows[i].theta, "theta", index, "joint offset");
+    namer.translate(2, rows[i].d, "d", index, "link offset");
+    if (rows[i].kind == JointKind::prismatic) namer.move(i, 2);
+  }
+}
+
+void add_planar(ArmNamer& namer, const Rows& rows) {
+  namer.arm().convention = NamingConvention::planar;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string index = std::to_string(i + 1);
+    namer.begin_transform();
+    if (rows[i].kind == JointKind::revolute) namer.move(i, 2);
+    namer.rotate(2, rows[i].theta, "theta", index, "fixed rotation");
+    namer.translate(0, rows[i].a, "a", index, "link length");
+    if (rows[i].kind == JointKind::prismatic) namer.move(i, 0);
+  }
+}
+
+void add_general(ArmNamer& namer, const Arm& arm) {
+  namer.share_lengths();
+  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
+    const std::string index = std::to_string(i + 1);
+    namer.begin_transform();
+    namer.place(arm.joints()[i].offset, index, namer.axis_of(i), namer.axis_of(i + 1));
+    namer.move_about_screw(i);
+  }
+}
+
+/// Tries the conventions of textbooks in turn.
+void add_joints(ArmNamer& namer, const Arm& arm, double tolerance) {
+  const auto standard = [&](const Joint& joint) {
+    return dh_row(joint, DhConvention::standard, tolerance);
+  };
+  const auto modified = [&](const Joint& joint) {
+    return dh_row(joint, DhConvention::modified, tolerance);
+  };
+  const auto planar = [&](const Joint& joint) { return planar_row(joint, tolerance); };
+  if (Rows rows = arm.planar() ? rows_of(arm, planar) : Rows{}; !rows.empty()) {
+    add_planar(namer, rows);
+  } else if (rows = rows_of(arm, standard); !rows.empty()) {
+    add_standard(namer, rows);
+  } else if (rows = rows_of(arm, modified); !rows.empty()) {
+    add_modified(namer, rows);
+  } else {
+    add_general(namer, arm);
+  }
+}
+
+}  // namespace
+
+SymbolicArm symbolic_arm(const Arm& arm, const SymbolicOptions& options) {
+  if (!(options.angle_tolerance >= 0 && options.angle_tolerance <= 0.01)) {
+    throw Error("the angle tolerance must be from 0 to 0.01 rad, not " +
+                number(options.angle_tolerance));
+  }
+  ArmNamer namer(arm, options);
+  namer.begin_transform();
+  namer.place(arm.base(), "0", 2, 2);
+  add_joints(namer, arm, options.angle_tolerance);
+  namer.begin_transform();
+  namer.place(arm.tool(), "t", namer.axis_of(arm.joints().size()), 2);
+  SymbolicArm named = namer.finish();
+  internal::assign_groups(named);
+  return named;
+}
+
+std::vector<double> symbol_values(const SymbolicArm& arm, const ConfigurationRef& q,
+                                  const ConfigurationRef& rates) {
+  const auto check_size = [&arm](const char* what, Eigen::Index size) {
+    if (size == arm.dof) return;
+    throw Error("arm " + arm.name + " takes " + std::to_string(arm.dof) + ' ' + what + ", not " +
+                std::to_string(size));
+  };
+  check_size("joint values", q.size());
+  if (rates.size() != 0) check_size("joint velocities", rates.size());
+  std::vector<double> values;
+  for (const Symbol& symbol : arm.symbols) {
+    if (symbol.coordinate < 0) {
+      values.push_back(symbol.value);
+    } else if (symbol.kind == SymbolKind::rate) {
+      values.push_back(rates.size() == 0 ? 0 : rates[symbol.coordinate]);
+    } else {
+      values.push_back(symbol.ratio * q[symbol.coordinate] + symbol.value);
+    }
+  }
+  return values;
+}
+
+}  // namespace beeline

@@ -1,0 +1,147 @@
+#include <fmt/core.h>
+
+#include <beeline/error.h>
+#include <beeline/formula/document.h>
+#include <beeline/read/internal/file.h>
+
+#include "arm_argument.h"
+#include "format.h"
+#include "result_files.h"
+#include "verbs.h"
+
+using namespace beeline;
+
+namespace {
+
+struct FormulaArguments {
+  ArmArgument arm;
+  JacobianArgument jacobian;
+  std::string of = "forward", as = "text", out;
+  double angle_tolerance = SymbolicOptions{}.angle_tolerance;
+  bool all = false, numbers = false, standalone = false, json = false;
+};
+
+/// The choices of --of, in the order in which they are written.
+constexpr std::pair<const char*, bool FormulaContent::*> contents[] = {
+    {"forward", &FormulaContent::forward},
+    {"jacobian", &FormulaContent::jacobian},
+    {"derivative", &FormulaContent::derivative}};
+
+FormulaContent content_of(const FormulaArguments& arguments, const Arm& arm) {
+  FormulaContent content{.forward = false, .products = arguments.all};
+  std::vector<std::string> names{"all"};
+  for (const auto& [name, member] : contents) names.emplace_back(name);
+  std::string_view list = arguments.of;
+  for (bool more = true; more;) {
+    const std::size_t comma = list.find(',');
+    const std::string wanted(list.substr(0, comma));
+    check_choice("--of", wanted, names);
+    for (const auto& [name, member] : contents) {
+      content.*member = content.*member || wanted == name || wanted == "all";
+    }
+    more = comma != std::string_view::npos;
+    list.remove_prefix(more ? comma + 1 : 0);
+  }
+  content.task = arguments.jacobian.read(arm);
+  content.frame = frame_named(arguments.jacobian.frame);
+  return content;
+}
+
+Json formula_json(const WrittenFormula& formula) {
+  Json rows = Json::list();
+  for (const std::vector<std::string>& row : formula.cells) rows.append(Json(row));
+  return {{"left", formula.left}, {"cells", rows}};
+}
+
+Json document_json(const FormulaDocument& document) {
+  Json symbols = Json::list();
+  for (const WrittenSymbol& symbol : document.symbols) {
+    symbols.append({{"name", symbol.name},
+                    {"code_name", symbol.code_name},
+                    {"value", symbol.value},
+                    {"unit", symbol.unit},
+                    {"meaning", symbol.meaning}});
+  }
+  Json abbreviations = Json::object();
+  for (const auto& [name, meaning] : document.abbreviations) abbreviations.add(name, meaning);
+  Json json{{"title", document.title},
+            {"convention", document.convention},
+            {"symbols", symbols},
+            {"abbreviations", abbreviations},
+            {"notes", document.notes}};
+  for (const WrittenSection& section : document.sections) {
+    Json formulas = Json::list();
+    for (const WrittenFormula& formula : section.formulas) formulas.append(formula_json(formula));
+    json.add(section.key, formulas);
+  }
+  return json;
+}
+
+Answer formula(const FormulaArguments& arguments) {
+  const Arm arm = arguments.arm.read({});
+  const SymbolicArm symbolic = symbolic_arm(arm, {.angle_tolerance = arguments.angle_tolerance});
+  const FormulaStyle style{.latex = arguments.as == "latex", .numbers = arguments.numbers};
+  const FormulaDocument document = formula_document(symbolic, content_of(arguments, arm), style);
+  Answer answer;
+  answer.text = style.latex ? latex_of(document, arguments.standalone) : text_of(document);
+  answer.document = document_json(document);
+  if (!arguments.out.empty()) {
+    refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.srdf});
+    internal::write_file(arguments.out, answer.text);
+    answer.text = fmt::format("formulas of {} written: {}\n", arm.name(), arguments.out);
+    answer.document.add("out", arguments.out);
+  }
+  return answer;
+}
+
+std::vector<Option> formula_options(FormulaArguments& arguments) {
+  return {{.name = "--of",
+           .value = "LIST",
+           .help = "What is derived: forward (the transform of each link and the pose of the "
+                   "tool), jacobian, derivative (of the Jacobian, by time), or all; several with "
+                   "commas between.",
+           .target = &arguments.of},
+          {.name = "--all",
+           .help = "Also the pose of every link in the base.",
+           .target = &arguments.all},
+          {.name = "--as",
+           .value = "FORM",
+           .help = "How the formulas are written.",
+           .target = &arguments.as,
+           .choices = {"text", "latex"}},
+          {.name = "--numbers",
+           .help = "Lengths and constant angles as numbers, not as symbols.",
+           .target = &arguments.numbers},
+          {.name = "--standalone",
+           .help = "With --as latex: a document that compiles by itself.",
+           .target = &arguments.standalone},
+          {.name = "--angle-tolerance",
+           .value = "RAD",
+           .help = "Constant angles within this distance of a multiple of 15 degrees are taken as "
+                   "exact; the answer says by how much they changed.",
+           .target = &arguments.angle_tolerance,
+           .range = {.lowest = 0, .highest = 0.01}},
+          {.name = "--out",
+           .value = "FILE",
+           .help = "Write the formulas to this file.",
+           .target = &arguments.out,
+           .completes = Completes::file}};
+}
+
+}  // namespace
+
+Verb formula_verb() {
+  static FormulaArguments arguments;
+  return {.name = "formula",
+          .summary = "Derive the formulas of an arm: kinematics in symbols",
+          .description = "Derives the forward kinematics with names for the arm's dimensions.",
+          .arguments = {arguments.arm.argument()},
+          .options = joined(
+              {formula_options(arguments), arguments.jacobian.options(), arguments.arm.options()}),
+          .examples = {{"The planar arm with three revolute joints: eq. 1.2 of the chapter",
+                        "beeline formula rrr"},
+                       {"The RP arm of the chapter's exercise, with its numbers",
+                        "beeline formula rp --numbers"}},
+          .json = &arguments.json,
+          .run = [] { return formula(arguments); }};
+}
