@@ -6,6 +6,7 @@
 #include <beeline/error.h>
 #include <beeline/read/internal/file.h>
 
+#include "animation_argument.h"
 #include "arm_argument.h"
 #include "input_files.h"
 #include "result_files.h"
@@ -21,32 +22,65 @@ struct DrawArguments {
   std::string motion, q, out;
   double azimuth = 0, elevation = 0;  ///< degrees
   ArmFigureOptions figure;
+  AnimationArgument animation;
   bool json = false;
 };
 
-Figure drawn_figure(const DrawArguments& arguments, const Arm& arm) {
+ArmFigureOptions figure_options(const DrawArguments& arguments) {
   ArmFigureOptions options = arguments.figure;
   options.azimuth = to_radians(arguments.azimuth, AngleUnit::degrees);
   options.elevation = to_radians(arguments.elevation, AngleUnit::degrees);
-  if (!arguments.motion.empty()) {
-    if (!arguments.q.empty())
-      throw Error("--q cannot be combined with a motion, which has joint values");
-    return motion_figure(arm, at_equal_times(read_recording(arguments.motion, arm)), {}, options);
+  return options;
+}
+
+void draw_motion(const DrawArguments& arguments, const Arm& arm) {
+  if (!arguments.q.empty())
+    throw Error("--q cannot be combined with a motion, which has joint values");
+  ArmFigureOptions options = figure_options(arguments);
+  const Trajectory trajectory = read_recording(arguments.motion, arm);
+  if (!arguments.out.empty()) {
+    const Figure figure = motion_figure(arm, trajectory, {}, options);
+    internal::write_file(arguments.out, render(figure, format_of(arguments.out)));
   }
-  if (arguments.q.empty()) return arm_figure(arm, middle_configuration(arm), options);
-  const Configuration q = arguments.arm.configuration(arm, arguments.q, "--q", arguments.unit);
-  warn_outside_limits(arm, q);
-  return arm_figure(arm, q, options);
+  if (!arguments.animation.wanted()) return;
+  options.small_views = false;
+  arguments.animation.write(motion_animation(arm, trajectory, {}, options));
+}
+
+void draw_configuration(const DrawArguments& arguments, const Arm& arm) {
+  if (arguments.animation.wanted())
+    throw Error("--animate needs a motion: beeline draw ARM FILE --animate " +
+                arguments.animation.file);
+  Configuration q = display_configuration(arm);
+  if (!arguments.q.empty()) {
+    q = arguments.arm.configuration(arm, arguments.q, "--q", arguments.unit);
+    warn_outside_limits(arm, q);
+  }
+  const Figure figure = arm_figure(arm, q, figure_options(arguments));
+  internal::write_file(arguments.out, render(figure, format_of(arguments.out)));
 }
 
 Answer draw_arm(const DrawArguments& arguments) {
-  const Format format = format_of(arguments.out);
-  refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits,
-                                     arguments.motion});
+  const std::vector<std::string> inputs{arguments.arm.text, arguments.arm.srdf,
+                                        arguments.arm.limits, arguments.motion};
+  if (arguments.out.empty() && !arguments.animation.wanted()) {
+    throw Error("draw needs --out PICTURE or, for a motion, --animate FILE");
+  }
+  if (!arguments.out.empty()) {
+    format_of(arguments.out);
+    refuse_overwriting(arguments.out, inputs);
+  }
+  arguments.animation.check(arguments.out, inputs);
   const Arm arm = arguments.arm.read(arguments.unit);
-  internal::write_file(arguments.out, render(drawn_figure(arguments, arm), format));
-  return {.text = fmt::format("{} drawn: {}\n", arm.name(), arguments.out),
-          .document = {{"status", "drawn"}, {"out", arguments.out}}};
+  (arguments.motion.empty() ? draw_configuration : draw_motion)(arguments, arm);
+  Answer answer{.document = {{"status", "drawn"}}};
+  for (const auto& [key, file] :
+       {std::pair{"out", arguments.out}, std::pair{"animation", arguments.animation.file}}) {
+    if (file.empty()) continue;
+    answer.text += fmt::format("{} drawn: {}\n", arm.name(), file);
+    answer.document.add(key, file);
+  }
+  return answer;
 }
 
 std::vector<Option> draw_options(DrawArguments& arguments) {
@@ -55,10 +89,12 @@ std::vector<Option> draw_options(DrawArguments& arguments) {
            .value = "FILE",
            .help = "The picture: .svg, .png or .pdf.",
            .target = &arguments.out,
-           .required = true,
            .completes = Completes::file},
-          joint_values_option("--q", "Joint values. Default: the middle of the position limits.",
-                              &arguments.q),
+          joint_values_option(
+              "--q",
+              "Joint values. Default: the middle of the position limits or, where that is "
+              "singular, values far from singularities.",
+              &arguments.q),
           {.name = "--frames",
            .help = "Draw the frame of every link: x red, y green, z blue.",
            .target = &figure.frames},
@@ -91,20 +127,21 @@ Verb draw_verb() {
       trajectory_argument("FILE", "A trajectory of the arm, .csv or .json.", &arguments.motion);
   motion.required = false;
   return {.name = "draw",
-          .summary = "Draw an arm or a motion as SVG, PNG or PDF",
+          .summary = "Draw an arm or a motion: SVG, PNG, PDF, animations",
           .description =
               "Draws the arm at given joint values, or the arm along a trajectory with "
-              "the path of its tool. Prints the name of the file.",
+              "the path of its tool. With --animate the arm moves, in real time. Prints the names "
+              "of the files.",
           .arguments = {arguments.arm.argument(), motion},
-          .options =
-              joined({draw_options(arguments), arguments.unit.options(), arguments.arm.options()}),
+          .options = joined({draw_options(arguments), arguments.animation.options(),
+                             arguments.unit.options(), arguments.arm.options()}),
           .examples = {{"The planar arm with the columns of its Jacobian",
                         "beeline draw rrr --q 0,90,0 --degrees --jacobian --out rrr.svg"},
                        {"All frames of a UR5", "beeline draw ur5 --frames --out ur5.pdf"},
-                       {"A motion",
+                       {"A motion, as a picture and moving",
                         "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
                         "--out move.csv\n"
-                        "beeline draw panda move.csv --out move.png"}},
+                        "beeline draw panda move.csv --out move.png --animate move.svg"}},
           .json = &arguments.json,
           .run = [] { return draw_arm(arguments); }};
 }

@@ -5,6 +5,8 @@
 #include <beeline/error.h>
 #include <beeline/read/internal/file.h>
 
+#include "animation_argument.h"
+#include "arguments.h"
 #include "verbs.h"
 
 using namespace beeline;
@@ -13,14 +15,30 @@ namespace {
 
 struct FigureArguments {
   std::string number, out;
+  AnimationArgument animation;
   bool json = false;
 };
 
 Answer draw_figure(const FigureArguments& arguments) {
-  const Format format = format_of(arguments.out);
-  internal::write_file(arguments.out, render(chapter_figure(arguments.number), format));
-  return {.text = fmt::format("figure {} drawn: {}\n", arguments.number, arguments.out),
-          .document = {{"status", "drawn"}, {"figure", arguments.number}, {"out", arguments.out}}};
+  if (arguments.out.empty() && !arguments.animation.wanted()) {
+    throw Error("figure needs --out PICTURE or, for figures 1.7 and 1.9, --animate FILE");
+  }
+  arguments.animation.check(arguments.out, {});
+  Answer answer{.document = {{"status", "drawn"}, {"figure", arguments.number}}};
+  const auto report = [&](const char* key, const std::string& file) {
+    answer.text += fmt::format("figure {} drawn: {}\n", arguments.number, file);
+    answer.document.add(key, file);
+  };
+  if (!arguments.out.empty()) {
+    const Format format = format_of(arguments.out);
+    internal::write_file(arguments.out, render(chapter_figure(arguments.number), format));
+    report("out", arguments.out);
+  }
+  if (arguments.animation.wanted()) {
+    arguments.animation.write(chapter_animation(arguments.number));
+    report("animation", arguments.animation.file);
+  }
+  return answer;
 }
 
 }  // namespace
@@ -41,13 +59,15 @@ Verb figure_verb() {
                      .help = "One of " + listed(chapter_figures()) + ".",
                      .target = &arguments.number,
                      .choices = chapter_figures()}},
-      .options = {{.name = "--out",
-                   .value = "FILE",
-                   .help = "The picture: .svg, .png or .pdf.",
-                   .target = &arguments.out,
-                   .required = true,
-                   .completes = Completes::file}},
-      .examples = {{"Straight lines through three poses", "beeline figure 1.9 --out figure.svg"}},
+      .options = joined({{{.name = "--out",
+                           .value = "FILE",
+                           .help = "The picture: .svg, .png or .pdf.",
+                           .target = &arguments.out,
+                           .completes = Completes::file}},
+                         arguments.animation.options()}),
+      .examples = {{"Straight lines through three poses", "beeline figure 1.9 --out figure.svg"},
+                   {"Joint-space control in motion, for a browser",
+                    "beeline figure 1.7 --animate control.svg"}},
       .json = &arguments.json,
       .run = [] { return draw_figure(arguments); }};
 }

@@ -11,9 +11,6 @@
 
 using namespace beeline;
 
-namespace {
-
-/// Whether two paths name the same file, which need not exist: ./q.svg is q.svg.
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code fault;
   if (std::filesystem::equivalent(a, b, fault) && !fault) return true;
@@ -23,25 +20,12 @@ bool same_file(const std::string& a, const std::string& b) {
   return resolved(a) == resolved(b) && !fault;
 }
 
-}  // namespace
-
 void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs) {
   for (const std::string& input : inputs) {
     if (!input.empty() && same_file(output, input == "-" ? "/dev/stdin" : input)) {
       throw Error("the output " + output + " is an input as well; choose another name");
     }
   }
-}
-
-std::vector<Configuration> at_equal_times(const Trajectory& trajectory) {
-  constexpr int steps = 1000;  // a step of a trail across the picture is then below a pixel
-  std::vector<Configuration> positions;
-  const double begin = trajectory.times.front();
-  const double duration = trajectory.times.back() - begin;
-  for (int k = 0; k <= steps; ++k) {
-    positions.push_back(sample(trajectory, begin + duration * k / steps).position);
-  }
-  return positions;
 }
 
 Option plot_option(std::string* target) {
@@ -89,7 +73,7 @@ void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
   std::vector<internal::NewFile> files;
   if (!out.empty()) files.push_back({out, trajectory_text(trajectory, trajectory_format(out))});
   if (!draw.empty()) {
-    const Figure figure = motion_figure(arm, at_equal_times(trajectory), waypoints);
+    const Figure figure = motion_figure(arm, trajectory, waypoints);
     files.push_back({draw, render(figure, format_of(draw))});
   }
   if (!plot.empty()) {

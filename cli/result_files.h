@@ -10,11 +10,11 @@
 #include "command/json.h"
 #include "command/option.h"
 
+/// Whether two paths name the same file, which need not exist: ./q.svg is q.svg.
+bool same_file(const std::string& a, const std::string& b);
+
 /// Throws Error if `output` is the same file as one of `inputs`, where `-` is the standard input.
 void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs);
-
-/// Configurations of a motion at equal steps of time, for the trail in a picture.
-std::vector<beeline::Configuration> at_equal_times(const beeline::Trajectory& trajectory);
 
 /// --plot.
 Option plot_option(std::string* target);

@@ -25,5 +25,5 @@ int main(int argc, char** argv) {
             << motion.deviation.measured.position << " m measured, at most "
             << motion.deviation.bound.position << " m at any time\n";
   write_trajectory("05_straight_line.csv", motion.trajectory);
-  save(motion_figure(rrr, motion.trajectory.positions, poses), "05_straight_line.svg");
+  save(motion_figure(rrr, motion.trajectory, poses), "05_straight_line.svg");
 }

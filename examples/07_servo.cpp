@@ -50,7 +50,9 @@ int main() {
   const beeline::Pose middle = forward_kinematics(panda, q);
 
   beeline::Servo servo(panda, {.time_step = dt});
-  std::vector<beeline::Configuration> trail;
+  beeline::Trajectory trail = at_rest(panda, q);  // positions alone: linear between them
+  trail.velocities.clear();
+  trail.accelerations.clear();
   std::vector<double> took, late;
   double farthest = 0, min_scale = 1;
   Clock::time_point due = Clock::now();
@@ -73,7 +75,10 @@ int main() {
     const beeline::Vector3 off = forward_kinematics(panda, q).translation() - middle.translation();
     farthest = std::max(farthest, (off - eight(t + dt)).norm());
     min_scale = std::min(min_scale, step.scale);
-    if (i % 25 == 0) trail.push_back(q);
+    if (i % 25 == 24) {
+      trail.times.push_back(t + dt);
+      trail.positions.push_back(q);
+    }
   }
   print("duration of a step", took);
   print("latency", late);

@@ -1,8 +1,14 @@
+#include <algorithm>
+#include <cmath>
+
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/internal/annotation.h>
 #include <beeline/draw/internal/arm_scene.h>
+#include <beeline/draw/internal/skeleton.h>
 #include <beeline/draw/internal/trail.h>
 #include <beeline/error.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
+#include <beeline/kinematics/manipulability.h>
 
 namespace beeline {
 using namespace internal;
@@ -29,13 +35,91 @@ Figure views_of(Scene scene, const Arm& arm, const std::string& caption,
   return figure;
 }
 
+/// Returns the depth of the lowest joint or of the tool below the plane of the base, metres; 0 for
+/// a planar arm.
+double depth_below_base(const Arm& arm, const Trajectory& trajectory) {
+  if (arm.planar()) return 0;
+  const double floor = arm.base().translation().z();
+  double lowest = floor;
+  for (const Vector3& p : tool_trail(arm, trajectory).points) lowest = std::min(lowest, p.z());
+  constexpr int steps = 500;
+  const double begin = trajectory.times.front(), duration = trajectory.times.back() - begin;
+  for (int k = 0; k <= steps; ++k) {
+    const Configuration q = sample(trajectory, begin + duration * k / steps).position;
+    for (const SkeletonJoint& joint : skeleton(arm, q).joints) {
+      lowest = std::min(lowest, joint.centre.z());
+    }
+  }
+  const double depth = floor - lowest;
+  return depth > 1e-6 * (1 + std::abs(floor)) ? depth : 0;
+}
+
+std::string motion_caption(const Arm& arm, const Trajectory& trajectory) {
+  std::string caption = "tool from " + tool_text(arm, trajectory.positions.front()) + " to " +
+                        tool_text(arm, trajectory.positions.back());
+  const double depth = depth_below_base(arm, trajectory);
+  if (depth > 0) caption += "\nup to " + number(depth) + " m below the ground (violet)";
+  return caption;
+}
+
 void add_numbered(Scene& scene, const std::vector<Pose>& waypoints) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < waypoints.size(); ++i) names.push_back(std::to_string(i + 1));
   add_poses(scene, waypoints, names);
 }
 
+/// Returns the trajectory with its columns in the arm's order.
+Trajectory checked(const Arm& arm, const Trajectory& trajectory) {
+  if (trajectory.times.empty()) throw Error("a motion without samples cannot be drawn");
+  return matched_to(arm, trajectory);
+}
+
+/// Returns the inverse condition number of the task's Jacobian, a tenth of it where a joint or the
+/// tool is below the plane of the base.
+double visibility(const Arm& arm, const Configuration& q) {
+  const Eigen::MatrixXd j = task_jacobian(arm, q, default_task(arm), unit_of_length(arm));
+  const double inverse_condition = 1 / manipulability_measures(j).condition;
+  if (arm.planar()) return inverse_condition;
+  const Skeleton bones = skeleton(arm, q);
+  double lowest = bones.tool.z();
+  for (const SkeletonJoint& joint : bones.joints) lowest = std::min(lowest, joint.centre.z());
+  return lowest < bones.base.z() - 1e-9 ? 0.1 * inverse_condition : inverse_condition;
+}
+
+/// Returns element i of the van der Corput sequence in a base, in [0, 1).
+double van_der_corput(int i, int base) {
+  double value = 0, digit = 1;
+  for (; i > 0; i /= base) value += (digit /= base) * (i % base);
+  return value;
+}
+
 }  // namespace
+
+Configuration display_configuration(const Arm& arm) {
+  constexpr double singular = 0.02;  // inverse condition number
+  constexpr double widest = 1.3;     // radians, or units of length, from the middle
+  constexpr int candidates = 200, bases[] = {2, 3, 5, 7, 11, 13, 17};
+  const Configuration middle = middle_configuration(arm);
+  Configuration best = middle;
+  double largest = visibility(arm, middle);
+  if (largest >= singular) return middle;
+  for (int i = 1; i <= candidates; ++i) {  // Halton's points
+    Configuration q = middle;
+    for (int k = 0; k < arm.dof(); ++k) {
+      const Limits& limits = arm.limits(static_cast<std::size_t>(k));
+      const bool slides = kind(arm.joint_of(k)) == JointKind::prismatic;
+      const double most = slides ? widest * unit_of_length(arm) : widest;
+      const double half = std::min(most, 0.7 * (limits.upper / 2 - limits.lower / 2));
+      q[k] += half * (2 * van_der_corput(i + k / 7, bases[k % 7]) - 1);
+      q[k] = std::clamp(q[k], limits.lower, limits.upper);
+    }
+    const double found = visibility(arm, q);
+    if (found <= 1.0001 * largest) continue;  // no choice by rounding
+    largest = found;
+    best = q;
+  }
+  return best;
+}
 
 Figure arm_figure(const Arm& arm, const ConfigurationRef& q, const ArmFigureOptions& options) {
   Scene scene;
@@ -48,26 +132,52 @@ Figure arm_figure(const Arm& arm, const ConfigurationRef& q, const ArmFigureOpti
   return views_of(std::move(scene), arm, caption, options);
 }
 
-Figure motion_figure(const Arm& arm, const std::vector<Configuration>& motion,
-                     const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
-  if (motion.empty()) throw Error("a motion without samples cannot be drawn");
-  const std::vector<Vector3> tool = tool_positions(arm, motion);
+Figure motion_figure(const Arm& arm, const Trajectory& given, const std::vector<Pose>& waypoints,
+                     const ArmFigureOptions& options) {
+  const Trajectory trajectory = checked(arm, given);
+  const Configuration& end = trajectory.positions.back();
   Scene scene;
-  for (const std::size_t i : evenly_along(tool, options.ghosts)) {
-    add_arm(scene, arm, motion[i], {.faded = true});
+  for (const double t : times_evenly_along(tool_trail(arm, trajectory), options.ghosts)) {
+    add_arm(scene, arm, sample(trajectory, t).position, {.faded = true});
   }
-  add_arm(scene, arm, motion.back(),
+  add_arm(scene, arm, end,
           {.frames = options.frames, .tool = waypoints.empty() && !options.jacobian});
-  add_trail(scene, tool, options.max_dots);
+  add_trail(scene, arm, trajectory, {.dots = options.dots});
   add_numbered(scene, waypoints);
-  if (options.jacobian) {
-    add_jacobian_arrows(scene, arm, motion.back(), jacobian_arrow_scale(arm, motion.back()));
+  if (options.jacobian) add_jacobian_arrows(scene, arm, end, jacobian_arrow_scale(arm, end));
+  const std::string caption =
+      options.caption.empty() ? motion_caption(arm, trajectory) : options.caption;
+  return views_of(std::move(scene), arm, caption, options);
+}
+
+Animation motion_animation(const Arm& arm, const Trajectory& given,
+                           const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
+  const Trajectory trajectory = checked(arm, given);
+  Scene scene;
+  if (options.ghosts > 0) add_arm(scene, arm, trajectory.positions.front(), {.faded = true});
+  add_trail(scene, arm, trajectory, {.dots = options.dots, .growing = true});
+  add_numbered(scene, waypoints);
+  Animation animation;
+  const double begin = trajectory.times.front(), duration = trajectory.times.back() - begin;
+  constexpr double rate = 50, max_steps = 999;
+  const int steps = static_cast<int>(std::min(max_steps, std::ceil(rate * duration)));
+  double arrow_scale = 0;
+  for (int k = 0; k <= steps; ++k) {
+    const double since = steps == 0 ? 0 : duration * k / steps;
+    const Configuration q = sample(trajectory, begin + since).position;
+    Scene frame;
+    add_arm(frame, arm, q, {.frames = options.frames, .tool = !options.jacobian});
+    if (options.jacobian) {
+      if (k == 0) arrow_scale = jacobian_arrow_scale(arm, q);
+      add_jacobian_arrows(frame, arm, q, arrow_scale);
+    }
+    animation.times.push_back(since);
+    animation.frames.push_back(std::move(frame));
   }
   const std::string caption =
-      options.caption.empty()
-          ? "tool from " + tool_text(arm, motion.front()) + " to " + tool_text(arm, motion.back())
-          : options.caption;
-  return views_of(std::move(scene), arm, caption, options);
+      options.caption.empty() ? motion_caption(arm, trajectory) : options.caption;
+  animation.figure = views_of(std::move(scene), arm, caption, options);
+  return animation;
 }
 
 }  // namespace beeline

@@ -2,33 +2,48 @@
 
 #include <vector>
 
+#include <beeline/draw/animation.h>
 #include <beeline/draw/figure.h>
 #include <beeline/error.h>
 #include <beeline/model/arm.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
 
-/// Options of arm_figure() and motion_figure().
+/// Options of arm_figure(), motion_figure() and motion_animation().
 struct ArmFigureOptions {
-  std::string title = {};     ///< default: the arm's name
-  std::string caption = {};   ///< default: the tool's position
-  bool frames = false;        ///< draw the frame of every link
-  bool jacobian = false;      ///< draw the Jacobian's columns as arrows at the tool
-  double azimuth = -0.87;     ///< of the spatial view, radians
-  double elevation = 0.44;    ///< of the spatial view, radians
-  bool small_views = true;    ///< add small views from above and from the front (spatial arms)
-  int ghosts = 3;             ///< number of earlier configurations of a motion, drawn faded
-  std::size_t max_dots = 80;  ///< max dots on the trail of a motion
+  std::string title = {};    ///< default: the arm's name
+  std::string caption = {};  ///< default: the tool's position
+  bool frames = false;       ///< draw the frame of every link
+  bool jacobian = false;     ///< draw the Jacobian's columns as arrows at the tool
+  double azimuth = -0.87;    ///< of the spatial view, radians
+  double elevation = 0.44;   ///< of the spatial view, radians
+  bool small_views = true;   ///< add small views from above and from the front (spatial arms)
+  int ghosts = 3;            ///< number of earlier configurations of a motion, drawn faded
+  std::size_t dots = 81;     ///< on the trail of a motion, at equal times
 };
 
 /// Draws the arm at configuration q: from above when it is planar, otherwise in an oblique view
 /// with two small views beside it. Throws Error when q does not fit the arm.
 Figure arm_figure(const Arm& arm, const ConfigurationRef& q, const ArmFigureOptions& options = {});
 
-/// Draws a motion, sampled at equal times: the trail of the tool, the arm at the last sample, faded
-/// arms at the start and between, and the numbered waypoints. Throws Error for a motion without
-/// samples and for samples that do not fit the arm.
-Figure motion_figure(const Arm& arm, const std::vector<Configuration>& motion,
+/// Returns a configuration that shows the arm well: the middle of the position limits or, where the
+/// arm is singular there, a configuration far from singularities (of 200 around it, the one of the
+/// largest inverse condition number above the ground).
+Configuration display_configuration(const Arm& arm);
+
+/// Draws a motion: the trail of the tool by the trajectory's own polynomials (see sample()), the
+/// arm at the end, faded arms at the start and between, and the waypoints, numbered from
+/// `first_waypoint`. The parts of a trail below the ground, the plane of the arm's base, are drawn
+/// in violet, and the caption states the depth. Throws Error for a motion without samples and for
+/// a trajectory that does not fit the arm.
+Figure motion_figure(const Arm& arm, const Trajectory& trajectory,
                      const std::vector<Pose>& waypoints = {}, const ArmFigureOptions& options = {});
+
+/// Draws the same as an animation in real time: the arm moves and leaves the trail of its tool. It
+/// has one frame each 1/50 s, and at most 1000 frames.
+Animation motion_animation(const Arm& arm, const Trajectory& trajectory,
+                           const std::vector<Pose>& waypoints = {},
+                           const ArmFigureOptions& options = {});
 
 }  // namespace beeline

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include <beeline/control/cartesian.h>
@@ -58,22 +60,59 @@ Figure figure_1_6(const Arm& arm) {
   return figure;
 }
 
-/// Figure 1.7: joint-space control makes a curved trail; the spacing of its dots shows the speed.
-Figure figure_1_7(const Arm& arm) {
-  const std::vector<Configuration> motion = figure_1_7_motion();
-  const Configuration& start = motion.front();
-  const Configuration goal = degrees(99.2, -68.8, -30.4);
+/// A motion with the start's faded arm, the trail, the goals and the caption of its figure.
+struct FigureMotion {
+  Trajectory trajectory;
+  std::vector<Pose> goals;
+  std::vector<std::string> names;
+  std::string caption;
+  TrailStyle trail;
+};
+
+/// Draws what stands still while the arm moves.
+Panel still_panel(const Arm& arm, const FigureMotion& motion, bool growing) {
+  const Configuration& start = motion.trajectory.positions.front();
   Panel panel;
   add_arm(panel.scene, arm, start, {.faded = true});
-  add_arm(panel.scene, arm, motion.back(), {.tool = false});
-  add_trail(panel.scene, tool_positions(arm, motion));
-  add_poses(panel.scene, {forward_kinematics(arm, goal)}, {"goal " + tool_text(arm, goal)});
+  add_trail(panel.scene, arm, motion.trajectory, {motion.trail.dots, growing});
+  add_poses(panel.scene, motion.goals, motion.names);
   panel.scene.add(Layer::note, Label{forward_kinematics(arm, start).translation(), "start"});
-  panel.caption = "eq. 1.3 from rest to " + angles_text(goal);
+  panel.caption = motion.caption;
+  return panel;
+}
+
+/// Figure 1.7: joint-space control makes a curved trail; the spacing of its dots shows the speed.
+FigureMotion motion_1_7(const Arm& arm) {
+  const Configuration goal = degrees(99.2, -68.8, -30.4);
+  const Trajectory trajectory = figure_1_7_motion();
+  return {trajectory,
+          {forward_kinematics(arm, goal)},
+          {"goal " + tool_text(arm, goal)},
+          "eq. 1.3 from rest to " + angles_text(goal),
+          {.dots = trajectory.size()}};  // one a step
+}
+
+/// Figure 1.9: Cartesian control makes a straight trail.
+FigureMotion motion_1_9(const Arm& /*arm*/) {
+  std::vector<Pose> waypoints;
+  for (const Pose2& waypoint : figure_1_9_waypoints()) waypoints.push_back(to_space(waypoint));
+  return {figure_1_9_motion(),
+          waypoints,
+          {"1", "2", "3"},
+          "eq. 1.6 from " + angles_text(figure_1_9_start()) + " through three waypoints",
+          {.dots = 200}};
+}
+
+Figure still_figure(const Arm& arm, const FigureMotion& motion) {
+  Panel panel = still_panel(arm, motion, false);
+  add_arm(panel.scene, arm, motion.trajectory.positions.back(), {.tool = false});
   Figure figure;
   figure.columns = {{panel}};
   return figure;
 }
+
+Figure figure_1_7(const Arm& arm) { return still_figure(arm, motion_1_7(arm)); }
+Figure figure_1_9(const Arm& arm) { return still_figure(arm, motion_1_9(arm)); }
 
 /// Figure 1.8: the columns of the Jacobian, at one scale for both configurations.
 Figure figure_1_8(const Arm& arm) {
@@ -86,24 +125,6 @@ Figure figure_1_8(const Arm& arm) {
     panel.caption = angles_text(q);
     figure.columns.push_back({panel});
   }
-  return figure;
-}
-
-/// Figure 1.9: Cartesian control makes a straight trail.
-Figure figure_1_9(const Arm& arm) {
-  const std::vector<Configuration> motion = figure_1_9_motion();
-  std::vector<Pose> waypoints;
-  for (const Pose2& waypoint : figure_1_9_waypoints()) waypoints.push_back(to_space(waypoint));
-  Panel panel;
-  add_arm(panel.scene, arm, motion.front(), {.faded = true});
-  add_arm(panel.scene, arm, motion.back(), {.tool = false});
-  add_trail(panel.scene, tool_positions(arm, motion), 200);
-  add_poses(panel.scene, waypoints, {"1", "2", "3"});
-  panel.scene.add(Layer::note,
-                  Label{forward_kinematics(arm, motion.front()).translation(), "start"});
-  panel.caption = "eq. 1.6 from " + angles_text(motion.front()) + " through three waypoints";
-  Figure figure;
-  figure.columns = {{panel}};
   return figure;
 }
 
@@ -133,12 +154,34 @@ Figure chapter_figure(std::string_view number) {
   throw unknown_name("figure", number, chapter_figures());
 }
 
-std::vector<Configuration> figure_1_7_motion() {
+Animation chapter_animation(std::string_view number) {
+  const std::vector<std::string> moving{"1.7", "1.9"};
+  if (std::find(moving.begin(), moving.end(), number) == moving.end()) {
+    throw unknown_name("animated figure", number, moving);
+  }
+  const Arm arm = built_in("rrr");
+  const FigureMotion motion = number == "1.7" ? motion_1_7(arm) : motion_1_9(arm);
+  Animation animation;
+  animation.figure.columns = {{still_panel(arm, motion, true)}};
+  const double begin = motion.trajectory.times.front(), end = motion.trajectory.times.back();
+  constexpr double rate = 50;
+  const int steps = static_cast<int>(std::ceil(rate * (end - begin)));
+  for (int k = 0; k <= steps; ++k) {
+    const double since = (end - begin) * k / steps;
+    animation.times.push_back(since);
+    animation.frames.emplace_back();
+    add_arm(animation.frames.back(), arm, sample(motion.trajectory, begin + since).position);
+  }
+  return animation;
+}
+
+Trajectory figure_1_7_motion() {
   SimulationOptions until_visible;
   until_visible.tolerance = 2e-3;  // radians; a smaller error is not visible
+  until_visible.time_step = 0.05;
   return control_joints(built_in("rrr"), degrees(0, 0, 0), degrees(99.2, -68.8, -30.4), {.kp = 0.1},
                         until_visible)
-      .trajectory.positions;
+      .trajectory;
 }
 
 Configuration figure_1_9_start() { return degrees(0, 90, 0); }
@@ -147,14 +190,14 @@ std::vector<Pose2> figure_1_9_waypoints() {
   return {{6, 2.5, 30 * degree}, {-0.5, 6.5, 120 * degree}, {-4, 2.5, 180 * degree}};
 }
 
-std::vector<Configuration> figure_1_9_motion() {
+Trajectory figure_1_9_motion() {
   std::vector<Pose> waypoints;
   for (const Pose2& waypoint : figure_1_9_waypoints()) waypoints.push_back(to_space(waypoint));
   CartesianOptions options;
   options.gain = 0.01;  // small: the deviation between steps is proportional to the gain
   options.simulation.tolerance = 2e-3;
-  return control_in_lines(built_in("rrr"), figure_1_9_start(), waypoints, options)
-      .trajectory.positions;
+  options.simulation.time_step = 0.005;
+  return control_in_lines(built_in("rrr"), figure_1_9_start(), waypoints, options).trajectory;
 }
 
 }  // namespace beeline

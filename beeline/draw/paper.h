@@ -21,6 +21,7 @@ struct PaperPath {
   void line(const PaperPoint& p);
   void curve(const PaperPoint& a, const PaperPoint& b, const PaperPoint& p);
   void close();
+  bool operator==(const PaperPath&) const = default;
 };
 
 constexpr Colour no_colour{0, 0, 0, 0};
@@ -32,6 +33,8 @@ struct PaperStroke {
   Colour line = no_colour;
   double width = 0;
   std::vector<double> dashes = {};
+
+  bool operator==(const PaperStroke&) const = default;
 };
 
 /// One line of text centred at a point; `upright` text is rotated and reads from bottom to top.
@@ -43,6 +46,8 @@ struct PaperText {
   bool bold = false;
   bool upright = false;
   bool halo = false;  ///< a white outline, for contrast with marks below
+
+  bool operator==(const PaperText&) const = default;
 };
 
 using PaperMark = std::variant<PaperStroke, PaperText>;

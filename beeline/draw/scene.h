@@ -16,6 +16,8 @@ struct Colour {
   double green = 0;
   double blue = 0;
   double alpha = 1;
+
+  bool operator==(const Colour&) const = default;
 };
 
 constexpr Colour ink{0.13, 0.15, 0.18};    ///< outlines and text
@@ -96,6 +98,7 @@ enum class Layer { ground, ghost, base, trail, body, mark, note };
 struct Item {
   Layer layer = Layer::body;
   Primitive shape;
+  double appears = 0;  ///< the time from which on an Animation shows it, seconds
 };
 
 /// Primitives in world coordinates, metres; plain data, independent of view and paper.
@@ -103,7 +106,9 @@ struct Scene {
   std::vector<Item> items;
   std::optional<double> floor;  ///< height of the ground plane, metres; none: not drawn
 
-  void add(Layer layer, Primitive shape) { items.push_back({layer, std::move(shape)}); }
+  void add(Layer layer, Primitive shape, double appears = 0) {
+    items.push_back({layer, std::move(shape), appears});
+  }
 };
 
 /// Throws Error when a coordinate is not finite or above 1e12 m in size.

@@ -41,3 +41,52 @@ def test_names_of_joints_hold_no_markup(beeline, written, parsed):
     assert answer.code == 0, answer.err
     parsed("d.svg")
     assert "</svg>&" in ["".join(text.itertext()) for text in parsed("p.svg").iter(SVG + "text")]
+
+
+def test_a_motion_is_animated(beeline, parsed, tmp_path):
+    beeline("move", "panda", "--from", "0,-0.8,0,-2.4,0,1.6,0.8", "--to", "0.5,0,0,-2,0,2,0",
+            "--method", "quickest", "--out", "m.csv")
+    answer = beeline("draw", "panda", "m.csv", "--animate", "a.svg", "--playback-speed", "0.5", "--json")
+    assert answer.code == 0 and answer.json["animation"] == "a.svg", answer.err
+    with open(tmp_path / "m.csv") as rows:
+        duration = float(rows.read().split()[-1].split(",")[0])
+    seconds = {animation.get("dur") for animation in parsed("a.svg").iter(SVG + "animate")}
+    assert len(seconds) == 1
+    assert float(seconds.pop().rstrip("s")) == pytest.approx(2 * duration + 2, abs=0.02)  # with its rests
+    assert (tmp_path / "a.svg").stat().st_size < 500_000
+
+
+@pytest.mark.parametrize("number", ["1.7", "1.9"])
+def test_figures_are_animated(beeline, parsed, number):
+    answer = beeline("figure", number, "--animate", "a.svg", "--out", "f.png")
+    assert answer.code == 0 and "a.svg" in answer.out and "f.png" in answer.out
+    assert list(parsed("a.svg").iter(SVG + "animateTransform"))
+
+
+def test_an_animation_without_ffmpeg(beeline, tmp_path):
+    answer = beeline("figure", "1.7", "--animate", "a.gif", env={"PATH": ""})
+    assert answer.code == 2 and "apt install ffmpeg" in answer.err and answer.err.count("\n") == 1
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("arguments, says", [
+    (("draw", "rrr"), ["--out", "--animate"]),
+    (("draw", "rrr", "--animate", "a.svg"), ["--animate", "a motion"]),
+    (("draw", "rrr", "m.csv", "--animate", "a.bmp"), ["a.bmp", ".svg, .gif, .mp4 or .webp"]),
+    (("draw", "rrr", "m.csv", "--animate", "m.csv.svg", "--out", "./m.csv.svg"), ["--animate and --out"]),
+    (("draw", "rrr", "m.csv", "--out", "a.svg", "--fps", "10"), ["--fps", "--animate"]),
+    (("draw", "rrr", "m.csv", "--animate", "a.svg", "--playback-speed", "0"), ["--playback-speed"]),
+    (("figure", "1.7"), ["--out", "--animate"]),
+    (("figure", "1.6", "--animate", "a.svg"), ["1.7, 1.9"]),
+])
+def test_refusals(beeline, written, refused, tmp_path, arguments, says):
+    written("m.csv", "t,joint1,joint2,joint3\n0,0,0,0\n1,1,1,1\n")
+    refused(2, *arguments, says=says)
+    assert [file.name for file in tmp_path.iterdir()] == ["m.csv"]
+
+
+@pytest.mark.parametrize("rows", ["0,0,0,nan", "0,0,0,inf", "0,0,0,1e200"])
+def test_a_motion_that_is_not_finite(written, refused, tmp_path, rows):
+    written("m.csv", f"t,joint1,joint2,joint3\n-1,0,0,0\n{rows}\n")
+    refused(3, "draw", "rrr", "m.csv", "--animate", "a.svg")
+    assert not (tmp_path / "a.svg").exists()

@@ -5,7 +5,6 @@
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/chapter.h>
 #include <beeline/draw/internal/skeleton.h>
-#include <beeline/draw/internal/trail.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/pose/angle.h>
@@ -17,6 +16,14 @@ using namespace internal;
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
+
+std::vector<Vector3> tool_positions(const Arm& arm, const Trajectory& motion) {
+  std::vector<Vector3> points;
+  for (const Configuration& q : motion.positions) {
+    points.push_back(forward_kinematics(arm, q).translation());
+  }
+  return points;
+}
 
 const Panel& panel(const Figure& figure, std::size_t column) { return figure.columns[column][0]; }
 
@@ -102,8 +109,8 @@ TEST(Chapter, Figure18ArrowsAreSquareToTheLeversAndProportional) {
 
 TEST(Chapter, Figure19GoesStraight) {
   const Arm arm = built_in("rrr");
-  const std::vector<Configuration> motion = figure_1_9_motion();
-  EXPECT_LT((motion.front() - figure_1_9_start()).norm(), 1e-12);
+  const Trajectory motion = figure_1_9_motion();
+  EXPECT_LT((motion.positions.front() - figure_1_9_start()).norm(), 1e-12);
   std::vector<Vector3> corners{forward_kinematics(arm, figure_1_9_start()).translation()};
   for (const Pose2& waypoint : figure_1_9_waypoints()) {
     corners.emplace_back(waypoint.x, waypoint.y, 0);
@@ -123,28 +130,16 @@ TEST(Chapter, Figure19GoesStraight) {
   EXPECT_EQ(line, 2u);
   for (std::size_t i = 1; i < 4; ++i) {  // each waypoint is reached, with its orientation
     double nearest = 9;
-    for (const Configuration& q : motion) {
+    for (const Configuration& q : motion.positions) {
       const Pose2 goal = figure_1_9_waypoints()[i - 1];
       nearest =
           std::min(nearest, pose_difference(goal, to_plane(forward_kinematics(arm, q))).norm());
     }
     EXPECT_LT(nearest, 0.005);
   }
-  for (const Configuration& q : motion) {  // far from straight and folded elbows
+  for (const Configuration& q : motion.positions) {  // far from straight and folded elbows
     EXPECT_GT(std::abs(std::sin(q[1])), 0.3);
   }
-}
-
-TEST(Motion, ShowsGhostsAtEqualLengths) {
-  std::vector<Vector3> tool;
-  for (int k = 0; k <= 900; ++k) tool.emplace_back(std::pow(k / 900.0, 3), 0, 0);
-  const std::vector<std::size_t> at = evenly_along(tool, 4);
-  ASSERT_EQ(at.size(), 4u);
-  for (std::size_t k = 0; k < 4; ++k) {
-    EXPECT_NEAR(tool[at[k]].x(), 0.25 * static_cast<double>(k), 0.004);
-  }
-  EXPECT_EQ(evenly_along({Vector3::Zero(), Vector3::Zero()}, 3).size(), 1u);
-  EXPECT_TRUE(evenly_along({}, 3).empty());
 }
 
 }  // namespace

@@ -152,4 +152,16 @@ std::string pdf_of(const Drawing& drawing) {
   return bytes;
 }
 
+std::string pixels_of(const Drawing& drawing, int width, int height, double scale) {
+  const Surface surface = painted_image(drawing, width, height, scale);
+  cairo_surface_flush(surface.get());
+  const auto* rows = reinterpret_cast<const char*>(cairo_image_surface_get_data(surface.get()));
+  const int stride = cairo_image_surface_get_stride(surface.get());
+  std::string pixels;
+  for (int y = 0; y < height; ++y) {
+    pixels.append(rows + std::ptrdiff_t{y} * stride, static_cast<std::size_t>(width) * 4);
+  }
+  return pixels;
+}
+
 }  // namespace beeline::internal

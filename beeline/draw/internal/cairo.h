@@ -11,4 +11,8 @@ namespace beeline::internal {
 std::string png_of(const Drawing& drawing);
 std::string pdf_of(const Drawing& drawing);
 
+/// Returns the rows of an image of the drawing, times `scale` (pixels per point), from its upper
+/// left corner; four bytes a pixel: blue, green, red and one that is not used.
+std::string pixels_of(const Drawing& drawing, int width, int height, double scale);
+
 }  // namespace beeline::internal

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <beeline/draw/internal/curve_thinning.h>
+#include <beeline/draw/internal/simplification.h>
 
 namespace beeline::internal {
 namespace {
@@ -30,7 +30,7 @@ std::vector<PaperPoint> extremes(const std::vector<PaperPoint>& points) {
   return kept;
 }
 
-double distance(const PaperPoint& p, const PaperPoint& a, const PaperPoint& b) {
+double distance_from_chord(const PaperPoint& p, const PaperPoint& a, const PaperPoint& b) {
   const PaperPoint chord = b - a;
   const double square = chord.squaredNorm();
   const double t = square > 0 ? std::clamp((p - a).dot(chord) / square, 0.0, 1.0) : 0;
@@ -42,31 +42,11 @@ double distance(const PaperPoint& p, const PaperPoint& a, const PaperPoint& b) {
 std::vector<PaperPoint> thinned(const std::vector<PaperPoint>& points) {
   const std::vector<PaperPoint> all = extremes(points);
   if (all.size() < 3) return all;
-  std::vector<bool> kept(all.size(), false);
-  kept.front() = kept.back() = true;
-  // Douglas & Peucker, "Algorithms for the reduction of the number of points" (1973).
-  std::vector<std::pair<std::size_t, std::size_t>> open{{0, all.size() - 1}};
-  while (!open.empty()) {
-    const auto [begin, end] = open.back();
-    open.pop_back();
-    double largest = tolerance;
-    std::size_t farthest = begin;
-    for (std::size_t i = begin + 1; i < end; ++i) {
-      const double deviation = distance(all[i], all[begin], all[end]);
-      if (deviation > largest) {
-        largest = deviation;
-        farthest = i;
-      }
-    }
-    if (farthest == begin) continue;
-    kept[farthest] = true;
-    open.emplace_back(begin, farthest);
-    open.emplace_back(farthest, end);
-  }
+  const auto off = [&](std::size_t i, std::size_t a, std::size_t b) {
+    return distance_from_chord(all[i], all[a], all[b]);
+  };
   std::vector<PaperPoint> few;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (kept[i]) few.push_back(all[i]);
-  }
+  for (const std::size_t i : simplified(0, all.size() - 1, tolerance, off)) few.push_back(all[i]);
   return few;
 }
 

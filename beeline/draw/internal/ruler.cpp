@@ -90,10 +90,13 @@ void draw_rulers(const Plot& plot, double step, std::vector<PaperMark>& marks) {
   marks.emplace_back(name);
 }
 
-std::vector<Polyline> floor_grid(const Scene& scene) {
+std::vector<Polyline> floor_grid(const Scene& scene, std::span<const Scene> frames) {
   if (!scene.floor) return {};
   std::vector<Footprint> footprints;
   for (const Item& item : scene.items) add_footprints(item.shape, 0, footprints);
+  for (const Scene& frame : frames) {
+    for (const Item& item : frame.items) add_footprints(item.shape, 0, footprints);
+  }
   if (footprints.empty()) return {};
   Vector3 low = footprints.front().at, high = low;
   for (const Footprint& footprint : footprints) {

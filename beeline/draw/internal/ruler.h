@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <beeline/draw/internal/paper_shapes.h>
@@ -28,8 +29,9 @@ bool has_rulers(const View& view);
 /// Draws a frame with ticks, tick labels, axis names ("x [m]") and a light grid.
 void draw_rulers(const Plot& plot, double step, std::vector<PaperMark>& marks);
 
-/// Returns grid lines on the ground plane at multiples of a round step, around the scene's content.
-std::vector<Polyline> floor_grid(const Scene& scene);
+/// Returns grid lines on the ground plane at multiples of a round step, around the content of the
+/// scene and of all frames.
+std::vector<Polyline> floor_grid(const Scene& scene, std::span<const Scene> frames = {});
 
 /// Draws the world's axes and a scale bar at the lower edge of the plot.
 void draw_scale_bar(const Plot& plot, std::vector<PaperMark>& marks);

@@ -5,22 +5,39 @@
 
 #include <beeline/draw/scene.h>
 #include <beeline/model/arm.h>
+#include <beeline/trajectory/trajectory.h>
 
 namespace beeline::internal {
 
-/// Returns the tool positions of a motion, metres, in the world.
-std::vector<Vector3> tool_positions(const Arm& arm, const std::vector<Configuration>& motion);
+/// The path of the tool's origin in the world.
+struct ToolTrail {
+  std::vector<double> times;    ///< seconds, not decreasing
+  std::vector<Vector3> points;  ///< metres
+};
 
-/// Adds the trail of the tool: a thin line, and dots whose spacing shows the speed. Of more than
-/// `max_dots` points every m-th gets a dot; the line keeps the extremes between them.
-void add_trail(Scene& scene, const std::vector<Vector3>& points, std::size_t max_dots = 2000);
+/// Returns the positions of the tool along the motion that the columns mean: at every sample and
+/// between them, 2000 or more in all. Of more than 20,000 the extremes along each axis stay of each
+/// group of neighbours, so that no spike is lost. The trajectory is in the arm's joint order.
+ToolTrail tool_trail(const Arm& arm, const Trajectory& trajectory);
+
+struct TrailStyle {
+  std::size_t dots = 81;  ///< at equal times, whose spacing shows the speed
+  bool growing = false;   ///< every part appears when the tool has passed it (Item::appears)
+};
+
+/// Adds the trail of the tool: a thin line through its points, less those that do not matter to the
+/// eye, and dots. Where the scene has a floor, the parts below it are drawn in their own colour.
+void add_trail(Scene& scene, const Arm& arm, const Trajectory& trajectory,
+               const TrailStyle& style = {});
+
+constexpr Colour below_ground{0.45, 0.10, 0.55};  ///< of parts of a trail below the floor
 
 /// Adds a ring and a small frame at each pose, with its label from `names` where there is one.
 void add_poses(Scene& scene, const std::vector<Pose>& poses,
                const std::vector<std::string>& names = {});
 
-/// Returns the samples that divide the tool's trail into `count` parts of equal length: the start
-/// first, without the end.
-std::vector<std::size_t> evenly_along(const std::vector<Vector3>& tool, int count);
+/// Returns the times that divide the trail into `count` parts of equal length: the start first,
+/// without the end.
+std::vector<double> times_evenly_along(const ToolTrail& trail, int count);
 
 }  // namespace beeline::internal

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -11,60 +12,136 @@ namespace beeline {
 using namespace internal;
 namespace {
 
-const Polyline& line_of(const Scene& scene) { return std::get<Polyline>(scene.items[0].shape); }
-const Dots& dots_of(const Scene& scene) { return std::get<Dots>(scene.items[1].shape); }
+Trajectory random_motion(testing::Random& random, const Arm& arm, int samples) {
+  Trajectory motion{arm.joint_names(), {}, {}, {}, {}};
+  for (int k = 0; k < samples; ++k) {
+    motion.times.push_back(0.1 * k);
+    motion.positions.push_back(random.configuration(arm));
+    motion.velocities.push_back(random.configuration(arm));
+    motion.accelerations.push_back(random.configuration(arm));
+  }
+  return motion;
+}
 
-TEST(Trail, KeepsEveryPointOfAShortMotion) {
+std::vector<Polyline> lines_of(const Scene& scene) {
+  std::vector<Polyline> lines;
+  for (const Item& item : scene.items) {
+    if (const auto* line = std::get_if<Polyline>(&item.shape)) lines.push_back(*line);
+  }
+  return lines;
+}
+
+double distance_to(const std::vector<Vector3>& line, const Vector3& p) {
+  double nearest = (p - line.front()).norm();
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Vector3 chord = line[i] - line[i - 1];
+    const double square = chord.squaredNorm();
+    const double t = square > 0 ? std::clamp(chord.dot(p - line[i - 1]) / square, 0.0, 1.0) : 0;
+    nearest = std::min(nearest, (p - line[i - 1] - t * chord).norm());
+  }
+  return nearest;
+}
+
+TEST(Trail, FollowsTheTrajectorysOwnPolynomials) {
   testing::Random random;
-  for (std::size_t count = 1; count < 300; ++count) {
-    std::vector<Vector3> points;
-    for (std::size_t i = 0; i < count; ++i) points.push_back(random.vector());
+  for (int trial = 0; trial < 20; ++trial) {
+    const Arm arm = built_in(trial % 2 == 0 ? "ur5" : "rrr");
+    const Trajectory motion = random_motion(random, arm, random.integer(1, 12));
     Scene scene;
-    add_trail(scene, points, count);
-    EXPECT_EQ(dots_of(scene).points, points);
-    EXPECT_EQ(line_of(scene).points, points);
+    add_trail(scene, arm, motion);
+    const std::vector<Vector3> line = lines_of(scene).front().points;
+    for (int k = 0; k < 200; ++k) {
+      const Configuration q = sample(motion, random.uniform(0, motion.times.back())).position;
+      EXPECT_LT(distance_to(line, forward_kinematics(arm, q).translation()),
+                arm.planar() ? 0.03 : 0.005);
+    }
   }
 }
 
-TEST(Trail, ThinsOutDotsButKeepsEndsAndCorners) {
-  std::vector<Vector3> points;  // a square with a spike that is one sample wide
-  constexpr int side = 25'000;
-  for (int k = 0; k < 4 * side; ++k) {
+TEST(Trail, GrowsPieceByPieceToTheSameLine) {
+  testing::Random random;
+  const Arm arm = built_in("rrr");
+  const Trajectory motion = random_motion(random, arm, 6);
+  Scene still, growing;
+  add_trail(still, arm, motion);
+  add_trail(growing, arm, motion, {.growing = true});
+  double before = 0;
+  for (const Item& item : growing.items) {
+    EXPECT_GE(item.appears, before);
+    EXPECT_LE(item.appears, motion.times.back() + 1e-12);
+    before = item.appears;
+    const auto* line = std::get_if<Polyline>(&item.shape);
+    if (line == nullptr) continue;
+    const Vector3 at = forward_kinematics(arm, sample(motion, item.appears).position).translation();
+    EXPECT_LT((line->points.back() - at).norm(), 1e-9);
+    for (const Vector3& p : line->points) {
+      EXPECT_LT(distance_to(lines_of(still).front().points, p), 0.01);
+    }
+  }
+}
+
+TEST(Trail, OfAMillionSamplesIsShortButKeepsASpike) {
+  const Arm arm = built_in("gantry");
+  Trajectory motion{arm.joint_names(), {}, {}, {}, {}};
+  constexpr int side = 250'000;
+  for (int k = 0; k <= 4 * side; ++k) {
+    const Eigen::Vector2d corners[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {0, 0}};
     const double s = (k % side) / double(side);
-    const Vector3 corners[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}};
-    points.push_back(corners[k / side] + s * (corners[k / side + 1] - corners[k / side]));
+    motion.times.push_back(1e-3 * k);
+    motion.positions.emplace_back(corners[k / side] +
+                                  s * (corners[k / side + 1] - corners[k / side]));
   }
-  points[12'345].y() = -0.5;
-  points.emplace_back(0, 0, 0);
+  motion.positions[123'456].y() = -0.5;  // one sample wide
   Scene scene;
-  add_trail(scene, points);
-  const std::vector<Vector3>& dots = dots_of(scene).points;
-  const std::vector<Vector3>& line = line_of(scene).points;
-  EXPECT_LE(dots.size(), 2000u);
-  EXPECT_GE(dots.size(), 1000u);
-  EXPECT_LE(line.size(), 4000u);
-  EXPECT_EQ(dots.front(), points.front());
-  EXPECT_EQ(dots.back(), points.back());
-  double lowest = 0;
-  for (const Vector3& p : line) lowest = std::min(lowest, p.y());
-  EXPECT_EQ(lowest, -0.5);
-  for (const Vector3& corner : {Vector3(1, 0, 0), Vector3(1, 1, 0), Vector3(0, 1, 0)}) {
-    double nearest = 9;
-    for (const Vector3& p : line) nearest = std::min(nearest, (p - corner).norm());
-    EXPECT_LT(nearest, 1e-3);
+  add_trail(scene, arm, motion);
+  const std::vector<Vector3> line = lines_of(scene).front().points;
+  EXPECT_LT(line.size(), 100u);
+  for (const Configuration& q : {motion.positions[123'456], motion.positions[side]}) {
+    EXPECT_LT(distance_to(line, forward_kinematics(arm, q).translation()), 1e-3);
   }
 }
 
-TEST(Trail, FollowsTheTool) {
+TEST(Trail, MarksWhatIsBelowTheFloor) {
   testing::Random random;
   const Arm arm = built_in("ur5");
-  std::vector<Configuration> motion;
-  for (int k = 0; k < 50; ++k) motion.push_back(random.configuration(arm));
-  const std::vector<Vector3> tool = tool_positions(arm, motion);
-  ASSERT_EQ(tool.size(), motion.size());
-  for (std::size_t k = 0; k < tool.size(); ++k) {
-    EXPECT_EQ(tool[k], forward_kinematics(arm, motion[k]).translation());
+  for (int trial = 0; trial < 20; ++trial) {
+    const Trajectory motion = random_motion(random, arm, 5);
+    Scene scene;
+    scene.floor = random.uniform(-0.5, 0.5);
+    add_trail(scene, arm, motion);
+    const std::vector<Polyline> lines = lines_of(scene);
+    double below = 0, marked = 0;
+    for (std::size_t i = 1; i < lines[0].points.size(); ++i) {
+      const Vector3 &a = lines[0].points[i - 1], &b = lines[0].points[i];
+      const double low = std::min(a.z(), b.z()), high = std::max(a.z(), b.z());
+      const double part = high > low ? std::clamp((*scene.floor - low) / (high - low), 0.0, 1.0)
+                                     : (low < *scene.floor ? 1 : 0);
+      below += part * (b - a).norm();
+    }
+    for (std::size_t n = 1; n < lines.size(); ++n) {
+      EXPECT_EQ(lines[n].colour, below_ground);
+      for (std::size_t i = 0; i < lines[n].points.size(); ++i) {
+        EXPECT_LT(lines[n].points[i].z(), *scene.floor + 1e-8);
+        if (i > 0) marked += (lines[n].points[i] - lines[n].points[i - 1]).norm();
+      }
+    }
+    EXPECT_NEAR(marked, below, 1e-5);
   }
+}
+
+TEST(Trail, ShowsGhostsAtEqualLengths) {
+  ToolTrail trail;
+  for (int k = 0; k <= 900; ++k) {
+    trail.times.push_back(k);
+    trail.points.emplace_back(std::pow(k / 900.0, 3), 0, 0);
+  }
+  const std::vector<double> at = times_evenly_along(trail, 4);
+  ASSERT_EQ(at.size(), 4u);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(std::pow(at[k] / 900, 3), 0.25 * static_cast<double>(k), 0.004);
+  }
+  EXPECT_EQ(times_evenly_along({{0, 1}, {Vector3::Zero(), Vector3::Zero()}}, 3).size(), 1u);
+  EXPECT_TRUE(times_evenly_along({}, 3).empty());
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <beeline/draw/figure.h>
+#include <beeline/error.h>
+
+namespace beeline {
+
+/// A figure that moves: what stands still, and items that change with time.
+struct Animation {
+  Figure figure;              ///< what stands still; Item::appears counts in the units of `times`
+  std::vector<double> times;  ///< seconds, strictly increasing
+  std::vector<Scene> frames;  ///< for each time, what every panel shows beside its own scene
+};
+
+/// How an animation is played: in a loop, at rest before it begins and after it ends.
+struct PlaybackOptions {
+  double speed = 1;               ///< relative to the animation's times, from 1e-3 to 1e3
+  double rest_before = 0.5;       ///< seconds, from 0 to 60
+  double rest_after = 1.5;        ///< seconds, from 0 to 60
+  double frames_per_second = 25;  ///< of gif, mp4 and webp, from 1 to 60
+};
+
+enum class AnimationFormat { svg, gif, mp4, webp };
+
+/// Returns the format that the file extension names, in upper or lower case. Throws Error for any
+/// other extension.
+AnimationFormat animation_format_of(std::string_view path);
+
+/// Returns the animation as an SVG file that plays in any browser (SMIL; no script). Between its
+/// keyframes points move linearly, in time and within 0.15 points of their places at all times of
+/// the animation; where what moves would exceed `max_svg_size`, the distance is larger, up to 2
+/// points, and frames are left out. Viewers that
+/// do not animate, and readers who prefer reduced motion, see the last frame. Equal animations give
+/// equal files. Throws Error where compose() does, and for options out of range.
+std::string animated_svg(const Animation& animation, const PlaybackOptions& options = {});
+constexpr std::size_t max_svg_size = 400'000;  ///< bytes; what stands still is not counted
+
+/// Writes the animation in the format that the path's extension names, as save() of a figure does.
+/// SVG is written by the library; gif, mp4 and webp by the program `ffmpeg` of frames drawn by
+/// Cairo, at most 1500 of them: a longer animation has fewer frames per second. An mp4 ends where
+/// others begin again. Throws Error where the program is missing or fails.
+void save(const Animation& animation, const std::string& path, const PlaybackOptions& options = {});
+
+}  // namespace beeline

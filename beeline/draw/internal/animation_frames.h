@@ -1,0 +1,18 @@
+#pragma once
+
+#include <beeline/draw/animation.h>
+#include <beeline/draw/internal/keyframes.h>
+
+namespace beeline::internal {
+
+/// Throws Error for an animation without frames, for times that do not fit them or do not increase,
+/// and for options out of range.
+void check_playback(const Animation& animation, const PlaybackOptions& options);
+
+/// Returns when each frame is shown.
+Timeline timeline_of(const Animation& animation, const PlaybackOptions& options);
+
+/// Returns when the animation's time t is shown, as a fraction of the loop.
+double fraction_at(const Animation& animation, const PlaybackOptions& options, double t);
+
+}  // namespace beeline::internal

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <beeline/draw/animation.h>
+
+namespace beeline::internal {
+
+/// Images of one size at equal steps of time.
+struct MovieFrames {
+  int width = 0, height = 0;  ///< pixels, even numbers
+  double per_second = 25;
+  int count = 0;
+  std::function<std::string(int)> pixels;  ///< of image i, see pixels_of()
+};
+
+/// Returns the bytes of a gif, mp4 or webp file, encoded by the program `ffmpeg`: a kept program
+/// that writes all three, and is needed only when one is written. Throws Error where it is missing
+/// or fails.
+std::string movie(const MovieFrames& frames, AnimationFormat format);
+
+}  // namespace beeline::internal
