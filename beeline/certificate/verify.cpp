@@ -6,13 +6,12 @@
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/certificate/internal/path_interval.h>
 #include <beeline/certificate/internal/path_step.h>
+#include <beeline/certificate/internal/sample_locator.h>
 #include <beeline/certificate/internal/segment_taylor_bound.h>
 #include <beeline/certificate/verify.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/checked_poses.h>
-#include <beeline/path/internal/consistent_parameters.h>
-#include <beeline/path/internal/path_tracker.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 
 namespace beeline {
@@ -31,16 +30,13 @@ struct Verifier {
   BudgetMeter& budget;
   std::vector<Pose> world_T_tool = {};  ///< at the samples
   Verification result = {};
+  /// The largest segment parameter up to the interval that is being checked.
+  struct {
+    std::size_t segment = 0;
+    double s = 0;
+  } furthest = {};
 
   bool near(const Deviation& deviation) const { return within(deviation, tolerance); }
-
-  /// Whether the whole segment is within tolerance of its end.
-  bool near_its_end(const Segment& segment) const {
-    const auto at_end = [&](double s) {
-      return near(task_deviation(task, pose_at(segment, s), pose_at(segment, 1)));
-    };
-    return at_end(0) && at_end(0.25) && at_end(0.5) && at_end(0.75);
-  }
 
   bool is_line(std::size_t i) const { return std::holds_alternative<Line>(route.path.segments[i]); }
 
@@ -57,103 +53,6 @@ struct Verifier {
     result.time = trajectory.times[k];
     result.reason =
         "at " + number(result.time) + " s, sample " + std::to_string(k + 1) + ": " + reason;
-  }
-
-  /// The samples between two stops: path parameters, and the deviation of each from the end as a
-  /// fraction of the tolerance, or -1 where the sample is not at the end.
-  struct Located {
-    std::vector<double> path_parameters, from_end;
-    bool reached = false;  ///< the end, by some sample
-    bool off = false;      ///< the last one is off the path
-  };
-
-  /// Finds the path parameters of the samples from `first` on, from `begin` to the end of
-  /// `segment`. Stops at a sample that is off the path, and at one that leaves the segment's end
-  /// again. The route's end is an exception: the tool may pass near it before.
-  Located locate(std::size_t first, const PathTracker& tracker, double begin,
-                 std::size_t segment) const {
-    const auto end = static_cast<double>(segment + 1);
-    const bool last = segment + 1 == route.path.segments.size();
-    const Pose goal = pose_at(route.path.segments[segment], 1);
-    const bool line = begin == end - 1 && is_line(segment);
-    // The beginning of a closed path is near its end too: only its last half segment is the end.
-    double closing = end - 0.5;
-    for (std::size_t i = segment + 1; i-- > 0 && near_its_end(route.path.segments[i]);) {
-      closing -= 1;
-    }
-    Located found;
-    for (std::size_t k = first; k < trajectory.size(); ++k) {
-      if (!last && found.reached && found.from_end.back() < 0) break;
-      if (budget.ended()) break;
-      const Pose& tool = world_T_tool[k];
-      const double from = found.path_parameters.empty() ? begin : found.path_parameters.back();
-      const std::optional<double> fit =
-          line ? tracker.nearest(tool, from) : tracker.first_within(tool, from);
-      const double s = fit.value_or(from);
-      found.path_parameters.push_back(s);
-      const Deviation left = task_deviation(task, goal, tool);
-      // s is the first parameter within the tolerance, not the nearest.
-      const bool at_end = near(left) && (line || tracker.first_fit(tool, s).value_or(s) > closing);
-      found.from_end.push_back(at_end ? std::max(left.position / tolerance.position,
-                                                 left.orientation / tolerance.orientation)
-                                      : -1);
-      found.reached = found.reached || at_end;
-      if (fit) continue;
-      found.path_parameters.back() = tracker.nearest(tool, from);
-      found.off = true;
-      break;
-    }
-    return found;
-  }
-
-  /// Replaces the first path parameters within the tolerance by those that fit best together.
-  void make_consistent(const PathTracker& tracker, std::size_t first, Located& found) const {
-    std::vector<double>& s = found.path_parameters;
-    const auto poses = std::span(world_T_tool).subspan(first);
-    const double off = s.back();
-    if (found.off && !found.reached) s.pop_back();
-    if (!found.reached && s.size() > 1) {
-      const std::size_t last = s.size() - 1;
-      s[last] = tracker.first_fit(poses[last], s[last]).value_or(s[last]);
-    }
-    if (s.size() > 1) {
-      s = consistent_parameters(
-          tracker, poses, s, [&](std::size_t k) { return moved(tracker, first + k); }, &budget);
-    }
-    if (found.off && !found.reached) s.push_back(std::max(off, s.back()));
-  }
-
-  /// Keeps the samples up to the one nearest to the end. It is chosen among the first consecutive
-  /// samples that are at the end; at the end of the route, among the last ones.
-  static void cut_at_arrival(Located& found, bool last) {
-    const std::vector<double>& from_end = found.from_end;
-    std::size_t k = 0;
-    if (last && from_end.back() >= 0) {
-      for (k = from_end.size() - 1; k > 0 && from_end[k - 1] >= 0;) --k;
-    }
-    while (from_end[k] < 0) ++k;
-    std::size_t nearest = k;
-    for (; k < from_end.size() && from_end[k] >= 0; ++k) {
-      if (from_end[k] < from_end[nearest]) nearest = k;
-    }
-    found.path_parameters.resize(nearest + 1);
-  }
-
-  /// The length of the tool's motion from sample k to the next.
-  double moved(const PathTracker& tracker, std::size_t k) const {
-    constexpr int chords = 8;
-    double length = 0;
-    Pose before = world_T_tool[k];
-    for (int j = 1; j <= chords; ++j) {
-      Configuration q = trajectory.positions[k + 1];
-      for (int i = 0; i < arm.dof() && j < chords; ++i) {
-        q[i] = interval_polynomial(trajectory, k, i)(static_cast<double>(j) / chords);
-      }
-      const Pose here = forward_kinematics(arm, q);
-      length += tracker.distance(before, here);
-      before = here;
-    }
-    return length;
   }
 
   /// Returns whether sample k, with this deviation, is within tolerance; records a fault if not.
@@ -214,20 +113,23 @@ struct Verifier {
                               deviation_text(measured) + jump);
   }
 
-  /// Records a fault where the tool may move backwards on the path between two samples by more than
-  /// the tolerance, as with false velocities: by the largest decrease of s(u), or by the tool's
-  /// distance `along` a line from the pose at s(u).
+  /// Records a fault where the tool may move backwards on the segment by more than the tolerance,
+  /// as with false velocities: by the largest decrease of s(u) from its largest value up to there,
+  /// and the tool's distance `along` a line from the pose at s(u).
   void check_direction(std::size_t k, const Segment& segment, const PathInterval& part,
                        double along) {
-    const double back = largest_decrease(part.interval.s);
+    if (part.segment != furthest.segment) furthest = {part.segment};
+    const double back = largest_decrease(part.interval.s, furthest.s);
+    const Extremes range = extremes(part.interval.s);
     Deviation moved{along, 0};
     if (back > 0) {
-      const Extremes range = extremes(part.interval.s);
-      const SegmentTaylorBound rates = segment_taylor_bound(segment, std::max(range.smallest, 0.0),
-                                                            std::min(range.largest, 1.0));
-      if (task.positions() > 0) grow(moved, {back * rates.position.c[1], 0});
-      if (task.orientations() > 0) grow(moved, {0, back * rates.rotation.c[1]});
+      const double largest = std::max(range.largest, furthest.s);
+      const SegmentTaylorBound rates = segment_taylor_bound(
+          segment, std::clamp(range.smallest, 0.0, 1.0), std::clamp(largest, 0.0, 1.0));
+      if (task.positions() > 0) moved.position += back * rates.position.c[1];
+      if (task.orientations() > 0) moved.orientation = back * rates.rotation.c[1];
     }
+    furthest.s = std::max(furthest.s, range.largest);
     if (near(moved)) return;
     fail(Fault::deviation, k,
          "up to the next sample the tool moves backwards on " + name_of(part.segment) +
@@ -287,16 +189,9 @@ struct Verifier {
                  "the path's beginning");
     for (std::size_t i = 0; i < segments && result.fault == Fault::none; ++i) {
       if (i + 1 < segments && !route.stops[i]) continue;
-      const PathTracker tracker(route.path, task, static_cast<double>(begin),
-                                static_cast<double>(i + 1), tolerance, &budget);
-      if (!budget.complete()) break;
-      Located found = locate(first, tracker, static_cast<double>(begin), i);
-      if (!budget.complete()) break;
-      if (found.reached) {
-        cut_at_arrival(found, i + 1 == segments);
-        found.path_parameters.back() = static_cast<double>(i + 1);
-      }
-      if (begin < i || !is_line(i)) make_consistent(tracker, first, found);
+      const SampleParameters found =
+          SampleLocator(arm, trajectory, route, task, tolerance, world_T_tool, budget)
+              .from(first, begin, i);
       if (!budget.complete()) break;
       check_samples(first, found.path_parameters);
       if (!budget.complete()) break;

@@ -92,10 +92,10 @@ Extremes extremes(const Polynomial& p) {
   return found;
 }
 
-double largest_decrease(const Polynomial& p) {
+double largest_decrease(const Polynomial& p, double before) {
   const Polynomial slope = p.derivative();
-  if (enclosure(slope).smallest >= 0) return 0;
-  double largest = p(0), decrease = 0;
+  double largest = std::max(before, p(0)), decrease = largest - p(0);
+  if (enclosure(slope).smallest >= 0) return decrease;
   const Breakpoints turns = zeros(slope, degree - 1);
   for (std::size_t i = 0; i < turns.count; ++i) {
     const double value = p(turns.u[i]);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 
 namespace beeline::internal {
 
@@ -46,8 +47,9 @@ Extremes enclosure(const Polynomial& p);
 /// derivative, which are isolated by the zeros of its own derivatives.
 Extremes extremes(const Polynomial& p);
 
-/// The largest p(a) - p(b) for a <= b in [0, 1], to rounding: 0 for a polynomial that does not
-/// decrease.
-double largest_decrease(const Polynomial& p);
+/// The largest p(a) - p(b) for a <= b in [0, 1], or `before` - p(b) where that is larger, to
+/// rounding: 0 for a polynomial that begins at `before` or above and does not decrease.
+double largest_decrease(const Polynomial& p,
+                        double before = -std::numeric_limits<double>::infinity());
 
 }  // namespace beeline::internal

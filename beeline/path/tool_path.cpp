@@ -27,7 +27,11 @@ PathKind path_kind_named(std::string_view name) {
 
 Route route_of(ToolPath path, PathKind kind) {
   const std::size_t segments = path.segments.size();
-  return {std::move(path), std::vector<bool>(segments, kind != PathKind::spline)};
+  std::vector<bool> stops(segments, true);
+  for (std::size_t i = 0; i + 1 < segments && kind == PathKind::spline; ++i) {
+    stops[i] = corner_at(path, static_cast<double>(i + 1));
+  }
+  return {std::move(path), std::move(stops)};
 }
 
 double span_of(const Line& line) {

@@ -42,7 +42,7 @@ struct Route {
   std::vector<double> speeds = {};
 };
 
-/// Lines, screws and arcs stop where two of them meet; a spline does not stop.
+/// Lines, screws and arcs stop where two of them meet; a spline stops only where it turns back.
 Route route_of(ToolPath path, PathKind kind);
 
 /// The weight of a rotation where lengths and angles are added: metres per radian.
@@ -81,7 +81,8 @@ std::size_t segment_at(const ToolPath& path, double s);
 
 /// Returns the path through the poses (world_T_tool) in order. Lines and screws join neighbours.
 /// Each arc takes two more poses; only the position of the first of them counts. A spline passes
-/// through all poses, and its velocity and acceleration, linear and angular, are continuous.
+/// through all poses, and its velocity and acceleration, linear and angular, are continuous. Where
+/// it would turn back at a pose, as at the second of A, B, A, it is divided into two splines.
 ///
 /// The spline's positions are cubic in the chord length, the root of the sum of the squares of the
 /// distance and of metres_per_radian times the rotation angle. The rotation vectors of the shortest

@@ -122,6 +122,26 @@ TEST(Verify, TellsALimitThatIsPassedBetweenSamplesOnly) {
   EXPECT_EQ(verify(rail, trajectory, end).fault, Fault::none) << "joints in proportion stay inside";
 }
 
+TEST(Verify, AddsUpBackwardsMotionOverIntervals) {
+  const Arm rail{"rail", {composite_joint('P', "rail").front()}};
+  const auto at = [](double x) { return Configuration::Constant(1, x); };
+  Trajectory trajectory = at_rest(rail, at(0));
+  trajectory.times = {0, 1, 2};
+  trajectory.positions = {at(0), at(0.1), at(0.2)};
+  trajectory.accelerations.clear();
+  const std::vector<Pose> end{forward_kinematics(rail, at(0.2))};
+  const auto passing_by = [&](double distance) {  // the middle, on both sides of it
+    const double velocity = -std::sqrt(12 * 0.1 * distance);
+    trajectory.velocities = {at(0), at(velocity), at(0)};
+    return verify(rail, trajectory, end, {.tolerance = 1e-4});
+  };
+  EXPECT_EQ(passing_by(0.4e-4).fault, Fault::none);
+  const Verification found = passing_by(0.7e-4);
+  EXPECT_EQ(found.fault, Fault::deviation);
+  EXPECT_EQ(found.sample, 1);
+  EXPECT_NE(found.reason.find("backwards"), std::string::npos) << found.reason;
+}
+
 TEST(Verify, FindsAnOmittedWaypoint) {
   Made motion = made("ur5");
   std::swap(motion.poses[1], motion.poses[2]);

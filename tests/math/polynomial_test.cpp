@@ -79,6 +79,9 @@ TEST(Polynomial, LargestDecreaseIsThatOfItsValues) {
     }
     ASSERT_NEAR(largest_decrease(p), decrease, 1e-5);
     ASSERT_GE(largest_decrease(p), decrease - 1e-14);
+    const double before = random.uniform(-1, 1);
+    ASSERT_NEAR(largest_decrease(p, before), std::max(decrease, before - extremes(p).smallest),
+                1e-5);
   }
   EXPECT_EQ(largest_decrease({{1, 2, 0, 3}}), 0);
 }

@@ -7,6 +7,9 @@
 namespace beeline::internal {
 namespace {
 
+/// A spline turns back at a knot where its speed with respect to the chord length is less.
+constexpr double min_spline_speed = 0.03;
+
 /// The translation and rotation vector from each knot to the next, and the span of the parameter.
 struct Steps {
   std::vector<Twist> motion;
@@ -87,12 +90,37 @@ SplineSegment segment_of(const Pose& from, const Twist& motion, const Twist& at_
   return segment;
 }
 
+/// The inner knots at which the spline turns back.
+std::vector<std::size_t> reversals(const std::vector<Twist>& slopes) {
+  std::vector<std::size_t> knots;
+  for (std::size_t i = 1; i + 1 < slopes.size(); ++i) {
+    const double speed =
+        std::hypot(slopes[i].head<3>().norm(), metres_per_radian * slopes[i].tail<3>().norm());
+    if (speed < min_spline_speed) knots.push_back(i);
+  }
+  return knots;
+}
+
 }  // namespace
 
 ToolPath spline_through(std::span<const Pose> poses, const SplineEnds& ends) {
   const Steps steps = steps_between(poses);
   const std::vector<Twist> slopes = slopes_of(steps, ends);
   ToolPath path;
+  std::vector<std::size_t> knots = reversals(slopes);
+  if (!knots.empty()) {
+    knots.insert(knots.begin(), 0);
+    knots.push_back(poses.size() - 1);
+    for (std::size_t i = 1; i < knots.size(); ++i) {
+      const SplineEnds part{i == 1 ? ends.first : std::nullopt,
+                            i + 1 == knots.size() ? ends.last : std::nullopt};
+      const ToolPath spline =
+          spline_through(poses.subspan(knots[i - 1], knots[i] - knots[i - 1] + 1), part);
+      path.segments.insert(path.segments.end(), spline.segments.begin(), spline.segments.end());
+      path.spans.insert(path.spans.end(), spline.spans.begin(), spline.spans.end());
+    }
+    return path;
+  }
   for (std::size_t i = 0; i < steps.motion.size(); ++i) {
     const double span = steps.span[i];
     path.segments.emplace_back(

@@ -1,14 +1,14 @@
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/internal/program_parts.h>
 #include <beeline/planning/internal/program_trajectory.h>
+#include <beeline/planning/internal/waypoint_rests.h>
 #include <beeline/planning/program.h>
-#include <beeline/trajectory/internal/end_velocity.h>
-#include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/tool_speed.h>
 
 namespace beeline {
@@ -17,9 +17,9 @@ using namespace internal;
 
 namespace {
 
-constexpr double rest_distance = 1e-5;       // radians or metres from the arrival's configuration
 constexpr double dwell_rounding = 2e-9;      // seconds
 constexpr double speed_rounding = 1 + 1e-6;  // of a limit of the tool's speed
+constexpr std::size_t max_rests = 16;        // rests at which a move may end
 
 std::string sample_prefix(double time, std::size_t k) {
   return "at " + number(time) + " s, sample " + std::to_string(k + 1) + ": ";
@@ -31,26 +31,26 @@ class ProgramVerifier {
  public:
   ProgramVerifier(const Arm& arm, const Trajectory& trajectory, const Program& program,
                   const VerifyOptions& options)
-      : arm_(arm), trajectory_(trajectory), program_(program), options_(options) {
-    task_ = options.task.value_or(default_task(arm));
+      : arm_(arm),
+        trajectory_(trajectory),
+        program_(program),
+        options_(options),
+        task_(options.task.value_or(default_task(arm))),
+        rests_(arm, trajectory, task_, {options.tolerance, options.orientation_tolerance}) {
     options_.task = task_;
-    for (const Configuration& q : trajectory.positions) {
-      tool_.push_back(forward_kinematics(arm, q));
-    }
     result_.deviation.interval_bounds.resize(trajectory.size() - 1);
   }
 
   Verification run() {
     const Move& first = program_.moves.front();
     // A joint move may change the configuration at the same pose.
-    const bool begins = first.kind != MoveKind::joint && offset(first, 0) <= 1;
+    const bool begins = first.kind != MoveKind::joint && rests_.offset(first, 0) <= 1;
     if (begins) result_.arrivals.push_back(0);
-    const Pose begin = begins ? waypoint_of(arm_, first) : tool_.front();
+    const Pose begin = begins ? waypoint_of(arm_, first) : tool_at(0);
     parts_ = program_parts(arm_, program_, begins ? 1 : 0, begin, Limits::none);
     bool passed = !begins || check_dwell(0);
-    for (std::size_t p = 0; p < parts_.size() && passed; ++p) {
-      const bool last = p + 1 == parts_.size();
-      passed = parts_[p].joint ? check_joint_move(p, last) : check_path(p, last);
+    while (passed && part_ < parts_.size()) {
+      passed = parts_[part_].joint ? check_joint_move() : check_path();
     }
     if (passed && parts_.empty()) check_rest(0);
     const auto joint = first_joint_fault(arm_, trajectory_, options_.moving, options_.budget);
@@ -74,131 +74,12 @@ class ProgramVerifier {
     return false;
   }
 
-  double offset(const Pose& goal, std::size_t k) const {
-    const Deviation away = task_deviation(task_, goal, tool_[k]);
-    return std::max(away.position / options_.tolerance,
-                    away.orientation / options_.orientation_tolerance);
-  }
-
-  /// The distance of sample k from a waypoint, as a fraction of the tolerance.
-  double offset(const Move& move, std::size_t k) const {
-    if (!move.q) return offset(move.target, k);
-    double largest = 0;
-    for (int i = 0; i < arm_.dof(); ++i) {
-      const bool slides = kind(arm_.joint_of(i)) == JointKind::prismatic;
-      const double tolerance = slides ? options_.tolerance : options_.orientation_tolerance;
-      largest = std::max(largest, std::abs(trajectory_.positions[k][i] - (*move.q)[i]) / tolerance);
-    }
-    return largest;
-  }
-
-  /// Whether the joints are at rest at sample k, to the tolerance of first_joint_fault() for the
-  /// ends, which it checks itself.
-  bool rests_at(std::size_t k) const {
-    if (k == 0 || k + 1 == trajectory_.size()) return true;
-    const auto slow = [&](const Configuration& change, double h) {
-      for (int i = 0; i < arm_.dof(); ++i) {
-        const double largest = rest_velocity(trajectory_, motion_limits(arm_.limits(i)), h);
-        if (!(std::abs(change[i]) <= largest)) return false;
-      }
-      return true;
-    };
-    if (!trajectory_.velocities.empty()) return slow(trajectory_.velocities[k], 0);
-    const auto slow_after = [&](std::size_t first) {
-      const double h = trajectory_.times[first + 1] - trajectory_.times[first];
-      return slow((trajectory_.positions[first + 1] - trajectory_.positions[first]) / h, h);
-    };
-    return slow_after(k - 1) && slow_after(k);
-  }
-
-  /// Whether the joints rest from sample k to the next, at the waypoint of a move that ends at
-  /// sample `at`.
-  bool rests_after(std::size_t k, const Move& move, std::size_t at) const {
-    if (offset(move, k) > 1 || offset(move, k + 1) > 1) return false;
-    const double h = trajectory_.times[k + 1] - trajectory_.times[k];
-    for (int i = 0; i < arm_.dof(); ++i) {
-      const Polynomial p = interval_polynomial(trajectory_, k, i);
-      const Extremes q = enclosure(p), v = enclosure(time_derivative(p, 1, h));
-      const double goal = trajectory_.positions[at][i];
-      const double largest = rest_velocity(trajectory_, motion_limits(arm_.limits(i)), h);
-      const bool near = q.smallest >= goal - rest_distance && q.largest <= goal + rest_distance;
-      if (!near || !(v.smallest >= -largest && v.largest <= largest)) return false;
-    }
-    return true;
-  }
-
-  /// Consecutive samples within tolerance of a waypoint.
-  struct Visit {
-    std::size_t nearest = 0, end = 0;                   ///< `end`: after the last
-    std::optional<std::size_t> resting = std::nullopt;  ///< the nearest at rest
-  };
-
-  /// The first visit from sample k on.
-  std::optional<Visit> next_visit(const Move& move, std::size_t k) const {
-    const std::size_t size = trajectory_.size();
-    while (k < size && !(offset(move, k) <= 1)) ++k;
-    if (k == size) return {};
-    Visit visit{.nearest = k};
-    double nearest = offset(move, k), resting = 2;
-    for (double here = nearest; k < size && here <= 1; here = ++k < size ? offset(move, k) : 2) {
-      if (here < nearest) visit.nearest = k, nearest = here;
-      if (here < resting && rests_at(k)) visit.resting = k, resting = here;
-    }
-    visit.end = k;
-    return visit;
-  }
-
-  /// The sample from `first` on at which the arm is at the waypoint of a move: that at rest of the
-  /// first visit that has one; if there is none, the nearest of the first visit. `leaves`: the arm
-  /// leaves the waypoint before.
-  std::optional<std::size_t> arrival(const Move& move, std::size_t first, bool leaves) const {
-    std::optional<std::size_t> passed;
-    while (leaves && first < trajectory_.size() && offset(move, first) <= 1) ++first;
-    for (auto visit = next_visit(move, first); visit; visit = next_visit(move, visit->end)) {
-      if (visit->resting) return visit->resting;
-      if (!passed) passed = visit->nearest;
-    }
-    return passed;
-  }
-
-  /// The next move that stops away from the waypoint of a joint move; moves.size() if all stand
-  /// still there, none if a path or a joint move returns to it before.
-  std::optional<std::size_t> next_elsewhere(std::size_t move) const {
-    const Pose here = waypoint_of(arm_, program_.moves[move]);
-    for (std::size_t i = move + 1; i < program_.moves.size(); ++i) {
-      if (is_passed(program_, i)) continue;
-      const Deviation away = task_deviation(task_, waypoint_of(arm_, program_.moves[i]), here);
-      if (!within(away, {options_.tolerance, options_.orientation_tolerance})) return i;
-      if (program_.moves[i].kind != MoveKind::line || is_passed(program_, i - 1)) return {};
-    }
-    return program_.moves.size();
-  }
-
-  /// arrival() of a joint move. One to a pose may begin at this pose, or pass it at rest, and end
-  /// there in another configuration: it ends at the last visit before the next waypoint.
-  std::optional<std::size_t> joint_arrival(std::size_t i) const {
-    const Move& move = program_.moves[i];
-    std::optional<std::size_t> found = arrival(move, begin_, false);
-    const auto next = move.q || !found ? std::nullopt : next_elsewhere(i);
-    if (!next) return found;
-    std::size_t until = trajectory_.size();
-    if (*next < program_.moves.size()) {
-      const auto reached = arrival(program_.moves[*next], *found, false);
-      if (!reached || !rests_at(*reached)) return found;
-      until = *reached;
-    }
-    for (auto visit = next_visit(move, *found); visit; visit = next_visit(move, visit->end)) {
-      if (visit->nearest >= until) break;
-      if (visit->resting && *visit->resting < until && visit->nearest > *found)
-        found = visit->resting;
-    }
-    return found;
-  }
+  Pose tool_at(std::size_t k) const { return forward_kinematics(arm_, trajectory_.positions[k]); }
 
   /// Checks that the arm is at rest where move i ends.
   bool check_stop(std::size_t i) {
     const std::size_t at = result_.arrivals.back();
-    if (rests_at(at)) return true;
+    if (rests_.rests_at(at)) return true;
     return fail(Fault::moving, at,
                 "the arm passes the waypoint of " + move_name(program_, i) +
                     ", where it has to be at rest");
@@ -207,13 +88,14 @@ class ProgramVerifier {
   bool fail_to_reach(std::size_t move) {
     const std::size_t last = trajectory_.size() - 1;
     const Deviation away =
-        task_deviation(task_, waypoint_of(arm_, program_.moves[move]), tool_[last]);
+        task_deviation(task_, waypoint_of(arm_, program_.moves[move]), tool_at(last));
     return fail(Fault::not_through, last,
                 "the waypoint of " + move_name(program_, move) +
                     " is not reached; at the end the tool is " + deviation_text(away) + " from it");
   }
 
-  /// Checks the dwell of the move that ends at the last arrival, and sets `begin_` to its end.
+  /// Checks the dwell of the move that ends at the last arrival, and sets `begin_` to its end. Time
+  /// at rest that belongs to a dwell before does not count.
   bool check_dwell(std::size_t move) {
     const std::size_t at = result_.arrivals.back();
     begin_ = at;
@@ -221,17 +103,22 @@ class ProgramVerifier {
     const double dwell = goal.dwell;
     if (dwell == 0) return true;
     std::size_t from = at;
-    while (from > 0 && rests_after(from - 1, goal, at)) --from;
+    while (from > 0 && rests_.rests_after(from - 1, goal, at)) --from;
+    const double start = std::max(trajectory_.times[from], dwelled_until_);
     // Not beyond the dwell: the arm may rest longer, and moves slowly at first.
-    const auto rested = [&] { return trajectory_.times[begin_] - trajectory_.times[from]; };
+    const auto rested = [&] { return std::max(0.0, trajectory_.times[begin_] - start); };
     while (rested() < dwell - dwell_rounding && begin_ + 1 < trajectory_.size() &&
-           rests_after(begin_, goal, at)) {
+           rests_.rests_after(begin_, goal, at)) {
       ++begin_;
     }
+    dwelled_until_ = start + dwell;
     if (rested() >= dwell - dwell_rounding) return true;
     return fail(Fault::dwell, at,
                 "the arm is at rest for " + number(rested()) + " s at the waypoint of " +
-                    move_name(program_, move) + ", not for " + number(dwell) + " s");
+                    move_name(program_, move) + ", not for " + number(dwell) + " s" +
+                    (dwelled_until_ > dwell && start > trajectory_.times[from]
+                         ? ", beyond the dwells before"
+                         : ""));
   }
 
   bool check_speed(std::size_t move, std::size_t from, std::size_t to) {
@@ -250,13 +137,13 @@ class ProgramVerifier {
 
   /// The sample before those from `from` to `at` that are within tolerance of the pose.
   std::size_t before_near(const Pose& pose, std::size_t from, std::size_t at) const {
-    while (at > from && offset(pose, at - 1) <= 1) --at;
+    while (at > from && rests_.offset(pose, at - 1) <= 1) --at;
     return at > from ? at - 1 : at;
   }
 
   /// The sample after those from `at` to `to` that are within tolerance of the pose.
   std::size_t after_near(const Pose& pose, std::size_t at, std::size_t to) const {
-    while (at < to && offset(pose, at + 1) <= 1) ++at;
+    while (at < to && rests_.offset(pose, at + 1) <= 1) ++at;
     return at < to ? at + 1 : at;
   }
 
@@ -279,23 +166,81 @@ class ProgramVerifier {
   bool check_rest(std::size_t move) {
     const std::size_t at = result_.arrivals.back();
     for (std::size_t k = begin_; k + 1 < trajectory_.size(); ++k) {
-      if (rests_after(k, program_.moves[move], at)) continue;
+      if (rests_.rests_after(k, program_.moves[move], at)) continue;
       return fail(Fault::not_through, k, "the arm leaves the last waypoint");
     }
     return true;
   }
 
-  bool check_joint_move(std::size_t p, bool last) {
-    const std::size_t move = parts_[p].first;
-    const auto end = joint_arrival(move);
-    if (!end) return fail_to_reach(move);
-    result_.arrivals.push_back(*end);
-    return check_speed(move, begin_, *end) && check_stop(move) && check_dwell(move) &&
-           (!last || check_rest(move));
+  /// What a further candidate for the end of a move begins with.
+  struct Progress {
+    Verification result;
+    std::size_t part = 0, begin = 0;
+    double dwelled_until = 0;
+  };
+
+  Progress progress() const { return {result_, part_, begin_, dwelled_until_}; }
+
+  void set_progress(Progress progress) {
+    result_ = std::move(progress.result);
+    part_ = progress.part;
+    begin_ = progress.begin;
+    dwelled_until_ = progress.dwelled_until;
   }
 
-  bool check_path(std::size_t p, bool last_part) {
-    const ProgramPart& part = parts_[p];
+  /// Tries the rests at which a move may end one after the other until one passes. If none does,
+  /// what failed is the attempt that passed most moves, the first of them.
+  template <class Check>
+  bool check_candidates(std::span<const std::size_t> rests, const Check& check) {
+    const Progress before = progress();
+    std::optional<Progress> failed;
+    for (const std::size_t end : rests.first(std::min(rests.size(), max_rests))) {
+      set_progress(before);
+      if (check(end)) return true;
+      if (result_.ending != Ending::complete) return false;
+      if (!failed || result_.arrivals.size() > failed->result.arrivals.size()) failed = progress();
+    }
+    set_progress(*failed);
+    return false;
+  }
+
+  /// The rests at which the joint move of part p may end. Before a joint move to another pose, the
+  /// last one before that pose comes first, as a joint move may change the configuration at a pose.
+  std::vector<std::size_t> joint_rests(std::size_t p) const {
+    std::vector<std::size_t> rests = rests_.rests(program_.moves[parts_[p].first], begin_);
+    std::sort(rests.begin(), rests.end());
+    if (p + 1 == parts_.size() || !parts_[p + 1].joint || rests.empty()) return rests;
+    std::vector<std::size_t> next =
+        rests_.rests(program_.moves[parts_[p + 1].first], rests.front());
+    if (next.empty()) return rests;
+    const auto later =
+        std::lower_bound(rests.begin(), rests.end(), *std::min_element(next.begin(), next.end()));
+    std::reverse(rests.begin(), later);
+    return rests;
+  }
+
+  /// Checks a joint move, and the path after it: one to a pose may end there at several rests, in
+  /// different configurations.
+  bool check_joint_move() {
+    const std::size_t move = parts_[part_].first;
+    std::vector<std::size_t> rests = joint_rests(part_);
+    if (rests.empty()) {
+      const auto passed = rests_.passes(program_.moves[move], begin_);
+      if (!passed) return fail_to_reach(move);
+      rests.push_back(*passed);
+    }
+    return check_candidates(rests, [&](std::size_t end) {
+      result_.arrivals.push_back(end);
+      if (!check_speed(move, begin_, end) || !check_stop(move) || !check_dwell(move)) return false;
+      ++part_;
+      if (part_ == parts_.size()) return check_rest(move);
+      return parts_[part_].joint || check_path();
+    });
+  }
+
+  bool check_path() {
+    const ProgramPart& part = parts_[part_];
+    const bool last_part = part_ + 1 == parts_.size();
     std::size_t begin = 0;
     for (std::size_t i = 0; i < part.route.stops.size(); ++i) {
       if (!part.route.stops[i]) continue;
@@ -303,6 +248,7 @@ class ProgramVerifier {
       if (!check_stretch(part, begin, i, last)) return false;
       begin = i + 1;
     }
+    ++part_;
     return true;
   }
 
@@ -317,22 +263,55 @@ class ProgramVerifier {
     return {{slice(path.segments), slice(path.spans), slice(path.names)}, slice(part.route.stops)};
   }
 
-  bool check_stretch(const ProgramPart& part, std::size_t first, std::size_t last, bool to_end) {
-    const Route route = stretch_of(part, first, last);
+  /// The rests at which a path may end, or where the tool passes its end without one; those that
+  /// leave no time for its motion last.
+  std::vector<std::size_t> path_rests(const Route& route) const {
     const Pose goal = pose_at(route.path.segments.back(), 1);
-    // Lines of which blends leave nothing have no segment.
-    const std::size_t move = last + 1 < part.moves.size() ? part.moves[last + 1] - 1 : part.last;
     const bool moves =
         std::any_of(route.path.segments.begin(), route.path.segments.end(),
                     [&](const Segment& segment) { return !stands_still(segment, task_); });
+    std::vector<std::size_t> rests = rests_.rests({.target = goal}, begin_);
+    if (moves && !rests.empty() && rests.front() == begin_) {
+      std::rotate(rests.begin(), rests.begin() + 1, rests.end());
+    }
+    if (!rests.empty()) return rests;
+    std::size_t first = begin_;
     const bool closed = within(task_deviation(task_, goal, pose_at(route.path, 0)),
                                {options_.tolerance, options_.orientation_tolerance});
-    const bool loops = closed && moves && route.path.segments.size() > 1;
-    const auto end = arrival({.target = goal}, begin_, loops);
-    if (!end) return fail_to_reach(move);
+    while (closed && moves && first < trajectory_.size() && rests_.offset(goal, first) <= 1) {
+      ++first;
+    }
+    const auto passed = rests_.passes({.target = goal}, first);
+    if (passed) rests.push_back(*passed);
+    return rests;
+  }
+
+  bool check_stretch(const ProgramPart& part, std::size_t first, std::size_t last, bool to_end) {
+    const Route route = stretch_of(part, first, last);
+    // Lines of which blends leave nothing have no segment.
+    const std::size_t move = last + 1 < part.moves.size() ? part.moves[last + 1] - 1 : part.last;
+    const std::vector<std::size_t> rests = path_rests(route);
+    if (rests.empty()) return fail_to_reach(move);
+    // At the end of the program the path is checked to the last sample from any of them.
+    return check_candidates(std::span(rests).first(to_end ? 1 : rests.size()),
+                            [&](std::size_t end) {
+                              return check_stretch(part, route, {first, move, end, to_end});
+                            });
+  }
+
+  struct StretchEnd {
+    std::size_t first = 0;  ///< segment of the part
+    std::size_t move = 0;   ///< its last one
+    std::size_t sample = 0;
+    bool is_last = false;  ///< of the program
+  };
+
+  /// Checks a path from the sample `begin_` to a stop.
+  bool check_stretch(const ProgramPart& part, const Route& route, const StretchEnd& end) {
+    const std::size_t first = end.first, move = end.move;
     VerifyOptions options = options_;
-    options.moving = {options_.moving.start && begin_ == 0, options_.moving.end && to_end};
-    const std::size_t until = to_end ? trajectory_.size() - 1 : *end;
+    options.moving = {options_.moving.start && begin_ == 0, options_.moving.end && end.is_last};
+    const std::size_t until = end.is_last ? trajectory_.size() - 1 : end.sample;
     const Verification found =
         verify(arm_, samples_between(trajectory_, begin_, until), route, options);
     if (!add(found)) return false;
@@ -377,9 +356,11 @@ class ProgramVerifier {
   const Program& program_;
   VerifyOptions options_;
   Task task_;
-  std::vector<Pose> tool_ = {};  // at the samples
+  WaypointRests rests_;
   std::vector<ProgramPart> parts_ = {};
-  std::size_t begin_ = 0;  // the sample at which the next part begins
+  std::size_t part_ = 0;      // the next one
+  std::size_t begin_ = 0;     // the sample at which it begins
+  double dwelled_until_ = 0;  // seconds; the end of the last dwell
   Verification result_ = {};
 };
 

@@ -2,6 +2,7 @@
 
 #include <beeline/kinematics/task.h>
 #include <beeline/path/tool_path.h>
+#include <beeline/pose/orientation.h>
 
 #include <tests/path/random_segment.h>
 #include <tests/refusal.h>
@@ -22,8 +23,9 @@ PoseMotion by_parameter(const ToolPath& path, std::size_t k, double s) {
   return at;
 }
 
-TEST(PathThrough, SplinesHaveContinuousVelocitiesAndAccelerations) {
+TEST(PathThrough, SplinesHaveContinuousVelocitiesAndAccelerationsUnlessTheyTurnBack) {
   Random random;
+  int continuous = 0;
   for (int i = 0; i < 3000; ++i) {
     const double angle = random.uniform(0, 2);
     const auto poses = random_poses(random, random.integer(3, 12), 1, angle);
@@ -31,6 +33,8 @@ TEST(PathThrough, SplinesHaveContinuousVelocitiesAndAccelerations) {
     for (std::size_t k = 1; k < path.segments.size(); ++k) {
       const PoseMotion before = by_parameter(path, k - 1, 1), after = by_parameter(path, k, 0);
       const double size = 1 + before.velocity.norm() + before.acceleration.norm();
+      if (before.velocity.dot(after.velocity) < 0) continue;  // turns back
+      ++continuous;
       ASSERT_LT((before.velocity - after.velocity).norm(), 1e-11 * size);
       ASSERT_LT((before.acceleration - after.acceleration).norm(), 1e-10 * size * size);
     }
@@ -38,6 +42,38 @@ TEST(PathThrough, SplinesHaveContinuousVelocitiesAndAccelerations) {
     const PoseMotion end = by_parameter(path, last, 1);
     ASSERT_LT(by_parameter(path, 0, 0).acceleration.norm(), 1e-9);
     ASSERT_LT(end.acceleration.norm(), 1e-9 * (1 + end.velocity.squaredNorm()));
+  }
+  EXPECT_GT(continuous, 15000);
+}
+
+TEST(PathThrough, SplinesStopWhereTheyTurnBack) {
+  Random random;
+  for (int i = 0; i < 50; ++i) {
+    const Pose a = random.pose();
+    const Pose b = a * make_pose(random.vector(0.2), random.rotation(2));
+    const std::vector<Pose> poses{a, b, a};
+    const Route back = route_of(path_through(poses, PathKind::spline), PathKind::spline);
+    EXPECT_EQ(back.stops, (std::vector<bool>{true, true}));
+    for (int k = 0; k <= 10; ++k) {  // there and back on one path, nowhere slower than the chord
+      const double s = 0.1 * k;
+      const Twist velocity = by_parameter(back.path, 0, s).velocity;
+      const double turn = metres_per_radian * velocity.tail<3>().norm();
+      EXPECT_NEAR(std::hypot(velocity.head<3>().norm(), turn), 1, 1e-9);
+      const Pose there = pose_at(back.path, s), returning = pose_at(back.path, 2 - s);
+      EXPECT_LT((there.matrix() - returning.matrix()).norm(), 1e-12);
+    }
+  }
+}
+
+TEST(PathThrough, SplinesPassWhereTheyTurnByLess) {
+  Random random;
+  for (int i = 0; i < 50; ++i) {
+    const Vector3 along = random.direction(), across = along.unitOrthogonal();
+    const double angle = random.uniform(0.2, 3.1);  // between the chords
+    const Vector3 last = along - std::cos(angle) * along + std::sin(angle) * across;
+    const std::vector<Pose> poses{make_pose({0, 0, 0}), make_pose(along), make_pose(last)};
+    const Route route = route_of(path_through(poses, PathKind::spline), PathKind::spline);
+    EXPECT_EQ(route.stops, (std::vector<bool>{false, true}));
   }
 }
 

@@ -72,7 +72,7 @@ TEST(VerifyProgram, SlowMotionIsNotRest) {
   append_move(0.5, 2000, 0.001, resting);
   Program program = joint_moves({0.5}), dwells = program;
   dwells.moves[0].dwell = 0.5;
-  for (const double velocity : {1e-4, 8e-4}) {  // radians per second
+  for (const double velocity : {2e-4, 8e-4}) {  // radians per second
     Trajectory creeping = resting;
     append_move(velocity, 1000, 0.001, creeping);
     EXPECT_EQ(verify(arm, creeping, program).fault, Fault::not_through) << velocity;
@@ -107,6 +107,62 @@ TEST(VerifyProgram, JointMoveMayChangeTheConfigurationAtOnePose) {
     ASSERT_TRUE(both) << both.reason;
     const Verification returned = verify(arm, both.trajectory, program);
     EXPECT_TRUE(returned) << returned.reason;
+  }
+}
+
+TEST(VerifyProgram, DwellsAtOnePoseAddUp) {
+  const Arm arm = built_in("ur5e");
+  Trajectory trajectory = bent_at_rest(arm);
+  append_move(0.5, 200, 0.01, trajectory);
+  append_move(0, 3, 0.1, trajectory);
+  append_move(0.5, 200, 0.01, trajectory);
+  Program program = joint_moves({0.5, 0.5, 1});
+  program.moves[0].dwell = program.moves[1].dwell = 0.15;  // ends within an interval
+  const Verification proved = verify(arm, trajectory, program);
+  EXPECT_TRUE(proved) << proved.reason;
+  program.moves[1].dwell = 0.2;
+  const Verification refused = verify(arm, trajectory, program);
+  EXPECT_EQ(refused.fault, Fault::dwell);
+  EXPECT_NE(refused.reason.find("at rest for 0.15 s at the waypoint of move 2"), std::string::npos)
+      << refused.reason;
+}
+
+TEST(VerifyProgram, JointMoveMayChangeTheConfigurationBeforeALoop) {
+  const Arm arm = built_in("ur5e");
+  Configuration start = bent;
+  start[5] = 6.1;
+  const Pose here = forward_kinematics(arm, start);
+  const Pose there = here * make_pose({0, 0, 0.02}, so3_exp({0, 0, 1.2}));
+  for (const MoveKind kind : {MoveKind::line, MoveKind::spline}) {
+    Program program;
+    program.moves = {{.kind = MoveKind::joint, .target = here},
+                     {.kind = kind, .target = there},
+                     {.kind = kind, .target = here}};
+    const ProgramMotion motion = move_program(arm, start, program);
+    ASSERT_TRUE(motion) << motion.reason;
+    ASSERT_GT(motion.moves[0].end, 0u);  // the spline has to begin in another configuration
+    const Verification proved = verify(arm, motion.trajectory, program);
+    EXPECT_TRUE(proved) << proved.reason;
+  }
+}
+
+TEST(VerifyProgram, PassesMovesShorterThanTheTolerance) {
+  const Arm arm = built_in("ur5e");
+  const Pose here = forward_kinematics(arm, bent);
+  Random random;
+  const auto length = [&] { return std::pow(10, random.uniform(-6, -3)); };
+  for (int i = 0; i < cases(40); ++i) {
+    Program program;
+    Pose at = here;
+    for (int m = 0; m < 5; ++m) {
+      at = at * make_pose(length() * random.direction(), so3_exp(length() * random.direction()));
+      program.moves.push_back({.target = at});
+    }
+    program.moves.push_back({.target = here});
+    const ProgramMotion motion = move_program(arm, bent, program);
+    ASSERT_TRUE(motion) << motion.reason;
+    const Verification proved = verify(arm, motion.trajectory, program);
+    EXPECT_TRUE(proved) << proved.reason;
   }
 }
 

@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/certificate/internal/path_checks.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/planning/internal/waypoint_rests.h>
+#include <beeline/trajectory/internal/end_velocity.h>
+#include <beeline/trajectory/internal/interval_polynomial.h>
+
+namespace beeline::internal {
+
+namespace {
+
+constexpr double rest_distance = 1e-5;  // radians or metres from the arrival's configuration
+constexpr double at_waypoint = 1e-3;    // of the tolerance
+
+}  // namespace
+
+WaypointRests::WaypointRests(const Arm& arm, const Trajectory& trajectory, const Task& task,
+                             const Deviation& tolerance)
+    : arm_(arm), trajectory_(trajectory), task_(task), tolerance_(tolerance) {
+  for (std::size_t k = 0; k < trajectory.size(); ++k) {
+    tool_.push_back(forward_kinematics(arm, trajectory.positions[k]));
+    rests_.push_back(is_slow(k));
+    if (rests_.back()) resting_.push_back(k);
+  }
+}
+
+double WaypointRests::offset(const Pose& goal, std::size_t k) const {
+  const Deviation away = task_deviation(task_, goal, tool_[k]);
+  return std::max(away.position / tolerance_.position, away.orientation / tolerance_.orientation);
+}
+
+double WaypointRests::offset(const Move& move, std::size_t k) const {
+  if (!move.q) return offset(move.target, k);
+  double largest = 0;
+  for (int i = 0; i < arm_.dof(); ++i) {
+    const bool slides = kind(arm_.joint_of(i)) == JointKind::prismatic;
+    const double tolerance = slides ? tolerance_.position : tolerance_.orientation;
+    largest = std::max(largest, std::abs(trajectory_.positions[k][i] - (*move.q)[i]) / tolerance);
+  }
+  return largest;
+}
+
+bool WaypointRests::is_slow(std::size_t k) const {
+  if (k == 0 || k + 1 == trajectory_.size()) return true;
+  const auto slow = [&](const Configuration& change, double h) {
+    for (int i = 0; i < arm_.dof(); ++i) {
+      const double largest = rest_velocity(trajectory_, motion_limits(arm_.limits(i)), h);
+      if (!(std::abs(change[i]) <= largest)) return false;
+    }
+    return true;
+  };
+  if (!trajectory_.velocities.empty()) return slow(trajectory_.velocities[k], 0);
+  const auto slow_after = [&](std::size_t first) {
+    const double h = trajectory_.times[first + 1] - trajectory_.times[first];
+    return slow((trajectory_.positions[first + 1] - trajectory_.positions[first]) / h, h);
+  };
+  return slow_after(k - 1) && slow_after(k);
+}
+
+bool WaypointRests::rests_after(std::size_t k, const Move& move, std::size_t at) const {
+  if (offset(move, k) > 1 || offset(move, k + 1) > 1) return false;
+  const double h = trajectory_.times[k + 1] - trajectory_.times[k];
+  for (int i = 0; i < arm_.dof(); ++i) {
+    const Polynomial p = interval_polynomial(trajectory_, k, i);
+    const Extremes q = enclosure(p), v = enclosure(time_derivative(p, 1, h));
+    const double goal = trajectory_.positions[at][i];
+    const double largest = rest_velocity(trajectory_, motion_limits(arm_.limits(i)), h);
+    const bool near = q.smallest >= goal - rest_distance && q.largest <= goal + rest_distance;
+    if (!near || !(v.smallest >= -largest && v.largest <= largest)) return false;
+  }
+  return true;
+}
+
+std::vector<std::size_t> WaypointRests::rests(const Move& move, std::size_t first) const {
+  std::vector<std::size_t> exact, others;
+  auto k = std::lower_bound(resting_.begin(), resting_.end(), first);
+  while (k != resting_.end()) {
+    std::size_t nearest = *k;
+    double least = offset(move, nearest);
+    for (++k; k != resting_.end() && *k == *(k - 1) + 1; ++k) {
+      const double here = offset(move, *k);
+      // Of those at the waypoint the first: the nearest by rounding errors may be any.
+      if (least > at_waypoint && here < least) nearest = *k, least = here;
+    }
+    if (least <= 1) (least <= at_waypoint ? exact : others).push_back(nearest);
+  }
+  exact.insert(exact.end(), others.begin(), others.end());
+  return exact;
+}
+
+std::optional<std::size_t> WaypointRests::passes(const Move& move, std::size_t first) const {
+  while (first < tool_.size() && !(offset(move, first) <= 1)) ++first;
+  if (first == tool_.size()) return {};
+  std::size_t nearest = first;
+  double least = offset(move, first);
+  for (std::size_t k = first + 1; k < tool_.size(); ++k) {
+    const double here = offset(move, k);
+    if (!(here <= 1)) break;
+    if (here < least) nearest = k, least = here;
+  }
+  return nearest;
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <beeline/kinematics/task.h>
+#include <beeline/planning/program.h>
+
+namespace beeline::internal {
+
+/// Where the arm of a trajectory is at rest, and at which waypoints.
+class WaypointRests {
+ public:
+  /// All arguments but the task must outlive the object.
+  WaypointRests(const Arm& arm, const Trajectory& trajectory, const Task& task,
+                const Deviation& tolerance);
+
+  /// The distance of sample k from a pose, or from the waypoint of a move, as a fraction of the
+  /// tolerance.
+  double offset(const Pose& goal, std::size_t k) const;
+  double offset(const Move& move, std::size_t k) const;
+
+  /// Whether the joints are at rest at sample k, to the tolerance of first_joint_fault() for the
+  /// ends, which it checks itself.
+  bool rests_at(std::size_t k) const { return rests_[k]; }
+
+  /// Whether the joints rest from sample k to the next, at the waypoint of a move that ends at
+  /// sample `at`.
+  bool rests_after(std::size_t k, const Move& move, std::size_t at) const;
+
+  /// The samples from `first` on at which the arm is at rest within tolerance of a move's waypoint,
+  /// of consecutive ones the nearest. Those at the waypoint to a thousandth of the tolerance come
+  /// first, then the others, each in the order of time.
+  std::vector<std::size_t> rests(const Move& move, std::size_t first) const;
+
+  /// The nearest of the first consecutive samples from `first` on within tolerance of a move's
+  /// waypoint, at rest or not.
+  std::optional<std::size_t> passes(const Move& move, std::size_t first) const;
+
+ private:
+  bool is_slow(std::size_t k) const;
+
+  const Arm& arm_;
+  const Trajectory& trajectory_;
+  Task task_;
+  Deviation tolerance_;
+  std::vector<Pose> tool_ = {};  ///< at the samples
+  std::vector<bool> rests_ = {};
+  std::vector<std::size_t> resting_ = {};  ///< the samples at rest
+};
+
+}  // namespace beeline::internal
