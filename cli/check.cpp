@@ -102,9 +102,10 @@ CheckedMotion check_through(const CheckArguments& arguments, const Arm& arm,
                             const Trajectory& trajectory, const VerifyOptions& options) {
   const std::string text = internal::read_file(arguments.through);
   if (is_program(text)) {
-    const Program program = program_from(
-        text, arguments.through, arm,
-        {arguments.arm, arguments.task, arguments.work, arguments.unit}, arguments.path, false);
+    const Program program =
+        program_from(text, arguments.through, arm,
+                     {arguments.arm, arguments.task, arguments.work, arguments.unit},
+                     arguments.path, forward_kinematics(arm, trajectory.positions.front()));
     const Verification verification = at_rows(
         program, arguments.through, [&] { return verify(arm, trajectory, program, options); });
     return {verification, program.moves.size(), true};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <beeline/error.h>
+#include <beeline/kinematics/forward.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/file_stream.h>
 #include <beeline/record/trajectory_file.h>
@@ -86,13 +87,14 @@ struct PlannedExport {
 PlannedExport program_export(const ExportArguments& arguments, const Arm& arm,
                              ControllerForm form) {
   const TaskArgument spatial{"spatial"};
-  const Program program = program_from(internal::read_file(arguments.file), arguments.file, arm,
-                                       {arguments.arm, spatial, arguments.work, arguments.unit},
-                                       arguments.path, arguments.from.empty());
   std::optional<Configuration> start;
   if (!arguments.from.empty()) {
     start = arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
   }
+  const Program program =
+      program_from(internal::read_file(arguments.file), arguments.file, arm,
+                   {arguments.arm, spatial, arguments.work, arguments.unit}, arguments.path,
+                   start ? std::optional(forward_kinematics(arm, *start)) : std::nullopt);
   PathMotionOptions options{.task = spatial.read(arm), .budget = arguments.budget.next()};
   if (arguments.tool_speed) options.tool_speed = *arguments.tool_speed;
   return at_rows(program, arguments.file, [&] {

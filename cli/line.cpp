@@ -166,11 +166,12 @@ LineReport line_through(const LineArguments& arguments, const Arm& arm, const Ta
     throw Error((arguments.branches ? "--branches" : "--method " + arguments.method) +
                 " is for files of poses; " + arguments.through + " is a program");
   }
+  const std::optional<Configuration> start = start_of(arguments, arm);
   const Program program = program_from(
       text, arguments.through, arm, {arguments.arm, arguments.task, arguments.work, arguments.unit},
-      arguments.path, arguments.from.empty());
+      arguments.path, start ? std::optional(forward_kinematics(arm, *start)) : std::nullopt);
   waypoints = waypoints_of(arm, program);
-  return line_by_program(arguments, frame.arm, start_of(arguments, arm), frame.seen(program), task);
+  return line_by_program(arguments, frame.arm, start, frame.seen(program), task);
 }
 
 Answer line(const LineArguments& arguments) {
@@ -304,7 +305,8 @@ Verb line_verb() {
           "one "
           "certified trajectory. motion: joint (a straight line in joint space), line (also for an "
           "empty item), screw, arc after a row via with a position on it, spline (consecutive rows "
-          "are one curve). relative: previous, a pose in the tool frame of the waypoint before (a "
+          "are one curve). relative: previous, a pose in the tool frame of the waypoint before, or "
+          "of --from in the first row (a "
           "retreat); next, in that of the next waypoint that is not relative (an approach). q: the "
           "joint values of a joint move, in quotes, or a named state of --srdf. speed: largest "
           "speed "

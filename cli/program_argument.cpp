@@ -43,16 +43,18 @@ void blend_lines(double blend, std::size_t first, std::vector<ProgramRow>& rows)
 }  // namespace
 
 Program program_from(const std::string& text, const std::string& file, const Arm& arm,
-                     const ProgramContext& context, const PathArgument& path, bool first_is_start) {
+                     const ProgramContext& context, const PathArgument& path,
+                     const std::optional<Pose>& start) {
   if (path.kind != name(PathKind::line)) {
     throw Error("--path: " + file + " is a program, whose column motion gives the paths");
   }
   ProgramRows rows = program_rows_from_csv(text, file, context.unit.angle_unit());
   set_in_world(arm, context, rows);
-  if (path.blend) blend_lines(*path.blend, first_is_start ? 1 : 0, rows.rows);
-  return program_of(arm, rows, [&](const std::string& q) {
+  if (path.blend) blend_lines(*path.blend, start ? 0 : 1, rows.rows);
+  const auto configuration = [&](const std::string& q) {
     return context.arm_argument.configuration(arm, q, "q", context.unit);
-  });
+  };
+  return program_of(arm, rows, configuration, start);
 }
 
 void throw_at_row(const Program& program, const std::string& file, const Error& error) {

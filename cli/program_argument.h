@@ -17,11 +17,12 @@ struct ProgramContext {
 };
 
 /// The program of a file, its poses given in the frame of --work. Two lines without a blend or a
-/// dwell between them get the blend of `path`, but not at the first row if that is the start.
+/// dwell between them get the blend of `path`, but not at the first row if that is the start, as it
+/// is unless the tool's pose at the start, world_T_tool, is given.
 /// Throws FileError for what the file says, and Error for a --path.
 beeline::Program program_from(const std::string& text, const std::string& file,
                               const beeline::Arm& arm, const ProgramContext& context,
-                              const PathArgument& path, bool first_is_start);
+                              const PathArgument& path, const std::optional<beeline::Pose>& start);
 
 /// Throws the Error, as a FileError if it is about a move.
 [[noreturn]] void throw_at_row(const beeline::Program& program, const std::string& file,

@@ -56,7 +56,8 @@ std::string move_name(const Program& program, std::size_t i);
 ///
 /// - A pose relative to `previous` is in the tool frame of the waypoint before it, as that of a
 ///   retreat; one relative to `next` is in the tool frame of the next waypoint that is not
-///   relative, as that of an approach.
+///   relative, as that of an approach. Before the first waypoint, `previous` is `start`, the tool's
+///   pose where the motion starts.
 /// - A row with the motion `via` is a position on the arc to the next row, which is an arc.
 /// - `configuration` returns the configuration that an item of the column q means.
 ///
@@ -64,7 +65,8 @@ std::string move_name(const Program& program, std::size_t i);
 /// arc without via row, and the rest of what move_program() refuses; and where `configuration`
 /// throws.
 Program program_of(const Arm& arm, const ProgramRows& rows,
-                   const std::function<Configuration(const std::string&)>& configuration);
+                   const std::function<Configuration(const std::string&)>& configuration,
+                   const std::optional<Pose>& start = std::nullopt);
 
 /// The part of a trajectory that is one move.
 struct PlannedMove {

@@ -164,7 +164,7 @@ def test_a_program_in_a_work_frame(picked, beeline, written, tmp_path):
     (ABOVE + "via,,0.5,0.2,0.2,180,0,0,,1,,\n", 3, ["via row has no speed"]),
     (ABOVE + "via,,0.5,0.2,0.25,180,0,0,,,,\narc,,0.5,0.2,0.2,180,0,0,,,,\n", 4, ["straight line"]),
     (ABOVE + "screw,,0.5,0.2,0.3,180,0,0,,,,\n", 3, ["same as the one before"]),
-    ("line,previous,0,0,0.1,0,0,0,,,,\n", 2, ["no waypoint before"]),
+    ("line,next,0,0,0.1,0,0,0,,,,\n", 2, ["no row after"]),
     (ABOVE + "line,next,0,0,0.1,0,0,0,,,,\n", 3, ["no row after"]),
     (ABOVE + "line,,0.5,0.2\n", 3, ["4 items", "12"]),
     ("", 0, ["no rows"]),
@@ -173,6 +173,22 @@ def test_a_bad_row_is_refused_with_its_place(refused, written, rows, line, says)
     written("p.csv", HEAD + rows)
     place = f"p.csv:{line}: " if line else "p.csv: "
     refused(3, "line", "panda", *HOME, "--through", "p.csv", says=[place, *says])
+
+
+def test_previous_in_the_first_row_is_the_start(beeline, written, tmp_path):
+    written("p.csv", "motion,relative,x,y,z,roll,pitch,yaw\nspline,previous,0,0,-0.1,0,0,0\n"
+                     "spline,previous,0.1,0,0,0,0,0\n")
+    out = tmp_path / "m.csv"
+    planned = beeline("line", "panda", *HOME, "--through", "p.csv", "--out", out, "--json")
+    assert planned.code == 0, planned.err
+    first = beeline("fk", "panda", "--q", HOME[1], "--degrees", "--json").json["pose"]["matrix"]
+    end = ",".join(out.read_text().split()[-1].split(",")[1:8])
+    last = beeline("fk", "panda", "--q=" + end, "--json").json["pose"]["matrix"]
+    moved = [sum(first[r][c] * d for c, d in enumerate((0.1, 0, -0.1))) for r in range(3)]
+    assert [last[r][3] - first[r][3] for r in range(3)] == pytest.approx(moved, abs=1e-6)
+    assert beeline("check", "panda", out, "--through", "p.csv", "--degrees").code == 0
+    refused = beeline("line", "panda", "--through", "p.csv")
+    assert refused.code == 3 and "p.csv:2: " in refused.err and "no start is given" in refused.err
 
 
 def test_unknown_columns_name_the_known_ones(refused, written):

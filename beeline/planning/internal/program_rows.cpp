@@ -24,7 +24,7 @@ bool passes(const ProgramRow& row) { return row.motion == "via"; }
 
 /// The frame of a relative row, world_T_waypoint, among the poses of the rows.
 const Pose& frame_of(const std::vector<ProgramRow>& rows, std::size_t i,
-                     const std::vector<Pose>& poses) {
+                     const std::vector<Pose>& poses, const std::optional<Pose>& start) {
   if (rows[i].relative == "next") {
     for (std::size_t k = i + 1; k < rows.size(); ++k) {
       if (!passes(rows[k]) && rows[k].relative.empty()) return poses[k];
@@ -34,7 +34,9 @@ const Pose& frame_of(const std::vector<ProgramRow>& rows, std::size_t i,
   for (std::size_t k = i; k-- > 0;) {
     if (!passes(rows[k])) return poses[k];
   }
-  throw Error("relative is previous, but there is no waypoint before this one");
+  if (start) return *start;
+  throw Error(
+      "relative is previous, but there is no waypoint before this one, and no start is given");
 }
 
 Move move_of(const ProgramRows& program, std::size_t i, const std::vector<Pose>& poses,
@@ -60,7 +62,8 @@ Move move_of(const ProgramRows& program, std::size_t i, const std::vector<Pose>&
 
 }  // namespace
 
-Program program_of(const Arm& arm, const ProgramRows& rows, const Configure& configuration) {
+Program program_of(const Arm& arm, const ProgramRows& rows, const Configure& configuration,
+                   const std::optional<Pose>& start) {
   const std::size_t count = rows.rows.size();
   std::vector<std::optional<Configuration>> q(count);
   std::vector<Pose> poses(count);
@@ -78,7 +81,7 @@ Program program_of(const Arm& arm, const ProgramRows& rows, const Configure& con
   Program program;
   for (std::size_t i = 0; i < count; ++i) {
     if (rows.rows[i].relative.empty()) continue;
-    poses[i] = at_row(rows, i, [&] { return frame_of(rows.rows, i, poses); }) * poses[i];
+    poses[i] = at_row(rows, i, [&] { return frame_of(rows.rows, i, poses, start); }) * poses[i];
   }
   std::vector<std::size_t> row_of;  // of each move
   for (std::size_t i = 0; i < count; ++i) {
