@@ -18,8 +18,9 @@ std::vector<Option> BudgetArgument::options() {
   return {time_limit_option(),
           {.name = "--max-work",
            .value = "N",
-           .help = "End after N iterations, configurations and samples in all, with the status "
-                   "work_limit; the answer is the same on every machine. Default: no limit.",
+           .help = "End a computation after N iterations, configurations and samples, with the "
+                   "status work_limit; the answer is the same on every machine. `line --branches` "
+                   "is two computations, each with N. Default: no limit.",
            .target = &max_work_}};
 }
 

@@ -157,7 +157,7 @@ std::vector<Option> program_options(ExportArguments& arguments) {
            .value = "V",
            .help = "Largest speed of the tool origin in a program's moves without a speed, m/s.",
            .target = &arguments.tool_speed,
-           .range = {.lowest = 1e-8}},
+           .range = tool_speeds},
           arguments.budget.time_limit_option()};
 }
 
@@ -182,7 +182,7 @@ std::vector<Option> export_options(ExportArguments& arguments) {
                    "the trajectory's own samples; for urscript 125, which CB3 and e-Series keep "
                    "(e-Series up to 500). csv requires it.",
            .target = &arguments.rate,
-           .range = above_zero,
+           .range = sample_rates,
            .phrases = {"the rate", "need a rate"}}};
 }
 

@@ -53,6 +53,12 @@ PathMotionOptions exact_motion_options(const LineArguments& arguments, const Tas
   return options;
 }
 
+/// Adds the options that the reason means.
+void name_options(LineReport& report) {
+  if (report.status != MotionStatus::too_many_samples) return;
+  report.reason += " (--tolerance, --max-samples)";
+}
+
 LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
                         const std::optional<Configuration>& start, const std::vector<Pose>& poses,
                         const Task& task) {
@@ -67,9 +73,7 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
   LineReport report;
   report.status = motion.status;
   report.reason = std::move(motion.reason);
-  if (report.status == MotionStatus::too_many_samples) {
-    report.reason += " (--tolerance, --max-samples)";
-  }
+  name_options(report);
   report.trajectory = std::move(motion.trajectory);
   report.path_parameter = motion.path_parameter;
   report.deviation = motion.deviation;
@@ -99,6 +103,7 @@ LineReport line_by_program(const LineArguments& arguments, const Arm& arm,
   LineReport report;
   report.status = motion.status;
   report.reason = std::move(motion.reason);
+  name_options(report);
   report.trajectory = std::move(motion.trajectory);
   report.deviation = motion.deviation;
   report.limits = motion.limits;
@@ -221,14 +226,14 @@ std::vector<Option> exact_options(LineArguments& arguments) {
          .value = "V",
          .help = "Largest speed of the tool origin, m/s; of a program, in moves without a speed.",
          .target = &arguments.tool_speed,
-         .range = {.lowest = 1e-8},
+         .range = tool_speeds,
          .methods = {exact}},
         {.name = "--rate",
          .value = "HZ",
          .help = "Samples per second, from the first to the last: each section from stop to stop "
                  "lasts a whole number of periods. Default: as few samples as the motion needs.",
          .target = &arguments.rate,
-         .range = above_zero,
+         .range = sample_rates,
          .methods = {exact},
          .phrases = {"samples per second"}},
         {.name = "--tolerance",

@@ -14,7 +14,8 @@ struct LineReport {
   std::size_t waypoints = 0;
   beeline::MotionStatus status = beeline::MotionStatus::not_converged;
   std::string reason = {};
-  double path_parameter = 0;  ///< of method exact: up to which the plan follows the path
+  /// Of method exact, up to which the plan follows the path; a program has several.
+  std::optional<double> path_parameter = std::nullopt;
   beeline::Trajectory trajectory = {};
   beeline::PathDeviation deviation = {};
   beeline::LimitUsage limits = {};  ///< of method exact, as the margins are

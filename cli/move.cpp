@@ -182,7 +182,7 @@ std::vector<Option> move_method_options(MoveArguments& arguments) {
            .value = "HZ",
            .help = "Samples per second.",
            .target = &arguments.rate,
-           .range = above_zero,
+           .range = sample_rates,
            .methods = {quickest},
            .phrases = {"samples per second"}}};
 }

@@ -65,7 +65,7 @@ Json replay_document(const Replay& played) {
   const LimitFraction& velocity = played.limits.velocity;
   Json document{{"status", name(played.status)},
                 {"samples", played.trajectory.size()},
-                {"duration", reached ? played.trajectory.times.back() : 0.0},
+                {"duration", reached ? Json(played.trajectory.times.back()) : Json()},
                 {"lead_in", played.lead_in},
                 {"slowdown", played.slowdown},
                 {"velocity_fraction",
@@ -174,7 +174,7 @@ std::vector<Option> playing_options(ReplayArguments& arguments) {
        .help = "Samples per second of the output, from the first to the last. Default: the "
                "recorded samples; with --speed-at 100.",
        .target = &arguments.rate,
-       .range = above_zero,
+       .range = sample_rates,
        .phrases = {"samples per second"}},
       {.name = "--measured",
        .value = "FILE",

@@ -137,12 +137,17 @@ std::vector<Option> timing_options(RetimeArguments& arguments) {
            .value = "V",
            .help = "Largest speed of the tool origin, m/s.",
            .target = &arguments.tool_speed,
-           .range = {.lowest = 1e-9}},
+           .range = tool_speeds},
+          {.name = "--max-samples",
+           .value = "N",
+           .help = "Give up if --rate makes more samples.",
+           .target = &arguments.retime.max_samples,
+           .range = {2, 10'000'000}},
           {.name = "--rate",
            .value = "HZ",
            .help = "Samples per second. Default: every sample of the file, and more between.",
            .target = &arguments.rate,
-           .range = above_zero,
+           .range = sample_rates,
            .phrases = {"samples per second"}}};
 }
 

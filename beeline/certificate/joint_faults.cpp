@@ -95,11 +95,29 @@ class FaultSearch {
     check_derivative(Fault::jerk, k, i, 3, known.jerk, known.jerk, "/s^3");
   }
 
+  /// How much the rounding of times to doubles may change a derivative of a coordinate that moves at
+  /// `velocity`, at most a fraction of the limit: a time that is off by dt moves the position by
+  /// velocity * dt. It matters after a dwell of hours.
+  double time_rounding(std::size_t k, int order, double velocity, double limit) const {
+    constexpr double factors[] = {2, 20, 300};  // of the polynomials of one interval, at most
+    constexpr double largest = 1e-4;            // of the limit
+    const std::size_t end = std::min(k + static_cast<std::size_t>(order), t_.size() - 1);
+    double shortest = Limits::none;
+    for (std::size_t j = k; j < end; ++j) shortest = std::min(shortest, t_[j + 1] - t_[j]);
+    const double dt = std::numeric_limits<double>::epsilon() * std::abs(t_[end]);
+    const double change = factors[order - 1] * velocity * dt / std::pow(shortest, order);
+    return std::min(change, largest * limit);
+  }
+
   /// `known` is the joint's own limit, infinite where `limit` is assumed.
   void check_derivative(Fault fault, std::size_t k, int i, int order, double limit, double known,
                         const char* per) {
     if (found_ || !(limit < Limits::none)) return;
-    const double allowed = limit * (1 + limit_slack);
+    const auto allowed = [&](double value) {
+      const double excess = value - limit * (1 + limit_slack);
+      return excess <= 0 ||
+             excess <= time_rounding(k, order, motion_limits(arm_.limits(i)).velocity, limit);
+    };
     const auto limit_text = [&] {
       const std::string value = quantity(arm_, i, limit, per);
       return known < Limits::none ? "its limit is " + value
@@ -108,7 +126,7 @@ class FaultSearch {
     };
     if (order > bounded_order(trajectory_.interpolation())) {
       const double needed = needed_derivative(trajectory_, k, i, order);
-      if (needed <= allowed) return;
+      if (allowed(needed)) return;
       return report(
           fault, k, i,
           "needs " + quantity(arm_, i, needed, per) + " over the next samples; " + limit_text());
@@ -117,9 +135,9 @@ class FaultSearch {
     const Polynomial p =
         time_derivative(interval_polynomial(trajectory_, k, i), order, t_[k + 1] - t_[k]);
     const auto largest = [](const Extremes& of) { return std::max(-of.smallest, of.largest); };
-    if (largest(enclosure(p)) <= allowed) return;
+    if (allowed(largest(enclosure(p)))) return;
     const double reached = largest(extremes(p));
-    if (reached <= allowed) return;
+    if (allowed(reached)) return;
     report(
         fault, k, i,
         "reaches " + quantity(arm_, i, reached, per) + " before the next sample; " + limit_text());

@@ -4,6 +4,7 @@
 #include <beeline/control/internal/replay_attempt.h>
 #include <beeline/control/replay.h>
 #include <beeline/error.h>
+#include <beeline/trajectory/internal/sample_rate.h>
 
 namespace beeline {
 namespace {
@@ -12,10 +13,7 @@ void check(const ReplayOptions& options) {
   if (!(options.speed > 0 && std::isfinite(options.speed))) {
     throw Error("the speed of a replay must be above zero, not " + number(options.speed));
   }
-  if (!(options.rate >= 0 && std::isfinite(options.rate))) {
-    throw Error("the rate of a replay must be above zero, or 0 for the recorded samples, not " +
-                number(options.rate));
-  }
+  internal::check_rate(options.rate, "the recorded samples");
   double before = -1;  // no time yet
   for (const auto& [time, speed] : options.speed_at) {
     if (!(time >= 0 && time > before && std::isfinite(time))) {

@@ -12,6 +12,7 @@
 #include <beeline/planning/internal/timed_plan.h>
 #include <beeline/planning/internal/track_branch.h>
 #include <beeline/planning/move_along.h>
+#include <beeline/timing/internal/timed_path.h>
 
 namespace beeline {
 
@@ -30,17 +31,13 @@ constexpr std::size_t few_samples = 32, many_samples = 128;
 /// Throws Error for tolerances, speeds, rates or numbers of samples out of range.
 void check_options(const PathMotionOptions& options) {
   const std::pair<const char*, double> positives[] = {
-      {"tolerance", options.tolerance},
-      {"orientation_tolerance", options.orientation_tolerance},
-      {"tool_speed", options.tool_speed}};
+      {"tolerance", options.tolerance}, {"orientation_tolerance", options.orientation_tolerance}};
   for (const auto& [option, value] : positives) {
     if (value >= min_tolerance) continue;
-    throw Error(std::string(option) + " must be at least 1e-8, not " + number(value));
+    throw Error(std::string(option) + " must be at least " + number(min_tolerance) + ", not " +
+                number(value));
   }
-  if (!(options.rate >= 0) || !std::isfinite(options.rate)) {
-    throw Error("rate must be 0 or above and finite, not " + number(options.rate) +
-                " samples per second");
-  }
+  internal::check_options(options.tool_speed, options.rate);
   if (options.max_samples < 2) {
     throw Error("max_samples must be at least 2, not " + std::to_string(options.max_samples));
   }
@@ -158,7 +155,8 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
                     {.profile = options.profile,
                      .interpolation = options.interpolation,
                      .tool_speed = options.tool_speed,
-                     .rate = options.rate},
+                     .rate = options.rate,
+                     .max_samples = options.max_samples},
                     budget);
   motion.status = timing.status;
   motion.reason = timing.reason;

@@ -122,8 +122,8 @@ class ProgramPlanner {
     }
     if (!start && (first.speed || first.blend > 0)) {
       throw Error(move_name(program_, 0) +
-                  ": the motion begins at this waypoint, as no start is given; it has no speed or "
-                  "blend");
+                  ": the motion begins at this waypoint, as no start is given; remove its speed "
+                  "or blend");
     }
     const Pose begin = start ? forward_kinematics(arm_, *start) : waypoint_of(arm_, first);
     parts_ = program_parts(arm_, program_, start ? 0 : 1, begin, options_.tool_speed);
@@ -223,6 +223,7 @@ class ProgramPlanner {
                                .interpolation = options_.interpolation,
                                .tool_speed = move.speed.value_or(options_.tool_speed),
                                .rate = options_.rate,
+                               .max_samples = options_.max_samples,
                                .budget = budget_.part()};
     PlannedMove planned{.begin = trajectory_.last()};
     if (const auto reason = trajectory_.joint_move(arm_, *to, timing); !reason.empty()) {

@@ -8,6 +8,7 @@
 #include <beeline/timing/point_to_point.h>
 #include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/limit_fraction.h>
+#include <beeline/trajectory/internal/sample_rate.h>
 #include <beeline/trajectory/limit_usage.h>
 
 namespace beeline {
@@ -204,7 +205,7 @@ void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
 Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate, const Budget& budget) {
   internal::BudgetMeter meter(budget);
   check_configuration(arm, motion.from);
-  if (!(rate > 0)) throw Error("the rate is " + number(rate) + "; it must be above zero");
+  internal::check_rate(rate);
   const double steps = motion.duration * rate;
   if (!(steps < max_samples)) {
     throw Error(number(motion.duration) + " s at " + number(rate) +

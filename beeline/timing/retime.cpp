@@ -46,6 +46,12 @@ std::vector<double> required_samples(const std::vector<Configuration>& positions
   return s;
 }
 
+/// The samples that a section may have after its first.
+double samples_left(const RetimeOptions& options, const Retimed& timed) {
+  const std::size_t before = std::max<std::size_t>(timed.trajectory.size(), 1);
+  return static_cast<double>(options.max_samples) - static_cast<double>(before);
+}
+
 }  // namespace
 
 void check_moves(const Trajectory& trajectory) {
@@ -64,6 +70,9 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   Retimed timed;
   timed.profile = options.profile.value_or(default_profile);
   internal::check_options(options.tool_speed, options.rate);
+  if (options.max_samples < 2) {
+    throw Error("max_samples must be at least 2, not " + std::to_string(options.max_samples));
+  }
   const Trajectory trajectory = matched_to(arm, recorded);
   check_moves(trajectory);
   timed.trajectory.joint_names = arm.joint_names();
@@ -71,12 +80,13 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   internal::BudgetMeter budget(options.budget);
   const std::vector<std::vector<Configuration>> parts = parts_between_stops(trajectory);
   for (const std::vector<Configuration>& samples : parts) {
-    if (budget.ended()) break;
+    if (budget.ended(static_cast<std::int64_t>(samples.size()))) break;
     const internal::SectionOptions section{.interpolation = options.interpolation,
                                            .keep_jerk = keeps_jerk(timed.profile),
                                            .speed_scale = options.speed_scale,
                                            .tool_speed = options.tool_speed,
                                            .rate = options.rate,
+                                           .max_samples = samples_left(options, timed),
                                            .required = required_samples(samples, linear),
                                            .budget = &budget};
     const internal::TimedPath path =

@@ -15,10 +15,11 @@ struct RetimeOptions {
   /// Speed scale k from 1e-6 to 1: velocity limits are multiplied by k, acceleration by k^2, jerk
   /// by k^3.
   double speed_scale = 1;
-  double tool_speed = Limits::none;  ///< limit of the tool origin's speed, m/s; 1e-9 at least
+  double tool_speed = Limits::none;  ///< limit of the tool origin's speed, m/s; 1e-8 at least
   /// Samples per second, at times k / rate from the first to the last of them; 0: every sample of
   /// the path, and as many more as the interpolation needs.
   double rate = 0;
+  int max_samples = 200'000;  ///< with a rate, 2 or more: there is no motion if it makes more
   Budget budget = {};
 };
 

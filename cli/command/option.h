@@ -7,6 +7,9 @@
 #include <variant>
 #include <vector>
 
+#include <beeline/trajectory/internal/sample_rate.h>
+#include <beeline/trajectory/internal/tool_speed.h>
+
 /// The variable that an option sets. Its value before parsing is the option's default. Whole
 /// numbers are not negative, real numbers are finite; bool makes the option a flag.
 using Target = std::variant<bool*, int*, std::uint64_t*, double*, std::optional<double>*,
@@ -20,6 +23,8 @@ struct Range {
 };
 constexpr Range above_zero{.lowest = 0, .excludes_lowest = true};
 constexpr Range zero_or_more{.lowest = 0};
+constexpr Range sample_rates{.lowest = beeline::internal::lowest_rate};
+constexpr Range tool_speeds{.lowest = beeline::internal::slowest_tool};
 
 /// What a value names, for shell completion.
 enum class Completes { nothing, arm, file };

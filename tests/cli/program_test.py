@@ -155,7 +155,7 @@ def test_a_program_in_a_work_frame(picked, beeline, written, tmp_path):
     (ABOVE + 'joint,,,,,,,,"0,0",,,\n', 3, ["q", "7"]),
     (ABOVE + "joint,,,,,,,,home,,,\n", 3, ["--srdf"]),
     (ABOVE + 'joint,,,,,,,,"0,0,0,9,0,90,0",,,\n', 3, ["joint4", "limits"]),
-    (ABOVE + "line,,0.5,0.2,0.2,180,0,0,,0,,\n", 3, ["speed must be at least 1e-8"]),
+    (ABOVE + "line,,0.5,0.2,0.2,180,0,0,,0,,\n", 3, ["speed must be at least 1e-08"]),
     (ABOVE + "line,,0.5,0.2,0.2,180,0,0,,,-1,\n", 3, ["blend must be 0"]),
     (ABOVE + "line,,0.5,0.2,0.2,180,0,0,,,,-1\n", 3, ["dwell must be"]),
     (ABOVE + "line,,0.5,0.2,0.2,180,0,0,,,0.1,\n", 3, ["a blend must be between two lines"]),

@@ -102,7 +102,7 @@ def test_bad_input_is_refused_in_one_line(refused, beeline, written):
     for scale in ("2", "1e-300"):
         refused(2, "retime", "panda", path, "--speed", scale, says=("--speed", "from 1e-06 to 1", scale))
     for speed in ("-1", "1e-300"):
-        refused(2, "retime", "panda", path, "--tool-speed", speed, says=("--tool-speed", "at least 1e-09", speed))
+        refused(2, "retime", "panda", path, "--tool-speed", speed, says=("--tool-speed", "at least 1e-08", speed))
     refused(2, "retime", "panda", path, "--out", path, says=("input",))
     refused(3, "retime", "ur5", path, says=("waypoints.csv", "joint7"))
     refused(3, "retime", "panda", written("half.csv", WAYPOINTS[:-6]), says=("half.csv:5",))

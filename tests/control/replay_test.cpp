@@ -206,6 +206,18 @@ TEST(Replay, TakesARecordingOfOneSample) {
   EXPECT_EQ(moved.trajectory.times.back(), moved.lead_in);
 }
 
+TEST(Replay, TakesAnyNumberOfRecordedSamples) {
+  const Arm arm = built_in("rp");
+  Trajectory recorded{arm.joint_names(), {}, {}, {}, {}};
+  for (int k = 0; k < 1'000'000; ++k) {
+    recorded.times.push_back(1e-3 * k);
+    recorded.positions.emplace_back(Configuration{{1e-6 * k, 0.1}});
+  }
+  const Replay played = replay(arm, recorded);
+  ASSERT_TRUE(played) << played.reason;
+  EXPECT_EQ(played.trajectory.size(), recorded.size());
+}
+
 TEST(Replay, InStepsSeesEverySampleThatAStepPasses) {
   const Arm arm = built_in("rrr");
   std::vector<Joint> joints = arm.joints();

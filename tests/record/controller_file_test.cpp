@@ -57,7 +57,7 @@ TEST(ControllerFile, WhatAFormCannotHoldIsRefused) {
   EXPECT_REFUSED(controller_file(panda, still, ControllerForm::ros2), "joint7");
   EXPECT_REFUSED(controller_file(ur5, still, ControllerForm::csv), "need a rate");
   EXPECT_REFUSED(controller_file(ur5, still, ControllerForm::rapid, {.rate = 0.0}),
-                 "must be above 0, not 0");
+                 "must be 0.001 samples per second or above, not 0");
   EXPECT_REFUSED(controller_file(ur5, still, ControllerForm::rapid, {.program = "a b"}),
                  "\"a b\" cannot name a program of RAPID");
   EXPECT_REFUSED(

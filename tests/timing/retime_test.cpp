@@ -219,9 +219,9 @@ TEST(Retime, AcceptsTheSmallestSpeeds) {
       const Retimed slow = retime(arm, given, {.profile = profile, .speed_scale = 1e-6});
       ASSERT_TRUE(slow) << slow.reason;
       EXPECT_LE(slow.limits.velocity.fraction, 1e-6 * (1 + 1e-6));
-      const Retimed creeping = retime(arm, given, {.profile = profile, .tool_speed = 1e-9});
+      const Retimed creeping = retime(arm, given, {.profile = profile, .tool_speed = 1e-8});
       ASSERT_TRUE(creeping) << creeping.reason;
-      EXPECT_LE(creeping.tool_speed, 1e-9 * (1 + 1e-6));
+      EXPECT_LE(creeping.tool_speed, 1e-8 * (1 + 1e-6));
     }
   }
 }
@@ -251,7 +251,7 @@ TEST(Retime, RefusesOptionsOutOfRange) {
     EXPECT_REFUSED(retime(arm, given, {.speed_scale = scale}), "from 1e-06 to 1");
   }
   for (const double speed : {0.0, -1.0, 1e-10, 1e-300, std::nan("")}) {
-    EXPECT_REFUSED(retime(arm, still, {.tool_speed = speed}), "1e-09 m/s at least");
+    EXPECT_REFUSED(retime(arm, still, {.tool_speed = speed}), "1e-08 m/s at least");
   }
   EXPECT_REFUSED(retime(arm, still, {.rate = -1}), "or above");
   EXPECT_REFUSED(profile_named("scurve"), "s-curve");

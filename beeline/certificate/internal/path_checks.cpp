@@ -3,14 +3,9 @@
 #include <beeline/certificate/internal/matched_step.h>
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/error.h>
+#include <beeline/trajectory/internal/tool_speed.h>
 
 namespace beeline::internal {
-namespace {
-
-constexpr double slowest_tool = 1e-8;  // metres per second
-
-}  // namespace
-
 void check_task(const Arm& arm, const Segment& segment, const Task& task) {
   beeline::check_task(task);
   if (!std::holds_alternative<Line>(segment)) check_matched(arm, segment, task);

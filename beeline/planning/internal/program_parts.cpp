@@ -4,20 +4,21 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/blend.h>
 #include <beeline/planning/internal/program_parts.h>
+#include <beeline/trajectory/internal/tool_speed.h>
 
 namespace beeline::internal {
 namespace {
 
-constexpr double max_dwell = 1e6;      // seconds
-constexpr double slowest_move = 1e-8;  // metres per second
+constexpr double max_dwell = 1e6;  // seconds
 
 [[noreturn]] void refuse_move(const Program& program, std::size_t i, const std::string& reason) {
   throw Error(move_name(program, i) + ": " + reason);
 }
 
 void check_numbers(const Move& move) {
-  if (move.speed && !(*move.speed >= slowest_move && std::isfinite(*move.speed))) {
-    throw Error("speed must be at least 1e-8 m/s, not " + number(*move.speed));
+  if (move.speed && !(*move.speed >= slowest_tool && std::isfinite(*move.speed))) {
+    throw Error("speed must be at least " + number(slowest_tool) + " m/s, not " +
+                number(*move.speed));
   }
   if (!(move.blend >= 0) || !std::isfinite(move.blend)) {
     throw Error("blend must be 0 m or more, not " + number(move.blend));

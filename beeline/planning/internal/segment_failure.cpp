@@ -111,7 +111,7 @@ SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Tas
 SegmentFailure too_many_samples(std::size_t max_samples) {
   return {MotionStatus::too_many_samples, "needs more than " + std::to_string(max_samples) +
                                               " samples in all; allow a larger tolerance or "
-                                              "raise max_samples"};
+                                              "more samples"};
 }
 
 }  // namespace beeline::internal

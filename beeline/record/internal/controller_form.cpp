@@ -4,6 +4,7 @@
 #include <beeline/error.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/record/internal/controller_form.h>
+#include <beeline/trajectory/internal/sample_rate.h>
 
 namespace beeline::internal {
 namespace {
@@ -61,9 +62,7 @@ void check_form(const FormDescription& form, const Arm& arm, const std::optional
   if (form.form == ControllerForm::csv && !rate) {
     throw Error("csv setpoints need a rate, samples per second");
   }
-  if (rate && !(*rate > 0 && std::isfinite(*rate))) {
-    throw Error("the rate of an export must be above 0, not " + number(*rate));
-  }
+  if (rate) check_rate(*rate);
   const double cycles = rate ? 500 / *rate : 4;
   if (form.form == ControllerForm::urscript &&
       !(cycles > 0.5 && std::abs(cycles - std::round(cycles)) <= 1e-9 * cycles)) {

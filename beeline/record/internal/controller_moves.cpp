@@ -49,32 +49,18 @@ std::string metres_per_second(double speed) {
   return fixed_point(std::floor(speed * 1e9) / 1e9, 9);
 }
 
-/// fixed_point() without a sign before zero.
-std::string plain(double value, int decimals) {
-  const double scale = std::pow(10.0, decimals);
-  return fixed_point(std::abs(value) * scale < 0.5 ? 0.0 : value, decimals);
-}
-
-std::string listed_numbers(std::initializer_list<double> values, int decimals) {
-  std::string text;
-  for (const double value : values) {
-    text += (text.empty() ? "" : ",") + plain(value, decimals);
-  }
-  return text;
-}
-
 /// p[x,y,z,rx,ry,rz]: metres, and the rotation vector in radians.
 std::string ur_pose(const Pose& pose) {
   const Vector3 p = pose.translation(), r = so3_log(pose.linear());
-  return "p[" + listed_numbers({p.x(), p.y(), p.z(), r.x(), r.y(), r.z()}, 12) + "]";
+  return "p[" + listed_numbers(Configuration{{p.x(), p.y(), p.z(), r.x(), r.y(), r.z()}}, 12) + "]";
 }
 
 /// A robtarget: millimetres and a quaternion; no configuration data and no external axes.
 std::string robtarget(const Pose& pose) {
   const Vector3 p = 1e3 * pose.translation();
   const Eigen::Quaterniond q(pose.linear());
-  return "[[" + listed_numbers({p.x(), p.y(), p.z()}, 9) + "],[" +
-         listed_numbers({q.w(), q.x(), q.y(), q.z()}, 12) +
+  return "[[" + listed_numbers(p, 9) + "],[" +
+         listed_numbers(Configuration{{q.w(), q.x(), q.y(), q.z()}}, 12) +
          "],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
 }
 
@@ -87,7 +73,8 @@ std::string speeddata(double speed) {
 std::string zonedata(double radius) {
   if (radius == 0) return "fine";
   const double r = 1e3 * radius;
-  return "[FALSE," + listed_numbers({r, 1.5 * r, 1.5 * r, 0.15 * r, 1.5 * r, 0.15 * r}, 6) + "]";
+  return "[FALSE," +
+         listed_numbers(Configuration{{r, 1.5 * r, 1.5 * r, 0.15 * r, 1.5 * r, 0.15 * r}}, 6) + "]";
 }
 
 /// {X ..,Y ..,Z ..,A ..,B ..,C ..}: millimetres, and degrees about z, y and x.
@@ -95,11 +82,10 @@ std::string krl_frame(const Pose& pose) {
   const Vector3 p = 1e3 * pose.translation();
   const RollPitchYaw angles = roll_pitch_yaw(pose.linear());
   const double values[] = {p.x(), p.y(), p.z(), angles.yaw, angles.pitch, angles.roll};
-  constexpr double degrees = 180 / 3.14159265358979323846;
   std::string text = "{";
   for (std::size_t i = 0; i < 6; ++i) {
     text += (i == 0 ? "" : ",") + std::string(1, "XYZABC"[i]) + " " +
-            plain(i < 3 ? values[i] : degrees * values[i], 9);
+            plain(i < 3 ? values[i] : degrees_per_radian * values[i], 9);
   }
   return text + "}";
 }
@@ -129,7 +115,8 @@ std::string krl_spline(const std::vector<ControllerMove>& moves, std::size_t i,
   return text + "ENDSPLINE\n";
 }
 
-std::string seconds(double dwell) { return fixed_point(dwell, 6); }
+/// Rounded up to microseconds, so that a dwell is not shorter.
+std::string seconds(double dwell) { return fixed_point(std::ceil(dwell * 1e6 - 1e-3) / 1e6, 6); }
 
 }  // namespace
 

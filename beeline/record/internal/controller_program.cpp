@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <beeline/error.h>
 #include <beeline/read/internal/name.h>
@@ -68,35 +67,35 @@ std::string commented(const std::vector<std::string>& lines, const char* prefix)
   return text;
 }
 
-std::string radians_of(const Configuration& q) {
-  std::string text = "[";
-  for (Eigen::Index i = 0; i < q.size(); ++i) {
-    text += (i == 0 ? "" : ",") + fixed_point(q[i] + 0.0, 9);
-  }
-  return text + "]";
+std::string plain(double value, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  return fixed_point(std::abs(value) * scale < 0.5 ? 0.0 : value, decimals);
 }
 
-double degrees_of(double radians) {
-  const double degrees = std::round(radians * 180 / std::numbers::pi * 1e6) / 1e6;
-  return degrees + 0.0;  // -0 becomes 0
+std::string listed_numbers(const Configuration& values, int decimals) {
+  std::string text;
+  for (const double value : values) {
+    text += (text.empty() ? "" : ",") + plain(value, decimals);
+  }
+  return text;
 }
+
+std::string radians_of(const Configuration& q) { return "[" + listed_numbers(q, 9) + "]"; }
 
 void check_rapid_name(const std::string& name) { check_identifier(name, "RAPID", 27, rapid_words); }
 
 void check_krl_name(const std::string& name) { check_identifier(name, "KRL", 24, krl_words); }
 
 std::string rapid_axes(const Configuration& q) {
-  std::string axes;
-  for (const double angle : q) {
-    axes += (axes.empty() ? "" : ",") + fixed_point(degrees_of(angle), 6);
-  }
-  return "[[" + axes + "],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+  const Configuration degrees = degrees_per_radian * q;
+  return "[[" + listed_numbers(degrees, 6) + "],[9E9,9E9,9E9,9E9,9E9,9E9]]";
 }
 
 std::string krl_axes(const Configuration& q) {
   std::string axes;
   for (Eigen::Index i = 0; i < q.size(); ++i) {
-    axes += (i == 0 ? "A" : ",A") + std::to_string(i + 1) + " " + fixed_point(degrees_of(q[i]), 6);
+    axes +=
+        (i == 0 ? "A" : ",A") + std::to_string(i + 1) + " " + plain(degrees_per_radian * q[i], 6);
   }
   return "{" + axes + "}";
 }

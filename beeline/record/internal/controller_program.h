@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,14 @@ struct ProgramSource {
 /// Each line after the prefix of a comment.
 std::string commented(const std::vector<std::string>& lines, const char* prefix);
 
-/// Radians as a list in brackets, to 1e-9; degrees, to 1e-6.
+constexpr double degrees_per_radian = 180 / std::numbers::pi;
+
+/// fixed_point() without a sign before zero, and numbers in it separated by commas.
+std::string plain(double value, int decimals);
+std::string listed_numbers(const Configuration& values, int decimals);
+
+/// Radians as a list in brackets, to 1e-9.
 std::string radians_of(const Configuration& q);
-double degrees_of(double radians);
 
 /// Throws Error for a name that is no identifier of the language, is too long or has a meaning in
 /// it.

@@ -43,7 +43,7 @@ Trajectory from_time_zero(Trajectory trajectory) {
 Trajectory setpoints(const Trajectory& trajectory, double rate) {
   constexpr double slack = 1e-6;  // of a period: rounding of times
   const double begin = trajectory.times.front(), duration = trajectory.times.back() - begin;
-  const double periods = std::ceil(duration * rate - slack);
+  const double periods = duration > 0 ? std::max(1.0, std::ceil(duration * rate - slack)) : 0;
   if (!(periods < max_setpoints)) {
     throw Error("the rate " + number(rate) + " Hz gives " + number(periods) + " setpoints in " +
                 number(duration) + " s; at most 10 million are written");
@@ -53,7 +53,7 @@ Trajectory setpoints(const Trajectory& trajectory, double rate) {
   const double end = trajectory.times.back(), near = slack / rate;
   for (double i = 0; i <= periods; ++i) {
     const double time = i / rate, t = begin + time;
-    const bool at_end = std::abs(t - end) <= near;
+    const bool at_end = i == periods && std::abs(t - end) <= near;
     append_state(at_end ? last_state(trajectory) : sample(trajectory, t), time, trajectory, result);
   }
   return result;

@@ -64,7 +64,9 @@ void minimise_duration(SquaredRateSpline& spline, const DurationProblem& problem
   add(multipliers, 1, change);
   NewtonEquations equations(problem);
   bool inside = set_up(equations, problem, c.data(), multipliers.data(), gap);
-  for (int i = 0; i < max_steps && inside && !ended(budget); ++i) {
+  constexpr std::size_t steps_of_work = 16;  // of the spline, in an iteration that counts once
+  const auto work = static_cast<std::int64_t>(1 + spline.steps() / steps_of_work);
+  for (int i = 0; i < max_steps && inside && !ended(budget, work); ++i) {
     solve(equations, size, dc);
     const MultiplierStep step =
         multiplier_step(problem, c.data(), dc.data(), multipliers.data(), gap, change.data());

@@ -182,6 +182,7 @@ SampledSection without_rate(const Arm& arm, const TimedPath& section,
   SampledSection result = refined_samples(arm, section, options, width);
   if (result.trajectory.size() == 0) return result;
   double factor = std::max(1.0, needed_slowdown(arm, result, options).both());
+  if (ended(options.budget)) return {};
   // Wider ramps where their jerk exceeds a limit, as long as they cost less than the slowdown.
   for (int attempt = 0; attempt < max_widenings && jumps && factor > worth_widening; ++attempt) {
     if (ended(options.budget)) break;
@@ -201,6 +202,7 @@ SampledSection without_rate(const Arm& arm, const TimedPath& section,
     result = exact;
     slow_down_in_nanoseconds(result, factor * (1 + margin));
     if (!(needed_slowdown(arm, result, options).both() > 1)) return result;
+    if (ended(options.budget)) return {};
   }
 }
 

@@ -27,7 +27,7 @@ struct SectionOptions {
   double speed_scale = 1;             ///< see RetimeOptions
   ToolSpeeds tool_speed = {};         ///< limits along the path
   double rate = 0;                    ///< see RetimeOptions
-  double max_samples = 200'000;       ///< with a rate
+  double max_samples = 200'000;       ///< with a rate, after the first
   std::vector<double> required = {};  ///< path parameters that get a sample, without a rate
   BudgetMeter* budget = nullptr;      ///< default: none
 };

@@ -59,13 +59,17 @@ NeededSlowdown needed_slowdown(const Arm& arm, const SampledSection& samples,
 NeededSlowdown needed_slowdown(const Arm& arm, const Trajectory& trajectory,
                                const SectionOptions& options) {
   const std::vector<Limits> limits = kept_limits(arm, options);
-  const auto usage = [&](int order) { return limit_fraction(limits, trajectory, order).fraction; };
+  const auto usage = [&](int order) {
+    return limit_fraction(limits, trajectory, order, options.budget).fraction;
+  };
   NeededSlowdown needed{slowdown(usage(1), usage(2), 0) / options.speed_scale,
                         slowdown(0, 0, usage(3)) / options.speed_scale};
   const ToolSpeeds& tool = options.tool_speed;
   if (tool.limits.size() == 1 && tool.lowest() < Limits::none) {
-    needed.speed = std::max(needed.speed, tool_speed_bound(arm, trajectory) / tool.lowest());
+    const double bound = tool_speed_bound(arm, trajectory, options.budget);
+    needed.speed = std::max(needed.speed, bound / tool.lowest());
   }
+  if (options.budget != nullptr && !options.budget->complete()) needed.speed = Limits::none;
   return needed;
 }
 

@@ -6,7 +6,7 @@ namespace beeline::internal {
 
 /// The factors by which the samples of a section must be slowed down to keep the limits that
 /// SectionOptions ask for: known ones, and assumed ones, except the jerk of a profile that does
-/// not keep it.
+/// not keep it. Infinite where the budget of the options has ended.
 struct NeededSlowdown {
   double speed = 0;  ///< for velocities, accelerations and the tool's speed
   double jerk = 0;

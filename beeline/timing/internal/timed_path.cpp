@@ -3,12 +3,11 @@
 
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/timing/internal/timed_path.h>
+#include <beeline/trajectory/internal/sample_rate.h>
+#include <beeline/trajectory/internal/tool_speed.h>
 
 namespace beeline::internal {
 namespace {
-
-constexpr double slowest_tool = 1e-9;  // metres per second
-constexpr double lowest_rate = 1e-3;   // samples per second
 
 /// Returns the reason if the path leaves the arm's position limits, otherwise an empty text.
 std::string outside(const Arm& arm, const JointPath& samples, const JointPath& refined) {
@@ -62,11 +61,7 @@ void check_options(double tool_speed, double rate) {
     throw Error("the tool's speed must be " + number(slowest_tool) + " m/s at least, not " +
                 number(tool_speed) + " m/s");
   }
-  if (rate != 0 && (!(rate >= lowest_rate) || !std::isfinite(rate))) {
-    throw Error("the rate must be " + number(lowest_rate) +
-                " samples per second or above, or 0 for the samples of the path, not " +
-                number(rate));
-  }
+  check_rate(rate, "the samples of the path");
 }
 
 TimedPath timed_path(const Arm& arm, const JointPath& path, Profile profile, double speed_scale,

@@ -22,7 +22,7 @@ SampledSection too_many(double duration, const SectionOptions& options) {
   SampledSection none;
   none.too_many = true;
   none.reason = number(options.rate) + " samples per second make more than " +
-                number(options.max_samples) + " in " + number(duration) + " s";
+                number(options.max_samples + 1) + " in " + number(duration) + " s";
   return none;
 }
 
@@ -47,6 +47,7 @@ TimeScaling in_whole_periods(const TimeScaling& given, double periods, double pe
   return uniform;
 }
 
+/// No samples where the budget ends it.
 SampledSection in_periods(const Arm& arm, const TimedPath& section, const SectionOptions& options,
                           const Periods& periods) {
   const double period = 1 / options.rate;
@@ -54,7 +55,9 @@ SampledSection in_periods(const Arm& arm, const TimedPath& section, const Sectio
   const AveragedScaling scaling(uniform, periods.average * period);
   const JointMotion motion(section.path, scaling);
   std::vector<Sample> samples;
+  constexpr std::size_t batch = 64;  // samples
   for (double k = 0; k <= periods.all(); ++k) {
+    if (samples.size() % batch == 0 && ended(options.budget, batch)) return {};
     const double t = round_to_nanoseconds(k / options.rate);
     samples.push_back({t, motion.at(k == periods.all() ? scaling.duration() : t)});
   }
@@ -96,7 +99,9 @@ SampledSection within_limits(const Arm& arm, const TimedPath& section,
     const double count = periods.all();
     if (!(count <= options.max_samples)) return too_many(count / options.rate, options);
     SampledSection tried = sampled(arm, section, options, periods);
+    if (!tried) return {};
     const NeededSlowdown needed = needed_slowdown(arm, tried, options);
+    if (ended(options.budget)) return {};
     if (!(needed.both() > 1)) return tried;
     // Most of the slowdown at once: the excess is at few samples, and others are the worst later.
     constexpr double at_once = 0.7;
@@ -161,8 +166,9 @@ SampledSection uniform_section(const Arm& arm, const TimedPath& section,
   if (found || ended(options.budget)) return found;
   SectionOptions other = options;
   if (found.too_many) {
+    constexpr double usual_rate = 1000;
     other.rate = rounded_down(options.max_samples / section.scaling.duration());
-    other.rate = std::min(other.rate, options.rate);
+    other.rate = std::min({other.rate, options.rate, 2 * usual_rate});
   }
   for (const double factor : {0.5, 2.0, 4.0}) {
     SectionOptions tried = other;
