@@ -27,6 +27,7 @@
 #include <beeline/draw/scene.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
+#include <beeline/formula/code.h>
 #include <beeline/formula/document.h>
 #include <beeline/formula/expression.h>
 #include <beeline/formula/formula.h>

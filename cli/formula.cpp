@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <beeline/error.h>
+#include <beeline/formula/code.h>
 #include <beeline/formula/document.h>
 #include <beeline/read/internal/file.h>
 
@@ -25,7 +26,8 @@ struct FormulaArguments {
 constexpr std::pair<const char*, bool FormulaContent::*> contents[] = {
     {"forward", &FormulaContent::forward},
     {"jacobian", &FormulaContent::jacobian},
-    {"derivative", &FormulaContent::derivative}};
+    {"derivative", &FormulaContent::derivative},
+    {"determinant", &FormulaContent::determinant}};
 
 FormulaContent content_of(const FormulaArguments& arguments, const Arm& arm) {
   FormulaContent content{.forward = false, .products = arguments.all};
@@ -72,19 +74,45 @@ Json document_json(const FormulaDocument& document) {
   for (const WrittenSection& section : document.sections) {
     Json formulas = Json::list();
     for (const WrittenFormula& formula : section.formulas) formulas.append(formula_json(formula));
-    json.add(section.key, formulas);
+    json.add(section.key, Json{{"formulas", formulas}, {"sentences", section.sentences}});
   }
   return json;
+}
+
+/// The formulas as text, with the document for --json.
+Answer written_formulas(const FormulaArguments& arguments, const SymbolicArm& arm,
+                        const FormulaContent& content) {
+  const FormulaStyle style{.latex = arguments.as == "latex", .numbers = arguments.numbers};
+  const FormulaDocument document = formula_document(arm, content, style);
+  return {.text = style.latex ? latex_of(document, arguments.standalone) : text_of(document),
+          .document = document_json(document)};
+}
+
+/// The code, with its operations for --json.
+Answer generated_code(const FormulaArguments& arguments, const SymbolicArm& arm,
+                      const FormulaContent& content) {
+  const CodeLanguage language = arguments.as == "python" ? CodeLanguage::python
+                                : arguments.as == "c"    ? CodeLanguage::c
+                                                         : CodeLanguage::cpp;
+  const GeneratedCode code = formula_code(arm, content, language, arguments.numbers);
+  Json functions = Json::list();
+  for (const GeneratedFunction& function : code.functions) {
+    functions.append({{"name", function.name},
+                      {"purpose", function.purpose},
+                      {"multiplications", function.multiplications},
+                      {"additions", function.additions},
+                      {"trigonometric", function.trigonometric}});
+  }
+  return {.text = code.text, .document = {{"code", code.text}, {"functions", functions}}};
 }
 
 Answer formula(const FormulaArguments& arguments) {
   const Arm arm = arguments.arm.read({});
   const SymbolicArm symbolic = symbolic_arm(arm, {.angle_tolerance = arguments.angle_tolerance});
-  const FormulaStyle style{.latex = arguments.as == "latex", .numbers = arguments.numbers};
-  const FormulaDocument document = formula_document(symbolic, content_of(arguments, arm), style);
-  Answer answer;
-  answer.text = style.latex ? latex_of(document, arguments.standalone) : text_of(document);
-  answer.document = document_json(document);
+  const FormulaContent content = content_of(arguments, arm);
+  const bool written = arguments.as == "text" || arguments.as == "latex";
+  Answer answer = written ? written_formulas(arguments, symbolic, content)
+                          : generated_code(arguments, symbolic, content);
   if (!arguments.out.empty()) {
     refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.srdf});
     internal::write_file(arguments.out, answer.text);
@@ -98,7 +126,8 @@ std::vector<Option> formula_options(FormulaArguments& arguments) {
   return {{.name = "--of",
            .value = "LIST",
            .help = "What is derived: forward (the transform of each link and the pose of the "
-                   "tool), jacobian, derivative (of the Jacobian, by time), or all; several with "
+                   "tool), jacobian, derivative (of the Jacobian, by time), determinant (with the "
+                   "singularities that it shows), or all; several with "
                    "commas between.",
            .target = &arguments.of},
           {.name = "--all",
@@ -108,7 +137,7 @@ std::vector<Option> formula_options(FormulaArguments& arguments) {
            .value = "FORM",
            .help = "How the formulas are written.",
            .target = &arguments.as,
-           .choices = {"text", "latex"}},
+           .choices = {"text", "latex", "python", "c++", "c"}},
           {.name = "--numbers",
            .help = "Lengths and constant angles as numbers, not as symbols.",
            .target = &arguments.numbers},

@@ -34,6 +34,7 @@ struct WrittenSection {
   std::string title;
   std::vector<std::string> remarks = {};  ///< sentences below the title
   std::vector<WrittenFormula> formulas = {};
+  std::vector<std::string> sentences = {};  ///< behind the formulas
 };
 
 struct WrittenSymbol {
@@ -56,10 +57,11 @@ struct FormulaDocument {
 
 /// Which formulas a document has.
 struct FormulaContent {
-  bool forward = true;      ///< the transform of each link, and the pose of the tool
-  bool products = false;    ///< with forward also the pose of each link in the base
-  bool jacobian = false;    ///< the rows of the task, in its frame
-  bool derivative = false;  ///< the time derivative of the same
+  bool forward = true;       ///< the transform of each link, and the pose of the tool
+  bool products = false;     ///< with forward also the pose of each link in the base
+  bool jacobian = false;     ///< the rows of the task, in its frame
+  bool derivative = false;   ///< the time derivative of the same
+  bool determinant = false;  ///< of the rows of the task, and the singularities that it shows
   Frame frame = Frame::base;
   Task task = Task::spatial();  ///< its rows; planar arms have Task::planar()
 };

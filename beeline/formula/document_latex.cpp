@@ -82,11 +82,17 @@ std::size_t matrix_width(const WrittenFormula& formula) {
 std::string as_entries(const WrittenFormula& formula) {
   std::string lines;
   for (std::size_t k = 0; k < formula.cells.front().size(); ++k) {
+    std::string zeros;  // on one line
     for (std::size_t row = 0; row < formula.cells.size(); ++row) {
       const std::string& name = formula.cell_names[row][k];
       if (name.empty()) continue;
+      if (formula.cells[row][k] == "0") {
+        zeros += (zeros.empty() ? "" : " = ") + name;
+        continue;
+      }
       lines += (lines.empty() ? "  " : " \\\\\n  ") + name + " &= " + broken(formula.cells[row][k]);
     }
+    if (!zeros.empty()) lines += (lines.empty() ? "  " : " \\\\\n  ") + zeros + " &= 0";
   }
   return "\\begin{align*}\n" + lines + "\n\\end{align*}\n";
 }
@@ -135,6 +141,7 @@ std::string latex_of(const FormulaDocument& document, bool standalone) {
     text += "\n\\subsection*{" + escaped(section.title) + "}\n";
     for (const std::string& remark : section.remarks) text += remark + "\n\n";
     for (const WrittenFormula& formula : section.formulas) text += latex_of(formula);
+    for (const std::string& sentence : section.sentences) text += sentence + "\n\n";
   }
   const std::string symbols = symbol_table(document);
   if (!symbols.empty()) text += "\n\\subsection*{where}\n" + symbols;

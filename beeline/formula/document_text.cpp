@@ -52,10 +52,17 @@ std::string as_entries(const WrittenFormula& formula) {
   std::string text = "  " + formula.left + ", column by column\n";
   const std::size_t columns = formula.cells.front().size();
   for (std::size_t k = 0; k < columns; ++k) {
+    std::string zeros;  // on one line
     for (std::size_t row = 0; row < formula.cells.size(); ++row) {
       const std::string& name = formula.cell_names[row][k];
-      if (!name.empty()) text += "    " + padded(name, 4) + " = " + formula.cells[row][k] + "\n";
+      if (name.empty()) continue;
+      if (formula.cells[row][k] == "0") {
+        zeros += name + " = ";
+      } else {
+        text += "    " + padded(name, 4) + " = " + formula.cells[row][k] + "\n";
+      }
     }
+    if (!zeros.empty()) text += "    " + zeros + "0\n";
     if (k + 1 < columns) text += "\n";
   }
   return text;
@@ -106,6 +113,7 @@ std::string text_of(const FormulaDocument& document) {
       const bool spaced = i > 0 && formula.cells.size() > 1;
       text += (spaced ? "\n" : "") + text_of(formula);
     }
+    for (const std::string& sentence : section.sentences) text += "  " + sentence + "\n";
   }
   const std::string symbols = symbol_table(document);
   if (!symbols.empty()) text += "\nwhere\n" + symbols;

@@ -3,12 +3,13 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <beeline/error.h>
 #include <beeline/formula/expression.h>
 #include <beeline/formula/symbolic_arm.h>
-#include <beeline/kinematics/jacobian.h>
+#include <beeline/kinematics/task.h>
 
 namespace beeline {
 
@@ -46,6 +47,22 @@ PlanarAngle planar_angle(const SymbolicArm& arm);
 /// The Jacobian, rows [vx vy vz wx wy wz], a column for each coordinate: the same matrix as
 /// jacobian() has.
 ExpressionMatrix jacobian_formula(const SymbolicArm& arm, Frame frame = Frame::base);
+
+/// The determinant of a square Jacobian as the product of a constant and of powers of factors. It
+/// does not depend on the frame, so the Jacobian is taken where its block-triangular form has the
+/// smallest blocks: at the origin of one frame, in the axes of another.
+struct DeterminantFormula {
+  Expression constant = 0;                               ///< without joint coordinates
+  std::vector<std::pair<Expression, int>> factors = {};  ///< factor, exponent
+  std::string origin = {}, axes = {};                    ///< "link 3", "the tool"
+  std::size_t origin_frame = 0;  ///< the same: 0 the world, i + 1 link i, n + 2 the tool
+
+  double value(std::span<const double> symbols) const;
+};
+
+/// Throws Error when the task has another number of rows than the arm has joints, or the formula is
+/// too large.
+DeterminantFormula determinant_formula(const SymbolicArm& arm, const Task& task);
 
 /// The time derivative of each entry, with the symbols SymbolicArm::rates.
 ExpressionMatrix time_derivative(const SymbolicArm& arm, const ExpressionMatrix& matrix);

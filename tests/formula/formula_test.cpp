@@ -4,7 +4,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 
-#include <tests/random.h>
+#include <tests/random_arm.h>
 
 namespace beeline {
 namespace {
@@ -59,6 +59,22 @@ TEST_P(BuiltInFormula, JacobiansEqualTheArms) {
   }
 }
 
+TEST_P(BuiltInFormula, DeterminantEqualsTheJacobians) {
+  const Arm arm = built_in(GetParam());
+  const SymbolicArm symbolic = symbolic_arm(arm);
+  testing::Random random;
+  for (const char* mask : {"111111", "110001", "111000", "110000", "111001"}) {
+    const Task task = task_named(mask);
+    if (task.size() != arm.dof()) continue;
+    const DeterminantFormula formula = determinant_formula(symbolic, task);
+    for (int k = 0; k < testing::cases(1000); ++k) {
+      const Configuration q = random.configuration(arm);
+      const double determinant = task_jacobian(arm, q, task).determinant();
+      EXPECT_NEAR(formula.value(symbol_values(symbolic, q)), determinant, 1e-12);
+    }
+  }
+}
+
 /// The derivative by central differences, whose error is about 1e-10.
 Eigen::MatrixXd difference(const Arm& arm, const Configuration& q, const Configuration& rates,
                            Frame frame) {
@@ -81,6 +97,29 @@ TEST_P(BuiltInFormula, TimeDerivativesEqualDifferences) {
       EXPECT_LT(largest(numbers - difference(arm, q, rates, frame)), 1e-8) << name(frame);
     }
   }
+}
+
+/// An arm of one or two joints with any offsets and axes, mimic joints and helical joints.
+TEST(AnyFormula, EqualsTheArms) {
+  testing::Random random;
+  int compared = 0;
+  for (int k = 0; k < testing::cases(100); ++k) {
+    const Arm arm = testing::random_arm(random, random.integer(1, 2), 3);
+    const SymbolicArm symbolic = symbolic_arm(arm, {.max_symbols = 20000});
+    const Configuration q = random.configuration(arm);
+    const std::vector<double> values = symbol_values(symbolic, q);
+    try {
+      const Eigen::MatrixXd pose = tool_formula(symbolic).value(values);
+      EXPECT_LT(largest(pose - forward_kinematics(arm, q).matrix()), 1e-11);
+      for (const Frame frame : {Frame::base, Frame::tool, Frame::space}) {
+        const Eigen::MatrixXd columns = jacobian_formula(symbolic, frame).value(values);
+        EXPECT_LT(largest(columns - jacobian(arm, q, frame)), 1e-11) << name(frame);
+      }
+      ++compared;
+    } catch (const Error&) {  // too large
+    }
+  }
+  EXPECT_GT(compared, testing::cases(100) / 4);
 }
 
 }  // namespace

@@ -283,23 +283,4 @@ Tree factored(const Expression& expression) {
   return sum_of(std::move(products), false);
 }
 
-Operations operations(const Tree& tree) {
-  Operations count;
-  for (const Tree& part : tree.parts) {
-    const Operations inner = operations(part);
-    count.multiplications += inner.multiplications;
-    count.additions += inner.additions;
-  }
-  const int parts = static_cast<int>(tree.parts.size());
-  if (tree.kind == Tree::Kind::sum) count.additions += parts - 1;
-  if (tree.kind == Tree::Kind::power) count.multiplications += tree.exponent - 1;
-  if (tree.kind == Tree::Kind::quotient) ++count.multiplications;
-  if (tree.kind == Tree::Kind::product) {
-    const bool scaled =
-        !(tree.coefficient == Coefficient(1)) && !(tree.coefficient == Coefficient(-1));
-    count.multiplications += std::max(0, parts - 1 + (scaled ? 1 : 0));
-  }
-  return count;
-}
-
 }  // namespace beeline::internal

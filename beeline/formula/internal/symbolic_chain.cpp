@@ -6,17 +6,6 @@
 namespace beeline::internal {
 namespace {
 
-ExpressionRotation exact_rotation(int axis, int fifteenths) {
-  return axis_rotation(axis, Coefficient::cosine(fifteenths), Coefficient::sine(fifteenths));
-}
-
-/// 1 or -1 if v is that multiple of the unit vector along the axis, else 0.
-int sign_along(const ExpressionVector& v, int axis) {
-  const auto along = static_cast<std::size_t>(axis);
-  if (!v[(along + 1) % 3].is_zero() || !v[(along + 2) % 3].is_zero()) return 0;
-  return v[along] == Expression(1) ? 1 : v[along] == Expression(-1) ? -1 : 0;
-}
-
 /// Disjoint sets of symbols.
 class Sets {
  public:
@@ -35,6 +24,16 @@ class Sets {
 };
 
 }  // namespace
+
+ExpressionRotation exact_rotation(int axis, int fifteenths) {
+  return axis_rotation(axis, Coefficient::cosine(fifteenths), Coefficient::sine(fifteenths));
+}
+
+int sign_along(const ExpressionVector& v, int axis) {
+  const auto along = static_cast<std::size_t>(axis);
+  if (!v[(along + 1) % 3].is_zero() || !v[(along + 2) % 3].is_zero()) return 0;
+  return v[along] == Expression(1) ? 1 : v[along] == Expression(-1) ? -1 : 0;
+}
 
 void SymbolicPose::append(const ElementaryTransform& transform) {
   if (!transform.rotation) {

@@ -39,7 +39,8 @@ void carry(SymbolicTwist& twist, const SymbolicArm& arm, const TransformList& li
   check_size(arm, size_of(twist.linear) + size_of(twist.angular), "a column of the Jacobian");
 }
 
-/// The twist that a transform makes for unit rate of the coordinate, in its own frame.
+}  // namespace
+
 SymbolicTwist own_twist(const SymbolicArm& arm, const ElementaryTransform& transform,
                         int coordinate) {
   SymbolicTwist twist;
@@ -59,6 +60,8 @@ SymbolicTwist own_twist(const SymbolicArm& arm, const ElementaryTransform& trans
   }
   return twist;
 }
+
+namespace {
 
 bool is_zero(const SymbolicTwist& twist) {
   return size_of(twist.linear) + size_of(twist.angular) == 0;

@@ -20,6 +20,10 @@ struct TransformList {
 };
 TransformList transform_list(const SymbolicArm& arm);
 
+/// The twist that a transform makes for unit rate of a coordinate, in the frame before it.
+SymbolicTwist own_twist(const SymbolicArm& arm, const ElementaryTransform& transform,
+                        int coordinate);
+
 /// The place in `list` where the velocity is taken, and the place whose axes it is expressed in.
 struct TwistFrame {
   std::size_t origin = 0;

@@ -36,6 +36,9 @@ struct Tree {
 /// (a multivariate Horner form), and sums of cosines that are products as products.
 Tree factored(const Expression& expression);
 
+/// The expression that a tree of numbers, symbols, cosines, sums, products and powers writes.
+Expression expression_of(const Tree& tree);
+
 /// The number of multiplications and additions that a tree needs as it is written; a cosine or sine
 /// counts as neither.
 struct Operations {

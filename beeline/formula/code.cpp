@@ -1,0 +1,70 @@
+#include <beeline/formula/code.h>
+#include <beeline/formula/internal/code_writer.h>
+#include <beeline/formula/internal/program_chain.h>
+
+namespace beeline {
+namespace {
+
+using internal::CodeWriter;
+using internal::Program;
+using internal::ProgramChain;
+
+/// The entries of the task's rows, of a 6 x dof matrix row by row.
+std::vector<Program::Id> task_entries(const std::vector<Program::Id>& matrix, const Task& task,
+                                      int dof) {
+  std::vector<Program::Id> entries;
+  for (std::size_t row = 0; row < 6; ++row) {
+    if (!task.rows[row]) continue;
+    const auto begin = matrix.begin() + static_cast<std::ptrdiff_t>(row) * dof;
+    entries.insert(entries.end(), begin, begin + dof);
+  }
+  return entries;
+}
+
+Program::Id determinant_of(ProgramChain& chain, const DeterminantFormula& determinant) {
+  Program& program = chain.program();
+  Program::Id product = chain.expression(determinant.constant);
+  for (const auto& [factor, exponent] : determinant.factors) {
+    for (int k = 0; k < exponent; ++k) {
+      product = program.multiply(product, chain.expression(factor));
+    }
+  }
+  return product;
+}
+
+}  // namespace
+
+GeneratedCode formula_code(const SymbolicArm& arm, const FormulaContent& content,
+                           CodeLanguage language, bool numbers) {
+  ProgramChain chain(arm, numbers);
+  CodeWriter writer(arm, chain, language);
+  const std::string rows = listed(row_names({content.task.rows, Frame::base}));
+  const std::string frame = "in the " + name(content.frame) + " frame";
+  const std::string size = std::to_string(content.task.size()) + " x " + std::to_string(arm.dof);
+  if (content.forward) {
+    writer.function("forward", "T, the pose of the tool in the world, 4 x 4 row by row.", false,
+                    {{"T", 4, chain.pose()}});
+  }
+  if (content.jacobian) {
+    writer.function(
+        "jacobian",
+        "T, and J, the Jacobian " + frame + ", " + size + " row by row; rows " + rows + ".", false,
+        {{"T", 4, chain.pose()},
+         {"J", arm.dof, task_entries(chain.jacobian(content.frame), content.task, arm.dof)}});
+  }
+  if (content.derivative) {
+    writer.function(
+        "jacobian_derivative",
+        "dJ, the time derivative of the Jacobian " + frame + ", " + size + " row by row; rows " +
+            rows + ".",
+        true,
+        {{"dJ", arm.dof, task_entries(chain.derivative(content.frame), content.task, arm.dof)}});
+  }
+  if (content.determinant) {
+    writer.function("determinant", "The determinant of the Jacobian, rows " + rows + ".", false,
+                    {{"det", 0, {determinant_of(chain, determinant_formula(arm, content.task))}}});
+  }
+  return writer.finish();
+}
+
+}  // namespace beeline

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <cstdlib>
+
+#include <beeline/formula/internal/document_writer.h>
+#include <beeline/formula/internal/numbers_inserted.h>
+
+namespace beeline::internal {
+namespace {
+
+/// Adds the symbols and the cosines and sines of a tree.
+void collect(const Tree& tree, std::set<int>& symbols, std::set<Trig>& trigs) {
+  if (tree.kind == Tree::Kind::symbol) symbols.insert(tree.symbol);
+  if (tree.kind == Tree::Kind::trig) {
+    trigs.insert(tree.trig);
+    for (const auto& [number, multiple] : tree.trig.angle.multiples) symbols.insert(number);
+  }
+  for (const Tree& part : tree.parts) collect(part, symbols, trigs);
+}
+
+}  // namespace
+
+/// The expression as it is written, with the constants as numbers if they are wanted so.
+Tree DocumentWriter::tree(const Expression& expression) {
+  return factored(style_.numbers ? with_numbers(expression, arm_) : expression);
+}
+
+std::string DocumentWriter::text(const Expression& expression) {
+  const Tree written = tree(expression);
+  collect(written, symbols_, trigs_);
+  return notation_.text(written);
+}
+
+std::string DocumentWriter::text(const DeterminantFormula& determinant) {
+  Tree product = tree(determinant.constant);
+  if (product.kind != Tree::Kind::product) {
+    product = {.kind = Tree::Kind::product, .parts = {product}};
+    if (product.parts.front().kind == Tree::Kind::number) {
+      product.coefficient = product.parts.front().coefficient;
+      product.parts.clear();
+    }
+  }
+  for (const auto& [factor, exponent] : determinant.factors) {
+    Tree part = tree(factor);
+    if (part.kind == Tree::Kind::product && part.parts.size() == 1 &&
+        part.coefficient == Coefficient(1)) {
+      part = Tree(part.parts.front());
+    }
+    if (exponent > 1) part = {.kind = Tree::Kind::power, .exponent = exponent, .parts = {part}};
+    product.parts.push_back(std::move(part));
+  }
+  collect(product, symbols_, trigs_);
+  return notation_.text(product);
+}
+
+WrittenFormula DocumentWriter::matrix(const std::string& left, const ExpressionMatrix& matrix) {
+  WrittenFormula written{.left = left};
+  for (std::size_t row = 0; row < matrix.rows; ++row) {
+    std::vector<std::string> cells;
+    for (std::size_t column = 0; column < matrix.columns; ++column) {
+      cells.push_back(text(matrix(row, column)));
+    }
+    written.cells.push_back(std::move(cells));
+  }
+  return written;
+}
+
+WrittenFormula DocumentWriter::pose(const std::string& left, const ExpressionMatrix& pose) {
+  ExpressionMatrix shown = pose;
+  if (in_plane(pose)) {
+    shown = {
+        3, 3, {pose(0, 0), pose(0, 1), pose(0, 3), pose(1, 0), pose(1, 1), pose(1, 3), 0, 0, 1}};
+  }
+  WrittenFormula written = matrix(left, shown);
+  name_cells(written);
+  return written;
+}
+
+WrittenFormula DocumentWriter::jacobian(const ExpressionMatrix& rows,
+                                        const std::vector<std::string>& names, bool derivative) {
+  const std::string letter = derivative ? "dJ" : "J";
+  WrittenFormula written = matrix(subscripted(letter, "", style_.latex), rows);
+  for (const std::string& name : names) written.row_names.push_back(row_name(name));
+  written.cell_names.assign(rows.rows, std::vector<std::string>(rows.columns));
+  const std::string comma = rows.columns > 9 ? "," : "";
+  for (std::size_t row = 0; row < rows.rows; ++row) {
+    for (std::size_t k = 0; k < rows.columns; ++k) {
+      const std::string index = std::to_string(row + 1) + comma + std::to_string(k + 1);
+      written.cell_names[row][k] = subscripted(letter, index, style_.latex);
+    }
+  }
+  return written;
+}
+
+std::string DocumentWriter::transform(const std::string& below, const std::string& above) const {
+  if (style_.latex) return "T_{" + below + "}^{" + above + "}";
+  constexpr const char* superscripts[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = subscripted("T", below, false);
+  for (const char c : above) text += c >= '0' && c <= '9' ? superscripts[c - '0'] : "ʷ";
+  return text;
+}
+
+std::string DocumentWriter::angle(const PlanarAngle& angle) {
+  std::string text = angle.angle.is_zero() ? "" : notation_.angle(angle.angle);
+  for (const auto& [number, multiple] : angle.angle.multiples) symbols_.insert(number);
+  if (angle.fifteenths == 0) return text.empty() ? "0" : text;
+  const char* minus = style_.latex ? "-" : "−";
+  const std::string degrees =
+      std::to_string(std::abs(angle.fifteenths) * 15) + (style_.latex ? "^{\\circ}" : "°");
+  const std::string sign = angle.fifteenths < 0 ? minus : "+";
+  if (text.empty()) return (angle.fifteenths < 0 ? minus : "") + degrees;
+  return text + ' ' + sign + ' ' + degrees;
+}
+
+std::vector<WrittenSymbol> DocumentWriter::symbols() const {
+  std::vector<WrittenSymbol> found;
+  for (const int number : symbols_) {
+    const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(number)];
+    if (symbol.coordinate >= 0 && symbol.ratio == 1 && symbol.value == 0) continue;
+    const bool length = symbol.kind == SymbolKind::length;
+    std::string meaning = symbol.meaning;
+    if (symbol.coordinate >= 0) {
+      meaning += ": " + decimal(symbol.ratio) + " q" + std::to_string(symbol.coordinate + 1) +
+                 " + " + decimal(symbol.value);
+    }
+    found.push_back(
+        {notation_.symbol(number), symbol.name(), symbol.value, length ? "m" : "rad", meaning});
+  }
+  return found;
+}
+
+std::vector<std::pair<std::string, std::string>> DocumentWriter::abbreviations() const {
+  std::vector<std::pair<std::string, std::string>> found;
+  for (const Trig& trig : trigs_) {
+    const std::string meaning = notation_.meaning(trig);
+    if (!meaning.empty()) found.emplace_back(notation_.trig(trig), meaning);
+  }
+  return found;
+}
+
+std::string DocumentWriter::row_name(const std::string& name) const {
+  if (!style_.latex) return name == "theta" ? "θ" : name;
+  if (name == "theta") return "\\theta";
+  return name.size() == 2 ? (name[0] == 'w' ? "\\omega_" : "v_") + name.substr(1) : name;
+}
+
+bool DocumentWriter::in_plane(const ExpressionMatrix& pose) const {
+  return arm_.planar && pose(0, 2).is_zero() && pose(1, 2).is_zero() && pose(2, 0).is_zero() &&
+         pose(2, 1).is_zero() && pose(2, 3).is_zero() && pose(2, 2) == Expression(1);
+}
+
+void DocumentWriter::name_cells(WrittenFormula& written) const {
+  constexpr const char* axes[] = {"x", "y", "z"};
+  const std::size_t size = written.cells.size();
+  written.cell_names.assign(size, std::vector<std::string>(size));
+  for (std::size_t row = 0; row + 1 < size; ++row) {
+    for (std::size_t column = 0; column < size; ++column) {
+      const std::string index = std::to_string(row + 1) + std::to_string(column + 1);
+      written.cell_names[row][column] =
+          column + 1 == size ? axes[row] : subscripted("r", index, style_.latex);
+    }
+  }
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <beeline/formula/document.h>
+#include <beeline/formula/internal/notation.h>
+
+namespace beeline::internal {
+
+/// Writes expressions, and remembers which symbols and abbreviations occur.
+class DocumentWriter {
+ public:
+  DocumentWriter(const SymbolicArm& arm, const FormulaStyle& style)
+      : arm_(arm), style_(style), notation_(arm.symbols, style.latex) {}
+
+  const Notation& notation() const { return notation_; }
+  std::string text(const Expression& expression);
+  std::string text(const DeterminantFormula& determinant);
+  std::string angle(const PlanarAngle& angle);
+  std::string theta() const { return subscripted("theta", "", style_.latex); }
+
+  /// The name of a transform: T with indices below and above.
+  std::string transform(const std::string& below, const std::string& above) const;
+
+  /// The matrix of a pose; in the plane the 3 x 3 one.
+  WrittenFormula pose(const std::string& left, const ExpressionMatrix& pose);
+
+  /// Rows of a Jacobian, or of its time derivative.
+  WrittenFormula jacobian(const ExpressionMatrix& rows, const std::vector<std::string>& names,
+                          bool derivative);
+
+  /// The constants that have occurred, and the variables of mimic joints.
+  std::vector<WrittenSymbol> symbols() const;
+  /// The abbreviations that have occurred, with their meanings.
+  std::vector<std::pair<std::string, std::string>> abbreviations() const;
+
+ private:
+  WrittenFormula matrix(const std::string& left, const ExpressionMatrix& matrix);
+  bool in_plane(const ExpressionMatrix& pose) const;
+  void name_cells(WrittenFormula& written) const;
+  std::string row_name(const std::string& name) const;
+  Tree tree(const Expression& expression);
+
+  const SymbolicArm& arm_;
+  FormulaStyle style_;
+  Notation notation_;
+  std::set<int> symbols_;
+  std::set<Trig> trigs_;
+};
+
+}  // namespace beeline::internal

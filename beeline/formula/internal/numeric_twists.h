@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <beeline/formula/internal/symbolic_twists.h>
+#include <beeline/kinematics/jacobian.h>
+
+namespace beeline::internal {
+
+/// The poses of all places of the list in the world, for given values of all symbols.
+std::vector<Pose> place_poses(const TransformList& list, std::span<const double> symbols);
+
+/// The numbers of symbolic_twists() for places with these poses.
+Jacobian numeric_twists(const SymbolicArm& arm, const TransformList& list,
+                        const std::vector<Pose>& places, std::span<const double> symbols,
+                        const TwistFrame& frame);
+
+/// Configurations at random, the same for each arm and call, for checks of formulas: angles within
+/// +-3 rad, displacements within +-1 m.
+std::vector<Configuration> check_configurations(const SymbolicArm& arm, int count);
+
+}  // namespace beeline::internal

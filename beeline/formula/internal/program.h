@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <beeline/formula/expression.h>
+
+namespace beeline::internal {
+
+/// A computation without branches as a graph, in which each value is computed once. Sums and
+/// products with 0, 1 and -1 are not formed; signs move outwards, so that a - b and b - a share a
+/// node.
+class Program {
+ public:
+  enum class Operation { number, variable, cosine, sine, negate, add, subtract, multiply };
+  struct Node {
+    Operation operation = Operation::number;
+    double number = 0;
+    std::string name = {};  ///< of a variable; of a cosine or sine: c12
+    int a = -1, b = -1;     ///< operands
+  };
+  using Id = int;
+
+  Id number(double value);
+  Id variable(const std::string& name);
+  Id cosine(Id angle, const std::string& name) { return trig(Operation::cosine, angle, name); }
+  Id sine(Id angle, const std::string& name) { return trig(Operation::sine, angle, name); }
+  Id negate(Id a);
+  Id add(Id a, Id b);
+  Id subtract(Id a, Id b) { return add(a, negate(b)); }
+  Id multiply(Id a, Id b);
+
+  const std::vector<Node>& nodes() const { return nodes_; }
+
+  /// How often each node is an operand or an output; 0 for those that no output depends on. A node
+  /// behind a sign is used as often as the sign.
+  std::vector<int> uses(const std::vector<Id>& outputs) const;
+
+ private:
+  using Key = std::tuple<Operation, double, std::string, int, int>;
+
+  Id node(Operation operation, double number, const std::string& name, int a, int b);
+  Id trig(Operation operation, Id angle, const std::string& name);
+  bool is(Id id, double value) const;
+  bool is_negation(Id id) const {
+    return nodes_[static_cast<std::size_t>(id)].operation == Operation::negate;
+  }
+  /// The other operand, if `part` is one of the sum's.
+  std::optional<Id> without(Id sum, Id part) const;
+  int operand(Id id) const { return nodes_[static_cast<std::size_t>(id)].a; }
+
+  std::vector<Node> nodes_;
+  std::map<Key, Id> known_;
+};
+
+/// The number of operations; a sign is none.
+struct ProgramCount {
+  int multiplications = 0, additions = 0, trigonometric = 0;
+};
+ProgramCount count_operations(const Program& program, const std::vector<Program::Id>& outputs);
+
+using ProgramVector = std::array<Program::Id, 3>;
+using ProgramRotation = std::array<ProgramVector, 3>;  ///< its columns
+
+ProgramVector add(Program& program, const ProgramVector& a, const ProgramVector& b);
+ProgramVector subtract(Program& program, const ProgramVector& a, const ProgramVector& b);
+ProgramVector scale(Program& program, Program::Id factor, const ProgramVector& v);
+ProgramVector cross(Program& program, const ProgramVector& a, const ProgramVector& b);
+ProgramVector rotate(Program& program, const ProgramRotation& r, const ProgramVector& v);
+ProgramVector rotate_back(Program& program, const ProgramRotation& r, const ProgramVector& v);
+
+}  // namespace beeline::internal

@@ -1,0 +1,205 @@
+#include <cmath>
+
+#include <beeline/formula/internal/program_chain.h>
+#include <beeline/formula/internal/symbolic_chain.h>
+
+namespace beeline::internal {
+
+ProgramChain::ProgramChain(const SymbolicArm& arm, bool numbers) : arm_(arm), numbers_(numbers) {
+  const Program::Id zero = program_.number(0), one = program_.number(1);
+  closed_ = {{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}};
+  position_ = open_position_ = {zero, zero, zero};
+  for (const auto& transforms : arm.transforms) {
+    for (const ElementaryTransform& transform : transforms) {
+      if (transform.rotation) {
+        append_rotation(transform);
+      } else {
+        append_translation(transform);
+      }
+    }
+  }
+  close();
+  rotation_ = closed_;
+}
+
+Program::Id ProgramChain::constant(const std::string& name, double value) {
+  if (numbers_) return program_.number(value);
+  constants_[name] = value;
+  return program_.variable(name);
+}
+
+Program::Id ProgramChain::symbol(int number) {
+  const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(number)];
+  if (symbol.coordinate < 0) {
+    return constant(symbol.name(), symbol.value);
+  }
+  const std::string vector = symbol.kind == SymbolKind::rate ? "dq" : "q";
+  const Program::Id coordinate =
+      program_.variable(vector + '[' + std::to_string(symbol.coordinate) + ']');
+  return program_.add(program_.multiply(program_.number(symbol.ratio), coordinate),
+                      program_.number(symbol.value));
+}
+
+/// The cosine or sine of an angle, c12 or c_theta3. That of constants is a constant.
+Program::Id ProgramChain::trig(const Trig& trig) {
+  std::string name = trig.sine ? "s" : "c";
+  Program::Id sum = program_.number(0);
+  double sum_of_constants = 0;
+  bool varies = false;
+  for (const auto& [number, multiple] : trig.angle.multiples) {
+    const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(number)];
+    const std::string times =
+        std::abs(multiple) == 1 ? "" : std::to_string(std::abs(multiple)) + "x";
+    const bool joint = symbol.letter == "q";
+    name += (multiple < 0             ? "_m"
+             : joint && arm_.dof < 10 ? ""
+                                      : "_") +
+            times + (joint ? symbol.subscript : symbol.name());
+    sum = program_.add(sum, program_.multiply(program_.number(multiple), this->symbol(number)));
+    sum_of_constants += multiple * symbol.value;
+    varies = varies || symbol.coordinate >= 0;
+  }
+  if (varies) return trig.sine ? program_.sine(sum, name) : program_.cosine(sum, name);
+  const double value = trig.sine ? std::sin(sum_of_constants) : std::cos(sum_of_constants);
+  return constant(name, value);
+}
+
+Program::Id ProgramChain::tree(const Tree& tree) {
+  Program::Id result = program_.number(tree.coefficient.value());
+  switch (tree.kind) {
+    case Tree::Kind::symbol:
+      return symbol(tree.symbol);
+    case Tree::Kind::trig:
+      return trig(tree.trig);
+    case Tree::Kind::sum:
+      result = program_.number(0);
+      for (const Tree& part : tree.parts) result = program_.add(result, this->tree(part));
+      return result;
+    case Tree::Kind::product:
+      for (const Tree& part : tree.parts) result = program_.multiply(result, this->tree(part));
+      return result;
+    case Tree::Kind::power:
+      result = program_.number(1);
+      for (int k = 0; k < tree.exponent; ++k) {
+        result = program_.multiply(result, this->tree(tree.parts.front()));
+      }
+      return result;
+    case Tree::Kind::number:
+    case Tree::Kind::quotient:
+    case Tree::Kind::call:
+      break;
+  }
+  return result;
+}
+
+Program::Id ProgramChain::expression(const Expression& expression) {
+  return tree(factored(expression));
+}
+
+/// A column of the constant rotation behind the sum of rotations.
+ProgramVector ProgramChain::constant_column(int axis) {
+  ProgramVector column{};
+  for (std::size_t row = 0; row < 3; ++row) {
+    column[row] = expression(constant_[static_cast<std::size_t>(axis)][row]);
+  }
+  return column;
+}
+
+ProgramRotation ProgramChain::axis_rotation(int axis, const Angle& angle) {
+  const Program::Id zero = program_.number(0), one = program_.number(1);
+  // The angle's first multiple is positive in Expression::cosine() and sine().
+  const Program::Id c = expression(Expression::cosine(angle));
+  const Program::Id s = expression(Expression::sine(angle));
+  const auto z = static_cast<std::size_t>(axis), x = (z + 1) % 3, y = (z + 2) % 3;
+  ProgramRotation r{{{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}}};
+  r[z][z] = one;
+  r[x][x] = c;
+  r[x][y] = s;
+  r[y][x] = program_.negate(s);
+  r[y][y] = c;
+  return r;
+}
+
+/// An axis of the current frame, in the frame of closed_.
+ProgramVector ProgramChain::open_axis(int axis) {
+  const ProgramVector column = constant_column(axis);
+  return axis_ < 0 ? column : rotate(program_, axis_rotation(axis_, angle_), column);
+}
+
+ProgramVector ProgramChain::current_position() {
+  return add(program_, position_, rotate(program_, closed_, open_position_));
+}
+
+void ProgramChain::close() {
+  position_ = current_position();
+  const ProgramRotation before = closed_;
+  for (int axis = 0; axis < 3; ++axis) {
+    closed_[static_cast<std::size_t>(axis)] = rotate(program_, before, open_axis(axis));
+  }
+  open_position_ = {program_.number(0), program_.number(0), program_.number(0)};
+  constant_ = identity_rotation();
+  axis_ = -1;
+  angle_ = {};
+}
+
+void ProgramChain::append_rotation(const ElementaryTransform& transform) {
+  if (transform.symbol < 0) {
+    const ExpressionRotation exact = exact_rotation(transform.axis, transform.fifteenths);
+    constant_ = constant_ * exact;
+    return;
+  }
+  const Angle angle{arm_.groups[static_cast<std::size_t>(transform.symbol)],
+                    {{transform.symbol, transform.multiple}}};
+  const int sign =
+      axis_ < 0 ? 0 : sign_along(constant_[static_cast<std::size_t>(transform.axis)], axis_);
+  if (sign != 0) {
+    add_motions(transform);
+    angle_ = angle_ + sign * angle;
+    return;
+  }
+  close();
+  add_motions(transform);
+  axis_ = transform.axis;
+  angle_ = angle;
+}
+
+void ProgramChain::append_translation(const ElementaryTransform& transform) {
+  add_motions(transform);
+  const ProgramVector step =
+      scale(program_, expression(transform.distance), open_axis(transform.axis));
+  open_position_ = add(program_, open_position_, step);
+}
+
+/// The motions of a transform for unit rates of the coordinates that it depends on.
+void ProgramChain::add_motions(const ElementaryTransform& transform) {
+  const auto add_motion = [&](const Symbol& symbol, Program::Id rate) {
+    motions_.push_back({symbol.coordinate, transform.rotation, rate,
+                        rotate(program_, closed_, open_axis(transform.axis)), current_position()});
+  };
+  if (transform.rotation) {
+    const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(transform.symbol)];
+    if (symbol.coordinate >= 0) {
+      add_motion(symbol, program_.number(transform.multiple * symbol.ratio));
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < arm_.symbols.size(); ++i) {
+    const Symbol& symbol = arm_.symbols[i];
+    if (symbol.coordinate < 0 || symbol.kind == SymbolKind::rate) continue;
+    const Expression slope = transform.distance.derivative(static_cast<int>(i));
+    if (slope.is_zero()) continue;
+    add_motion(symbol, program_.multiply(program_.number(symbol.ratio), expression(slope)));
+  }
+}
+
+std::vector<Program::Id> ProgramChain::pose() {
+  std::vector<Program::Id> entries;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) entries.push_back(rotation_[column][row]);
+    entries.push_back(position_[row]);
+  }
+  for (const double last : {0, 0, 0, 1}) entries.push_back(program_.number(last));
+  return entries;
+}
+
+}  // namespace beeline::internal
