@@ -22,30 +22,45 @@ struct FormulaArguments {
   bool all = false, numbers = false, standalone = false, json = false;
 };
 
-/// The choices of --of, in the order in which they are written.
-constexpr std::pair<const char*, bool FormulaContent::*> contents[] = {
-    {"forward", &FormulaContent::forward},
-    {"jacobian", &FormulaContent::jacobian},
-    {"derivative", &FormulaContent::derivative},
-    {"determinant", &FormulaContent::determinant}};
+/// What --of asks for by a name.
+struct ContentName {
+  const char* name;
+  std::vector<bool FormulaContent::*> members;
+};
 
-FormulaContent content_of(const FormulaArguments& arguments, const Arm& arm) {
-  FormulaContent content{.forward = false, .products = arguments.all};
-  std::vector<std::string> names{"all"};
-  for (const auto& [name, member] : contents) names.emplace_back(name);
-  std::string_view list = arguments.of;
+const std::vector<ContentName> content_names{
+    {"forward", {&FormulaContent::links, &FormulaContent::tool}},
+    {"links", {&FormulaContent::links}},
+    {"jacobian", {&FormulaContent::jacobian}},
+    {"derivative", {&FormulaContent::derivative}},
+    {"determinant", {&FormulaContent::determinant}}};
+
+/// The names between the commas of --of.
+std::vector<std::string> wanted_names(std::string_view list) {
+  std::vector<std::string> known{"all"}, wanted;
+  for (const ContentName& content : content_names) known.emplace_back(content.name);
   for (bool more = true; more;) {
     const std::size_t comma = list.find(',');
-    const std::string wanted(list.substr(0, comma));
-    check_choice("--of", wanted, names);
-    for (const auto& [name, member] : contents) {
-      content.*member = content.*member || wanted == name || wanted == "all";
-    }
+    wanted.emplace_back(list.substr(0, comma));
+    check_choice("--of", wanted.back(), known);
     more = comma != std::string_view::npos;
     list.remove_prefix(more ? comma + 1 : 0);
   }
+  return wanted;
+}
+
+FormulaContent content_of(const FormulaArguments& arguments, const Arm& arm) {
+  FormulaContent content{.links = false, .products = arguments.all, .tool = false};
   content.task = arguments.jacobian.read(arm);
   content.frame = frame_named(arguments.jacobian.frame);
+  for (const std::string& wanted : wanted_names(arguments.of)) {
+    for (const ContentName& named : content_names) {
+      if (wanted != named.name && wanted != "all") continue;
+      for (const auto member : named.members) content.*member = true;
+    }
+    // All that there is: only a square Jacobian has a determinant.
+    if (wanted == "all") content.determinant = content.task.size() == arm.dof();
+  }
   return content;
 }
 
@@ -107,6 +122,9 @@ Answer generated_code(const FormulaArguments& arguments, const SymbolicArm& arm,
 }
 
 Answer formula(const FormulaArguments& arguments) {
+  if (arguments.standalone && arguments.as != "latex") {
+    throw Error("--standalone needs --as latex");
+  }
   const Arm arm = arguments.arm.read({});
   const SymbolicArm symbolic = symbolic_arm(arm, {.angle_tolerance = arguments.angle_tolerance});
   const FormulaContent content = content_of(arguments, arm);
@@ -126,7 +144,8 @@ std::vector<Option> formula_options(FormulaArguments& arguments) {
   return {{.name = "--of",
            .value = "LIST",
            .help = "What is derived: forward (the transform of each link and the pose of the "
-                   "tool), jacobian, derivative (of the Jacobian, by time), determinant (with the "
+                   "tool), links (the transforms alone), jacobian, derivative (of the Jacobian, by "
+                   "time), determinant (with the "
                    "singularities that it shows), or all; several with "
                    "commas between.",
            .target = &arguments.of},

@@ -41,7 +41,7 @@ GeneratedCode formula_code(const SymbolicArm& arm, const FormulaContent& content
   const std::string rows = listed(row_names({content.task.rows, Frame::base}));
   const std::string frame = "in the " + name(content.frame) + " frame";
   const std::string size = std::to_string(content.task.size()) + " x " + std::to_string(arm.dof);
-  if (content.forward) {
+  if (content.tool) {
     writer.function("forward", "T, the pose of the tool in the world, 4 x 4 row by row.", false,
                     {{"T", 4, chain.pose()}});
   }

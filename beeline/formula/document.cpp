@@ -120,9 +120,9 @@ FormulaDocument formula_document(const SymbolicArm& arm, const FormulaContent& c
   FormulaDocument document{.title = "Formulas of " + arm.name,
                            .convention = internal::convention_text(arm.convention, style.latex),
                            .latex = style.latex};
-  if (content.forward) document.sections.push_back(links_section(writer, arm));
+  if (content.links) document.sections.push_back(links_section(writer, arm));
   if (content.products) document.sections.push_back(products_section(writer, arm));
-  if (content.forward) document.sections.push_back(tool_section(writer, arm));
+  if (content.tool) document.sections.push_back(tool_section(writer, arm));
   if (content.jacobian) {
     document.sections.push_back(jacobian_section(writer, arm, content, false));
   }

@@ -57,8 +57,9 @@ struct FormulaDocument {
 
 /// Which formulas a document has.
 struct FormulaContent {
-  bool forward = true;       ///< the transform of each link, and the pose of the tool
-  bool products = false;     ///< with forward also the pose of each link in the base
+  bool links = true;         ///< the transform of each link
+  bool products = false;     ///< the pose of each link in the base
+  bool tool = true;          ///< the pose of the tool
   bool jacobian = false;     ///< the rows of the task, in its frame
   bool derivative = false;   ///< the time derivative of the same
   bool determinant = false;  ///< of the rows of the task, and the singularities that it shows

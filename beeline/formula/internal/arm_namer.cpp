@@ -52,8 +52,7 @@ void ArmNamer::add(ElementaryTransform transform) {
 }
 
 int ArmNamer::symbol(Symbol symbol) {
-  const auto taken = [&](const Symbol& other) { return other.name() == symbol.name(); };
-  while (std::any_of(named_.symbols.begin(), named_.symbols.end(), taken)) symbol.subscript += "_";
+  while (!names_.insert(symbol.name()).second) symbol.subscript += "_";
   named_.symbols.push_back(std::move(symbol));
   return static_cast<int>(named_.symbols.size()) - 1;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 
 #include <beeline/formula/symbolic_arm.h>
@@ -50,6 +51,7 @@ class ArmNamer {
 
   const Arm& source_;
   SymbolicArm named_;
+  std::set<std::string> names_;  ///< of the symbols
   bool shares_lengths_ = false;
 };
 

@@ -40,9 +40,8 @@ Jacobian numeric_twists(const SymbolicArm& arm, const TransformList& list,
                         const TwistFrame& frame) {
   const Rotation world_to_axes = places[frame.axes].linear().transpose();
   Jacobian columns = Jacobian::Zero(6, arm.dof);
-  for (int k = 0; k < arm.dof; ++k) {
-    for (std::size_t place = 0; place < list.transforms.size(); ++place) {
-      const SymbolicTwist own = own_twist(arm, list.transforms[place], k);
+  for (std::size_t place = 0; place < list.transforms.size(); ++place) {
+    for (const auto& [k, own] : own_twists(arm, list.transforms[place])) {
       const Pose& pose = places[place];
       const Vector3 w = pose.linear() * numeric(own.angular, symbols);
       const Vector3 offset = places[frame.origin].translation() - pose.translation();

@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include <beeline/formula/internal/program_chain.h>
 #include <beeline/formula/internal/symbolic_chain.h>
+#include <beeline/formula/internal/symbolic_twists.h>
 
 namespace beeline::internal {
 
@@ -40,28 +43,56 @@ Program::Id ProgramChain::symbol(int number) {
                       program_.number(symbol.value));
 }
 
-/// The cosine or sine of an angle, c12 or c_theta3. That of constants is a constant.
-Program::Id ProgramChain::trig(const Trig& trig) {
-  std::string name = trig.sine ? "s" : "c";
-  Program::Id sum = program_.number(0);
-  double sum_of_constants = 0;
-  bool varies = false;
+/// The sum of an angle's multiples. The previous sum is continued where it begins this one, as the
+/// angles of parallel joints do.
+Program::Id ProgramChain::sum(const Angle& angle) {
+  const auto& last = last_angle_.multiples;
+  const auto& multiples = angle.multiples;
+  const bool continues =
+      last.size() <= multiples.size() && std::equal(last.begin(), last.end(), multiples.begin());
+  Program::Id result = continues ? last_sum_ : program_.number(0);
+  for (std::size_t i = continues ? last.size() : 0; i < multiples.size(); ++i) {
+    const auto& [number, multiple] = multiples[i];
+    result = program_.add(result, program_.multiply(program_.number(multiple), symbol(number)));
+  }
+  last_angle_ = angle;
+  last_sum_ = result;
+  return result;
+}
+
+/// c12, c_theta3, or c_sum9 for the sum of many angles.
+std::string ProgramChain::trig_name(const Trig& trig, Program::Id sum) const {
+  constexpr std::size_t most = 9;
+  const std::string letter = trig.sine ? "s" : "c";
+  if (trig.angle.multiples.size() > most) return letter + "_sum" + std::to_string(sum);
+  std::string name = letter;
   for (const auto& [number, multiple] : trig.angle.multiples) {
     const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(number)];
-    const std::string times =
-        std::abs(multiple) == 1 ? "" : std::to_string(std::abs(multiple)) + "x";
+    const int times = std::abs(multiple);
     const bool joint = symbol.letter == "q";
-    name += (multiple < 0             ? "_m"
-             : joint && arm_.dof < 10 ? ""
-                                      : "_") +
-            times + (joint ? symbol.subscript : symbol.name());
-    sum = program_.add(sum, program_.multiply(program_.number(multiple), this->symbol(number)));
-    sum_of_constants += multiple * symbol.value;
-    varies = varies || symbol.coordinate >= 0;
+    name += multiple < 0 ? "_m" : joint && arm_.dof < 10 ? "" : "_";
+    name += (times == 1 ? "" : std::to_string(times) + "x") +
+            (joint ? symbol.subscript : symbol.name());
   }
-  if (varies) return trig.sine ? program_.sine(sum, name) : program_.cosine(sum, name);
-  const double value = trig.sine ? std::sin(sum_of_constants) : std::cos(sum_of_constants);
-  return constant(name, value);
+  return name;
+}
+
+/// The cosine or sine of an angle. That of constants is a constant.
+Program::Id ProgramChain::trig(const Trig& trig) {
+  bool varies = false;
+  double constant_angle = 0;
+  for (const auto& [number, multiple] : trig.angle.multiples) {
+    const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(number)];
+    varies = varies || symbol.coordinate >= 0;
+    constant_angle += multiple * symbol.value;
+  }
+  if (!varies) {
+    const double value = trig.sine ? std::sin(constant_angle) : std::cos(constant_angle);
+    return constant(trig_name(trig, 0), value);
+  }
+  const Program::Id angle = sum(trig.angle);
+  const std::string name = trig_name(trig, angle);
+  return trig.sine ? program_.sine(angle, name) : program_.cosine(angle, name);
 }
 
 Program::Id ProgramChain::tree(const Tree& tree) {
@@ -183,12 +214,10 @@ void ProgramChain::add_motions(const ElementaryTransform& transform) {
     }
     return;
   }
-  for (std::size_t i = 0; i < arm_.symbols.size(); ++i) {
-    const Symbol& symbol = arm_.symbols[i];
-    if (symbol.coordinate < 0 || symbol.kind == SymbolKind::rate) continue;
-    const Expression slope = transform.distance.derivative(static_cast<int>(i));
-    if (slope.is_zero()) continue;
-    add_motion(symbol, program_.multiply(program_.number(symbol.ratio), expression(slope)));
+  for (const int number : variables_of(arm_, transform.distance)) {
+    const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(number)];
+    add_motion(symbol, program_.multiply(program_.number(symbol.ratio),
+                                         expression(transform.distance.derivative(number))));
   }
 }
 

@@ -49,6 +49,8 @@ class ProgramChain {
   Program::Id constant(const std::string& name, double value);
   Program::Id symbol(int number);
   Program::Id tree(const Tree& tree);
+  Program::Id sum(const Angle& angle);
+  std::string trig_name(const Trig& trig, Program::Id sum) const;
   Program::Id trig(const Trig& trig);
   Program::Id rate(const Motion& motion);
   ProgramVector unit(int axis);
@@ -75,6 +77,8 @@ class ProgramChain {
   ExpressionRotation constant_ = identity_rotation();
   int axis_ = -1;
   Angle angle_ = {};
+  Angle last_angle_ = {};  ///< the sum that was formed last
+  Program::Id last_sum_ = 0;
   std::vector<Motion> motions_;
   ProgramRotation rotation_{};  ///< of the tool
 };

@@ -72,10 +72,11 @@ std::optional<Zeros> trigonometric_zeros(const SymbolicArm& arm, const Expressio
     const double angle = std::atan2(-constant_value(arm, c), constant_value(arm, s));
     const double other = angle > 0 ? angle - std::numbers::pi : angle + std::numbers::pi;
     zeros.values = {angle, other};
-    zeros.text = left + decimal(std::round(angle * 1e6) / 1e6) +
-                 (notation.latex() ? "\\text{ or }" : " or ") +
-                 decimal(std::round(other * 1e6) / 1e6) +
-                 (notation.latex() ? "\\text{ rad}" : " rad");
+    const auto rounded = [&](double value) {
+      return notation.text(Expression(Coefficient::plain(std::round(value * 1e6) / 1e6)));
+    };
+    zeros.text = left + rounded(angle) + (notation.latex() ? "\\text{ or }" : " or ") +
+                 rounded(other) + (notation.latex() ? "\\text{ rad}" : " rad");
   }
   return zeros;
 }

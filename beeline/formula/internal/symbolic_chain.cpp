@@ -120,11 +120,11 @@ std::size_t size_of(const ExpressionRotation& rotation) {
 
 void check_size(const SymbolicArm& arm, std::size_t symbols, const std::string& what) {
   if (symbols <= arm.options.max_symbols) return;
-  throw Error("the formula of arm " + arm.name + " is too large: " + what + " has " +
-              std::to_string(symbols) + " symbols, more than " +
-              std::to_string(arm.options.max_symbols) +
-              "; code with intermediate results (--as python, c++ or c) grows only with the number "
-              "of joints, and --angle-tolerance takes more angles as multiples of 15 degrees");
+  throw Error(
+      "the formula of arm " + arm.name + " is too large: " + what + " has " +
+      std::to_string(symbols) + " symbols, more than " + std::to_string(arm.options.max_symbols) +
+      "; --of links writes the transform of each link alone, --as python, c++ or c code that "
+      "grows with the number of joints, and --angle-tolerance takes more angles as exact");
 }
 
 }  // namespace beeline::internal

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <beeline/formula/internal/symbolic_chain.h>
 #include <beeline/formula/internal/symbolic_twists.h>
 
@@ -30,44 +32,47 @@ void carry(SymbolicTwist& twist, const SymbolicArm& arm, const ElementaryTransfo
 
 void carry(SymbolicTwist& twist, const SymbolicArm& arm, const TransformList& list,
            std::size_t from, std::size_t to, bool moves_origin) {
-  for (std::size_t place = from; place > to; --place) {
-    carry(twist, arm, list.transforms[place - 1], false, moves_origin);
-  }
-  for (std::size_t place = from; place < to; ++place) {
-    carry(twist, arm, list.transforms[place], true, moves_origin);
-  }
-  check_size(arm, size_of(twist.linear) + size_of(twist.angular), "a column of the Jacobian");
+  const auto step = [&](std::size_t place, bool inverse) {
+    carry(twist, arm, list.transforms[place], inverse, moves_origin);
+    check_size(arm, size_of(twist.linear) + size_of(twist.angular), "a column of the Jacobian");
+  };
+  for (std::size_t place = from; place > to; --place) step(place - 1, false);
+  for (std::size_t place = from; place < to; ++place) step(place, true);
 }
 
 }  // namespace
 
-SymbolicTwist own_twist(const SymbolicArm& arm, const ElementaryTransform& transform,
-                        int coordinate) {
-  SymbolicTwist twist;
-  const auto axis = static_cast<std::size_t>(transform.axis);
-  const auto ratio = [&](const Symbol& symbol) { return Coefficient::plain(symbol.ratio); };
-  if (transform.rotation && transform.symbol >= 0) {
-    const Symbol& symbol = arm.symbols[static_cast<std::size_t>(transform.symbol)];
-    if (symbol.coordinate == coordinate) {
-      twist.angular[axis] = Coefficient(transform.multiple) * ratio(symbol);
+std::vector<int> variables_of(const SymbolicArm& arm, const Expression& distance) {
+  std::vector<int> variables;
+  for (const auto& [monomial, coefficient] : distance.terms()) {
+    for (const auto& [symbol, exponent] : monomial.powers) {
+      const bool varies = arm.symbols[static_cast<std::size_t>(symbol)].coordinate >= 0;
+      const bool known = std::find(variables.begin(), variables.end(), symbol) != variables.end();
+      if (varies && !known) variables.push_back(symbol);
     }
   }
-  for (std::size_t i = 0; i < arm.symbols.size() && !transform.rotation; ++i) {
-    const Symbol& symbol = arm.symbols[i];
-    if (symbol.coordinate != coordinate || symbol.kind == SymbolKind::rate) continue;
-    twist.linear[axis] +=
-        Expression(ratio(symbol)) * transform.distance.derivative(static_cast<int>(i));
+  return variables;
+}
+
+std::vector<OwnTwist> own_twists(const SymbolicArm& arm, const ElementaryTransform& transform) {
+  std::vector<OwnTwist> twists;
+  const auto axis = static_cast<std::size_t>(transform.axis);
+  if (!transform.rotation) {
+    for (const int number : variables_of(arm, transform.distance)) {
+      const Symbol& symbol = arm.symbols[static_cast<std::size_t>(number)];
+      twists.push_back({.coordinate = symbol.coordinate});
+      twists.back().twist.linear[axis] =
+          Expression(Coefficient::plain(symbol.ratio)) * transform.distance.derivative(number);
+    }
+  } else if (transform.symbol >= 0) {
+    const Symbol& symbol = arm.symbols[static_cast<std::size_t>(transform.symbol)];
+    if (symbol.coordinate < 0) return {};
+    twists.push_back({.coordinate = symbol.coordinate});
+    twists.back().twist.angular[axis] =
+        Coefficient(transform.multiple) * Coefficient::plain(symbol.ratio);
   }
-  return twist;
+  return twists;
 }
-
-namespace {
-
-bool is_zero(const SymbolicTwist& twist) {
-  return size_of(twist.linear) + size_of(twist.angular) == 0;
-}
-
-}  // namespace
 
 TransformList transform_list(const SymbolicArm& arm) {
   TransformList list;
@@ -83,15 +88,14 @@ std::vector<SymbolicTwist> symbolic_twists(const SymbolicArm& arm, const Transfo
                                            const TwistFrame& frame) {
   std::vector<SymbolicTwist> twists(static_cast<std::size_t>(arm.dof));
   std::size_t total = 0;
-  for (std::size_t k = 0; k < twists.size(); ++k) {
-    for (std::size_t place = 0; place < list.transforms.size(); ++place) {
-      SymbolicTwist twist = own_twist(arm, list.transforms[place], static_cast<int>(k));
-      if (is_zero(twist)) continue;
-      carry(twist, arm, list, place, frame.origin, true);
-      carry(twist, arm, list, frame.origin, frame.axes, false);
-      twists[k].linear = twists[k].linear + twist.linear;
-      twists[k].angular = twists[k].angular + twist.angular;
-      total += size_of(twist.linear) + size_of(twist.angular);
+  for (std::size_t place = 0; place < list.transforms.size(); ++place) {
+    for (OwnTwist& own : own_twists(arm, list.transforms[place])) {
+      carry(own.twist, arm, list, place, frame.origin, true);
+      carry(own.twist, arm, list, frame.origin, frame.axes, false);
+      SymbolicTwist& sum = twists[static_cast<std::size_t>(own.coordinate)];
+      sum.linear = sum.linear + own.twist.linear;
+      sum.angular = sum.angular + own.twist.angular;
+      total += size_of(own.twist.linear) + size_of(own.twist.angular);
       check_size(arm, total, "the Jacobian");
     }
   }

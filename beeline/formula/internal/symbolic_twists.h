@@ -20,9 +20,16 @@ struct TransformList {
 };
 TransformList transform_list(const SymbolicArm& arm);
 
-/// The twist that a transform makes for unit rate of a coordinate, in the frame before it.
-SymbolicTwist own_twist(const SymbolicArm& arm, const ElementaryTransform& transform,
-                        int coordinate);
+/// A variable that a transform depends on, and its twist in the frame before the transform for unit
+/// rate of the variable's coordinate.
+struct OwnTwist {
+  int coordinate = 0;
+  SymbolicTwist twist = {};
+};
+std::vector<OwnTwist> own_twists(const SymbolicArm& arm, const ElementaryTransform& transform);
+
+/// The variables that a distance depends on.
+std::vector<int> variables_of(const SymbolicArm& arm, const Expression& distance);
 
 /// The place in `list` where the velocity is taken, and the place whose axes it is expressed in.
 struct TwistFrame {

@@ -1,0 +1,256 @@
+"""formula: fixed formulas of the chapter's arms, generated code that is compiled and run, LaTeX."""
+
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from arms import text
+
+ARMS = {"rrr": 3, "rp": 2, "gantry": 2, "puma560": 6, "ur5": 6, "ur5e": 6, "panda": 7, "iiwa14": 7,
+        "scara": 4, "stanford": 6}
+CONTENT = "forward,jacobian,derivative"
+MAIN = """
+#include <stdio.h>
+int main(void) {
+  double q[@n@], dq[@n@], T[16], J[6 * @n@], dJ[6 * @n@], U[16];
+  int k;
+  for (;;) {
+    for (k = 0; k < @n@; ++k) if (scanf("%lf", &q[k]) != 1) return 0;
+    for (k = 0; k < @n@; ++k) if (scanf("%lf", &dq[k]) != 1) return 1;
+    @arm@_forward(q, U);
+    @arm@_jacobian(q, T, J);
+    @arm@_jacobian_derivative(q, dq, dJ);
+    for (k = 0; k < 16; ++k) printf("%.17g ", T[k] == U[k] ? T[k] : 1e9);
+    for (k = 0; k < 6 * @n@; ++k) printf("%.17g ", J[k]);
+    for (k = 0; k < 6 * @n@; ++k) printf("%.17g ", dJ[k]);
+    printf("\\n");
+  }
+}
+"""
+COMPILERS = {
+    "c": (["cc", "-std=c99", "-pedantic"], "c"),
+    "c++": (["c++", "-std=c++11", "-pedantic"], "cpp"),
+}
+
+
+@pytest.fixture
+def rows(seed):
+    """rows(n, k) -> n random rows of k numbers, the same in every run."""
+    random = np.random.default_rng(seed)
+    return lambda n, k: random.uniform(-3, 3, (n, k))
+
+
+@pytest.fixture
+def kinematics(beeline, tmp_path):
+    """kinematics("ur5", rows) -> poses and Jacobians by the library, a row each."""
+
+    def answer(arm, q):
+        np.save(tmp_path / "q.npy", q)
+        values = []
+        for verb, options in (("fk", []), ("jacobian", ["--task", "spatial"])):
+            done = beeline("batch", verb, arm, "--in", "q.npy", "--out", f"{verb}.npy", *options)
+            assert done.code == 0, done.err
+            values.append(np.load(tmp_path / f"{verb}.npy"))
+        return values
+
+    return answer
+
+
+def differences(code, q, dq):
+    """The derivative of the Jacobian by differences of code(q)'s."""
+    h = 1e-5
+    return (code(q + h * dq)[:, 16:] - code(q - h * dq)[:, 16:]) / (2 * h)
+
+
+def same(a, b, tolerance=1e-12):
+    np.testing.assert_allclose(a, b, rtol=0, atol=tolerance)
+
+
+@pytest.mark.parametrize("language", COMPILERS)
+@pytest.mark.parametrize("arm", ARMS)
+def test_compiled_code_equals_the_library(beeline, kinematics, rows, tmp_path, arm, language):
+    n = ARMS[arm]
+    command, ending = COMPILERS[language]
+    if shutil.which(command[0]) is None:
+        pytest.skip(f"there is no {command[0]}")
+    done = beeline("formula", arm, "--of", CONTENT, "--as", language, "--task", "spatial", "--out",
+                   f"arm.{ending}", *(["--numbers"] if language == "c" else []))
+    assert done.code == 0, done.err
+    source = tmp_path / f"arm.{ending}"
+    source.write_text(source.read_text() + MAIN.replace("@n@", str(n)).replace("@arm@", arm))
+    subprocess.run([*command, "-Wall", "-Wextra", "-Werror", source, "-o", tmp_path / "arm", "-lm"],
+                   check=True)
+
+    def run(q, dq):
+        lines = "\n".join(" ".join(map(repr, row)) for row in np.hstack([q, dq]).tolist())
+        done = subprocess.run([tmp_path / "arm"], input=lines, capture_output=True, text=True,
+                              check=True)
+        return np.array([line.split() for line in done.stdout.splitlines()], dtype=float)
+
+    q, dq = rows(200, n), rows(200, n)
+    poses, jacobians = kinematics(arm, q)
+    values = run(q, dq)
+    same(values[:, :16], poses)
+    same(values[:, 16:16 + 6 * n], jacobians)
+    differenced = differences(lambda at: run(at, dq)[:, :16 + 6 * n], q, dq)
+    same(values[:, 16 + 6 * n:], differenced, 1e-7)
+
+
+@pytest.mark.parametrize("arm", ARMS)
+def test_python_code_equals_the_library(beeline, kinematics, rows, arm):
+    n = ARMS[arm]
+    names = {}
+    code = beeline("formula", arm, "--of", CONTENT, "--as", "python", "--task", "spatial")
+    exec(compile(code.out, "<formula>", "exec"), names)
+    q, dq = rows(100, n), rows(100, n)
+    poses, jacobians = kinematics(arm, q)
+
+    def run(configurations):
+        answers = (names[f"{arm}_jacobian"](row) for row in configurations.tolist())
+        return np.array([np.concatenate([np.ravel(T), np.ravel(J)]) for T, J in answers])
+
+    values = run(q)
+    same(values, np.hstack([poses, jacobians]))
+    forward = [np.ravel(names[f"{arm}_forward"](row)) for row in q.tolist()]
+    same(forward, poses)
+    rates = [np.ravel(names[f"{arm}_jacobian_derivative"](*pair))
+             for pair in zip(q.tolist(), dq.tolist())]
+    same(rates, differences(run, q, dq), 1e-7)
+
+
+def test_the_macro_precedes_each_function(beeline, tmp_path):
+    """For CUDA it is __host__ __device__; here an attribute that C++ compilers know."""
+    code = beeline("formula", "ur5", "--of", "all", "--as", "c++").out
+    assert code.count("BEELINE_FORMULA_FUNCTION") == 2 + 4
+    (tmp_path / "ur5.cpp").write_text(code)
+    subprocess.run(["c++", "-std=c++11", "-Wall", "-Wextra", "-Werror", "-fsyntax-only",
+                    "-DBEELINE_FORMULA_FUNCTION=inline __attribute__((always_inline))",
+                    tmp_path / "ur5.cpp"], check=True)
+
+
+def formulas(beeline, arm, content, *options):
+    document = beeline("formula", arm, "--of", content, "--json", *options).json
+    return {formula["left"]: formula["cells"]
+            for section in ("links", "tool", "jacobian", "determinant") if section in document
+            for formula in document[section]["formulas"]}
+
+
+def test_the_exercise_of_section_1_3(beeline):
+    """The RP arm: its matrix and (x, y, theta), in symbols and numbers."""
+    found = formulas(beeline, "rp", "forward")
+    assert found["T₁⁰"] == [["c₁", "−s₁", "a₁c₁"], ["s₁", "c₁", "a₁s₁"], ["0", "0", "1"]]
+    assert found["T₂¹"] == [["1", "0", "q₂"], ["0", "1", "0"], ["0", "0", "1"]]
+    assert found["T"] == [["c₁", "−s₁", "c₁(a₁ + q₂)"], ["s₁", "c₁", "s₁(a₁ + q₂)"],
+                          ["0", "0", "1"]]
+    assert [found[name] for name in "xyθ"] == [[["c₁(a₁ + q₂)"]], [["s₁(a₁ + q₂)"]], [["q₁"]]]
+    numbers = formulas(beeline, "rp", "forward", "--numbers")
+    assert numbers["T"] == [["c₁", "−s₁", "c₁(1 + q₂)"], ["s₁", "c₁", "s₁(1 + q₂)"],
+                            ["0", "0", "1"]]
+
+
+def test_equation_1_2(beeline):
+    found = formulas(beeline, "rrr", "forward")
+    assert found["T"] == [["c₁₂₃", "−s₁₂₃", "a₁c₁ + a₂c₁₂ + a₃c₁₂₃"],
+                          ["s₁₂₃", "c₁₂₃", "a₁s₁ + a₂s₁₂ + a₃s₁₂₃"], ["0", "0", "1"]]
+    assert found["θ"] == [["q₁ + q₂ + q₃"]]
+    numbers = formulas(beeline, "rrr", "forward", "--numbers")
+    assert numbers["x"] == [["3.5 c₁ + 3.5 c₁₂ + 2c₁₂₃"]]
+
+
+def test_equations_1_4_and_1_7(beeline):
+    """The chapter's 1.7 has 2.5 in two columns, which is the arm of its figures: a3 is 2."""
+    assert formulas(beeline, "rrr", "jacobian")["J"] == [
+        ["−a₁s₁ − a₂s₁₂ − a₃s₁₂₃", "−a₂s₁₂ − a₃s₁₂₃", "−a₃s₁₂₃"],
+        ["a₁c₁ + a₂c₁₂ + a₃c₁₂₃", "a₂c₁₂ + a₃c₁₂₃", "a₃c₁₂₃"],
+        ["1", "1", "1"],
+    ]
+    assert formulas(beeline, "rrr", "jacobian", "--numbers")["J"] == [
+        ["−3.5 s₁ − 3.5 s₁₂ − 2s₁₂₃", "−3.5 s₁₂ − 2s₁₂₃", "−2s₁₂₃"],
+        ["3.5 c₁ + 3.5 c₁₂ + 2c₁₂₃", "3.5 c₁₂ + 2c₁₂₃", "2c₁₂₃"],
+        ["1", "1", "1"],
+    ]
+
+
+@pytest.mark.parametrize(
+    "arm, task, determinant",
+    [
+        ("rrr", "planar", "a₁a₂s₂"),
+        ("gantry", "110000", "1"),
+        ("rp", "110000", "−(a₁ + q₂)"),
+        ("puma560", "spatial", "a₂s₅(a₃s₃ + d₄c₃)(a₂c₂ + a₃c₂₃ − d₄s₂₃)"),
+        ("ur5", "spatial", "a₂a₃s₃s₅(a₂c₂ + a₃c₂₃ + d₅s₂₃₄)"),
+        ("stanford", "spatial", "q₃²s₂s₅"),
+    ],
+)
+def test_determinants_and_their_factors(beeline, arm, task, determinant):
+    found = formulas(beeline, arm, "determinant", "--task", task)
+    assert found["det J"] == [[determinant]]
+
+
+def test_singularities_in_words(beeline):
+    puma = beeline("formula", "puma560", "--of", "determinant", "--json").json
+    wrist, elbow, shoulder = puma["determinant"]["sentences"]
+    assert wrist == "Singular where s₅ = 0: q₅ = 0 or ±π; the axes of joints 4 and 6 are in line."
+    assert "−1.523818 or 1.617774 rad" in elbow and "stretched or folded" in elbow
+    assert shoulder == "Singular where a₂c₂ + a₃c₂₃ − d₄s₂₃ = 0."
+    gantry = beeline("formula", "gantry", "--of", "determinant", "--task", "110000", "--json").json
+    assert gantry["determinant"]["sentences"] == ["Singular nowhere."]
+
+
+@pytest.mark.parametrize("arm", ["rp", "rrr", "puma560", "panda"])
+def test_latex_compiles_by_itself(beeline, tmp_path, arm):
+    if shutil.which("pdflatex") is None:
+        pytest.skip("there is no pdflatex (Debian: texlive-latex-base)")
+    content = "all" if arm in ("rrr", "puma560") else "forward,jacobian"
+    done = beeline("formula", arm, "--of", content, "--as", "latex", "--standalone", "--out", "f.tex")
+    assert done.code == 0, done.err
+    run = subprocess.run(["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "f.tex"],
+                         cwd=tmp_path, capture_output=True, text=True, errors="replace")
+    assert run.returncode == 0, run.stdout[-2000:]
+    assert "Overfull" not in (tmp_path / "f.log").read_text(errors="replace")
+
+
+def test_a_formula_that_is_too_large_is_refused_and_its_code_is_not(beeline, refused):
+    long_arm = "R" * 2000
+    line = refused(2, "formula", long_arm, says=["too large", "--as python", "--of links"])
+    assert len(line) < 500
+    code = beeline("formula", long_arm, "--as", "c", "--of", "forward,jacobian")
+    assert code.code == 0
+    assert len(code.out) < 2_000_000
+
+
+def test_refusals(refused):
+    refused(2, "formula", "rrr", "--of", "jacobean", says=["--of", "jacobian"])
+    refused(2, "formula", "rp", "--of", "determinant", says=["as many rows as joints", "--task"])
+    refused(2, "formula", "panda", "--of", "determinant", says=["6", "7"])
+    refused(2, "formula", "rrr", "--standalone", says=["--standalone", "--as latex"])
+    refused(2, "formula", "rrr", "--as", "html", says=["--as", "latex"])
+
+
+def rounded_urdf(angle):
+    return f"""<robot name="r"><link name="a"/><link name="b"/><link name="c"/>
+<joint name="j1" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/>
+<origin xyz="0 0 0.3"/></joint>
+<joint name="j2" type="continuous"><parent link="b"/><child link="c"/><axis xyz="0 0 1"/>
+<origin xyz="0.1 0 0.2" rpy="{angle} 0 0"/></joint></robot>"""
+
+
+def test_rounded_angles_are_named_or_said(beeline, written):
+    """1.5708 is no right angle to 1e-9; 1.57079632679 is, and the answer says by how much."""
+    named = beeline("formula", written("r.urdf", rounded_urdf("1.5708")), "--json").json
+    assert pytest.approx(1.5708, abs=1e-15) in [s["value"] for s in named["symbols"]]
+    assert named["notes"] == []
+    exact = beeline("formula", written("s.urdf", rounded_urdf("1.57079632679")), "--json").json
+    assert all(symbol["unit"] == "m" for symbol in exact["symbols"])
+    assert "4.89" in exact["notes"][0]
+    wide = beeline("formula", "r.urdf", "--angle-tolerance", "1e-5", "--json").json
+    assert wide["links"] == exact["links"] and "3.67" in wide["notes"][0]
+
+
+def test_the_tool_and_the_mount_are_in_the_formulas(beeline):
+    found = formulas(beeline, "rrr", "forward", "--tcp", "0.5,0,0", "--mount", "1,2,0")
+    assert found["x"] == [["c₁₂₃(a₃ + xₜ) + x₀ + a₁c₁ + a₂c₁₂"]]
+    assert "Tₜ³" in found and "T₀ʷ" in found
