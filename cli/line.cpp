@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <beeline/certificate/internal/path_checks.h>
 #include <beeline/control/cartesian.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
@@ -240,13 +241,13 @@ std::vector<Option> exact_options(LineArguments& arguments) {
          .value = "METRES",
          .help = "Largest distance of the tool origin from the path between samples.",
          .target = &motion.tolerance,
-         .range = {.lowest = 1e-8},
+         .range = {.lowest = internal::min_tolerance},
          .methods = {exact}},
         {.name = "--orientation-tolerance",
          .value = "RAD",
          .help = "Largest angle from the path's orientation between samples, radians.",
          .target = &motion.orientation_tolerance,
-         .range = {.lowest = 1e-8},
+         .range = {.lowest = internal::min_tolerance},
          .methods = {exact}},
         {.name = "--max-samples",
          .value = "N",

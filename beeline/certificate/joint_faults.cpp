@@ -95,8 +95,8 @@ class FaultSearch {
     check_derivative(Fault::jerk, k, i, 3, known.jerk, known.jerk, "/s^3");
   }
 
-  /// How much the rounding of times to doubles may change a derivative of a coordinate that moves at
-  /// `velocity`, at most a fraction of the limit: a time that is off by dt moves the position by
+  /// How much the rounding of times to doubles may change a derivative of a coordinate that moves
+  /// at `velocity`, at most a fraction of the limit: a time that is off by dt moves the position by
   /// velocity * dt. It matters after a dwell of hours.
   double time_rounding(std::size_t k, int order, double velocity, double limit) const {
     constexpr double factors[] = {2, 20, 300};  // of the polynomials of one interval, at most

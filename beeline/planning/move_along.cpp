@@ -20,7 +20,6 @@ using namespace internal;
 
 namespace {
 
-constexpr double min_tolerance = 1e-8;  // smaller ones are comparable with the rounding of samples
 constexpr double planned_fraction = 0.9;        // of the tolerance; timing may use the remainder
 constexpr double interpolated_fraction = 0.01;  // the same, for the joint path between samples
 
