@@ -33,21 +33,27 @@ class AdviceSearch {
     return {};
   }
 
-  /// The highest of usual rates below the present one, and the recorded samples.
-  std::string rate() {
+  /// The highest of usual rates below the present one, from half the recording's mean rate on or,
+  /// `low`, below that.
+  std::string rate(bool low) {
     const double present = replay_rate(options_);
     const double duration = recording_.times.back() - recording_.times.front();
+    const double half = 0.5 * static_cast<double>(recording_.size() - 1) / duration;
     for (const double tried : {1000., 500., 250., 200., 125., 100., 60., 50., 25., 20., 10.}) {
-      if (tried >= present || tried * duration < least_periods()) continue;
+      if (tried >= present || tried * duration < least_periods() || (tried < half) != low) continue;
       ReplayOptions options = options_;
       options.rate = tried;
       if (works(options)) return "a rate of " + number(tried) + " keeps the limits";
       if (!budget_.complete()) return {};
     }
+    return {};
+  }
+
+  std::string recorded_samples() {
     if (!options_.speed_at.empty()) return {};
-    ReplayOptions recorded = options_;
-    recorded.rate = 0;
-    return works(recorded) ? "the recorded samples, without a rate, keep the limits" : "";
+    ReplayOptions options = options_;
+    options.rate = 0;
+    return works(options) ? "the recorded samples, without a rate, keep the limits" : "";
   }
 
   std::string ramp() {
@@ -102,9 +108,16 @@ std::string tried_advice(const Arm& arm, const Trajectory& recording, const Repl
                          const ReplayAttempt& failed, BudgetMeter& budget) {
   AdviceSearch search(arm, recording, options, budget);
   std::string advice;
-  if (!failed.speed && replay_rate(options) > 0) advice = search.rate();
-  if (advice.empty() && !failed.speed && !options.speed_at.empty()) advice = search.ramp();
-  if (advice.empty()) advice = search.speed(failed.speed.value_or(0.8 * highest_speed(options)));
+  const auto or_else = [&](const auto& tried) {
+    if (advice.empty() && budget.complete()) advice = tried();
+  };
+  if (!failed.speed && replay_rate(options) > 0) {
+    or_else([&] { return search.rate(false); });
+    or_else([&] { return search.recorded_samples(); });
+    if (!options.speed_at.empty()) or_else([&] { return search.ramp(); });
+    or_else([&] { return search.rate(true); });
+  }
+  or_else([&] { return search.speed(failed.speed.value_or(0.8 * highest_speed(options))); });
   if (!budget.complete()) return {};
   return "; " +
          (advice.empty() ? "no other rate, ramp or speed was found that keeps the limits" : advice);
