@@ -36,14 +36,28 @@ struct CheckArguments {
 };
 
 /// Plots the motion with its limits, and its deviation from the path up to the last sample on it.
+/// What a file is checked against.
+struct CheckedMotion {
+  Verification verification;
+  std::vector<Pose> waypoints = {};  ///< of a file of poses
+  std::size_t count = 0;             ///< of waypoints or moves
+  bool program = false;
+};
+
 void write_check_plot(const CheckArguments& arguments, const Arm& arm, const Trajectory& trajectory,
-                      const Verification& verification, const VerifyOptions& options) {
+                      const CheckedMotion& checked, const VerifyOptions& options) {
   const Deviation tolerance{options.tolerance, options.orientation_tolerance};
-  const FollowedPath path{verification.path, verification.path_parameters, *options.task,
-                          tolerance};
-  const bool along_path = !path.path.segments.empty();  // a program's joint moves have none
-  const Drawing drawing =
-      timing_figure(arm, trajectory, {.path = along_path ? std::optional(path) : std::nullopt});
+  const Verification& verification = checked.verification;
+  TimingFigureOptions plot;
+  if (checked.program) {
+    for (const std::size_t k : verification.arrivals) {
+      plot.waypoint_times.push_back(trajectory.times[k]);
+    }
+  } else {
+    plot.path = FollowedPath{verification.path, verification.path_parameters, *options.task,
+                             tolerance, checked.waypoints};
+  }
+  const Drawing drawing = timing_figure(arm, trajectory, plot);
   internal::write_file(arguments.plot, render(drawing, format_of(arguments.plot)));
 }
 
@@ -91,13 +105,6 @@ std::string check_text(const CheckArguments& arguments, const Trajectory& trajec
   return text;
 }
 
-/// What a file is checked against.
-struct CheckedMotion {
-  Verification verification;
-  std::size_t waypoints = 0;
-  bool program = false;
-};
-
 CheckedMotion check_through(const CheckArguments& arguments, const Arm& arm,
                             const Trajectory& trajectory, const VerifyOptions& options) {
   const std::string text = internal::read_file(arguments.through);
@@ -108,13 +115,13 @@ CheckedMotion check_through(const CheckArguments& arguments, const Arm& arm,
                      arguments.path, forward_kinematics(arm, trajectory.positions.front()));
     const Verification verification = at_rows(
         program, arguments.through, [&] { return verify(arm, trajectory, program, options); });
-    return {verification, program.moves.size(), true};
+    return {verification, {}, program.moves.size(), true};
   }
   const PoseList waypoints =
       waypoints_from(text, arguments.through, arm, arguments.task, arguments.work, arguments.unit);
   const Pose begin = forward_kinematics(arm, trajectory.positions.front());
   const Route route = arguments.path.from(begin, waypoints.poses, *options.task);
-  return {verify(arm, trajectory, route, options), waypoints.poses.size(), false};
+  return {verify(arm, trajectory, route, options), waypoints.poses, waypoints.poses.size()};
 }
 
 Answer check_file(const CheckArguments& arguments) {
@@ -129,16 +136,16 @@ Answer check_file(const CheckArguments& arguments) {
   options.task = arguments.task.read(arm);
   if (trajectory.size() == 0) throw FileError(arguments.file, 0, "has no samples");
   options.budget = arguments.budget.next();
-  const auto [verification, waypoints, program] =
-      check_through(arguments, arm, trajectory, options);
+  const CheckedMotion checked = check_through(arguments, arm, trajectory, options);
+  const Verification& verification = checked.verification;
   const LimitUsage limits = limit_usage(arm, trajectory, arguments.budget.next());
   const bool complete = verification.ending == Ending::complete;
   if (!arguments.plot.empty() && complete) {
-    write_check_plot(arguments, arm, trajectory, verification, options);
+    write_check_plot(arguments, arm, trajectory, checked, options);
   }
-  return {.text = check_text(
-              arguments, trajectory, verification, limits,
-              counted(static_cast<std::int64_t>(waypoints), program ? "move" : "waypoint")),
+  return {.text = check_text(arguments, trajectory, verification, limits,
+                             counted(static_cast<std::int64_t>(checked.count),
+                                     checked.program ? "move" : "waypoint")),
           .document = check_document(arguments, trajectory, verification, limits),
           .yes = static_cast<bool>(verification),
           .reason = verification.reason};

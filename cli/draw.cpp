@@ -96,7 +96,8 @@ std::vector<Option> draw_options(DrawArguments& arguments) {
               "singular, values far from singularities.",
               &arguments.q),
           {.name = "--frames",
-           .help = "Draw the frame of every link: x red, y green, z blue.",
+           .help = "Draw the frame of every link: x red, y green, z blue. Of frames at one place "
+                   "the later is shorter and thicker.",
            .target = &figure.frames},
           {.name = "--jacobian",
            .help = "Draw the columns of the Jacobian as arrows at the tool: joint 1 red, 2 green, "

@@ -83,7 +83,8 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
   report.inverse_condition = motion.inverse_condition;
   report.nearby = std::move(motion.nearby);
   if (report.status == MotionStatus::reached) {
-    report.path = {std::move(motion.path), std::move(motion.path_parameters), task, tolerance};
+    report.path = {std::move(motion.path), std::move(motion.path_parameters), task, tolerance,
+                   poses};
   }
   if (arguments.branches) {
     report.branches = branch_map(
@@ -132,7 +133,7 @@ LineReport line_by_control(const Arm& arm, const Configuration& start,
     const ToolPath path = lines_through(poses);
     const auto path_parameters =
         path_parameters_along(arm, report.trajectory.positions, path, motion.arrivals, task);
-    report.path = {path, path_parameters, task};
+    report.path = {path, path_parameters, task, std::nullopt, waypoints};
     report.deviation = path_deviation(arm, report.trajectory, path_parameters, path, task);
   }
   return report;
@@ -191,7 +192,13 @@ Answer line(const LineArguments& arguments) {
   report.method = arguments.method;
   report.waypoints = waypoints.size();
   const bool reached = report.status == MotionStatus::reached;
-  if (reached) arguments.files.write(arm, report.trajectory, waypoints, report.path, frame.arm);
+  if (reached) {
+    TimingFigureOptions plot{.path = report.path};
+    for (const PlannedMove& move : report.moves) {
+      plot.waypoint_times.push_back(report.trajectory.times[move.end]);
+    }
+    arguments.files.write(arm, report.trajectory, waypoints, plot, frame.arm);
+  }
   if (!reached) report.reason += frame.note;
   return {.text = report_text(arm, report, arguments.unit, arguments.files),
           .document = report_document(arm, report, arguments.unit, arguments.files),

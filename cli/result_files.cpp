@@ -68,7 +68,7 @@ void ResultFiles::check(const std::vector<std::string>& inputs) const {
 }
 
 void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
-                        const std::vector<Pose>& waypoints, const std::optional<FollowedPath>& path,
+                        const std::vector<Pose>& waypoints, const TimingFigureOptions& plot_options,
                         const std::optional<Arm>& plotted) const {
   std::vector<internal::NewFile> files;
   if (!out.empty()) files.push_back({out, trajectory_text(trajectory, trajectory_format(out))});
@@ -77,7 +77,7 @@ void ResultFiles::write(const Arm& arm, const Trajectory& trajectory,
     files.push_back({draw, render(figure, format_of(draw))});
   }
   if (!plot.empty()) {
-    const Drawing drawing = timing_figure(plotted.value_or(arm), trajectory, {.path = path});
+    const Drawing drawing = timing_figure(plotted.value_or(arm), trajectory, plot_options);
     files.push_back({plot, render(drawing, format_of(plot))});
   }
   internal::write_files(files);

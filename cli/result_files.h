@@ -27,11 +27,11 @@ struct ResultFiles {
   /// Throws Error for an unknown format and for the name of an input file. Called before the
   /// computation begins.
   void check(const std::vector<std::string>& inputs) const;
-  /// Writes all files or none. `path` is the path that the motion follows, in the world of
+  /// Writes all files or none. The path of `plot_options` is in the world of
   /// `plotted`, which is the arm where it is not given.
   void write(const beeline::Arm& arm, const beeline::Trajectory& trajectory,
              const std::vector<beeline::Pose>& waypoints,
-             const std::optional<beeline::FollowedPath>& path = std::nullopt,
+             const beeline::TimingFigureOptions& plot_options = {},
              const std::optional<beeline::Arm>& plotted = std::nullopt) const;
   /// The names of the files, one a line.
   std::string text() const;

@@ -5,6 +5,7 @@
 #include <beeline/draw/internal/annotation.h>
 #include <beeline/draw/internal/arm_scene.h>
 #include <beeline/draw/internal/skeleton.h>
+#include <beeline/draw/internal/text.h>
 #include <beeline/draw/internal/trail.h>
 #include <beeline/error.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
@@ -58,7 +59,10 @@ std::string motion_caption(const Arm& arm, const Trajectory& trajectory) {
   std::string caption = "tool from " + tool_text(arm, trajectory.positions.front()) + " to " +
                         tool_text(arm, trajectory.positions.back());
   const double depth = depth_below_base(arm, trajectory);
-  if (depth > 0) caption += "\nup to " + number(depth) + " m below the ground (violet)";
+  if (depth > 0) {
+    const int decimals = std::clamp(static_cast<int>(std::floor(3 - std::log10(depth))), 0, 9);
+    caption += "\nup to " + fixed(depth, decimals) + " m below the ground (violet)";
+  }
   return caption;
 }
 
@@ -75,15 +79,15 @@ Trajectory checked(const Arm& arm, const Trajectory& trajectory) {
 }
 
 /// Returns the inverse condition number of the task's Jacobian, a tenth of it where a joint or the
-/// tool is below the plane of the base.
+/// tool is below the base: along z, or along y for a planar arm.
 double visibility(const Arm& arm, const Configuration& q) {
   const Eigen::MatrixXd j = task_jacobian(arm, q, default_task(arm), unit_of_length(arm));
   const double inverse_condition = 1 / manipulability_measures(j).condition;
-  if (arm.planar()) return inverse_condition;
   const Skeleton bones = skeleton(arm, q);
-  double lowest = bones.tool.z();
-  for (const SkeletonJoint& joint : bones.joints) lowest = std::min(lowest, joint.centre.z());
-  return lowest < bones.base.z() - 1e-9 ? 0.1 * inverse_condition : inverse_condition;
+  const int up = arm.planar() ? 1 : 2;
+  double lowest = bones.tool[up];
+  for (const SkeletonJoint& joint : bones.joints) lowest = std::min(lowest, joint.centre[up]);
+  return lowest < bones.base[up] - 1e-9 ? 0.1 * inverse_condition : inverse_condition;
 }
 
 /// Returns element i of the van der Corput sequence in a base, in [0, 1).

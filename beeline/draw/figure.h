@@ -38,6 +38,7 @@ struct Figure {
   std::string title = {};
   std::vector<std::vector<Panel>> columns;
   double width = 500, height = 480;  ///< max size of the page without margins and title, points
+  bool fill = false;                 ///< widen the plots until they fill a page of this size
 };
 
 /// Lays the figure out on a page that contains all of it. Throws Error for a figure without panels,

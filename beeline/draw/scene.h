@@ -68,6 +68,7 @@ struct JointSymbol {
 struct FrameTriad {
   Pose pose = Pose::Identity();
   double length = 26;
+  double width = 1.6;  ///< of the lines
 };
 
 /// The base of an arm: a plate for a spatial arm, a hatched support for a planar one.

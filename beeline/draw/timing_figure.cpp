@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <beeline/draw/internal/curve_sampling.h>
 #include <beeline/draw/internal/deviation_charts.h>
 #include <beeline/draw/internal/joint_charts.h>
 #include <beeline/draw/internal/sheet.h>
@@ -15,22 +16,24 @@ namespace {
 constexpr double plot_height = 76;
 
 Chart condition_chart(const Arm& arm, const Trajectory& trajectory, const Task& task) {
-  constexpr std::size_t max_points = 1500;  // a chart does not resolve more
+  constexpr std::size_t max_points = 20'000;  // each takes microseconds
   const double unit = internal::unit_of_length(arm);
   Chart chart{.heading = "inverse condition of the Jacobian",
               .x_name = "time [s]",
               .left_name = "0: singular",
               .curves = {{.colour = ink}},
               .from_zero = true};
-  Curve& curve = chart.curves.front();
-  const std::size_t last = trajectory.size() - 1;
-  const std::size_t stride = std::max<std::size_t>(1, last / max_points);
-  for (std::size_t k = 0;; k = std::min(k + stride, last)) {
-    const Eigen::MatrixXd j = task_jacobian(arm, trajectory.positions[k], task, unit);
-    curve.x.push_back(trajectory.times[k]);
-    curve.y.push_back(1 / manipulability_measures(j).condition);
-    if (k == last) break;
+  const double begin = trajectory.times.front(), end = trajectory.times.back();
+  const std::size_t steps =
+      trajectory.size() == 1 ? 0 : std::clamp<std::size_t>(trajectory.size() - 1, 600, max_points);
+  CurveCollector points(chart.curves.front(), steps + 1);
+  for (std::size_t k = 0; k <= steps; ++k) {
+    const double fraction = steps == 0 ? 0 : static_cast<double>(k) / static_cast<double>(steps);
+    const double t = begin + fraction * (end - begin);
+    const Eigen::MatrixXd j = task_jacobian(arm, sample(trajectory, t).position, task, unit);
+    points.add(t, 1 / manipulability_measures(j).condition);
   }
+  points.finish();
   return chart;
 }
 
@@ -40,13 +43,24 @@ ChartColumn path_column(const Arm& arm, const Trajectory& trajectory, const Foll
   ChartColumn column{.plot_width = 340};
   const PathTrace trace = trace_path(arm, trajectory, followed);
   column.charts = deviation_charts(trace, followed);
-  double taken = 60;  // points: caption and margins of the trail, tick labels of the x axis
+  double taken = 56;  // points: margins of the trail, tick labels of the charts
   for (std::size_t i = 0; i < column.charts.size(); ++i) taken += plot_height + 24;
   Figure trail = exaggerated_figure(arm, trace, followed, exaggeration(trace));
-  trail.width = column.plot_width;
+  trail.width = column.plot_width + 24;  // with the charts' tick labels
   trail.height = std::max(140.0, height - taken);
   column.above = compose(trail);
   return column;
+}
+
+std::vector<double> waypoint_times(const Trajectory& trajectory,
+                                   const TimingFigureOptions& options) {
+  if (!options.waypoint_times.empty() || !options.path) return options.waypoint_times;
+  std::vector<double> times;
+  for (const double s : placed_waypoints(*options.path).path_parameters) {
+    const std::optional<double> time = time_at(trajectory, *options.path, s);
+    if (time) times.push_back(*time);
+  }
+  return times;
 }
 
 }  // namespace
@@ -68,14 +82,11 @@ Drawing timing_figure(const Arm& arm, const Trajectory& given, const TimingFigur
   ChartColumn over_time{.charts = joint_charts(arm, trajectory)};
   over_time.charts.push_back(tool_speed_chart(arm, trajectory));
   over_time.charts.push_back(condition_chart(arm, trajectory, task));
-  if (options.path) {
-    const std::vector<std::size_t> reached = arrivals(options.path->path_parameters);
-    for (std::size_t w = 0; w < reached.size(); ++w) {
-      for (Chart& chart : over_time.charts) {
-        const bool first = &chart == over_time.charts.data();
-        if (reached[w] >= trajectory.size()) continue;  // trace_path() refuses it
-        chart.markers.push_back({trajectory.times[reached[w]], first ? std::to_string(w + 1) : ""});
-      }
+  const std::vector<double> waypoints = waypoint_times(trajectory, options);
+  for (std::size_t w = 0; w < waypoints.size(); ++w) {
+    for (Chart& chart : over_time.charts) {
+      const bool first = &chart == over_time.charts.data();
+      chart.markers.push_back({waypoints[w], first ? std::to_string(w + 1) : ""});
     }
   }
   const double height = static_cast<double>(over_time.charts.size()) * (plot_height + 20) + 30;

@@ -17,12 +17,17 @@ struct FollowedPath {
   std::vector<double> path_parameters;  ///< of the samples that follow the path
   Task task;
   std::optional<Deviation> tolerance = std::nullopt;  ///< drawn as a reference line
+  /// The poses that the path was made through, in its order, numbered from 1 as in pictures of the
+  /// motion; a pose before the first is the start. Default: the ends of the segments.
+  std::vector<Pose> waypoints = {};
 };
 
 struct TimingFigureOptions {
   std::string title = {};                   ///< default: the arm's name and the duration
   std::optional<FollowedPath> path = {};    ///< draws the deviation from it too
   std::optional<Task> task = std::nullopt;  ///< default: the path's task, or default_task()
+  /// When waypoints 1, 2, ... are passed, seconds; default: those of the path.
+  std::vector<double> waypoint_times = {};
 };
 
 /// Draws a motion over time: positions, velocities and accelerations of all joints with their

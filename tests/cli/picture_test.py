@@ -90,3 +90,32 @@ def test_a_motion_that_is_not_finite(written, refused, tmp_path, rows):
     written("m.csv", f"t,joint1,joint2,joint3\n-1,0,0,0\n{rows}\n")
     refused(3, "draw", "rrr", "m.csv", "--animate", "a.svg")
     assert not (tmp_path / "a.svg").exists()
+
+
+def numbers(parsed, name):
+    """The numbers of the waypoints in a picture, each once."""
+    return {text.text for text in parsed(name).iter(SVG + "text") if text.get("fill") == "#d95e03"}
+
+
+@pytest.mark.parametrize("options", [("--from", "0,90,0"), (), ("--from", "0,90,0", "--blend", "0.3"),
+                                     ("--path", "spline"), ("--from", "0,90,0", "--method", "inverse-jacobian")])
+def test_one_numbering_of_waypoints(beeline, written, parsed, options):
+    written("w.csv", "x,y,theta\n6,2.5,30\n-0.5,6.5,120\n-4,2.5,180\n")
+    answer = beeline("line", "rrr", "--degrees", "--through", "w.csv", *options, "--draw", "d.svg",
+                     "--plot", "p.svg", "--out", "m.csv")
+    assert answer.code == 0, answer.err
+    assert numbers(parsed, "d.svg") == numbers(parsed, "p.svg") == {"1", "2", "3"}
+    if "--blend" not in options and "--path" not in options:
+        beeline("check", "rrr", "m.csv", "--through", "w.csv", "--degrees", "--plot", "c.svg",
+                *(("--tolerance", "0.1", "--orientation-tolerance", "0.1") if "--method" in options else ()))
+        assert numbers(parsed, "c.svg") == {"1", "2", "3"}
+
+
+def test_one_numbering_of_a_programs_moves(beeline, written, parsed):
+    written("pick.csv", "motion,x,y,theta,dwell\njoint,5,4,20,0.2\nline,4,4,20,\nline,4,3,20,\n")
+    answer = beeline("line", "rrr", "--from", "10,60,20", "--degrees", "--through", "pick.csv", "--draw", "d.svg",
+                     "--plot", "p.svg", "--out", "m.csv")
+    assert answer.code == 0, answer.err
+    answer = beeline("check", "rrr", "m.csv", "--through", "pick.csv", "--degrees", "--plot", "c.svg")
+    assert answer.code == 0, answer.err
+    assert numbers(parsed, "d.svg") == numbers(parsed, "p.svg") == numbers(parsed, "c.svg") == {"1", "2", "3"}

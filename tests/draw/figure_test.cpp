@@ -6,7 +6,9 @@
 #include <beeline/draw/chapter.h>
 #include <beeline/draw/internal/annotation.h>
 #include <beeline/draw/internal/arm_scene.h>
+#include <beeline/draw/internal/page.h>
 #include <beeline/draw/internal/paper_shapes.h>
+#include <beeline/draw/internal/text.h>
 #include <beeline/draw/internal/trail.h>
 #include <beeline/model/catalog.h>
 
@@ -195,6 +197,48 @@ TEST(Compose, RefusesWhatCannotBeDrawn) {
   EXPECT_REFUSED(oblique_view(0, inf), "elevation inf");
   EXPECT_REFUSED(motion_figure(built_in("rrr"), {}), "without samples");
   EXPECT_REFUSED(arm_figure(built_in("rrr"), Configuration::Zero(4)), "3 joint values");
+}
+
+TEST(Compose, FillsThePage) {
+  Figure figure = figure_of(dots_at({{0, 0, 0}, {3, 1, 0}}));
+  figure.columns[0][0].caption = "two dots";
+  for (const double height : {200.0, 300.0, 470.0}) {
+    figure.width = 400;
+    figure.height = height;
+    figure.fill = true;
+    const Drawing drawing = compose(figure);
+    EXPECT_NEAR(drawing.width, 400 + 2 * page_margin, 1);
+    EXPECT_NEAR(drawing.height, height + 2 * page_margin, 1);
+    expect_within_page(drawing, "filled");
+  }
+}
+
+TEST(Text, IsBrokenWithoutAShortLastLine) {
+  Random random;
+  for (int trial = 0; trial < 200; ++trial) {
+    std::string text;
+    const int words = random.integer(2, 30);
+    for (int w = 0; w < words; ++w) {
+      text +=
+          (w == 0 ? "" : " ") + std::string(static_cast<std::size_t>(random.integer(1, 9)), 'n');
+    }
+    const double width = random.uniform(80, 300);
+    const std::vector<std::string> loose = wrapped(text, 9, width), even = balanced(text, 9, width);
+    ASSERT_EQ(even.size(), loose.size());
+    double widest = 0, total = 0;
+    std::string joined;
+    for (const std::string& line : even) {
+      widest = std::max(widest, text_size(line, 9).x());
+      total += text_size(line, 9).x();
+      joined += (joined.empty() ? "" : " ") + line;
+    }
+    if (even.size() >= 12) continue;  // cut off
+    EXPECT_EQ(joined, text);
+    EXPECT_LE(widest, width);
+    // No line could be shorter by more than the longest word.
+    EXPECT_LT(widest, total / static_cast<double>(even.size()) + text_size("nnnnnnnnnn", 9).x());
+    EXPECT_GT(wrapped(text, 9, widest - 0.6).size(), even.size() == 1 ? 0 : even.size());
+  }
 }
 
 }  // namespace

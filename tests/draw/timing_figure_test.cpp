@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -9,7 +10,9 @@
 #include <beeline/draw/internal/projection.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/jacobian.h>
 #include <beeline/model/catalog.h>
+#include <beeline/path/blend.h>
 #include <beeline/planning/move_along.h>
 
 #include <tests/draw/page.h>
@@ -51,6 +54,29 @@ Arm limited(const Arm& arm, Random& random) {
   return {arm.name(), joints, arm.tool(), arm.base()};
 }
 
+/// The value of a curve at x, between its points.
+double value_at(const Curve& curve, double x) {
+  const auto later = std::upper_bound(curve.x.begin(), curve.x.end(), x);
+  if (later == curve.x.end()) return curve.y.back();
+  const auto i = static_cast<std::size_t>(later - curve.x.begin());
+  if (i == 0) return curve.y.front();
+  const double t = (x - curve.x[i - 1]) / (curve.x[i] - curve.x[i - 1]);
+  return curve.y[i - 1] + t * (curve.y[i] - curve.y[i - 1]);
+}
+
+/// The unit of a joint's curve: a hundredth of its limit, or 1 without one.
+double scale_of(const Limits& limits, std::size_t order) {
+  const double half = order == 0   ? (limits.upper - limits.lower) / 2
+                      : order == 1 ? limits.velocity
+                                   : limits.acceleration;
+  return std::isfinite(half) ? half / 100 : 1;
+}
+
+double middle_of(const Limits& limits, std::size_t order) {
+  const bool ranged = order == 0 && std::isfinite(limits.upper - limits.lower);
+  return ranged ? (limits.upper + limits.lower) / 2 : 0;
+}
+
 struct LinesOf {
   Arm arm;
   PathMotion motion;
@@ -87,19 +113,74 @@ TEST(JointCharts, GivesEveryJointACurveByItsOwnLimitOrInItsUnit) {
       for (std::size_t s = 0; s < motion.size(); ++s) {
         const double q = motion.positions[s][k];
         const double share = (q - limits.lower) / (limits.upper - limits.lower) * 200 - 100;
-        EXPECT_NEAR(position.y[s], ranged ? share : q, 1e-9);
+        EXPECT_NEAR(value_at(position, motion.times[s]), ranged ? share : q, 1e-9);
       }
       if (!known) continue;
       const bool held = std::isfinite(limits.velocity);
       for (std::size_t s = 0; s < motion.size(); ++s) {
         const double v = motion.velocities[s][k];
-        EXPECT_NEAR(velocity.y[s], held ? 100 * v / limits.velocity : v, 1e-9);
+        EXPECT_NEAR(value_at(velocity, motion.times[s]), held ? 100 * v / limits.velocity : v,
+                    1e-9);
       }
     }
   }
 }
 
-TEST(JointCharts, TakesDifferencesForWhatIsNotKnown) {
+TEST(JointCharts, FollowThePolynomialsBetweenTheSamples) {
+  Random random;
+  for (int trial = 0; trial < 40; ++trial) {
+    const Arm arm = testing::random_arm(random, random.integer(1, 4));
+    Trajectory motion = wave(random, arm, random.integer(2, 8), true);
+    for (Configuration& a : motion.accelerations) a = 50 * random.configuration(arm);
+    if (trial % 2 == 0) motion.accelerations.clear();
+    Arm bare(arm.name(), arm.joints(), arm.tool(), arm.base());
+    const std::vector<Chart> charts = joint_charts(bare, motion);
+    const Chart speed = tool_speed_chart(bare, motion);
+    ASSERT_EQ(charts.size(), 3u);
+    for (int n = 0; n < 50; ++n) {
+      const double t = random.uniform(0, motion.times.back());
+      const TrajectoryState state = sample(motion, t);
+      for (int k = 0; k < arm.dof(); ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        const double values[] = {state.position[k], state.velocity[k], state.acceleration[k]};
+        for (std::size_t order = 0; order < 3; ++order) {
+          const Curve& curve = charts[order].curves[i];
+          const auto [low, high] = std::minmax_element(curve.y.begin(), curve.y.end());
+          const double unit = scale_of(bare.limits(i), order);
+          const double value = (values[order] - middle_of(bare.limits(i), order)) / unit;
+          EXPECT_NEAR(value_at(curve, t), value, 0.02 * (*high - *low) + 1e-9);
+          EXPECT_LT(value, *high + 1e-6 * (1 + std::abs(*high)));  // no peak is cut off
+          EXPECT_GT(value, *low - 1e-6 * (1 + std::abs(*low)));
+        }
+      }
+      const double v = (jacobian(bare, state.position).topRows<3>() * state.velocity).norm();
+      const double most = *std::max_element(speed.curves[0].y.begin(), speed.curves[0].y.end());
+      EXPECT_NEAR(value_at(speed.curves[0], t), v, 0.15 * most + 1e-9);
+    }
+  }
+}
+
+TEST(JointCharts, OfAMillionSamplesAreShortButKeepASpike) {
+  const Arm arm = built_in("gantry");
+  Trajectory motion{arm.joint_names(), {}, {}, {}, {}};
+  for (int k = 0; k < 1'000'000; ++k) {
+    motion.times.push_back(1e-3 * k);
+    motion.positions.emplace_back(Eigen::Vector2d(std::sin(1e-5 * k), 0));
+  }
+  motion.positions[765'432].y() = 0.25;
+  const std::vector<Chart> charts = joint_charts(arm, motion);
+  const double peaks[] = {0.25, 250};  // m, m/s
+  for (std::size_t order = 0; order < 2; ++order) {
+    const Curve& curve = charts[order].curves[1];
+    EXPECT_LT(curve.x.size(), 20'000u);
+    const double unit = scale_of(arm.limits(1), order);
+    const double middle = middle_of(arm.limits(1), order);
+    EXPECT_NEAR(*std::max_element(curve.y.begin(), curve.y.end()), (peaks[order] - middle) / unit,
+                1e-6 * peaks[order] / unit);
+  }
+}
+
+TEST(JointCharts, TakesDifferencesForAccelerationsOfLinearMotions) {
   Random random;
   const Arm arm = built_in("rrr");
   const Trajectory known = wave(random, arm, 400, true);
@@ -107,20 +188,14 @@ TEST(JointCharts, TakesDifferencesForWhatIsNotKnown) {
   bare.velocities.clear();
   bare.accelerations.clear();
   const std::vector<Chart> with = joint_charts(arm, known), without = joint_charts(arm, bare);
+  EXPECT_EQ(without[1].heading, "joint velocities");
+  EXPECT_NE(without[2].heading.find("by differences"), std::string::npos);
   for (std::size_t kind = 1; kind < 3; ++kind) {
-    EXPECT_NE(without[kind].heading.find("by differences"), std::string::npos);
     for (std::size_t k = 0; k < 3; ++k) {
-      const Curve &a = with[kind].curves[k], &b = without[kind].curves[k];
-      for (std::size_t s = 2; s + 3 < a.y.size(); ++s) EXPECT_NEAR(b.y[2 * s], a.y[s], 0.02);
-    }
-  }
-  const Curve speed = tool_speed_chart(arm, known).curves[0];
-  const Curve steps = tool_speed_chart(arm, bare).curves[0];
-  for (std::size_t s = 0; s + 1 < speed.y.size(); ++s) {  // but where it turns back within a step
-    const double before = speed.y[s], after = speed.y[s + 1];
-    EXPECT_LT(steps.y[2 * s], std::max(before, after) + 0.01);
-    if (std::min(before, after) > 0.1) {
-      EXPECT_NEAR(steps.y[2 * s], (before + after) / 2, 0.01);
+      for (std::size_t s = 3; s + 3 < known.size(); ++s) {
+        const double t = known.times[s];
+        EXPECT_NEAR(value_at(without[kind].curves[k], t), value_at(with[kind].curves[k], t), 0.02);
+      }
     }
   }
 }
@@ -238,6 +313,72 @@ TEST(PathTrace, ExaggeratesToWhatShows) {
     const Figure figure = exaggerated_figure(arm, trace, path, factor);
     EXPECT_NE(figure.columns[0][0].caption.find("×\u00a0"), std::string::npos);
     expect_within_page(timing_figure(arm, motion.trajectory, {.path = path}), "panda");
+  }
+}
+
+TEST(PathTrace, PassesThroughEveryStop) {
+  for (const double rate : {0.0, 200.0, 2000.0}) {
+    const auto [arm, motion, path] = panda_lines(rate);
+    const PathTrace trace = trace_path(arm, motion.trajectory, path);
+    const Figure figure = exaggerated_figure(arm, trace, path, exaggeration(trace));
+    const auto& trail = std::get<Polyline>(figure.columns[0][0].scene.items[1].shape);
+    for (const Segment& segment : path.path.segments) {
+      double nearest = 1;
+      for (const Vector3& p : trail.points) {
+        nearest = std::min(nearest, (p - pose_at(segment, 1).translation()).norm());
+      }
+      EXPECT_LT(nearest, 5e-4);  // of 0.2 m: less than the line's width
+    }
+  }
+}
+
+std::vector<std::string> numbers_above(const Drawing& drawing) {
+  std::vector<std::string> numbers;
+  for (const PaperMark& mark : drawing.marks) {
+    const auto* text = std::get_if<PaperText>(&mark);
+    if (text != nullptr && text->colour == amber && !text->halo) numbers.push_back(text->text);
+  }
+  return numbers;
+}
+
+TEST(PathTrace, NumbersTheGivenWaypoints) {
+  const Arm arm = built_in("rrr");
+  const Configuration start = Eigen::Vector3d(0.3, 1.2, 0.4);
+  const Pose tool = forward_kinematics(arm, start);
+  const std::vector<Pose> poses{Eigen::Translation3d(0.5, 0.5, 0) * tool,
+                                Eigen::Translation3d(1, -0.3, 0) * tool,
+                                Eigen::Translation3d(0.2, -1, 0) * tool};
+  std::vector<Pose> all = poses;
+  all.insert(all.begin(), tool);
+  const Route routes[] = {route_of(lines_through(all), PathKind::line),
+                          route_of(blended_lines(all, Deviation{0.05, 0.25})),
+                          route_of(path_through(all, PathKind::spline), PathKind::spline)};
+  for (const Route& route : routes) {
+    for (const bool extra : {true, false}) {  // the start is or is not one of the waypoints
+      const PathMotion motion = move_along(arm, start, route);
+      ASSERT_EQ(motion.status, MotionStatus::reached) << motion.reason;
+      const std::vector<Pose>& waypoints = extra ? poses : all;
+      const FollowedPath path{motion.path, motion.path_parameters, Task::planar(), std::nullopt,
+                              waypoints};
+      const PlacedWaypoints placed = placed_waypoints(path);
+      ASSERT_EQ(placed.poses.size(), waypoints.size());
+      for (std::size_t w = 0; w < waypoints.size(); ++w) {
+        const double s = placed.path_parameters[w];
+        const Vector3 off = pose_at(path.path, s).translation() - waypoints[w].translation();
+        EXPECT_LT(off.norm(), 0.0501);
+        const std::optional<double> t = time_at(motion.trajectory, path, s);
+        ASSERT_TRUE(t.has_value());
+        const Configuration q = sample(motion.trajectory, *t).position;
+        const Vector3 at = forward_kinematics(arm, q).translation();
+        EXPECT_LT((at - waypoints[w].translation()).norm(), 0.1);
+      }
+      const Drawing drawing = timing_figure(arm, motion.trajectory, {.path = path});
+      std::vector<std::string> numbers;
+      for (int column = 0; column < 2; ++column) {
+        for (std::size_t w = 0; w < waypoints.size(); ++w) numbers.push_back(std::to_string(w + 1));
+      }
+      EXPECT_EQ(numbers_above(drawing), numbers);
+    }
   }
 }
 

@@ -27,10 +27,28 @@ void add_jacobian_arrows(Scene& scene, const Arm& arm, const ConfigurationRef& q
     const Colour colour = distinct_colour(arm.drives()[i].coordinate);
     scene.add(Layer::mark, Polyline{{bones.joints[i].centre, bones.tool}, colour, 0.8, {4, 3}});
   }
+  std::vector<int> order;
   for (int k = 0; k < arm.dof(); ++k) {
+    if (columns.col(k).head<3>().norm() >= 1e-12) order.push_back(k);
+  }
+  const auto length = [&](int k) { return columns.col(k).head<3>().norm(); };
+  // Long ones first; equal lengths in the order of the joints, whatever the rounding.
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return length(a) > length(b) * (1 + 1e-9); });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const int k = order[i];
     const Vector3 velocity = columns.col(k).head<3>();
-    if (velocity.norm() < 1e-12) continue;
-    Polyline arrow{{bones.tool, bones.tool + scale * velocity}, distinct_colour(k), 2.2};
+    const auto over = std::count_if(order.begin() + static_cast<std::ptrdiff_t>(i) + 1, order.end(),
+                                    [&](int other) {
+                                      const Vector3 v = columns.col(other).head<3>();
+                                      return v.dot(velocity) > 0.998 * v.norm() * velocity.norm();
+                                    });
+    // An arrow below others is wider, so that it shows beside them.
+    Polyline arrow{{bones.tool, bones.tool + scale * velocity},
+                   distinct_colour(k),
+                   2.2 + 2.4 * static_cast<double>(over)};
+    arrow.outline = 0.7;
+    arrow.rim = paper_white;
     arrow.arrow = true;
     scene.add(Layer::mark, arrow);
     constexpr int max_labels = 8;  // more labels would overlap

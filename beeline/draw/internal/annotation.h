@@ -9,7 +9,7 @@ namespace beeline::internal {
 
 /// Draws the linear velocity of each Jacobian column at the tool, times `scale` (metres of arrow
 /// for each metre per unit of the coordinate), in distinct_colour(k); Figure 1.8 of Dellaert,
-/// *Serial Link Manipulators*. With `levers`, adds a dashed line from each revolute joint to the
+/// *Serial Link Manipulators*. An arrow along a shorter one is wider and below it. With `levers`, adds a dashed line from each revolute joint to the
 /// tool.
 void add_jacobian_arrows(Scene& scene, const Arm& arm, const ConfigurationRef& q, double scale,
                          bool levers = false);

@@ -114,12 +114,30 @@ class ArmPainter {
   Colour steel_, ink_;
 };
 
-void add_frames(Scene& scene, const std::vector<Pose>& links, bool planar) {
+/// Adds the triad of each frame. Of frames at one place each is drawn over the one before it,
+/// shorter and thicker, and they have one label.
+void add_frames(Scene& scene, const std::vector<Pose>& links, bool planar, double size) {
   constexpr std::size_t max_labels = 40;  // more labels cannot be read
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    scene.add(Layer::mark, FrameTriad{links[i], size_for(links.size()) * (planar ? 30 : 22)});
+  const double length = size_for(links.size()) * (planar ? 30 : 22), same = 1e-6 * size + 1e-300;
+  std::vector<bool> drawn(links.size(), false);
+  for (std::size_t first = 0; first < links.size(); ++first) {
+    if (drawn[first]) continue;
+    std::vector<std::size_t> here;
+    for (std::size_t i = first; i < links.size(); ++i) {
+      if ((links[i].translation() - links[first].translation()).norm() > same) continue;
+      here.push_back(i);
+      drawn[i] = true;
+    }
+    std::string text;
+    for (std::size_t rank = 0; rank < here.size(); ++rank) {
+      const double part = 1 - static_cast<double>(rank) / static_cast<double>(here.size());
+      FrameTriad triad{links[here[rank]], length * (here.size() == 1 ? 1 : 0.35 + 0.95 * part)};
+      triad.width *= 2 - part;
+      scene.add(Layer::mark, triad);
+      text += (rank == 0 ? "{" : " {") + std::to_string(here[rank]) + "}";
+    }
     if (links.size() > max_labels) continue;
-    Label label{links[i].translation(), "{" + std::to_string(i) + "}"};
+    Label label{links[first].translation(), text};
     label.right = 0.3;
     label.up = -1;
     scene.add(Layer::note, label);
@@ -133,7 +151,7 @@ void add_arm(Scene& scene, const Arm& arm, const ConfigurationRef& q, const ArmS
   const std::vector<Pose> links = link_poses(arm, q);
   if (!arm.planar() && !scene.floor) scene.floor = bones.base.z();
   ArmPainter(scene, bones, arm.planar(), style.faded).draw(arm.base().linear().col(2));
-  if (style.frames) add_frames(scene, links, arm.planar());
+  if (style.frames) add_frames(scene, links, arm.planar(), bones.size());
   const bool named = style.frames && arm.tool().isApprox(Pose::Identity());
   if (style.tool && !style.faded && !named)
     scene.add(Layer::mark, FrameTriad{links.back() * arm.tool()});

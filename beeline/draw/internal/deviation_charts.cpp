@@ -33,7 +33,7 @@ Unit unit_for(double size, const std::string& base) {
 bool dense(const PathTrace& trace) { return trace.steps.size() > 150; }
 
 /// Returns the points to draw: all, or, of a dense trace, the one with the largest deviation of
-/// each step or group of steps.
+/// each step or group of steps, and the ends of the segments.
 std::vector<std::size_t> shown_points(const PathTrace& trace, const auto& off) {
   constexpr std::size_t max_groups = 1500;
   const std::size_t together = 1 + trace.steps.size() / max_groups;
@@ -43,8 +43,9 @@ std::vector<std::size_t> shown_points(const PathTrace& trace, const auto& off) {
   std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < trace.points.size(); ++i) {
     const bool begins = trace.points[i].step == 0;  // of a segment
-    const std::size_t before = begins ? 0 : group(i - 1);
-    if (dense(trace) && !begins && (before == 0 || before == group(i))) {
+    const bool ends = i + 1 == trace.points.size() || trace.points[i + 1].step == 0;
+    const bool inside = !begins && !ends && trace.points[i - 1].step != 0;
+    if (dense(trace) && inside && group(i - 1) == group(i)) {
       if (off(i) > off(shown.back())) shown.back() = i;
     } else {
       shown.push_back(i);
@@ -102,10 +103,10 @@ std::vector<Chart> deviation_charts(const PathTrace& trace, const FollowedPath& 
   if (followed.task.orientations() > 0) {
     charts.push_back(chart_of(trace, followed, &Deviation::orientation, "orientation", "rad"));
   }
-  for (std::size_t w = 0; w < trace.segment_ends.size(); ++w) {
+  for (std::size_t w = 0; w < trace.waypoints.size(); ++w) {
     for (Chart& chart : charts) {
       const bool first = &chart == charts.data();
-      chart.markers.push_back({trace.segment_ends[w], first ? std::to_string(w + 1) : ""});
+      chart.markers.push_back({trace.waypoints[w], first ? std::to_string(w + 1) : ""});
     }
   }
   return charts;
@@ -133,13 +134,10 @@ Figure exaggerated_figure(const Arm& arm, const PathTrace& trace, const Followed
   scene.add(Layer::trail, Polyline{trace.polyline, construction_grey, 0.7});
   scene.add(Layer::trail, Polyline{enlarged(trace, factor), amber, 0.9});
   scene.add(Layer::mark, Dots{{trace.polyline.front()}, ink, 5});
+  const PlacedWaypoints waypoints = placed_waypoints(followed);
   std::vector<std::string> names;
-  std::vector<Pose> waypoints;
-  for (const Segment& segment : followed.path.segments) {
-    waypoints.push_back(pose_at(segment, 1));
-    names.push_back(std::to_string(waypoints.size()));
-  }
-  add_poses(scene, waypoints, names);
+  for (std::size_t w = 0; w < waypoints.poses.size(); ++w) names.push_back(std::to_string(w + 1));
+  add_poses(scene, waypoints.poses, names);
   Panel panel{.scene = std::move(scene)};
   panel.view = arm.planar() ? top_view() : oblique_view(-0.87, 0.44);
   panel.caption = factor > 1
@@ -148,6 +146,7 @@ Figure exaggerated_figure(const Arm& arm, const PathTrace& trace, const Followed
                       : "trail of the tool, to scale";
   Figure figure;
   figure.columns = {{std::move(panel)}};
+  figure.fill = true;
   return figure;
 }
 

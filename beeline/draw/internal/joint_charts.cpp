@@ -1,50 +1,41 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/draw/internal/curve_sampling.h>
 #include <beeline/draw/internal/joint_charts.h>
 #include <beeline/error.h>
-#include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
+#include <beeline/trajectory/internal/interval_polynomial.h>
 
 namespace beeline::internal {
 namespace {
 
-/// Values over time: linear between the times or, for a step plot, each constant from its time to
-/// the next; a step plot has one time more than values.
-struct Series {
-  std::vector<double> times;
-  std::vector<Configuration> values;
-  bool step_plot = false;
-};
+/// Returns the order of derivative, 0 to 2, up to which the motion between the samples has one.
+int highest_order(const Trajectory& trajectory) { return trajectory.velocities.empty() ? 1 : 2; }
 
-Series differences(const Series& series) {
-  Series result{series.times, {}, true};
-  if (series.step_plot) {  // a step's value is taken at its middle
-    for (std::size_t k = 0; k < series.values.size(); ++k) {
-      result.times[k] = (series.times[k] + series.times[k + 1]) / 2;
-    }
-    result.times.pop_back();
-  }
-  for (std::size_t k = 1; k < series.values.size(); ++k) {
-    const double dt = result.times[k] - result.times[k - 1];
-    result.values.push_back((series.values[k] - series.values[k - 1]) / dt);
-  }
-  return result;
+/// Returns whether the chart of a derivative has data.
+bool has_data(const Trajectory& trajectory, int order) {
+  if (order == 0) return true;
+  if (trajectory.size() > 1) return order <= highest_order(trajectory) || trajectory.size() > 2;
+  return !(order == 1 ? trajectory.velocities : trajectory.accelerations).empty();
 }
 
-/// Adds the series of one coordinate to a curve.
-void add_series(const Series& series, const auto& value_of, Curve& curve) {
-  for (std::size_t k = 0; k < series.values.size(); ++k) {
-    curve.x.push_back(series.times[k]);
-    curve.y.push_back(value_of(series.values[k]));
-    if (!series.step_plot) continue;
-    curve.x.push_back(series.times[k + 1]);
-    curve.y.push_back(curve.y.back());
+/// Adds the divided differences of the velocities of linear motions, as a step plot.
+void add_acceleration_steps(const Trajectory& trajectory, int joint, double unit, Curve& curve) {
+  CurveCollector points(curve, 2 * trajectory.size());
+  const auto time = [&](std::size_t k) {
+    return (trajectory.times[k] + trajectory.times[k + 1]) / 2;
+  };
+  const auto velocity = [&](std::size_t k) {
+    return (trajectory.positions[k + 1][joint] - trajectory.positions[k][joint]) /
+           (trajectory.times[k + 1] - trajectory.times[k]);
+  };
+  for (std::size_t k = 0; k + 2 < trajectory.size(); ++k) {
+    const double value = (velocity(k + 1) - velocity(k)) / (time(k + 1) - time(k)) / unit;
+    points.add(time(k), value);
+    points.add(time(k + 1), value);
   }
-}
-
-std::string text_of(const char* what, const Series& series) {
-  return what + std::string(series.step_plot ? ", by differences" : "");
+  points.finish();
 }
 
 /// Maps values to fractions of a limit: (value - middle) / half; half is 0 without a limit.
@@ -75,16 +66,26 @@ std::string units_of(const Arm& arm, const std::vector<LimitScale>& scales, cons
   return (slides ? "m" : "rad") + tail;
 }
 
-Chart chart_of(const Arm& arm, const Series& series, const char* what, const char* scaled_name,
-               const char* per, double Limits::*kind) {
-  Chart chart{.heading = text_of(what, series), .x_name = "time [s]"};
+/// What a chart shows of the joints.
+struct Quantity {
+  int order = 0;
+  const char* name;
+  const char* scaled_name;
+  const char* per;
+  double Limits::*limit;
+};
+
+Chart chart_of(const Arm& arm, const Trajectory& trajectory, const Quantity& quantity) {
+  const bool by_differences = quantity.order > highest_order(trajectory);
+  Chart chart{.heading = quantity.name + std::string(by_differences ? ", by differences" : ""),
+              .x_name = "time [s]"};
   std::vector<LimitScale> scales;
-  for (const Limits& limits : arm.limits()) scales.push_back(limit_scale(limits, kind));
+  for (const Limits& limits : arm.limits()) scales.push_back(limit_scale(limits, quantity.limit));
   const auto limited = [](const LimitScale& scale) { return scale.half > 0; };
   const bool some = std::any_of(scales.begin(), scales.end(), limited);
   const bool all = std::all_of(scales.begin(), scales.end(), limited);
-  const std::string units = units_of(arm, scales, per);
-  chart.left_name = some ? scaled_name : units;
+  const std::string units = units_of(arm, scales, quantity.per);
+  chart.left_name = some ? quantity.scaled_name : units;
   if (some && !all) chart.right_name = units + " (thick)";
   for (int k = 0; k < arm.dof(); ++k) {
     const LimitScale& scale = scales[k];
@@ -92,16 +93,17 @@ Chart chart_of(const Arm& arm, const Series& series, const char* what, const cha
     curve.name.clear();  // it is in the sheet's legend
     curve.right = some && !limited(scale);
     if (curve.right) curve.width = 1.8;
-    add_series(
-        series,
-        [&](const Configuration& q) {
-          return limited(scale) ? 100 * ((q[k] - scale.middle) / scale.half) : q[k];
-        },
-        curve);
+    const double middle = limited(scale) ? scale.middle : 0;
+    const double unit = limited(scale) ? scale.half / 100 : 1;
+    if (by_differences) {
+      add_acceleration_steps(trajectory, k, unit, curve);
+    } else {
+      add_derivative(trajectory, k, quantity.order, middle, unit, curve);
+    }
     chart.curves.push_back(std::move(curve));
   }
   if (some) chart.reference_lines = {{"limit", 100}, {"", -100}};
-  if (!all && kind == &Limits::velocity) {
+  if (!all && quantity.order == 1) {
     const double held = arm.limits(0).speed_scale * assumed_velocity_limit;
     chart.reference_lines.push_back({"no limit known: " + number(held) + " " + units, held, some});
     chart.reference_lines.push_back({"", -held, some});
@@ -117,48 +119,54 @@ Curve joint_curve(const Arm& arm, int k) {
 }
 
 std::vector<Chart> joint_charts(const Arm& arm, const Trajectory& trajectory) {
-  const Series positions{trajectory.times, trajectory.positions};
-  const Series velocities = trajectory.velocities.empty()
-                                ? differences(positions)
-                                : Series{trajectory.times, trajectory.velocities};
-  const Series accelerations = trajectory.accelerations.empty()
-                                   ? differences(velocities)
-                                   : Series{trajectory.times, trajectory.accelerations};
-  std::vector<Chart> charts{
-      chart_of(arm, positions, "joint positions", "% of the range", "", nullptr)};
-  if (!velocities.values.empty()) {
-    charts.push_back(
-        chart_of(arm, velocities, "joint velocities", "% of the limit", "/s", &Limits::velocity));
-  }
-  if (!accelerations.values.empty()) {
-    charts.push_back(chart_of(arm, accelerations, "joint accelerations", "% of the limit", "/s²",
-                              &Limits::acceleration));
+  const Quantity quantities[] = {
+      {0, "joint positions", "% of the range", "", nullptr},
+      {1, "joint velocities", "% of the limit", "/s", &Limits::velocity},
+      {2, "joint accelerations", "% of the limit", "/s²", &Limits::acceleration}};
+  std::vector<Chart> charts;
+  for (const Quantity& quantity : quantities) {
+    if (has_data(trajectory, quantity.order)) charts.push_back(chart_of(arm, trajectory, quantity));
   }
   return charts;
 }
 
 Chart tool_speed_chart(const Arm& arm, const Trajectory& trajectory) {
-  Series speeds{trajectory.times, {}, trajectory.velocities.empty()};
-  const auto speed = [](double value) { return Configuration::Constant(1, value); };
-  Jacobian columns(6, arm.dof());
-  Vector3 before = Vector3::Zero();
-  for (std::size_t k = 0; k < trajectory.size(); ++k) {
-    const Vector3 tool = jacobian(arm, trajectory.positions[k], columns).translation();
-    if (!speeds.step_plot) {
-      speeds.values.push_back(speed((columns.topRows<3>() * trajectory.velocities[k]).norm()));
-    } else if (k > 0) {
-      speeds.values.push_back(
-          speed((tool - before).norm() / (trajectory.times[k] - trajectory.times[k - 1])));
-    }
-    before = tool;
-  }
-  Chart chart{.heading = text_of("tool speed", speeds),
+  Chart chart{.heading = "tool speed",
               .x_name = "time [s]",
               .left_name = "m/s",
               .curves = {{.colour = ink}},
               .from_zero = true};
-  add_series(
-      speeds, [](const Configuration& v) { return v[0]; }, chart.curves[0]);
+  const std::size_t intervals = trajectory.size() - 1, parts = parts_of_interval(intervals);
+  CurveCollector points(chart.curves[0], intervals * (parts + 1));
+  Jacobian columns(6, arm.dof());
+  Configuration q = trajectory.positions.front(), velocity = Configuration::Zero(arm.dof());
+  std::vector<Polynomial> position_of(static_cast<std::size_t>(arm.dof())),
+      velocity_of = position_of;
+  const auto add = [&](double t) {
+    jacobian(arm, q, columns);
+    points.add(t, (columns.topRows<3>() * velocity).norm());
+  };
+  if (intervals == 0) {
+    if (!trajectory.velocities.empty()) velocity = trajectory.velocities.front();
+    add(trajectory.times.front());
+  }
+  for (std::size_t k = 0; k < intervals; ++k) {
+    const double h = trajectory.times[k + 1] - trajectory.times[k];
+    for (int i = 0; i < arm.dof(); ++i) {
+      const auto joint = static_cast<std::size_t>(i);
+      position_of[joint] = interval_polynomial(trajectory, k, i);
+      velocity_of[joint] = time_derivative(position_of[joint], 1, h);
+    }
+    for (std::size_t part = 0; part <= parts; ++part) {
+      const double u = static_cast<double>(part) / static_cast<double>(parts);
+      for (int i = 0; i < arm.dof(); ++i) {
+        q[i] = position_of[static_cast<std::size_t>(i)](u);
+        velocity[i] = velocity_of[static_cast<std::size_t>(i)](u);
+      }
+      add(trajectory.times[k] + u * h);
+    }
+  }
+  points.finish();
   return chart;
 }
 

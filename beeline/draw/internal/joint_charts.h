@@ -9,14 +9,15 @@ namespace beeline::internal {
 /// further eight joints.
 Curve joint_curve(const Arm& arm, int k);
 
-/// Charts positions, velocities and accelerations of all joints over time. A joint with a known
-/// limit is drawn in percent of it (positions: of the range, from -100 at the lower limit to 100 at
-/// the upper), so that joints can be compared; joints without one use a scale on the right, thick,
-/// when both kinds occur. Missing velocities and accelerations are divided differences, drawn as a
-/// step plot; a chart without data is omitted. The trajectory is in the arm's joint order.
+/// Charts positions, velocities and accelerations of all joints over time, of the motion that the
+/// columns mean, also between the samples. A joint with a known limit is drawn in percent of it
+/// (positions: of the range, from -100 at the lower limit to 100 at the upper), so that joints can
+/// be compared; joints without one use a scale on the right, thick, when both kinds occur.
+/// Accelerations of linear motions are divided differences, drawn as a step plot; a chart without
+/// data is omitted. The trajectory is in the arm's joint order.
 std::vector<Chart> joint_charts(const Arm& arm, const Trajectory& trajectory);
 
-/// Charts the speed of the tool's origin over time, m/s.
+/// Charts the speed of the tool's origin over time, m/s, also between the samples.
 Chart tool_speed_chart(const Arm& arm, const Trajectory& trajectory);
 
 }  // namespace beeline::internal

@@ -99,15 +99,23 @@ void measure(Columns& columns, double scale) {
 }
 
 /// Sets the sizes of all panels at a scale: the panels of a column get one width, all columns one
-/// height. Returns the total size.
-PaperPoint arrange(Columns& columns, double scale) {
+/// height, at least `min_size` in all. Returns the total size.
+PaperPoint arrange(Columns& columns, double scale,
+                   const PaperPoint& min_size = PaperPoint::Zero()) {
   measure(columns, scale);
   PaperPoint page(column_gap * static_cast<double>(columns.size() - 1), 0);
+  double plots = page.x();
+  for (auto& column : columns) plots += width_of(column);
+  for (auto& column : columns) {
+    const double spare = (min_size.x() - plots) / static_cast<double>(columns.size());
+    for (Cell& cell : column) cell.plot.x() += std::max(0.0, spare);
+  }
   for (auto& column : columns) {
     const double width = width_of(column);
-    for (Cell& cell : column) cell.caption = wrapped(cell.panel->caption, caption_size, width);
+    for (Cell& cell : column) cell.caption = balanced(cell.panel->caption, caption_size, width);
     page.y() = std::max(page.y(), height_of(column));
   }
+  page.y() = std::max(page.y(), min_size.y());
   for (auto& column : columns) {
     const double spare = page.y() - height_of(column);
     for (Cell& cell : column) cell.plot.y() += spare / static_cast<double>(column.size());
@@ -116,6 +124,14 @@ PaperPoint arrange(Columns& columns, double scale) {
     for (Cell& cell : column) cell.plot.x() += width - cell.width();
     page.x() += width;
   }
+  // Taller plots have longer tick labels, which take from the width.
+  const double wider = (min_size.x() - page.x()) / static_cast<double>(columns.size());
+  if (min_size.x() == 0) return page;
+  for (auto& column : columns) {
+    for (Cell& cell : column) cell.plot.x() = std::max(min_width, cell.plot.x() + wider);
+  }
+  page.x() = column_gap * static_cast<double>(columns.size() - 1);
+  for (const auto& column : columns) page.x() += width_of(column);
   return page;
 }
 
@@ -139,7 +155,7 @@ double width_of(const std::vector<Cell>& column) {
   return width;
 }
 
-PaperPoint fit(Columns& columns, const PaperPoint& page) {
+PaperPoint fit(Columns& columns, const PaperPoint& page, bool fill) {
   double span = 0, farthest = 0;
   for (const auto& column : columns) {
     for (const Cell& cell : column) {
@@ -160,7 +176,7 @@ PaperPoint fit(Columns& columns, const PaperPoint& page) {
     const double middle = std::sqrt(low * high);
     (fits(middle) ? low : high) = middle;
   }
-  return arrange(columns, low);
+  return arrange(columns, low, fill ? page : PaperPoint::Zero());
 }
 
 }  // namespace beeline::internal

@@ -42,7 +42,7 @@ double width_of(const std::vector<Cell>& column);
 /// Arranges the panels at the largest scale at which they fit a page of this size, and returns
 /// their total size. Panels of one column with the same x axis share its range, and panels side by
 /// side with the same y axis share that. When the text alone exceeds the page, the result is larger
-/// than the page; nothing is cut off.
-PaperPoint fit(Columns& columns, const PaperPoint& page);
+/// than the page; nothing is cut off. With `fill` the plots are widened to the size of the page.
+PaperPoint fit(Columns& columns, const PaperPoint& page, bool fill = false);
 
 }  // namespace beeline::internal

@@ -183,7 +183,7 @@ PageLayout laid_out(const Figure& figure, std::span<const Scene> frames) {
     columns.emplace_back();
     for (const Panel& panel : panels) columns.back().push_back(cell_of(panel, frames));
   }
-  const PaperPoint size = fit(columns, {figure.width, figure.height});
+  const PaperPoint size = fit(columns, {figure.width, figure.height}, figure.fill);
   PageLayout layout;
   layout.width = std::ceil(size.x() + 2 * page_margin);
   Drawing title;

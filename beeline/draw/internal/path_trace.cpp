@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/certificate/internal/path_interval.h>
@@ -46,7 +47,64 @@ std::vector<Vector3> polyline_of(const ToolPath& path) {
   return points;
 }
 
+/// Path parameters at which a waypoint may be: ends and middles of segments; on an arc, whose first
+/// waypoint is anywhere, 32 of them.
+std::vector<double> waypoint_candidates(const ToolPath& path) {
+  std::vector<double> candidates{0};
+  for (std::size_t i = 0; i < path.segments.size(); ++i) {
+    const int parts = std::holds_alternative<Arc>(path.segments[i]) ? 32 : 2;
+    for (int k = 1; k <= parts; ++k) {
+      candidates.push_back(static_cast<double>(i) + static_cast<double>(k) / parts);
+    }
+  }
+  return candidates;
+}
+
 }  // namespace
+
+PlacedWaypoints placed_waypoints(const FollowedPath& followed) {
+  const ToolPath& path = followed.path;
+  PlacedWaypoints placed;
+  if (followed.waypoints.empty()) {
+    for (std::size_t i = 0; i < path.segments.size(); ++i) {
+      placed.poses.push_back(pose_at(path.segments[i], 1));
+      placed.path_parameters.push_back(static_cast<double>(i + 1));
+    }
+    return placed;
+  }
+  constexpr double window = 2.5;  // segments: a line and the blends at its ends, an arc's half
+  const std::vector<double> candidates = waypoint_candidates(path);
+  std::size_t next = 0;
+  for (const Pose& waypoint : followed.waypoints) {
+    double nearest = std::numeric_limits<double>::infinity();
+    std::size_t best = next;
+    for (std::size_t i = next; i < candidates.size(); ++i) {
+      if (candidates[i] > candidates[next] + window) break;
+      const Deviation off = task_deviation(followed.task, waypoint, pose_at(path, candidates[i]));
+      const double distance = off.position + metres_per_radian * off.orientation;
+      if (!(distance < nearest)) continue;
+      nearest = distance;
+      best = i;
+    }
+    if (best >= candidates.size()) break;
+    placed.poses.push_back(waypoint);
+    placed.path_parameters.push_back(candidates[best]);
+    next = best + 1;
+  }
+  return placed;
+}
+
+std::optional<double> time_at(const Trajectory& trajectory, const FollowedPath& followed,
+                              double s) {
+  const std::vector<double>& at = followed.path_parameters;
+  for (std::size_t k = 0; k < at.size() && k < trajectory.size(); ++k) {
+    if (at[k] < s - 1e-9) continue;
+    if (k == 0 || at[k] <= s) return trajectory.times[k];
+    const double part = std::clamp((s - at[k - 1]) / (at[k] - at[k - 1]), 0.0, 1.0);
+    return trajectory.times[k - 1] + part * (trajectory.times[k] - trajectory.times[k - 1]);
+  }
+  return std::nullopt;
+}
 
 PathTrace trace_path(const Arm& arm, const Trajectory& trajectory, const FollowedPath& followed) {
   const ToolPath& path = followed.path;
@@ -101,6 +159,11 @@ PathTrace trace_path(const Arm& arm, const Trajectory& trajectory, const Followe
   const std::size_t reached = arrivals(path_parameters).size();
   for (std::size_t i = 0; i < reached; ++i) {
     trace.segment_ends.push_back(ranges[i].begin + ranges[i].length);
+  }
+  for (const double s : placed_waypoints(followed).path_parameters) {
+    if (!time_at(trajectory, followed, s)) continue;
+    const std::size_t i = segment_at(path, s);
+    trace.waypoints.push_back(ranges[i].begin + (s - static_cast<double>(i)) * ranges[i].length);
   }
   return trace;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <span>
+#include <optional>
 #include <vector>
 
 #include <beeline/draw/timing_figure.h>
@@ -25,11 +25,25 @@ struct PathTrace {
   };
   std::vector<Point> points;
   std::vector<Step> steps;
-  std::vector<double> segment_ends;  ///< arc length at the end of each segment
+  std::vector<double> segment_ends;  ///< arc length at the end of each segment that is reached
+  std::vector<double> waypoints;     ///< arc length at each waypoint that is reached
   std::vector<Vector3> polyline;     ///< the path, metres
   /// Some segment's length is that of its rotation (`min_metres_per_radian` for each radian).
   bool has_pure_rotation = false;
 };
+
+/// Returns the waypoints of the path with their path parameters, in order: those of `followed`,
+/// each at the nearest of the ends and middles of the next segments (a blend passes its waypoint in
+/// the middle), or the ends of the segments.
+struct PlacedWaypoints {
+  std::vector<Pose> poses;
+  std::vector<double> path_parameters;
+};
+PlacedWaypoints placed_waypoints(const FollowedPath& followed);
+
+/// Returns the time at which the motion reaches the path parameter s, seconds; none where it ends
+/// before.
+std::optional<double> time_at(const Trajectory& trajectory, const FollowedPath& followed, double s);
 
 /// Measures the deviation of a trajectory, whose columns are in the arm's order, from its path.
 /// Throws Error when sizes do not fit.

@@ -69,8 +69,8 @@ struct Painter {
     for (const int axis : order) {
       const PaperPoint direction = projection.direction(frame.pose.linear().col(axis));
       if (direction.norm() < 0.1) continue;
-      arrow({origin, origin + frame.length * pen * direction}, distinct_colour(axis), 1.6, pen, {},
-            marks);
+      arrow({origin, origin + frame.length * pen * direction}, distinct_colour(axis), frame.width,
+            pen, {}, marks);
     }
   }
 

@@ -95,6 +95,24 @@ std::vector<std::string> wrapped(const std::string& text, double size, double wi
   return lines;
 }
 
+std::vector<std::string> balanced(const std::string& text, double size, double width, bool bold) {
+  std::vector<std::string> lines = wrapped(text, size, width, bold);
+  double low = 0, high = width;
+  while (lines.size() > 1 && high - low > 0.5) {
+    const double middle = (low + high) / 2;
+    std::vector<std::string> narrower = wrapped(text, size, middle, bold);
+    const bool cut_off = std::any_of(narrower.begin(), narrower.end(),
+                                     [](const auto& line) { return line.ends_with("…"); });
+    if (narrower.size() == lines.size() && !cut_off) {
+      lines = std::move(narrower);
+      high = middle;
+    } else {
+      low = middle;
+    }
+  }
+  return lines;
+}
+
 std::string fixed(double value, int decimals) {
   const std::string text = fixed_point(value, decimals);
   if (text.front() != '-') return text;

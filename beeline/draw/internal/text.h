@@ -19,6 +19,11 @@ std::string drawable(std::string_view text);
 std::vector<std::string> wrapped(const std::string& text, double size, double width,
                                  bool bold = false);
 
+/// The same in as few lines, each as short as that number of lines allows, so that no last line
+/// holds a single word.
+std::vector<std::string> balanced(const std::string& text, double size, double width,
+                                  bool bold = false);
+
 /// Formats a number with a fixed number of decimals and a typographic minus sign; never "−0".
 std::string fixed(double value, int decimals);
 

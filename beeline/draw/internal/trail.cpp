@@ -67,7 +67,7 @@ void add_line(Scene& scene, const std::vector<Vector3>& points, double appears) 
     if (points[i].z() < floor) below.push_back(points[i]);
     const bool ends = i + 1 == points.size() || points[i].z() >= floor;
     if (!ends || below.empty()) continue;
-    scene.add(Layer::trail, Polyline{below, below_ground, 1.6, {4, 2}}, appears);
+    scene.add(Layer::trail, Polyline{below, below_ground, 1.4}, appears);
     below.clear();
   }
 }
