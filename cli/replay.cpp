@@ -193,7 +193,8 @@ Verb replay_verb() {
       .description =
           "Checks a recording against the arm's limits and resamples it. The samples hold the "
           "limits of position, velocity, acceleration and jerk at all times where the recording "
-          "does: it is slowed down where a rate needs it. Prints a status, the number of samples, "
+          "does: it is slowed down where a rate needs it. Where the recording stops, the replay "
+          "does too, and dwells are never shorter. Prints a status, the number of samples, "
           "the duration and the lead-in in seconds, and the largest fraction of each limit. The "
           "recording is in radians and metres; --degrees applies to --from and to printed angles.",
       .arguments = {arguments.arm.argument(),

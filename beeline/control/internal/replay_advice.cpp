@@ -18,8 +18,8 @@ class AdviceSearch {
 
   /// The highest speed found, from this one on down.
   std::string speed(double first) {
-    constexpr int max_speeds = 12;
-    constexpr double step = 0.8;
+    constexpr int max_speeds = 16, small_steps = 4;  // first, as the suggested speed is near
+    constexpr double step = 0.8, small_step = 1 - 1e-4;
     double next = first;
     for (int tries = 0; tries < max_speeds; ++tries) {
       const double tried = printed_below(next);
@@ -28,7 +28,8 @@ class AdviceSearch {
       if (attempt.replay) {
         return "a speed of at most " + number(tried) + " keeps the limits";
       }
-      next = std::min(attempt.speed.value_or(step * tried), (1 - 1e-4) * tried);
+      next = std::min(attempt.speed.value_or(step * tried),
+                      (tries < small_steps ? small_step : step) * tried);
     }
     return {};
   }
