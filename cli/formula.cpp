@@ -33,7 +33,8 @@ const std::vector<ContentName> content_names{
     {"links", {&FormulaContent::links}},
     {"jacobian", {&FormulaContent::jacobian}},
     {"derivative", {&FormulaContent::derivative}},
-    {"determinant", {&FormulaContent::determinant}}};
+    {"determinant", {&FormulaContent::determinant}},
+    {"inverse", {&FormulaContent::inverse}}};
 
 /// The names between the commas of --of.
 std::vector<std::string> wanted_names(std::string_view list) {
@@ -49,7 +50,8 @@ std::vector<std::string> wanted_names(std::string_view list) {
   return wanted;
 }
 
-FormulaContent content_of(const FormulaArguments& arguments, const Arm& arm) {
+FormulaContent content_of(const FormulaArguments& arguments, const Arm& arm,
+                          const SymbolicArm& symbolic) {
   FormulaContent content{.links = false, .products = arguments.all, .tool = false};
   content.task = arguments.jacobian.read(arm);
   content.frame = frame_named(arguments.jacobian.frame);
@@ -58,8 +60,9 @@ FormulaContent content_of(const FormulaArguments& arguments, const Arm& arm) {
       if (wanted != named.name && wanted != "all") continue;
       for (const auto member : named.members) content.*member = true;
     }
-    // All that there is: only a square Jacobian has a determinant.
-    if (wanted == "all") content.determinant = content.task.size() == arm.dof();
+    if (wanted != "all") continue;  // all that there is
+    content.determinant = content.task.size() == arm.dof();
+    content.inverse = has_inverse_formula(symbolic);
   }
   return content;
 }
@@ -127,7 +130,7 @@ Answer formula(const FormulaArguments& arguments) {
   }
   const Arm arm = arguments.arm.read({});
   const SymbolicArm symbolic = symbolic_arm(arm, {.angle_tolerance = arguments.angle_tolerance});
-  const FormulaContent content = content_of(arguments, arm);
+  const FormulaContent content = content_of(arguments, arm, symbolic);
   const bool written = arguments.as == "text" || arguments.as == "latex";
   Answer answer = written ? written_formulas(arguments, symbolic, content)
                           : generated_code(arguments, symbolic, content);
@@ -146,7 +149,8 @@ std::vector<Option> formula_options(FormulaArguments& arguments) {
            .help = "What is derived: forward (the transform of each link and the pose of the "
                    "tool), links (the transforms alone), jacobian, derivative (of the Jacobian, by "
                    "time), determinant (with the "
-                   "singularities that it shows), or all; several with "
+                   "singularities that it shows), inverse (kinematics of a planar arm, in steps), "
+                   "or all; several with "
                    "commas between.",
            .target = &arguments.of},
           {.name = "--all",

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <optional>
 
 #include <beeline/formula/formula.h>
 #include <beeline/formula/internal/numeric_twists.h>
@@ -157,6 +156,21 @@ std::string frame_name(const TransformList& list, std::size_t place) {
   return number == 0 ? "the world" : "link " + std::to_string(number - 1);
 }
 
+/// Compares the determinant with that of the Jacobian in numbers.
+void check_determinant(const SymbolicArm& arm, const TransformList& list, const Task& task,
+                       const DeterminantFormula& determinant) {
+  const TwistFrame frame = equivalent_frames(list, task).front();
+  for (const Configuration& q : internal::check_configurations(arm, 3)) {
+    const std::vector<double> symbols = symbol_values(arm, q);
+    const std::vector<Pose> places = internal::place_poses(list, symbols);
+    const Jacobian columns = internal::numeric_twists(arm, list, places, symbols, frame);
+    const Eigen::MatrixXd square = columns(rows_of(task), Eigen::all);
+    internal::check_formula(arm, Eigen::MatrixXd::Constant(1, 1, determinant.value(symbols)),
+                            Eigen::MatrixXd::Constant(1, 1, square.determinant()),
+                            "the determinant");
+  }
+}
+
 }  // namespace
 
 double DeterminantFormula::value(std::span<const double> symbols) const {
@@ -200,6 +214,7 @@ DeterminantFormula determinant_formula(const SymbolicArm& arm, const Task& task)
                      };
                      return rank(a.first) < rank(b.first);
                    });
+  check_determinant(arm, list, task, determinant);
   return determinant;
 }
 

@@ -1,6 +1,7 @@
 #include <beeline/formula/document.h>
 #include <beeline/formula/internal/convention_text.h>
 #include <beeline/formula/internal/document_writer.h>
+#include <beeline/formula/internal/planar_inverse.h>
 #include <beeline/formula/internal/singularity.h>
 
 namespace beeline {
@@ -107,12 +108,24 @@ WrittenSection determinant_section(DocumentWriter& writer, const SymbolicArm& ar
   return section;
 }
 
+WrittenSection inverse_section(DocumentWriter& writer, const SymbolicArm& arm) {
+  const internal::InverseDerivation derivation = internal::planar_inverse(arm);
+  WrittenSection section{.key = "inverse", .title = "Inverse kinematics"};
+  const std::string given = derivation.theta >= 0 ? "x, y, theta" : "x, y";
+  section.remarks.push_back("Given the tool's " + given + ".");
+  section.formulas = writer.derivation(derivation);
+  section.sentences = writer.remarks(derivation);
+  return section;
+}
+
 }  // namespace
 
 std::string written(const Expression& expression, const SymbolicArm& arm,
                     const FormulaStyle& style) {
   return DocumentWriter(arm, style).text(expression);
 }
+
+bool has_inverse_formula(const SymbolicArm& arm) { return internal::has_inverse_derivation(arm); }
 
 FormulaDocument formula_document(const SymbolicArm& arm, const FormulaContent& content,
                                  const FormulaStyle& style) {
@@ -131,13 +144,14 @@ FormulaDocument formula_document(const SymbolicArm& arm, const FormulaContent& c
   }
   if (content.determinant)
     document.sections.push_back(determinant_section(writer, arm, content.task));
+  if (content.inverse) document.sections.push_back(inverse_section(writer, arm));
   document.symbols = writer.symbols();
   document.abbreviations = writer.abbreviations();
-  if (arm.rounding > 1e-15) {
+  if (arm.rounding > 1e-14) {
     document.notes.push_back(
-        "Constant angles near a multiple of 15 degrees are taken as that multiple; the largest "
-        "change is " +
-        number(arm.rounding) + " rad.");
+        "Constant angles near a multiple of 15 degrees are taken as exact. The largest change is " +
+        number(arm.rounding) + " rad; it changes the pose by at most " + number(arm.deviation) +
+        " (m, and of the entries of the rotation) at three random configurations.");
   }
   return document;
 }

@@ -27,6 +27,7 @@ struct WrittenFormula {
   /// Names of the cells, for a matrix that is too wide to be printed as such; cells without a name
   /// are left out then.
   std::vector<std::vector<std::string>> cell_names = {};
+  std::string explanation = {};  ///< a sentence in front of it
 };
 
 struct WrittenSection {
@@ -42,6 +43,8 @@ struct WrittenSymbol {
   std::string code_name;  ///< in generated code
   double value = 0;
   std::string unit, meaning;
+  /// The value with its unit: `0.425 m`, `0.3 rad (17.1887339 deg)`.
+  std::string quantity() const;
 };
 
 /// Formulas of an arm as strings, in order.
@@ -63,9 +66,14 @@ struct FormulaContent {
   bool jacobian = false;     ///< the rows of the task, in its frame
   bool derivative = false;   ///< the time derivative of the same
   bool determinant = false;  ///< of the rows of the task, and the singularities that it shows
+  bool inverse = false;      ///< inverse kinematics of a planar arm in steps
   Frame frame = Frame::base;
   Task task = Task::spatial();  ///< its rows; planar arms have Task::planar()
 };
+
+/// Whether FormulaContent::inverse can be derived: for planar arms RR, RP, PR, PP (the position is
+/// given) and with a third joint (the pose), described by planar links.
+bool has_inverse_formula(const SymbolicArm& arm);
 
 /// Derives and writes formulas. Throws Error for a formula that is too large.
 FormulaDocument formula_document(const SymbolicArm& arm, const FormulaContent& content = {},

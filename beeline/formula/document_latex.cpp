@@ -111,10 +111,10 @@ std::string latex_of(const WrittenFormula& formula) {
 std::string symbol_table(const FormulaDocument& document) {
   std::string text;
   if (!document.symbols.empty()) {
-    text += "\\begin{tabular}{@{}lrll@{}}\n";
+    text += "\\begin{tabular}{@{}lll@{}}\n";
     for (const WrittenSymbol& symbol : document.symbols) {
-      text += "  $" + symbol.name + "$ & $" + internal::decimal(symbol.value) + "$ & " +
-              symbol.unit + " & " + escaped(symbol.meaning) + " \\\\\n";
+      text += "  $" + symbol.name + "$ & " + symbol.quantity() + " & " + escaped(symbol.meaning) +
+              " \\\\\n";
     }
     text += "\\end{tabular}\n\n";
   }
@@ -140,7 +140,10 @@ std::string latex_of(const FormulaDocument& document, bool standalone) {
   for (const WrittenSection& section : document.sections) {
     text += "\n\\subsection*{" + escaped(section.title) + "}\n";
     for (const std::string& remark : section.remarks) text += remark + "\n\n";
-    for (const WrittenFormula& formula : section.formulas) text += latex_of(formula);
+    for (const WrittenFormula& formula : section.formulas) {
+      if (!formula.explanation.empty()) text += formula.explanation + "\n";
+      text += latex_of(formula);
+    }
     for (const std::string& sentence : section.sentences) text += sentence + "\n\n";
   }
   const std::string symbols = symbol_table(document);

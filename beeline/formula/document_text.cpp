@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include <beeline/formula/document.h>
 #include <beeline/formula/internal/notation.h>
@@ -83,8 +85,7 @@ std::string symbol_table(const FormulaDocument& document) {
   std::size_t names = 0;
   for (const WrittenSymbol& symbol : document.symbols) names = std::max(names, width(symbol.name));
   for (const WrittenSymbol& symbol : document.symbols) {
-    text += "  " + padded(symbol.name, names) + " = " +
-            padded(internal::decimal(symbol.value) + ' ' + symbol.unit, 16) + "  " +
+    text += "  " + padded(symbol.name, names) + " = " + padded(symbol.quantity(), 16) + "  " +
             symbol.meaning + "\n";
   }
   std::string line = "  ";
@@ -103,6 +104,13 @@ std::string symbol_table(const FormulaDocument& document) {
 
 }  // namespace
 
+std::string WrittenSymbol::quantity() const {
+  const std::string text = internal::decimal(value) + ' ' + unit;
+  if (unit != "rad") return text;
+  const double degrees = std::round(value * 180 / std::numbers::pi * 1e9) / 1e9;
+  return text + " (" + internal::decimal(degrees) + " deg)";
+}
+
 std::string text_of(const FormulaDocument& document) {
   std::string text = document.title + "\n" + document.convention + "\n";
   for (const WrittenSection& section : document.sections) {
@@ -111,6 +119,7 @@ std::string text_of(const FormulaDocument& document) {
     for (std::size_t i = 0; i < section.formulas.size(); ++i) {
       const WrittenFormula& formula = section.formulas[i];
       const bool spaced = i > 0 && formula.cells.size() > 1;
+      if (!formula.explanation.empty()) text += "  " + formula.explanation + "\n";
       text += (spaced ? "\n" : "") + text_of(formula);
     }
     for (const std::string& sentence : section.sentences) text += "  " + sentence + "\n";

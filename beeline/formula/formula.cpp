@@ -1,10 +1,13 @@
 #include <beeline/formula/formula.h>
+#include <beeline/formula/internal/numeric_twists.h>
 #include <beeline/formula/internal/symbolic_chain.h>
 
 namespace beeline {
 namespace {
 
-ExpressionMatrix matrix_of(const internal::SymbolicPose& pose) {
+/// The pose of frame `to` in frame `from`, see pose_between(), compared with numbers.
+ExpressionMatrix pose_matrix(const SymbolicArm& arm, std::size_t from, std::size_t to) {
+  const internal::SymbolicPose pose = internal::pose_between(arm, from, to);
   const internal::ExpressionRotation rotation = pose.rotation();
   ExpressionMatrix matrix{4, 4, std::vector<Expression>(16)};
   for (std::size_t row = 0; row < 3; ++row) {
@@ -14,6 +17,11 @@ ExpressionMatrix matrix_of(const internal::SymbolicPose& pose) {
     matrix(row, 3) = pose.position()[row];
   }
   matrix(3, 3) = 1;
+  for (const Configuration& q : internal::check_configurations(arm, 2)) {
+    const std::vector<double> symbols = symbol_values(arm, q);
+    const Pose expected = internal::numeric_pose(arm, from, to, symbols);
+    internal::check_formula(arm, matrix.value(symbols), expected.matrix(), "a pose");
+  }
   return matrix;
 }
 
@@ -43,19 +51,17 @@ ExpressionMatrix link_formula(const SymbolicArm& arm, std::size_t i, std::size_t
                 arm.name + ": links are numbered from 0 to " + std::to_string(arm.links()) +
                 ", the second is not above the first");
   }
-  return matrix_of(internal::pose_between(arm, k + 1, i + 1));
+  return pose_matrix(arm, k + 1, i + 1);
 }
 
 ExpressionMatrix tool_formula(const SymbolicArm& arm) {
-  return matrix_of(internal::pose_between(arm, 0, arm.transforms.size()));
+  return pose_matrix(arm, 0, arm.transforms.size());
 }
 
-ExpressionMatrix base_formula(const SymbolicArm& arm) {
-  return matrix_of(internal::pose_between(arm, 0, 1));
-}
+ExpressionMatrix base_formula(const SymbolicArm& arm) { return pose_matrix(arm, 0, 1); }
 
 ExpressionMatrix flange_formula(const SymbolicArm& arm) {
-  return matrix_of(internal::pose_between(arm, arm.transforms.size() - 1, arm.transforms.size()));
+  return pose_matrix(arm, arm.transforms.size() - 1, arm.transforms.size());
 }
 
 PlanarAngle planar_angle(const SymbolicArm& arm) {

@@ -1,4 +1,5 @@
 #include <beeline/formula/formula.h>
+#include <beeline/formula/internal/numeric_twists.h>
 #include <beeline/formula/internal/symbolic_chain.h>
 #include <beeline/formula/internal/symbolic_twists.h>
 
@@ -16,6 +17,13 @@ ExpressionMatrix jacobian_formula(const SymbolicArm& arm, Frame frame) {
       matrix(row, k) = twists[k].linear[row];
       matrix(row + 3, k) = twists[k].angular[row];
     }
+  }
+  for (const Configuration& q : internal::check_configurations(arm, 2)) {
+    const std::vector<double> symbols = symbol_values(arm, q);
+    const std::vector<Pose> places = internal::place_poses(list, symbols);
+    internal::check_formula(arm, matrix.value(symbols),
+                            internal::numeric_twists(arm, list, places, symbols, place),
+                            "the Jacobian");
   }
   return matrix;
 }

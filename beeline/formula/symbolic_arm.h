@@ -53,7 +53,9 @@ struct SymbolicArm {
   /// Transform 0 is the base in the world, transform i link i in link i-1, transform n+1 the tool
   /// in link n.
   std::vector<std::vector<ElementaryTransform>> transforms = {};
-  double rounding = 0;  ///< largest change of an angle, rad
+  double rounding = 0;   ///< largest change of an angle by SymbolicOptions::angle_tolerance, rad
+  double deviation = 0;  ///< largest difference of a link's or the tool's pose matrix from the
+                         ///< arm's, over three random configurations
   SymbolicOptions options = {};
 
   std::size_t links() const { return transforms.size() - 2; }
@@ -61,7 +63,9 @@ struct SymbolicArm {
 
 /// Names the dimensions of an arm. If all joints fit, the names are those of standard or modified
 /// Denavit-Hartenberg parameters, or of planar links; otherwise each joint has the offset x, y, z
-/// and named angles. The link frames are those of the arm, so link_poses() has the same values.
+/// and named angles. The link frames are those of the arm. The transforms are compared with
+/// link_poses() at random configurations before they are returned; each formula below is compared
+/// with them in turn.
 SymbolicArm symbolic_arm(const Arm& arm, const SymbolicOptions& options = {});
 
 /// The values of all symbols at a configuration and joint velocities (empty: zero), for

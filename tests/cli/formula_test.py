@@ -1,8 +1,8 @@
 """formula: fixed formulas of the chapter's arms, generated code that is compiled and run, LaTeX."""
 
+import re
 import shutil
 import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -254,3 +254,52 @@ def test_the_tool_and_the_mount_are_in_the_formulas(beeline):
     found = formulas(beeline, "rrr", "forward", "--tcp", "0.5,0,0", "--mount", "1,2,0")
     assert found["x"] == [["c₁₂₃(a₃ + xₜ) + x₀ + a₁c₁ + a₂c₁₂"]]
     assert "Tₜ³" in found and "T₀ʷ" in found
+
+
+@pytest.mark.parametrize("arm", ["rrr", "rp", "RR:1,2", "RP:1,0.5@30", "PR:1@30,2", "PP:0,0@90", "RPR:1,0@90,0.5",
+                                 "PPR:0,0@90,1", "RRP:1,2,0@90", "PRP:0,1,0@90", "RPP:1,0,0.2@45", "PRR:0@20,1,2",
+                                 "RRR:1@10,2@20,3@30"])
+def test_inverse_kinematics_in_steps(beeline, rows, arm):
+    """The steps, as they are printed, give the joint values of a pose; the solution is among both signs."""
+    document = beeline("formula", arm, "--of", "inverse", "--json").json
+    steps = [(formula["left"], formula["cells"][0][0]) for formula in document["inverse"]["formulas"]]
+    joints = sorted(left for left, _ in steps if left.startswith("q"))
+    constants = {plain(symbol["name"]): symbol["value"] for symbol in document["symbols"]}
+    for q in rows(20, len(joints)):
+        pose = beeline("fk", arm, "--q", text(q), "--json").json["pose"]["planar"]
+        found = []
+        for sign in (1, -1):
+            names = {"cos": np.cos, "sin": np.sin, "atan2": np.arctan2, "root": lambda s: np.sqrt(max(s, 0)),
+                     "sign": sign, "rad": np.pi / 180, "x": pose["x"], "y": pose["y"],
+                     "theta": pose["theta"], **constants}
+            for left, right in steps:
+                names[plain(left)] = eval(python_of(right), names)
+            found.append([names[plain(joint)] for joint in joints])
+        revolute = np.array([letter == "R" for letter in arm.upper().split(":")[0]])
+        differences = np.array(found) - q
+        differences[:, revolute] = np.angle(np.exp(1j * differences[:, revolute]))
+        assert np.abs(differences).max(axis=1).min() < 1e-6, (q, found, steps)
+
+
+SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₜ", "0123456789t")
+
+
+def plain(name):
+    return name.translate(SUBSCRIPTS).replace("θ", "theta")
+
+
+def python_of(formula):
+    """A printed formula as Python: products and functions without brackets are made explicit."""
+    formula = plain(formula).replace("−", "-").replace("±√(", "sign*root(").replace("± √(", "+ sign*root(")
+    formula = formula.replace("√2", "2**0.5").replace("√3", "3**0.5").replace("²", "**2").replace("°", "*rad")
+    formula = re.sub(r"(cos|sin) (theta\d?)", r"\1(\2)", formula)
+    tokens = re.findall(r"atan2|cos|sin|root|sign|rad|theta\d?|[a-z]\d?|\d+(?:\.\d+)?|\*\*|[-+*/(),]", formula)
+    result = []
+    for token in tokens:
+        before = result[-1] if result else ""
+        ends_factor = before == ")" or re.fullmatch(r"theta\d?|[a-z]\d?|\d+(\.\d+)?", before)
+        begins_factor = token == "(" or re.fullmatch(r"[a-z]\w*", token)
+        if ends_factor and begins_factor and before not in ("atan2", "cos", "sin", "root"):
+            result.append("*")
+        result.append(token)
+    return "".join(result)

@@ -111,6 +111,40 @@ std::string DocumentWriter::angle(const PlanarAngle& angle) {
   return text + ' ' + sign + ' ' + degrees;
 }
 
+std::vector<WrittenFormula> DocumentWriter::derivation(const InverseDerivation& derivation) {
+  const Notation notation(derivation.symbols, style_.latex);
+  std::vector<WrittenFormula> written;
+  for (const InverseStep& step : derivation.steps) {
+    std::set<int> symbols;
+    std::set<Trig> trigs;
+    collect(step.right, symbols, trigs);
+    for (const int symbol : symbols) {
+      if (symbol < static_cast<int>(arm_.symbols.size())) symbols_.insert(symbol);
+    }
+    written.push_back({notation.symbol(step.symbol), {{notation.text(step.right)}}});
+    written.back().explanation = step.explanation;
+  }
+  return written;
+}
+
+std::vector<std::string> DocumentWriter::remarks(const InverseDerivation& derivation) const {
+  const Notation notation(derivation.symbols, style_.latex);
+  std::vector<std::string> sentences;
+  for (const InverseRemark& remark : derivation.remarks) {
+    sentences.emplace_back();
+    std::size_t next = 0;
+    for (const char c : remark.sentence) {
+      if (c != '@') {
+        sentences.back() += c;
+        continue;
+      }
+      const std::string symbol = notation.symbol(remark.symbols[next++]);
+      sentences.back() += style_.latex ? '$' + symbol + '$' : symbol;
+    }
+  }
+  return sentences;
+}
+
 std::vector<WrittenSymbol> DocumentWriter::symbols() const {
   std::vector<WrittenSymbol> found;
   for (const int number : symbols_) {

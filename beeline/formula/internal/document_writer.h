@@ -7,6 +7,7 @@
 
 #include <beeline/formula/document.h>
 #include <beeline/formula/internal/notation.h>
+#include <beeline/formula/internal/planar_inverse.h>
 
 namespace beeline::internal {
 
@@ -31,6 +32,11 @@ class DocumentWriter {
   /// Rows of a Jacobian, or of its time derivative.
   WrittenFormula jacobian(const ExpressionMatrix& rows, const std::vector<std::string>& names,
                           bool derivative);
+
+  /// The steps of a derivation, with its explanations.
+  std::vector<WrittenFormula> derivation(const InverseDerivation& derivation);
+
+  std::vector<std::string> remarks(const InverseDerivation& derivation) const;
 
   /// The constants that have occurred, and the variables of mimic joints.
   std::vector<WrittenSymbol> symbols() const;

@@ -24,7 +24,8 @@ bool is_greek(const std::string& letter) {
 
 /// Whether the tree is written with a minus sign in front.
 bool is_negative(const Tree& tree) {
-  const bool has_coefficient = tree.kind == Tree::Kind::number || tree.kind == Tree::Kind::product;
+  const bool has_coefficient = tree.kind == Tree::Kind::number ||
+                               tree.kind == Tree::Kind::product || tree.function == "fifteenths";
   return has_coefficient && tree.coefficient.is_negative();
 }
 
@@ -195,10 +196,41 @@ std::string Notation::sum(const Tree& tree) const {
       text += this->text(part);
       continue;
     }
+    const bool either = part.kind == Tree::Kind::call && part.function == "branch";  // has ±
+    if (either) {
+      text += (latex_ ? " \\pm " : " ± ") + root(part);
+      continue;
+    }
     text += negative ? (latex_ ? " - " : " − ") : " + ";
     text += this->text(negative ? negated(part) : part);
   }
   return text;
+}
+
+/// A numerator or denominator on one line: in brackets unless it is one factor.
+std::string Notation::bracketed(const Tree& tree) const {
+  const bool one_factor =
+      tree.kind == Tree::Kind::symbol || tree.kind == Tree::Kind::trig ||
+      (tree.kind == Tree::Kind::product && tree.parts.size() == 1 &&
+       tree.coefficient == Coefficient(1) && tree.parts.front().kind != Tree::Kind::sum);
+  return one_factor ? text(tree) : '(' + text(tree) + ')';
+}
+
+std::string Notation::root(const Tree& tree) const {
+  const std::string square = text(tree.parts.front());
+  return latex_ ? "\\sqrt{" + square + '}' : "√(" + square + ')';
+}
+
+std::string Notation::call(const Tree& tree) const {
+  if (tree.function == "fifteenths") {
+    const Coefficient degrees = tree.coefficient * Coefficient(15);
+    return number(degrees, false) + (latex_ ? "^{\\circ}" : "°");
+  }
+  if (tree.function == "branch") return (latex_ ? "\\pm" : "±") + root(tree);
+  std::string arguments;
+  for (const Tree& part : tree.parts) arguments += (arguments.empty() ? "" : ", ") + text(part);
+  const std::string name = latex_ ? "\\operatorname{" + tree.function + '}' : tree.function;
+  return name + '(' + arguments + ')';
 }
 
 std::string Notation::text(const Tree& tree) const {
@@ -221,8 +253,10 @@ std::string Notation::text(const Tree& tree) const {
       return base + superscripts[tree.exponent];
     }
     case Tree::Kind::quotient:
+      if (latex_) return "\\frac{" + text(tree.parts[0]) + "}{" + text(tree.parts[1]) + '}';
+      return bracketed(tree.parts[0]) + '/' + bracketed(tree.parts[1]);
     case Tree::Kind::call:
-      break;
+      return call(tree);
   }
   return "";
 }

@@ -29,6 +29,9 @@ class Notation {
   std::string number(const Coefficient& coefficient, bool before_factors) const;
   int rank(const Tree& factor) const;
   std::string product(const Tree& tree) const;
+  std::string bracketed(const Tree& tree) const;
+  std::string call(const Tree& tree) const;
+  std::string root(const Tree& tree) const;
   std::string sum(const Tree& tree) const;
   std::string factor(const Tree& tree) const;
 

@@ -35,6 +35,17 @@ std::vector<Pose> place_poses(const TransformList& list, std::span<const double>
   return poses;
 }
 
+Pose numeric_pose(const SymbolicArm& arm, std::size_t from, std::size_t to,
+                  std::span<const double> symbols) {
+  Pose pose = Pose::Identity();
+  for (std::size_t i = from; i < to; ++i) {
+    for (const ElementaryTransform& transform : arm.transforms[i]) {
+      pose = pose * numeric(transform, symbols);
+    }
+  }
+  return pose;
+}
+
 Jacobian numeric_twists(const SymbolicArm& arm, const TransformList& list,
                         const std::vector<Pose>& places, std::span<const double> symbols,
                         const TwistFrame& frame) {
@@ -51,6 +62,15 @@ Jacobian numeric_twists(const SymbolicArm& arm, const TransformList& list,
     }
   }
   return columns;
+}
+
+void check_formula(const SymbolicArm& arm, const Eigen::MatrixXd& formula,
+                   const Eigen::MatrixXd& expected, const std::string& what) {
+  const double size = std::max(1.0, expected.cwiseAbs().maxCoeff());
+  const double difference = (formula - expected).cwiseAbs().maxCoeff();
+  if (difference <= 1e-9 * size) return;
+  throw Error("the formula of " + what + " of arm " + arm.name + " deviates by " +
+              number(difference) + "; please report this");
 }
 
 std::vector<Configuration> check_configurations(const SymbolicArm& arm, int count) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include <beeline/formula/internal/symbolic_twists.h>
@@ -11,10 +12,19 @@ namespace beeline::internal {
 /// The poses of all places of the list in the world, for given values of all symbols.
 std::vector<Pose> place_poses(const TransformList& list, std::span<const double> symbols);
 
+/// The pose of frame `to` in frame `from`, see pose_between().
+Pose numeric_pose(const SymbolicArm& arm, std::size_t from, std::size_t to,
+                  std::span<const double> symbols);
+
 /// The numbers of symbolic_twists() for places with these poses.
 Jacobian numeric_twists(const SymbolicArm& arm, const TransformList& list,
                         const std::vector<Pose>& places, std::span<const double> symbols,
                         const TwistFrame& frame);
+
+/// Throws Error, calling the formula `what`, if its numbers differ by more than rounding from those
+/// of the transforms.
+void check_formula(const SymbolicArm& arm, const Eigen::MatrixXd& formula,
+                   const Eigen::MatrixXd& expected, const std::string& what);
 
 /// Configurations at random, the same for each arm and call, for checks of formulas: angles within
 /// +-3 rad, displacements within +-1 m.

@@ -18,7 +18,8 @@ struct Tree {
     product,   ///< coefficient times the parts
     power,     ///< first part to the power `exponent`
     quotient,  ///< first part over second part
-    call       ///< function of the parts: "sqrt", "atan2"
+    call  ///< function of the parts: atan2, branch (plus or minus the root); or, without parts,
+          ///< fifteenths: coefficient * 15 degrees
   };
 
   Kind kind = Kind::number;

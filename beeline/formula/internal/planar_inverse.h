@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <beeline/formula/internal/tree.h>
+#include <beeline/formula/symbolic_arm.h>
+
+namespace beeline::internal {
+
+/// A step of a derivation: the quantity `symbol` equals `right`.
+struct InverseStep {
+  std::string explanation;  ///< a sentence that introduces it; empty: none
+  int symbol = -1;
+  Tree right;
+};
+
+/// A sentence in which each @ stands for the next of the symbols.
+struct InverseRemark {
+  std::string sentence;
+  std::vector<int> symbols = {};
+};
+
+/// The inverse kinematics of a planar arm in steps. Its functions are `sqrt`, `branch` (+-sqrt) and
+/// `atan2`.
+struct InverseDerivation {
+  std::vector<Symbol> symbols;     ///< of the arm, then x, y, theta and intermediate quantities
+  int x = -1, y = -1, theta = -1;  ///< the pose that is asked for; theta is -1 where it is free
+  std::vector<InverseStep> steps = {};
+  std::vector<InverseRemark> remarks = {};  ///< when there is a solution, and how many
+};
+
+/// Whether the arm is planar, its links are named as planar ones, and it is RR, RP, PR, PP (for a
+/// position), RRR, RPR, PRR, PPR, RRP, PRP or RPP (for a pose), without mimic joints, mount or tool
+/// beside the last link's axis.
+bool has_inverse_derivation(const SymbolicArm& arm);
+
+/// Derives the joint coordinates from the tool's position, or pose for three joints (Siciliano et
+/// al., section 2.12.2, for RRR). Each real solution is compared with the forward kinematics at
+/// random configurations before it is returned. Throws Error unless has_inverse_derivation(), and
+/// for dimensions with which the steps divide by zero.
+InverseDerivation planar_inverse(const SymbolicArm& arm);
+
+}  // namespace beeline::internal
