@@ -97,11 +97,24 @@ std::string as_entries(const WrittenFormula& formula) {
   return "\\begin{align*}\n" + lines + "\n\\end{align*}\n";
 }
 
-std::string latex_of(const WrittenFormula& formula) {
-  if (formula.cells.size() == 1 && formula.cells.front().size() == 1) {
-    return "\\begin{align*}\n  " + formula.left + " &= " + broken(formula.cells[0][0]) +
-           "\n\\end{align*}\n";
+bool is_line(const WrittenFormula& formula) {
+  return formula.cells.size() == 1 && formula.cells.front().size() == 1;
+}
+
+/// The formulas of one line from number i on, up to the next explanation; i becomes that of the
+/// last.
+std::string lines(const std::vector<WrittenFormula>& formulas, std::size_t& i) {
+  std::string text = "\\begin{align*}\n";
+  for (;; ++i) {
+    text += "  " + formulas[i].left + " &= " + broken(formulas[i].cells[0][0]);
+    const bool last = i + 1 == formulas.size() || !is_line(formulas[i + 1]) ||
+                      !formulas[i + 1].explanation.empty();
+    if (last) return text + "\n\\end{align*}\n";
+    text += " \\\\\n";
   }
+}
+
+std::string latex_of(const WrittenFormula& formula) {
   if (matrix_width(formula) > line_width) {
     return "\\noindent $" + formula.left + "$, column by column:\n" + as_entries(formula);
   }
@@ -140,9 +153,10 @@ std::string latex_of(const FormulaDocument& document, bool standalone) {
   for (const WrittenSection& section : document.sections) {
     text += "\n\\subsection*{" + escaped(section.title) + "}\n";
     for (const std::string& remark : section.remarks) text += remark + "\n\n";
-    for (const WrittenFormula& formula : section.formulas) {
+    for (std::size_t i = 0; i < section.formulas.size(); ++i) {
+      const WrittenFormula& formula = section.formulas[i];
       if (!formula.explanation.empty()) text += formula.explanation + "\n";
-      text += latex_of(formula);
+      text += is_line(formula) ? lines(section.formulas, i) : latex_of(formula);
     }
     for (const std::string& sentence : section.sentences) text += sentence + "\n\n";
   }
