@@ -70,7 +70,10 @@ FormulaContent content_of(const FormulaArguments& arguments, const Arm& arm,
 Json formula_json(const WrittenFormula& formula) {
   Json rows = Json::list();
   for (const std::vector<std::string>& row : formula.cells) rows.append(Json(row));
-  return {{"left", formula.left}, {"cells", rows}};
+  Json json{{"left", formula.left}, {"cells", rows}};
+  if (!formula.row_names.empty()) json.add("rows", formula.row_names);
+  if (!formula.explanation.empty()) json.add("explanation", formula.explanation);
+  return json;
 }
 
 Json document_json(const FormulaDocument& document) {
@@ -92,7 +95,10 @@ Json document_json(const FormulaDocument& document) {
   for (const WrittenSection& section : document.sections) {
     Json formulas = Json::list();
     for (const WrittenFormula& formula : section.formulas) formulas.append(formula_json(formula));
-    json.add(section.key, Json{{"formulas", formulas}, {"sentences", section.sentences}});
+    json.add(section.key, Json{{"title", section.title},
+                               {"remarks", section.remarks},
+                               {"formulas", formulas},
+                               {"sentences", section.sentences}});
   }
   return json;
 }
@@ -186,14 +192,34 @@ Verb formula_verb() {
   static FormulaArguments arguments;
   return {.name = "formula",
           .summary = "Derive the formulas of an arm: kinematics in symbols",
-          .description = "Derives the forward kinematics with names for the arm's dimensions.",
+          .description =
+              "Derives formulas of an arm in symbols, as a textbook writes them: the transform of "
+              "each link and the pose of the tool, the Jacobian and its time derivative, the "
+              "determinant of a square Jacobian with the singularities that it shows, and the "
+              "inverse kinematics of a planar arm in steps. Joints with parallel axes turn by a "
+              "sum of angles: c12 is cos(q1 + q2). Dimensions have the names of Denavit-Hartenberg "
+              "parameters or of planar links where the arm fits them, otherwise those of the "
+              "joints' offsets; a list gives their values. Constant angles that are multiples of "
+              "15 degrees are exact. The formulas are compared with the arm's kinematics at random "
+              "configurations before they are printed.\n\n"
+              "With --as python, c++ or c the answer is code in one file that needs the language's "
+              "mathematics alone: without branches, each common subexpression computed once. In "
+              "C and C++ a macro, BEELINE_FORMULA_FUNCTION, precedes each function; for CUDA "
+              "define it as __host__ __device__.",
           .arguments = {arguments.arm.argument()},
           .options = joined(
               {formula_options(arguments), arguments.jacobian.options(), arguments.arm.options()}),
           .examples = {{"The planar arm with three revolute joints: eq. 1.2 of the chapter",
                         "beeline formula rrr"},
                        {"The RP arm of the chapter's exercise, with its numbers",
-                        "beeline formula rp --numbers"}},
+                        "beeline formula rp --numbers"},
+                       {"The chapter's Jacobian, eq. 1.7, and the inverse kinematics in steps",
+                        "beeline formula rrr --of jacobian,inverse"},
+                       {"Where a UR5 is singular", "beeline formula ur5 --of determinant"},
+                       {"Everything about a Puma 560 as a LaTeX document",
+                        "beeline formula puma560 --of all --as latex --standalone --out puma.tex"},
+                       {"C++ code for the pose and the Jacobian of a Panda",
+                        "beeline formula panda --of forward,jacobian --as c++ --out panda.h"}},
           .json = &arguments.json,
           .run = [] { return formula(arguments); }};
 }

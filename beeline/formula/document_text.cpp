@@ -80,6 +80,23 @@ std::string text_of(const WrittenFormula& formula) {
   return total <= page_width ? as_matrix(formula, widths) : as_entries(formula);
 }
 
+/// A sentence on lines of the page's width.
+std::string wrapped(const std::string& sentence, const std::string& indent) {
+  std::string text, line = indent;
+  std::size_t begin = 0;
+  while (begin < sentence.size()) {
+    const std::size_t end = std::min(sentence.find(' ', begin), sentence.size());
+    const std::string word = sentence.substr(begin, end - begin);
+    if (line != indent && width(line) + 1 + width(word) > page_width) {
+      text += line + "\n";
+      line = indent;
+    }
+    line += (line == indent ? "" : " ") + word;
+    begin = end + 1;
+  }
+  return text + line + "\n";
+}
+
 std::string symbol_table(const FormulaDocument& document) {
   std::string text;
   std::size_t names = 0;
@@ -112,21 +129,21 @@ std::string WrittenSymbol::quantity() const {
 }
 
 std::string text_of(const FormulaDocument& document) {
-  std::string text = document.title + "\n" + document.convention + "\n";
+  std::string text = document.title + "\n" + wrapped(document.convention, "");
   for (const WrittenSection& section : document.sections) {
     text += "\n" + section.title + "\n";
-    for (const std::string& remark : section.remarks) text += "  " + remark + "\n";
+    for (const std::string& remark : section.remarks) text += wrapped(remark, "  ");
     for (std::size_t i = 0; i < section.formulas.size(); ++i) {
       const WrittenFormula& formula = section.formulas[i];
       const bool spaced = i > 0 && formula.cells.size() > 1;
-      if (!formula.explanation.empty()) text += "  " + formula.explanation + "\n";
+      if (!formula.explanation.empty()) text += wrapped(formula.explanation, "  ");
       text += (spaced ? "\n" : "") + text_of(formula);
     }
-    for (const std::string& sentence : section.sentences) text += "  " + sentence + "\n";
+    for (const std::string& sentence : section.sentences) text += wrapped(sentence, "  ");
   }
   const std::string symbols = symbol_table(document);
   if (!symbols.empty()) text += "\nwhere\n" + symbols;
-  for (const std::string& note : document.notes) text += "\n" + note + "\n";
+  for (const std::string& note : document.notes) text += "\n" + wrapped(note, "");
   return text;
 }
 

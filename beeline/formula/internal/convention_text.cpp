@@ -17,14 +17,14 @@ constexpr Sentence sentence(NamingConvention convention) {
     case NamingConvention::standard:
       return {
           "Standard Denavit-Hartenberg parameters: Tᵢ = Rz(qᵢ + θᵢ) Tz(dᵢ) Tx(aᵢ) Rx(αᵢ), "
-          "for a prismatic joint\nRz(θᵢ) Tz(qᵢ + dᵢ) Tx(aᵢ) Rx(αᵢ).",
+          "for a prismatic joint Rz(θᵢ) Tz(qᵢ + dᵢ) Tx(aᵢ) Rx(αᵢ).",
           "Standard Denavit--Hartenberg parameters: $T_i = "
           "R_z(q_i + \\theta_i)\\,T_z(d_i)\\,T_x(a_i)\\,R_x(\\alpha_i)$, for a prismatic joint "
           "$R_z(\\theta_i)\\,T_z(q_i + d_i)\\,T_x(a_i)\\,R_x(\\alpha_i)$."};
     case NamingConvention::modified:
       return {
           "Modified Denavit-Hartenberg parameters: Tᵢ = Tx(aᵢ₋₁) Rx(αᵢ₋₁) Rz(qᵢ + θᵢ) Tz(dᵢ), "
-          "for a prismatic joint\nTx(aᵢ₋₁) Rx(αᵢ₋₁) Rz(θᵢ) Tz(qᵢ + dᵢ).",
+          "for a prismatic joint Tx(aᵢ₋₁) Rx(αᵢ₋₁) Rz(θᵢ) Tz(qᵢ + dᵢ).",
           "Modified Denavit--Hartenberg parameters: $T_i = "
           "T_x(a_{i-1})\\,R_x(\\alpha_{i-1})\\,R_z(q_i + \\theta_i)\\,T_z(d_i)$, for a prismatic "
           "joint $T_x(a_{i-1})\\,R_x(\\alpha_{i-1})\\,R_z(\\theta_i)\\,T_z(q_i + d_i)$."};

@@ -115,13 +115,14 @@ std::vector<WrittenFormula> DocumentWriter::derivation(const InverseDerivation& 
   const Notation notation(derivation.symbols, style_.latex);
   std::vector<WrittenFormula> written;
   for (const InverseStep& step : derivation.steps) {
+    const Tree right = style_.numbers ? with_numbers(step.right, derivation.symbols) : step.right;
     std::set<int> symbols;
     std::set<Trig> trigs;
-    collect(step.right, symbols, trigs);
+    collect(right, symbols, trigs);
     for (const int symbol : symbols) {
       if (symbol < static_cast<int>(arm_.symbols.size())) symbols_.insert(symbol);
     }
-    written.push_back({notation.symbol(step.symbol), {{notation.text(step.right)}}});
+    written.push_back({notation.symbol(step.symbol), {{notation.text(right)}}});
     written.back().explanation = step.explanation;
   }
   return written;

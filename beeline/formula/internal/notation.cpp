@@ -209,8 +209,10 @@ std::string Notation::sum(const Tree& tree) const {
 
 /// A numerator or denominator on one line: in brackets unless it is one factor.
 std::string Notation::bracketed(const Tree& tree) const {
+  const bool number = tree.kind == Tree::Kind::number && tree.coefficient.denominator() == 1 &&
+                      !tree.coefficient.is_negative();
   const bool one_factor =
-      tree.kind == Tree::Kind::symbol || tree.kind == Tree::Kind::trig ||
+      number || tree.kind == Tree::Kind::symbol || tree.kind == Tree::Kind::trig ||
       (tree.kind == Tree::Kind::product && tree.parts.size() == 1 &&
        tree.coefficient == Coefficient(1) && tree.parts.front().kind != Tree::Kind::sum);
   return one_factor ? text(tree) : '(' + text(tree) + ')';

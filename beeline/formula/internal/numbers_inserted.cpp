@@ -1,4 +1,5 @@
 #include <cmath>
+#include <optional>
 
 #include <beeline/formula/internal/numbers_inserted.h>
 
@@ -56,6 +57,64 @@ Expression with_numbers(const Expression& expression, const SymbolicArm& arm) {
     if (!cancels) result.add(factors, number);
   }
   return result;
+}
+
+namespace {
+
+Tree number_tree(double value) { return {.coefficient = Coefficient::plain(value)}; }
+
+/// A product whose numbers are in its coefficient, or a sum whose numbers are one.
+Tree collected(Tree tree) {
+  const bool is_sum = tree.kind == Tree::Kind::sum;
+  if (!is_sum && tree.kind != Tree::Kind::product) return tree;
+  Coefficient number = is_sum ? Coefficient(0) : tree.coefficient;
+  std::vector<Tree> rest;
+  std::optional<std::size_t> place;  // of the first number
+  for (Tree& part : tree.parts) {
+    if (part.kind != Tree::Kind::number) {
+      rest.push_back(std::move(part));
+      continue;
+    }
+    number = is_sum ? number + part.coefficient : number * part.coefficient;
+    if (!place) place = rest.size();
+  }
+  if (rest.empty()) return {.coefficient = number};
+  if (is_sum && !number.is_zero()) {
+    rest.insert(rest.begin() + static_cast<std::ptrdiff_t>(*place), {.coefficient = number});
+  }
+  if (!is_sum) tree.coefficient = number;
+  tree.parts = std::move(rest);
+  return tree;
+}
+
+}  // namespace
+
+Tree with_numbers(const Tree& tree, const std::vector<Symbol>& symbols) {
+  const auto constant = [&symbols](int number) {
+    const Symbol& symbol = symbols[static_cast<std::size_t>(number)];
+    return symbol.coordinate < 0 && !symbol.meaning.empty();
+  };
+  if (tree.kind == Tree::Kind::symbol && constant(tree.symbol)) {
+    return number_tree(symbols[static_cast<std::size_t>(tree.symbol)].value);
+  }
+  if (tree.kind == Tree::Kind::trig) {
+    double angle = 0;
+    for (const auto& [number, multiple] : tree.trig.angle.multiples) {
+      if (!constant(number)) return tree;
+      angle += multiple * symbols[static_cast<std::size_t>(number)].value;
+    }
+    return number_tree(tree.trig.sine ? std::sin(angle) : std::cos(angle));
+  }
+  Tree result = tree;
+  for (Tree& part : result.parts) part = with_numbers(part, symbols);
+  if (result.kind == Tree::Kind::power && result.parts[0].kind == Tree::Kind::number) {
+    return number_tree(std::pow(result.parts[0].coefficient.value(), result.exponent));
+  }
+  if (result.kind == Tree::Kind::quotient && result.parts[1].kind == Tree::Kind::number) {
+    const double factor = 1 / result.parts[1].coefficient.value();
+    if (factor == 1) return Tree(result.parts[0]);
+  }
+  return collected(std::move(result));
 }
 
 }  // namespace beeline::internal

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include <beeline/formula/internal/tree.h>
 #include <beeline/formula/symbolic_arm.h>
 
 namespace beeline::internal {
@@ -7,5 +10,8 @@ namespace beeline::internal {
 /// The expression with the values of all constants in place of their symbols. Terms that cancel up
 /// to rounding are left out.
 Expression with_numbers(const Expression& expression, const SymbolicArm& arm);
+
+/// The same of a tree, without sums and products of numbers alone.
+Tree with_numbers(const Tree& tree, const std::vector<Symbol>& symbols);
 
 }  // namespace beeline::internal

@@ -11,7 +11,7 @@ namespace beeline::internal {
 ProgramChain::ProgramChain(const SymbolicArm& arm, bool numbers) : arm_(arm), numbers_(numbers) {
   const Program::Id zero = program_.number(0), one = program_.number(1);
   closed_ = {{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}};
-  position_ = open_position_ = {zero, zero, zero};
+  position_ = open_position_ = end_position_ = {zero, zero, zero};
   for (const auto& transforms : arm.transforms) {
     for (const ElementaryTransform& transform : transforms) {
       if (transform.rotation) {
@@ -151,26 +151,42 @@ ProgramRotation ProgramChain::axis_rotation(int axis, const Angle& angle) {
   return r;
 }
 
-/// An axis of the current frame, in the frame of closed_.
-ProgramVector ProgramChain::open_axis(int axis) {
-  const ProgramVector column = constant_column(axis);
-  return axis_ < 0 ? column : rotate(program_, axis_rotation(axis_, angle_), column);
+/// The rotation up to the end of the sum, in the world, without the constant one behind it.
+ProgramRotation ProgramChain::turned() {
+  if (axis_ < 0) return closed_;
+  const ProgramRotation open = axis_rotation(axis_, angle_);
+  return {rotate(program_, closed_, open[0]), rotate(program_, closed_, open[1]),
+          rotate(program_, closed_, open[2])};
 }
 
+/// Translations at the end of a sum are along columns of the rotation, which are needed anyway;
+/// those before are added up in the frame before the sum, where they are in a plane.
 ProgramVector ProgramChain::current_position() {
-  return add(program_, position_, rotate(program_, closed_, open_position_));
+  const ProgramVector inside = rotate(program_, closed_, open_position_);
+  const ProgramVector end = rotate(program_, turned(), end_position_);
+  return add(program_, add(program_, position_, inside), end);
 }
 
 void ProgramChain::close() {
   position_ = current_position();
-  const ProgramRotation before = closed_;
+  const ProgramRotation rotation = turned();
   for (int axis = 0; axis < 3; ++axis) {
-    closed_[static_cast<std::size_t>(axis)] = rotate(program_, before, open_axis(axis));
+    closed_[static_cast<std::size_t>(axis)] = rotate(program_, rotation, constant_column(axis));
   }
-  open_position_ = {program_.number(0), program_.number(0), program_.number(0)};
+  const Program::Id zero = program_.number(0);
+  open_position_ = end_position_ = {zero, zero, zero};
   constant_ = identity_rotation();
   axis_ = -1;
   angle_ = {};
+}
+
+/// Adds the translations at the end of the sum to those before, as the sum continues.
+void ProgramChain::move_end() {
+  const ProgramVector end =
+      axis_ < 0 ? end_position_ : rotate(program_, axis_rotation(axis_, angle_), end_position_);
+  const Program::Id zero = program_.number(0);
+  open_position_ = add(program_, open_position_, end);
+  end_position_ = {zero, zero, zero};
 }
 
 void ProgramChain::append_rotation(const ElementaryTransform& transform) {
@@ -184,6 +200,7 @@ void ProgramChain::append_rotation(const ElementaryTransform& transform) {
   const int sign =
       axis_ < 0 ? 0 : sign_along(constant_[static_cast<std::size_t>(transform.axis)], axis_);
   if (sign != 0) {
+    move_end();
     add_motions(transform);
     angle_ = angle_ + sign * angle;
     return;
@@ -197,15 +214,16 @@ void ProgramChain::append_rotation(const ElementaryTransform& transform) {
 void ProgramChain::append_translation(const ElementaryTransform& transform) {
   add_motions(transform);
   const ProgramVector step =
-      scale(program_, expression(transform.distance), open_axis(transform.axis));
-  open_position_ = add(program_, open_position_, step);
+      scale(program_, expression(transform.distance), constant_column(transform.axis));
+  end_position_ = add(program_, end_position_, step);
 }
 
 /// The motions of a transform for unit rates of the coordinates that it depends on.
 void ProgramChain::add_motions(const ElementaryTransform& transform) {
   const auto add_motion = [&](const Symbol& symbol, Program::Id rate) {
     motions_.push_back({symbol.coordinate, transform.rotation, rate,
-                        rotate(program_, closed_, open_axis(transform.axis)), current_position()});
+                        rotate(program_, turned(), constant_column(transform.axis)),
+                        current_position()});
   };
   if (transform.rotation) {
     const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(transform.symbol)];

@@ -56,9 +56,10 @@ class ProgramChain {
   ProgramVector unit(int axis);
   ProgramRotation axis_rotation(int axis, const Angle& angle);
   ProgramVector constant_column(int axis);
-  ProgramVector open_axis(int axis);
+  ProgramRotation turned();
   ProgramVector current_position();
   void close();
+  void move_end();
   void append_rotation(const ElementaryTransform& transform);
   void append_translation(const ElementaryTransform& transform);
   void add_motions(const ElementaryTransform& transform);
@@ -73,7 +74,7 @@ class ProgramChain {
   std::map<std::string, double> constants_;
   // As in SymbolicPose; the position of a sum of rotations is added up in its own frame.
   ProgramRotation closed_{};
-  ProgramVector position_{}, open_position_{};
+  ProgramVector position_{}, open_position_{}, end_position_{};
   ExpressionRotation constant_ = identity_rotation();
   int axis_ = -1;
   Angle angle_ = {};
