@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <tuple>
 
 #include <beeline/error.h>
 #include <beeline/read/arm.h>
@@ -21,6 +22,16 @@ namespace {
 bool is_name(const std::string& text) {
   return std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
          text.find(',') == std::string::npos;
+}
+
+/// The chapter names two arms by joint strings that mean planar arms with links of 1 m here.
+void hint_at_built_in(const std::string& text) {
+  for (const auto& [joints, name, what] :
+       {std::tuple{"RRRRRR", "puma560", "Puma"}, std::tuple{"RRRP", "scara", "SCARA"}}) {
+    if (text != joints) continue;
+    warn(text + " without lengths is a planar arm with links of 1 m; the chapter's " + what +
+         " is the built-in arm " + name);
+  }
 }
 
 }  // namespace
@@ -83,6 +94,7 @@ Arm ArmArgument::read(const UnitArgument& unit) const {
   std::vector<std::string> notes;
   const Arm described = read_arm(text, ends, &notes);
   for (const std::string& note : notes) warn(note + "; --tip selects another");
+  hint_at_built_in(text);
   Arm arm = described;
   if (!tcp.empty()) arm = with_tcp(arm, parse_frame_option(described, "--tcp", tcp, unit).pose);
   if (!mount.empty())

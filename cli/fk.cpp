@@ -24,6 +24,47 @@ std::string link_label(const Arm& arm, std::size_t i) {
   return link.empty() ? fmt::format("link{}", i) : link;
 }
 
+/// "T_2^1", the pose of link 2 in link 1, as in the chapter.
+std::string transform_name(std::size_t to, const std::string& in) {
+  return fmt::format("T_{}^{}", to, in);
+}
+
+/// The pose of every link in the one before and in the world, as matrices.
+Answer all_links(const Arm& arm, const Configuration& q, const UnitArgument& unit) {
+  const bool planar = arm.planar();
+  const std::vector<Pose> poses = link_poses(arm, q);
+  Answer answer;
+  Json links = Json::list();
+  const auto add = [&](const std::string& label, const Pose& in_world, const Pose* in_previous,
+                       const std::string& name, const std::string& previous) {
+    const std::string world = pose_matrix_text(in_world, planar);
+    answer.text += label + "\n";
+    answer.text +=
+        in_previous == nullptr
+            ? side_by_side({{"in the world", world}})
+            : side_by_side({{name + ", in " + previous, pose_matrix_text(*in_previous, planar)},
+                            {"in the world", world}});
+  };
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const std::string label = link_label(arm, i);
+    Json link = json_pose(poses[i], planar, unit);
+    link.add("link", label);
+    if (i == 0) {
+      add(label, poses[i], nullptr, "", "");
+    } else {
+      const Pose in_previous = poses[i - 1].inverse() * poses[i];
+      add(label, poses[i], &in_previous, transform_name(i, std::to_string(i - 1)),
+          link_label(arm, i - 1));
+      link.add("in_previous", json_pose(in_previous, planar, unit));
+    }
+    links.append(link);
+  }
+  const std::size_t n = poses.size() - 1;
+  add("tool", poses[n] * arm.tool(), &arm.tool(), fmt::format("T_t^{}", n), link_label(arm, n));
+  answer.document = {{"links", links}, {"tool_in_link", json_pose(arm.tool(), planar, unit)}};
+  return answer;
+}
+
 Answer fk(const FkArguments& arguments) {
   const UnitArgument& unit = arguments.unit;
   const Arm arm = arguments.arm.read(arguments.unit);
@@ -34,18 +75,9 @@ Answer fk(const FkArguments& arguments) {
     throw Error("--q: the tool's position exceeds the range of numbers, 1e308 m");
   }
   Answer answer;
-  Json links = Json::list();
-  const std::vector<Pose> poses = arguments.all ? link_poses(arm, q) : std::vector<Pose>{};
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const std::string label = link_label(arm, i);
-    answer.text += label + " in the world\n" + pose_text(poses[i], arm.planar(), unit);
-    Json link = json_pose(poses[i], arm.planar(), unit);
-    link.add("link", label);
-    links.append(link);
-  }
+  if (arguments.all) answer = all_links(arm, q, unit);
   answer.text += "tool in the world\n" + pose_text(tool, arm.planar(), unit);
-  answer.document = {{"pose", json_pose(tool, arm.planar(), unit)}};
-  if (arguments.all) answer.document.add("links", links);
+  answer.document.add("pose", json_pose(tool, arm.planar(), unit));
   return answer;
 }
 
@@ -67,14 +99,18 @@ Verb fk_verb() {
           "X, Y, Z, and the unit quaternion. Joint values outside the arm's limits give a "
           "warning.",
       .arguments = {arguments.arm.argument()},
-      .options = joined({{q},
-                         arguments.unit.options(),
-                         {{.name = "--all",
-                           .help = "Also print the pose of every link, from the base on.",
-                           .target = &arguments.all}},
-                         arguments.arm.options()}),
+      .options =
+          joined({{q},
+                  arguments.unit.options(),
+                  {{.name = "--all",
+                    .help = "Also print the homogeneous matrix of every link, from the base on: "
+                            "in the link before (T_1^0, T_2^1, ...) and in the world.",
+                    .target = &arguments.all}},
+                  arguments.arm.options()}),
       .examples = {{"The planar arm with three revolute joints, in degrees",
                     "beeline fk rrr --q 112,-52,-60 --degrees"},
+                   {"The matrices of the worked example, link by link",
+                    "beeline fk rrr --q 112,-52,-60 --degrees --all"},
                    {"All links of a Franka Panda, as JSON",
                     "beeline fk panda --q 0,-0.785,0,-2.356,0,1.571,0.785 --all --json"},
                    {"A gripper on a UR5 that stands on a table of 0.7 m",

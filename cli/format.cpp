@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <sstream>
 
 #include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>
@@ -43,6 +44,33 @@ std::string matrix_text(const Eigen::MatrixXd& matrix, const std::vector<std::st
     text += "\n";
   }
   return text;
+}
+
+std::string side_by_side(const std::vector<std::pair<std::string, std::string>>& columns) {
+  std::vector<std::string> lines;
+  std::size_t left = 0;  // width of the columns so far
+  for (const auto& [heading, text] : columns) {
+    std::vector<std::string> rows{"  " + heading};
+    std::istringstream stream(text);
+    for (std::string row; std::getline(stream, row);) rows.push_back(row);
+    lines.resize(std::max(lines.size(), rows.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      lines[i].resize(std::max(lines[i].size(), left), ' ');
+      lines[i] += rows[i];
+    }
+    for (const std::string& line : lines) left = std::max(left, line.size() + 3);
+  }
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+std::string pose_matrix_text(const Pose& pose, bool planar) {
+  if (!planar) return matrix_text(pose.matrix(), std::vector<std::string>(4));
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
+  matrix.topLeftCorner<2, 2>() = pose.linear().topLeftCorner<2, 2>();
+  matrix.topRightCorner<2, 1>() = pose.translation().head<2>();
+  return matrix_text(matrix, std::vector<std::string>(3));
 }
 
 std::string pose_text(const Pose& pose, bool planar, const UnitArgument& unit) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <beeline/kinematics/task.h>
@@ -24,6 +25,12 @@ std::string shown(const beeline::Pose& pose, bool planar, const UnitArgument& un
 
 /// A matrix in aligned columns, each row indented and labelled.
 std::string matrix_text(const Eigen::MatrixXd& matrix, const std::vector<std::string>& row_labels);
+
+/// Texts of several lines side by side, with the heading of each above it.
+std::string side_by_side(const std::vector<std::pair<std::string, std::string>>& columns);
+
+/// The homogeneous matrix of a pose, indented: 3 x 3 for a planar arm.
+std::string pose_matrix_text(const beeline::Pose& pose, bool planar);
 
 /// A pose on indented lines.
 std::string pose_text(const beeline::Pose& pose, bool planar, const UnitArgument& unit);

@@ -4,11 +4,13 @@
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/read/internal/numbers.h>
 #include <beeline/timing/point_to_point.h>
 
 #include "arm_argument.h"
 #include "budget_argument.h"
 #include "format.h"
+#include "gain_comparison.h"
 #include "result_files.h"
 #include "verbs.h"
 
@@ -24,6 +26,7 @@ struct MoveArguments {
   UnitArgument unit;
   std::string from, to;
   PidGains gains;
+  std::string kp = "0.1";  ///< one number or several
   SimulationOptions simulation;
   BudgetArgument budget;
   std::string method = feedback, synchronise = "time";
@@ -84,16 +87,51 @@ std::string move_text(const MoveArguments& arguments, const Arm& arm,
          arguments.files.text();
 }
 
+/// The proportional gains as typed.
+std::vector<double> gains_of(const MoveArguments& arguments) {
+  const std::string option = "--gain (--kp)";
+  std::vector<double> gains = internal::parse_numbers(arguments.kp, option);
+  for (const double gain : gains) {
+    if (!(gain > 0)) throw Error(option + " must be above 0, not " + number(gain));
+  }
+  constexpr std::size_t max_gains = 32;
+  if (gains.size() > max_gains) {
+    throw Error(option + " takes at most 32 gains, not " + std::to_string(gains.size()));
+  }
+  return gains;
+}
+
+/// One simulation for each gain.
+Answer compare_gains(const MoveArguments& arguments, const Arm& arm, const Configuration& from,
+                     const Configuration& to, const std::vector<double>& gains) {
+  if (!arguments.files.out.empty() || !arguments.files.plot.empty()) {
+    throw Error("several gains make one picture, --draw; --out and --plot are for one gain");
+  }
+  std::vector<GainMotion> motions;
+  for (const double gain : gains) {
+    SimulationOptions simulation = arguments.simulation;
+    simulation.budget = arguments.budget.next();
+    PidGains pid = arguments.gains;
+    pid.kp = gain;
+    motions.push_back({gain, control_joints(arm, from, to, pid, simulation)});
+  }
+  return compared_gains(motions, to, arguments.files.draw);
+}
+
 Answer move_joints(const MoveArguments& arguments) {
   arguments.files.check({arguments.arm.text, arguments.arm.srdf, arguments.arm.limits});
+  const std::vector<double> gains = gains_of(arguments);
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   const Configuration from =
       arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
   const Configuration to = arguments.arm.configuration(arm, arguments.to, "--to", arguments.unit);
+  if (gains.size() > 1) return compare_gains(arguments, arm, from, to, gains);
   SimulationOptions simulation = arguments.simulation;
   simulation.budget = arguments.budget.next();
+  PidGains pid = arguments.gains;
+  pid.kp = gains.front();
   const ControlledMotion motion = arguments.method == feedback
-                                      ? control_joints(arm, from, to, arguments.gains, simulation)
+                                      ? control_joints(arm, from, to, pid, simulation)
                                       : move_quickest(arguments, arm, from, to, simulation.budget);
   const bool reached(motion);
   const Pose goal = forward_kinematics(arm, to);
@@ -135,11 +173,11 @@ std::vector<Option> move_method_options(MoveArguments& arguments) {
   PidGains& gains = arguments.gains;
   SimulationOptions& simulation = arguments.simulation;
   return {{.name = "--kp",
-           .value = "K",
-           .help = "Proportional gain K_p, per step; the joints overshoot if it is above 1.",
-           .target = &gains.kp,
+           .value = "K[,K...]",
+           .help = "Proportional gain K_p, per step, above 0; the joints overshoot if it is above "
+                   "1. Several gains are compared in one table, and in one picture by --draw.",
+           .target = &arguments.kp,
            .alias = "--gain",
-           .range = above_zero,
            .methods = {feedback}},
           {.name = "--ki",
            .value = "K",
@@ -208,6 +246,10 @@ Verb move_verb() {
           {{"Proportional control of the planar arm, with a picture of the tool's path",
             "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --draw move.svg"},
            {"A gain above 1 overshoots", "beeline move rrr --from 0,0,0 --to 1,1,1 --kp 1.5"},
+           {"Gains side by side: too small is slow, too large overshoots",
+            "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --gain "
+            "0.05,0.1,0.5,1,1.5 "
+            "--draw gains.svg"},
            {"The quickest motion of a Franka Panda at 1 kHz",
             "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
             "--method quickest --rate 1000 --out move.csv"}},

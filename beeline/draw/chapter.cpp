@@ -9,11 +9,13 @@
 #include <beeline/draw/chapter.h>
 #include <beeline/draw/internal/annotation.h>
 #include <beeline/draw/internal/arm_scene.h>
+#include <beeline/draw/internal/concept_figures.h>
 #include <beeline/draw/internal/text.h>
 #include <beeline/draw/internal/trail.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
+#include <beeline/planning/move_along.h>
 
 namespace beeline {
 using namespace internal;
@@ -22,29 +24,6 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 Configuration degrees(double a, double b, double c) { return degree * Eigen::Vector3d(a, b, c); }
-
-std::string angles_text(const ConfigurationRef& q) {
-  std::string text;
-  for (int k = 0; k < q.size(); ++k) {
-    text += (k == 0 ? "θ" : ", θ") + subscript(k + 1) + " = " + degrees_text(q[k]);
-  }
-  return text;
-}
-
-/// Figure 1.3: the arm at q = 0, and with joints 2 and 3 actuated.
-Figure figure_1_3(const Arm& arm) {
-  const Configuration turned = degrees(0, 50, -80);
-  Panel rest, actuated;
-  add_arm(rest.scene, arm, degrees(0, 0, 0), {.frames = true, .tool = false});
-  rest.caption = "at rest: " + angles_text(degrees(0, 0, 0));
-  add_arm(actuated.scene, arm, turned, {.frames = true, .tool = false});
-  add_joint_angles(actuated.scene, arm, turned, 0.95);
-  actuated.caption = "actuated: " + angles_text(turned);
-  Figure figure;
-  figure.columns = {{rest, actuated}};
-  figure.width = 440;
-  return figure;
-}
 
 /// Figure 1.6: the worked example's two configurations.
 Figure figure_1_6(const Arm& arm) {
@@ -58,6 +37,11 @@ Figure figure_1_6(const Arm& arm) {
     figure.columns.push_back({panel});
   }
   return figure;
+}
+
+/// Returns how many twentieths of a second a motion lasts.
+std::size_t twentieths_of(const Trajectory& trajectory) {
+  return static_cast<std::size_t>(std::round(20 * trajectory.times.back()));
 }
 
 /// A motion with the start's faded arm, the trail, the goals and the caption of its figure.
@@ -128,16 +112,48 @@ Figure figure_1_8(const Arm& arm) {
   return figure;
 }
 
+/// The waypoints of Figure 1.9 by certified motions in minimum time: along straight lines with a
+/// stop at each waypoint, and along one spline without a stop.
+Figure figure_splines(const Arm& arm) {
+  std::vector<Pose> waypoints;
+  for (const Pose2& waypoint : figure_1_9_waypoints()) waypoints.push_back(to_space(waypoint));
+  std::vector<Pose> poses = waypoints;
+  const Configuration start = figure_1_9_start();
+  poses.insert(poses.begin(), forward_kinematics(arm, start));
+  Figure figure;
+  for (const PathKind path : {PathKind::line, PathKind::spline}) {
+    const ToolPath through =
+        path == PathKind::line ? lines_through(poses) : path_through(poses, path);
+    const PathMotion motion = move_along(arm, start, route_of(through, path));
+    Panel panel;
+    add_arm(panel.scene, arm, start, {.faded = true});
+    add_arm(panel.scene, arm, motion.trajectory.positions.back(), {.tool = false});
+    add_trail(panel.scene, arm, motion.trajectory, {.dots = 1 + twentieths_of(motion.trajectory)});
+    add_poses(panel.scene, waypoints, {"1", "2", "3"});
+    panel.caption = (path == PathKind::line ? "straight lines, a stop at each waypoint: "
+                                            : "one spline, no stop: ") +
+                    fixed(motion.trajectory.times.back(), 2) + " s; a dot each 0.05 s";
+    figure.columns.push_back({panel});
+  }
+  figure.width = 620;
+  return figure;
+}
+
 struct Entry {
   std::string_view number;
   Figure (*draw)(const Arm& arm);
 };
 
-constexpr std::array<Entry, 5> entries{{{"1.3", figure_1_3},
-                                        {"1.6", figure_1_6},
-                                        {"1.7", figure_1_7},
-                                        {"1.8", figure_1_8},
-                                        {"1.9", figure_1_9}}};
+constexpr std::array<Entry, 10> entries{{{"1.1", figure_1_1},
+                                         {"1.2", figure_1_2},
+                                         {"1.3", figure_1_3},
+                                         {"1.4", figure_1_4},
+                                         {"1.5", figure_1_5},
+                                         {"1.6", figure_1_6},
+                                         {"1.7", figure_1_7},
+                                         {"1.8", figure_1_8},
+                                         {"1.9", figure_1_9},
+                                         {"splines", figure_splines}}};
 
 }  // namespace
 

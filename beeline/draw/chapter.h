@@ -14,11 +14,11 @@
 namespace beeline {
 
 /// Returns the figure numbers of Dellaert, *Serial Link Manipulators*, that chapter_figure() draws:
-/// 1.3, 1.6, 1.7, 1.8, 1.9.
+/// 1.1 to 1.9, and "splines", the waypoints of Figure 1.9 by lines and by a spline.
 std::vector<std::string> chapter_figures();
 
-/// Draws a figure of the chapter, computed for its arm with link lengths 3.5, 3.5 and 2.
-/// Throws Error for an unknown number; the message lists the known ones.
+/// Draws a figure of the chapter; 1.3 and 1.6 to 1.9 are computed for its arm with link
+/// lengths 3.5, 3.5 and 2. Throws Error for an unknown number; the message lists the known ones.
 Figure chapter_figure(std::string_view number);
 
 /// Draws Figure 1.7 or 1.9 with the arm in motion. Throws Error for any other number.

@@ -29,6 +29,7 @@ struct Panel {
   double zoom = 1;     ///< scale relative to the other panels of the figure
   double pen = 1;      ///< factor on the sizes that the scene gives in points (line widths, text)
   bool labels = true;  ///< draw the scene's labels
+  bool axes = true;    ///< draw rulers or the ground grid with the scale bar
 };
 
 /// Panels in columns, each column from top to bottom. All panels have one scale (times their zoom),

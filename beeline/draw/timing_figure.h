@@ -39,4 +39,18 @@ struct TimingFigureOptions {
 Drawing timing_figure(const Arm& arm, const Trajectory& trajectory,
                       const TimingFigureOptions& options = {});
 
+/// A motion with the name of its curve.
+struct NamedMotion {
+  std::string name;
+  Trajectory trajectory;
+};
+
+/// Draws the step responses of controllers: for each motion, over time, the distance from its first
+/// sample towards the goal, in joint space, in percent of the distance to the goal: (q − q₀)·(g −
+/// q₀) / |g − q₀|². Above 100 the motion overshoots. The time axis ends where all motions have come
+/// within half a percent for good; a curve ends where it leaves ±300 %. Throws Error for a motion
+/// without samples, a goal of another size, and a goal equal to the start.
+Drawing step_response_figure(const std::vector<NamedMotion>& motions, const Configuration& goal,
+                             const std::string& title);
+
 }  // namespace beeline

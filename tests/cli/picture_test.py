@@ -119,3 +119,14 @@ def test_one_numbering_of_a_programs_moves(beeline, written, parsed):
     answer = beeline("check", "rrr", "m.csv", "--through", "pick.csv", "--degrees", "--plot", "c.svg")
     assert answer.code == 0, answer.err
     assert numbers(parsed, "d.svg") == numbers(parsed, "p.svg") == numbers(parsed, "c.svg") == {"1", "2", "3"}
+
+
+def test_all_figures(beeline, parsed, tmp_path, refused):
+    (tmp_path / "figures").mkdir()
+    answer = beeline("figure", "all", "--out", "figures", "--json")
+    assert answer.code == 0, answer.err
+    assert len(answer.json["files"]) == 10
+    for file in answer.json["files"]:
+        assert list(parsed(file).iter(SVG + "path"))
+    refused(3, "figure", "all", "--out", "nowhere", says=["nowhere", "folder"])
+    refused(2, "figure", "all", "--out", "figures", "--animate", "a.svg", says=["--animate"])

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -9,6 +10,7 @@
 #include <beeline/model/catalog.h>
 #include <beeline/pose/angle.h>
 
+#include <tests/draw/page.h>
 #include <tests/refusal.h>
 
 namespace beeline {
@@ -37,9 +39,73 @@ std::vector<Polyline> arrows(const Scene& scene) {
 }
 
 TEST(Chapter, RefusesOtherFigures) {
-  EXPECT_EQ(chapter_figures(), (std::vector<std::string>{"1.3", "1.6", "1.7", "1.8", "1.9"}));
-  EXPECT_REFUSED(chapter_figure("1.4"), "1.3, 1.6, 1.7, 1.8, 1.9");
-  EXPECT_REFUSED(chapter_figure(""), "1.3, 1.6, 1.7, 1.8, 1.9");
+  EXPECT_EQ(chapter_figures(), (std::vector<std::string>{"1.1", "1.2", "1.3", "1.4", "1.5", "1.6",
+                                                         "1.7", "1.8", "1.9", "splines"}));
+  EXPECT_REFUSED(chapter_figure("1.10"), "1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9");
+  EXPECT_REFUSED(chapter_figure(""), "1.7, 1.8, 1.9");
+}
+
+TEST(Chapter, EveryFigureFitsItsPage) {
+  for (const std::string& number : chapter_figures()) {
+    testing::expect_within_page(compose(chapter_figure(number)), number);
+  }
+}
+
+TEST(Chapter, Figures11And12ShowTheJointTypes) {
+  std::vector<JointKind> kinds;
+  const Figure two = chapter_figure("1.1"), six = chapter_figure("1.2");
+  for (const auto& column : two.columns) {
+    for (const Item& item : column[0].scene.items) {
+      if (const auto* joint = std::get_if<JointSymbol>(&item.shape)) kinds.push_back(joint->kind);
+    }
+  }
+  EXPECT_EQ(kinds, (std::vector<JointKind>{JointKind::revolute, JointKind::prismatic}));
+  std::string captions;
+  for (const auto& column : six.columns) {
+    for (const Panel& part : column) captions += part.caption + ";";
+  }
+  for (const char* type : {"prismatic (P)", "revolute (R)", "spherical (S)", "cylindrical (C)",
+                           "helical (H)", "planar (E)"}) {
+    EXPECT_NE(captions.find(type), std::string::npos) << type;
+  }
+}
+
+TEST(Chapter, Figures14And15NameTransformationsAnglesAndLengths) {
+  const auto texts = [](const std::string& number) {
+    std::string all;
+    const Figure figure = chapter_figure(number);
+    for (const Item& item : figure.columns[0][0].scene.items) {
+      if (const auto* label = std::get_if<Label>(&item.shape)) all += label->text + ";";
+    }
+    return all;
+  };
+  EXPECT_EQ(texts("1.4"), "{0};{1};{2};T₁⁰;T₂¹;T₂⁰;");
+  EXPECT_EQ(texts("1.5"), "{0};{1};{2};θ₁;θ₂;a₁;a₂;");
+}
+
+TEST(Chapter, TheSplinePassesTheWaypointsFaster) {
+  const Figure figure = chapter_figure("splines");
+  ASSERT_EQ(figure.columns.size(), 2u);
+  double durations[2];
+  for (std::size_t part = 0; part < 2; ++part) {
+    const std::string& caption = panel(figure, part).caption;
+    durations[part] = std::stod(caption.substr(caption.find(": ") + 2));
+    const auto& trail = std::get<Polyline>(
+        std::find_if(panel(figure, part).scene.items.begin(), panel(figure, part).scene.items.end(),
+                     [](const Item& item) {
+                       return item.layer == Layer::trail &&
+                              std::holds_alternative<Polyline>(item.shape);
+                     })
+            ->shape);
+    for (const Pose2& waypoint : figure_1_9_waypoints()) {
+      double nearest = 9;
+      for (const Vector3& p : trail.points) {
+        nearest = std::min(nearest, (p - Vector3(waypoint.x, waypoint.y, 0)).norm());
+      }
+      EXPECT_LT(nearest, 0.05);
+    }
+  }
+  EXPECT_LT(durations[1], durations[0]);
 }
 
 TEST(Chapter, Figure13NamesFourFrames) {

@@ -88,6 +88,14 @@ void add_joint_angles(Scene& scene, const Arm& arm, const ConfigurationRef& q, d
   }
 }
 
+std::string angles_text(const ConfigurationRef& q) {
+  std::string text;
+  for (int k = 0; k < q.size(); ++k) {
+    text += (k == 0 ? "θ" : ", θ") + subscript(k + 1) + " = " + degrees_text(q[k]);
+  }
+  return text;
+}
+
 std::string tool_text(const Arm& arm, const ConfigurationRef& q) {
   const Pose tool = forward_kinematics(arm, q);
   const Vector3 p = tool.translation();

@@ -9,8 +9,8 @@ namespace beeline::internal {
 
 /// Draws the linear velocity of each Jacobian column at the tool, times `scale` (metres of arrow
 /// for each metre per unit of the coordinate), in distinct_colour(k); Figure 1.8 of Dellaert,
-/// *Serial Link Manipulators*. An arrow along a shorter one is wider and below it. With `levers`, adds a dashed line from each revolute joint to the
-/// tool.
+/// *Serial Link Manipulators*. An arrow along a shorter one is wider and below it. With `levers`,
+/// adds a dashed line from each revolute joint to the tool.
 void add_jacobian_arrows(Scene& scene, const Arm& arm, const ConfigurationRef& q, double scale,
                          bool levers = false);
 
@@ -22,6 +22,9 @@ double jacobian_arrow_scale(const Arm& arm, const ConfigurationRef& q);
 /// extension of the previous link (dashed) to the joint's own link, labelled θ₁, θ₂, ... Angles
 /// below one degree are omitted.
 void add_joint_angles(Scene& scene, const Arm& arm, const ConfigurationRef& q, double radius);
+
+/// Formats the joint angles: "θ₁ = 0°, θ₂ = 90°".
+std::string angles_text(const ConfigurationRef& q);
 
 /// Formats the tool's pose: "(2.44, 6.28, 0°)" for a planar arm, otherwise the position,
 /// "(0.31, 0.00, 0.59) m".

@@ -77,9 +77,7 @@ double widest_tick(const Scale& scale) {
 
 std::string with_power(const std::string& unit, int exponent) {
   if (exponent == 0) return unit;
-  const char* small[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text = "10";
-  for (const char digit : std::to_string(exponent)) text += digit == '-' ? "⁻" : small[digit - '0'];
+  const std::string text = "10" + superscript(exponent);
   return unit.empty() ? text : text + " " + unit;
 }
 

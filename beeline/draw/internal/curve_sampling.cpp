@@ -8,7 +8,7 @@
 namespace beeline::internal {
 namespace {
 
-constexpr std::size_t max_points = 8000, max_parts = 40;  // a chart does not resolve more
+constexpr std::size_t max_chart_points = 8000, max_parts = 40;  // a chart does not resolve more
 
 using Values = std::array<double, max_parts + 1>;
 
@@ -31,8 +31,8 @@ void include_extremes(const Polynomial& p, std::size_t parts, Values& values) {
 }  // namespace
 
 CurveCollector::CurveCollector(Curve& curve, std::size_t expected)
-    : curve_(curve), group_size_(1 + 4 * expected / max_points) {
-  if (expected <= max_points) group_size_ = 1;
+    : curve_(curve), group_size_(1 + 4 * expected / max_chart_points) {
+  if (expected <= max_chart_points) group_size_ = 1;
 }
 
 void CurveCollector::add(double x, double y) {

@@ -54,7 +54,7 @@ void equalise_range(const std::vector<Cell*>& cells, int axis) {
 
 void measure_plot(Cell& cell) {
   cell.plot = cell.extent.size().cwiseMax(PaperPoint(min_width, min_height));
-  if (!cell.rulers) cell.plot.y() += scale_bar_height;
+  if (cell.scale_bar) cell.plot.y() += scale_bar_height;
   const double reach =
       std::max(cell.extent.low.cwiseAbs().maxCoeff(), cell.extent.high.cwiseAbs().maxCoeff());
   cell.step = tick_step(cell.scale, reach / cell.scale);
@@ -144,7 +144,7 @@ double Cell::width() const { return left + plot.x() + right_margin; }
 double Cell::height() const { return plot.y() + below + caption_height(); }
 
 PaperBox plot_box(const Cell& cell) {
-  const PaperPoint strip(0, cell.rulers ? 0 : scale_bar_height);
+  const PaperPoint strip(0, cell.scale_bar ? scale_bar_height : 0);
   const PaperPoint middle = (cell.extent.low + cell.extent.high + strip) / 2;
   return {middle - cell.plot / 2, middle + cell.plot / 2};
 }

@@ -17,7 +17,8 @@ struct Cell {
   const Panel* panel = nullptr;
   std::vector<Polyline> floor;        ///< the ground grid
   std::vector<Footprint> footprints;  ///< all content that must lie within the plot
-  bool rulers = false;
+  bool rulers = false;                ///< draw rulers
+  bool scale_bar = false;             ///< draw the world's axes and a scale bar
 
   // The following members hold for one scale; fit() sets them.
   double scale = 1;  ///< points per metre

@@ -16,8 +16,9 @@ Cell cell_of(const Panel& panel, std::span<const Scene> frames) {
   check_scene(panel.scene);
   Cell cell;
   cell.panel = &panel;
-  cell.rulers = has_rulers(panel.view);
-  if (!cell.rulers) cell.floor = floor_grid(panel.scene, frames);
+  cell.rulers = panel.axes && has_rulers(panel.view);
+  cell.scale_bar = panel.axes && !cell.rulers;
+  if (cell.scale_bar) cell.floor = floor_grid(panel.scene, frames);
   for (const Polyline& line : cell.floor) add_footprints(line, 1, cell.footprints);
   const auto add = [&](const Scene& scene) {
     for (const Item& item : scene.items) {
@@ -92,7 +93,7 @@ std::vector<PaperMark> background(const Cell& cell, const Plot& plot) {
   std::vector<PaperMark> marks;
   if (cell.rulers) {
     draw_rulers(plot, cell.step, marks);
-  } else {
+  } else if (cell.scale_bar) {
     for (const Polyline& line : cell.floor) draw(line, plot.projection, marks);
     draw_scale_bar(plot, marks);
   }

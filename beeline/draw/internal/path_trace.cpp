@@ -106,6 +106,22 @@ std::optional<double> time_at(const Trajectory& trajectory, const FollowedPath& 
   return std::nullopt;
 }
 
+namespace {
+
+/// Returns the arc length at each waypoint that the motion reaches.
+std::vector<double> waypoint_lengths(const Trajectory& trajectory, const FollowedPath& followed,
+                                     const std::vector<SegmentRange>& ranges) {
+  std::vector<double> lengths;
+  for (const double s : placed_waypoints(followed).path_parameters) {
+    if (!time_at(trajectory, followed, s)) continue;
+    const std::size_t i = segment_at(followed.path, s);
+    lengths.push_back(ranges[i].begin + (s - static_cast<double>(i)) * ranges[i].length);
+  }
+  return lengths;
+}
+
+}  // namespace
+
 PathTrace trace_path(const Arm& arm, const Trajectory& trajectory, const FollowedPath& followed) {
   const ToolPath& path = followed.path;
   const std::vector<double>& path_parameters = followed.path_parameters;
@@ -160,11 +176,7 @@ PathTrace trace_path(const Arm& arm, const Trajectory& trajectory, const Followe
   for (std::size_t i = 0; i < reached; ++i) {
     trace.segment_ends.push_back(ranges[i].begin + ranges[i].length);
   }
-  for (const double s : placed_waypoints(followed).path_parameters) {
-    if (!time_at(trajectory, followed, s)) continue;
-    const std::size_t i = segment_at(path, s);
-    trace.waypoints.push_back(ranges[i].begin + (s - static_cast<double>(i)) * ranges[i].length);
-  }
+  trace.waypoints = waypoint_lengths(trajectory, followed, ranges);
   return trace;
 }
 

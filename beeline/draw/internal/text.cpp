@@ -135,4 +135,11 @@ std::string subscript(int number) {
   return text;
 }
 
+std::string superscript(int number) {
+  const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text;
+  for (const char digit : std::to_string(number)) text += digit == '-' ? "⁻" : digits[digit - '0'];
+  return text;
+}
+
 }  // namespace beeline::internal

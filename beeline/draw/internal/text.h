@@ -33,4 +33,7 @@ std::string degrees_text(double radians);
 /// Formats a number in subscript digits: ₁₂.
 std::string subscript(int number);
 
+/// Formats a number in superscript digits: ⁻¹².
+std::string superscript(int number);
+
 }  // namespace beeline::internal

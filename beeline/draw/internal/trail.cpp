@@ -9,11 +9,11 @@
 namespace beeline::internal {
 namespace {
 
-constexpr std::size_t min_points = 2000, max_points = 20'000;
+constexpr std::size_t min_trail_points = 2000, max_trail_points = 20'000;
 
 /// Keeps of each group of neighbours the first point and the extremes along each axis.
 ToolTrail grouped(const ToolTrail& all) {
-  const std::size_t size = 1 + 7 * all.points.size() / max_points;
+  const std::size_t size = 1 + 7 * all.points.size() / max_trail_points;
   ToolTrail few;
   for (std::size_t begin = 0; begin < all.points.size(); begin += size) {
     const std::size_t end = std::min(begin + size, all.points.size());
@@ -77,7 +77,9 @@ void add_line(Scene& scene, const std::vector<Vector3>& points, double appears) 
 ToolTrail tool_trail(const Arm& arm, const Trajectory& trajectory) {
   const std::size_t intervals = trajectory.size() - 1;
   const std::size_t parts =
-      intervals == 0 ? 1 : std::clamp<std::size_t>((min_points - 1) / intervals + 1, 2, min_points);
+      intervals == 0
+          ? 1
+          : std::clamp<std::size_t>((min_trail_points - 1) / intervals + 1, 2, min_trail_points);
   ToolTrail trail;
   const auto add = [&](double t, const Configuration& q) {
     trail.times.push_back(t);
@@ -98,7 +100,7 @@ ToolTrail tool_trail(const Arm& arm, const Trajectory& trajectory) {
     }
   }
   add(trajectory.times.back(), trajectory.positions.back());
-  return trail.points.size() > max_points ? grouped(trail) : trail;
+  return trail.points.size() > max_trail_points ? grouped(trail) : trail;
 }
 
 void add_trail(Scene& scene, const Arm& arm, const Trajectory& trajectory,
