@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t line_width = 120;  // letters of a landscape page
 
 /// About how many letters a formula is wide: a command counts as one, braces and spaces do not.
-std::size_t width(const std::string& latex) {
+std::size_t latex_width(const std::string& latex) {
   std::size_t letters = 0;
   bool command = false;
   for (const char c : latex) {
@@ -51,7 +51,7 @@ std::string broken(const std::string& latex) {
     depth += c == '{' ? 1 : c == '}' ? -1 : 0;
     const bool sign = depth == 0 && c == ' ' && i + 2 < latex.size() && latex[i + 2] == ' ' &&
                       (latex[i + 1] == '+' || latex[i + 1] == '-');
-    if (sign && width(line) > line_width) {
+    if (sign && latex_width(line) > line_width) {
       result += line + " \\\\\n  &\\quad";
       line.clear();
     }
@@ -73,13 +73,13 @@ std::size_t matrix_width(const WrittenFormula& formula) {
   std::size_t sum = 0;
   for (std::size_t k = 0; k < formula.cells.front().size(); ++k) {
     std::size_t widest = 0;
-    for (const auto& row : formula.cells) widest = std::max(widest, width(row[k]));
+    for (const auto& row : formula.cells) widest = std::max(widest, latex_width(row[k]));
     sum += widest + 2;
   }
   return sum;
 }
 
-std::string as_entries(const WrittenFormula& formula) {
+std::string latex_entries(const WrittenFormula& formula) {
   std::string lines;
   for (std::size_t k = 0; k < formula.cells.front().size(); ++k) {
     std::string zeros;  // on one line
@@ -116,12 +116,12 @@ std::string lines(const std::vector<WrittenFormula>& formulas, std::size_t& i) {
 
 std::string latex_of(const WrittenFormula& formula) {
   if (matrix_width(formula) > line_width) {
-    return "\\noindent $" + formula.left + "$, column by column:\n" + as_entries(formula);
+    return "\\noindent $" + formula.left + "$, column by column:\n" + latex_entries(formula);
   }
   return "\\[\n" + formula.left + " = " + matrix(formula) + "\n\\]\n";
 }
 
-std::string symbol_table(const FormulaDocument& document) {
+std::string latex_symbols(const FormulaDocument& document) {
   std::string text;
   if (!document.symbols.empty()) {
     text += "\\begin{tabular}{@{}lll@{}}\n";
@@ -160,7 +160,7 @@ std::string latex_of(const FormulaDocument& document, bool standalone) {
     }
     for (const std::string& sentence : section.sentences) text += sentence + "\n\n";
   }
-  const std::string symbols = symbol_table(document);
+  const std::string symbols = latex_symbols(document);
   if (!symbols.empty()) text += "\n\\subsection*{where}\n" + symbols;
   for (const std::string& note : document.notes) text += "\n" + note + "\n";
   return text + (standalone ? "\\end{document}\n" : "");

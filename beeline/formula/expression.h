@@ -1,12 +1,12 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -78,7 +78,10 @@ struct Angle {
   std::vector<std::pair<int, int>> multiples = {};  ///< symbol, multiple (not 0)
 
   bool is_zero() const { return multiples.empty(); }
-  auto operator<=>(const Angle&) const = default;
+  bool operator==(const Angle&) const = default;
+  friend bool operator<(const Angle& a, const Angle& b) {
+    return std::tie(a.group, a.multiples) < std::tie(b.group, b.multiples);
+  }
 };
 Angle operator+(const Angle& a, const Angle& b);  ///< of the same group, or one of them zero
 Angle operator*(int factor, const Angle& a);
@@ -88,7 +91,10 @@ struct Trig {
   Angle angle;
   bool sine = false;
 
-  auto operator<=>(const Trig&) const = default;
+  bool operator==(const Trig&) const = default;
+  friend bool operator<(const Trig& a, const Trig& b) {
+    return std::tie(a.angle, a.sine) < std::tie(b.angle, b.sine);
+  }
 };
 
 /// A product of powers of symbols and of at most one cosine or sine for each group.
@@ -96,7 +102,10 @@ struct Monomial {
   std::vector<std::pair<int, int>> powers = {};  ///< symbol, exponent (positive)
   std::vector<Trig> trigs = {};                  ///< in ascending order of groups
 
-  auto operator<=>(const Monomial&) const = default;
+  bool operator==(const Monomial&) const = default;
+  friend bool operator<(const Monomial& a, const Monomial& b) {
+    return std::tie(a.powers, a.trigs) < std::tie(b.powers, b.trigs);
+  }
 };
 
 /// A polynomial in symbols and in cosines and sines. A product of two cosines or sines of one group

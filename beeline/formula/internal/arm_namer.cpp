@@ -25,8 +25,9 @@ bool is_small_integer(double value) {
 
 /// The axis of the frame that a unit vector lies along, with its sign; -1 for another vector.
 std::pair<int, int> frame_axis(const Vector3& direction, double tolerance) {
-  int axis = 0;
-  direction.cwiseAbs().maxCoeff(&axis);
+  Eigen::Index index = 0;
+  direction.cwiseAbs().maxCoeff(&index);
+  const int axis = static_cast<int>(index);
   const int sign = direction[axis] < 0 ? -1 : 1;
   const bool along = (direction - sign * Vector3::Unit(axis)).isZero(tolerance);
   return along ? std::pair(axis, sign) : std::pair(-1, 1);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include <beeline/formula/internal/tree.h>
 
@@ -12,7 +13,10 @@ struct Factor {
   int symbol = -1;  ///< -1: trig
   Trig trig = {};
 
-  auto operator<=>(const Factor&) const = default;
+  bool operator==(const Factor&) const = default;
+  friend bool operator<(const Factor& a, const Factor& b) {
+    return std::tie(a.symbol, a.trig) < std::tie(b.symbol, b.trig);
+  }
 };
 
 /// A product of powers with a coefficient. Unlike in a Monomial, several cosines and sines may be
@@ -234,7 +238,7 @@ void append(std::vector<Tree>& parts, Tree part) {
 }
 
 /// A positive term comes first, if there is one.
-Tree sum(std::vector<Tree> parts) {
+Tree sum_tree(std::vector<Tree> parts) {
   const auto negative = [](const Tree& part) {
     return part.kind == Tree::Kind::product && part.coefficient.is_negative();
   };
@@ -266,13 +270,13 @@ Tree sum_of(Products products, bool is_factor) {
   if (with.empty()) {
     std::vector<Tree> parts;
     for (const Product& product : without) parts.push_back(tree_of(product));
-    return sum(std::move(parts));
+    return sum_tree(std::move(parts));
   }
   Tree first = with_factor(*factor, with);
   if (without.empty()) return first;
   std::vector<Tree> parts{std::move(first)};
   append(parts, sum_of(std::move(without), false));
-  return sum(std::move(parts));
+  return sum_tree(std::move(parts));
 }
 
 }  // namespace
