@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include <beeline/formula/document.h>
 #include <beeline/formula/internal/convention_text.h>
 #include <beeline/formula/internal/document_writer.h>
@@ -125,6 +129,39 @@ std::string written(const Expression& expression, const SymbolicArm& arm,
   return DocumentWriter(arm, style).text(expression);
 }
 
+namespace {
+
+/// What was rounded, and what could be.
+std::vector<std::string> notes_of(const SymbolicArm& arm) {
+  std::vector<std::string> notes;
+  if (arm.rounding > 1e-14) {
+    notes.push_back(
+        "Constant angles near a multiple of 15 degrees are taken as exact. The largest change is " +
+        number(arm.rounding) + " rad; it changes the pose by at most " + number(arm.deviation) +
+        " (m, and of the entries of the rotation) at three random configurations.");
+  }
+  constexpr double near = 1e-3;  // rad; such angles were probably rounded when they were written
+  int count = 0;
+  double largest = 0;
+  for (const Symbol& symbol : arm.symbols) {
+    if (symbol.kind != SymbolKind::angle) continue;
+    const double distance = std::abs(std::remainder(symbol.value, std::numbers::pi / 12));
+    if (distance > near) continue;
+    ++count;
+    largest = std::max(largest, distance);
+  }
+  if (count > 0) {
+    const double tolerance = std::pow(10, std::ceil(std::log10(largest)));
+    notes.push_back("Constant angles within " + number(largest) +
+                    " rad of a multiple of 15 degrees: " + std::to_string(count) +
+                    ". The option --angle-tolerance " + number(tolerance) +
+                    " takes them as exact, which makes the formulas shorter.");
+  }
+  return notes;
+}
+
+}  // namespace
+
 bool has_inverse_formula(const SymbolicArm& arm) { return internal::has_inverse_derivation(arm); }
 
 FormulaDocument formula_document(const SymbolicArm& arm, const FormulaContent& content,
@@ -147,12 +184,7 @@ FormulaDocument formula_document(const SymbolicArm& arm, const FormulaContent& c
   if (content.inverse) document.sections.push_back(inverse_section(writer, arm));
   document.symbols = writer.symbols();
   document.abbreviations = writer.abbreviations();
-  if (arm.rounding > 1e-14) {
-    document.notes.push_back(
-        "Constant angles near a multiple of 15 degrees are taken as exact. The largest change is " +
-        number(arm.rounding) + " rad; it changes the pose by at most " + number(arm.deviation) +
-        " (m, and of the entries of the rotation) at three random configurations.");
-  }
+  document.notes = notes_of(arm);
   return document;
 }
 
