@@ -9,6 +9,7 @@
 #include "animation_argument.h"
 #include "arm_argument.h"
 #include "input_files.h"
+#include "program_argument.h"
 #include "result_files.h"
 #include "verbs.h"
 
@@ -19,7 +20,9 @@ namespace {
 struct DrawArguments {
   ArmArgument arm;
   UnitArgument unit;
-  std::string motion, q, out;
+  std::string motion, q, out, through;
+  TaskArgument task;
+  WorkArgument work;
   double azimuth = 0, elevation = 0;  ///< degrees
   ArmFigureOptions figure;
   AnimationArgument animation;
@@ -33,24 +36,38 @@ ArmFigureOptions figure_options(const DrawArguments& arguments) {
   return options;
 }
 
+/// The poses of --through, in the world.
+std::vector<Pose> waypoints(const DrawArguments& arguments, const Arm& arm) {
+  if (arguments.through.empty()) return {};
+  const std::string text = internal::read_file(arguments.through);
+  if (is_program(text)) {
+    throw FileError(arguments.through, 0, "is a program; --through of draw takes a file of poses");
+  }
+  return waypoints_from(text, arguments.through, arm, arguments.task, arguments.work,
+                        arguments.unit)
+      .poses;
+}
+
 void draw_motion(const DrawArguments& arguments, const Arm& arm) {
   if (!arguments.q.empty())
     throw Error("--q cannot be combined with a motion, which has joint values");
   ArmFigureOptions options = figure_options(arguments);
   const Trajectory trajectory = read_recording(arguments.motion, arm);
+  const std::vector<Pose> poses = waypoints(arguments, arm);
   if (!arguments.out.empty()) {
-    const Figure figure = motion_figure(arm, trajectory, {}, options);
+    const Figure figure = motion_figure(arm, trajectory, poses, options);
     internal::write_file(arguments.out, render(figure, format_of(arguments.out)));
   }
   if (!arguments.animation.wanted()) return;
   options.small_views = false;
-  arguments.animation.write(motion_animation(arm, trajectory, {}, options));
+  arguments.animation.write(motion_animation(arm, trajectory, poses, options));
 }
 
 void draw_configuration(const DrawArguments& arguments, const Arm& arm) {
   if (arguments.animation.wanted())
     throw Error("--animate needs a motion: beeline draw ARM FILE --animate " +
                 arguments.animation.file);
+  if (!arguments.through.empty()) throw Error("--through needs a motion: beeline draw ARM FILE");
   Configuration q = display_configuration(arm);
   if (!arguments.q.empty()) {
     q = arguments.arm.configuration(arm, arguments.q, "--q", arguments.unit);
@@ -62,7 +79,7 @@ void draw_configuration(const DrawArguments& arguments, const Arm& arm) {
 
 Answer draw_arm(const DrawArguments& arguments) {
   const std::vector<std::string> inputs{arguments.arm.text, arguments.arm.srdf,
-                                        arguments.arm.limits, arguments.motion};
+                                        arguments.arm.limits, arguments.motion, arguments.through};
   if (arguments.out.empty() && !arguments.animation.wanted()) {
     throw Error("draw needs --out PICTURE or, for a motion, --animate FILE");
   }
@@ -95,6 +112,13 @@ std::vector<Option> draw_options(DrawArguments& arguments) {
               "Joint values. Default: the middle of the position limits or, where that is "
               "singular, values far from singularities.",
               &arguments.q),
+          {.name = "--through",
+           .value = "FILE",
+           .help = "A .csv file of poses (see `beeline help line`) to mark and number in the "
+                   "picture of a motion.",
+           .target = &arguments.through,
+           .completes = Completes::file},
+          arguments.work.option(),
           {.name = "--frames",
            .help = "Draw the frame of every link: x red, y green, z blue. Of frames at one place "
                    "the later is shorter and thicker.",

@@ -31,8 +31,9 @@ if [[ -n $urdf ]]; then
     --through examples/waypoints_panda.csv
 fi
 
-for figure in 1.3 1.6 1.7 1.8 1.9; do
-  "$beeline" figure "$figure" --out "$folder/figure_$figure.svg" >/dev/null
+"$beeline" figure all --out "$folder" >/dev/null
+for figure in 1.7 1.9; do
+  "$beeline" figure "$figure" --animate "$folder/figure_${figure}_moving.svg" >/dev/null
 done
 
 echo "Pictures, the chapter's figures among them:"

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <beeline/draw/internal/deviation_charts.h>
 #include <beeline/draw/internal/projection.h>
@@ -93,6 +94,29 @@ std::vector<Vector3> enlarged(const PathTrace& trace, double factor) {
   return points;
 }
 
+/// Returns the oblique view in which the line is longest on paper; that of other figures unless
+/// another is a tenth longer.
+View widest_view(const std::vector<Vector3>& line) {
+  constexpr double elevation = 0.44, azimuth = -0.87;
+  constexpr int directions = 24;
+  View best = oblique_view(azimuth, elevation);
+  const auto length = [&line](const View& view) {
+    double sum = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      sum += (view.topRows<2>() * (line[i] - line[i - 1])).norm();
+    }
+    return sum;
+  };
+  double longest = 1.1 * length(best);
+  for (int k = 1; k < directions; ++k) {
+    const View view = oblique_view(azimuth + 2 * std::numbers::pi * k / directions, elevation);
+    if (length(view) <= longest * (1 + 1e-9)) continue;
+    longest = length(view);
+    best = view;
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<Chart> deviation_charts(const PathTrace& trace, const FollowedPath& followed) {
@@ -132,14 +156,15 @@ Figure exaggerated_figure(const Arm& arm, const PathTrace& trace, const Followed
                           double factor) {
   Scene scene;
   scene.add(Layer::trail, Polyline{trace.polyline, construction_grey, 0.7});
-  scene.add(Layer::trail, Polyline{enlarged(trace, factor), amber, 0.9});
+  const std::vector<Vector3> trail = enlarged(trace, factor);
+  scene.add(Layer::trail, Polyline{trail, amber, 0.9});
   scene.add(Layer::mark, Dots{{trace.polyline.front()}, ink, 5});
   const PlacedWaypoints waypoints = placed_waypoints(followed);
   std::vector<std::string> names;
   for (std::size_t w = 0; w < waypoints.poses.size(); ++w) names.push_back(std::to_string(w + 1));
   add_poses(scene, waypoints.poses, names);
   Panel panel{.scene = std::move(scene)};
-  panel.view = arm.planar() ? top_view() : oblique_view(-0.87, 0.44);
+  panel.view = arm.planar() ? top_view() : widest_view(trail);
   panel.caption = factor > 1
                       ? "trail of the tool, its deviation from the path ×\u00a0" +
                             fixed(factor, 0) + (dense(trace) ? " (largest of each step)" : "")

@@ -83,6 +83,23 @@ TEST(PathTrace, ExaggeratesToWhatShows) {
   }
 }
 
+TEST(PathTrace, IsSeenFromWhereItIsWide) {
+  const auto [arm, motion, path] = panda_lines();
+  const PathTrace trace = trace_path(arm, motion.trajectory, path);
+  const Panel panel = exaggerated_figure(arm, trace, path, exaggeration(trace)).columns[0][0];
+  const auto& trail = std::get<Polyline>(panel.scene.items[1].shape).points;
+  const auto length = [&](const View& view) {
+    double sum = 0;
+    for (std::size_t i = 1; i < trail.size(); ++i) {
+      sum += (view.topRows<2>() * (trail[i] - trail[i - 1])).norm();
+    }
+    return sum;
+  };
+  for (double azimuth = -3; azimuth < 3; azimuth += 0.1) {
+    EXPECT_GT(1.12 * length(panel.view), length(oblique_view(azimuth, 0.44)));
+  }
+}
+
 TEST(PathTrace, PassesThroughEveryStop) {
   for (const double rate : {0.0, 200.0, 2000.0}) {
     const auto [arm, motion, path] = panda_lines(rate);
