@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -38,6 +39,13 @@ constexpr BasisProduct basis_products[4][4] = {{{1, 0}, {1, 1}, {1, 2}, {1, 3}},
                                                {{1, 2}, {1, 3}, {3, 0}, {3, 1}},
                                                {{1, 3}, {2, 2}, {3, 1}, {6, 0}}};
 
+double value_of(const Parts& parts, std::int64_t denominator) {
+  constexpr double roots[] = {1, 1.4142135623730951, 1.7320508075688772, 2.449489742783178};
+  double sum = 0;
+  for (std::size_t i = 0; i < 4; ++i) sum += static_cast<double>(parts[i]) * roots[i];
+  return sum / static_cast<double>(denominator);
+}
+
 std::optional<Parts> product(const Parts& a, const Parts& b) {
   Parts parts{};
   Checked checked;
@@ -54,9 +62,12 @@ std::optional<Parts> product(const Parts& a, const Parts& b) {
 
 Coefficient Coefficient::exactly(const Parts& parts, std::int64_t denominator) {
   if (denominator <= 0) throw Error("the denominator of a coefficient must be positive");
-  std::int64_t divisor = denominator;
-  for (const std::int64_t part : parts) divisor = std::gcd(divisor, part);
   Coefficient result;
+  std::int64_t divisor = denominator;
+  for (const std::int64_t part : parts) {
+    if (!has_absolute_value(part)) return plain(value_of(parts, denominator));
+    divisor = std::gcd(divisor, part);
+  }
   for (std::size_t i = 0; i < 4; ++i) result.parts_[i] = parts[i] / divisor;
   result.denominator_ = denominator / divisor;
   return result;
@@ -96,13 +107,7 @@ Coefficient Coefficient::cosine(int fifteenths) {
 
 Coefficient Coefficient::sine(int fifteenths) { return cosine(fifteenths % 24 - 6); }
 
-double Coefficient::value() const {
-  if (!exact_) return value_;
-  constexpr double roots[] = {1, 1.4142135623730951, 1.7320508075688772, 2.449489742783178};
-  double sum = 0;
-  for (std::size_t i = 0; i < 4; ++i) sum += static_cast<double>(parts_[i]) * roots[i];
-  return sum / static_cast<double>(denominator_);
-}
+double Coefficient::value() const { return exact_ ? value_of(parts_, denominator_) : value_; }
 
 Coefficient operator+(const Coefficient& a, const Coefficient& b) {
   if (a.exact_ && b.exact_) {
@@ -111,7 +116,6 @@ Coefficient operator+(const Coefficient& a, const Coefficient& b) {
     for (std::size_t i = 0; i < 4; ++i) {
       parts[i] = checked.plus(checked.times(a.parts_[i], b.denominator_),
                               checked.times(b.parts_[i], a.denominator_));
-      checked.overflow = checked.overflow || !has_absolute_value(parts[i]);
     }
     const std::int64_t denominator = checked.times(a.denominator_, b.denominator_);
     if (!checked.overflow) return Coefficient::exactly(parts, denominator);
@@ -124,10 +128,7 @@ Coefficient operator*(const Coefficient& a, const Coefficient& b) {
     Checked checked;
     const std::int64_t denominator = checked.times(a.denominator_, b.denominator_);
     const std::optional<Parts> parts = product(a.parts_, b.parts_);
-    const bool usable = parts && !checked.overflow && has_absolute_value((*parts)[0]) &&
-                        has_absolute_value((*parts)[1]) && has_absolute_value((*parts)[2]) &&
-                        has_absolute_value((*parts)[3]);
-    if (usable) return Coefficient::exactly(*parts, denominator);
+    if (parts && !checked.overflow) return Coefficient::exactly(*parts, denominator);
   }
   return Coefficient::plain(a.value() * b.value());
 }

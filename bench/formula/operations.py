@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Operations of the tool's pose: Beeline's formulas and code beside SymPy's after simplify, SymPy's cse,
-and formulas that people derived and published.
+and published formulas.
 
 Usage: operations.py BEELINE [ARM...] [--limit SECONDS of simplify]. Needs SymPy."""
 
@@ -15,8 +15,7 @@ import sympy
 
 SUBSCRIPT = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₜ−", "0123456789t-")
 # Products and sums as printed in: Craig, "Introduction to Robotics", 3rd edition, eq. 3.14; the function
-# forward() of ur_kinematics (ros-industrial/universal_robot, 0290bd2), derived with a computer algebra
-# system and shortened by hand.
+# forward() of ur_kinematics (ros-industrial/universal_robot, 0290bd2).
 PUBLISHED = {"puma560": ("Craig eq. 3.14", 84, 33), "ur5": ("ur_kinematics", 69, 28)}
 
 
