@@ -16,7 +16,8 @@ struct Animation {
   std::vector<Scene> frames;  ///< for each time, what every panel shows beside its own scene
 };
 
-/// How an animation is played: in a loop, at rest before it begins and after it ends.
+/// How an animation is played: in a loop of at most a day, at rest before it begins and after it
+/// ends.
 struct PlaybackOptions {
   double speed = 1;               ///< relative to the animation's times, from 1e-3 to 1e3
   double rest_before = 0.5;       ///< seconds, from 0 to 60

@@ -142,3 +142,23 @@ def test_poses_in_the_picture_of_a_motion(beeline, written, parsed, refused):
     refused(3, *draw, "--through", "pick.csv", "--out", "e.svg", says=["pick.csv", "program"])
     refused(2, "draw", "rrr", "--through", "w.csv", "--out", "e.svg", says=["--through", "motion"])
     refused(2, *draw, "--through", "w.csv", "--animate", "w.csv.gif", "--out", "w.csv", says=["w.csv"])
+
+
+@pytest.mark.parametrize("script, says", [("exit 0", "empty"), ("echo boom >&2; exit 3", "boom"), ("kill -9 $$", "ffmpeg"),
+                                          ("exec cat > /dev/null", "empty")])
+def test_an_ffmpeg_that_fails(beeline, tmp_path, script, says):
+    (tmp_path / "bin").mkdir()
+    program = tmp_path / "bin" / "ffmpeg"
+    program.write_text(f"#!/bin/sh\n{script}\n")
+    program.chmod(0o755)
+    for ending in ("gif", "mp4", "webp"):
+        answer = beeline("figure", "1.7", "--animate", f"a.{ending}", "--playback-speed", "50",
+                         env={"PATH": f"{tmp_path}/bin:/usr/bin:/bin"})
+        assert answer.code == 2 and "--animate" in answer.err and answer.err.count("\n") == 1
+        assert says in answer.err or ending == "gif", answer.err
+    assert [file.name for file in tmp_path.iterdir()] == ["bin"]
+
+
+def test_a_motion_of_years_is_played_faster(beeline, written, refused):
+    written("m.csv", "t,joint1,joint2,joint3\n0,1,1,1\n1e9,1,2,1\n")
+    refused(2, "draw", "rrr", "m.csv", "--animate", "a.svg", says=["--animate", "day", "playback speed"])

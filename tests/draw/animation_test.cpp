@@ -224,6 +224,9 @@ TEST(Animation, RefusesWhatCannotBePlayed) {
   EXPECT_REFUSED(animated_svg(animation, {.speed = 0}), "speed of an animation is 0");
   EXPECT_REFUSED(animated_svg(animation, {.rest_after = nan}), "rest_after");
   EXPECT_REFUSED(animated_svg(animation, {.frames_per_second = 1000}), "frames_per_second");
+  Animation slow = animation;
+  slow.times.back() = 1e9;
+  EXPECT_REFUSED(animated_svg(slow), "longer than a day");
   animation.times[2] = animation.times[1];
   EXPECT_REFUSED(animated_svg(animation), "frame 2");
   animation.times.pop_back();

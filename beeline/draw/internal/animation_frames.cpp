@@ -36,6 +36,13 @@ void check_playback(const Animation& animation, const PlaybackOptions& options) 
   check_range("rest_before", options.rest_before, 0, 60);
   check_range("rest_after", options.rest_after, 0, 60);
   check_range("frames_per_second", options.frames_per_second, 1, 60);
+  constexpr double longest = 86400;  // a day
+  const double seconds = loop_seconds(animation, options);
+  if (!(seconds <= longest)) {
+    throw Error("an animation of " + number(seconds) +
+                " s is longer than a day; a playback speed of " + number(options.speed) +
+                " is too slow for it");
+  }
 }
 
 double fraction_at(const Animation& animation, const PlaybackOptions& options, double t) {

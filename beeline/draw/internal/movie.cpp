@@ -151,7 +151,9 @@ std::string movie(const MovieFrames& frames, AnimationFormat format) {
   }
   arguments.push_back(out.path());
   run(arguments, frames, 0);
-  return read_file(out.path());
+  std::string bytes = read_file(out.path());
+  if (bytes.empty()) throw Error("ffmpeg could not write the animation: its file is empty");
+  return bytes;
 }
 
 }  // namespace beeline::internal
