@@ -89,7 +89,10 @@ WrittenSection jacobian_section(DocumentWriter& writer, const SymbolicArm& arm,
   WrittenSection section{
       .key = derivative ? "derivative" : "jacobian",
       .title = what + " in the " + name(content.frame) + " frame: " + frame_meaning(content.frame)};
-  section.remarks.push_back("Columns: joints " + listed(arm.joint_names) + ".");
+  const std::string joints = listed(arm.joint_names);
+  section.remarks.push_back("Columns: joints " +
+                            (writer.notation().latex() ? internal::escaped_latex(joints) : joints) +
+                            ".");
   if (content.task != Task::planar()) {
     section.remarks.front() +=
         " Rows: " + listed(row_names({content.task.rows, Frame::base})) + ".";

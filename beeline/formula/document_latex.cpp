@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 
 #include <beeline/formula/document.h>
 #include <beeline/formula/internal/notation.h>
@@ -7,7 +6,8 @@
 namespace beeline {
 namespace {
 
-constexpr std::size_t line_width = 120;  // letters of a landscape page
+constexpr std::size_t matrix_letters = 120;  // that fit on a landscape page
+constexpr std::size_t line_letters = 100;    // then a line is broken at the next sign
 
 /// About how many letters a formula is wide: a command counts as one, braces and spaces do not.
 std::size_t latex_width(const std::string& latex) {
@@ -22,26 +22,6 @@ std::size_t latex_width(const std::string& latex) {
   return letters;
 }
 
-/// Text of LaTeX: characters with a meaning of their own are escaped. Letters outside of ASCII,
-/// which need fonts that not every system has, become question marks.
-std::string escaped(const std::string& text) {
-  const std::map<char, std::string> commands{
-      {'\\', "\\textbackslash{}"}, {'~', "\\textasciitilde{}"}, {'^', "\\textasciicircum{}"}};
-  std::string result;
-  for (const char c : text) {
-    const auto command = commands.find(c);
-    if (command != commands.end()) {
-      result += command->second;
-    } else if (static_cast<unsigned char>(c) >= 0x80) {
-      if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) result += '?';
-    } else {
-      if (std::string("#$%&_{}").find(c) != std::string::npos) result += '\\';
-      result += c;
-    }
-  }
-  return result;
-}
-
 /// Breaks a long formula before a sign outside of braces, for an align environment.
 std::string broken(const std::string& latex) {
   std::string result, line;
@@ -51,7 +31,7 @@ std::string broken(const std::string& latex) {
     depth += c == '{' ? 1 : c == '}' ? -1 : 0;
     const bool sign = depth == 0 && c == ' ' && i + 2 < latex.size() && latex[i + 2] == ' ' &&
                       (latex[i + 1] == '+' || latex[i + 1] == '-');
-    if (sign && latex_width(line) > line_width) {
+    if (sign && latex_width(line) > line_letters) {
       result += line + " \\\\\n  &\\quad";
       line.clear();
     }
@@ -115,7 +95,7 @@ std::string lines(const std::vector<WrittenFormula>& formulas, std::size_t& i) {
 }
 
 std::string latex_of(const WrittenFormula& formula) {
-  if (matrix_width(formula) > line_width) {
+  if (matrix_width(formula) > matrix_letters) {
     return "\\noindent $" + formula.left + "$, column by column:\n" + latex_entries(formula);
   }
   return "\\[\n" + formula.left + " = " + matrix(formula) + "\n\\]\n";
@@ -126,8 +106,8 @@ std::string latex_symbols(const FormulaDocument& document) {
   if (!document.symbols.empty()) {
     text += "\\begin{tabular}{@{}lll@{}}\n";
     for (const WrittenSymbol& symbol : document.symbols) {
-      text += "  $" + symbol.name + "$ & " + symbol.quantity() + " & " + escaped(symbol.meaning) +
-              " \\\\\n";
+      text += "  $" + symbol.name + "$ & " + symbol.quantity() + " & " +
+              internal::escaped_latex(symbol.meaning) + " \\\\\n";
     }
     text += "\\end{tabular}\n\n";
   }
@@ -149,9 +129,10 @@ std::string latex_of(const FormulaDocument& document, bool standalone) {
         "\\setcounter{MaxMatrixCols}{64}\n\\setlength{\\parindent}{0pt}\n\\allowdisplaybreaks\n"
         "\\begin{document}\n";
   }
-  text += "\\section*{" + escaped(document.title) + "}\n" + document.convention + "\n";
+  text +=
+      "\\section*{" + internal::escaped_latex(document.title) + "}\n" + document.convention + "\n";
   for (const WrittenSection& section : document.sections) {
-    text += "\n\\subsection*{" + escaped(section.title) + "}\n";
+    text += "\n\\subsection*{" + internal::escaped_latex(section.title) + "}\n";
     for (const std::string& remark : section.remarks) text += remark + "\n\n";
     for (std::size_t i = 0; i < section.formulas.size(); ++i) {
       const WrittenFormula& formula = section.formulas[i];

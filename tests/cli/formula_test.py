@@ -250,6 +250,16 @@ def test_rounded_angles_are_named_or_said(beeline, written):
     assert wide["links"] == exact["links"] and "3.67" in wide["notes"][0]
 
 
+def test_names_are_escaped_in_latex_and_code(beeline, written):
+    """Whatever an arm and its joints are called."""
+    urdf = rounded_urdf("0.3").replace('"j1"', '"j_1 50% #"').replace('name="r"', 'name="9 */ \\r_ö"')
+    written("r.urdf", urdf)
+    latex = beeline("formula", "r.urdf", "--of", "forward,jacobian", "--as", "latex").out
+    assert "j\\_1 50\\% \\#" in latex and "\\textbackslash{}r\\_?" in latex
+    code = beeline("formula", "r.urdf", "--as", "c").out
+    assert "void arm_9_____r____forward(" in code and code.count("*/") == code.count("/*")
+
+
 def test_the_tool_and_the_mount_are_in_the_formulas(beeline):
     found = formulas(beeline, "rrr", "forward", "--tcp", "0.5,0,0", "--mount", "1,2,0")
     assert found["x"] == [["c₁₂₃(a₃ + xₜ) + x₀ + a₁c₁ + a₂c₁₂"]]

@@ -51,6 +51,24 @@ std::string decimal(double value) {
   return brief.size() < exact.size() ? brief : exact;
 }
 
+std::string escaped_latex(const std::string& text) {
+  const std::map<char, std::string> commands{
+      {'\\', "\\textbackslash{}"}, {'~', "\\textasciitilde{}"}, {'^', "\\textasciicircum{}"}};
+  std::string result;
+  for (const char c : text) {
+    const auto command = commands.find(c);
+    if (command != commands.end()) {
+      result += command->second;
+    } else if (static_cast<unsigned char>(c) >= 0x80) {
+      if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) result += '?';
+    } else {
+      if (std::string("#$%&_{}").find(c) != std::string::npos) result += '\\';
+      result += c;
+    }
+  }
+  return result;
+}
+
 std::string subscripted(const std::string& letter, const std::string& subscript, bool latex) {
   if (latex) {
     const std::string head = letter == "dq"     ? "\\dot{q}"

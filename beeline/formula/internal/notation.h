@@ -43,6 +43,10 @@ class Notation {
 /// A decimal number with up to 15 significant digits.
 std::string decimal(double value);
 
+/// Text of LaTeX: characters with a meaning of their own are escaped. Letters outside of ASCII,
+/// which need fonts that not every system has, become question marks.
+std::string escaped_latex(const std::string& text);
+
 /// A name with its subscript: a2 as text with Unicode subscripts, or as LaTeX.
 std::string subscripted(const std::string& letter, const std::string& subscript, bool latex);
 
