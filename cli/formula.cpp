@@ -119,6 +119,12 @@ Answer generated_code(const FormulaArguments& arguments, const SymbolicArm& arm,
                                 : arguments.as == "c"    ? CodeLanguage::c
                                                          : CodeLanguage::cpp;
   const GeneratedCode code = formula_code(arm, content, language, arguments.numbers);
+  if (code.functions.empty()) {
+    throw Error(
+        "--as " + arguments.as +
+        " generates code for forward, jacobian, derivative and determinant of --of, not for " +
+        arguments.of);
+  }
   Json functions = Json::list();
   for (const GeneratedFunction& function : code.functions) {
     functions.append({{"name", function.name},
@@ -134,10 +140,11 @@ Answer formula(const FormulaArguments& arguments) {
   if (arguments.standalone && arguments.as != "latex") {
     throw Error("--standalone needs --as latex");
   }
+  const bool written = arguments.as == "text" || arguments.as == "latex";
+  if (arguments.all && !written) throw Error("--all needs --as text or --as latex");
   const Arm arm = arguments.arm.read({});
   const SymbolicArm symbolic = symbolic_arm(arm, {.angle_tolerance = arguments.angle_tolerance});
   const FormulaContent content = content_of(arguments, arm, symbolic);
-  const bool written = arguments.as == "text" || arguments.as == "latex";
   Answer answer = written ? written_formulas(arguments, symbolic, content)
                           : generated_code(arguments, symbolic, content);
   if (!arguments.out.empty()) {

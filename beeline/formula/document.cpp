@@ -53,7 +53,8 @@ WrittenSection tool_section(DocumentWriter& writer, const SymbolicArm& arm) {
   if (arm.planar) {
     section.formulas.push_back({"x", {{writer.text(pose(0, 3))}}});
     section.formulas.push_back({"y", {{writer.text(pose(1, 3))}}});
-    section.formulas.push_back({writer.theta(), {{writer.angle(planar_angle(arm))}}});
+    const std::optional<PlanarAngle> theta = planar_angle(arm);
+    if (theta) section.formulas.push_back({writer.theta(), {{writer.angle(*theta)}}});
   }
   return section;
 }
@@ -125,15 +126,6 @@ WrittenSection inverse_section(DocumentWriter& writer, const SymbolicArm& arm) {
   return section;
 }
 
-}  // namespace
-
-std::string written(const Expression& expression, const SymbolicArm& arm,
-                    const FormulaStyle& style) {
-  return DocumentWriter(arm, style).text(expression);
-}
-
-namespace {
-
 /// What was rounded, and what could be.
 std::vector<std::string> notes_of(const SymbolicArm& arm) {
   std::vector<std::string> notes;
@@ -154,7 +146,7 @@ std::vector<std::string> notes_of(const SymbolicArm& arm) {
     largest = std::max(largest, distance);
   }
   if (count > 0) {
-    const double tolerance = std::pow(10, std::ceil(std::log10(largest)));
+    const double tolerance = std::pow(10, std::ceil(std::log10(std::max(largest, 1e-15))));
     notes.push_back("Constant angles within " + number(largest) +
                     " rad of a multiple of 15 degrees: " + std::to_string(count) +
                     ". The option --angle-tolerance " + number(tolerance) +
@@ -164,6 +156,11 @@ std::vector<std::string> notes_of(const SymbolicArm& arm) {
 }
 
 }  // namespace
+
+std::string written(const Expression& expression, const SymbolicArm& arm,
+                    const FormulaStyle& style) {
+  return DocumentWriter(arm, style).text(expression);
+}
 
 bool has_inverse_formula(const SymbolicArm& arm) { return internal::has_inverse_derivation(arm); }
 
@@ -182,8 +179,9 @@ FormulaDocument formula_document(const SymbolicArm& arm, const FormulaContent& c
   if (content.derivative) {
     document.sections.push_back(jacobian_section(writer, arm, content, true));
   }
-  if (content.determinant)
+  if (content.determinant) {
     document.sections.push_back(determinant_section(writer, arm, content.task));
+  }
   if (content.inverse) document.sections.push_back(inverse_section(writer, arm));
   document.symbols = writer.symbols();
   document.abbreviations = writer.abbreviations();

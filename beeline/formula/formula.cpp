@@ -25,7 +25,7 @@ ExpressionMatrix pose_matrix(const SymbolicArm& arm, std::size_t from, std::size
   return matrix;
 }
 
-/// cos(sign * angle + fifteenths * 15 degrees), and with `quarter` the sine.
+/// cos(sign * angle + fifteenths * 15 degrees), or the sine.
 Expression turned(const Angle& angle, int sign, int fifteenths, bool sine) {
   const Expression c = Expression::cosine(angle), s = Expression(sign) * Expression::sine(angle);
   const Expression c0 = Coefficient::cosine(fifteenths), s0 = Coefficient::sine(fifteenths);
@@ -64,8 +64,8 @@ ExpressionMatrix flange_formula(const SymbolicArm& arm) {
   return pose_matrix(arm, arm.transforms.size() - 1, arm.transforms.size());
 }
 
-PlanarAngle planar_angle(const SymbolicArm& arm) {
-  if (!arm.planar) throw Error("arm " + arm.name + " is not planar; its tool has no angle theta");
+std::optional<PlanarAngle> planar_angle(const SymbolicArm& arm) {
+  if (!arm.planar) return std::nullopt;
   const internal::ExpressionVector x =
       internal::pose_between(arm, 0, arm.transforms.size()).rotation()[0];
   Angle angle;
@@ -76,10 +76,10 @@ PlanarAngle planar_angle(const SymbolicArm& arm) {
     for (int m = -11; m <= 12; ++m) {
       const bool same =
           x[0] == turned(angle, sign, m, false) && x[1] == turned(angle, sign, m, true);
-      if (same) return {sign * angle, m};
+      if (same) return PlanarAngle{sign * angle, m};
     }
   }
-  throw Error("the orientation of the tool of arm " + arm.name + " is no sum of joint angles");
+  return std::nullopt;
 }
 
 }  // namespace beeline

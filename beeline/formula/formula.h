@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -37,12 +38,12 @@ ExpressionMatrix flange_formula(const SymbolicArm& arm);  ///< of the tool in th
 ExpressionMatrix tool_formula(const SymbolicArm& arm);    ///< of the tool in the world
 
 /// The orientation of a planar arm's tool in the world: the sum of an angle and a multiple of 15
-/// degrees.
+/// degrees. None for other arms, and where fixed rotations out of the plane hide the sum.
 struct PlanarAngle {
   Angle angle;
   int fifteenths = 0;
 };
-PlanarAngle planar_angle(const SymbolicArm& arm);
+std::optional<PlanarAngle> planar_angle(const SymbolicArm& arm);
 
 /// The Jacobian, rows [vx vy vz wx wy wz], a column for each coordinate: the same matrix as
 /// jacobian() has.

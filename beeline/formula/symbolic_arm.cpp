@@ -101,29 +101,21 @@ void add_joints(ArmNamer& namer, const Arm& arm, double tolerance) {
   }
 }
 
-/// The largest difference of a pose matrix from the arm's at a configuration, relative to the size
-/// of the arm there.
-double deviation(const SymbolicArm& named, const Arm& arm, const Configuration& q) {
+/// Compares the transforms with the arm at a configuration and sets SymbolicArm::deviation. Throws
+/// Error where they differ by more than the rounding of angles explains.
+void check_transforms(SymbolicArm& named, const Arm& arm, const Configuration& q) {
   const internal::TransformList list = internal::transform_list(named);
   const std::vector<Pose> places = internal::place_poses(list, symbol_values(named, q));
   std::vector<Pose> expected = link_poses(arm, q);
   expected.push_back(forward_kinematics(arm, q));
-  double largest = 0, size = 1;
+  double size = 1;  // of the arm, at least 1 m
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    const Pose& found = places[list.frames[i + 1]];
-    largest = std::max(largest, (found.matrix() - expected[i].matrix()).cwiseAbs().maxCoeff());
+    const Eigen::Matrix4d difference = places[list.frames[i + 1]].matrix() - expected[i].matrix();
+    named.deviation = std::max(named.deviation, difference.cwiseAbs().maxCoeff());
     size = std::max(size, expected[i].translation().norm());
   }
-  return largest / size;
-}
-
-/// Sets SymbolicArm::deviation. Throws Error where it is more than the rounding of angles explains.
-void check_transforms(SymbolicArm& named, const Arm& arm) {
-  const double allowed = 1e-9 + 4 * named.rounding * static_cast<double>(arm.joints().size() + 2);
-  for (const Configuration& q : internal::check_configurations(named, 3)) {
-    named.deviation = std::max(named.deviation, deviation(named, arm, q));
-  }
-  if (named.deviation <= allowed) return;
+  const double allowed = 1e-9 + 4 * named.rounding * static_cast<double>(expected.size());
+  if (named.deviation <= allowed * size) return;
   throw Error("the formulas of arm " + arm.name() + " deviate by " + number(named.deviation) +
               " from its kinematics; please report this");
 }
@@ -143,7 +135,9 @@ SymbolicArm symbolic_arm(const Arm& arm, const SymbolicOptions& options) {
   namer.place(arm.tool(), "t", namer.axis_of(arm.joints().size()), 2);
   SymbolicArm named = namer.finish();
   internal::assign_groups(named);
-  check_transforms(named, arm);
+  for (const Configuration& q : internal::check_configurations(named, 3)) {
+    check_transforms(named, arm, q);
+  }
   return named;
 }
 

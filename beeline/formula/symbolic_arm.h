@@ -46,7 +46,7 @@ struct SymbolicArm {
   bool planar = false;
   int dof = 0;
   std::vector<Symbol> symbols = {};
-  std::vector<int> groups = {};               ///< of each symbol, see Angle; -1 for lengths
+  std::vector<int> groups = {};               ///< of each angle symbol, see Angle
   std::vector<int> coordinates = {};          ///< the symbol of each coordinate
   std::vector<int> rates = {};                ///< the symbol of its time derivative
   std::vector<std::string> joint_names = {};  ///< of each coordinate
@@ -55,7 +55,7 @@ struct SymbolicArm {
   std::vector<std::vector<ElementaryTransform>> transforms = {};
   double rounding = 0;   ///< largest change of an angle by SymbolicOptions::angle_tolerance, rad
   double deviation = 0;  ///< largest difference of a link's or the tool's pose matrix from the
-                         ///< arm's, over three random configurations
+                         ///< arm's (m for positions), over three random configurations
   SymbolicOptions options = {};
 
   std::size_t links() const { return transforms.size() - 2; }

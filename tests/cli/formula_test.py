@@ -228,6 +228,11 @@ def test_refusals(refused):
     refused(2, "formula", "panda", "--of", "determinant", says=["6", "7"])
     refused(2, "formula", "rrr", "--standalone", says=["--standalone", "--as latex"])
     refused(2, "formula", "rrr", "--as", "html", says=["--as", "latex"])
+    refused(2, "formula", "rrr", "--as", "c", "--of", "inverse", says=["--as c", "--of"])
+    refused(2, "formula", "rrr", "--as", "c", "--all", says=["--all"])
+    refused(2, "formula", "ur5", "--of", "inverse", says=["planar"])
+    refused(2, "formula", "rrr", "--angle-tolerance", "1", says=["--angle-tolerance"])
+    refused(3, "formula", "rrr", "--out", "no/such/f.txt", says=["no/such"])
 
 
 def rounded_urdf(angle):

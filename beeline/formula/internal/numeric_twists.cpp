@@ -1,3 +1,4 @@
+#include <cmath>
 #include <numbers>
 #include <random>
 
@@ -68,7 +69,7 @@ void check_formula(const SymbolicArm& arm, const Eigen::MatrixXd& formula,
                    const Eigen::MatrixXd& expected, const std::string& what) {
   const double size = std::max(1.0, expected.cwiseAbs().maxCoeff());
   const double difference = (formula - expected).cwiseAbs().maxCoeff();
-  if (difference <= 1e-9 * size) return;
+  if (difference <= 1e-9 * size || !std::isfinite(size)) return;
   throw Error("the formula of " + what + " of arm " + arm.name + " deviates by " +
               number(difference) + "; please report this");
 }
