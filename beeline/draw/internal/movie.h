@@ -17,7 +17,7 @@ struct MovieFrames {
 
 /// Returns the bytes of a gif, mp4 or webp file, encoded by the program `ffmpeg`: a kept program
 /// that writes all three, and is needed only when one is written. Throws Error where it is missing
-/// or fails.
+/// or fails. Only in builds with BEELINE_CAIRO, which draws the images.
 std::string movie(const MovieFrames& frames, AnimationFormat format);
 
 }  // namespace beeline::internal

@@ -72,6 +72,56 @@ void add_line(Scene& scene, const std::vector<Vector3>& points, double appears) 
   }
 }
 
+/// Returns the points that matter to the eye, at most 2500: more make a blot.
+ToolTrail visible_part(const ToolTrail& trail) {
+  constexpr std::size_t max_kept = 2500;
+  const auto off = [&](std::size_t i, std::size_t a, std::size_t b) {
+    return distance_from_chord(trail.points[i], trail.points[a], trail.points[b]);
+  };
+  double tolerance = 1e-4 * extent(trail.points);  // a fraction of a point on paper
+  std::vector<std::size_t> kept = simplified(0, trail.points.size() - 1, tolerance, off);
+  while (kept.size() > max_kept) {
+    kept = simplified(0, trail.points.size() - 1, tolerance *= 2, off);
+  }
+  ToolTrail part;
+  for (const std::size_t i : kept) {
+    part.times.push_back(trail.times[i]);
+    part.points.push_back(trail.points[i]);
+  }
+  return part;
+}
+
+/// Returns i / n of the trail's duration, seconds.
+double share_of(const ToolTrail& trail, std::size_t i, std::size_t n) {
+  return (trail.times.back() - trail.times.front()) * static_cast<double>(i) /
+         static_cast<double>(n);
+}
+
+/// Returns the position of the tool `since` seconds after the beginning.
+Vector3 tool_after(const Arm& arm, const Trajectory& trajectory, double since) {
+  const Configuration q = sample(trajectory, trajectory.times.front() + since).position;
+  return forward_kinematics(arm, q).translation();
+}
+
+/// Adds the trail in parts that appear when the tool has passed them.
+void add_growing_trail(Scene& scene, const Arm& arm, const Trajectory& trajectory,
+                       const ToolTrail& trail, std::size_t gaps) {
+  // The line follows the tool more closely than the dots do.
+  const std::size_t parts = std::max<std::size_t>(1, 300 / gaps);
+  std::vector<Vector3> line{trail.points.front()};
+  for (std::size_t part = 0, next = 1; part <= gaps * parts; ++part) {
+    const double since = share_of(trail, part, gaps * parts);
+    const Vector3 at = tool_after(arm, trajectory, since);
+    while (next < trail.points.size() && trail.times[next] < trail.times.front() + since) {
+      line.push_back(trail.points[next++]);
+    }
+    line.push_back(at);
+    if (part > 0 && extent(line) > 0) add_line(scene, line, since);
+    line = {at};
+    if (part % parts == 0) scene.add(Layer::trail, Dots{{at}, amber, 3}, since);
+  }
+}
+
 }  // namespace
 
 ToolTrail tool_trail(const Arm& arm, const Trajectory& trajectory) {
@@ -105,41 +155,15 @@ ToolTrail tool_trail(const Arm& arm, const Trajectory& trajectory) {
 
 void add_trail(Scene& scene, const Arm& arm, const Trajectory& trajectory,
                const TrailStyle& style) {
-  const ToolTrail trail = tool_trail(arm, trajectory);
-  const double begin = trail.times.front(), duration = trail.times.back() - begin;
-  const auto off = [&](std::size_t i, std::size_t a, std::size_t b) {
-    return distance_from_chord(trail.points[i], trail.points[a], trail.points[b]);
-  };
-  double tolerance = 1e-4 * extent(trail.points);  // a fraction of a point on paper
-  std::vector<std::size_t> kept = simplified(0, trail.points.size() - 1, tolerance, off);
-  constexpr std::size_t max_kept = 2500;  // a denser line is a blot
-  while (kept.size() > max_kept) {
-    kept = simplified(0, trail.points.size() - 1, tolerance *= 2, off);
-  }
+  const ToolTrail trail = visible_part(tool_trail(arm, trajectory));
   const std::size_t gaps = std::max<std::size_t>(style.dots, 2) - 1;
-  // A growing line follows the tool more closely than dots would.
-  const std::size_t parts = style.growing ? std::max<std::size_t>(1, 300 / gaps) : 1;
-  std::vector<Vector3> dots, line{trail.points.front()};
-  for (std::size_t part = 0, next = 1; part <= gaps * parts; ++part) {
-    const double since = duration * static_cast<double>(part) / static_cast<double>(gaps * parts);
-    const Vector3 at =
-        forward_kinematics(arm, sample(trajectory, begin + since).position).translation();
-    const bool dot = part % parts == 0;
-    if (dot) dots.push_back(at);
-    if (!style.growing) continue;
-    while (next < kept.size() && trail.times[kept[next]] < begin + since) {
-      line.push_back(trail.points[kept[next++]]);
-    }
-    line.push_back(at);
-    if (part > 0 && extent(line) > 0) add_line(scene, line, since);
-    line = {at};
-    if (dot) scene.add(Layer::trail, Dots{{at}, amber, 3}, since);
+  if (style.growing) return add_growing_trail(scene, arm, trajectory, trail, gaps);
+  add_line(scene, trail.points, 0);
+  Dots dots{{}, amber, 3};
+  for (std::size_t i = 0; i <= gaps; ++i) {
+    dots.points.push_back(tool_after(arm, trajectory, share_of(trail, i, gaps)));
   }
-  if (style.growing) return;
-  line.clear();
-  for (const std::size_t i : kept) line.push_back(trail.points[i]);
-  add_line(scene, line, 0);
-  scene.add(Layer::trail, Dots{dots, amber, 3});
+  scene.add(Layer::trail, dots);
 }
 
 void add_poses(Scene& scene, const std::vector<Pose>& poses,
