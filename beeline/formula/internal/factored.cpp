@@ -49,12 +49,13 @@ std::optional<Angle> half(Angle angle) {
   return angle;
 }
 
-/// The factor of a product that is a cosine or sine, without the others; the product has at most
-/// one of each group.
+/// A product as a cosine or sine times the rest; a zero angle stands for cos 0 = 1.
 struct Split {
-  Trig trig;  ///< zero angle: cos 0 = 1
-  Product rest;
+  std::size_t product = 0;  ///< its number
+  Trig trig = {};
+  Coefficient coefficient;
 };
+using Splits = std::map<std::map<Factor, int>, std::vector<Split>>;  ///< by the factors of the rest
 
 void multiply(Product& product, Trig trig) {
   if (trig.angle.is_zero()) return;  // cos 0; sin 0 does not arise
@@ -67,46 +68,33 @@ void multiply(Product& product, Trig trig) {
 
 /// The product form of rest * (cos u + sign cos v) or rest * (sin u + sign sin v), if the half sum
 /// and half difference of the angles are integer combinations.
-std::optional<Product> as_product(const Split& a, const Split& b) {
+std::optional<Product> as_product(const Split& a, const Split& b,
+                                  const std::map<Factor, int>& rest) {
   const Trig &u = a.trig, &v = b.trig;
-  if (u.sine != v.sine || (u.angle.is_zero() && u.sine)) return std::nullopt;
-  const bool same = a.rest.coefficient == b.rest.coefficient;
-  if (!same && !(a.rest.coefficient == -b.rest.coefficient)) return std::nullopt;
+  const bool zero = u.angle.is_zero() || v.angle.is_zero();
+  if (u.sine != v.sine || (!zero && u.angle.group != v.angle.group)) return std::nullopt;
+  const bool same = a.coefficient == b.coefficient;
+  if (!same && !(a.coefficient == -b.coefficient)) return std::nullopt;
   const std::optional<Angle> mean = half(u.angle + v.angle);
   const std::optional<Angle> offset = half(u.angle + -1 * v.angle);
   if (!mean || !offset) return std::nullopt;
   // cos u + cos v = 2 cos m cos d, cos u - cos v = -2 sin m sin d,
   // sin u + sin v = 2 sin m cos d, sin u - sin v = 2 cos m sin d.
-  Product product = a.rest;
-  product.coefficient = Coefficient(!u.sine && !same ? -2 : 2) * product.coefficient;
+  Product product{Coefficient(!u.sine && !same ? -2 : 2) * a.coefficient, rest};
   multiply(product, {*mean, u.sine == same});
   multiply(product, {*offset, !same});
   return product;
 }
 
 /// Each way to take one cosine or sine out of a product, and the product itself as 1 times it.
-std::vector<Split> splits(const Product& product) {
-  std::vector<Split> found;
+void add_splits(Splits& splits, const Product& product, std::size_t number) {
   for (const auto& [factor, exponent] : product.factors) {
     if (factor.symbol >= 0) continue;
-    Split split{factor.trig, product};
-    split.rest.factors.erase(factor);
-    found.push_back(std::move(split));
+    std::map<Factor, int> rest = product.factors;
+    rest.erase(factor);
+    splits[std::move(rest)].push_back({number, factor.trig, product.coefficient});
   }
-  found.push_back({Trig{}, product});
-  return found;
-}
-
-std::optional<Product> combined(const Product& a, const Product& b) {
-  for (const Split& left : splits(a)) {
-    for (const Split& right : splits(b)) {
-      const bool same_group = left.trig.angle.is_zero() || right.trig.angle.is_zero() ||
-                              left.trig.angle.group == right.trig.angle.group;
-      if (!same_group || left.rest.factors != right.rest.factors) continue;
-      if (std::optional<Product> product = as_product(left, right)) return product;
-    }
-  }
-  return std::nullopt;
+  splits[product.factors].push_back({number, Trig{}, product.coefficient});
 }
 
 /// Whether two angles of one group have an integer half sum: otherwise no two terms combine.
@@ -131,29 +119,31 @@ bool may_combine(const Products& products) {
   return false;
 }
 
-/// Replaces pairs of terms by products as long as there are any. The linearised form has the most
-/// terms of all equal forms of this kind, so each replacement shortens it by one term.
+/// Replaces pairs of terms by products. Each term of a linearised expression has at most one cosine
+/// or sine of a group, and the products that replace pairs have two, so no product is replaced
+/// again; each shortens the expression by one term.
 void combine_pairs(Products& products) {
-  constexpr std::size_t most = 400;  // a quadratic search
-  if (products.size() > most || !may_combine(products)) return;
-  const auto linear = [](const Product& product) {
-    std::map<int, int> of_group;
-    for (const auto& [factor, exponent] : product.factors) {
-      if (factor.symbol < 0 && (of_group[factor.trig.angle.group] += exponent) > 1) return false;
-    }
-    return true;
-  };
-  for (std::size_t i = 0; i < products.size(); ++i) {
-    if (!linear(products[i])) continue;
-    for (std::size_t k = i + 1; k < products.size(); ++k) {
-      if (!linear(products[k])) continue;
-      std::optional<Product> product = combined(products[i], products[k]);
-      if (!product) continue;
-      products[i] = std::move(*product);
-      products.erase(products.begin() + static_cast<std::ptrdiff_t>(k));
-      break;
+  if (!may_combine(products)) return;
+  Splits splits;
+  for (std::size_t i = 0; i < products.size(); ++i) add_splits(splits, products[i], i);
+  constexpr std::size_t most = 64;  // of terms that share a rest: their pairs are compared
+  std::vector<bool> used(products.size(), false);
+  Products combined;
+  for (const auto& [rest, terms] : splits) {
+    for (std::size_t i = 0; i < std::min(terms.size(), most); ++i) {
+      for (std::size_t k = i + 1; k < std::min(terms.size(), most); ++k) {
+        if (used[terms[i].product] || used[terms[k].product]) continue;
+        std::optional<Product> product = as_product(terms[i], terms[k], rest);
+        if (!product) continue;
+        used[terms[i].product] = used[terms[k].product] = true;
+        combined.push_back(std::move(*product));
+      }
     }
   }
+  for (std::size_t i = 0; i < products.size(); ++i) {
+    if (!used[i]) combined.push_back(std::move(products[i]));
+  }
+  products = std::move(combined);
 }
 
 Tree tree_of(const Factor& factor, int exponent) {

@@ -53,7 +53,6 @@ class ProgramChain {
   std::string trig_name(const Trig& trig, Program::Id sum) const;
   Program::Id trig(const Trig& trig);
   Program::Id rate(const Motion& motion);
-  ProgramVector unit(int axis);
   ProgramRotation axis_rotation(int axis, const Angle& angle);
   ProgramVector constant_column(int axis);
   ProgramRotation turned();
