@@ -36,14 +36,20 @@ const std::vector<ContentName> content_names{
     {"determinant", {&FormulaContent::determinant}},
     {"inverse", {&FormulaContent::inverse}}};
 
+std::vector<std::string> known_names() {
+  std::vector<std::string> names;
+  for (const ContentName& content : content_names) names.emplace_back(content.name);
+  names.emplace_back("all");
+  return names;
+}
+
 /// The names between the commas of --of.
 std::vector<std::string> wanted_names(std::string_view list) {
-  std::vector<std::string> known{"all"}, wanted;
-  for (const ContentName& content : content_names) known.emplace_back(content.name);
+  std::vector<std::string> wanted;
   for (bool more = true; more;) {
     const std::size_t comma = list.find(',');
     wanted.emplace_back(list.substr(0, comma));
-    check_choice("--of", wanted.back(), known);
+    check_choice("--of", wanted.back(), known_names());
     more = comma != std::string_view::npos;
     list.remove_prefix(more ? comma + 1 : 0);
   }
@@ -165,7 +171,9 @@ std::vector<Option> formula_options(FormulaArguments& arguments) {
                    "singularities that it shows), inverse (kinematics of a planar arm, in steps), "
                    "or all; several with "
                    "commas between.",
-           .target = &arguments.of},
+           .target = &arguments.of,
+           .choices = known_names(),
+           .other_values = true},
           {.name = "--all",
            .help = "Also the pose of every link in the base.",
            .target = &arguments.all},

@@ -2,6 +2,7 @@
 #include <numbers>
 #include <optional>
 
+#include <beeline/formula/internal/numbers_inserted.h>
 #include <beeline/formula/internal/numeric_twists.h>
 #include <beeline/formula/internal/singularity.h>
 
@@ -236,9 +237,10 @@ std::string in_text(const std::string& formula, const Notation& notation) {
 
 std::vector<std::string> singularities(const SymbolicArm& arm,
                                        const DeterminantFormula& determinant,
-                                       const Notation& notation) {
+                                       const Notation& notation, bool numbers) {
   std::vector<std::string> sentences;
-  for (const auto& [factor, exponent] : determinant.factors) {
+  for (const auto& [named, exponent] : determinant.factors) {
+    const Expression factor = numbers ? with_numbers(named, arm) : named;
     std::optional<Zeros> zeros = trigonometric_zeros(arm, factor, notation);
     if (!zeros || zeros->angle.is_zero()) zeros = linear_zeros(arm, factor, notation);
     std::string sentence = "Singular where " + in_text(notation.text(factor) + " = 0", notation);

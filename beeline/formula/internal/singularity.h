@@ -13,6 +13,6 @@ namespace beeline::internal {
 /// this factor zero, and at none of others.
 std::vector<std::string> singularities(const SymbolicArm& arm,
                                        const DeterminantFormula& determinant,
-                                       const Notation& notation);
+                                       const Notation& notation, bool numbers);
 
 }  // namespace beeline::internal
