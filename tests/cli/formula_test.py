@@ -267,7 +267,7 @@ def test_names_are_escaped_in_latex_and_code(beeline, written):
 
 def test_the_tool_and_the_mount_are_in_the_formulas(beeline):
     found = formulas(beeline, "rrr", "forward", "--tcp", "0.5,0,0", "--mount", "1,2,0")
-    assert found["x"] == [["c₁₂₃(a₃ + xₜ) + x₀ + a₁c₁ + a₂c₁₂"]]
+    assert found["x"] == [["x₀ + a₁c₁ + a₂c₁₂ + c₁₂₃(a₃ + xₜ)"]]
     assert "Tₜ³" in found and "T₀ʷ" in found
 
 
