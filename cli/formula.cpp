@@ -16,6 +16,7 @@ namespace {
 
 struct FormulaArguments {
   ArmArgument arm;
+  UnitArgument unit;
   JacobianArgument jacobian;
   std::string of = "forward", as = "text", out;
   double angle_tolerance = SymbolicOptions{}.angle_tolerance;
@@ -112,7 +113,9 @@ Json document_json(const FormulaDocument& document) {
 /// The formulas as text, with the document for --json.
 Answer written_formulas(const FormulaArguments& arguments, const SymbolicArm& arm,
                         const FormulaContent& content) {
-  const FormulaStyle style{.latex = arguments.as == "latex", .numbers = arguments.numbers};
+  const FormulaStyle style{.latex = arguments.as == "latex",
+                           .numbers = arguments.numbers,
+                           .degrees = arguments.unit.degrees};
   const FormulaDocument document = formula_document(arm, content, style);
   return {.text = style.latex ? latex_of(document, arguments.standalone) : text_of(document),
           .document = document_json(document)};
@@ -148,7 +151,7 @@ Answer formula(const FormulaArguments& arguments) {
   }
   const bool written = arguments.as == "text" || arguments.as == "latex";
   if (arguments.all && !written) throw Error("--all needs --as text or --as latex");
-  const Arm arm = arguments.arm.read({});
+  const Arm arm = arguments.arm.read(arguments.unit);
   const SymbolicArm symbolic = symbolic_arm(arm, {.angle_tolerance = arguments.angle_tolerance});
   const FormulaContent content = content_of(arguments, arm, symbolic);
   Answer answer = written ? written_formulas(arguments, symbolic, content)
@@ -222,8 +225,8 @@ Verb formula_verb() {
               "C and C++ a macro, BEELINE_FORMULA_FUNCTION, precedes each function; for CUDA "
               "define it as __host__ __device__.",
           .arguments = {arguments.arm.argument()},
-          .options = joined(
-              {formula_options(arguments), arguments.jacobian.options(), arguments.arm.options()}),
+          .options = joined({formula_options(arguments), arguments.unit.options(),
+                             arguments.jacobian.options(), arguments.arm.options()}),
           .examples = {{"The planar arm with three revolute joints: eq. 1.2 of the chapter",
                         "beeline formula rrr"},
                        {"The RP arm of the chapter's exercise, with its numbers",

@@ -318,3 +318,13 @@ def python_of(formula):
             result.append("*")
         result.append(token)
     return "".join(result)
+
+
+def test_degrees(beeline):
+    """Read from --tcp, and in the values of constants and at singularities."""
+    document = beeline("formula", "RR:1@20,2", "--degrees", "--tcp", "0.1,0,25", "--json").json
+    angles = {symbol["name"]: symbol["value"] for symbol in document["symbols"] if symbol["unit"] == "deg"}
+    assert angles == {"θ₁": 20, "γₜ": pytest.approx(25, abs=1e-12)}
+    assert document["units"]["angle"] == "deg"
+    puma = beeline("formula", "puma560", "--of", "determinant", "--degrees").out
+    assert "q₅ = 0 or ±180°" in puma and "q₃ = −87.308364° or 92.691636°" in puma
