@@ -33,6 +33,8 @@
 #include <beeline/formula/formula.h>
 #include <beeline/formula/symbolic_arm.h>
 #include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/kinematics/analytical_jacobian.h>
+#include <beeline/kinematics/derivatives.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/kinematics/manipulability.h>

@@ -2,7 +2,10 @@
 #include <fmt/core.h>
 
 #include <beeline/error.h>
+#include <beeline/kinematics/analytical_jacobian.h>
+#include <beeline/kinematics/derivatives.h>
 #include <beeline/kinematics/manipulability.h>
+#include <beeline/read/internal/numbers.h>
 
 #include "arm_argument.h"
 #include "format.h"
@@ -16,7 +19,8 @@ struct JacobianArguments {
   ArmArgument arm;
   UnitArgument unit;
   JacobianArgument jacobian;
-  std::string q;
+  std::string q, derivative, second_derivative, wrench, analytical;
+  bool hessian = false, gradient = false, ellipsoids = false;
   bool json = false;
 };
 
@@ -32,34 +36,214 @@ const char* frame_meaning(Frame frame) {
   return "";
 }
 
+/// An arm in a configuration, and the rows that are asked for.
+struct At {
+  const Arm& arm;
+  const Configuration& q;
+  const Task& task;
+  std::vector<std::string> rows;  ///< their names
+};
+
+Eigen::MatrixXd rows_of(const Task& task, const Eigen::MatrixXd& matrix) {
+  Eigen::MatrixXd rows(task.size(), matrix.cols());
+  for (Eigen::Index k = 0; k < matrix.cols(); ++k) {
+    rows.col(k) = task_rows(task, Twist(matrix.col(k)));
+  }
+  return rows;
+}
+
+/// Throws Error where a result exceeds the range of numbers.
+template <class Matrix>
+const Matrix& finite(const Matrix& matrix, const char* what) {
+  if (matrix.allFinite()) return matrix;
+  throw Error(std::string("--q: the ") + what + " exceeds the range of numbers, 1e308");
+}
+
+/// The linear or the angular ones of the task's rows.
+Task part_of(const Task& task, bool linear) {
+  Task part = task;
+  for (std::size_t i = 0; i < 6; ++i) part.rows[i] = task.rows[i] && (i < 3) == linear;
+  return part;
+}
+
+/// The manipulability of the linear and of the angular rows beside that of all.
+void add_parts(const At& at, Answer& answer) {
+  for (const bool linear : {true, false}) {
+    const Task part = part_of(at.task, linear);
+    if (part.size() == 0 || part.size() == at.task.size()) continue;
+    const double measure =
+        manipulability_measures(task_jacobian(at.arm, at.q, part)).manipulability;
+    const std::string name = linear ? "translational" : "rotational";
+    answer.document.add("manipulability_" + name, measure);
+    answer.text += fmt::format("  {:<15}{}\n", name, shown(measure));
+  }
+}
+
+void add_derivative(const JacobianArguments& arguments, const At& at, Answer& answer) {
+  if (arguments.derivative.empty()) return;
+  const auto& unit = arguments.unit;
+  const Configuration dq = unit.configuration(at.arm, arguments.derivative, "--derivative");
+  Configuration ddq = Configuration::Zero(at.arm.dof());
+  if (!arguments.second_derivative.empty()) {
+    ddq = unit.configuration(at.arm, arguments.second_derivative, "--second-derivative");
+  }
+  const Frame frame = at.task.frame;
+  const Eigen::MatrixXd derivative = rows_of(at.task, jacobian_derivative(at.arm, at.q, dq, frame));
+  const Eigen::VectorXd velocity = task_jacobian(at.arm, at.q, at.task) * dq;
+  const Eigen::VectorXd acceleration =
+      task_rows(at.task, tool_acceleration(at.arm, at.q, dq, ddq, frame));
+  finite(derivative, "time derivative of the Jacobian");
+  finite(acceleration, "acceleration");
+  answer.document.add("derivative", json_matrix(derivative));
+  answer.document.add("velocity", velocity);
+  answer.document.add("acceleration", acceleration);
+  answer.text += "time derivative of the Jacobian\n" + matrix_text(derivative, at.rows) +
+                 fmt::format("velocity         {}   (J dq)\n", shown(velocity)) +
+                 fmt::format("acceleration     {}   (J ddq + J' dq)\n", shown(acceleration));
+}
+
+void add_hessian(const At& at, Answer& answer) {
+  const Hessian derivatives = finite(hessian(at.arm, at.q, at.task.frame), "Hessian");
+  const int n = at.arm.dof();
+  Json blocks;
+  for (int k = 0; k < n; ++k) {
+    const Eigen::MatrixXd block = rows_of(at.task, derivatives.middleCols(k * n, n));
+    blocks.append(json_matrix(block));
+    answer.text += fmt::format("derivative with respect to {}\n", at.arm.joint_of(k).name) +
+                   matrix_text(block, at.rows);
+  }
+  answer.document.add("hessian", blocks);
+}
+
+void add_gradient(const At& at, Answer& answer) {
+  const Configuration gradient =
+      finite(manipulability_gradient(at.arm, at.q, at.task).gradient, "gradient");
+  answer.document.add("manipulability_gradient", gradient);
+  answer.text += fmt::format("gradient         {}   (of the manipulability)\n", shown(gradient));
+}
+
+void add_ellipsoids(const At& at, Answer& answer) {
+  const Task part = part_of(at.task, at.task.positions() > 0);
+  const ManipulabilityEllipsoids found =
+      manipulability_ellipsoids(task_jacobian(at.arm, at.q, part));
+  const std::vector<std::string> names = row_names({part.rows, Frame::base});
+  answer.document.add("ellipsoids", {{"rows", names},
+                                     {"axes", json_matrix(found.axes)},
+                                     {"velocity", found.velocity},
+                                     {"force", found.force}});
+  answer.text += "ellipsoids of velocity and force, axes in the columns\n" +
+                 matrix_text(found.axes, names) +
+                 fmt::format("  velocity       {}\n", shown(found.velocity)) +
+                 fmt::format("  force          {}\n", shown(found.force));
+}
+
+void add_analytical(const JacobianArguments& arguments, const At& at, Answer& answer) {
+  if (arguments.analytical.empty()) return;
+  const auto coordinates = orientation_coordinates_named(arguments.analytical);
+  const Eigen::MatrixXd matrix =
+      finite(analytical_jacobian(at.arm, at.q, coordinates), "analytical Jacobian");
+  const std::vector<std::string> names = row_names(coordinates);
+  answer.document.add("analytical", {{"rows", names}, {"jacobian", json_matrix(matrix)}});
+  answer.text += fmt::format("analytical Jacobian: derivatives of position and {} in the world\n",
+                             arguments.analytical) +
+                 matrix_text(matrix, names);
+}
+
+/// The torques for a wrench of three numbers, fx, fy and mz of a planar arm, or of six.
+void add_torques(const JacobianArguments& arguments, const At& at, Answer& answer) {
+  if (arguments.wrench.empty()) return;
+  const std::vector<double> given = internal::parse_numbers(arguments.wrench, "--wrench");
+  Twist wrench = Twist::Zero();
+  if (given.size() == 3 && at.arm.planar()) {
+    wrench << given[0], given[1], 0, 0, 0, given[2];
+  } else if (given.size() == 6) {
+    for (Eigen::Index i = 0; i < 6; ++i) wrench[i] = given[static_cast<std::size_t>(i)];
+  } else {
+    throw Error("--wrench needs FX,FY,FZ,MX,MY,MZ" +
+                std::string(at.arm.planar() ? ", or FX,FY,MZ" : "") + ", not " +
+                counted(static_cast<std::int64_t>(given.size()), "number"));
+  }
+  const Configuration torques =
+      finite(joint_torques(at.arm, at.q, wrench, at.task.frame), "torque");
+  answer.document.add("torques", torques);
+  answer.text +=
+      fmt::format("joint torques    {}   (J^T F; N m, of a prismatic joint N)\n", shown(torques));
+}
+
 Answer differential_kinematics(const JacobianArguments& arguments) {
   const Arm arm = arguments.arm.read(arguments.unit);
   const Configuration q = arguments.arm.configuration(arm, arguments.q, "--q", arguments.unit);
   const Task task = arguments.jacobian.read(arm);
   warn_outside_limits(arm, q);
-  const Eigen::MatrixXd matrix = task_jacobian(arm, q, task);
-  if (!std::isfinite(matrix.squaredNorm())) {
-    throw Error("--q: the Jacobian exceeds the range of numbers, 1e308");
-  }
+  const Eigen::MatrixXd matrix = finite(task_jacobian(arm, q, task), "Jacobian");
+  finite(matrix * matrix.transpose(), "Jacobian");
   const ManipulabilityMeasures measures = manipulability_measures(matrix);
-  const std::vector<std::string> rows = row_names({task.rows, Frame::base});
+  const At at{arm, q, task, row_names({task.rows, Frame::base})};
   const std::string& frame = arguments.jacobian.frame;
   Answer answer;
   answer.document = {{"frame", frame},
-                     {"rows", rows},
+                     {"rows", at.rows},
                      {"columns", arm.joint_names()},
                      {"jacobian", json_matrix(matrix)},
                      {"singular_values", measures.singular_values},
                      {"manipulability", measures.manipulability},
                      {"condition", measures.condition}};
   answer.units = {{"jacobian", jacobian_units}};
+  const std::string fewer = arm.dof() < task.size()
+                                ? fmt::format("   ({} for {})", counted(arm.dof(), "coordinate"),
+                                              counted(task.size(), "row"))
+                                : "";
   answer.text = fmt::format("Jacobian in the {} frame: {}\n", frame, frame_meaning(task.frame)) +
                 fmt::format("(a column for each joint: {})\n", listed(arm.joint_names())) +
-                matrix_text(matrix, rows) +
+                matrix_text(matrix, at.rows) +
                 fmt::format("singular values  {}\n", shown(measures.singular_values)) +
-                fmt::format("manipulability   {}\n", shown(measures.manipulability)) +
-                fmt::format("condition        {}\n", shown(measures.condition));
+                fmt::format("condition        {}\n", shown(measures.condition)) +
+                fmt::format("manipulability   {}{}\n", shown(measures.manipulability), fewer);
+  add_parts(at, answer);
+  if (arguments.gradient) add_gradient(at, answer);
+  if (arguments.ellipsoids) add_ellipsoids(at, answer);
+  add_derivative(arguments, at, answer);
+  if (arguments.hessian) add_hessian(at, answer);
+  add_analytical(arguments, at, answer);
+  add_torques(arguments, at, answer);
   return answer;
+}
+
+std::vector<Option> derivative_options(JacobianArguments& arguments) {
+  Option derivative = joint_values_option(
+      "--derivative",
+      "Joint velocities dq, per s: prints the time derivative J' of the Jacobian, the velocity "
+      "J dq and the acceleration J' dq.",
+      &arguments.derivative);
+  Option second = joint_values_option(
+      "--second-derivative", "Joint accelerations ddq, per s^2: the acceleration is J ddq + J' dq.",
+      &arguments.second_derivative);
+  second.needs = "--derivative";
+  return {
+      derivative,
+      second,
+      {.name = "--hessian",
+       .help = "Prints the derivative of the Jacobian with respect to each coordinate.",
+       .target = &arguments.hessian},
+      {.name = "--gradient",
+       .help = "Prints the gradient of the manipulability of all rows.",
+       .target = &arguments.gradient},
+      {.name = "--ellipsoids",
+       .help = "Prints the principal axes and semi-axes of the ellipsoids of velocity and of force "
+               "of the linear rows, or of the angular rows if there are no others.",
+       .target = &arguments.ellipsoids},
+      {.name = "--analytical",
+       .value = "COORDINATES",
+       .help = "Prints the analytical Jacobian: the derivatives of the position and of these "
+               "coordinates of the orientation, in the world.",
+       .target = &arguments.analytical,
+       .choices = orientation_coordinates_names()},
+      {.name = "--wrench",
+       .value = "F",
+       .help = "Force and moment, N and N m, by which the tool acts on its surroundings, in the "
+               "axes of --frame: FX,FY,FZ,MX,MY,MZ, or FX,FY,MZ of a planar arm. Prints the joint "
+               "torques J^T F that balance it, without gravity.",
+       .target = &arguments.wrench}};
 }
 
 }  // namespace
@@ -78,15 +262,23 @@ Verb jacobian_verb() {
           "vx vy vz wx wy wz in m/s and rad/s, or x y theta for a planar arm; one column for "
           "each joint, per rad/s or m/s of that joint, also with --degrees. Prints its "
           "singular values, their product (manipulability) and the ratio of the largest to "
-          "the smallest (condition number, null in JSON if infinite).",
+          "the smallest (condition number, null in JSON if infinite). With options also its "
+          "derivatives, the analytical Jacobian, ellipsoids and joint torques.",
       .arguments = {arguments.arm.argument()},
-      .options = joined(
-          {{q}, arguments.unit.options(), arguments.jacobian.options(), arguments.arm.options()}),
+      .options = joined({{q},
+                         arguments.unit.options(),
+                         arguments.jacobian.options(),
+                         derivative_options(arguments),
+                         arguments.arm.options()}),
       .examples = {{"The columns drawn in figure 1.8 of the chapter",
                     "beeline jacobian rrr --q 0,90,0 --degrees"},
                    {"The body Jacobian of a Franka Panda, as JSON",
                     "beeline jacobian panda --q 0,-0.785,0,-2.356,0,1.571,0.785 --frame tool "
-                    "--json"}},
+                    "--json"},
+                   {"The tool's acceleration while joints 1 and 3 of a UR5e move",
+                    "beeline jacobian ur5e --q 0,-1.2,1.3,-1.5,-1.4,0 --derivative 1,0,0.5,0,0,0"},
+                   {"The torques that hold 10 N downwards at the tool",
+                    "beeline jacobian ur5e --q 0,-1.2,1.3,-1.5,-1.4,0 --wrench 0,0,-10,0,0,0"}},
       .json = &arguments.json,
       .run = [] { return differential_kinematics(arguments); }};
 }

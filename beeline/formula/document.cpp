@@ -103,8 +103,8 @@ WrittenSection jacobian_section(DocumentWriter& writer, const SymbolicArm& arm,
   return section;
 }
 
-WrittenSection determinant_section(DocumentWriter& writer, const SymbolicArm& arm, const Task& task,
-                                   const FormulaStyle& style) {
+WrittenSection determinant_section(DocumentWriter& writer, const SymbolicArm& arm,
+                                   const Task& task) {
   const DeterminantFormula determinant = determinant_formula(arm, task);
   WrittenSection section{.key = "determinant", .title = "Determinant of the Jacobian"};
   section.remarks.push_back("Rows: " + listed(row_names(task)) +
@@ -112,7 +112,7 @@ WrittenSection determinant_section(DocumentWriter& writer, const SymbolicArm& ar
                             ", in the axes of " + determinant.axes + ".");
   const std::string left = writer.notation().latex() ? "\\det J" : "det J";
   section.formulas.push_back({left, {{writer.text(determinant)}}});
-  section.sentences = internal::singularities(arm, determinant, style);
+  section.sentences = internal::singularities(arm, determinant, writer.notation());
   return section;
 }
 
@@ -180,7 +180,7 @@ FormulaDocument formula_document(const SymbolicArm& arm, const FormulaContent& c
     document.sections.push_back(jacobian_section(writer, arm, content, true));
   }
   if (content.determinant) {
-    document.sections.push_back(determinant_section(writer, arm, content.task, style));
+    document.sections.push_back(determinant_section(writer, arm, content.task));
   }
   if (content.inverse) document.sections.push_back(inverse_section(writer, arm));
   document.symbols = writer.symbols();

@@ -2,6 +2,7 @@
 
 #include <beeline/error.h>
 #include <beeline/kinematics/internal/forward_kernel.h>
+#include <beeline/kinematics/internal/jacobian_frame.h>
 #include <beeline/kinematics/jacobian.h>
 
 namespace beeline {
@@ -39,6 +40,17 @@ Frame frame_named(std::string_view wanted) {
   throw unknown_name("frame", wanted, {"base", "tool", "space"});
 }
 
+void internal::set_frame(Frame frame, const Pose& world_T_tool, Eigen::Ref<Jacobian> columns) {
+  const Vector3 tool = world_T_tool.translation();
+  for (int k = 0; frame == Frame::space && k < columns.cols(); ++k) {
+    columns.col(k).head<3>() += tool.cross(columns.col(k).tail<3>());
+  }
+  for (int k = 0; frame == Frame::tool && k < columns.cols(); ++k) {
+    const Vector3 v = columns.col(k).head<3>(), w = columns.col(k).tail<3>();
+    columns.col(k) << world_T_tool.linear().transpose() * v, world_T_tool.linear().transpose() * w;
+  }
+}
+
 Pose jacobian(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> columns,
               Frame frame) {
   if (q.size() != arm.dof()) check_configuration(arm, q);
@@ -57,14 +69,7 @@ Pose jacobian(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> co
     check_configuration(arm, q);
     world_T_tool = joint_by_joint(arm, q, columns);
   }
-  const Vector3 tool = world_T_tool.translation();
-  for (int k = 0; frame == Frame::space && k < columns.cols(); ++k) {
-    columns.col(k).head<3>() += tool.cross(columns.col(k).tail<3>());
-  }
-  for (int k = 0; frame == Frame::tool && k < columns.cols(); ++k) {
-    const Vector3 v = columns.col(k).head<3>(), w = columns.col(k).tail<3>();
-    columns.col(k) << world_T_tool.linear().transpose() * v, world_T_tool.linear().transpose() * w;
-  }
+  internal::set_frame(frame, world_T_tool, columns);
   return world_T_tool;
 }
 
@@ -82,6 +87,12 @@ Eigen::Matrix3Xd planar_jacobian(const Arm& arm, const ConfigurationRef& q) {
   Eigen::Matrix3Xd planar(3, arm.dof());
   planar << spatial.topRows<2>(), spatial.bottomRows<1>();
   return planar;
+}
+
+Configuration joint_torques(const Arm& arm, const ConfigurationRef& q, const Twist& wrench,
+                            Frame frame) {
+  if (!wrench.allFinite()) throw Error("the wrench must be finite");
+  return jacobian(arm, q, frame).transpose() * wrench;
 }
 
 }  // namespace beeline

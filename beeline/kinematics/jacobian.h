@@ -33,6 +33,14 @@ Jacobian jacobian(const Arm& arm, const ConfigurationRef& q, Frame frame = Frame
 Pose jacobian(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> columns,
               Frame frame = Frame::base);
 
+/// Returns the joint torques (N m; forces, N, of prismatic joints) that balance a wrench by which
+/// the tool acts on its surroundings: tau = J^T F (Lynch & Park, eq. 5.26). `wrench` is [force
+/// moment], N and N m, in the axes of the frame, its moment about the frame's point. Nothing else
+/// acts on the arm: no gravity, no friction. Throws Error as jacobian() does, and for a wrench that
+/// is not finite.
+Configuration joint_torques(const Arm& arm, const ConfigurationRef& q, const Twist& wrench,
+                            Frame frame = Frame::base);
+
 /// The 3 x dof Jacobian of a planar arm as in the chapter: rows [x y theta], in the world's axes.
 /// The third row is exactly 1 for a revolute joint about z. Throws Error when the arm is not
 /// planar.

@@ -1,20 +1,43 @@
+#include <Eigen/SVD>
 #include <algorithm>
 #include <limits>
 #include <string>
 
 #include <beeline/error.h>
+#include <beeline/kinematics/derivatives.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/math/six_row_svd.h>
 
 namespace beeline {
+namespace {
 
-ManipulabilityMeasures manipulability_measures(const Eigen::Ref<const Eigen::MatrixXd>& jacobian) {
+/// A singular value up to this is zero, to rounding.
+double rounding_of(double largest, const Eigen::Ref<const Eigen::MatrixXd>& jacobian) {
+  return largest * std::numeric_limits<double>::epsilon() *
+         static_cast<double>(std::max(jacobian.rows(), jacobian.cols()));
+}
+
+void check_matrix(const Eigen::Ref<const Eigen::MatrixXd>& jacobian) {
   if (jacobian.size() == 0 || !jacobian.allFinite()) {
     throw Error("a Jacobian needs at least one row and one column, all finite");
   }
   if (jacobian.rows() > 6) {
     throw Error("a Jacobian has at most 6 rows, not " + std::to_string(jacobian.rows()));
   }
+}
+
+std::vector<int> selected(const Task& task) {
+  std::vector<int> rows;
+  for (int i = 0; i < 6; ++i) {
+    if (task.rows[static_cast<std::size_t>(i)]) rows.push_back(i);
+  }
+  return rows;
+}
+
+}  // namespace
+
+ManipulabilityMeasures manipulability_measures(const Eigen::Ref<const Eigen::MatrixXd>& jacobian) {
+  check_matrix(jacobian);
   ManipulabilityMeasures result;
   result.singular_values = internal::six_row_svd(jacobian).singular_values.head(
       std::min(jacobian.rows(), jacobian.cols()));
@@ -22,11 +45,51 @@ ManipulabilityMeasures manipulability_measures(const Eigen::Ref<const Eigen::Mat
   const double smallest = result.singular_values[result.singular_values.size() - 1];
   const bool enough_joints = jacobian.cols() >= jacobian.rows();
   result.manipulability = enough_joints ? result.singular_values.prod() : 0;
-  // A singular value below this rank tolerance is zero, to rounding.
-  const double rounding = largest * std::numeric_limits<double>::epsilon() *
-                          static_cast<double>(std::max(jacobian.rows(), jacobian.cols()));
-  result.condition =
-      smallest > rounding ? largest / smallest : std::numeric_limits<double>::infinity();
+  result.condition = smallest > rounding_of(largest, jacobian)
+                         ? largest / smallest
+                         : std::numeric_limits<double>::infinity();
+  return result;
+}
+
+ManipulabilityEllipsoids manipulability_ellipsoids(
+    const Eigen::Ref<const Eigen::MatrixXd>& jacobian) {
+  check_matrix(jacobian);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullU);
+  const Eigen::VectorXd& sigma = svd.singularValues();
+  ManipulabilityEllipsoids result{svd.matrixU(), Eigen::VectorXd::Zero(jacobian.rows()), {}};
+  const double rounding = rounding_of(sigma[0], jacobian);
+  for (Eigen::Index i = 0; i < sigma.size(); ++i) {
+    if (sigma[i] > rounding) result.velocity[i] = sigma[i];
+  }
+  result.force = result.velocity.cwiseInverse();
+  return result;
+}
+
+ManipulabilityGradient manipulability_gradient(const Arm& arm, const ConfigurationRef& q,
+                                               const Task& task) {
+  check_task(task);
+  const int n = arm.dof();
+  Jacobian columns(6, n);
+  Hessian derivatives(6, Eigen::Index{n} * n);
+  hessian(arm, q, columns, derivatives, task.frame);
+  const std::vector<int> rows = selected(task);
+  const Eigen::MatrixXd matrix = columns(rows, Eigen::all);
+  const internal::SixRowSvd svd = internal::six_row_svd(matrix);
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  const auto& sigma = svd.singular_values;
+  ManipulabilityGradient result{0, Configuration::Zero(n)};
+  if (n < count || !(sigma[count - 1] > rounding_of(sigma[0], matrix))) return result;
+  result.manipulability = sigma.head(count).prod();
+  // The logarithm of the measure is that of the singular values, and d sigma = u^T dJ v, with
+  // sigma v = J^T u: so the gradient is w tr(J^+ dJ/dq).
+  const Eigen::MatrixXd pseudoinverse = svd.scaled_right.leftCols(count) *
+                                        sigma.head(count).cwiseAbs2().cwiseInverse().asDiagonal() *
+                                        svd.left.topLeftCorner(count, count).transpose();
+  for (int k = 0; k < n; ++k) {
+    const Eigen::MatrixXd change = derivatives.middleCols(Eigen::Index{k} * n, n)(rows, Eigen::all);
+    result.gradient[k] =
+        result.manipulability * pseudoinverse.cwiseProduct(change.transpose()).sum();
+  }
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <beeline/error.h>
+#include <beeline/kinematics/task.h>
 
 namespace beeline {
 
@@ -22,5 +23,33 @@ struct ManipulabilityMeasures {
 /// different units: scale one of them first where the condition number matters (task_jacobian()).
 /// Throws Error for an empty matrix, one of more than six rows, or one that is not finite.
 ManipulabilityMeasures manipulability_measures(const Eigen::Ref<const Eigen::MatrixXd>& jacobian);
+
+/// The velocities J dq of all joint velocities with |dq| = 1, and the forces F of all joint torques
+/// with |J^T F| = 1 (Lynch & Park, section 5.4). Both ellipsoids have the same axes.
+struct ManipulabilityEllipsoids {
+  Eigen::MatrixXd axes;      ///< principal axes: orthonormal columns, as many as the rows of J
+  Eigen::VectorXd velocity;  ///< semi-axes, in decreasing order; 0 along which nothing moves
+  Eigen::VectorXd force;     ///< their reciprocals; infinite where the velocity is 0
+};
+
+/// Returns the ellipsoids of a Jacobian, or of some of its rows; take linear or angular rows, as
+/// their units differ. Throws Error as manipulability_measures() does.
+ManipulabilityEllipsoids manipulability_ellipsoids(
+    const Eigen::Ref<const Eigen::MatrixXd>& jacobian);
+
+/// Yoshikawa's measure and its derivatives.
+struct ManipulabilityGradient {
+  double manipulability = 0;  ///< as in ManipulabilityMeasures
+  /// With respect to the coordinates, per radian or metre. Zero where the measure is 0: it has no
+  /// derivatives there.
+  Configuration gradient;
+};
+
+/// Returns the manipulability of the task's rows and its gradient: of all rows Task::spatial(), of
+/// the translational ones Task::position(), of the rotational ones the mask 000111. The gradient is
+/// w tr(J^+ dJ/dq) (Siciliano et al., *Robotics*, 2009, section 3.5.1). Throws Error as jacobian()
+/// and check_task() do.
+ManipulabilityGradient manipulability_gradient(const Arm& arm, const ConfigurationRef& q,
+                                               const Task& task = Task::spatial());
 
 }  // namespace beeline

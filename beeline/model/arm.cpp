@@ -118,17 +118,18 @@ void tighten(Limits& leader, const Limits& follower, const Arm::Drive& drive,
   leader.jerk = std::min(leader.jerk, follower.jerk / std::abs(drive.ratio));
 }
 
-bool is_planar(const Arm& arm) {
+/// Whether all joints rotate about the world's z and, if `in_plane`, translate across it only, the
+/// tool's z along it.
+bool moves_about_z(const Arm& arm, bool in_plane) {
   Pose base_T_link = arm.base();
   for (const Joint& joint : arm.joints()) {
     base_T_link = base_T_link * joint.offset;
     const Twist screw = adjoint(base_T_link, joint.screw);
-    const bool rotates_about_z = screw.segment<2>(3).isZero(rounding);
-    const bool stays_in_plane = std::abs(screw[2]) < rounding;
-    if (!rotates_about_z || !stays_in_plane) return false;
+    if (!screw.segment<2>(3).isZero(rounding)) return false;
+    if (in_plane && !(std::abs(screw[2]) < rounding)) return false;
   }
   const Vector3 tool_z = (base_T_link * arm.tool()).linear().col(2);
-  return (tool_z - Vector3::UnitZ()).isZero(rounding);
+  return !in_plane || (tool_z - Vector3::UnitZ()).isZero(rounding);
 }
 
 /// The largest |d| of the link along the joint's axis within its limits, metres.
@@ -198,7 +199,8 @@ Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Po
   }
   chain_ = chain_of(*this);
   chain_angles_ = angles_of(chain_);
-  planar_ = is_planar(*this);
+  planar_ = moves_about_z(*this, true);
+  rotates_about_z_ = moves_about_z(*this, false);
   reach_ = reach_ball(*this);
 }
 

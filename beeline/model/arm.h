@@ -80,6 +80,10 @@ class Arm {
   /// Whether all motion is in one plane z = constant, with the tool's z axis along the world's.
   bool planar() const { return planar_; }
 
+  /// Whether all axes of rotation are parallel to the world's z, as those of planar arms and
+  /// SCARAs.
+  bool rotates_about_z() const { return rotates_about_z_; }
+
   /// A sphere in the world that contains the tool's origin in every configuration within the
   /// limits. Its radius is infinite when a prismatic or helical joint has no position limits.
   struct Reach {
@@ -98,6 +102,7 @@ class Arm {
   Chain chain_;
   ChainAngles chain_angles_;
   bool planar_ = false;
+  bool rotates_about_z_ = false;
   Reach reach_;
 };
 

@@ -2,7 +2,11 @@
 
 import math
 
+import numpy as np
+
 import pytest
+
+from arms import text
 
 
 @pytest.mark.parametrize(
@@ -92,3 +96,54 @@ def test_show_writes_an_arm_that_reads_back(beeline, tmp_path):
     for a, b in zip(sum(there["pose"]["matrix"], []), sum(back["pose"]["matrix"], [])):
         assert a == pytest.approx(b, abs=1e-14)
     assert beeline("show", "panda.json", "--json").json["joints"][3]["limits"]["upper"] == -0.0698
+
+
+UR5E = ("ur5e", "--q", "0,-1.2,1.3,-1.5,-1.4,0.4")
+
+
+@pytest.mark.parametrize("frame", ["base", "tool", "space"])
+def test_derivatives_are_the_difference_quotients(beeline, frame):
+    q, dq, ddq, h = np.array([0, -1.2, 1.3, -1.5, -1.4, 0.4]), np.array([1, 0, 0.5, -1, 0.2, 0.3]), np.arange(6) / 5, 1e-5
+
+    def jacobian(q):
+        return np.array(beeline("jacobian", "ur5e", "--q=" + text(q), "--frame", frame, "--json").json["jacobian"])
+
+    found = beeline("jacobian", *UR5E, "--frame", frame, "--derivative=" + text(dq), "--second-derivative=" + text(ddq),
+                    "--hessian", "--json").json
+    numeric = (jacobian(q + h * dq) - jacobian(q - h * dq)) / (2 * h)
+    assert np.allclose(found["derivative"], numeric, atol=1e-8)
+    assert np.allclose(found["velocity"], jacobian(q) @ dq, atol=1e-14)
+    assert np.allclose(found["acceleration"], jacobian(q) @ ddq + found["derivative"] @ dq, atol=1e-13)
+    assert np.allclose(np.tensordot(dq, np.array(found["hessian"]), 1), found["derivative"], atol=1e-13)
+
+
+def test_analytical_gradient_ellipsoids_and_torques(beeline):
+    found = beeline("jacobian", *UR5E, "--analytical", "rpy", "--gradient", "--ellipsoids", "--wrench", "1,2,-10,0.1,0,3",
+                    "--json").json
+    jacobian = np.array(found["jacobian"])
+    assert found["analytical"]["rows"] == ["x", "y", "z", "roll", "pitch", "yaw"]
+    assert np.allclose(np.array(found["analytical"]["jacobian"])[:3], jacobian[:3], atol=1e-14)
+    assert np.allclose(found["torques"], jacobian.T @ [1, 2, -10, 0.1, 0, 3], atol=1e-12)
+    values = np.linalg.svd(jacobian[:3])[1]
+    assert np.allclose(found["ellipsoids"]["velocity"], values) and np.allclose(found["ellipsoids"]["force"], 1 / values)
+    assert found["manipulability_translational"] == pytest.approx(np.prod(values))
+    assert found["manipulability_rotational"] == pytest.approx(np.prod(np.linalg.svd(jacobian[3:])[1]))
+    assert len(found["manipulability_gradient"]) == 6
+
+
+def test_manipulability_of_an_arm_with_fewer_joints_than_rows(beeline):
+    answer = beeline("jacobian", "gantry", "--q", "1,2", "--ellipsoids", "--json")
+    assert answer.json["manipulability"] == 0 and answer.json["manipulability_translational"] == pytest.approx(1)
+    assert answer.json["ellipsoids"]["rows"] == ["vx", "vy"]
+    assert "(2 coordinates for 3 rows)" in beeline("jacobian", "gantry", "--q", "1,2").out
+
+
+@pytest.mark.parametrize("options, says", [
+    (("--wrench", "1,2,3"), ["--wrench", "FX,FY,FZ,MX,MY,MZ", "3 numbers"]),
+    (("--wrench", "1,2,x,0,0,0"), ["--wrench", '"x"']),
+    (("--derivative", "1,2"), ["--derivative", "6"]),
+    (("--second-derivative", "0,0,0,0,0,0"), ["--derivative"]),
+    (("--analytical", "euler"), ["--analytical", "rotation-vector"]),
+])
+def test_options_of_derivatives_are_refused_by_name(refused, options, says):
+    refused(2, "jacobian", *UR5E, *options, says=says)

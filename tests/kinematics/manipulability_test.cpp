@@ -155,5 +155,70 @@ TEST(Manipulability, RefusesAnEmptyMatrixAndNumbersThatAreNotFinite) {
   EXPECT_REFUSED(manipulability_measures(bad), "finite");
 }
 
+TEST(Manipulability, GradientIsTheDifferenceQuotient) {
+  testing::Random random;
+  int compared = 0;
+  for (const std::string& name : built_in_names()) {
+    const Arm arm = built_in(name);
+    for (const char* rows : {"spatial", "position", "000111", "planar", "110001:tool", "001000"}) {
+      const Task task = task_named(rows);
+      for (int i = 0; i < 20; ++i) {
+        const Configuration q = random.configuration(arm);
+        const ManipulabilityGradient found = manipulability_gradient(arm, q, task);
+        const auto measure = [&](const Configuration& at) {
+          return manipulability_measures(task_jacobian(arm, at, task)).manipulability;
+        };
+        ASSERT_NEAR(found.manipulability, measure(q), 1e-13 * (1 + found.manipulability));
+        if (found.manipulability < 1e-3) continue;  // kinks near singularities
+        ++compared;
+        for (int k = 0; k < arm.dof(); ++k) {
+          const Configuration step = 1e-6 * Configuration::Unit(arm.dof(), k);
+          const double numeric = (measure(q + step) - measure(q - step)) / 2e-6;
+          ASSERT_NEAR(found.gradient[k], numeric, 1e-6 * (1 + std::abs(numeric)))
+              << name << ' ' << rows << ' ' << k;
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 300);
+}
+
+TEST(Manipulability, EllipsoidsHaveTheVelocitiesOfUnitJointVelocities) {
+  testing::Random random;
+  for (int i = 0; i < 300; ++i) {
+    const int rows = random.integer(1, 6), columns = random.integer(1, 8);
+    const Eigen::MatrixXd j = Eigen::MatrixXd::Random(rows, columns);
+    const ManipulabilityEllipsoids found = manipulability_ellipsoids(j);
+    const Eigen::MatrixXd square =
+        found.axes * found.velocity.cwiseAbs2().asDiagonal() * found.axes.transpose();
+    ASSERT_LT((square - j * j.transpose()).norm(), 1e-13 * (1 + square.norm()));
+    ASSERT_LT((found.axes.transpose() * found.axes - Eigen::MatrixXd::Identity(rows, rows)).norm(),
+              1e-13);
+    for (int k = 0; k < rows; ++k) {
+      if (k >= columns) {
+        ASSERT_EQ(found.force[k], inf);
+        continue;
+      }
+      const Eigen::VectorXd torques = j.transpose() * found.force[k] * found.axes.col(k);
+      ASSERT_NEAR(torques.norm(), 1, 1e-9);
+    }
+  }
+}
+
+TEST(JointTorques, DoTheWorkOfTheWrench) {
+  testing::Random random;
+  for (const std::string& name : built_in_names()) {
+    const Arm arm = built_in(name);
+    for (const Frame frame : {Frame::base, Frame::tool, Frame::space}) {
+      const Configuration q = random.configuration(arm), dq = Configuration::Random(arm.dof());
+      const Twist wrench = Twist::Random();
+      const double power = wrench.dot(jacobian(arm, q, frame) * dq);
+      EXPECT_NEAR(joint_torques(arm, q, wrench, frame).dot(dq), power, 1e-13);
+    }
+    EXPECT_REFUSED(joint_torques(arm, Configuration::Zero(arm.dof()), Twist::Constant(inf)),
+                   "wrench");
+  }
+}
+
 }  // namespace
 }  // namespace beeline

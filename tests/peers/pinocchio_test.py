@@ -1,4 +1,4 @@
-"""Forward kinematics and Jacobians equal to Pinocchio's, for every arm in example-robot-data: each
+"""Forward kinematics, Jacobians and their time derivatives equal to Pinocchio's, for every arm in example-robot-data: each
 chain from a root to a leaf with a joint that moves, at 1,000 random configurations."""
 
 import subprocess
@@ -12,6 +12,7 @@ from urdf_tree import ROBOTS, UrdfTree
 
 CONFIGURATIONS = 1000
 TOLERANCE = 1e-12  # absolute: metres and radians, on arms of up to about two metres
+DERIVATIVE_TOLERANCE = 1e-11  # of the time derivatives, joints at up to 1 rad/s or m/s
 FRAMES = [  # in the order of kinematics_stream's answer: base, tool, space
     pinocchio.ReferenceFrame.LOCAL_WORLD_ALIGNED,
     pinocchio.ReferenceFrame.LOCAL,
@@ -45,14 +46,16 @@ class Peer:
         self.tree = UrdfTree(path)
         # Every joint is free here, mimic joints too: how they follow is put together below.
         self.model = pinocchio.buildModelFromUrdf(str(path), mimic=False)
-        self.values = {}
+        self.values, self.rates = {}, {}
         for name, joint in self.tree.joints.items():
             if joint.moves:
                 far = 1 if joint.kind == "prismatic" else np.pi
                 self.values[name] = random.uniform(-far, far, CONFIGURATIONS)
+                self.rates[name] = random.uniform(-1, 1, CONFIGURATIONS)
         for name in self.values:
             leader, ratio, shift = self.tree.drive(name, self.values)
             self.values[name] = ratio * self.values[leader] + shift
+            self.rates[name] = ratio * self.rates[leader]
         self.answers = self.run()
 
     def run(self):
@@ -66,12 +69,12 @@ class Peer:
         answers = {
             tip: (
                 np.empty((CONFIGURATIONS, 4, 4)),
-                np.empty((CONFIGURATIONS, len(FRAMES), 6, len(columns[tip]))),
+                np.empty((CONFIGURATIONS, 2 * len(FRAMES), 6, len(columns[tip]))),
             )
             for tip in tips
         }
-        for k, q in enumerate(self.configurations()):
-            pinocchio.computeJointJacobians(model, data, q)
+        for k, (q, dq) in enumerate(zip(self.configurations(), self.velocities())):
+            pinocchio.computeJointJacobiansTimeVariation(model, data, q, dq)
             pinocchio.updateFramePlacements(model, data)
             for tip, frame in zip(tips, frames):
                 poses, jacobians = answers[tip]
@@ -79,6 +82,10 @@ class Peer:
                 for i, reference in enumerate(FRAMES):
                     jacobian = pinocchio.getFrameJacobian(model, data, frame, reference)
                     jacobians[k, i] = jacobian[:, columns[tip]]
+                    derivative = pinocchio.getFrameJacobianTimeVariation(
+                        model, data, frame, reference
+                    )
+                    jacobians[k, len(FRAMES) + i] = derivative[:, columns[tip]]
         return answers
 
     def configurations(self):
@@ -92,9 +99,16 @@ class Peer:
                 q[:, joint.idx_q] = values
         return q
 
+    def velocities(self):
+        dq = np.empty((CONFIGURATIONS, self.model.nv))
+        for name, rates in self.rates.items():
+            dq[:, self.model.joints[self.model.getJointId(name)].idx_v] = rates
+        return dq
+
     def chain(self, tip):
-        """The chain's coordinates, their values, the tip's poses, and the Jacobians with a column
-        for each coordinate: a mimic joint's column counts for its leader, times its multiplier."""
+        """The chain's coordinates, their values and velocities, the tip's poses, and the Jacobians
+        and their derivatives with a column for each coordinate: a mimic joint's column counts for
+        its leader, times its multiplier."""
         joints = self.tree.moving_joints(tip)
         drives = {name: self.tree.drive(name, joints) for name in joints}
         names = [name for name in joints if drives[name][0] == name]
@@ -103,7 +117,8 @@ class Peer:
         for i, joint in enumerate(joints):
             leader, ratio, _ = drives[joint]
             jacobians[..., names.index(leader)] += ratio * columns[..., i]
-        return names, np.column_stack([self.values[name] for name in names]), poses, jacobians
+        motion = [self.values[name] for name in names] + [self.rates[name] for name in names]
+        return names, np.column_stack(motion), poses, jacobians
 
 
 def stream(build, path, base, tip, q):
@@ -116,9 +131,9 @@ def beeline_kinematics(build, path, base, tip, q):
     assert answer.returncode == 0, answer.stderr.decode()
     header, _, body = answer.stdout.partition(b"\n")
     names = header.decode().split("\t")
-    numbers = np.frombuffer(body).reshape(len(q), 16 + 3 * 6 * len(names))
+    numbers = np.frombuffer(body).reshape(len(q), 16 + 6 * 6 * len(names))
     poses = numbers[:, :16].reshape(-1, 4, 4)
-    return names, poses, numbers[:, 16:].reshape(-1, 3, 6, len(names))
+    return names, poses, numbers[:, 16:].reshape(-1, 6, 6, len(names))
 
 
 @pytest.mark.parametrize("path, tip", chains())
@@ -135,10 +150,12 @@ def test_kinematics_equal_pinocchio(path, tip, build, seed, worst_differences):
 
     assert our_names == names
     pose_difference = np.abs(our_poses - poses).max()
-    jacobian_difference = np.abs(our_jacobians - jacobians).max()
+    differences = np.abs(our_jacobians - jacobians).max(axis=(0, 2, 3))
+    jacobian_difference = differences[: len(FRAMES)].max()
     worst_differences.append((label(path), pose_difference, jacobian_difference))
     assert pose_difference <= TOLERANCE
     assert jacobian_difference <= TOLERANCE
+    assert differences[len(FRAMES) :].max() <= DERIVATIVE_TOLERANCE
 
 
 def test_these_are_all_the_arms_that_the_package_has():

@@ -71,11 +71,11 @@ ChordBound chord_bound(const Arm& arm, const ConfigurationRef& q_a, const Config
   bound.curvature_term = acceleration / 8;
   bound.remainder = jerk / 48;
   bound.position = std::min(bound.curvature_term.norm() + bound.remainder, max_acceleration / 8);
-  bound.angular_acceleration = arm.planar() ? Vector3::Zero() : angular_acceleration;
-  bound.angular_remainder = arm.planar() ? 0 : angular_jerk / 6;
+  bound.angular_acceleration = arm.rotates_about_z() ? Vector3::Zero() : angular_acceleration;
+  bound.angular_remainder = arm.rotates_about_z() ? 0 : angular_jerk / 6;
   const double largest = std::min(bound.angular_acceleration.norm() + bound.angular_remainder,
                                   max_angular_acceleration);
-  bound.orientation = orientation_gap(arm.planar() ? 0 : largest, bound.rotation);
+  bound.orientation = orientation_gap(arm.rotates_about_z() ? 0 : largest, bound.rotation);
   return bound;
 }
 

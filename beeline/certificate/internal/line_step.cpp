@@ -23,7 +23,7 @@ bool rotating_rows(const Task& task) {
 bool whole_rotations(const Arm& arm, const Line& line, const LineExtent& extent, const Task& task,
                      const ConfigurationRef& q) {
   if (task.orientations() % 3 == 0) return true;
-  return arm.planar() && rotates_within_rows(task, Vector3::UnitZ()) &&
+  return arm.rotates_about_z() && rotates_within_rows(task, Vector3::UnitZ()) &&
          rotates_within_rows(task, extent.rotation) &&
          rotates_within_rows(task,
                              pose_difference(forward_kinematics(arm, q), line.from).tail<3>());
@@ -162,8 +162,8 @@ double orientation_bound(const LineStep& step, const Task& task, const Deviation
 }  // namespace
 
 bool bound_is_linear(const Arm& arm, const Task& task) {
-  const bool planar = arm.planar() && rotates_within_rows(task, Vector3::UnitZ());
-  return rotating_rows(task) || (task.orientations() == 1 && !planar);
+  const bool whole = arm.rotates_about_z() && rotates_within_rows(task, Vector3::UnitZ());
+  return rotating_rows(task) || (task.orientations() == 1 && !whole);
 }
 
 Deviation line_step_bound(const Arm& arm, const Line& line, const Task& task,

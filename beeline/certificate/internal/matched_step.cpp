@@ -5,20 +5,13 @@
 #include <beeline/certificate/internal/chord_bound.h>
 #include <beeline/certificate/internal/matched_step.h>
 #include <beeline/certificate/internal/orientation_gap.h>
+#include <beeline/certificate/internal/path_checks.h>
 #include <beeline/certificate/internal/segment_chord_bound.h>
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 
 namespace beeline::internal {
 namespace {
-
-/// Whether the z axes of the tool and of the segment's poses are the world's throughout.
-bool planar(const Arm& arm, const Segment& segment) {
-  constexpr double tilt = 1e-9;
-  const Rotation r = pose_at(segment, 0).linear();
-  return arm.planar() && rotates_about_z(segment) && r.col(2).head<2>().norm() <= tilt &&
-         r(2, 2) > 0;
-}
 
 /// Bounds the angle f between the orientations of tool and segment; `ends` bounds it at both ends.
 ///
@@ -64,8 +57,8 @@ Deviation matched_step_bound(const Arm& arm, const Segment& segment, const Task&
 
 void check_matched(const Arm& arm, const Segment& segment, const Task& task) {
   const int positions = task.positions(), orientations = task.orientations();
-  const bool all_or_none =
-      orientations % 3 == 0 || (task.rows[5] && task.frame == Frame::base && planar(arm, segment));
+  const bool all_or_none = orientations % 3 == 0 || (task.rows[5] && task.frame == Frame::base &&
+                                                     all_rotate_about_z(arm, segment));
   if (task.frame == Frame::space || !all_or_none ||
       (positions % 3 != 0 && task.frame != Frame::base)) {
     throw Error("task " + name(task) +

@@ -3,6 +3,7 @@
 #include <beeline/certificate/internal/matched_step.h>
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/error.h>
+#include <beeline/kinematics/forward.h>
 #include <beeline/trajectory/internal/tool_speed.h>
 
 namespace beeline::internal {
@@ -53,6 +54,14 @@ void check_path_parameters(const ToolPath& path, std::span<const double> path_pa
 bool all_lines(const ToolPath& path) {
   return std::all_of(path.segments.begin(), path.segments.end(),
                      [](const Segment& segment) { return std::holds_alternative<Line>(segment); });
+}
+
+bool all_rotate_about_z(const Arm& arm, const Segment& segment) {
+  constexpr double tilt = 1e-9;
+  if (!arm.rotates_about_z() || !rotates_about_z(segment)) return false;
+  const Pose tool = forward_kinematics(arm, Configuration(Configuration::Zero(arm.dof())));
+  const Rotation between = tool.linear() * pose_at(segment, 0).linear().transpose();
+  return between.col(2).head<2>().norm() <= tilt && between(2, 2) > 0;
 }
 
 bool stands_still(const Segment& segment, const Task& task) {

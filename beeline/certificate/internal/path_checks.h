@@ -27,6 +27,10 @@ void check_path_parameters(const ToolPath& path, std::span<const double> path_pa
 
 bool all_lines(const ToolPath& path);
 
+/// Whether the tool, the segment's poses and the rotations between them rotate about the world's z
+/// only, to 1e-9 rad.
+bool all_rotate_about_z(const Arm& arm, const Segment& segment);
+
 /// Whether the segment's pose is constant in the rows of the task, to 1e-9 m and rad.
 bool stands_still(const Segment& segment, const Task& task);
 

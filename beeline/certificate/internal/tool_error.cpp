@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <beeline/certificate/internal/path_checks.h>
 #include <beeline/certificate/internal/tool_error.h>
 #include <beeline/kinematics/internal/mask.h>
 #include <beeline/pose/so3.h>
@@ -45,7 +46,7 @@ Jet each(const Jet& jet, const Function& function) {
 }
 
 bool planar_rotation(const Arm& arm, const Segment& segment, const Task& task) {
-  return arm.planar() && task.frame == Frame::base && task.rows[5] && rotates_about_z(segment);
+  return task.frame == Frame::base && task.rows[5] && all_rotate_about_z(arm, segment);
 }
 
 }  // namespace

@@ -11,9 +11,6 @@
 
 namespace beeline::internal {
 
-/// An angle in degrees, without the rounding of the conversion where it shows.
-double in_degrees(double radians);
-
 /// Writes expressions, and remembers which symbols and abbreviations occur.
 class DocumentWriter {
  public:

@@ -2,8 +2,6 @@
 #include <numbers>
 #include <optional>
 
-#include <beeline/formula/internal/document_writer.h>
-#include <beeline/formula/internal/numbers_inserted.h>
 #include <beeline/formula/internal/numeric_twists.h>
 #include <beeline/formula/internal/singularity.h>
 
@@ -37,7 +35,7 @@ double constant_value(const SymbolicArm& arm, const Expression& constant) {
 
 /// A cos + B sin of one angle, with constant A and B.
 std::optional<Zeros> trigonometric_zeros(const SymbolicArm& arm, const Expression& factor,
-                                         const Notation& notation, bool degrees) {
+                                         const Notation& notation) {
   Zeros zeros;
   Expression c, s;
   for (const auto& [monomial, coefficient] : factor.terms()) {
@@ -61,27 +59,24 @@ std::optional<Zeros> trigonometric_zeros(const SymbolicArm& arm, const Expressio
     zeros.angle = moving->angle;
     (moving->sine ? s : c).add(constant, coefficient);
   }
+  const char* pi = notation.latex() ? "\\pi" : "π";
   const std::string plus_minus = notation.latex() ? "\\pm" : "±";
-  const std::string either = notation.latex() ? "\\text{ or }" : " or ";
-  const std::string pi = notation.latex() ? "\\pi" : "π";
-  const std::string degree = notation.latex() ? "^{\\circ}" : "°";
   const std::string left = notation.angle(zeros.angle) + " = ";
   if (c.is_zero()) {
     zeros.values = {0, std::numbers::pi};
-    zeros.text = left + "0" + either + plus_minus + (degrees ? "180" + degree : pi);
+    zeros.text = left + "0" + (notation.latex() ? "\\text{ or }" : " or ") + plus_minus + pi;
   } else if (s.is_zero()) {
     zeros.values = {std::numbers::pi / 2, -std::numbers::pi / 2};
-    zeros.text = left + plus_minus + (degrees ? "90" + degree : pi + "/2");
+    zeros.text = left + plus_minus + pi + "/2";
   } else {
     const double angle = std::atan2(-constant_value(arm, c), constant_value(arm, s));
     const double other = angle > 0 ? angle - std::numbers::pi : angle + std::numbers::pi;
     zeros.values = {angle, other};
     const auto rounded = [&](double value) {
-      const double shown = std::round((degrees ? in_degrees(value) : value) * 1e6) / 1e6;
-      return notation.text(Expression(Coefficient::plain(shown))) + (degrees ? degree : "");
+      return notation.text(Expression(Coefficient::plain(std::round(value * 1e6) / 1e6)));
     };
-    const std::string rad = notation.latex() ? "\\text{ rad}" : " rad";
-    zeros.text = left + rounded(angle) + either + rounded(other) + (degrees ? "" : rad);
+    zeros.text = left + rounded(angle) + (notation.latex() ? "\\text{ or }" : " or ") +
+                 rounded(other) + (notation.latex() ? "\\text{ rad}" : " rad");
   }
   return zeros;
 }
@@ -241,12 +236,10 @@ std::string in_text(const std::string& formula, const Notation& notation) {
 
 std::vector<std::string> singularities(const SymbolicArm& arm,
                                        const DeterminantFormula& determinant,
-                                       const FormulaStyle& style) {
-  const Notation notation(arm.symbols, style.latex);
+                                       const Notation& notation) {
   std::vector<std::string> sentences;
-  for (const auto& [named, exponent] : determinant.factors) {
-    const Expression factor = style.numbers ? with_numbers(named, arm) : named;
-    std::optional<Zeros> zeros = trigonometric_zeros(arm, factor, notation, style.degrees);
+  for (const auto& [factor, exponent] : determinant.factors) {
+    std::optional<Zeros> zeros = trigonometric_zeros(arm, factor, notation);
     if (!zeros || zeros->angle.is_zero()) zeros = linear_zeros(arm, factor, notation);
     std::string sentence = "Singular where " + in_text(notation.text(factor) + " = 0", notation);
     if (zeros) {

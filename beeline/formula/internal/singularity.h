@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include <beeline/formula/document.h>
+#include <beeline/formula/formula.h>
+#include <beeline/formula/internal/notation.h>
 
 namespace beeline::internal {
 
@@ -12,6 +13,6 @@ namespace beeline::internal {
 /// this factor zero, and at none of others.
 std::vector<std::string> singularities(const SymbolicArm& arm,
                                        const DeterminantFormula& determinant,
-                                       const FormulaStyle& style);
+                                       const Notation& notation);
 
 }  // namespace beeline::internal

@@ -87,15 +87,17 @@ bool SectionPath::add_samples(const Deviation& tolerance, BudgetMeter& budget) {
       }
       // Near a singularity the solution may be on another branch: only one near both is taken.
       const Configuration middle = (samples_.samples[k - 1] + samples_.samples[k]) / 2;
-      constexpr double excursion =
-          0.5;  // radians or metres, of a path that turns back between them
+      constexpr double excursion = 0.5;   // of a path that turns back between them
+      constexpr double min_chord = 1e-9;  // both in radians or metres
       const double farthest = excursion + (samples_.samples[k] - samples_.samples[k - 1]).norm();
       const auto near = [&](const Configuration& q) { return (q - middle).norm() <= farthest; };
       const Configuration guess = path_point(joint_path_, k - 1, 0.5).q;
       const NumericalResult exact =
           levenberg_marquardt(arm_, pose_at(path_.segments[place.index], place.fraction), task_,
                               bounds_, near(guess) ? guess : middle);
-      if (exact.converged && near(exact.q)) {
+      const auto apart = [&](const Configuration& q) { return (exact.q - q).norm() > min_chord; };
+      if (exact.converged && near(exact.q) && apart(samples_.samples[k - 1]) &&
+          apart(samples_.samples[k])) {
         refined.samples.push_back(exact.q);
         refined.path_parameters.push_back(static_cast<double>(place.index) + place.fraction);
       }

@@ -83,13 +83,23 @@ TEST(LineStepBound, HoldsForBuiltInArmsInTheirOwnTask) {
   }
 }
 
+// Rotations about one axis, with the line's orientations in these rows or tilted out of them.
+TEST(LineStepBound, HoldsForScarasInEveryTask) {
+  testing::Random random;
+  const Arm arm = built_in("scara");
+  ASSERT_TRUE(arm.rotates_about_z());
+  for (int i = 0; i < 1600; ++i) {
+    expect_step_bound(random, arm, task_named(tasks[i % tasks.size()]));
+  }
+}
+
 // On a line that is the step's own chord the bound is that of the chord, so that no more samples
 // are needed.
 TEST(LineStepBound, FallsWithTheSquareOfTheStep) {
   testing::Random random;
   for (const std::string name : {"rrr", "panda", "ur5", "scara"}) {
     const Arm arm = built_in(name);
-    const Task task = default_task(arm);
+    const Task task = name == "scara" ? task_named("111001") : default_task(arm);
     for (int i = 0; i < 50; ++i) {
       const Configuration q = random.configuration(arm);
       Configuration way(arm.dof());

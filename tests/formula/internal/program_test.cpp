@@ -104,7 +104,7 @@ void expect_arms_kinematics(const Arm& arm, testing::Random& random, int configu
 TEST(Program, HasThePosesAndJacobiansOfBuiltInArms) {
   testing::Random random;
   for (const std::string& name : built_in_names()) {
-    expect_arms_kinematics(built_in(name), random, testing::cases(1000), 1e-12);
+    expect_arms_kinematics(built_in(name), random, testing::cases(100), 1e-12);
   }
 }
 
@@ -126,7 +126,7 @@ TEST(Program, HasTheTimeDerivativesOfTheFormulas) {
     for (const Frame frame : {Frame::base, Frame::tool, Frame::space}) {
       const ExpressionMatrix formula = time_derivative(symbolic, jacobian_formula(symbolic, frame));
       const std::vector<Program::Id> entries = chain.derivative(frame);
-      for (int k = 0; k < testing::cases(1000); ++k) {
+      for (int k = 0; k < testing::cases(100); ++k) {
         const Configuration q = random.configuration(arm), rates = random_rates(random, arm.dof());
         const Eigen::MatrixXd expected = formula.value(symbol_values(symbolic, q, rates));
         const Eigen::MatrixXd found = Evaluation(chain, q, rates).matrix(entries, arm.dof());
