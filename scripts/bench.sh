@@ -84,6 +84,11 @@ section "Time-optimal scaling of splines"
 section "A step of the servo"
 "$folder/bench_servo" "${BENCH_STEPS:-1000000}"
 
+section "Formulas: operations"
+"$python" -B bench/formula/operations.py build/beeline || status=1
+section "Formulas: forward kinematics and Jacobian"
+"$python" -B bench/formula/timing.py build/beeline build || status=1
+
 section "Against bench/baseline.json"
 python3 -B bench/baseline.py check "$results" "$folder/instructions.json" bench/baseline.json ||
   status=1

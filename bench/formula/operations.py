@@ -11,7 +11,10 @@ import re
 import subprocess
 import time
 
-import sympy
+try:
+    import sympy
+except ImportError:
+    raise SystemExit(print("Left out: SymPy is not installed"))
 
 SUBSCRIPT = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₜ−", "0123456789t-")
 # Products and sums as printed in: Craig, "Introduction to Robotics", 3rd edition, eq. 3.14; the function

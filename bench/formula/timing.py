@@ -11,10 +11,13 @@ import sys
 import tempfile
 from pathlib import Path
 
-import casadi
-import sympy
-from operations import derived
-from sympy.printing.c import ccode
+try:
+    import casadi
+    import sympy
+    from operations import derived
+    from sympy.printing.c import ccode
+except ImportError as error:
+    raise SystemExit(print(f"Left out: {error.name} is not installed"))
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SUBSCRIPT = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₜ−", "0123456789t-")
