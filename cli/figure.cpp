@@ -25,8 +25,10 @@ Answer draw_all(const FigureArguments& arguments) {
   if (arguments.animation.wanted()) {
     throw Error("figure all takes --out DIR alone; --animate is for figure 1.7 or 1.9");
   }
-  if (!std::filesystem::is_directory(arguments.out)) {
-    throw FileError(arguments.out, 0, "is not a folder; figure all --out takes one that exists");
+  std::error_code failed;
+  std::filesystem::create_directories(arguments.out, failed);
+  if (failed || !std::filesystem::is_directory(arguments.out)) {
+    throw FileError(arguments.out, 0, "is not a folder and cannot be made one");
   }
   Answer answer{.document = {{"status", "drawn"}, {"figure", "all"}}};
   Json files = Json::list();
@@ -87,7 +89,7 @@ Verb figure_verb() {
           "  1.8  the columns of the Jacobian as velocities\n"
           "  1.9  Cartesian control: straight lines through three poses\n"
           "NUMBER splines draws the poses of 1.9 by straight lines and by a spline; all draws all "
-          "figures as SVG into the folder --out",
+          "figures as SVG into the folder --out, which is made if it is missing",
       .arguments = {{.name = "NUMBER",
                      .help = "One of " + listed(numbers) + ".",
                      .target = &arguments.number,
@@ -99,7 +101,7 @@ Verb figure_verb() {
                            .completes = Completes::file}},
                          arguments.animation.options()}),
       .examples = {{"Straight lines through three poses", "beeline figure 1.9 --out figure.svg"},
-                   {"All figures", "mkdir figures\nbeeline figure all --out figures"},
+                   {"All figures", "beeline figure all --out figures"},
                    {"Joint-space control in motion, for a browser",
                     "beeline figure 1.7 --animate control.svg"}},
       .json = &arguments.json,

@@ -122,13 +122,12 @@ def test_one_numbering_of_a_programs_moves(beeline, written, parsed):
 
 
 def test_all_figures(beeline, parsed, tmp_path, refused):
-    (tmp_path / "figures").mkdir()
     answer = beeline("figure", "all", "--out", "figures", "--json")
     assert answer.code == 0, answer.err
     assert len(answer.json["files"]) == 10
     for file in answer.json["files"]:
         assert list(parsed(file).iter(SVG + "path"))
-    refused(3, "figure", "all", "--out", "nowhere", says=["nowhere", "folder"])
+    refused(3, "figure", "all", "--out", "figures/figure_1.1.svg", says=["figure_1.1.svg", "folder"])
     refused(2, "figure", "all", "--out", "figures", "--animate", "a.svg", says=["--animate"])
 
 
