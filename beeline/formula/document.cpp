@@ -93,11 +93,7 @@ WrittenSection jacobian_section(DocumentWriter& writer, const SymbolicArm& arm,
   const std::string joints = listed(arm.joint_names);
   section.remarks.push_back("Columns: joints " +
                             (writer.notation().latex() ? internal::escaped_latex(joints) : joints) +
-                            ".");
-  if (content.task != Task::planar()) {
-    section.remarks.front() +=
-        " Rows: " + listed(row_names({content.task.rows, Frame::base})) + ".";
-  }
+                            ". Rows: " + listed(row_names({content.task.rows, Frame::base})) + ".");
   section.formulas.push_back(writer.jacobian(
       task_rows_of(matrix, content.task), row_names({content.task.rows, Frame::base}), derivative));
   return section;
