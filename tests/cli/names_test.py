@@ -62,7 +62,7 @@ def test_the_option_at_fault_is_named(refused, written):
     says = refused(2, "replay", "rrr", "m.csv", "--speed-at", "0:1,2:0")
     assert says.startswith("beeline: --speed-at: the replay pauses")
     says = refused(2, "retime", "rrr", "m.csv", "--rate=-1")
-    assert says.startswith("beeline: --rate must be above 0")
+    assert says.startswith("beeline: --rate must be at least 0.001")
 
 
 def test_replay_takes_one_kind_of_speed(refused, written):
