@@ -14,11 +14,13 @@ using internal::TransformList;
 using internal::TwistFrame;
 
 /// Which frames leave the determinant as it is: all for the six rows; other points for the rows of
-/// the plane; other axes for the three rows of the position.
-std::vector<TwistFrame> equivalent_frames(const TransformList& list, const Task& task) {
+/// the plane, if the arm is planar; other axes for the three rows of the position.
+std::vector<TwistFrame> equivalent_frames(const SymbolicArm& arm, const TransformList& list,
+                                          const Task& task) {
   const std::size_t world = 0, tool = list.transforms.size();
-  const bool any_axes = task.rows == Task::spatial().rows || task.rows == Task::position().rows;
-  const bool any_origin = task.rows == Task::spatial().rows || task.rows == Task::planar().rows;
+  const bool spatial = task.rows == Task::spatial().rows;
+  const bool any_axes = spatial || task.rows == Task::position().rows;
+  const bool any_origin = spatial || (arm.planar && task.rows == Task::planar().rows);
   std::vector<TwistFrame> frames{{tool, task.frame == Frame::tool ? tool : world}};
   for (const std::size_t origin : list.frames) {
     if (!any_origin && origin != tool) continue;
@@ -41,7 +43,7 @@ std::vector<int> rows_of(const Task& task) {
 /// The frame in which the Jacobian has the smallest blocks and the most zeros, by numbers.
 TwistFrame best_frame(const SymbolicArm& arm, const TransformList& list, const Task& task) {
   const std::vector<int> rows = rows_of(task);
-  const std::vector<TwistFrame> candidates = equivalent_frames(list, task);
+  const std::vector<TwistFrame> candidates = equivalent_frames(arm, list, task);
   const auto n = rows.size();
   std::vector<Pattern> patterns(candidates.size(), Pattern(n, std::vector<bool>(n, false)));
   for (const Configuration& q : internal::check_configurations(arm, 3)) {
@@ -159,14 +161,16 @@ std::string frame_name(const TransformList& list, std::size_t place) {
 /// Compares the determinant with that of the Jacobian in numbers.
 void check_determinant(const SymbolicArm& arm, const TransformList& list, const Task& task,
                        const DeterminantFormula& determinant) {
-  const TwistFrame frame = equivalent_frames(list, task).front();
+  const TwistFrame frame = equivalent_frames(arm, list, task).front();
   for (const Configuration& q : internal::check_configurations(arm, 3)) {
     const std::vector<double> symbols = symbol_values(arm, q);
     const std::vector<Pose> places = internal::place_poses(list, symbols);
     const Jacobian columns = internal::numeric_twists(arm, list, places, symbols, frame);
     const Eigen::MatrixXd square = columns(rows_of(task), Eigen::all);
+    double scale = internal::length_scale(arm);  // Hadamard: times the columns' norms
+    for (const auto& column : square.colwise()) scale *= std::max(1.0, column.norm());
     internal::check_formula(arm, Eigen::MatrixXd::Constant(1, 1, determinant.value(symbols)),
-                            Eigen::MatrixXd::Constant(1, 1, square.determinant()),
+                            Eigen::MatrixXd::Constant(1, 1, square.determinant()), scale,
                             "the determinant");
   }
 }

@@ -20,7 +20,8 @@ ExpressionMatrix pose_matrix(const SymbolicArm& arm, std::size_t from, std::size
   for (const Configuration& q : internal::check_configurations(arm, 2)) {
     const std::vector<double> symbols = symbol_values(arm, q);
     const Pose expected = internal::numeric_pose(arm, from, to, symbols);
-    internal::check_formula(arm, matrix.value(symbols), expected.matrix(), "a pose");
+    internal::check_formula(arm, matrix.value(symbols), expected.matrix(),
+                            internal::length_scale(arm), "a pose");
   }
   return matrix;
 }

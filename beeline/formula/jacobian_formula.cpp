@@ -23,7 +23,7 @@ ExpressionMatrix jacobian_formula(const SymbolicArm& arm, Frame frame) {
     const std::vector<Pose> places = internal::place_poses(list, symbols);
     internal::check_formula(arm, matrix.value(symbols),
                             internal::numeric_twists(arm, list, places, symbols, place),
-                            "the Jacobian");
+                            internal::length_scale(arm), "the Jacobian");
   }
   return matrix;
 }

@@ -108,14 +108,12 @@ void check_transforms(SymbolicArm& named, const Arm& arm, const Configuration& q
   const std::vector<Pose> places = internal::place_poses(list, symbol_values(named, q));
   std::vector<Pose> expected = link_poses(arm, q);
   expected.push_back(forward_kinematics(arm, q));
-  double size = 1;  // of the arm, at least 1 m
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const Eigen::Matrix4d difference = places[list.frames[i + 1]].matrix() - expected[i].matrix();
     named.deviation = std::max(named.deviation, difference.cwiseAbs().maxCoeff());
-    size = std::max(size, expected[i].translation().norm());
   }
   const double allowed = 1e-9 + 4 * named.rounding * static_cast<double>(expected.size());
-  if (named.deviation <= allowed * size) return;
+  if (named.deviation <= allowed * internal::length_scale(named)) return;
   throw Error("the formulas of arm " + arm.name() + " deviate by " + number(named.deviation) +
               " from its kinematics; please report this");
 }

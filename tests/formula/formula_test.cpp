@@ -92,6 +92,23 @@ TEST_P(BuiltInFormula, TimeDerivativesEqualTheArms) {
   }
 }
 
+/// All tasks of three rows, for arms that are not planar.
+TEST(AnyFormula, HasTheDeterminantsOfTasks) {
+  testing::Random random;
+  const Arm puma = built_in("puma560");
+  const Arm arm{"puma", {puma.joints().begin(), puma.joints().begin() + 3}, random.pose()};
+  const SymbolicArm symbolic = symbolic_arm(arm);
+  for (const char* mask : {"111000", "110001", "000111", "101010", "110001:tool", "111000:tool"}) {
+    const Task task = task_named(mask);
+    const DeterminantFormula formula = determinant_formula(symbolic, task);
+    for (int k = 0; k < testing::cases(100); ++k) {
+      const Configuration q = random.configuration(arm);
+      const double determinant = task_jacobian(arm, q, task).determinant();
+      EXPECT_NEAR(formula.value(symbol_values(symbolic, q)), determinant, 1e-12) << mask;
+    }
+  }
+}
+
 /// An arm of one or two joints with any offsets and axes, mimic joints and helical joints.
 TEST(AnyFormula, EqualsTheArms) {
   testing::Random random;

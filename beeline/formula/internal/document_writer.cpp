@@ -48,6 +48,9 @@ std::string DocumentWriter::text(const DeterminantFormula& determinant) {
     if (exponent > 1) part = {.kind = Tree::Kind::power, .exponent = exponent, .parts = {part}};
     product.parts.push_back(std::move(part));
   }
+  if (product.parts.size() == 1 && product.coefficient == Coefficient(1)) {
+    product = Tree(product.parts.front());
+  }
   collect(product, symbols_, trigs_);
   return notation_.text(product);
 }

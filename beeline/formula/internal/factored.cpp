@@ -180,13 +180,26 @@ std::optional<Factor> most_common(const Products& products) {
 
 Tree sum_of(Products products, bool is_factor);
 
+bool is_power_of(const Tree& tree, const Factor& factor) {
+  const Tree& base = tree.kind == Tree::Kind::power ? tree.parts.front() : tree;
+  if (base.kind == Tree::Kind::symbol) return base.symbol == factor.symbol;
+  return base.kind == Tree::Kind::trig && factor.symbol < 0 && base.trig == factor.trig;
+}
+
 /// factor * (sum of the quotients), with factors of the sum's own product before its bracket.
 Tree with_factor(const Factor& factor, const Products& quotients) {
   Tree inner = sum_of(quotients, true);
   Tree product{.kind = Tree::Kind::product, .parts = {tree_of(factor, 1)}};
   if (inner.kind == Tree::Kind::product) {
     product.coefficient = inner.coefficient;
-    for (Tree& part : inner.parts) product.parts.push_back(std::move(part));
+    for (Tree& part : inner.parts) {
+      if (is_power_of(part, factor)) {
+        const int exponent = part.kind == Tree::Kind::power ? part.exponent : 1;
+        product.parts.front() = tree_of(factor, exponent + 1);
+      } else {
+        product.parts.push_back(std::move(part));
+      }
+    }
   } else {
     product.parts.push_back(std::move(inner));
   }

@@ -65,11 +65,18 @@ Jacobian numeric_twists(const SymbolicArm& arm, const TransformList& list,
   return columns;
 }
 
+double length_scale(const SymbolicArm& arm) {
+  double sum = 1;
+  for (const Symbol& symbol : arm.symbols) {
+    if (symbol.kind == SymbolKind::length) sum += std::abs(symbol.value);
+  }
+  return sum;
+}
+
 void check_formula(const SymbolicArm& arm, const Eigen::MatrixXd& formula,
-                   const Eigen::MatrixXd& expected, const std::string& what) {
-  const double size = std::max(1.0, expected.cwiseAbs().maxCoeff());
+                   const Eigen::MatrixXd& expected, double scale, const std::string& what) {
   const double difference = (formula - expected).cwiseAbs().maxCoeff();
-  if (difference <= 1e-9 * size || !std::isfinite(size)) return;
+  if (difference <= 1e-9 * scale || !std::isfinite(expected.sum())) return;
   throw Error("the formula of " + what + " of arm " + arm.name + " deviates by " +
               number(difference) + "; please report this");
 }

@@ -21,10 +21,13 @@ Jacobian numeric_twists(const SymbolicArm& arm, const TransformList& list,
                         const std::vector<Pose>& places, std::span<const double> symbols,
                         const TwistFrame& frame);
 
+/// 1 plus the sum of all constant lengths: the scale of rounding errors of positions.
+double length_scale(const SymbolicArm& arm);
+
 /// Throws Error, calling the formula `what`, if its numbers differ by more than rounding from those
-/// of the transforms.
+/// of the transforms. Rounding is relative to `scale`.
 void check_formula(const SymbolicArm& arm, const Eigen::MatrixXd& formula,
-                   const Eigen::MatrixXd& expected, const std::string& what);
+                   const Eigen::MatrixXd& expected, double scale, const std::string& what);
 
 /// Configurations at random, the same for each arm and call, for checks of formulas: angles within
 /// +-3 rad, displacements within +-1 m.
