@@ -16,6 +16,7 @@ namespace {
 
 struct FormulaArguments {
   ArmArgument arm;
+  UnitArgument unit;
   JacobianArgument jacobian;
   std::string of = "forward", as = "text", out;
   double angle_tolerance = SymbolicOptions{}.angle_tolerance;
@@ -36,14 +37,20 @@ const std::vector<ContentName> content_names{
     {"determinant", {&FormulaContent::determinant}},
     {"inverse", {&FormulaContent::inverse}}};
 
+std::vector<std::string> known_names() {
+  std::vector<std::string> names;
+  for (const ContentName& content : content_names) names.emplace_back(content.name);
+  names.emplace_back("all");
+  return names;
+}
+
 /// The names between the commas of --of.
 std::vector<std::string> wanted_names(std::string_view list) {
-  std::vector<std::string> known{"all"}, wanted;
-  for (const ContentName& content : content_names) known.emplace_back(content.name);
+  std::vector<std::string> wanted;
   for (bool more = true; more;) {
     const std::size_t comma = list.find(',');
     wanted.emplace_back(list.substr(0, comma));
-    check_choice("--of", wanted.back(), known);
+    check_choice("--of", wanted.back(), known_names());
     more = comma != std::string_view::npos;
     list.remove_prefix(more ? comma + 1 : 0);
   }
@@ -106,7 +113,9 @@ Json document_json(const FormulaDocument& document) {
 /// The formulas as text, with the document for --json.
 Answer written_formulas(const FormulaArguments& arguments, const SymbolicArm& arm,
                         const FormulaContent& content) {
-  const FormulaStyle style{.latex = arguments.as == "latex", .numbers = arguments.numbers};
+  const FormulaStyle style{.latex = arguments.as == "latex",
+                           .numbers = arguments.numbers,
+                           .degrees = arguments.unit.degrees};
   const FormulaDocument document = formula_document(arm, content, style);
   return {.text = style.latex ? latex_of(document, arguments.standalone) : text_of(document),
           .document = document_json(document)};
@@ -142,7 +151,7 @@ Answer formula(const FormulaArguments& arguments) {
   }
   const bool written = arguments.as == "text" || arguments.as == "latex";
   if (arguments.all && !written) throw Error("--all needs --as text or --as latex");
-  const Arm arm = arguments.arm.read({});
+  const Arm arm = arguments.arm.read(arguments.unit);
   const SymbolicArm symbolic = symbolic_arm(arm, {.angle_tolerance = arguments.angle_tolerance});
   const FormulaContent content = content_of(arguments, arm, symbolic);
   Answer answer = written ? written_formulas(arguments, symbolic, content)
@@ -165,7 +174,9 @@ std::vector<Option> formula_options(FormulaArguments& arguments) {
                    "singularities that it shows), inverse (kinematics of a planar arm, in steps), "
                    "or all; several with "
                    "commas between.",
-           .target = &arguments.of},
+           .target = &arguments.of,
+           .choices = known_names(),
+           .other_values = true},
           {.name = "--all",
            .help = "Also the pose of every link in the base.",
            .target = &arguments.all},
@@ -214,8 +225,8 @@ Verb formula_verb() {
               "C and C++ a macro, BEELINE_FORMULA_FUNCTION, precedes each function; for CUDA "
               "define it as __host__ __device__.",
           .arguments = {arguments.arm.argument()},
-          .options = joined(
-              {formula_options(arguments), arguments.jacobian.options(), arguments.arm.options()}),
+          .options = joined({formula_options(arguments), arguments.unit.options(),
+                             arguments.jacobian.options(), arguments.arm.options()}),
           .examples = {{"The planar arm with three revolute joints: eq. 1.2 of the chapter",
                         "beeline formula rrr"},
                        {"The RP arm of the chapter's exercise, with its numbers",

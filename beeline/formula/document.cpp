@@ -99,8 +99,8 @@ WrittenSection jacobian_section(DocumentWriter& writer, const SymbolicArm& arm,
   return section;
 }
 
-WrittenSection determinant_section(DocumentWriter& writer, const SymbolicArm& arm,
-                                   const Task& task) {
+WrittenSection determinant_section(DocumentWriter& writer, const SymbolicArm& arm, const Task& task,
+                                   const FormulaStyle& style) {
   const DeterminantFormula determinant = determinant_formula(arm, task);
   WrittenSection section{.key = "determinant", .title = "Determinant of the Jacobian"};
   section.remarks.push_back("Rows: " + listed(row_names(task)) +
@@ -108,7 +108,7 @@ WrittenSection determinant_section(DocumentWriter& writer, const SymbolicArm& ar
                             ", in the axes of " + determinant.axes + ".");
   const std::string left = writer.notation().latex() ? "\\det J" : "det J";
   section.formulas.push_back({left, {{writer.text(determinant)}}});
-  section.sentences = internal::singularities(arm, determinant, writer.notation());
+  section.sentences = internal::singularities(arm, determinant, style);
   return section;
 }
 
@@ -176,7 +176,7 @@ FormulaDocument formula_document(const SymbolicArm& arm, const FormulaContent& c
     document.sections.push_back(jacobian_section(writer, arm, content, true));
   }
   if (content.determinant) {
-    document.sections.push_back(determinant_section(writer, arm, content.task));
+    document.sections.push_back(determinant_section(writer, arm, content.task, style));
   }
   if (content.inverse) document.sections.push_back(inverse_section(writer, arm));
   document.symbols = writer.symbols();

@@ -13,6 +13,7 @@ namespace beeline {
 struct FormulaStyle {
   bool latex = false;    ///< otherwise text with Unicode subscripts
   bool numbers = false;  ///< constants as numbers, not as symbols
+  bool degrees = false;  ///< values of angles in degrees: those of constants, and at singularities
 };
 
 /// An expression with common factors before brackets: `c₁(a₁ + q₂)`.
@@ -43,8 +44,6 @@ struct WrittenSymbol {
   std::string code_name;  ///< in generated code
   double value = 0;
   std::string unit, meaning;
-  /// The value with its unit: `0.425 m`, `0.3 rad (17.1887339 deg)`.
-  std::string quantity() const;
 };
 
 /// Formulas of an arm as strings, in order.

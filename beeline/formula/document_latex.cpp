@@ -106,8 +106,8 @@ std::string latex_symbols(const FormulaDocument& document) {
   if (!document.symbols.empty()) {
     text += "\\begin{tabular}{@{}lll@{}}\n";
     for (const WrittenSymbol& symbol : document.symbols) {
-      text += "  $" + symbol.name + "$ & " + symbol.quantity() + " & " +
-              internal::escaped_latex(symbol.meaning) + " \\\\\n";
+      text += "  $" + symbol.name + "$ & " + internal::decimal(symbol.value) + " " + symbol.unit +
+              " & " + internal::escaped_latex(symbol.meaning) + " \\\\\n";
     }
     text += "\\end{tabular}\n\n";
   }

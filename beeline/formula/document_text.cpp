@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include <beeline/formula/document.h>
 #include <beeline/formula/internal/notation.h>
@@ -102,7 +100,8 @@ std::string symbol_table(const FormulaDocument& document) {
   std::size_t names = 0;
   for (const WrittenSymbol& symbol : document.symbols) names = std::max(names, width(symbol.name));
   for (const WrittenSymbol& symbol : document.symbols) {
-    text += "  " + padded(symbol.name, names) + " = " + padded(symbol.quantity(), 16) + "  " +
+    text += "  " + padded(symbol.name, names) + " = " +
+            padded(internal::decimal(symbol.value) + ' ' + symbol.unit, 16) + "  " +
             symbol.meaning + "\n";
   }
   std::string line = "  ";
@@ -120,13 +119,6 @@ std::string symbol_table(const FormulaDocument& document) {
 }
 
 }  // namespace
-
-std::string WrittenSymbol::quantity() const {
-  const std::string text = internal::decimal(value) + ' ' + unit;
-  if (unit != "rad") return text;
-  const double degrees = std::round(value * 180 / std::numbers::pi * 1e9) / 1e9;
-  return text + " (" + internal::decimal(degrees) + " deg)";
-}
 
 std::string text_of(const FormulaDocument& document) {
   std::string text = document.title + "\n" + wrapped(document.convention, "");

@@ -267,7 +267,7 @@ def test_names_are_escaped_in_latex_and_code(beeline, written):
 
 def test_the_tool_and_the_mount_are_in_the_formulas(beeline):
     found = formulas(beeline, "rrr", "forward", "--tcp", "0.5,0,0", "--mount", "1,2,0")
-    assert found["x"] == [["c₁₂₃(a₃ + xₜ) + x₀ + a₁c₁ + a₂c₁₂"]]
+    assert found["x"] == [["x₀ + a₁c₁ + a₂c₁₂ + c₁₂₃(a₃ + xₜ)"]]
     assert "Tₜ³" in found and "T₀ʷ" in found
 
 
@@ -318,3 +318,13 @@ def python_of(formula):
             result.append("*")
         result.append(token)
     return "".join(result)
+
+
+def test_degrees(beeline):
+    """Read from --tcp, and in the values of constants and at singularities."""
+    document = beeline("formula", "RR:1@20,2", "--degrees", "--tcp", "0.1,0,25", "--json").json
+    angles = {symbol["name"]: symbol["value"] for symbol in document["symbols"] if symbol["unit"] == "deg"}
+    assert angles == {"θ₁": 20, "γₜ": pytest.approx(25, abs=1e-12)}
+    assert document["units"]["angle"] == "deg"
+    puma = beeline("formula", "puma560", "--of", "determinant", "--degrees").out
+    assert "q₅ = 0 or ±180°" in puma and "q₃ = −87.308364° or 92.691636°" in puma

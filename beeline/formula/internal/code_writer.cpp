@@ -149,6 +149,8 @@ std::string CodeWriter::body(const std::vector<CodeOutput>& outputs, bool rates)
   const std::vector<int> uses = program_.uses(all);
   std::string text = head(uses, rates);
   text_.assign(uses.size(), "");
+  std::vector<bool> is_output(uses.size(), false);
+  for (const Program::Id output : all) is_output[static_cast<std::size_t>(output)] = true;
   int number = 0;
   for (std::size_t i = 0; i < uses.size(); ++i) {
     if (uses[i] == 0) continue;
@@ -159,8 +161,9 @@ std::string CodeWriter::body(const std::vector<CodeOutput>& outputs, bool rates)
     const bool leaf = node.operation == Program::Operation::number ||
                       node.operation == Program::Operation::variable;
     const bool sign = node.operation == Program::Operation::negate;
-    const bool named =
-        trig || (!leaf && !sign && uses[i] > 1) || (!leaf && text_[i].size() > longest_inline);
+    const bool stored = uses[i] == 1 && is_output[i];
+    const bool named = trig || (!leaf && !sign && uses[i] > 1) ||
+                       (!leaf && !stored && text_[i].size() > longest_inline);
     if (!named) continue;
     const std::string name = trig ? node.name : "t" + std::to_string(++number);
     text += assignment(name, text_[i], true);

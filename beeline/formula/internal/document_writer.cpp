@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 #include <beeline/formula/internal/document_writer.h>
 #include <beeline/formula/internal/numbers_inserted.h>
@@ -53,6 +55,12 @@ std::string DocumentWriter::text(const DeterminantFormula& determinant) {
   }
   collect(product, symbols_, trigs_);
   return notation_.text(product);
+}
+
+double in_degrees(double radians) {
+  const double degrees = radians * 180 / std::numbers::pi;
+  const double rounded = std::round(degrees * 1e9) / 1e9;  // 20, not 20.000000000000004
+  return std::abs(degrees - rounded) <= 1e-13 * std::abs(degrees) ? rounded : degrees;
 }
 
 WrittenFormula DocumentWriter::matrix(const std::string& left, const ExpressionMatrix& matrix) {
@@ -154,14 +162,18 @@ std::vector<WrittenSymbol> DocumentWriter::symbols() const {
   for (const int number : symbols_) {
     const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(number)];
     if (symbol.coordinate >= 0 && symbol.ratio == 1 && symbol.value == 0) continue;
-    const bool length = symbol.kind == SymbolKind::length;
+    const bool length =
+        symbol.kind == SymbolKind::length || symbol.kind == SymbolKind::displacement;
+    const bool degrees = style_.degrees && !length;
+    const double value = degrees ? in_degrees(symbol.value) : symbol.value;
+    const std::string unit = length ? "m" : degrees ? "deg" : "rad";
     std::string meaning = symbol.meaning;
     if (symbol.coordinate >= 0) {
-      meaning += ": " + decimal(symbol.ratio) + " q" + std::to_string(symbol.coordinate + 1) +
-                 " + " + decimal(symbol.value);
+      meaning +=
+          ": " + decimal(symbol.ratio) + " q" + std::to_string(symbol.coordinate + 1) + " + this";
     }
-    found.push_back(
-        {notation_.symbol(number), symbol.name(), symbol.value, length ? "m" : "rad", meaning});
+    found.push_back({notation_.symbol(number), symbol.name(), value,
+                     symbol.letter == "h" ? "m/rad" : unit, meaning});
   }
   return found;
 }

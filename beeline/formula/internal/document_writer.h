@@ -11,6 +11,9 @@
 
 namespace beeline::internal {
 
+/// An angle in degrees, without the rounding of the conversion where it shows.
+double in_degrees(double radians);
+
 /// Writes expressions, and remembers which symbols and abbreviations occur.
 class DocumentWriter {
  public:

@@ -24,13 +24,14 @@ struct Factor {
 struct Product {
   Coefficient coefficient;
   std::map<Factor, int> factors = {};
+  std::size_t place = 0;  ///< among the terms of the expression
 };
 using Products = std::vector<Product>;
 
 Products products_of(const Expression& expression) {
   Products products;
   for (const auto& [monomial, coefficient] : expression.terms()) {
-    Product product{coefficient};
+    Product product{.coefficient = coefficient, .place = products.size()};
     for (const auto& [symbol, exponent] : monomial.powers) {
       product.factors[{.symbol = symbol}] = exponent;
     }
@@ -80,7 +81,7 @@ std::optional<Product> as_product(const Split& a, const Split& b,
   if (!mean || !offset) return std::nullopt;
   // cos u + cos v = 2 cos m cos d, cos u - cos v = -2 sin m sin d,
   // sin u + sin v = 2 sin m cos d, sin u - sin v = 2 cos m sin d.
-  Product product{Coefficient(!u.sine && !same ? -2 : 2) * a.coefficient, rest};
+  Product product{Coefficient(!u.sine && !same ? -2 : 2) * a.coefficient, rest, a.product};
   multiply(product, {*mean, u.sine == same});
   multiply(product, {*offset, !same});
   return product;
@@ -143,6 +144,8 @@ void combine_pairs(Products& products) {
   for (std::size_t i = 0; i < products.size(); ++i) {
     if (!used[i]) combined.push_back(std::move(products[i]));
   }
+  std::sort(combined.begin(), combined.end(),
+            [](const Product& a, const Product& b) { return a.place < b.place; });
   products = std::move(combined);
 }
 
@@ -206,20 +209,21 @@ Tree with_factor(const Factor& factor, const Products& quotients) {
   return product;
 }
 
-/// The coefficient that all terms share up to its sign, negative if they all are; in a sum that is
-/// a factor also -1 if they all are negative.
+/// The coefficient that all terms share up to its sign; in a sum that is a factor with the sign of
+/// the first term, so that equal brackets look equal.
 Coefficient content(const Products& products, bool is_factor) {
-  bool all_negative = true, all_equal = true;
   const Coefficient& first = products.front().coefficient;
+  bool all_equal = true, all_negative = true;
   for (const Product& product : products) {
     const Coefficient& other = product.coefficient;
     all_negative = all_negative && other.is_negative();
     all_equal = all_equal && (other == first || other == -first);
   }
+  const bool negative = is_factor ? first.is_negative() : all_negative;
   if (all_equal && !(first == Coefficient(1)) && !(first == Coefficient(-1))) {
-    return first.is_negative() != all_negative ? -first : first;
+    return first.is_negative() != negative ? -first : first;
   }
-  return all_negative && is_factor ? -1 : 1;
+  return negative && is_factor ? -1 : 1;
 }
 
 Products divided(Products products, const Coefficient& coefficient) {
@@ -230,14 +234,6 @@ Products divided(Products products, const Coefficient& coefficient) {
             : Coefficient(product.coefficient.is_negative() == coefficient.is_negative() ? 1 : -1);
   }
   return products;
-}
-
-void append(std::vector<Tree>& parts, Tree part) {
-  if (part.kind != Tree::Kind::sum) {
-    parts.push_back(std::move(part));
-    return;
-  }
-  for (Tree& inner : part.parts) parts.push_back(std::move(inner));
 }
 
 /// A positive term comes first, if there is one.
@@ -259,27 +255,27 @@ Tree sum_of(Products products, bool is_factor) {
     inner.coefficient = inner.coefficient * common;
     return inner;
   }
-  const std::optional<Factor> factor = most_common(products);
-  Products with, without;
-  for (Product& product : products) {
-    const auto place = factor ? product.factors.find(*factor) : product.factors.end();
-    if (place == product.factors.end()) {
-      without.push_back(std::move(product));
-      continue;
+  std::map<std::size_t, Tree> parts;  // by the place of their first term
+  while (const std::optional<Factor> factor = most_common(products)) {
+    Products with, without;
+    for (Product& product : products) {
+      const auto place = product.factors.find(*factor);
+      if (place == product.factors.end()) {
+        without.push_back(std::move(product));
+        continue;
+      }
+      if (--place->second == 0) product.factors.erase(place);
+      with.push_back(std::move(product));
     }
-    if (--place->second == 0) product.factors.erase(place);
-    with.push_back(std::move(product));
+    const std::size_t place = with.front().place;
+    parts.emplace(place, with_factor(*factor, with));
+    products = std::move(without);
   }
-  if (with.empty()) {
-    std::vector<Tree> parts;
-    for (const Product& product : without) parts.push_back(tree_of(product));
-    return sum_tree(std::move(parts));
-  }
-  Tree first = with_factor(*factor, with);
-  if (without.empty()) return first;
-  std::vector<Tree> parts{std::move(first)};
-  append(parts, sum_of(std::move(without), false));
-  return sum_tree(std::move(parts));
+  for (const Product& product : products) parts.emplace(product.place, tree_of(product));
+  if (parts.size() == 1) return std::move(parts.begin()->second);
+  std::vector<Tree> in_order;
+  for (auto& [place, part] : parts) in_order.push_back(std::move(part));
+  return sum_tree(std::move(in_order));
 }
 
 }  // namespace

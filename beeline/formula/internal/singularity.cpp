@@ -2,6 +2,8 @@
 #include <numbers>
 #include <optional>
 
+#include <beeline/formula/internal/document_writer.h>
+#include <beeline/formula/internal/numbers_inserted.h>
 #include <beeline/formula/internal/numeric_twists.h>
 #include <beeline/formula/internal/singularity.h>
 
@@ -35,7 +37,7 @@ double constant_value(const SymbolicArm& arm, const Expression& constant) {
 
 /// A cos + B sin of one angle, with constant A and B.
 std::optional<Zeros> trigonometric_zeros(const SymbolicArm& arm, const Expression& factor,
-                                         const Notation& notation) {
+                                         const Notation& notation, bool degrees) {
   Zeros zeros;
   Expression c, s;
   for (const auto& [monomial, coefficient] : factor.terms()) {
@@ -59,24 +61,27 @@ std::optional<Zeros> trigonometric_zeros(const SymbolicArm& arm, const Expressio
     zeros.angle = moving->angle;
     (moving->sine ? s : c).add(constant, coefficient);
   }
-  const char* pi = notation.latex() ? "\\pi" : "π";
   const std::string plus_minus = notation.latex() ? "\\pm" : "±";
+  const std::string either = notation.latex() ? "\\text{ or }" : " or ";
+  const std::string pi = notation.latex() ? "\\pi" : "π";
+  const std::string degree = notation.latex() ? "^{\\circ}" : "°";
   const std::string left = notation.angle(zeros.angle) + " = ";
   if (c.is_zero()) {
     zeros.values = {0, std::numbers::pi};
-    zeros.text = left + "0" + (notation.latex() ? "\\text{ or }" : " or ") + plus_minus + pi;
+    zeros.text = left + "0" + either + plus_minus + (degrees ? "180" + degree : pi);
   } else if (s.is_zero()) {
     zeros.values = {std::numbers::pi / 2, -std::numbers::pi / 2};
-    zeros.text = left + plus_minus + pi + "/2";
+    zeros.text = left + plus_minus + (degrees ? "90" + degree : pi + "/2");
   } else {
     const double angle = std::atan2(-constant_value(arm, c), constant_value(arm, s));
     const double other = angle > 0 ? angle - std::numbers::pi : angle + std::numbers::pi;
     zeros.values = {angle, other};
     const auto rounded = [&](double value) {
-      return notation.text(Expression(Coefficient::plain(std::round(value * 1e6) / 1e6)));
+      const double shown = std::round((degrees ? in_degrees(value) : value) * 1e6) / 1e6;
+      return notation.text(Expression(Coefficient::plain(shown))) + (degrees ? degree : "");
     };
-    zeros.text = left + rounded(angle) + (notation.latex() ? "\\text{ or }" : " or ") +
-                 rounded(other) + (notation.latex() ? "\\text{ rad}" : " rad");
+    const std::string rad = notation.latex() ? "\\text{ rad}" : " rad";
+    zeros.text = left + rounded(angle) + either + rounded(other) + (degrees ? "" : rad);
   }
   return zeros;
 }
@@ -236,10 +241,12 @@ std::string in_text(const std::string& formula, const Notation& notation) {
 
 std::vector<std::string> singularities(const SymbolicArm& arm,
                                        const DeterminantFormula& determinant,
-                                       const Notation& notation) {
+                                       const FormulaStyle& style) {
+  const Notation notation(arm.symbols, style.latex);
   std::vector<std::string> sentences;
-  for (const auto& [factor, exponent] : determinant.factors) {
-    std::optional<Zeros> zeros = trigonometric_zeros(arm, factor, notation);
+  for (const auto& [named, exponent] : determinant.factors) {
+    const Expression factor = style.numbers ? with_numbers(named, arm) : named;
+    std::optional<Zeros> zeros = trigonometric_zeros(arm, factor, notation, style.degrees);
     if (!zeros || zeros->angle.is_zero()) zeros = linear_zeros(arm, factor, notation);
     std::string sentence = "Singular where " + in_text(notation.text(factor) + " = 0", notation);
     if (zeros) {

@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/formula/formula.h>
-#include <beeline/formula/internal/notation.h>
+#include <beeline/formula/document.h>
 
 namespace beeline::internal {
 
@@ -13,6 +12,6 @@ namespace beeline::internal {
 /// this factor zero, and at none of others.
 std::vector<std::string> singularities(const SymbolicArm& arm,
                                        const DeterminantFormula& determinant,
-                                       const Notation& notation);
+                                       const FormulaStyle& style);
 
 }  // namespace beeline::internal
