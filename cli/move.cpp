@@ -135,7 +135,10 @@ Answer move_joints(const MoveArguments& arguments) {
                                       : move_quickest(arguments, arm, from, to, simulation.budget);
   const bool reached(motion);
   const Pose goal = forward_kinematics(arm, to);
-  if (reached) arguments.files.write(arm, motion.trajectory, {goal});
+  if (reached) {
+    arguments.files.write(arm, motion.trajectory, {goal},
+                          {.waypoint_times = {motion.trajectory.times.back()}});
+  }
   Answer answer{.text = move_text(arguments, arm, motion, goal),
                 .document = {{"status", name(motion.status)},
                              {"method", arguments.method},

@@ -37,9 +37,9 @@ Figure views_of(Scene scene, const Arm& arm, const std::string& caption,
 }
 
 /// Returns the depth of the lowest joint or of the tool below the plane of the base, metres; 0 for
-/// a planar arm.
+/// an arm that does not stand on it.
 double depth_below_base(const Arm& arm, const Trajectory& trajectory) {
-  if (arm.planar()) return 0;
+  if (!stands_upright(arm)) return 0;
   const double floor = arm.base().translation().z();
   double lowest = floor;
   for (const Vector3& p : tool_trail(arm, trajectory).points) lowest = std::min(lowest, p.z());
@@ -61,7 +61,7 @@ std::string motion_caption(const Arm& arm, const Trajectory& trajectory) {
   const double depth = depth_below_base(arm, trajectory);
   if (depth > 0) {
     const int decimals = std::clamp(static_cast<int>(std::floor(3 - std::log10(depth))), 0, 9);
-    caption += "\nup to " + fixed(depth, decimals) + " m below the ground (violet)";
+    caption += "\nup to " + fixed(depth, decimals) + " m below the plane of the base";
   }
   return caption;
 }

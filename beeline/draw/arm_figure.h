@@ -29,14 +29,14 @@ Figure arm_figure(const Arm& arm, const ConfigurationRef& q, const ArmFigureOpti
 
 /// Returns a configuration that shows the arm well: the middle of the position limits or, where the
 /// arm is singular there, a configuration far from singularities (of 200 around it, the one of the
-/// largest inverse condition number above the ground).
+/// largest inverse condition number above the plane of the base).
 Configuration display_configuration(const Arm& arm);
 
 /// Draws a motion: the trail of the tool by the trajectory's own polynomials (see sample()), the
-/// arm at the end, faded arms at the start and between, and the waypoints, numbered from
-/// `first_waypoint`. The parts of a trail below the ground, the plane of the arm's base, are drawn
-/// in violet, and the caption states the depth. Throws Error for a motion without samples and for
-/// a trajectory that does not fit the arm.
+/// arm at the end, faded arms at the start and between, and the waypoints, numbered from 1. Of an
+/// arm that stands upright, the parts of the trail below the plane of the base are violet, and the
+/// caption states the depth of the tool or the lowest joint. Throws Error for a motion without
+/// samples and for a trajectory that does not fit the arm.
 Figure motion_figure(const Arm& arm, const Trajectory& trajectory,
                      const std::vector<Pose>& waypoints = {}, const ArmFigureOptions& options = {});
 

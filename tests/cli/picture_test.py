@@ -111,6 +111,11 @@ def test_one_numbering_of_waypoints(beeline, written, parsed, options):
         assert numbers(parsed, "c.svg") == {"1", "2", "3"}
 
 
+def test_the_goal_of_a_move_has_its_number(beeline, parsed):
+    assert beeline("move", "rrr", "--from", "0,0,0", "--to", "1,1,1", "--draw", "d.svg", "--plot", "p.svg").code == 0
+    assert numbers(parsed, "d.svg") == numbers(parsed, "p.svg") == {"1"}
+
+
 def test_one_numbering_of_a_programs_moves(beeline, written, parsed):
     written("pick.csv", "motion,x,y,theta,dwell\njoint,5,4,20,0.2\nline,4,4,20,\nline,4,3,20,\n")
     answer = beeline("line", "rrr", "--from", "10,60,20", "--degrees", "--through", "pick.csv", "--draw", "d.svg",

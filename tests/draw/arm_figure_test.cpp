@@ -95,7 +95,7 @@ TEST(JacobianArrows, ThatCoincideStayVisible) {
   for (const Polyline& arrow : all_of<Polyline>(apart)) EXPECT_EQ(arrow.width, 2.2);
 }
 
-TEST(MotionFigure, SaysHowFarBelowTheGround) {
+TEST(MotionFigure, SaysHowFarBelowTheBase) {
   const Arm arm = built_in("ur5");
   const auto caption = [&](double shoulder) {
     const Configuration up = (Configuration(6) << 0, -0.5, 0, 0, 0, 0).finished();
@@ -104,7 +104,13 @@ TEST(MotionFigure, SaysHowFarBelowTheGround) {
     return motion_figure(arm, motion).columns[0][0].caption;
   };
   EXPECT_EQ(caption(-1).find("below"), std::string::npos);
-  EXPECT_NE(caption(1).find("below the ground"), std::string::npos);
+  EXPECT_NE(caption(1).find("below the plane of the base"), std::string::npos);
+  const Pose ceiling(Eigen::Translation3d(0, 0, 2) *
+                     Eigen::AngleAxisd(3.14159265, Vector3::UnitX()));
+  const Arm hanging = with_mount(arm, ceiling);
+  Trajectory motion{arm.joint_names(), {0, 1}, {Configuration::Zero(6)}, {}, {}};
+  motion.positions.push_back(Configuration::Constant(6, 0.5));
+  EXPECT_EQ(motion_figure(hanging, motion).columns[0][0].caption.find("below"), std::string::npos);
   const Arm planar = built_in("rrr");
   Trajectory down{planar.joint_names(), {0, 1}, {Configuration::Zero(3)}, {}, {}};
   down.positions.push_back(Configuration::Constant(3, -0.5));

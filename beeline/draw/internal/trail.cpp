@@ -53,9 +53,9 @@ double extent(const std::vector<Vector3>& points) {
 }
 
 /// Adds a line through the points, and over it its parts below the floor.
-void add_line(Scene& scene, const std::vector<Vector3>& points, double appears) {
+void add_line(Scene& scene, const Arm& arm, const std::vector<Vector3>& points, double appears) {
   scene.add(Layer::trail, Polyline{points, amber, 0.8}, appears);
-  if (!scene.floor) return;
+  if (!scene.floor || !stands_upright(arm)) return;
   const double floor = *scene.floor - 1e-9;
   std::vector<Vector3> below;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -116,7 +116,7 @@ void add_growing_trail(Scene& scene, const Arm& arm, const Trajectory& trajector
       line.push_back(trail.points[next++]);
     }
     line.push_back(at);
-    if (part > 0 && extent(line) > 0) add_line(scene, line, since);
+    if (part > 0 && extent(line) > 0) add_line(scene, arm, line, since);
     line = {at};
     if (part % parts == 0) scene.add(Layer::trail, Dots{{at}, amber, 3}, since);
   }
@@ -153,12 +153,14 @@ ToolTrail tool_trail(const Arm& arm, const Trajectory& trajectory) {
   return trail.points.size() > max_trail_points ? grouped(trail) : trail;
 }
 
+bool stands_upright(const Arm& arm) { return !arm.planar() && arm.base().linear()(2, 2) > 0.5; }
+
 void add_trail(Scene& scene, const Arm& arm, const Trajectory& trajectory,
                const TrailStyle& style) {
   const ToolTrail trail = visible_part(tool_trail(arm, trajectory));
   const std::size_t gaps = std::max<std::size_t>(style.dots, 2) - 1;
   if (style.growing) return add_growing_trail(scene, arm, trajectory, trail, gaps);
-  add_line(scene, trail.points, 0);
+  add_line(scene, arm, trail.points, 0);
   Dots dots{{}, amber, 3};
   for (std::size_t i = 0; i <= gaps; ++i) {
     dots.points.push_back(tool_after(arm, trajectory, share_of(trail, i, gaps)));

@@ -26,9 +26,14 @@ struct TrailStyle {
 };
 
 /// Adds the trail of the tool: a thin line through its points, less those that do not matter to the
-/// eye, and dots. Where the scene has a floor, the parts below it are drawn in their own colour.
+/// eye, and dots. Where the scene has a floor and the arm stands upright on it, the parts below it
+/// are drawn in their own colour.
 void add_trail(Scene& scene, const Arm& arm, const Trajectory& trajectory,
                const TrailStyle& style = {});
+
+/// Returns whether a spatial arm stands upright: the z axis of its base is within 60 degrees of the
+/// world's. Then the plane of its base is the ground or a table.
+bool stands_upright(const Arm& arm);
 
 constexpr Colour below_ground{0.45, 0.10, 0.55};  ///< of parts of a trail below the floor
 
