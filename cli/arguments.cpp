@@ -33,8 +33,8 @@ std::vector<Option> UnitArgument::options() {
            .target = &degrees}};
 }
 
-Configuration UnitArgument::configuration(const Arm& arm, const std::string& text,
-                                          const std::string& option) const {
+Configuration UnitArgument::joint_rates(const Arm& arm, const std::string& text,
+                                        const std::string& option) const {
   const std::vector<double> values = internal::parse_numbers(text, option);
   Configuration q =
       Eigen::Map<const Configuration>(values.data(), static_cast<Eigen::Index>(values.size()));
@@ -45,9 +45,15 @@ Configuration UnitArgument::configuration(const Arm& arm, const std::string& tex
       throw Error(option + ": " + error.what());
     }
   }
+  for (int k = 0; k < arm.dof(); ++k) q[k] = coordinate(arm, k, q[k]);
+  return q;
+}
+
+Configuration UnitArgument::configuration(const Arm& arm, const std::string& text,
+                                          const std::string& option) const {
+  const Configuration q = joint_rates(arm, text, option);
   double largest = 0;
   for (int k = 0; k < arm.dof(); ++k) {
-    q[k] = coordinate(arm, k, q[k]);
     if (kind(arm.joint_of(k)) == JointKind::prismatic) continue;
     if (std::abs(q[k]) > std::abs(largest)) largest = q[k];
   }

@@ -28,6 +28,9 @@ struct UnitArgument {
   /// Throws Error that begins with `option` if they do not fit the arm.
   beeline::Configuration configuration(const beeline::Arm& arm, const std::string& text,
                                        const std::string& option) const;
+  /// Derivatives of joint values in time, as typed; the same without a warning of large angles.
+  beeline::Configuration joint_rates(const beeline::Arm& arm, const std::string& text,
+                                     const std::string& option) const;
   /// The value of coordinate k in radians or metres.
   double coordinate(const beeline::Arm& arm, int k, double value) const;
   /// A configuration, a value of coordinate k, or an angle, in the unit of the output.

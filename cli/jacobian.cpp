@@ -36,8 +36,10 @@ const char* frame_meaning(Frame frame) {
   return "";
 }
 
+constexpr const char* jacobian_rate_units = "m/s or rad/s of the tool, per rad or m of the joint";
+
 /// An arm in a configuration, and the rows that are asked for.
-struct At {
+struct ArmState {
   const Arm& arm;
   const Configuration& q;
   const Task& task;
@@ -54,9 +56,9 @@ Eigen::MatrixXd rows_of(const Task& task, const Eigen::MatrixXd& matrix) {
 
 /// Throws Error where a result exceeds the range of numbers.
 template <class Matrix>
-const Matrix& finite(const Matrix& matrix, const char* what) {
+const Matrix& finite(const Matrix& matrix, const char* what, const std::string& option = "--q") {
   if (matrix.allFinite()) return matrix;
-  throw Error(std::string("--q: the ") + what + " exceeds the range of numbers, 1e308");
+  throw Error(option + ": the " + what + " exceeds the range of numbers, 1e308");
 }
 
 /// The linear or the angular ones of the task's rows.
@@ -67,65 +69,78 @@ Task part_of(const Task& task, bool linear) {
 }
 
 /// The manipulability of the linear and of the angular rows beside that of all.
-void add_parts(const At& at, Answer& answer) {
+void add_parts(const ArmState& state, Answer& answer) {
   for (const bool linear : {true, false}) {
-    const Task part = part_of(at.task, linear);
-    if (part.size() == 0 || part.size() == at.task.size()) continue;
+    const Task part = part_of(state.task, linear);
+    if (part.size() == 0 || part.size() == state.task.size()) continue;
     const double measure =
-        manipulability_measures(task_jacobian(at.arm, at.q, part)).manipulability;
+        manipulability_measures(task_jacobian(state.arm, state.q, part)).manipulability;
     const std::string name = linear ? "translational" : "rotational";
     answer.document.add("manipulability_" + name, measure);
     answer.text += fmt::format("  {:<15}{}\n", name, shown(measure));
   }
 }
 
-void add_derivative(const JacobianArguments& arguments, const At& at, Answer& answer) {
+void add_derivative(const JacobianArguments& arguments, const ArmState& state, Answer& answer) {
   if (arguments.derivative.empty()) return;
   const auto& unit = arguments.unit;
-  const Configuration dq = unit.configuration(at.arm, arguments.derivative, "--derivative");
-  Configuration ddq = Configuration::Zero(at.arm.dof());
+  const Configuration dq = unit.joint_rates(state.arm, arguments.derivative, "--derivative");
+  Configuration ddq = Configuration::Zero(state.arm.dof());
   if (!arguments.second_derivative.empty()) {
-    ddq = unit.configuration(at.arm, arguments.second_derivative, "--second-derivative");
+    ddq = unit.joint_rates(state.arm, arguments.second_derivative, "--second-derivative");
   }
-  const Frame frame = at.task.frame;
-  const Eigen::MatrixXd derivative = rows_of(at.task, jacobian_derivative(at.arm, at.q, dq, frame));
-  const Eigen::VectorXd velocity = task_jacobian(at.arm, at.q, at.task) * dq;
+  const Frame frame = state.task.frame;
+  const Eigen::MatrixXd derivative =
+      rows_of(state.task, jacobian_derivative(state.arm, state.q, dq, frame));
+  const Eigen::VectorXd velocity = task_jacobian(state.arm, state.q, state.task) * dq;
   const Eigen::VectorXd acceleration =
-      task_rows(at.task, tool_acceleration(at.arm, at.q, dq, ddq, frame));
-  finite(derivative, "time derivative of the Jacobian");
-  finite(acceleration, "acceleration");
+      task_rows(state.task, tool_acceleration(state.arm, state.q, dq, ddq, frame));
+  finite(derivative, "time derivative of the Jacobian", "--derivative");
+  finite(acceleration, "acceleration", "--derivative");
   answer.document.add("derivative", json_matrix(derivative));
   answer.document.add("velocity", velocity);
   answer.document.add("acceleration", acceleration);
-  answer.text += "time derivative of the Jacobian\n" + matrix_text(derivative, at.rows) +
-                 fmt::format("velocity         {}   (J dq)\n", shown(velocity)) +
-                 fmt::format("acceleration     {}   (J ddq + J' dq)\n", shown(acceleration));
+  answer.units.add("derivative", jacobian_rate_units);
+  answer.units.add("velocity", "m/s, rad/s");
+  answer.units.add("acceleration", "m/s^2, rad/s^2");
+  // In moving axes J ddq + J' dq is not the components of the tool's acceleration.
+  const char* meaning = frame == Frame::base ? "acceleration" : "its derivative";
+  answer.text += "time derivative of the Jacobian\n" + matrix_text(derivative, state.rows) +
+                 fmt::format("velocity         {}   (J dq, m/s and rad/s)\n", shown(velocity)) +
+                 fmt::format("{:<17}{}   (J ddq + J' dq)\n", meaning, shown(acceleration));
 }
 
-void add_hessian(const At& at, Answer& answer) {
-  const Hessian derivatives = finite(hessian(at.arm, at.q, at.task.frame), "Hessian");
-  const int n = at.arm.dof();
+void add_hessian(const ArmState& state, Answer& answer) {
+  const Hessian derivatives = finite(hessian(state.arm, state.q, state.task.frame), "Hessian");
+  const int n = state.arm.dof();
   Json blocks;
   for (int k = 0; k < n; ++k) {
-    const Eigen::MatrixXd block = rows_of(at.task, derivatives.middleCols(k * n, n));
+    const Eigen::MatrixXd block = rows_of(state.task, derivatives.middleCols(k * n, n));
     blocks.append(json_matrix(block));
-    answer.text += fmt::format("derivative with respect to {}\n", at.arm.joint_of(k).name) +
-                   matrix_text(block, at.rows);
+    answer.text += fmt::format("derivative with respect to {}\n", state.arm.joint_of(k).name) +
+                   matrix_text(block, state.rows);
   }
   answer.document.add("hessian", blocks);
+  answer.units.add("hessian", "m or rad of the tool, per (rad or m of the joints)^2");
 }
 
-void add_gradient(const At& at, Answer& answer) {
-  const Configuration gradient =
-      finite(manipulability_gradient(at.arm, at.q, at.task).gradient, "gradient");
+void add_gradient(const ArmState& state, Answer& answer) {
+  const ManipulabilityGradient found = manipulability_gradient(state.arm, state.q, state.task);
+  const Configuration gradient = finite(found.gradient, "gradient");
+  if (found.manipulability == 0) {
+    answer.document.add("manipulability_gradient", nullptr);
+    answer.text += "gradient         not defined, as the manipulability is 0\n";
+    return;
+  }
   answer.document.add("manipulability_gradient", gradient);
+  answer.units.add("manipulability_gradient", "per rad or m of the joint");
   answer.text += fmt::format("gradient         {}   (of the manipulability)\n", shown(gradient));
 }
 
-void add_ellipsoids(const At& at, Answer& answer) {
-  const Task part = part_of(at.task, at.task.positions() > 0);
+void add_ellipsoids(const ArmState& state, Answer& answer) {
+  const Task part = part_of(state.task, state.task.positions() > 0);
   const ManipulabilityEllipsoids found =
-      manipulability_ellipsoids(task_jacobian(at.arm, at.q, part));
+      manipulability_ellipsoids(task_jacobian(state.arm, state.q, part));
   const std::vector<std::string> names = row_names({part.rows, Frame::base});
   answer.document.add("ellipsoids", {{"rows", names},
                                      {"axes", json_matrix(found.axes)},
@@ -137,11 +152,16 @@ void add_ellipsoids(const At& at, Answer& answer) {
                  fmt::format("  force          {}\n", shown(found.force));
 }
 
-void add_analytical(const JacobianArguments& arguments, const At& at, Answer& answer) {
+void add_analytical(const JacobianArguments& arguments, const ArmState& state, Answer& answer) {
   if (arguments.analytical.empty()) return;
   const auto coordinates = orientation_coordinates_named(arguments.analytical);
-  const Eigen::MatrixXd matrix =
-      finite(analytical_jacobian(at.arm, at.q, coordinates), "analytical Jacobian");
+  Eigen::MatrixXd matrix;
+  try {
+    matrix = analytical_jacobian(state.arm, state.q, coordinates);
+  } catch (const Error& error) {
+    throw Error("--analytical " + arguments.analytical + ": " + error.what());
+  }
+  finite(matrix, "analytical Jacobian");
   const std::vector<std::string> names = row_names(coordinates);
   answer.document.add("analytical", {{"rows", names}, {"jacobian", json_matrix(matrix)}});
   answer.text += fmt::format("analytical Jacobian: derivatives of position and {} in the world\n",
@@ -150,22 +170,23 @@ void add_analytical(const JacobianArguments& arguments, const At& at, Answer& an
 }
 
 /// The torques for a wrench of three numbers, fx, fy and mz of a planar arm, or of six.
-void add_torques(const JacobianArguments& arguments, const At& at, Answer& answer) {
+void add_torques(const JacobianArguments& arguments, const ArmState& state, Answer& answer) {
   if (arguments.wrench.empty()) return;
   const std::vector<double> given = internal::parse_numbers(arguments.wrench, "--wrench");
   Twist wrench = Twist::Zero();
-  if (given.size() == 3 && at.arm.planar()) {
+  if (given.size() == 3 && state.arm.planar()) {
     wrench << given[0], given[1], 0, 0, 0, given[2];
   } else if (given.size() == 6) {
     for (Eigen::Index i = 0; i < 6; ++i) wrench[i] = given[static_cast<std::size_t>(i)];
   } else {
     throw Error("--wrench needs FX,FY,FZ,MX,MY,MZ" +
-                std::string(at.arm.planar() ? ", or FX,FY,MZ" : "") + ", not " +
+                std::string(state.arm.planar() ? ", or FX,FY,MZ" : "") + ", not " +
                 counted(static_cast<std::int64_t>(given.size()), "number"));
   }
   const Configuration torques =
-      finite(joint_torques(at.arm, at.q, wrench, at.task.frame), "torque");
+      finite(joint_torques(state.arm, state.q, wrench, state.task.frame), "torque", "--wrench");
   answer.document.add("torques", torques);
+  answer.units.add("torques", "N m, of a prismatic joint N");
   answer.text +=
       fmt::format("joint torques    {}   (J^T F; N m, of a prismatic joint N)\n", shown(torques));
 }
@@ -178,11 +199,11 @@ Answer differential_kinematics(const JacobianArguments& arguments) {
   const Eigen::MatrixXd matrix = finite(task_jacobian(arm, q, task), "Jacobian");
   finite(matrix * matrix.transpose(), "Jacobian");
   const ManipulabilityMeasures measures = manipulability_measures(matrix);
-  const At at{arm, q, task, row_names({task.rows, Frame::base})};
+  const ArmState state{arm, q, task, row_names({task.rows, Frame::base})};
   const std::string& frame = arguments.jacobian.frame;
   Answer answer;
   answer.document = {{"frame", frame},
-                     {"rows", at.rows},
+                     {"rows", state.rows},
                      {"columns", arm.joint_names()},
                      {"jacobian", json_matrix(matrix)},
                      {"singular_values", measures.singular_values},
@@ -195,29 +216,31 @@ Answer differential_kinematics(const JacobianArguments& arguments) {
                                 : "";
   answer.text = fmt::format("Jacobian in the {} frame: {}\n", frame, frame_meaning(task.frame)) +
                 fmt::format("(a column for each joint: {})\n", listed(arm.joint_names())) +
-                matrix_text(matrix, at.rows) +
+                matrix_text(matrix, state.rows) +
                 fmt::format("singular values  {}\n", shown(measures.singular_values)) +
                 fmt::format("condition        {}\n", shown(measures.condition)) +
                 fmt::format("manipulability   {}{}\n", shown(measures.manipulability), fewer);
-  add_parts(at, answer);
-  if (arguments.gradient) add_gradient(at, answer);
-  if (arguments.ellipsoids) add_ellipsoids(at, answer);
-  add_derivative(arguments, at, answer);
-  if (arguments.hessian) add_hessian(at, answer);
-  add_analytical(arguments, at, answer);
-  add_torques(arguments, at, answer);
+  add_parts(state, answer);
+  if (arguments.gradient) add_gradient(state, answer);
+  if (arguments.ellipsoids) add_ellipsoids(state, answer);
+  add_derivative(arguments, state, answer);
+  if (arguments.hessian) add_hessian(state, answer);
+  add_analytical(arguments, state, answer);
+  add_torques(arguments, state, answer);
   return answer;
 }
 
 std::vector<Option> derivative_options(JacobianArguments& arguments) {
   Option derivative = joint_values_option(
       "--derivative",
-      "Joint velocities dq, per s: prints the time derivative J' of the Jacobian, the velocity "
-      "J dq and the acceleration J' dq.",
+      "Joint velocities dq, rad/s, or deg/s with --degrees, or m/s: prints the time derivative J' "
+      "of the Jacobian, the velocity "
+      "J dq and its derivative J' dq: in the base frame the acceleration of the tool.",
       &arguments.derivative);
-  Option second = joint_values_option(
-      "--second-derivative", "Joint accelerations ddq, per s^2: the acceleration is J ddq + J' dq.",
-      &arguments.second_derivative);
+  Option second = joint_values_option("--second-derivative",
+                                      "Joint accelerations ddq, in the same units per s: the "
+                                      "derivative of the velocity is J ddq + J' dq.",
+                                      &arguments.second_derivative);
   second.needs = "--derivative";
   return {
       derivative,
@@ -241,8 +264,9 @@ std::vector<Option> derivative_options(JacobianArguments& arguments) {
       {.name = "--wrench",
        .value = "F",
        .help = "Force and moment, N and N m, by which the tool acts on its surroundings, in the "
-               "axes of --frame: FX,FY,FZ,MX,MY,MZ, or FX,FY,MZ of a planar arm. Prints the joint "
-               "torques J^T F that balance it, without gravity.",
+               "axes of --frame, the moment about the tool's origin or, in the space frame, the "
+               "world's: FX,FY,FZ,MX,MY,MZ, or FX,FY,MZ of a planar arm. Prints the joint torques "
+               "J^T F that balance it, without gravity.",
        .target = &arguments.wrench}};
 }
 
@@ -277,7 +301,7 @@ Verb jacobian_verb() {
                     "--json"},
                    {"The tool's acceleration while joints 1 and 3 of a UR5e move",
                     "beeline jacobian ur5e --q 0,-1.2,1.3,-1.5,-1.4,0 --derivative 1,0,0.5,0,0,0"},
-                   {"The torques that hold 10 N downwards at the tool",
+                   {"The torques with which the tool presses down by 10 N",
                     "beeline jacobian ur5e --q 0,-1.2,1.3,-1.5,-1.4,0 --wrench 0,0,-10,0,0,0"}},
       .json = &arguments.json,
       .run = [] { return differential_kinematics(arguments); }};

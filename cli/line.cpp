@@ -55,9 +55,9 @@ PathMotionOptions exact_motion_options(const LineArguments& arguments, const Tas
 }
 
 /// Adds the options that the reason means.
-void name_options(LineReport& report) {
+void name_options(const LineArguments& arguments, LineReport& report) {
   if (report.status != MotionStatus::too_many_samples) return;
-  report.reason += " (--tolerance, --max-samples)";
+  report.reason += arguments.rate ? " (--rate, --max-samples)" : " (--tolerance, --max-samples)";
 }
 
 LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
@@ -74,7 +74,7 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
   LineReport report;
   report.status = motion.status;
   report.reason = std::move(motion.reason);
-  name_options(report);
+  name_options(arguments, report);
   report.trajectory = std::move(motion.trajectory);
   report.path_parameter = motion.path_parameter;
   report.deviation = motion.deviation;
@@ -105,7 +105,7 @@ LineReport line_by_program(const LineArguments& arguments, const Arm& arm,
   LineReport report;
   report.status = motion.status;
   report.reason = std::move(motion.reason);
-  name_options(report);
+  name_options(arguments, report);
   report.trajectory = std::move(motion.trajectory);
   report.deviation = motion.deviation;
   report.limits = motion.limits;
@@ -318,7 +318,8 @@ Verb line_verb() {
           "one "
           "certified trajectory. motion: joint (a straight line in joint space), line (also for an "
           "empty item), screw, arc after a row via with a position on it, spline (consecutive rows "
-          "are one curve). relative: previous, a pose in the tool frame of the waypoint before, or "
+          "are one curve, which stops only where it turns back). relative: previous, a pose in the "
+          "tool frame of the waypoint before, or "
           "of --from in the first row (a "
           "retreat); next, in that of the next waypoint that is not relative (an approach). q: the "
           "joint values of a joint move, in quotes, or a named state of --srdf. speed: largest "

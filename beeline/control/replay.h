@@ -17,7 +17,7 @@ struct SpeedChange {
 };
 
 struct ReplayOptions {
-  /// Samples per second, 0 or more; 0: the recorded samples or, with `speed_at`, 100 per second.
+  /// Samples per second, 0 or at least 0.001; 0: the recorded samples or, with `speed_at`, 100 per second.
   double rate = 0;
   double speed = 1;  ///< above 0: 1 is the recording's own speed, 0.5 takes twice its time
   /// The arm's configuration: the replay begins with a motion from it to the first sample; default:

@@ -40,15 +40,15 @@ ManipulabilityEllipsoids manipulability_ellipsoids(
 /// Yoshikawa's measure and its derivatives.
 struct ManipulabilityGradient {
   double manipulability = 0;  ///< as in ManipulabilityMeasures
-  /// With respect to the coordinates, per radian or metre. Zero where the measure is 0: it has no
-  /// derivatives there.
+  /// With respect to the coordinates, per radian or metre. Zero where the measure is 0, as it has
+  /// no derivatives there in general.
   Configuration gradient;
 };
 
 /// Returns the manipulability of the task's rows and its gradient: of all rows Task::spatial(), of
 /// the translational ones Task::position(), of the rotational ones the mask 000111. The gradient is
-/// w tr(J^+ dJ/dq) (Siciliano et al., *Robotics*, 2009, section 3.5.1). Throws Error as jacobian()
-/// and check_task() do.
+/// w tr(J^+ dJ/dq), by Jacobi's formula for the derivative of det(J J^T). Throws Error as
+/// jacobian() and check_task() do.
 ManipulabilityGradient manipulability_gradient(const Arm& arm, const ConfigurationRef& q,
                                                const Task& task = Task::spatial());
 

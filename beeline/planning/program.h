@@ -120,8 +120,8 @@ ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& s
 ///   rest where no blend or spline passes them, and at rest for each dwell. A trajectory that does
 ///   not begin at the first waypoint moves there first. Rest is to the tolerance of verify() for
 ///   the ends; a dwell is within 1e-5 rad or m of one configuration.
-/// - A joint move to a pose ends at the last rest there before the next waypoint: it may change the
-///   configuration at the same pose.
+/// - A joint move to a pose ends at a rest there before the next waypoint: it may change the
+///   configuration at the same pose. Up to 16 rests are tried.
 /// - verify() proves all moves but joint moves from stop to stop. A joint move is only held to the
 ///   arm's limits.
 /// - The tool's speed is within that of each move.

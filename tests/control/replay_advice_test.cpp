@@ -32,13 +32,18 @@ std::optional<double> number_after(const std::string& reason, const std::string&
   return std::stod(reason.substr(at + phrase.size()));
 }
 
+std::optional<double> advised_speed(const std::string& reason) {
+  const auto one = number_after(reason, "; a speed of ");
+  return one ? one : number_after(reason, "; speeds of at most ");
+}
+
 /// The options with what the reason advises; none without advice.
 std::optional<ReplayOptions> advised(ReplayOptions options, const std::string& reason) {
   if (const auto rate = number_after(reason, "a rate of ")) {
     options.rate = *rate;
   } else if (const auto ramp = number_after(reason, "a ramp of ")) {
     options.ramp = *ramp;
-  } else if (const auto speed = number_after(reason, "a speed of at most ")) {
+  } else if (const auto speed = advised_speed(reason)) {
     options.speed = std::min(options.speed, *speed);
     for (SpeedChange& change : options.speed_at) change.speed = std::min(change.speed, *speed);
   } else if (reason.find("without a rate") != std::string::npos) {
@@ -88,7 +93,7 @@ TEST(Replay, AdvisesAHighSpeedWhereOneIsPossible) {
   const double possible = 1 / limit_usage(arm, recorded).velocity.fraction;
   const Replay played = replay(arm, recorded, {.speed = 100});
   ASSERT_FALSE(played);
-  const auto advice = number_after(played.reason, "a speed of at most ");
+  const auto advice = advised_speed(played.reason);
   ASSERT_TRUE(advice) << played.reason;
   EXPECT_GT(*advice, 0.5 * possible);
 }

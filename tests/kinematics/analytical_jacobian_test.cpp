@@ -71,15 +71,11 @@ TEST(AnalyticalJacobian, IsTheDifferenceQuotientOfTheCoordinates) {
 
 TEST(AnalyticalJacobian, OfRollPitchYawIsRefusedInGimbalLock) {
   const Arm arm = built_in("ur5");
-  Configuration q = Configuration::Zero(6);
-  q[3] = -std::numbers::pi / 2;
-  q[4] = std::numbers::pi / 2;
-  for (q[5] = 0; q[5] < 1; q[5] += 0.25) {
-    const double pitch = roll_pitch_yaw(forward_kinematics(arm, q).linear()).pitch;
-    if (std::abs(std::abs(pitch) - std::numbers::pi / 2) > 1e-13) continue;
-    EXPECT_REFUSED(analytical_jacobian(arm, q, OrientationCoordinates::roll_pitch_yaw),
-                   "a pitch of +-90 degrees");
-  }
+  const Configuration q{{0, std::numbers::pi / 2, 0, 0, 0, 0}};
+  const double pitch = roll_pitch_yaw(forward_kinematics(arm, q).linear()).pitch;
+  ASSERT_NEAR(std::abs(pitch), std::numbers::pi / 2, 1e-13);
+  EXPECT_REFUSED(analytical_jacobian(arm, q, OrientationCoordinates::roll_pitch_yaw),
+                 "a pitch of +-90 degrees");
   EXPECT_REFUSED(orientation_coordinates_named("euler"), "rotation-vector");
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/model/catalog.h>
@@ -205,19 +206,46 @@ TEST(Manipulability, EllipsoidsHaveTheVelocitiesOfUnitJointVelocities) {
   }
 }
 
-TEST(JointTorques, DoTheWorkOfTheWrench) {
+TEST(JointTorques, OfAWeightAtTheTipAreItsLevers) {
+  testing::Random random;
+  const double l1 = 0.7, l2 = 0.4;
+  const Arm arm("2r", {planar_link(composite_joint('R', "a").front(), l1),
+                       planar_link(composite_joint('R', "b").front(), l2)});
+  for (int i = 0; i < 100; ++i) {
+    const double q1 = random.uniform(-pi, pi), q2 = random.uniform(-pi, pi);
+    const double outer = l2 * std::cos(q1 + q2), x = l1 * std::cos(q1) + outer;
+    const Twist up = 10 * Twist::Unit(1);  // the tool holds 10 N, along y
+    const Configuration torques = joint_torques(arm, Eigen::Vector2d(q1, q2), up);
+    EXPECT_NEAR(torques[0], 10 * x, 1e-13);
+    EXPECT_NEAR(torques[1], 10 * outer, 1e-13);
+  }
+}
+
+TEST(JointTorques, AreThoseOfOneWrenchInAllFrames) {
   testing::Random random;
   for (const std::string& name : built_in_names()) {
     const Arm arm = built_in(name);
-    for (const Frame frame : {Frame::base, Frame::tool, Frame::space}) {
-      const Configuration q = random.configuration(arm), dq = Configuration::Random(arm.dof());
-      const Twist wrench = Twist::Random();
-      const double power = wrench.dot(jacobian(arm, q, frame) * dq);
-      EXPECT_NEAR(joint_torques(arm, q, wrench, frame).dot(dq), power, 1e-13);
-    }
-    EXPECT_REFUSED(joint_torques(arm, Configuration::Zero(arm.dof()), Twist::Constant(inf)),
-                   "wrench");
+    const Configuration q = random.configuration(arm);
+    Twist base, tool, space;
+    const Pose world_T_tool = forward_kinematics(arm, q);
+    const Vector3 force = random.vector(), moment = random.vector();  // about the tool's origin
+    const auto axes = world_T_tool.linear().transpose();
+    base << force, moment;
+    tool << axes * force, axes * moment;
+    space << force, moment + world_T_tool.translation().cross(force);
+    const Configuration expected = joint_torques(arm, q, base);
+    EXPECT_LT((joint_torques(arm, q, tool, Frame::tool) - expected).norm(), 1e-12);
+    EXPECT_LT((joint_torques(arm, q, space, Frame::space) - expected).norm(), 1e-12);
+    EXPECT_REFUSED(joint_torques(arm, q, Twist::Constant(inf)), "wrench");
   }
+}
+
+TEST(Manipulability, GradientIsZeroWhereTheMeasureIs) {
+  const Arm arm = built_in("panda");
+  const ManipulabilityGradient found =
+      manipulability_gradient(arm, Configuration(Configuration::Zero(7)));
+  EXPECT_EQ(found.manipulability, 0);
+  EXPECT_EQ(found.gradient, Configuration::Zero(7));
 }
 
 }  // namespace

@@ -58,13 +58,14 @@ double slowdown_to_rest(const Trajectory& trajectory, const Limits& limits,
 }  // namespace
 
 HeldLimits held_limits(const Arm& arm, const Trajectory& recording, double speed) {
-  HeldLimits held{{}, true, true};
+  HeldLimits held{.limits = {}, .starts_at_rest = true, .ends_at_rest = true};
   const auto dof = static_cast<std::size_t>(arm.dof());
   for (int i = 0; i < arm.dof(); ++i) {
     const Limits known = arm.limits(i);
     Limits limits = motion_limits(known);
     limits.lower -= position_slack / 2;
     limits.upper += position_slack / 2;
+    std::array<bool, 4>& recorded = held.recorded.emplace_back();
     for (int order = 1; order <= 3; ++order) {
       const auto kind = rate_limits[static_cast<std::size_t>(order)];
       if (order == 1 && known.velocity < Limits::none) continue;
@@ -74,7 +75,9 @@ HeldLimits held_limits(const Arm& arm, const Trajectory& recording, double speed
       const double fraction = own.fraction * std::pow(std::min(1.0, speed), order);
       const bool free = order == 3 && !(known.jerk < Limits::none);
       if (!own.exact && (fraction > 1 || free)) limits.*kind = Limits::none;
-      if (own.exact && fraction > 1) limits.*kind *= fraction;
+      if (!own.exact || !(fraction > 1)) continue;
+      limits.*kind *= fraction;
+      recorded[static_cast<std::size_t>(order)] = true;
     }
     for (std::size_t k = 0; k < recording.size(); ++k) {
       if (k + 1 < recording.size()) {
@@ -122,6 +125,10 @@ std::optional<LimitExcess> largest_excess(const HeldLimits& held, const Trajecto
             slowdown_to_rest(trajectory, held.limits[i], found)});
     }
   }
+  if (largest && !held.recorded.empty()) {
+    largest->recorded = held.recorded[static_cast<std::size_t>(largest->coordinate)]
+                                     [static_cast<std::size_t>(largest->order)];
+  }
   return largest;
 }
 
@@ -136,8 +143,9 @@ std::string described(const Arm& arm, const Trajectory& trajectory, const LimitE
   const auto order = static_cast<std::size_t>(excess.order);
   constexpr std::array<const char*, 4> names = {"", "velocity", "acceleration", "jerk"};
   const bool known = arm.limits(excess.coordinate).*rate_limits[order] < Limits::none;
-  return where + " uses " + number(excess.fraction) + " times its " + (known ? "" : "assumed ") +
-         names[order] + " limit";
+  const std::string times = where + " uses " + number(excess.fraction) + " times ";
+  if (excess.recorded) return times + "the recording's own " + names[order];
+  return times + "its " + (known ? "" : "assumed ") + names[order] + " limit";
 }
 
 }  // namespace beeline::internal

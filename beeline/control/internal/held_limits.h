@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +11,9 @@ namespace beeline::internal {
 
 /// What the replay of a recording holds.
 struct HeldLimits {
-  std::vector<Limits> limits;                         ///< of each coordinate
+  std::vector<Limits> limits;  ///< of each coordinate
+  /// Whether the velocity, acceleration or jerk at [coordinate][order] is the recording's own.
+  std::vector<std::array<bool, 4>> recorded = {};
   bool starts_at_rest = false, ends_at_rest = false;  ///< see end_velocity.h
 };
 
@@ -28,6 +31,7 @@ struct LimitExcess {
   std::size_t sample = 0;  ///< the one before it
   double fraction = 0;     ///< of the limit; for a position radians or metres beyond it
   double slowdown = 1;     ///< factor on the duration that keeps a limit of a derivative
+  bool recorded = false;   ///< the limit is what the recording itself uses
 };
 
 /// Returns the excess that needs the largest slowdown, one of the position before others; none

@@ -163,6 +163,7 @@ PlayedSection with_speed_changes(const PlayedMotion& motion, const ReplayOptions
   constexpr double at_once = 0.8;  // of a slowdown: other samples are the worst later
   PlayedSection section;
   std::string first_excess;
+  double smallest_step = 0;
   for (double scale = 1; scale * motion.max_slowdown >= 1;) {
     if (ended(motion.budget)) return ended_section(motion);
     std::vector<Progress> progress =
@@ -179,8 +180,10 @@ PlayedSection with_speed_changes(const PlayedMotion& motion, const ReplayOptions
     const auto excess = largest_excess(motion.held, section.trajectory);
     if (!excess) return section;
     if (first_excess.empty()) first_excess = described(motion.arm, section.trajectory, *excess);
-    constexpr double least = 1.002;
-    scale /= std::max(least, 1 + at_once * std::min(excess->slowdown - 1, 1.0));
+    // Steps grow, so that a motion that no slowdown helps is refused after few.
+    constexpr double least = 0.002, growth = 1.6;
+    smallest_step = std::max(smallest_step * growth, least);
+    scale /= 1 + std::max(smallest_step, at_once * std::min(excess->slowdown - 1, 1.0));
   }
   section.reason = "with " + number(rate) + " samples per second " + first_excess;
   section.trajectory = {};

@@ -22,11 +22,12 @@ class AdviceSearch {
     constexpr double step = 0.8, small_step = 1 - 1e-4;
     double next = first;
     for (int tries = 0; tries < max_speeds; ++tries) {
-      const double tried = printed_below(next);
+      const double tried = printed(next, tries > 0);
       const ReplayAttempt attempt = with_speed(tried);
       if (!budget_.complete()) return {};
       if (attempt.replay) {
-        return "a speed of at most " + number(tried) + " keeps the limits";
+        return (options_.speed_at.empty() ? "a speed of " : "speeds of at most ") + number(tried) +
+               (options_.speed_at.empty() ? " keeps the limits" : " keep the limits");
       }
       next = std::min(attempt.speed.value_or(step * tried),
                       (tries < small_steps ? small_step : step) * tried);
@@ -60,7 +61,7 @@ class AdviceSearch {
   std::string ramp() {
     for (const double factor : {2., 5., 10.}) {
       ReplayOptions options = options_;
-      options.ramp = printed_below(factor * options_.ramp);
+      options.ramp = factor * options_.ramp;
       if (works(options)) return "a ramp of " + number(options.ramp) + " s keeps the limits";
       if (!budget_.complete()) return {};
     }
@@ -71,9 +72,9 @@ class AdviceSearch {
   /// With speed changes 4 samples are needed at least, see replay().
   double least_periods() const { return options_.speed_at.empty() ? 1 : 4; }
 
-  /// A number a little below x, of six digits, as messages print it.
-  static double printed_below(double x) {
-    constexpr double down = 1 - 1e-5;
+  /// x, or a number a little below it, with six digits as messages print it.
+  static double printed(double x, bool below) {
+    const double down = below ? 1 - 1e-5 : 1;
     const double unit = std::pow(10, std::floor(std::log10(down * x)) - 5);
     return std::round(down * x / unit) * unit;
   }

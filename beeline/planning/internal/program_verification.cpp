@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include <beeline/certificate/internal/path_checks.h>
@@ -115,10 +116,9 @@ class ProgramVerifier {
     if (rested() >= dwell - dwell_rounding) return true;
     return fail(Fault::dwell, at,
                 "the arm is at rest for " + number(rested()) + " s at the waypoint of " +
-                    move_name(program_, move) + ", not for " + number(dwell) + " s" +
-                    (dwelled_until_ > dwell && start > trajectory_.times[from]
-                         ? ", beyond the dwells before"
-                         : ""));
+                    move_name(program_, move) + ", " + number(dwell - rested()) +
+                    " s less than the dwell of " + number(dwell) + " s" +
+                    (start > trajectory_.times[from] ? ", beyond the dwells before" : ""));
   }
 
   bool check_speed(std::size_t move, std::size_t from, std::size_t to) {
@@ -358,9 +358,10 @@ class ProgramVerifier {
   Task task_;
   WaypointRests rests_;
   std::vector<ProgramPart> parts_ = {};
-  std::size_t part_ = 0;      // the next one
-  std::size_t begin_ = 0;     // the sample at which it begins
-  double dwelled_until_ = 0;  // seconds; the end of the last dwell
+  std::size_t part_ = 0;   // the next one
+  std::size_t begin_ = 0;  // the sample at which it begins
+  /// The end of the last dwell, seconds.
+  double dwelled_until_ = -std::numeric_limits<double>::infinity();
   Verification result_ = {};
 };
 

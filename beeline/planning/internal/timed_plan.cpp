@@ -119,8 +119,8 @@ TimedPlan PlanTiming::sample() {
         .speed_scale = options_.speed_scale,
         .tool_speed = section.tool_speeds,
         .rate = options_.rate,
-        .max_samples = static_cast<double>(options_.max_samples) -
-                       static_cast<double>(plan.trajectory.size()),
+        .max_samples =
+            static_cast<double>(options_.max_samples) - static_cast<double>(plan.trajectory.size()),
         .required = section.required,
         .budget = &budget_};
     const SampledSection sampled = sample_section(arm_, section.timed, options);

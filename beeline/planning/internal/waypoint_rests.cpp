@@ -73,13 +73,24 @@ bool WaypointRests::rests_after(std::size_t k, const Move& move, std::size_t at)
   return true;
 }
 
+bool WaypointRests::rests_between(std::size_t k, std::size_t next) const {
+  if (next != k + 1) return false;
+  const double h = trajectory_.times[next] - trajectory_.times[k];
+  for (int i = 0; i < arm_.dof(); ++i) {
+    const Extremes q = enclosure(interval_polynomial(trajectory_, k, i));
+    const double largest = rest_velocity(trajectory_, motion_limits(arm_.limits(i)), h);
+    if (!(q.largest - q.smallest <= std::max(rest_distance, largest * h))) return false;
+  }
+  return true;
+}
+
 std::vector<std::size_t> WaypointRests::rests(const Move& move, std::size_t first) const {
   std::vector<std::size_t> exact, others;
   auto k = std::lower_bound(resting_.begin(), resting_.end(), first);
   while (k != resting_.end()) {
     std::size_t nearest = *k;
     double least = offset(move, nearest);
-    for (++k; k != resting_.end() && *k == *(k - 1) + 1; ++k) {
+    for (++k; k != resting_.end() && rests_between(*(k - 1), *k); ++k) {
       const double here = offset(move, *k);
       // Of those at the waypoint the first: the nearest by rounding errors may be any.
       if (least > at_waypoint && here < least) nearest = *k, least = here;

@@ -29,8 +29,9 @@ class WaypointRests {
   bool rests_after(std::size_t k, const Move& move, std::size_t at) const;
 
   /// The samples from `first` on at which the arm is at rest within tolerance of a move's waypoint,
-  /// of consecutive ones the nearest. Those at the waypoint to a thousandth of the tolerance come
-  /// first, then the others, each in the order of time.
+  /// of those between which it rests the nearest. Those at the waypoint to a thousandth of the
+  /// tolerance come first, as the arm may rest at other waypoints within tolerance before; then the
+  /// others, each in the order of time.
   std::vector<std::size_t> rests(const Move& move, std::size_t first) const;
 
   /// The nearest of the first consecutive samples from `first` on within tolerance of a move's
@@ -39,6 +40,7 @@ class WaypointRests {
 
  private:
   bool is_slow(std::size_t k) const;
+  bool rests_between(std::size_t k, std::size_t next) const;
 
   const Arm& arm_;
   const Trajectory& trajectory_;
