@@ -17,7 +17,8 @@ struct SpeedChange {
 };
 
 struct ReplayOptions {
-  /// Samples per second, 0 or at least 0.001; 0: the recorded samples or, with `speed_at`, 100 per second.
+  /// Samples per second, 0 or at least 0.001; 0: the recorded samples or, with `speed_at`, 100 per
+  /// second.
   double rate = 0;
   double speed = 1;  ///< above 0: 1 is the recording's own speed, 0.5 takes twice its time
   /// The arm's configuration: the replay begins with a motion from it to the first sample; default:
@@ -66,10 +67,9 @@ struct Replay {
 /// The status is `outside_limits`, with the joint and the time, when the recording leaves the
 /// position limits or exceeds a known velocity limit at this speed, when a speed above 1 makes it
 /// exceed a limit of acceleration or jerk, and where the slowdown does not suffice: the reason
-/// names a speed, a rate or a ramp with which the replay was tried and is within the limits, or that
-/// none was found.
-/// Throws Error when the recording does not fit the arm, for an invalid option, and when the last
-/// entry of `speed_at` is a pause, which would not end.
+/// names a speed, a rate or a ramp with which the replay was tried and is within the limits, or
+/// that none was found. Throws Error when the recording does not fit the arm, for an invalid
+/// option, and when the last entry of `speed_at` is a pause, which would not end.
 Replay replay(const Arm& arm, const Trajectory& recording, const ReplayOptions& options = {});
 
 }  // namespace beeline

@@ -26,8 +26,9 @@ struct PathMotionOptions {
   std::optional<Profile> profile = std::nullopt;
   Interpolation interpolation = Interpolation::quintic;  ///< of the trajectory
   double tool_speed = Limits::none;  ///< limit of the tool origin's speed, m/s, 1e-8 or more
-  /// Samples per second, 0 or at least 0.001: at k / rate from the first to the last, each section from stop
-  /// to stop lasting a whole number of periods. 0: as many as interpolation and tolerance need.
+  /// Samples per second, 0 or at least 0.001: at k / rate from the first to the last, each section
+  /// from stop to stop lasting a whole number of periods. 0: as many as interpolation and tolerance
+  /// need.
   double rate = 0;
   int max_samples = 200'000;  ///< of the whole path, 2 or more; else too_many_samples
   bool suggest = false;       ///< where the path cannot be followed, search for paths near it
