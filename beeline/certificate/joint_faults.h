@@ -40,10 +40,10 @@ struct JointFault {
 };
 
 /// Returns the first fault in time of a trajectory's joints, whose columns are in the arm's order:
-/// limits, flip, velocity, acceleration, jerk or moving; see verify() for their meaning. Derivatives
-/// may exceed their limits by a millionth, and by what the rounding of times to doubles makes of
-/// them after hours, at most a ten thousandth.
-/// Nothing where the budget ends it before. Throws Error when the trajectory does not fit the arm.
+/// limits, flip, velocity, acceleration, jerk or moving; see verify() for their meaning.
+/// Derivatives may exceed their limits by a millionth, and by what the rounding of times to doubles
+/// makes of them after hours, at most a ten thousandth. Nothing where the budget ends it before.
+/// Throws Error when the trajectory does not fit the arm.
 std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& trajectory,
                                             const MovingEnds& moving = {},
                                             const Budget& budget = {});

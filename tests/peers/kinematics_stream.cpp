@@ -3,8 +3,8 @@
 // Beeline's kinematics for another implementation to be compared with. The answer begins with one
 // line of text, the names of the arm's coordinates with a tab between them. From there on both
 // streams are doubles in the machine's own order: for each configuration and joint velocities read,
-// the tool's pose as a 4 x 4 matrix by rows, then the Jacobians in base, tool and space frames, each
-// 6 x dof by rows, then their time derivatives.
+// the tool's pose as a 4 x 4 matrix by rows, then the Jacobians in base, tool and space frames,
+// each 6 x dof by rows, then their time derivatives.
 #include <cstdio>
 #include <exception>
 #include <string>
