@@ -1,10 +1,5 @@
 // What nearly every source includes, compiled once (target_precompile_headers). Each source still
 // includes what it uses: the lint's builds do without this header.
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,3 +18,9 @@
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/QR>

@@ -115,6 +115,7 @@ Jacobian jacobian_derivative(const Arm& arm, const ConfigurationRef& q, const Co
   return derivative;
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): Eigen::Ref is a reference that writes
 Pose hessian(const Arm& arm, const ConfigurationRef& q, Eigen::Ref<Jacobian> columns,
              Eigen::Ref<Hessian> derivatives, Frame frame) {
   const Eigen::Index n = arm.dof();
