@@ -24,7 +24,9 @@ std::vector<Option> AnimationArgument::options() {
        .phrases = {"playback speed"}},
       {.name = "--fps",
        .value = "N",
-       .help = "Frames per second of .gif, .mp4 and .webp.",
+       .help =
+           "Frames per second of .gif, .mp4 and .webp, which have at most 1500 frames: a longer "
+           "animation has fewer per second.",
        .target = &playback.frames_per_second,
        .range = {1, 60},
        .needs = "--animate"}};
