@@ -167,8 +167,14 @@ void check_determinant(const SymbolicArm& arm, const TransformList& list, const 
     const std::vector<Pose> places = internal::place_poses(list, symbols);
     const Jacobian columns = internal::numeric_twists(arm, list, places, symbols, frame);
     const Eigen::MatrixXd square = columns(rows_of(task), Eigen::all);
-    double scale = internal::length_scale(arm);  // Hadamard: times the columns' norms
+    // Errors of entries are relative to the lengths: by Hadamard's inequality for columns and rows
+    const double lengths = internal::length_scale(arm);
+    double scale = 1 + lengths, row_scale = 1;
     for (const auto& column : square.colwise()) scale *= std::max(1.0, column.norm());
+    for (const int row : rows_of(task)) {
+      row_scale *= std::max(columns.row(row).norm(), row < 3 ? lengths : 1.0);
+    }
+    scale = std::min(scale, row_scale);
     internal::check_formula(arm, Eigen::MatrixXd::Constant(1, 1, determinant.value(symbols)),
                             Eigen::MatrixXd::Constant(1, 1, square.determinant()), scale,
                             "the determinant");

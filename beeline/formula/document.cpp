@@ -5,6 +5,7 @@
 #include <beeline/formula/document.h>
 #include <beeline/formula/internal/convention_text.h>
 #include <beeline/formula/internal/document_writer.h>
+#include <beeline/formula/internal/numeric_twists.h>
 #include <beeline/formula/internal/planar_inverse.h>
 #include <beeline/formula/internal/singularity.h>
 
@@ -130,6 +131,10 @@ std::vector<std::string> notes_of(const SymbolicArm& arm) {
         "Constant angles near a multiple of 15 degrees are taken as exact. The largest change is " +
         number(arm.rounding) + " rad; it changes the pose by at most " + number(arm.deviation) +
         " (m, and of the entries of the rotation) at three random configurations.");
+  }
+  // Below that it is the rounding of other lengths.
+  if (arm.dropped_length > 1e-15 * internal::length_scale(arm)) {
+    notes.push_back("Lengths up to " + number(arm.dropped_length) + " m are taken as zero.");
   }
   constexpr double near = 1e-3;  // rad; such angles were probably rounded when they were written
   int count = 0;

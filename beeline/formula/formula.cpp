@@ -20,8 +20,10 @@ ExpressionMatrix pose_matrix(const SymbolicArm& arm, std::size_t from, std::size
   for (const Configuration& q : internal::check_configurations(arm, 2)) {
     const std::vector<double> symbols = symbol_values(arm, q);
     const Pose expected = internal::numeric_pose(arm, from, to, symbols);
-    internal::check_formula(arm, matrix.value(symbols), expected.matrix(),
-                            internal::length_scale(arm), "a pose");
+    const Eigen::MatrixXd numbers = matrix.value(symbols);
+    internal::check_formula(arm, numbers.leftCols(3), expected.matrix().leftCols(3), 1, "a pose");
+    internal::check_formula(arm, numbers.rightCols(1), expected.matrix().rightCols(1),
+                            internal::length_scale(arm), "a position");
   }
   return matrix;
 }

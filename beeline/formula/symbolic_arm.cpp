@@ -83,13 +83,14 @@ void add_general(ArmNamer& namer, const Arm& arm) {
 
 /// Tries the conventions of textbooks in turn.
 void add_joints(ArmNamer& namer, const Arm& arm, double tolerance) {
+  const double unit = internal::length_unit(arm);
   const auto standard = [&](const Joint& joint) {
-    return dh_row(joint, DhConvention::standard, tolerance);
+    return dh_row(joint, DhConvention::standard, tolerance, unit);
   };
   const auto modified = [&](const Joint& joint) {
-    return dh_row(joint, DhConvention::modified, tolerance);
+    return dh_row(joint, DhConvention::modified, tolerance, unit);
   };
-  const auto planar = [&](const Joint& joint) { return planar_row(joint, tolerance); };
+  const auto planar = [&](const Joint& joint) { return planar_row(joint, tolerance, unit); };
   if (Rows rows = arm.planar() ? rows_of(arm, planar) : Rows{}; !rows.empty()) {
     add_planar(namer, rows);
   } else if (rows = rows_of(arm, standard); !rows.empty()) {
@@ -108,12 +109,15 @@ void check_transforms(SymbolicArm& named, const Arm& arm, const Configuration& q
   const std::vector<Pose> places = internal::place_poses(list, symbol_values(named, q));
   std::vector<Pose> expected = link_poses(arm, q);
   expected.push_back(forward_kinematics(arm, q));
+  double positions = 0, rotations = 0;
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const Eigen::Matrix4d difference = places[list.frames[i + 1]].matrix() - expected[i].matrix();
-    named.deviation = std::max(named.deviation, difference.cwiseAbs().maxCoeff());
+    rotations = std::max(rotations, difference.leftCols<3>().cwiseAbs().maxCoeff());
+    positions = std::max(positions, difference.col(3).cwiseAbs().maxCoeff());
   }
+  named.deviation = std::max({named.deviation, positions, rotations});
   const double allowed = 1e-9 + 4 * named.rounding * static_cast<double>(expected.size());
-  if (named.deviation <= allowed * internal::length_scale(named)) return;
+  if (rotations <= allowed && positions <= allowed * internal::length_scale(named)) return;
   throw Error("the formulas of arm " + arm.name() + " deviate by " + number(named.deviation) +
               " from its kinematics; please report this");
 }

@@ -56,6 +56,8 @@ struct SymbolicArm {
   double rounding = 0;   ///< largest change of an angle by SymbolicOptions::angle_tolerance, rad
   double deviation = 0;  ///< largest difference of a link's or the tool's pose matrix from the
                          ///< arm's (m for positions), over three random configurations
+  double dropped_length = 0;  ///< largest length that was taken as zero, m: 1e-12 of the arm's
+                              ///< largest length and at most 1e-12 m
   SymbolicOptions options = {};
 
   std::size_t links() const { return transforms.size() - 2; }

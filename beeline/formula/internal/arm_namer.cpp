@@ -8,7 +8,6 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double zero_length = 1e-12;  // metres
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
 /// Rotations that follow each other have different letters: those of roll, pitch and yaw, or of
@@ -39,7 +38,8 @@ Vector3 direction_of(const Joint& joint) {
 
 }  // namespace
 
-ArmNamer::ArmNamer(const Arm& arm, const SymbolicOptions& options) : source_(arm) {
+ArmNamer::ArmNamer(const Arm& arm, const SymbolicOptions& options)
+    : source_(arm), unit_(length_unit(arm)) {
   named_.name = arm.name();
   named_.planar = arm.planar();
   named_.dof = arm.dof();
@@ -108,7 +108,10 @@ Expression ArmNamer::shared_length(double length, const std::string& letter,
 
 void ArmNamer::translate(int axis, double length, const std::string& letter,
                          const std::string& subscript, const std::string& meaning) {
-  if (std::abs(length) <= zero_length) return;
+  if (std::abs(length) <= zero_length * unit_) {
+    named_.dropped_length = std::max(named_.dropped_length, std::abs(length));
+    return;
+  }
   add({.rotation = false,
        .axis = axis,
        .distance = shared_length(length, letter, subscript, meaning)});

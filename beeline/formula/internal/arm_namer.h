@@ -8,7 +8,7 @@
 namespace beeline::internal {
 
 /// Builds a SymbolicArm: names each number of an arm as its transforms are added, in their order.
-/// Zero lengths and angles are left out.
+/// Zero lengths and angles are left out, see zero_length and SymbolicArm::dropped_length.
 class ArmNamer {
  public:
   ArmNamer(const Arm& arm, const SymbolicOptions& options);
@@ -52,6 +52,7 @@ class ArmNamer {
   const Arm& source_;
   SymbolicArm named_;
   std::set<std::string> names_;  ///< of the symbols
+  double unit_ = 1;              ///< length_unit()
   bool shares_lengths_ = false;
 };
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -7,15 +8,14 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double length_rounding = 1e-12;
-
-bool same_joint(const Joint& a, const Joint& b, double tolerance) {
+bool same_joint(const Joint& a, const Joint& b, double tolerance, double unit) {
   const bool rotations = (a.offset.linear() - b.offset.linear()).isZero(tolerance) &&
                          (a.screw.tail<3>() - b.screw.tail<3>()).isZero(tolerance);
-  const double scale = std::max(1.0, a.offset.translation().cwiseAbs().maxCoeff());
-  const double lengths = length_rounding + tolerance * scale;
+  const bool slides = kind(a) == JointKind::prismatic;  // then the screw is a direction
+  const double scale = std::max(unit, a.offset.translation().cwiseAbs().maxCoeff());
+  const double lengths = zero_length * unit + tolerance * scale;
   return rotations && (a.offset.translation() - b.offset.translation()).isZero(lengths) &&
-         (a.screw.head<3>() - b.screw.head<3>()).isZero(lengths);
+         (a.screw.head<3>() - b.screw.head<3>()).isZero(slides ? zero_length + tolerance : lengths);
 }
 
 /// Yaw, pitch and roll where the pitch is 90 degrees up to rounding: then roll is 0.
@@ -68,7 +68,19 @@ std::optional<int> fifteenths(double angle, double tolerance) {
   return static_cast<int>(multiple);
 }
 
-std::optional<DhRow> dh_row(const Joint& joint, DhConvention convention, double tolerance) {
+double length_unit(const Arm& arm) {
+  double largest = std::max(arm.base().translation().cwiseAbs().maxCoeff(),
+                            arm.tool().translation().cwiseAbs().maxCoeff());
+  for (const Joint& joint : arm.joints()) {
+    largest = std::max(largest, joint.offset.translation().cwiseAbs().maxCoeff());
+    if (kind(joint) == JointKind::prismatic) continue;
+    largest = std::max(largest, joint.screw.head<3>().cwiseAbs().maxCoeff());
+  }
+  return std::min(1.0, largest);
+}
+
+std::optional<DhRow> dh_row(const Joint& joint, DhConvention convention, double tolerance,
+                            double unit) {
   const JointKind joint_kind = kind(joint);
   if (joint_kind == JointKind::helical) return std::nullopt;
   const bool prismatic = joint_kind == JointKind::prismatic;
@@ -87,13 +99,13 @@ std::optional<DhRow> dh_row(const Joint& joint, DhConvention convention, double 
     row.a = t.x() * std::cos(row.theta) + t.y() * std::sin(row.theta);
     row.d = t.z();
   }
-  if (!same_joint(joint, dh_joint(row, convention), tolerance)) return std::nullopt;
+  if (!same_joint(joint, dh_joint(row, convention), tolerance, unit)) return std::nullopt;
   return row;
 }
 
-std::optional<DhRow> planar_row(const Joint& joint, double tolerance) {
+std::optional<DhRow> planar_row(const Joint& joint, double tolerance, double unit) {
   if (kind(joint) == JointKind::revolute) {
-    const std::optional<DhRow> row = dh_row(joint, DhConvention::standard, tolerance);
+    const std::optional<DhRow> row = dh_row(joint, DhConvention::standard, tolerance, unit);
     const bool flat = row && std::abs(row->alpha) <= tolerance && row->d == 0;
     return flat ? row : std::nullopt;
   }
@@ -106,7 +118,7 @@ std::optional<DhRow> planar_row(const Joint& joint, double tolerance) {
   link.offset = make_pose(row.a * Vector3(std::cos(row.theta), std::sin(row.theta), 0),
                           product({{2, row.theta}}));
   link.screw = translation_screw(Vector3::UnitX());
-  if (!same_joint(joint, link, tolerance)) return std::nullopt;
+  if (!same_joint(joint, link, tolerance, unit)) return std::nullopt;
   return row;
 }
 

@@ -66,9 +66,10 @@ Jacobian numeric_twists(const SymbolicArm& arm, const TransformList& list,
 }
 
 double length_scale(const SymbolicArm& arm) {
-  double sum = 1;
+  double sum = 0;
   for (const Symbol& symbol : arm.symbols) {
     if (symbol.kind == SymbolKind::length) sum += std::abs(symbol.value);
+    if (symbol.kind == SymbolKind::displacement) sum += 1 + std::abs(symbol.value);
   }
   return sum;
 }

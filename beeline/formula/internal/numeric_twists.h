@@ -21,7 +21,8 @@ Jacobian numeric_twists(const SymbolicArm& arm, const TransformList& list,
                         const std::vector<Pose>& places, std::span<const double> symbols,
                         const TwistFrame& frame);
 
-/// 1 plus the sum of all constant lengths: the scale of rounding errors of positions.
+/// The sum of all constant lengths, plus 1 for each displacement: the scale of rounding errors of
+/// positions.
 double length_scale(const SymbolicArm& arm);
 
 /// Throws Error, calling the formula `what`, if its numbers differ by more than rounding from those
