@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fmt/core.h>
 
 #include <beeline/error.h>
@@ -68,8 +69,11 @@ FormulaContent content_of(const FormulaArguments& arguments, const Arm& arm,
       for (const auto member : named.members) content.*member = true;
     }
     if (wanted != "all") continue;  // all that there is
-    content.determinant = content.task.size() == arm.dof();
+    content.determinant = content.task.size() == arm.dof() && content.frame != Frame::space;
     content.inverse = has_inverse_formula(symbolic);
+  }
+  if (content.determinant && content.frame == Frame::space) {
+    throw Error("--of determinant needs --frame base or tool, not space");
   }
   return content;
 }
@@ -86,11 +90,18 @@ Json formula_json(const WrittenFormula& formula) {
 Json document_json(const FormulaDocument& document) {
   Json symbols = Json::list();
   for (const WrittenSymbol& symbol : document.symbols) {
-    symbols.append({{"name", symbol.name},
-                    {"code_name", symbol.code_name},
-                    {"value", symbol.value},
-                    {"unit", symbol.unit},
-                    {"meaning", symbol.meaning}});
+    Json json{{"name", symbol.name}, {"code_name", symbol.code_name}};
+    if (symbol.formula.empty()) {
+      json.add("value", symbol.value);
+    } else {
+      json.add("formula", symbol.formula);
+      json.add("joint", symbol.joint);
+      json.add("multiplier", symbol.multiplier);
+      json.add("offset", symbol.offset);
+    }
+    json.add("unit", symbol.unit);
+    json.add("meaning", symbol.meaning);
+    symbols.append(json);
   }
   Json abbreviations = Json::object();
   for (const auto& [name, meaning] : document.abbreviations) abbreviations.add(name, meaning);
@@ -116,7 +127,12 @@ Answer written_formulas(const FormulaArguments& arguments, const SymbolicArm& ar
   const FormulaStyle style{.latex = arguments.as == "latex",
                            .numbers = arguments.numbers,
                            .degrees = arguments.unit.degrees};
-  const FormulaDocument document = formula_document(arm, content, style);
+  FormulaDocument document = formula_document(arm, content, style);
+  const std::vector<std::string> wanted = wanted_names(arguments.of);
+  const bool all = std::find(wanted.begin(), wanted.end(), "all") != wanted.end();
+  if (all && content.frame == Frame::space) {
+    document.notes.emplace_back("The determinant is left out: it needs --frame base or tool.");
+  }
   return {.text = style.latex ? latex_of(document, arguments.standalone) : text_of(document),
           .document = document_json(document)};
 }

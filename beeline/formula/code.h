@@ -26,8 +26,9 @@ struct GeneratedCode {
 /// Jacobian (with the pose), for its time derivative and for its determinant. It computes each
 /// common subexpression once, has no branches and does not allocate; its size grows with the number
 /// of joints. In C and C++ a macro precedes each function, BEELINE_FORMULA_FUNCTION, which may be
-/// defined as `__host__ __device__` for CUDA. Links, products and the inverse kinematics of
-/// `content` are not generated. Constants are named, or with `numbers` inserted.
+/// defined as `__host__ __device__` for CUDA; an include guard is named after the functions. Links,
+/// products and the inverse kinematics of `content` are not generated. Constants are named, or with
+/// `numbers` inserted.
 GeneratedCode formula_code(const SymbolicArm& arm, const FormulaContent& content,
                            CodeLanguage language, bool numbers = false);
 

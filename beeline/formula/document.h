@@ -42,8 +42,11 @@ struct WrittenSection {
 struct WrittenSymbol {
   std::string name;
   std::string code_name;  ///< in generated code
-  double value = 0;
+  double value = 0;       ///< of a constant
   std::string unit, meaning;
+  std::string formula = {};  ///< of the variable of a mimic joint: 0.3 − 2q₁
+  std::string joint = {};    ///< that it follows, with
+  double multiplier = 1, offset = 0;
 };
 
 /// Formulas of an arm as strings, in order.

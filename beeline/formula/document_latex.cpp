@@ -106,8 +106,11 @@ std::string latex_symbols(const FormulaDocument& document) {
   if (!document.symbols.empty()) {
     text += "\\begin{tabular}{@{}lll@{}}\n";
     for (const WrittenSymbol& symbol : document.symbols) {
-      text += "  $" + symbol.name + "$ & " + internal::decimal(symbol.value) + " " + symbol.unit +
-              " & " + internal::escaped_latex(symbol.meaning) + " \\\\\n";
+      const std::string value = symbol.formula.empty()
+                                    ? internal::decimal(symbol.value) + " " + symbol.unit
+                                    : '$' + symbol.formula + "$, " + symbol.unit;
+      text += "  $" + symbol.name + "$ & " + value + " & " +
+              internal::escaped_latex(symbol.meaning) + " \\\\\n";
     }
     text += "\\end{tabular}\n\n";
   }

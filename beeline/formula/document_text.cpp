@@ -100,9 +100,11 @@ std::string symbol_table(const FormulaDocument& document) {
   std::size_t names = 0;
   for (const WrittenSymbol& symbol : document.symbols) names = std::max(names, width(symbol.name));
   for (const WrittenSymbol& symbol : document.symbols) {
-    text += "  " + padded(symbol.name, names) + " = " +
-            padded(internal::decimal(symbol.value) + ' ' + symbol.unit, 16) + "  " +
-            symbol.meaning + "\n";
+    const bool constant = symbol.formula.empty();
+    const std::string value =
+        constant ? internal::decimal(symbol.value) + ' ' + symbol.unit : symbol.formula;
+    text += "  " + padded(symbol.name, names) + " = " + padded(value, 16) + "  " + symbol.meaning +
+            (constant ? "" : ", " + symbol.unit) + "\n";
   }
   std::string line = "  ";
   for (std::size_t i = 0; i < document.abbreviations.size(); ++i) {

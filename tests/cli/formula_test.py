@@ -349,3 +349,49 @@ def test_small_lengths_are_named_or_said(beeline):
     assert mixed["notes"] == ["Lengths up to 1e-13 m are taken as zero."]
     for arm in ("ur5", "panda", "puma560", "stanford"):
         assert beeline("formula", arm, "--json").json["notes"] == []
+
+
+MIMIC = """<robot name="m"><link name="a"/><link name="b"/><link name="c"/><link name="d"/>
+<joint name="j1" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint>
+<joint name="j2" type="continuous"><parent link="b"/><child link="c"/><axis xyz="0 0 1"/><origin xyz="0.5 0 0"/>
+<mimic joint="j1" multiplier="-2" offset="0.3"/></joint>
+<joint name="j3" type="prismatic"><parent link="c"/><child link="d"/><axis xyz="1 0 0"/>
+<limit lower="-9" upper="9" effort="1" velocity="1"/><mimic joint="j1" multiplier="0.5"/></joint></robot>"""
+
+
+def test_mimic_joints_are_formulas_of_the_joint_that_they_follow(beeline, written):
+    arm = written("m.urdf", MIMIC)
+    printed = beeline("formula", arm).out
+    assert re.search(r"u₂ = 0\.3 − 2q₁ +mimic joint j2, rad\n", printed)
+    assert re.search(r"u₃ = 0\.5 q₁ +mimic joint j3, m\n", printed)
+    assert "u_{2}$ & $0.3 - 2 q_{1}$, rad &" in beeline("formula", arm, "--as", "latex").out
+    two, three = (symbol for symbol in beeline("formula", arm, "--json").json["symbols"] if "joint" in symbol)
+    assert (two["joint"], two["multiplier"], two["offset"]) == ("j1", -2, 0.3)
+    assert (three["joint"], three["multiplier"], three["offset"]) == ("j1", 0.5, 0)
+    assert "value" not in two
+    two, three = (symbol for symbol in beeline("formula", arm, "--degrees", "--json").json["symbols"]
+                  if "joint" in symbol)
+    assert (two["multiplier"], two["offset"]) == (-2, pytest.approx(np.degrees(0.3)))
+    assert three["multiplier"] == pytest.approx(np.radians(0.5))
+
+
+def test_the_determinant_in_the_space_frame(beeline, refused):
+    """The rows of a task are those of the tool's velocity."""
+    for arm in ("rrr", "ur5"):
+        refused(2, "formula", arm, "--frame", "space", "--of", "determinant", says=["--frame base or tool"])
+        rest = beeline("formula", arm, "--frame", "space", "--of", "all", "--json").json
+        assert "determinant" not in rest and "jacobian" in rest
+        assert "determinant is left out: it needs --frame base or tool" in rest["notes"][-1]
+
+
+@pytest.mark.parametrize("language", COMPILERS)
+def test_code_may_be_included_twice(beeline, tmp_path, language):
+    command, ending = COMPILERS[language]
+    if shutil.which(command[0]) is None:
+        pytest.skip(f"there is no {command[0]}")
+    assert beeline("formula", "rrr", "--as", language, "--out", "rrr.h").code == 0
+    assert beeline("formula", "rrr", "--of", "jacobian", "--as", language, "--out", "jacobian.h").code == 0
+    (tmp_path / f"a.{ending}").write_text('#include "rrr.h"\n#include "jacobian.h"\n#include "rrr.h"\n'
+                                          "double T[16], J[9];\nvoid f(const double* q);\n"
+                                          "void f(const double* q) { rrr_forward(q, T); rrr_jacobian(q, T, J); }\n")
+    subprocess.run([*command, "-Wall", "-Wextra", "-Werror", "-fsyntax-only", tmp_path / f"a.{ending}"], check=True)

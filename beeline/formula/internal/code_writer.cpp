@@ -209,6 +209,17 @@ void CodeWriter::function(const std::string& suffix, const std::string& purpose,
                 name + '(' + parameters + ") {\n" + body(outputs, rates) + "}\n";
 }
 
-GeneratedCode CodeWriter::finish() { return std::move(code_); }
+/// With an include guard in C and C++, named after the functions.
+GeneratedCode CodeWriter::finish() {
+  if (language_ != CodeLanguage::python) {
+    std::string guard = "BEELINE_FORMULA_" + prefix_;
+    for (const GeneratedFunction& function : code_.functions) {
+      guard += function.name.substr(prefix_.size());
+    }
+    guard += "_H";
+    code_.text = "#ifndef " + guard + "\n#define " + guard + "\n\n" + code_.text + "\n#endif\n";
+  }
+  return std::move(code_);
+}
 
 }  // namespace beeline::internal

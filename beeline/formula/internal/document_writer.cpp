@@ -162,20 +162,41 @@ std::vector<WrittenSymbol> DocumentWriter::symbols() const {
   for (const int number : symbols_) {
     const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(number)];
     if (symbol.coordinate >= 0 && symbol.ratio == 1 && symbol.value == 0) continue;
-    const bool length =
-        symbol.kind == SymbolKind::length || symbol.kind == SymbolKind::displacement;
-    const bool degrees = style_.degrees && !length;
-    const double value = degrees ? in_degrees(symbol.value) : symbol.value;
-    const std::string unit = length ? "m" : degrees ? "deg" : "rad";
-    std::string meaning = symbol.meaning;
-    if (symbol.coordinate >= 0) {
-      meaning +=
-          ": " + decimal(symbol.ratio) + " q" + std::to_string(symbol.coordinate + 1) + " + this";
-    }
-    found.push_back({notation_.symbol(number), symbol.name(), value,
-                     symbol.letter == "h" ? "m/rad" : unit, meaning});
+    found.push_back(written_symbol(number));
   }
   return found;
+}
+
+WrittenSymbol DocumentWriter::written_symbol(int number) const {
+  const Symbol& symbol = arm_.symbols[static_cast<std::size_t>(number)];
+  const bool length = symbol.kind == SymbolKind::length || symbol.kind == SymbolKind::displacement;
+  const bool degrees = style_.degrees && !length;
+  const double value = degrees ? in_degrees(symbol.value) : symbol.value;
+  const std::string unit = length ? "m" : degrees ? "deg" : "rad";
+  WrittenSymbol written{notation_.symbol(number), symbol.name(), value,
+                        symbol.letter == "h" ? "m/rad" : unit, symbol.meaning};
+  if (symbol.coordinate < 0) return written;
+  const auto followed = static_cast<std::size_t>(symbol.coordinate);
+  const int other = arm_.coordinates[followed];
+  const bool other_slides =
+      arm_.symbols[static_cast<std::size_t>(other)].kind == SymbolKind::displacement;
+  written.multiplier = symbol.ratio;
+  if (style_.degrees && length != other_slides) {
+    written.multiplier *= length ? std::numbers::pi / 180 : 180 / std::numbers::pi;
+  }
+  written.offset = value;
+  written.joint = arm_.joint_names[followed];
+  const auto constant = [](double amount) {
+    return amount == std::round(amount) && std::abs(amount) < 1e9
+               ? Coefficient(static_cast<std::int64_t>(amount))
+               : Coefficient::plain(amount);
+  };
+  const Tree product =
+      factored(Expression(constant(written.multiplier)) * Expression::symbol(other));
+  const Tree shift{.coefficient = constant(value)};
+  written.formula = notation_.text(
+      value == 0 ? product : Tree{.kind = Tree::Kind::sum, .parts = {shift, product}});
+  return written;
 }
 
 std::vector<std::pair<std::string, std::string>> DocumentWriter::abbreviations() const {

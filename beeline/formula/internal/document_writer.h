@@ -52,6 +52,7 @@ class DocumentWriter {
   void name_cells(WrittenFormula& written) const;
   std::string row_name(const std::string& name) const;
   Tree tree(const Expression& expression);
+  WrittenSymbol written_symbol(int number) const;
 
   const SymbolicArm& arm_;
   FormulaStyle style_;
