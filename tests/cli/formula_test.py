@@ -395,3 +395,17 @@ def test_code_may_be_included_twice(beeline, tmp_path, language):
                                           "double T[16], J[9];\nvoid f(const double* q);\n"
                                           "void f(const double* q) { rrr_forward(q, T); rrr_jacobian(q, T, J); }\n")
     subprocess.run([*command, "-Wall", "-Wextra", "-Werror", "-fsyntax-only", tmp_path / f"a.{ending}"], check=True)
+
+
+def test_a_formula_that_is_too_large_is_refused_early(refused, seed, written):
+    """Joints about any axes with any angles between: the expansion stops soon after the limit."""
+    random = np.random.default_rng(seed)
+    links = '<link name="l0"/>'
+    for i in range(1, 8):
+        axis, xyz, rpy = (text(random.uniform(0.1, 1, 3)).replace(",", " ") for _ in range(3))
+        links += (f'<link name="l{i}"/><joint name="j{i}" type="continuous"><parent link="l{i - 1}"/>'
+                  f'<child link="l{i}"/><axis xyz="{axis}"/><origin xyz="{xyz}" rpy="{rpy}"/></joint>')
+    arm = written("general.urdf", f'<robot name="g">{links}</robot>')
+    for content in ("forward", "jacobian"):
+        line = refused(2, "formula", arm, "--of", content, says=["too large", "more than 50000"])
+        assert int(re.search(r"has (\d+) symbols", line)[1]) < 300_000

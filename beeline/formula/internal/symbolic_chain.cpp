@@ -73,13 +73,14 @@ ExpressionRotation SymbolicPose::rotation() const {
 SymbolicPose pose_between(const SymbolicArm& arm, std::size_t from, std::size_t to) {
   SymbolicPose pose(arm);
   for (std::size_t i = from; i < to; ++i) {
+    const std::string rotation =
+        "the rotation up to joint " + std::to_string(i) + " of " + std::to_string(arm.links());
     for (const ElementaryTransform& transform : arm.transforms[i]) {
       pose.append(transform);
       check_size(arm, size_of(pose.position()), "the position");
+      check_size(arm, size_of(pose.closed()), rotation);
     }
-    check_size(
-        arm, size_of(pose.rotation()),
-        "the rotation up to joint " + std::to_string(i) + " of " + std::to_string(arm.links()));
+    check_size(arm, size_of(pose.rotation()), rotation);
   }
   return pose;
 }

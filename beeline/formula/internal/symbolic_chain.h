@@ -19,6 +19,9 @@ class SymbolicPose {
   ExpressionRotation rotation() const;
   const ExpressionVector& position() const { return position_; }
 
+  /// The completed rotations, which grow by each rotation about another axis.
+  const ExpressionRotation& closed() const { return closed_; }
+
   /// The angle that is being summed, zero at the beginning: the rotations since the last one about
   /// another axis.
   const Angle& open_angle() const { return angle_; }
