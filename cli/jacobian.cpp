@@ -4,6 +4,7 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/analytical_jacobian.h>
 #include <beeline/kinematics/derivatives.h>
+#include <beeline/kinematics/internal/mask.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/read/internal/numbers.h>
 
@@ -46,14 +47,6 @@ struct ArmState {
   std::vector<std::string> rows;  ///< their names
 };
 
-Eigen::MatrixXd rows_of(const Task& task, const Eigen::MatrixXd& matrix) {
-  Eigen::MatrixXd rows(task.size(), matrix.cols());
-  for (Eigen::Index k = 0; k < matrix.cols(); ++k) {
-    rows.col(k) = task_rows(task, Twist(matrix.col(k)));
-  }
-  return rows;
-}
-
 /// Throws Error where a result exceeds the range of numbers.
 template <class Matrix>
 const Matrix& finite(const Matrix& matrix, const char* what, const std::string& option = "--q") {
@@ -91,7 +84,7 @@ void add_derivative(const JacobianArguments& arguments, const ArmState& state, A
   }
   const Frame frame = state.task.frame;
   const Eigen::MatrixXd derivative =
-      rows_of(state.task, jacobian_derivative(state.arm, state.q, dq, frame));
+      internal::selected_rows(state.task, jacobian_derivative(state.arm, state.q, dq, frame));
   const Eigen::VectorXd velocity = task_jacobian(state.arm, state.q, state.task) * dq;
   const Eigen::VectorXd acceleration =
       task_rows(state.task, tool_acceleration(state.arm, state.q, dq, ddq, frame));
@@ -115,7 +108,8 @@ void add_hessian(const ArmState& state, Answer& answer) {
   const int n = state.arm.dof();
   Json blocks;
   for (int k = 0; k < n; ++k) {
-    const Eigen::MatrixXd block = rows_of(state.task, derivatives.middleCols(k * n, n));
+    const Eigen::MatrixXd block =
+        internal::selected_rows(state.task, derivatives.middleCols(k * n, n));
     blocks.append(json_matrix(block));
     answer.text += fmt::format("derivative with respect to {}\n", state.arm.joint_of(k).name) +
                    matrix_text(block, state.rows);

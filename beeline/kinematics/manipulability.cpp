@@ -5,6 +5,7 @@
 
 #include <beeline/error.h>
 #include <beeline/kinematics/derivatives.h>
+#include <beeline/kinematics/internal/mask.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/math/six_row_svd.h>
 
@@ -24,14 +25,6 @@ void check_matrix(const Eigen::Ref<const Eigen::MatrixXd>& jacobian) {
   if (jacobian.rows() > 6) {
     throw Error("a Jacobian has at most 6 rows, not " + std::to_string(jacobian.rows()));
   }
-}
-
-std::vector<int> selected(const Task& task) {
-  std::vector<int> rows;
-  for (int i = 0; i < 6; ++i) {
-    if (task.rows[static_cast<std::size_t>(i)]) rows.push_back(i);
-  }
-  return rows;
 }
 
 }  // namespace
@@ -72,10 +65,9 @@ ManipulabilityGradient manipulability_gradient(const Arm& arm, const Configurati
   Jacobian columns(6, n);
   Hessian derivatives(6, Eigen::Index{n} * n);
   hessian(arm, q, columns, derivatives, task.frame);
-  const std::vector<int> rows = selected(task);
-  const Eigen::MatrixXd matrix = columns(rows, Eigen::all);
+  const Eigen::MatrixXd matrix = internal::selected_rows(task, columns);
   const internal::SixRowSvd svd = internal::six_row_svd(matrix);
-  const auto count = static_cast<Eigen::Index>(rows.size());
+  const Eigen::Index count = matrix.rows();
   const auto& sigma = svd.singular_values;
   ManipulabilityGradient result{0, Configuration::Zero(n)};
   if (n < count || !(sigma[count - 1] > rounding_of(sigma[0], matrix))) return result;
@@ -86,7 +78,8 @@ ManipulabilityGradient manipulability_gradient(const Arm& arm, const Configurati
                                         sigma.head(count).cwiseAbs2().cwiseInverse().asDiagonal() *
                                         svd.left.topLeftCorner(count, count).transpose();
   for (int k = 0; k < n; ++k) {
-    const Eigen::MatrixXd change = derivatives.middleCols(Eigen::Index{k} * n, n)(rows, Eigen::all);
+    const Eigen::MatrixXd change =
+        internal::selected_rows(task, derivatives.middleCols(Eigen::Index{k} * n, n));
     result.gradient[k] =
         result.manipulability * pseudoinverse.cwiseProduct(change.transpose()).sum();
   }

@@ -84,12 +84,7 @@ Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const T
                               double length_unit) {
   Jacobian all = jacobian(arm, q, task.frame);
   all.topRows<3>() /= length_unit;
-  Eigen::MatrixXd kept(task.size(), arm.dof());
-  int row = 0;
-  for (int i = 0; i < 6; ++i) {
-    if (task.rows[i]) kept.row(row++) = all.row(i);
-  }
-  return kept;
+  return internal::selected_rows(task, all);
 }
 
 Twist pose_error(const Pose& desired, const Pose& current, Frame frame) {

@@ -1,5 +1,6 @@
 """Pictures as files: SVG that any parser reads, with texts that hold no markup."""
 
+import os
 import re
 from xml.etree import ElementTree
 
@@ -64,7 +65,7 @@ def test_figures_are_animated(beeline, parsed, number):
 
 
 def test_an_animation_without_ffmpeg(beeline, tmp_path):
-    answer = beeline("figure", "1.7", "--animate", "a.gif", env={"PATH": ""})
+    answer = beeline("figure", "1.7", "--animate", "a.gif", env=os.environ | {"PATH": ""})
     assert answer.code == 2 and "apt install ffmpeg" in answer.err and answer.err.count("\n") == 1
     assert not list(tmp_path.iterdir())
 
@@ -157,7 +158,7 @@ def test_an_ffmpeg_that_fails(beeline, tmp_path, script, says):
     program.chmod(0o755)
     for ending in ("gif", "mp4", "webp"):
         answer = beeline("figure", "1.7", "--animate", f"a.{ending}", "--playback-speed", "50",
-                         env={"PATH": f"{tmp_path}/bin:/usr/bin:/bin"})
+                         env=os.environ | {"PATH": f"{tmp_path}/bin:/usr/bin:/bin"})
         assert answer.code == 2 and "--animate" in answer.err and answer.err.count("\n") == 1
         assert says in answer.err or ending == "gif", answer.err
     assert [file.name for file in tmp_path.iterdir()] == ["bin"]

@@ -82,6 +82,12 @@ double rest_at(const Trajectory& trajectory, const Configuration& q) {
   return longest;
 }
 
+std::string trace(const Arm& arm, const Trajectory& recording, const ReplayOptions& options) {
+  return arm.name() + ", " + name(recording.interpolation()) + " at " +
+         std::to_string(options.rate) + " Hz, speed " + std::to_string(options.speed) +
+         (options.speed_at.empty() ? "" : ", with changes");
+}
+
 // Chords of linear joints leave the path, so that a tolerance for them does not tell rests apart.
 TEST(Replay, KeepsTheStopsAndDwellsOfPrograms) {
   testing::Random random;
@@ -94,9 +100,7 @@ TEST(Replay, KeepsTheStopsAndDwellsOfPrograms) {
     if (!planned || !verify(arm, planned.trajectory, program, tolerance)) continue;
     const ReplayOptions options = random_replay(random);
     const Replay played = replay(arm, planned.trajectory, options);
-    SCOPED_TRACE(arm.name() + ", " + name(planned.trajectory.interpolation()) + " at " +
-                 std::to_string(options.rate) + " Hz, speed " + std::to_string(options.speed) +
-                 (options.speed_at.empty() ? "" : ", with changes"));
+    SCOPED_TRACE(trace(arm, planned.trajectory, options));
     if (!played) {
       EXPECT_EQ(planned.trajectory.interpolation(), Interpolation::linear) << played.reason;
       continue;
@@ -129,9 +133,7 @@ TEST(Replay, KeepsTheStopsOfLines) {
     if (!planned) continue;
     const ReplayOptions options = random_replay(random);
     const Replay played = replay(arm, planned.trajectory, options);
-    SCOPED_TRACE(arm.name() + ", " + name(planned.trajectory.interpolation()) + " at " +
-                 std::to_string(options.rate) + " Hz, speed " + std::to_string(options.speed) +
-                 (options.speed_at.empty() ? "" : ", with changes"));
+    SCOPED_TRACE(trace(arm, planned.trajectory, options));
     if (!played) {
       EXPECT_EQ(planned.trajectory.interpolation(), Interpolation::linear) << played.reason;
       continue;

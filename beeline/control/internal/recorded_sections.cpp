@@ -28,20 +28,11 @@ class StopSearch {
   }
 
  private:
-  /// Whether a velocity beside intervals of h seconds counts as rest.
-  bool slow(const Configuration& velocity, double h) const {
-    for (std::size_t i = 0; i < limits_.size(); ++i) {
-      const double speed = std::abs(velocity[static_cast<Eigen::Index>(i)]);
-      if (!(speed <= rest_velocity(recording_, limits_[i], h))) return false;
-    }
-    return true;
-  }
-
   bool stops_with_velocity(std::size_t k) const {
     const auto& v = recording_.velocities;
     const double speed = v[k].norm();
     if (v[k].lpNorm<Eigen::Infinity>() <= zero_velocity * largest_) return true;
-    return slow(v[k], 0) && speed <= pass_ratio * v[k - 1].norm() &&
+    return counts_as_rest(recording_, limits_, v[k], 0) && speed <= pass_ratio * v[k - 1].norm() &&
            speed <= pass_ratio * v[k + 1].norm();
   }
 
@@ -55,8 +46,9 @@ class StopSearch {
 
   bool stops_between_lines(std::size_t k) const {
     const Configuration before = move_after(k - 1), after = move_after(k);
-    if (!slow(before / duration_after(k - 1), duration_after(k - 1)) ||
-        !slow(after / duration_after(k), duration_after(k))) {
+    const double h_before = duration_after(k - 1), h_after = duration_after(k);
+    if (!counts_as_rest(recording_, limits_, before / h_before, h_before) ||
+        !counts_as_rest(recording_, limits_, after / h_after, h_after)) {
       return false;
     }
     if (before.norm() <= least_move || after.norm() <= least_move) return true;

@@ -30,13 +30,6 @@ std::vector<PaperPoint> extremes(const std::vector<PaperPoint>& points) {
   return kept;
 }
 
-double distance_from_chord(const PaperPoint& p, const PaperPoint& a, const PaperPoint& b) {
-  const PaperPoint chord = b - a;
-  const double square = chord.squaredNorm();
-  const double t = square > 0 ? std::clamp((p - a).dot(chord) / square, 0.0, 1.0) : 0;
-  return (p - a - t * chord).norm();
-}
-
 }  // namespace
 
 std::vector<PaperPoint> thinned(const std::vector<PaperPoint>& points) {

@@ -7,6 +7,15 @@
 
 namespace beeline::internal {
 
+/// The distance of a point of the plane or of space from the chord from a to b.
+template <class Point>
+double distance_from_chord(const Point& p, const Point& a, const Point& b) {
+  const Point chord = b - a;
+  const double square = chord.squaredNorm();
+  const double t = square > 0 ? std::clamp((p - a).dot(chord) / square, 0.0, 1.0) : 0;
+  return (p - a - t * chord).norm();
+}
+
 /// Returns the points, of first..last, that stay when no other is farther than `tolerance` from the
 /// line between its kept neighbours: `distance(i, a, b)` is that of point i from the line from a to
 /// b. The ends stay. Douglas & Peucker, "Algorithms for the reduction of the number of points"

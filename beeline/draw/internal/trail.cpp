@@ -36,13 +36,6 @@ ToolTrail grouped(const ToolTrail& all) {
   return few;
 }
 
-double distance_from_chord(const Vector3& p, const Vector3& a, const Vector3& b) {
-  const Vector3 chord = b - a;
-  const double square = chord.squaredNorm();
-  const double t = square > 0 ? std::clamp((p - a).dot(chord) / square, 0.0, 1.0) : 0;
-  return (p - a - t * chord).norm();
-}
-
 double extent(const std::vector<Vector3>& points) {
   Vector3 low = points.front(), high = low;
   for (const Vector3& p : points) {

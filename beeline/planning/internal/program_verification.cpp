@@ -39,7 +39,6 @@ class ProgramVerifier {
         task_(options.task.value_or(default_task(arm))),
         rests_(arm, trajectory, task_, {options.tolerance, options.orientation_tolerance}) {
     options_.task = task_;
-    result_.deviation.interval_bounds.resize(trajectory.size() - 1);
   }
 
   Verification run() {
@@ -54,6 +53,8 @@ class ProgramVerifier {
       passed = parts_[part_].joint ? check_joint_move() : check_path();
     }
     if (passed && parts_.empty()) check_rest(0);
+    // Last, so that the progress of candidates is copied without them.
+    result_.deviation.interval_bounds.resize(trajectory_.size() - 1);
     const auto joint = first_joint_fault(arm_, trajectory_, options_.moving, options_.budget);
     if (!options_.budget.part_of->complete()) {
       const Ending ending = options_.budget.part_of->ending();

@@ -19,6 +19,7 @@ constexpr double at_waypoint = 1e-3;    // of the tolerance
 WaypointRests::WaypointRests(const Arm& arm, const Trajectory& trajectory, const Task& task,
                              const Deviation& tolerance)
     : arm_(arm), trajectory_(trajectory), task_(task), tolerance_(tolerance) {
+  for (const Limits& known : arm.limits()) limits_.push_back(motion_limits(known));
   for (std::size_t k = 0; k < trajectory.size(); ++k) {
     tool_.push_back(forward_kinematics(arm, trajectory.positions[k]));
     rests_.push_back(is_slow(k));
@@ -44,14 +45,9 @@ double WaypointRests::offset(const Move& move, std::size_t k) const {
 
 bool WaypointRests::is_slow(std::size_t k) const {
   if (k == 0 || k + 1 == trajectory_.size()) return true;
-  const auto slow = [&](const Configuration& change, double h) {
-    for (int i = 0; i < arm_.dof(); ++i) {
-      const double largest = rest_velocity(trajectory_, motion_limits(arm_.limits(i)), h);
-      if (!(std::abs(change[i]) <= largest)) return false;
-    }
-    return true;
+  const auto slow = [&](const Configuration& velocity, double h) {
+    return counts_as_rest(trajectory_, limits_, velocity, h);
   };
-  if (!trajectory_.velocities.empty()) return slow(trajectory_.velocities[k], 0);
   const auto slow_after = [&](std::size_t first) {
     const double h = trajectory_.times[first + 1] - trajectory_.times[first];
     return slow((trajectory_.positions[first + 1] - trajectory_.positions[first]) / h, h);
@@ -66,7 +62,7 @@ bool WaypointRests::rests_after(std::size_t k, const Move& move, std::size_t at)
     const Polynomial p = interval_polynomial(trajectory_, k, i);
     const Extremes q = enclosure(p), v = enclosure(time_derivative(p, 1, h));
     const double goal = trajectory_.positions[at][i];
-    const double largest = rest_velocity(trajectory_, motion_limits(arm_.limits(i)), h);
+    const double largest = rest_velocity(trajectory_, limits_[static_cast<std::size_t>(i)], h);
     const bool near = q.smallest >= goal - rest_distance && q.largest <= goal + rest_distance;
     if (!near || !(v.smallest >= -largest && v.largest <= largest)) return false;
   }
@@ -78,7 +74,7 @@ bool WaypointRests::rests_between(std::size_t k, std::size_t next) const {
   const double h = trajectory_.times[next] - trajectory_.times[k];
   for (int i = 0; i < arm_.dof(); ++i) {
     const Extremes q = enclosure(interval_polynomial(trajectory_, k, i));
-    const double largest = rest_velocity(trajectory_, motion_limits(arm_.limits(i)), h);
+    const double largest = rest_velocity(trajectory_, limits_[static_cast<std::size_t>(i)], h);
     if (!(q.largest - q.smallest <= std::max(rest_distance, largest * h))) return false;
   }
   return true;

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <beeline/trajectory/internal/end_velocity.h>
 
 namespace beeline::internal {
@@ -6,6 +8,15 @@ double rest_velocity(const Trajectory& trajectory, const Limits& limits, double 
   constexpr double rest_fraction = 1e-4;  // of a velocity limit: slower is at rest
   const double change = trajectory.velocities.empty() ? 2 * limits.acceleration * h : 0;
   return rest_fraction * limits.velocity + change;
+}
+
+bool counts_as_rest(const Trajectory& trajectory, const std::vector<Limits>& limits,
+                    const Configuration& velocity, double h) {
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const double speed = std::abs(velocity[static_cast<Eigen::Index>(i)]);
+    if (!(speed <= rest_velocity(trajectory, limits[i], h))) return false;
+  }
+  return true;
 }
 
 EndVelocity end_velocity(const Trajectory& trajectory, int coordinate, const Limits& limits,

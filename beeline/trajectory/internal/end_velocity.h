@@ -19,6 +19,10 @@ struct EndVelocity {
 /// EndVelocity.
 double rest_velocity(const Trajectory& trajectory, const Limits& limits, double h);
 
+/// Whether velocities of all coordinates, with these limits, count as rest; see rest_velocity().
+bool counts_as_rest(const Trajectory& trajectory, const std::vector<Limits>& limits,
+                    const Configuration& velocity, double h);
+
 /// `limits` are those of the coordinate, as motion_limits() returns them. At rest for one sample.
 EndVelocity end_velocity(const Trajectory& trajectory, int coordinate, const Limits& limits,
                          TrajectoryEnd end);
