@@ -48,6 +48,7 @@ bool WaypointRests::is_slow(std::size_t k) const {
   const auto slow = [&](const Configuration& velocity, double h) {
     return counts_as_rest(trajectory_, limits_, velocity, h);
   };
+  if (!trajectory_.velocities.empty()) return slow(trajectory_.velocities[k], 0);
   const auto slow_after = [&](std::size_t first) {
     const double h = trajectory_.times[first + 1] - trajectory_.times[first];
     return slow((trajectory_.positions[first + 1] - trajectory_.positions[first]) / h, h);
