@@ -1,0 +1,21 @@
+"""Motion of serial-link robot arms: kinematics, inverse kinematics, lines that are proved straight.
+
+Radians, metres, seconds. Configurations are arrays (n,), or (N, n) for many; poses are 4 x 4 arrays.
+Twists and rows of Jacobians have the linear part first: [vx vy vz wx wy wz]. A negative answer is a
+result that is false and has a `reason`; invalid input raises `beeline.Error`.
+"""
+
+from . import _core, arms
+from ._core import *  # noqa: F403
+from ._core import __version__
+
+__all__ = ["__version__", "arms", *(name for name in vars(_core) if not name.startswith("_"))]
+
+for _name in __all__:
+    _value = globals()[_name]
+    if getattr(_value, "__module__", None) == _core.__name__:
+        try:
+            _value.__module__ = __name__  # in messages, documentation and pickles
+        except (AttributeError, TypeError):
+            pass  # a function: it cannot be changed
+del _name, _value

@@ -1,0 +1,312 @@
+#include <sstream>
+
+#include <beeline/model/catalog.h>
+#include <beeline/read/arm.h>
+#include <beeline/read/arm_json.h>
+#include <beeline/read/joint_limits.h>
+#include <beeline/read/joint_string.h>
+#include <beeline/read/urdf.h>
+
+#include "arm_fields.h"
+#include "bindings.h"
+
+namespace beeline::python {
+namespace {
+
+constexpr const char* path_like = "str | os.PathLike[str]";
+
+std::string path_from(nb::handle path, const char* name) {
+  const nb::object text = nb::steal(PyOS_FSPath(path.ptr()));
+  if (!text.is_valid()) throw nb::python_error();
+  return Value<std::string>::from(text, name);
+}
+
+Arm arm_from_dh(nb::handle rows, const std::string& convention, const std::string& name,
+                nb::handle limits) {
+  const auto named = Value<DhConvention>::from(nb::str(convention.c_str()), "convention");
+  std::vector<Joint> joints;
+  for (const DhRow& row : Value<std::vector<DhRow>>::from(rows, "rows")) {
+    joints.push_back(dh_joint(row, named));
+    joints.back().name = "joint" + std::to_string(joints.size());
+  }
+  if (!limits.is_none()) {
+    const auto list = Value<std::vector<Limits>>::from(limits, "limits");
+    if (list.size() != joints.size()) {
+      throw Error("limits: " + std::to_string(list.size()) + " for " +
+                  std::to_string(joints.size()) + " joints");
+    }
+    for (std::size_t i = 0; i < list.size(); ++i) joints[i].limits = list[i];
+  }
+  return Arm(name, joints);
+}
+
+/// One limit of all coordinates.
+nb::object limits_of(const Arm& arm, double Limits::*limit) {
+  Configuration values(arm.dof());
+  for (Index k = 0; k < values.size(); ++k) values[k] = arm.limits(k).*limit;
+  return Value<Configuration>::to(values);
+}
+
+/// Limits by joint name: a dict of LimitOverrides, or the path of a file.
+Arm arm_with_limits(const Arm& arm, nb::handle limits) {
+  if (!nb::isinstance<nb::dict>(limits)) {
+    return with_limits(arm, read_joint_limits(path_from(limits, "limits"), arm).joints);
+  }
+  std::map<std::string, LimitOverrides> named;
+  for (const auto& [joint, overrides] : nb::borrow<nb::dict>(limits)) {
+    named[Value<std::string>::from(joint, "joint")] =
+        Value<LimitOverrides>::from(overrides, "limits");
+  }
+  return with_limits(arm, named);
+}
+
+std::string printed(const Arm& arm) {
+  std::ostringstream out;
+  out << arm;
+  std::string text = out.str();
+  return text.substr(0, text.find_last_not_of('\n') + 1);
+}
+
+ChainEnds ends_of(nb::handle base, nb::handle tip) {
+  return {Value<std::optional<std::string>>::from(base, "base").value_or(""),
+          Value<std::optional<std::string>>::from(tip, "tip").value_or("")};
+}
+
+void bind_sources(nb::class_<Arm>& arm) {
+  const auto add = [&](auto function, Signature& signature, const auto&... arguments) {
+    arm.def_static(signature.name(), function, arguments...,
+                   nb::sig(signature.text("staticmethod")), signature.doc());
+  };
+  const auto chain = [](Signature& signature) -> Signature& {
+    return signature.keywords()
+        .takes("base", "str | None", "Name of the link that the chain begins at.", "None")
+        .takes("tip", "str | None", "Name of the link that it ends at.", "None");
+  };
+  Signature load("load", "Arm",
+                 "Returns the arm that `source` names: a built-in arm (`panda`), a joint string "
+                 "(`RRR:3.5,3.5,2`), or a file (`.urdf`, `.json`).");
+  chain(load.takes("source", path_like, "Name, joint string or path."));
+  add([](nb::handle text, nb::handle base,
+         nb::handle tip) { return read_arm(path_from(text, "source"), ends_of(base, tip)); },
+      load, nb::arg("source"), nb::kw_only(), nb::arg("base") = nb::none(),
+      nb::arg("tip") = nb::none());
+
+  Signature urdf("from_urdf", "Arm",
+                 "Reads the chain from `base` to `tip` of a URDF file, or of the text of one. The "
+                 "world is the base link's frame.");
+  chain(urdf.takes("source", path_like, "Path, or text that begins with `<`."));
+  add(
+      [](nb::handle source, nb::handle base, nb::handle tip) {
+        const std::string text = path_from(source, "source");
+        if (text.find_first_not_of(" \t\r\n") != std::string::npos &&
+            text[text.find_first_not_of(" \t\r\n")] == '<') {
+          return arm_from_urdf(text, "URDF", ends_of(base, tip));
+        }
+        return read_urdf(text, ends_of(base, tip));
+      },
+      urdf, nb::arg("source"), nb::kw_only(), nb::arg("base") = nb::none(),
+      nb::arg("tip") = nb::none());
+
+  Signature dh("from_dh", "Arm", "Returns the arm of a Denavit-Hartenberg table.");
+  dh.takes("rows", "list[DhRow]", "One row for each joint.")
+      .keywords()
+      .takes("convention", Value<DhConvention>::type(),
+             "`standard`: Rz(theta) Tz(d) Tx(a) Rx(alpha); `modified` (Craig): Tx(a) Rx(alpha) "
+             "Rz(theta) Tz(d), with a and alpha of link i-1. A table does not show which one it "
+             "uses.")
+      .takes("name", "str", "Name of the arm.", "'arm'")
+      .takes("limits", "list[Limits] | None", "One for each joint.", "None");
+  add(
+      [](nb::handle rows, nb::handle convention, nb::handle name, nb::handle limits) {
+        return arm_from_dh(rows, Value<std::string>::from(convention, "convention"),
+                           Value<std::string>::from(name, "name"), limits);
+      },
+      dh, nb::arg("rows"), nb::kw_only(), nb::arg("convention"), nb::arg("name") = "arm",
+      nb::arg("limits") = nb::none());
+
+  Signature string("from_string", "Arm",
+                   "Returns the arm of a joint string, such as `RRR:3.5,3.5,2` or `RRRRRR`.");
+  string.takes("text", "str", "Letters R P H S C E U, then a length in m for each.");
+  add([](nb::handle text) { return arm_from_joint_string(Value<std::string>::from(text, "text")); },
+      string, nb::arg("text"));
+
+  Signature json("from_json", "Arm", "Returns the arm of a text that to_json() returned.");
+  json.takes("text", "str", "JSON.");
+  add([](nb::handle text) { return arm_from_json(Value<std::string>::from(text, "text"), "JSON"); },
+      json, nb::arg("text"));
+}
+
+template <class Get>
+void property(nb::class_<Arm>& arm, const char* name, const std::string& type, Get get,
+              const char* doc) {
+  arm.def_prop_ro(
+      name, get,
+      nb::for_getter(nb::sig(kept_text("def " + std::string(name) + "(self) -> " + type))), doc);
+}
+
+template <class M>
+void limit_property(nb::class_<Arm>& arm, const char* name, M Limits::*limit, const char* doc) {
+  property(
+      arm, name, array_type, [limit](const Arm& self) { return limits_of(self, limit); }, doc);
+}
+
+void bind_properties(nb::class_<Arm>& arm) {
+  property(
+      arm, "name", "str", [](const Arm& self) { return self.name(); }, "Name of the arm.");
+  property(
+      arm, "dof", "int", [](const Arm& self) { return self.dof(); },
+      "Number of coordinates. Every joint except the mimic joints has one.");
+  property(
+      arm, "joints", "list[Joint]",
+      [](const Arm& self) { return Value<std::vector<Joint>>::to(self.joints()); },
+      "All joints, mimic joints included.");
+  property(
+      arm, "joint_names", "list[str]",
+      [](const Arm& self) { return Value<std::vector<std::string>>::to(self.joint_names()); },
+      "Name of the joint of each coordinate.");
+  property(
+      arm, "base", array_type, [](const Arm& self) { return Value<Pose>::to(self.base()); },
+      "Pose of link 0 in the world (4, 4).");
+  property(
+      arm, "tool", array_type, [](const Arm& self) { return Value<Pose>::to(self.tool()); },
+      "Pose of the tool in the last link (4, 4).");
+  property(
+      arm, "limits", "list[Limits]",
+      [](const Arm& self) { return Value<std::vector<Limits>>::to(self.limits()); },
+      "Limits of each coordinate, tightened so that mimic joints stay within theirs.");
+  limit_property(arm, "lower", &Limits::lower, "Lower position limits, rad or m, (n,).");
+  limit_property(arm, "upper", &Limits::upper, "Upper position limits, rad or m, (n,).");
+  limit_property(arm, "velocity", &Limits::velocity, "Velocity limits; inf where unknown, (n,).");
+  limit_property(arm, "acceleration", &Limits::acceleration,
+                 "Acceleration limits; inf where unknown, (n,).");
+  limit_property(arm, "jerk", &Limits::jerk, "Jerk limits; inf where unknown, (n,).");
+  property(
+      arm, "middle", array_type,
+      [](const Arm& self) { return Value<Configuration>::to(middle_configuration(self)); },
+      "Middle of each coordinate's limits, or the value nearest to zero where one is "
+      "infinite, (n,).");
+  property(
+      arm, "planar", "bool", [](const Arm& self) { return self.planar(); },
+      "Whether all motion is in one plane z = constant.");
+  property(
+      arm, "reach", "tuple[numpy.typing.NDArray[numpy.float64], float]",
+      [](const Arm& self) {
+        return nb::make_tuple(Value<Vector3>::to(self.reach().centre), self.reach().radius);
+      },
+      "Centre (3,) and radius of a sphere in the world that contains the tool's origin in "
+      "every configuration within the limits.");
+}
+
+void bind_copies(nb::class_<Arm>& arm) {
+  Signature tool("with_tool", "Arm", "Returns a copy with another tool, in place of the arm's.");
+  tool.takes("self").takes("tool", array_like, "Pose of the tool in the last link (4, 4).");
+  define(
+      arm,
+      [](const Arm& self, nb::handle pose) {
+        return with_tool(self, Value<Pose>::from(pose, "tool"));
+      },
+      tool, nb::arg("tool"));
+  Signature tcp("with_tcp", "Arm",
+                "Returns a copy with a tool on the flange: the frame that has been the tool's.");
+  tcp.takes("self").takes("flange_T_tcp", array_like, "Pose of the new tool in it (4, 4).");
+  define(
+      arm,
+      [](const Arm& self, nb::handle pose) {
+        return with_tcp(self, Value<Pose>::from(pose, "flange_T_tcp"));
+      },
+      tcp, nb::arg("flange_T_tcp"));
+  Signature mount("with_mount", "Arm",
+                  "Returns a copy that stands in the world: at this pose of the frame that has "
+                  "been the world.");
+  mount.takes("self").takes("world_T_mount", array_like, "Pose of the former world (4, 4).");
+  define(
+      arm,
+      [](const Arm& self, nb::handle pose) {
+        return with_mount(self, Value<Pose>::from(pose, "world_T_mount"));
+      },
+      mount, nb::arg("world_T_mount"));
+  Signature limits("with_limits", "Arm", "Returns a copy in which joints have other limits.");
+  limits.takes("self").takes("limits", std::string("dict[str, LimitOverrides] | ") + path_like,
+                             "By joint name; or a file: MoveIt's joint_limits.yaml, or JSON.");
+  define(arm, &arm_with_limits, limits, nb::arg("limits"));
+  Signature scale("with_speed_scale", "Arm",
+                  "Returns a copy whose velocity limits are multiplied by k, acceleration limits "
+                  "by k^2, jerk limits by k^3.");
+  scale.takes("self").takes("k", "float", "From 1e-6 to 1.");
+  define(
+      arm,
+      [](const Arm& self, nb::handle k) {
+        return with_speed_scale(self, Value<double>::from(k, "k"));
+      },
+      scale, nb::arg("k"));
+  Signature outside("limit_violations", "list[str]",
+                    "Returns one sentence for each joint that is outside its position limits.");
+  outside.takes("self").takes("q", array_like, "Configuration (n,).");
+  define(
+      arm,
+      [](const Arm& self, nb::handle q) {
+        return Value<std::vector<std::string>>::to(
+            limit_violations(self, Value<Configuration>::from(q, "q")));
+      },
+      outside, nb::arg("q"));
+}
+
+}  // namespace
+
+void bind_arms(nb::module_& m) {
+  bind_record<Limits>(m);
+  bind_record<LimitOverrides>(m);
+  bind_record<Mimic>(m);
+  bind_record<Joint>(m);
+  bind_record<DhRow>(m);
+  nb::class_<Arm> arm(
+      m, "Arm",
+      "A serial chain: a base, joints 1 to n, a tool. Immutable. Joint i connects link i-1 to link "
+      "i; link 0 is the base.");
+  Signature made("__init__", "None", "");
+  made.takes("self")
+      .takes("name", "str")
+      .takes("joints", "list[Joint]")
+      .keywords()
+      .takes("tool", std::string(array_like) + " | None", "", "None")
+      .takes("base", std::string(array_like) + " | None", "", "None");
+  arm.def(
+      "__init__",
+      [](Arm* self, nb::handle name, nb::handle joints, nb::handle tool, nb::handle base) {
+        const auto pose = [](nb::handle value, const char* what) {
+          return Value<std::optional<Pose>>::from(value, what).value_or(Pose::Identity());
+        };
+        new (self) Arm(Value<std::string>::from(name, "name"),
+                       Value<std::vector<Joint>>::from(joints, "joints"), pose(tool, "tool"),
+                       pose(base, "base"));
+      },
+      nb::arg("name"), nb::arg("joints"), nb::kw_only(), nb::arg("tool") = nb::none(),
+      nb::arg("base") = nb::none(), nb::sig(made.text()));
+  bind_sources(arm);
+  bind_properties(arm);
+  bind_copies(arm);
+  arm.def(
+      "to_json", [](const Arm& self) { return arm_to_json(self); },
+      "Returns the arm as JSON, which reads back exactly.");
+  arm.def("__repr__", &printed);
+  arm.def("__getstate__", [](const Arm& self) { return arm_to_json(self); });
+  arm.def("__setstate__", [](Arm& self, const std::string& json) {
+    new (&self) Arm(arm_from_json(json, "pickle"));
+  });
+  arm.def(
+      "__eq__",
+      [](const Arm& self, nb::handle other) -> nb::object {
+        const Arm* right = nullptr;
+        if (!nb::try_cast<const Arm*>(other, right) || !right) {
+          return nb::borrow(nb::handle(Py_NotImplemented));
+        }
+        return nb::bool_(&self == right || arm_to_json(self) == arm_to_json(*right));
+      },
+      nb::sig("def __eq__(self, other: object, /) -> bool"));
+  arm.def("__hash__", [](const Arm& self) { return std::hash<std::string>()(arm_to_json(self)); });
+  m.def(
+      "built_in_names", [] { return Value<std::vector<std::string>>::to(built_in_names()); },
+      nb::sig("def built_in_names() -> list[str]"), "The names of the built-in arms.");
+}
+
+}  // namespace beeline::python

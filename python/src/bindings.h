@@ -1,0 +1,12 @@
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+namespace beeline::python {
+
+// Each adds its part of the module, in this order: later ones use the classes of earlier ones.
+void bind_poses(nanobind::module_& module);
+void bind_arms(nanobind::module_& module);
+void bind_kinematics(nanobind::module_& module);
+
+}  // namespace beeline::python

@@ -1,0 +1,152 @@
+#include "numpy_arrays.h"
+
+#define NPY_NO_DEPRECATED_API NPY_1_22_API_VERSION
+#define NPY_TARGET_VERSION NPY_1_22_API_VERSION
+#include <algorithm>
+#include <vector>
+
+#include <beeline/error.h>
+
+#include <numpy/arrayobject.h>
+
+namespace beeline::python {
+namespace {
+
+static_assert(sizeof(npy_intp) == sizeof(Index));
+
+int number_of(Real real) { return real == Real::float32 ? NPY_FLOAT32 : NPY_FLOAT64; }
+
+PyArrayObject* array_of(nb::handle object) {
+  return reinterpret_cast<PyArrayObject*>(object.ptr());
+}
+
+std::span<const Index> shape_of(PyArrayObject* array) {
+  return {PyArray_DIMS(array), static_cast<std::size_t>(PyArray_NDIM(array))};
+}
+
+PyObject* checked(PyObject* object) {
+  if (!object) throw nb::python_error();
+  return object;
+}
+
+/// Raises numpy's error as a TypeError that begins with the argument's name.
+[[noreturn]] void raise_conversion(const char* name) {
+  nb::python_error error;
+  if (!error.matches(PyExc_TypeError) && !error.matches(PyExc_ValueError)) throw error;
+  throw nb::type_error((std::string(name) + ": " + nb::str(error.value()).c_str()).c_str());
+}
+
+PyObject* swapped(PyArrayObject* array) {
+  const int n = PyArray_NDIM(array);
+  std::vector<npy_intp> axes(n);
+  for (int i = 0; i < n; ++i) axes[i] = i;
+  std::swap(axes[n - 1], axes[n - 2]);
+  PyArray_Dims order{axes.data(), n};
+  return checked(PyArray_Transpose(array, &order));
+}
+
+}  // namespace
+
+void import_numpy() {
+  if (_import_array() < 0) throw nb::python_error();
+}
+
+InputArray::InputArray(nb::handle value, const char* name, bool float32)
+    : name_(name), real_(Real::float64) {
+  constexpr int flags = NPY_ARRAY_C_CONTIGUOUS | NPY_ARRAY_ALIGNED | NPY_ARRAY_NOTSWAPPED;
+  int type = NPY_FLOAT64;
+  if (PyArray_Check(value.ptr())) {
+    PyArrayObject* given = array_of(value);
+    if (float32 && PyArray_TYPE(given) == NPY_FLOAT32) {
+      type = NPY_FLOAT32;
+      real_ = Real::float32;
+    }
+    if (PyArray_TYPE(given) == type && PyArray_ISCARRAY_RO(given)) {
+      Py_INCREF(value.ptr());
+      array_ = value.ptr();
+    } else {
+      array_ = PyArray_FROMANY(value.ptr(), type, 0, 0, flags);
+    }
+  } else {
+    array_ = PyArray_FROMANY(value.ptr(), type, 0, 0, flags);
+  }
+  if (!array_) raise_conversion(name);
+  PyArrayObject* array = array_of(array_);
+  dimensions_ = PyArray_NDIM(array);
+  shape_ = PyArray_DIMS(array);
+  data_ = PyArray_DATA(array);
+}
+
+Index InputArray::size() const { return rows(0); }
+
+Index InputArray::rows(int inner) const {
+  Index count = 1;
+  for (int i = 0; i < dimensions_ - inner; ++i) count *= shape_[i];
+  return count;
+}
+
+std::string shape_text(std::span<const Index> shape) {
+  std::string text = "(";
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    text += (i ? ", " : "") + std::to_string(shape[i]);
+  }
+  return text + (shape.size() == 1 ? ",)" : ")");
+}
+
+NewArray::NewArray(std::span<const Index> shape, Real real)
+    : object_(nb::steal(checked(
+          PyArray_SimpleNew(static_cast<int>(shape.size()), shape.data(), number_of(real))))),
+      data_(PyArray_DATA(array_of(object_))) {}
+
+nb::object NewArray::release_transposed() { return nb::steal(swapped(array_of(object_))); }
+
+nb::object NewArray::release_read_only() {
+  PyArray_CLEARFLAGS(array_of(object_), NPY_ARRAY_WRITEABLE);
+  return std::move(object_);
+}
+
+OutputArray::OutputArray(nb::handle value, const char* name, std::span<const Index> shape,
+                         Real real, bool transposed)
+    : transposed_(transposed) {
+  std::vector<Index> memory(shape.begin(), shape.end());
+  if (transposed) std::swap(memory[memory.size() - 1], memory[memory.size() - 2]);
+  if (!value.is_none()) {
+    if (!PyArray_Check(value.ptr()) || PyArray_TYPE(array_of(value)) != number_of(real)) {
+      throw nb::type_error((std::string(name) + ": expected an array of " +
+                            (real == Real::float32 ? "float32" : "float64"))
+                               .c_str());
+    }
+    PyArrayObject* given = array_of(value);
+    if (!std::ranges::equal(shape_of(given), shape)) {
+      throw Error(std::string(name) + " has the shape " + shape_text(shape_of(given)) +
+                  "; expected " + shape_text(shape));
+    }
+    if (!PyArray_ISWRITEABLE(given)) throw Error(std::string(name) + " is read-only");
+    result_ = nb::borrow(value);
+    nb::object direct = transposed ? nb::steal(swapped(given)) : result_;
+    if (PyArray_ISCARRAY(array_of(direct))) {
+      data_ = PyArray_DATA(array_of(direct));
+      return;  // written directly
+    }
+  }
+  NewArray fresh(memory, real);
+  data_ = fresh.data<void>();
+  written_ = transposed ? fresh.release_transposed() : fresh.release();
+}
+
+nb::object OutputArray::finish() {
+  if (!result_.is_valid()) return std::move(written_);
+  if (written_.is_valid() && PyArray_CopyInto(array_of(result_), array_of(written_)) < 0) {
+    throw nb::python_error();
+  }
+  return std::move(result_);
+}
+
+nb::object index_array(std::span<const std::size_t> values) {
+  const npy_intp size = static_cast<npy_intp>(values.size());
+  nb::object array = nb::steal(checked(PyArray_SimpleNew(1, &size, NPY_INT64)));
+  std::ranges::copy(values, static_cast<std::int64_t*>(PyArray_DATA(array_of(array))));
+  return array;
+}
+
+}  // namespace beeline::python

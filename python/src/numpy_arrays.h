@@ -1,0 +1,106 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <initializer_list>
+#include <span>
+#include <string>
+
+#include <nanobind/nanobind.h>
+
+namespace beeline::python {
+
+namespace nb = nanobind;
+using Index = Eigen::Index;
+
+enum class Real { float64, float32 };
+
+/// Imports numpy's C interface, when the module is imported. Throws the ImportError of Python.
+void import_numpy();
+
+/// An argument as a C-contiguous array of float64, or of float32 where it is one and `float32` is
+/// accepted. Refers to the caller's memory where its dtype and strides allow, else to a copy.
+class InputArray {
+ public:
+  /// Takes arrays, lists, tuples and numbers. Throws TypeError, naming the argument, for all that
+  /// numpy does not convert to float64 safely: text, objects, complex numbers, ragged lists.
+  InputArray(nb::handle value, const char* name, bool float32 = false);
+  InputArray(const InputArray&) = delete;
+  InputArray& operator=(const InputArray&) = delete;
+  ~InputArray() { Py_DECREF(array_); }
+
+  const char* name() const { return name_; }
+  Real real() const { return real_; }
+  std::span<const Index> shape() const { return {shape_, static_cast<std::size_t>(dimensions_)}; }
+  int dimensions() const { return dimensions_; }
+  Index size() const;
+  template <class T = double>
+  const T* data() const {
+    return static_cast<const T*>(data_);
+  }
+
+  /// The product of all but the last `inner` dimensions: the number of rows of a batch.
+  Index rows(int inner) const;
+
+ private:
+  PyObject* array_;
+  const char* name_;
+  Real real_;
+  int dimensions_;
+  const Index* shape_;
+  const void* data_;
+};
+
+/// `(3, 7)`, as Python writes a shape.
+std::string shape_text(std::span<const Index> shape);
+
+/// A new array, C-contiguous, whose values are not set.
+class NewArray {
+ public:
+  explicit NewArray(std::span<const Index> shape, Real real = Real::float64);
+  NewArray(std::initializer_list<Index> shape, Real real = Real::float64)
+      : NewArray(std::span(shape.begin(), shape.size()), real) {}
+
+  template <class T = double>
+  T* data() const {
+    return static_cast<T*>(data_);
+  }
+  nb::object release() { return std::move(object_); }
+
+  /// The array seen with its last two dimensions exchanged, without a copy.
+  nb::object release_transposed();
+
+  /// The array, which can no longer be written to.
+  nb::object release_read_only();
+
+ private:
+  nb::object object_;
+  void* data_;
+};
+
+/// The caller's array for results: float64 (or float32), of this shape, writable, with any strides.
+/// finish() copies the results into it where they could not be written there directly.
+class OutputArray {
+ public:
+  /// `value` None: a new array. `transposed`: the memory holds the last two dimensions exchanged.
+  /// Throws TypeError unless it is an array of the dtype, Error for another shape or a read-only
+  /// one.
+  OutputArray(nb::handle value, const char* name, std::span<const Index> shape, Real real,
+              bool transposed = false);
+
+  template <class T = double>
+  T* data() const {
+    return static_cast<T*>(data_);
+  }
+  nb::object finish();
+
+ private:
+  nb::object written_;  ///< has the memory that data() is
+  nb::object result_;   ///< the caller's, or null: then `written_` is returned
+  bool transposed_;
+  void* data_;
+};
+
+/// `array` as integers, for indices: a new array of int64.
+nb::object index_array(std::span<const std::size_t> values);
+
+}  // namespace beeline::python

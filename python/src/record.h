@@ -1,0 +1,143 @@
+#pragma once
+
+#include <sstream>
+#include <tuple>
+
+#include "signature.h"
+
+namespace beeline::python {
+
+/// The value of a field as it appears in a repr(): whole, or its shape where it is a large array.
+std::string field_text(nb::handle value);
+
+/// Keeps `make()` under `name` in the attributes of `self`, so that it is computed once.
+template <class Make>
+nb::object kept(nb::handle self, const char* name, Make make) {
+  nb::dict attributes = nb::borrow<nb::dict>(nb::getattr(self, "__dict__"));
+  const nb::str key(name);
+  if (attributes.contains(key)) return attributes[key];
+  nb::object value = make();
+  attributes[key] = value;
+  return value;
+}
+
+/// A struct with Fields as a Python class: read-only attributes, keywords in its constructor where
+/// `Fields<T>::constructible`, repr(), ==, copies and pickles.
+template <class T>
+requires is_described<T>
+struct Value<T> {
+  static std::string type() { return Fields<T>::name; }
+  static nb::object to(const T& value) { return nb::cast(value); }
+  static T from(nb::handle value, const char* name) {
+    const T* found = nullptr;
+    if (!nb::try_cast<const T*>(value, found) || !found) raise_type(name, Fields<T>::name, value);
+    return *found;
+  }
+  static bool same(const T& a, const T& b) {
+    return std::apply(
+        [&](const auto&... field) {
+          return (python::same(a.*field.member, b.*field.member) && ...);
+        },
+        Fields<T>::all());
+  }
+};
+
+template <class T, class M>
+void bind_field(nb::class_<T>& bound, const Field<T, M>& field) {
+  const char* sig = kept_text("def " + std::string(field.name) + "(self) -> " + Value<M>::type());
+  const auto member = field.member;
+  if constexpr (requires { Value<M>::large; }) {
+    const char* name = field.name;
+    bound.def_prop_ro(
+        field.name,
+        [member, name](nb::handle_t<T> self) -> nb::object {
+          const T* value = nb::inst_ptr<T>(self);
+          return kept(self, name, [&] { return Value<M>::to(value->*member); });
+        },
+        nb::for_getter(nb::sig(sig)), field.doc);
+  } else {
+    bound.def_prop_ro(
+        field.name, [member](const T& self) { return Value<M>::to(self.*member); },
+        nb::for_getter(nb::sig(sig)), field.doc);
+  }
+}
+
+template <class T>
+nb::class_<T> bind_record(nb::module_& module) {
+  using Described = Fields<T>;
+  nb::class_<T> bound(module, Described::name, nb::dynamic_attr(), Described::doc);
+  std::apply([&](const auto&... field) { (bind_field(bound, field), ...); }, Described::all());
+  if constexpr (requires { Described::constructible; }) {
+    Signature signature("__init__", "None", "");
+    signature.takes("self").template options<T>();
+    bound.def(
+        "__init__", [](T* self, const nb::kwargs& values) { new (self) T(options<T>(values)); },
+        nb::sig(signature.text()));
+  }
+  bound.def("__repr__", [](nb::handle_t<T> self) {
+    std::string text = std::string(Described::name) + "(";
+    std::apply(
+        [&](const auto&... field) {
+          std::size_t i = 0;
+          ((text +=
+            (i++ ? ", " : "") + std::string(field.name) + "=" + field_text(self.attr(field.name))),
+           ...);
+        },
+        Described::all());
+    return text + ")";
+  });
+  if constexpr (requires(std::ostream & out, const T& value) { out << value; }) {
+    bound.def("__str__", [](const T& self) {
+      std::ostringstream out;
+      out << self;
+      return out.str();
+    });
+  }
+  if constexpr (std::is_constructible_v<bool, T>) {
+    bound.def(
+        "__bool__", [](const T& self) { return static_cast<bool>(self); }, Described::truth);
+  }
+  bound.def(
+      "__eq__",
+      [](const T& self, nb::handle other) -> nb::object {
+        const T* right = nullptr;
+        if (!nb::try_cast<const T*>(other, right) || !right) {
+          return nb::borrow(nb::handle(Py_NotImplemented));
+        }
+        return nb::bool_(Value<T>::same(self, *right));
+      },
+      nb::sig("def __eq__(self, other: object, /) -> bool"));
+  bound.attr("__hash__") = nb::none();
+  bound.def(
+      "__getstate__",
+      [](const T& self) {
+        return std::apply(
+            [&](const auto&... field) {
+              return nb::make_tuple(
+                  Value<std::decay_t<decltype(self.*field.member)>>::to(self.*field.member)...);
+            },
+            Described::all());
+      },
+      nb::sig("def __getstate__(self) -> tuple[object, ...]"));
+  bound.def(
+      "__setstate__",
+      [](T& self, const nb::tuple& state) {
+        constexpr std::size_t count = std::tuple_size_v<decltype(Described::all())>;
+        if (nb::len(state) != count) throw Error("the pickled state has another number of values");
+        T restored;
+        std::apply(
+            [&](const auto&... field) {
+              std::size_t i = 0;
+              ((restored.*field.member =
+                    Value<std::decay_t<decltype(restored.*field.member)>>::from(state[i++],
+                                                                                field.name)),
+               ...);
+            },
+            Described::all());
+        new (&self) T(std::move(restored));
+      },
+      nb::sig("def __setstate__(self, state: tuple[object, ...], /) -> None"));
+  return bound;
+}
+
+}  // namespace beeline::python

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <string>
+#include <tuple>
+
+#include <beeline/budget.h>
+
+#include "value.h"
+
+namespace beeline::python {
+
+/// One public member of a struct: its name in C++ and in Python, and its meaning.
+template <class T, class M>
+struct Field {
+  const char* name;
+  M T::*member;
+  const char* doc;
+};
+template <class T, class M>
+constexpr Field<T, M> field(const char* name, M T::*member, const char* doc) {
+  return {name, member, doc};
+}
+
+/// Describes a struct once, for its Python class, for keyword arguments, signatures and docstrings:
+/// `name`, `doc`, `all()`, a tuple of Field; `constructible` where users make such objects;
+/// `truth`, the meaning of its truth value, where it has one. A member of type Budget stands for
+/// the keywords time_limit, max_work and progress.
+template <class T>
+struct Fields;
+
+template <class T>
+inline constexpr bool is_described = requires {
+  Fields<T>::name;
+};
+
+/// Keeps a text for the life of the process, as nanobind needs.
+const char* kept_text(std::string text);
+
+/// The default of an option as Python source; `...` for one that is not a plain value.
+std::string default_text(nb::handle value);
+
+/// The signature and the docstring, in numpydoc's form, of a function.
+class Signature {
+ public:
+  Signature(std::string name, std::string returns, std::string summary);
+
+  /// Adds a parameter. Without `fallback` it is required.
+  Signature& takes(std::string name, std::string type = "", std::string doc = "",
+                   std::string fallback = "");
+  /// The parameters that follow are keywords.
+  Signature& keywords();
+  /// Adds a keyword for each field.
+  template <class Options>
+  Signature& options() {
+    keywords();
+    const Options defaults{};
+    std::apply([&](const auto&... field) { (option(defaults, field), ...); },
+               Fields<Options>::all());
+    return *this;
+  }
+  /// What is returned, in one sentence; and what is raised besides Error for invalid arguments.
+  Signature& returns(std::string doc);
+
+  const char* name() const { return name_.c_str(); }
+  /// The signature as Python source, below a decorator where one is given.
+  const char* text(const char* decorator = nullptr) const;
+  const char* doc() const;
+
+ private:
+  template <class T, class M>
+  void option(const T& defaults, const Field<T, M>& field) {
+    if constexpr (std::is_same_v<M, Budget>) {
+      budget();
+    } else {
+      std::string type = Value<M>::type();
+      if (type.starts_with(array_type)) type.replace(0, std::string(array_type).size(), array_like);
+      takes(field.name, type, field.doc, default_text(Value<M>::to(defaults.*field.member)));
+    }
+  }
+  void budget();
+
+  std::string name_, returns_, summary_, returned_, parameters_, documented_;
+  bool keywords_ = false;
+};
+
+/// Adds a function, method or static method whose signature and docstring `signature` gives.
+template <class Scope, class Function, class... Extra>
+void define(Scope& scope, Function function, const Signature& signature, const Extra&... extra) {
+  scope.def(signature.name(), function, extra..., nb::sig(signature.text()), signature.doc());
+}
+
+/// Sets the part of the budget that the keyword names; returns whether there is one.
+bool set_budget(Budget& budget, const std::string& keyword, nb::handle value);
+
+/// The struct with the members that the keyword arguments name. Throws Error, listing the options,
+/// for another name.
+template <class Options>
+Options options(const nb::kwargs& values) {
+  Options result{};
+  for (const auto& [key, value] : values) {
+    const std::string keyword = Value<std::string>::from(key, "keyword");
+    bool found = false;
+    std::vector<std::string> names;
+    const auto assign = [&]<class M>(const Field<Options, M>& field) {
+      if constexpr (std::is_same_v<M, Budget>) {
+        found = found || set_budget(result.*field.member, keyword, value);
+        names.insert(names.end(), {"time_limit", "max_work", "progress"});
+      } else {
+        names.emplace_back(field.name);
+        if (keyword != field.name) return;
+        result.*field.member = Value<M>::from(value, field.name);
+        found = true;
+      }
+    };
+    std::apply([&](const auto&... field) { (assign(field), ...); }, Fields<Options>::all());
+    if (!found) throw unknown_name("option", keyword, names);
+  }
+  return result;
+}
+
+}  // namespace beeline::python
