@@ -22,7 +22,7 @@ namespace beeline {
 ///   - Revolute, continuous and prismatic joints are the arm's joints. Fixed joints become part of
 ///     the next joint's offset, the last ones part of the tool. Other types are refused if they are
 ///     on the chain.
-///   - A missing <axis> is 1 0 0; a missing <limit> means no limits. Effort and soft limits are
+///   - A missing `<axis>` is 1 0 0; a missing `<limit>` means no limits. Effort and soft limits are
 ///     ignored.
 ///   - A velocity limit that is missing or zero (which exporters write for an unknown one) is
 ///     unknown; a negative one on the chain is refused.
@@ -67,7 +67,7 @@ Srdf read_srdf(const std::string& path);
 /// The same from a text; `path` names it in messages.
 Srdf srdf_from_text(std::string_view text, const std::string& path);
 
-/// Returns the base and the tip of a group in a URDF file: those of its <chain>; or, if it lists
+/// Returns the base and the tip of a group in a URDF file: those of its `<chain>`; or, if it lists
 /// joints, links (which stand for the joints above them) or groups, the link above its first joint
 /// and the link below its last one.
 /// Throws FileError for an unknown group, joint or link (it lists the known ones), and for a group

@@ -1,0 +1,33 @@
+"""Sphinx's settings. scripts/docs.sh runs it on a copy of this folder, with what is generated beside the pages."""
+
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE / "sphinx"))
+
+project = "Beeline"
+copyright = "the authors of Beeline"
+html_title = "Beeline"
+exclude_patterns = ["pictures", "sphinx", "doxygen", "requirements.txt"]
+
+extensions = ["myst_nb", "breathe", "mathml", "sphinx_copybutton"]
+html_math_renderer = "mathml"
+myst_enable_extensions = ["dollarmath", "deflist", "attrs_inline", "colon_fence"]
+myst_heading_anchors = 3
+copybutton_exclude = ".linenos, .gp, .go"  # of a session, only what is typed
+
+breathe_projects = {"beeline": str(HERE / "doxygen" / "xml")}
+breathe_default_project = "beeline"
+breathe_default_members = ("members", "undoc-members")
+cpp_index_common_prefix = ["beeline::"]
+primary_domain = "cpp"
+highlight_language = "text"
+
+html_theme = "furo"
+html_static_path = ["static"]
+html_css_files = ["beeline.css"]
+html_show_sourcelink = False
+html_copy_source = False
+pygments_style = "friendly"
+pygments_dark_style = "monokai"
