@@ -11,12 +11,13 @@ strict := -DCMAKE_COMPILE_WARNING_AS_ERROR=ON
 endif
 
 .NOTPARALLEL:
-.PHONY: help build demo bench test test-peers test-all asan tsan lint format install clean
+.PHONY: help build demo bench docs test test-peers test-all asan tsan lint format install clean
 
 help:
 	@echo "make build     the command, in build/beeline"
 	@echo "make demo      an arm moves in straight lines: report and pictures in build/demo"
 	@echo "make bench     Beeline beside other solvers on the same poses: tables, build/bench/results.json"
+	@echo "make docs      the documentation, in build/docs/html"
 	@echo "make test      builds and runs every test but the next"
 	@echo "make test-peers   comparisons with Pinocchio, Ruckig, toppra: packages from PyPI"
 	@echo "make test-all  both"
@@ -42,6 +43,11 @@ bench:
 	@cmake --build --preset release --parallel $(JOBS) --target bench
 	@scripts/bench.sh
 
+docs: build
+	@scripts/install_packages.sh docs
+	@scripts/venv.sh .venv-docs docs/requirements.txt
+	@scripts/docs.sh build/beeline build/docs
+
 test:
 	@scripts/install_packages.sh build test
 	@cmake --preset release -DBEELINE_TESTS=ON $(strict)
@@ -50,7 +56,7 @@ test:
 
 test-peers:
 	@scripts/install_packages.sh build test peers
-	@scripts/venv.sh
+	@scripts/venv.sh .venv tests/peers/requirements.txt
 	@cmake --preset release -DBEELINE_TESTS=ON -DBEELINE_PEERS=ON $(strict)
 	@cmake --build --preset release --parallel $(JOBS) --target peers
 	@ctest --preset release --label-regex peers
@@ -82,4 +88,4 @@ install: build
 	@cmake --install build --prefix $(PREFIX)
 
 clean:
-	@rm -rf build build-dev build-asan build-tsan build-libcxx .venv-bench
+	@rm -rf build build-dev build-asan build-tsan build-libcxx .venv-bench .venv-docs

@@ -9,7 +9,8 @@ sys.path.insert(0, str(HERE / "sphinx"))
 project = "Beeline"
 copyright = "the authors of Beeline"
 html_title = "Beeline"
-exclude_patterns = ["pictures", "sphinx", "doxygen", "requirements.txt"]
+exclude_patterns = ["sphinx", "doxygen", "sessions", "requirements.txt"]
+smartquotes = False  # "--" is part of options
 
 extensions = ["myst_nb", "breathe", "mathml", "sphinx_copybutton"]
 html_math_renderer = "mathml"

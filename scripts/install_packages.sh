@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of the named groups that are not there yet.
-# Usage: install_packages.sh build|test|peers|bench|lint...
+# Usage: install_packages.sh build|test|peers|bench|lint|docs...
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config
@@ -9,6 +9,7 @@ build=(g++ cmake ninja-build ccache pkg-config
 test=(libgtest-dev python3 python3-pytest python3-numpy python3-jsonschema)
 peers=(python3 python3-venv ffmpeg)
 bench=(libbenchmark-dev liborocos-kdl-dev python3 python3-venv valgrind)
+docs=(doxygen rsync python3 python3-venv)
 lint=(clang-format-14 clang-tidy-14 clang-14 libc++-14-dev libc++abi-14-dev shellcheck python3)
 
 wanted=()
@@ -19,7 +20,8 @@ for group in "$@"; do
     peers) wanted+=("${peers[@]}") ;;
     bench) wanted+=("${bench[@]}") ;;
     lint) wanted+=("${lint[@]}") ;;
-    *) echo "$0: no group '$group': build, test, peers, bench, lint" >&2; exit 2 ;;
+    docs) wanted+=("${docs[@]}") ;;
+    *) echo "$0: no group '$group': build, test, peers, bench, lint, docs" >&2; exit 2 ;;
   esac
 done
 

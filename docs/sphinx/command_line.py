@@ -25,6 +25,7 @@ INDEX = """# Command line
 ENTRY = re.compile(r"^  (?! )(\S.*?)(?:  +(\S.*))?$")
 COLUMN = 26  # of the entries' descriptions
 MARKUP = re.compile(r"([\\<$*\[\]{}|])")
+OPTION = re.compile(r"(?<![\w`-])(--[a-z][a-z-]*)")
 
 
 def help_of(beeline, *verb):
@@ -57,9 +58,10 @@ def entries(lines):
 
 
 def markdown(text):
-    """Text in which only `code` is markup."""
+    """Text in which only `code` and options are markup."""
     parts = text.split("`")
-    return "`".join(MARKUP.sub(r"\\\1", part) if i % 2 == 0 else part for i, part in enumerate(parts))
+    parts[::2] = [OPTION.sub(r"`\1`", MARKUP.sub(r"\\\1", part)) for part in parts[::2]]
+    return "`".join(parts)
 
 
 def paragraphs(lines):
@@ -73,12 +75,10 @@ def paragraphs(lines):
 
 
 def examples(lines):
-    """The commands, a session for each remark."""
-    for line in lines:
-        if line.startswith("  # "):
-            yield f"{markdown(line[4:])}:\n"
-        elif line:
-            yield f"```sh\n{line.strip()}\n```\n"
+    """The commands below each remark."""
+    for part in "\n".join(lines).split("  # ")[1:]:
+        remark, *commands = part.strip().splitlines()
+        yield f"{markdown(remark)}:\n\n```sh\n" + "\n".join(map(str.strip, commands)) + "\n```\n"
 
 
 def described(beeline, verb, level):

@@ -66,14 +66,26 @@ def name_files_by_path(xml):
     index.write(xml / "index.xml", encoding="utf-8", xml_declaration=True)
 
 
+def remove_private_parts(xml):
+    """Removes private members, and the includes, which the pages' headings name."""
+    for path in [*xml.glob("class*.xml"), *xml.glob("struct*.xml")]:
+        file = ElementTree.parse(path)
+        for compound in file.iterfind("compounddef"):
+            for part in [*compound.iterfind("includes"), *compound.iterfind("sectiondef")]:
+                if part.tag == "includes" or part.get("kind").startswith("private"):
+                    compound.remove(part)
+        file.write(path, encoding="utf-8", xml_declaration=True)
+
+
 def main(root, xml, output):
     name_files_by_path(xml)
+    remove_private_parts(xml)
     output.mkdir(parents=True, exist_ok=True)
     meaning, rows, pages = contents(root), [], []
     for folder, headers in public_headers(root).items():
         page = "beeline" if folder == "." else folder.replace("/", "_")
         title = "beeline/" if folder == "." else f"beeline/{folder}/"
-        text = [f"# {title}\n\n{meaning[folder].capitalize()}.\n"]
+        text = [f"# {title}\n\n{meaning[folder][0].upper() + meaning[folder][1:]}.\n"]
         text += [HEADER.format(name=name) for name in headers]
         (output / f"{page}.md").write_text("\n".join(text))
         rows.append(f"| [`{title}`]({page}.md) | {meaning[folder]} |")
