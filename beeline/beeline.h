@@ -18,6 +18,7 @@
 #include <beeline/control/player.h>
 #include <beeline/control/replay.h>
 #include <beeline/control/servo.h>
+#include <beeline/control/tracker.h>
 #include <beeline/draw/animation.h>
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>

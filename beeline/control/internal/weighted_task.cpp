@@ -20,15 +20,19 @@ WeightedTask::WeightedTask(const Arm& arm, const Task& task)
   for (int k = 0; k < arm.dof(); ++k) weight_[k] = velocity_limit_of(arm.limits(k));
 }
 
-bool WeightedTask::set(const ConfigurationRef& q, const Twist& command) {
-  jacobian(arm_, q, jacobian_, task_.frame);
+Pose WeightedTask::set_configuration(const ConfigurationRef& q) {
+  const Pose world_T_tool = jacobian(arm_, q, jacobian_, task_.frame);
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     matrix_.col(k) = weight_[k] * scale_.cwiseProduct(jacobian_.col(k));
   }
+  return world_T_tool;
+}
+
+bool WeightedTask::set_command(const Twist& command) {
   for (int i = 0; i < 6; ++i) command_[i] = scale_[i] > 0 ? scale_[i] * command[i] : 0;
   constexpr double max_command = 1e100;  // squares of larger numbers overflow
   if (!(command_.lpNorm<Eigen::Infinity>() < max_command)) {
-    throw Error("the commanded velocity must be finite and below 1e100");
+    throw Error("the command must be finite and below 1e100");
   }
   return command_.squaredNorm() > 0;
 }

@@ -14,9 +14,15 @@ class WeightedTask {
 
   WeightedTask(const Arm& arm, const Task& task);
 
-  /// Sets A at q, and c from the command in m/s and rad/s. Returns whether c is not zero.
-  /// Throws Error when the task's rows of the command are not finite.
-  bool set(const ConfigurationRef& q, const Twist& command);
+  /// Sets A at q. Returns world_T_tool.
+  Pose set_configuration(const ConfigurationRef& q);
+  /// Sets c from the command in m/s and rad/s. Returns whether c is not zero. Throws Error when the
+  /// task's rows of the command are not finite.
+  bool set_command(const Twist& command);
+  bool set(const ConfigurationRef& q, const Twist& command) {
+    set_configuration(q);
+    return set_command(command);
+  }
 
   const Jacobian& matrix() const { return matrix_; }         ///< A
   const Rows& command() const { return command_; }           ///< c

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/control/internal/goal_solver.h>
+#include <beeline/kinematics/internal/mask.h>
+#include <beeline/planning/internal/null_space.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr int max_goal_steps = 8;  // from a command to the next, two suffice
+constexpr double solved = 1e-12;   // |c|, rounding is about 1e-15
+
+// Of the squared norm of A's columns. The smallest damping only keeps the factors finite.
+constexpr double min_damping = 1e-12;
+
+// An accepted step reduces |c|^2 by at least this fraction of the prediction. Without damping, a
+// fraction of one half means that the step leads to the minimum of a quadratic function.
+constexpr double min_gain_ratio = 0.55;
+
+// Away from a solution, at a boundary of the workspace, a step that reduces |c| by less than this
+// is not made: it would remove the last bend of the arm and with it the side of the elbow.
+constexpr double negligible_reduction = 1e-8;
+
+// Null-space motion away from the position limits relative to the motion of the step, and the step
+// that leaves a saddle of the error, relative to the velocity limits, s.
+constexpr double goal_null_space_speed = 0.5;
+constexpr double saddle_step = 0.02;
+
+}  // namespace
+
+GoalSolver::GoalSolver(const Arm& arm, const Task& task)
+    : task_(arm, task),
+      rows_(task),
+      positions_(bounds_of(arm)),
+      redundant_(arm.dof() > task.size()),
+      least_squares_(arm.dof()),
+      goal_(Configuration::Zero(arm.dof())),
+      trial_(arm.dof()),
+      a_(6, arm.dof()),
+      c_(Rows::Zero()),
+      error_(Twist::Zero()),
+      trial_error_(Twist::Zero()),
+      x_(arm.dof()),
+      bias_(arm.dof()),
+      lower_(arm.dof()),
+      upper_(arm.dof()) {}
+
+void GoalSolver::reset(const ConfigurationRef& q) {
+  goal_ = q;
+  damping_ = 0;
+}
+
+/// Sets task_ and trial_error_ at trial_. Returns |c|^2.
+double GoalSolver::evaluate_trial(const Pose& world_T_tool) {
+  const Pose tool = task_.set_configuration(trial_);
+  trial_error_ = masked(rows_, pose_error(world_T_tool, tool, rows_.frame));
+  task_.set_command(trial_error_);
+  return task_.command().squaredNorm();
+}
+
+void GoalSolver::accept_trial(double cost) {
+  goal_ = trial_;
+  error_ = trial_error_;
+  a_ = task_.matrix();
+  c_ = task_.command();
+  cost_ = cost;
+}
+
+/// Computes the damped step x_ from the goal, with null-space motion for a redundant arm, and
+/// trial_ from it.
+void GoalSolver::fill_step(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+  const Eigen::VectorXd& weight = task_.weight();
+  lower_ = (lower - goal_).cwiseQuotient(weight);
+  upper_ = (upper - goal_).cwiseQuotient(weight);
+  bias_.setZero();
+  x_ = least_squares_.solve(a_, c_, damping_, bias_, lower_, upper_);
+  if (redundant_) {
+    const double speed = goal_null_space_speed * x_.lpNorm<Eigen::Infinity>();
+    for (Eigen::Index k = 0; k < x_.size(); ++k) {
+      bias_[k] = speed * push_from_limits(goal_[k], positions_.lower[k], positions_.upper[k]);
+    }
+    if (!bias_.isZero(0)) {
+      x_ = least_squares_.solve(a_, c_, damping_, bias_, lower_, upper_);
+    }
+  }
+  trial_ = (goal_ + weight.cwiseProduct(x_)).cwiseMax(lower).cwiseMin(upper);
+}
+
+/// Tries one step. `rejected` increases the damping; `none`: the goal is stationary.
+GoalSolver::Progress GoalSolver::improve(const Pose& world_T_tool, const Eigen::VectorXd& lower,
+                                         const Eigen::VectorXd& upper) {
+  const double size = a_.squaredNorm();
+  damping_ = std::clamp(damping_, min_damping * size, std::max(std::sqrt(cost_), 1e-6) * size);
+  fill_step(lower, upper);
+  Rows remainder = c_;
+  for (Eigen::Index k = 0; k < x_.size(); ++k) remainder -= x_[k] * a_.col(k);
+  const double predicted = cost_ - remainder.squaredNorm();
+  if (!(predicted > 1e-15 * cost_)) return Progress::none;
+  const double cost = evaluate_trial(world_T_tool);
+  const double ratio = (cost_ - cost) / predicted;
+  if (!(ratio >= min_gain_ratio) && cost > solved * solved) {
+    damping_ = std::max(10 * damping_, 0.01 * std::sqrt(cost_) * size);
+    return Progress::rejected;
+  }
+  const double reduction = cost_ - cost;
+  if (ratio < 1 && reduction < 1e-3 * cost_ &&
+      reduction < 2 * negligible_reduction * std::sqrt(cost_)) {
+    return Progress::none;
+  }
+  if (ratio > 0.75) damping_ /= 10;
+  accept_trial(cost);
+  return Progress::yes;
+}
+
+/// At a saddle of the error, as with the arm stretched out exactly and a pose nearer to its base,
+/// no first-order step reduces the error. Tries a motion in the null space of A both ways.
+bool GoalSolver::leave_saddle(const Pose& world_T_tool, const Eigen::VectorXd& lower,
+                              const Eigen::VectorXd& upper) {
+  const Eigen::VectorXd& weight = task_.weight();
+  for (Eigen::Index k = 0; k < x_.size(); ++k) {
+    bias_[k] = (k % 2 == 0 ? 1 : -1) / (1 + 0.3 * static_cast<double>(k));  // any direction
+    lower_[k] = -Limits::none;
+    upper_[k] = Limits::none;
+  }
+  x_ = least_squares_.solve(a_, Rows::Zero(), 1e-8 * a_.squaredNorm(), bias_, lower_, upper_);
+  x_ *= saddle_step / std::max(x_.lpNorm<Eigen::Infinity>(), 1e-300);
+  for (const double sign : {1.0, -1.0}) {
+    trial_ = (goal_ + sign * weight.cwiseProduct(x_)).cwiseMax(lower).cwiseMin(upper);
+    const double cost = evaluate_trial(world_T_tool);
+    if (!(cost_ - cost > 2 * negligible_reduction * std::sqrt(cost_))) continue;
+    accept_trial(cost);
+    return true;
+  }
+  return false;
+}
+
+GoalStatus GoalSolver::status(bool stationary, const Eigen::VectorXd& lower,
+                              const Eigen::VectorXd& upper) const {
+  GoalStatus status{stationary, -1, false};
+  double largest = 1e-9 * a_.norm() * c_.norm();
+  for (Eigen::Index k = 0; k < goal_.size(); ++k) {
+    const double gradient = a_.col(k).dot(c_);
+    const double slack = gradient > 0 ? upper[k] - goal_[k] : goal_[k] - lower[k];
+    if (slack > 1e-12 || !(std::abs(gradient) > largest)) continue;
+    largest = std::abs(gradient);
+    status.blocking = k;
+    status.upwards = gradient > 0;
+  }
+  return status;
+}
+
+GoalStatus GoalSolver::approach(const Pose& world_T_tool, const Eigen::VectorXd& lower,
+                                const Eigen::VectorXd& upper) {
+  trial_ = goal_.cwiseMax(lower).cwiseMin(upper);
+  accept_trial(evaluate_trial(world_T_tool));
+  bool stationary = false, left_saddle = false;
+  for (int i = 0; i < max_goal_steps && cost_ > solved * solved && !stationary; ++i) {
+    if (improve(world_T_tool, lower, upper) != Progress::none) continue;
+    stationary = left_saddle || !leave_saddle(world_T_tool, lower, upper);
+    left_saddle = true;
+  }
+  return status(stationary, lower, upper);
+}
+
+}  // namespace beeline::internal

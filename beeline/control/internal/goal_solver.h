@@ -1,0 +1,67 @@
+#pragma once
+
+#include <beeline/control/internal/bounded_least_squares.h>
+#include <beeline/control/internal/weighted_task.h>
+#include <beeline/inverse/numerical/bounds.h>
+
+namespace beeline::internal {
+
+/// How an approach to a pose has ended.
+struct GoalStatus {
+  bool stationary = false;     ///< no small change within the box reduces the error
+  Eigen::Index blocking = -1;  ///< the coordinate whose bound prevents the largest reduction
+  bool upwards = false;        ///< that bound is the upper one
+};
+
+/// Continues a configuration towards commanded poses, within boxes of configurations: minimises
+///   |c(g)|^2,  c = S (task error at g)      (scales S and weights W of weighted_task.h)
+/// by Levenberg–Marquardt steps (Marquardt 1963) from the last result, without allocations. Each
+/// step is a BoundedLeastSquares. It is accepted only where the error decreases by more than about
+/// half of the prediction of the linear model: for a quadratic function this says that the step
+/// does not pass the minimum, so an arm stretched out towards a pose beyond its reach does not
+/// change the side of its elbow.
+class GoalSolver {
+ public:
+  using Rows = WeightedTask::Rows;
+
+  GoalSolver(const Arm& arm, const Task& task);
+
+  void reset(const ConfigurationRef& q);
+
+  /// Moves the goal towards the pose. Throws Error, and changes nothing, when the error is not
+  /// finite or too large.
+  GoalStatus approach(const Pose& world_T_tool, const Eigen::VectorXd& lower,
+                      const Eigen::VectorXd& upper);
+
+  const Configuration& goal() const { return goal_; }
+  const Twist& error() const { return error_; }  ///< of the task at the goal, m and rad
+
+ private:
+  enum class Progress { yes, rejected, none };
+
+  double evaluate_trial(const Pose& world_T_tool);
+  void accept_trial(double cost);
+  void fill_step(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
+  Progress improve(const Pose& world_T_tool, const Eigen::VectorXd& lower,
+                   const Eigen::VectorXd& upper);
+  bool leave_saddle(const Pose& world_T_tool, const Eigen::VectorXd& lower,
+                    const Eigen::VectorXd& upper);
+  GoalStatus status(bool stationary, const Eigen::VectorXd& lower,
+                    const Eigen::VectorXd& upper) const;
+
+  WeightedTask task_;
+  Task rows_;
+  Bounds positions_;
+  bool redundant_;
+  BoundedLeastSquares least_squares_;
+  Configuration goal_, trial_;
+  Jacobian a_;  ///< A at the goal
+  Rows c_;      ///< c at the goal
+  Twist error_, trial_error_;
+  double cost_ = 0;     ///< |c|^2
+  double damping_ = 0;  ///< of the next step
+  Eigen::VectorXd x_, bias_, lower_,
+      upper_;  ///< the weighted step, its null-space part, its bounds
+};
+
+}  // namespace beeline::internal

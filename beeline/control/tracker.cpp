@@ -1,0 +1,263 @@
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <vector>
+
+#include <beeline/control/internal/goal_solver.h>
+#include <beeline/control/internal/velocity_bounds.h>
+#include <beeline/control/tracker.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/internal/mask.h>
+#include <beeline/trajectory/trajectory.h>
+
+namespace beeline {
+namespace internal {
+namespace {
+
+Task checked_task(const Arm& arm, const TrackerOptions& options) {
+  if (!(options.time_step > 0) || !std::isfinite(options.time_step)) {
+    throw Error("the time step must be above zero, not " + number(options.time_step) + " s");
+  }
+  const Deviation& tolerance = options.tolerance;
+  if (!(tolerance.position > 0) || !(tolerance.orientation > 0)) {
+    throw Error("the tolerance must be above zero, not " + deviation_text(tolerance));
+  }
+  if (options.task) check_task(*options.task);
+  return options.task.value_or(default_task(arm));
+}
+
+/// The arm with assumed limits of velocity and acceleration in the place of unknown ones.
+Arm with_motion_limits(const Arm& arm) {
+  std::map<std::string, LimitOverrides> limits;
+  for (int k = 0; k < arm.dof(); ++k) {
+    const Limits motion = motion_limits(arm.limits(k));
+    limits[arm.joint_of(k).name] = {.velocity = motion.velocity,
+                                    .acceleration = motion.acceleration};
+  }
+  return with_limits(arm, limits);
+}
+
+}  // namespace
+
+/// The state of a Tracker.
+class TrackerLoop {
+ public:
+  TrackerLoop(const Arm& arm, const ConfigurationRef& start, const TrackerOptions& options);
+
+  const TrackerStep& step(const Pose& world_T_tool);
+  void reset(const ConfigurationRef& q);
+  const TrackerStep& last() const { return step_; }
+
+ private:
+  void fill_goal_bounds();
+  void fill_goal_velocity(bool at_bound);
+  void fill_desired_velocity();
+  void move_within_limits();
+  void report(const Pose& world_T_tool, const GoalStatus& goal);
+
+  Arm arm_;                    ///< with motion limits
+  std::vector<Limits> known_;  ///< the limits before unknown ones were assumed
+  Task task_;
+  TrackerOptions options_;
+  Bounds positions_;
+  GoalSolver solver_;
+  std::vector<VelocityBounds> bounds_;
+  Eigen::VectorXd lower_, upper_;  ///< bounds of the goal
+  Configuration last_goal_;
+  Eigen::VectorXd goal_velocity_, estimated_velocity_;
+  Eigen::VectorXd desired_;  ///< joint velocities without the limits of this step
+  TrackerStep step_;
+};
+
+TrackerLoop::TrackerLoop(const Arm& arm, const ConfigurationRef& start,
+                         const TrackerOptions& options)
+    : arm_(with_motion_limits(arm)),
+      known_(arm.limits()),
+      task_(checked_task(arm, options)),
+      options_(options),
+      positions_(bounds_of(arm_)),
+      solver_(arm_, task_),
+      bounds_(static_cast<std::size_t>(arm.dof())),
+      lower_(arm.dof()),
+      upper_(arm.dof()),
+      last_goal_(arm.dof()),
+      goal_velocity_(arm.dof()),
+      estimated_velocity_(arm.dof()),
+      desired_(arm.dof()) {
+  reset(start);
+}
+
+void TrackerLoop::reset(const ConfigurationRef& q) {
+  const std::vector<std::string> violations = limit_violations(arm_, q, 0);
+  if (!violations.empty()) throw Error("the start of a tracker: " + violations.front());
+  step_ = {.q = q, .velocity = Configuration::Zero(q.size()), .error = {}};
+  estimated_velocity_.setZero();
+  solver_.reset(q);
+}
+
+/// The goal stays within the distance in which a joint can stop from its velocity limit. A goal
+/// farther away would not change the velocity; near a singularity it could be on the other side of
+/// the joint's range.
+void TrackerLoop::fill_goal_bounds() {
+  for (Eigen::Index k = 0; k < lower_.size(); ++k) {
+    const Limits& limits = arm_.limits(k);
+    const double v = limits.velocity;
+    const double distance = v * options_.time_step + v * v / (2 * limits.acceleration);
+    lower_[k] = std::max(positions_.lower[k], step_.q[k] - distance);
+    upper_[k] = std::min(positions_.upper[k], step_.q[k] + distance);
+  }
+}
+
+/// The velocity of the goal as far as the arm could have it: scaled to the velocity limits, and
+/// changed within the acceleration limits, so that a jump or the noise of the command hardly
+/// changes it. A goal that stops is at rest at once, and so is one that its bounds carry along with
+/// the arm.
+void TrackerLoop::fill_goal_velocity(bool at_bound) {
+  desired_ = (at_bound ? 0 : 1 / options_.time_step) * (solver_.goal() - last_goal_);
+  double scale = 1;
+  for (Eigen::Index k = 0; k < desired_.size(); ++k) {
+    const double limit = arm_.limits(k).velocity;
+    if (std::abs(desired_[k]) * scale > limit) scale = limit / std::abs(desired_[k]);
+  }
+  for (Eigen::Index k = 0; k < desired_.size(); ++k) {
+    const double change = arm_.limits(k).acceleration * options_.time_step;
+    const double v = scale * desired_[k], last = estimated_velocity_[k];
+    estimated_velocity_[k] = std::clamp(v, last - change, last + change);
+    goal_velocity_[k] = std::clamp(estimated_velocity_[k], -std::abs(v), std::abs(v));
+  }
+}
+
+/// desired = goal velocity + α r / h: r is the remaining distance to the goal at the end of the
+/// step if the arm had the goal's velocity, and α ≤ 1 the largest fraction of it from which every
+/// joint can stop relative to the goal. If α = 1, the arm is at the goal at the end of the step.
+void TrackerLoop::fill_desired_velocity() {
+  const double h = options_.time_step;
+  double fraction = 1;
+  for (Eigen::Index k = 0; k < desired_.size(); ++k) {
+    const double r = std::abs(solver_.goal()[k] - step_.q[k] - h * goal_velocity_[k]);
+    if (!(r > 0)) continue;
+    const double speed = max_stopping_speed(r, arm_.limits(k).acceleration, h);
+    if (fraction * r <= speed * h) continue;
+    fraction = speed * h / r;
+    step_.limit = ServoLimit::acceleration;
+    step_.joint = static_cast<int>(k);
+  }
+  desired_ = goal_velocity_ + fraction * ((solver_.goal() - step_.q) / h - goal_velocity_);
+  double scale = 1;
+  for (Eigen::Index k = 0; k < desired_.size(); ++k) {
+    const double limit = arm_.limits(k).velocity;
+    if (!(std::abs(desired_[k]) * scale > limit)) continue;
+    scale = limit / std::abs(desired_[k]);
+    step_.limit = ServoLimit::velocity;
+    step_.joint = static_cast<int>(k);
+  }
+  desired_ *= scale;
+}
+
+/// Moves by the velocity within the limits of this step that is nearest to the desired one.
+void TrackerLoop::move_within_limits() {
+  const double h = options_.time_step;
+  fill_velocity_bounds(arm_, positions_, step_.q, h, bounds_);
+  double largest = 1e-9;  // difference relative to the velocity limit
+  for (Eigen::Index k = 0; k < desired_.size(); ++k) {
+    const double change = arm_.limits(k).acceleration * h, last = step_.velocity[k];
+    const double within = std::clamp(desired_[k], bounds_[k].lower, bounds_[k].upper);
+    const double v = std::clamp(within, last - change, last + change);
+    const double difference = std::abs(v - desired_[k]) / arm_.limits(k).velocity;
+    if (difference > largest) {
+      largest = difference;
+      step_.limit = v == within ? bounds_[k].limit(desired_[k]) : ServoLimit::acceleration;
+      step_.joint = static_cast<int>(k);
+    }
+    step_.velocity[k] = v;
+    step_.q[k] = std::clamp(step_.q[k] + h * v, positions_.lower[k], positions_.upper[k]);
+  }
+}
+
+void TrackerLoop::report(const Pose& world_T_tool, const GoalStatus& goal) {
+  const auto deviation = [](const Twist& error) {
+    return Deviation{error.head<3>().norm(), error.tail<3>().norm()};
+  };
+  step_.error = deviation(
+      masked(task_, pose_error(world_T_tool, forward_kinematics(arm_, step_.q), task_.frame)));
+  step_.status = TrackerStatus::limited;
+  if (within(step_.error, options_.tolerance)) {
+    step_.status = TrackerStatus::following;
+  } else if (!within(deviation(solver_.error()), options_.tolerance)) {
+    if (goal.blocking >= 0) {
+      const double q = solver_.goal()[goal.blocking];
+      const bool at_limit =
+          q == (goal.upwards ? positions_.upper : positions_.lower)[goal.blocking];
+      step_.limit = at_limit ? ServoLimit::position : ServoLimit::velocity;
+      step_.joint = static_cast<int>(goal.blocking);
+    } else {
+      step_.status = goal.stationary ? TrackerStatus::unreachable : TrackerStatus::singular;
+    }
+  }
+  if (step_.status != TrackerStatus::limited) {
+    step_.limit = ServoLimit::none;
+    step_.joint = std::nullopt;
+  }
+  step_.assumed = false;
+  if (!step_.joint) return;
+  const Limits& known = known_[*step_.joint];
+  step_.assumed = (step_.limit == ServoLimit::velocity && !std::isfinite(known.velocity)) ||
+                  (step_.limit == ServoLimit::acceleration && !std::isfinite(known.acceleration));
+}
+
+const TrackerStep& TrackerLoop::step(const Pose& world_T_tool) {
+  const Pose command = checked_pose(world_T_tool, "the commanded pose");
+  fill_goal_bounds();
+  last_goal_ = solver_.goal();
+  const GoalStatus goal = solver_.approach(command, lower_, upper_);
+  step_.limit = ServoLimit::none;
+  step_.joint = std::nullopt;
+  fill_goal_velocity(goal.blocking >= 0);
+  fill_desired_velocity();
+  move_within_limits();
+  report(command, goal);
+  return step_;
+}
+
+}  // namespace internal
+
+std::string name(TrackerStatus status) {
+  constexpr const char* names[] = {"following", "limited", "singular", "unreachable"};
+  return names[static_cast<int>(status)];
+}
+
+std::ostream& operator<<(std::ostream& out, const TrackerStep& step) {
+  out << name(step.status);
+  if (step.limit != ServoLimit::none) out << ", limit " << name(step.limit);
+  if (step.joint) out << " of joint " << *step.joint + 1;
+  if (step.assumed) out << " (assumed)";
+  return out << ", error " << number(step.error.position) << " m, "
+             << number(step.error.orientation) << " rad";
+}
+
+Tracker::Tracker(const Arm& arm, const ConfigurationRef& start, const TrackerOptions& options)
+    : loop_(std::make_unique<internal::TrackerLoop>(arm, start, options)) {}
+
+Tracker::Tracker(const Tracker& other)
+    : loop_(std::make_unique<internal::TrackerLoop>(*other.loop_)) {}
+
+Tracker::Tracker(Tracker&& other) noexcept = default;
+
+Tracker& Tracker::operator=(const Tracker& other) {
+  *this = Tracker(other);
+  return *this;
+}
+
+Tracker& Tracker::operator=(Tracker&& other) noexcept = default;
+
+Tracker::~Tracker() = default;
+
+const TrackerStep& Tracker::step(const Pose& world_T_tool) { return loop_->step(world_T_tool); }
+
+void Tracker::reset(const ConfigurationRef& q) { loop_->reset(q); }
+
+const Configuration& Tracker::configuration() const { return loop_->last().q; }
+
+const Configuration& Tracker::velocity() const { return loop_->last().velocity; }
+
+}  // namespace beeline
