@@ -13,14 +13,6 @@
 namespace beeline::python {
 namespace {
 
-constexpr const char* path_like = "str | os.PathLike[str]";
-
-std::string path_from(nb::handle path, const char* name) {
-  const nb::object text = nb::steal(PyOS_FSPath(path.ptr()));
-  if (!text.is_valid()) throw nb::python_error();
-  return Value<std::string>::from(text, name);
-}
-
 Arm arm_from_dh(nb::handle rows, const std::string& convention, const std::string& name,
                 nb::handle limits) {
   const auto named = Value<DhConvention>::from(nb::str(convention.c_str()), "convention");

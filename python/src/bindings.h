@@ -8,5 +8,6 @@ namespace beeline::python {
 void bind_poses(nanobind::module_& module);
 void bind_arms(nanobind::module_& module);
 void bind_kinematics(nanobind::module_& module);
+void bind_trajectories(nanobind::module_& module);
 
 }  // namespace beeline::python

@@ -18,6 +18,7 @@ NB_MODULE(_core, module) {
   bind_poses(module);
   bind_arms(module);
   bind_kinematics(module);
+  bind_trajectories(module);
 }
 
 }  // namespace beeline::python

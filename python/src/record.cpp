@@ -4,9 +4,8 @@ namespace beeline::python {
 
 std::string field_text(nb::handle value) {
   if (nb::hasattr(value, "dtype") && nb::cast<std::size_t>(value.attr("size")) > 16) {
-    std::string text = nb::str(value.attr("shape")).c_str();
-    return "<" + std::string(nb::str(value.attr("dtype")).c_str()) + " array of shape " + text +
-           ">";
+    const nb::str shape{nb::object(value.attr("shape"))}, type{nb::object(value.attr("dtype"))};
+    return std::string("<") + type.c_str() + " array of shape " + shape.c_str() + ">";
   }
   std::string text = nb::repr(value).c_str();
   for (std::size_t end; (end = text.find('\n')) != std::string::npos;) {

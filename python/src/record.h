@@ -46,7 +46,7 @@ template <class T, class M>
 void bind_field(nb::class_<T>& bound, const Field<T, M>& field) {
   const char* sig = kept_text("def " + std::string(field.name) + "(self) -> " + Value<M>::type());
   const auto member = field.member;
-  if constexpr (requires { Value<M>::large; }) {
+  if constexpr (requires { Value<M>::large; } || is_described<M>) {
     const char* name = field.name;
     bound.def_prop_ro(
         field.name,
@@ -134,6 +134,7 @@ nb::class_<T> bind_record(nb::module_& module) {
                ...);
             },
             Described::all());
+        if constexpr (requires { Described::check(restored); }) Described::check(restored);
         new (&self) T(std::move(restored));
       },
       nb::sig("def __setstate__(self, state: tuple[object, ...], /) -> None"));

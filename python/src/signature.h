@@ -23,8 +23,9 @@ constexpr Field<T, M> field(const char* name, M T::*member, const char* doc) {
 
 /// Describes a struct once, for its Python class, for keyword arguments, signatures and docstrings:
 /// `name`, `doc`, `all()`, a tuple of Field; `constructible` where users make such objects;
-/// `truth`, the meaning of its truth value, where it has one. A member of type Budget stands for
-/// the keywords time_limit, max_work and progress.
+/// `truth`, the meaning of its truth value, where it has one; `check`, a function that throws for
+/// values that such an object cannot have. A member of type Budget stands for the keywords
+/// time_limit, max_work and progress.
 template <class T>
 struct Fields;
 
@@ -92,30 +93,54 @@ void define(Scope& scope, Function function, const Signature& signature, const E
 /// Sets the part of the budget that the keyword names; returns whether there is one.
 bool set_budget(Budget& budget, const std::string& keyword, nb::handle value);
 
-/// The struct with the members that the keyword arguments name. Throws Error, listing the options,
-/// for another name.
+/// The options of a computation that has no others than its budget.
+struct BudgetOptions {
+  Budget budget;
+};
+template <>
+struct Fields<BudgetOptions> {
+  static constexpr const char* name = "BudgetOptions";
+  static constexpr auto all() { return std::tuple(field("budget", &BudgetOptions::budget, "")); }
+};
+
+/// Sets the member of `result` that the keyword names; returns whether there is one. Adds the names
+/// of all members to `names`.
 template <class Options>
-Options options(const nb::kwargs& values) {
-  Options result{};
+bool set_option(Options& result, const std::string& keyword, nb::handle value,
+                std::vector<std::string>& names) {
+  bool found = false;
+  const auto assign = [&]<class M>(const Field<Options, M>& field) {
+    if constexpr (std::is_same_v<M, Budget>) {
+      found = found || set_budget(result.*field.member, keyword, value);
+      names.insert(names.end(), {"time_limit", "max_work", "progress"});
+    } else {
+      names.emplace_back(field.name);
+      if (keyword != field.name) return;
+      result.*field.member = Value<M>::from(value, field.name);
+      found = true;
+    }
+  };
+  std::apply([&](const auto&... field) { (assign(field), ...); }, Fields<Options>::all());
+  return found;
+}
+
+/// The struct, or the tuple of structs, with the members that the keyword arguments name. Throws
+/// Error, listing the options, for another name.
+template <class... Options>
+auto options(const nb::kwargs& values) {
+  std::tuple<Options...> result{};
   for (const auto& [key, value] : values) {
     const std::string keyword = Value<std::string>::from(key, "keyword");
-    bool found = false;
     std::vector<std::string> names;
-    const auto assign = [&]<class M>(const Field<Options, M>& field) {
-      if constexpr (std::is_same_v<M, Budget>) {
-        found = found || set_budget(result.*field.member, keyword, value);
-        names.insert(names.end(), {"time_limit", "max_work", "progress"});
-      } else {
-        names.emplace_back(field.name);
-        if (keyword != field.name) return;
-        result.*field.member = Value<M>::from(value, field.name);
-        found = true;
-      }
-    };
-    std::apply([&](const auto&... field) { (assign(field), ...); }, Fields<Options>::all());
+    const bool found = std::apply(
+        [&](Options&... part) { return (set_option(part, keyword, value, names) || ...); }, result);
     if (!found) throw unknown_name("option", keyword, names);
   }
-  return result;
+  if constexpr (sizeof...(Options) == 1) {
+    return std::get<0>(std::move(result));
+  } else {
+    return result;
+  }
 }
 
 }  // namespace beeline::python

@@ -36,6 +36,12 @@ void raise_type(const char* name, const std::string& expected, nb::handle value)
       (std::string(name) + ": expected " + expected + ", not " + name_of_type(value)).c_str());
 }
 
+std::string path_from(nb::handle path, const char* name) {
+  const nb::object text = nb::steal(PyOS_FSPath(path.ptr()));
+  if (!text.is_valid()) throw nb::python_error();
+  return Value<std::string>::from(text, name);
+}
+
 double Value<double>::from(nb::handle value, const char* name) {
   const double number = PyFloat_AsDouble(value.ptr());
   if (number == -1 && PyErr_Occurred()) {

@@ -25,6 +25,10 @@ struct Value;
 inline constexpr const char* array_type = "numpy.typing.NDArray[numpy.float64]";
 inline constexpr const char* array_like = "numpy.typing.ArrayLike";
 
+/// The annotation of paths, and a path as text: of a str or an os.PathLike.
+inline constexpr const char* path_like = "str | os.PathLike[str]";
+std::string path_from(nb::handle path, const char* name);
+
 [[noreturn]] void raise_type(const char* name, const std::string& expected, nb::handle value);
 
 /// Equality as of records: NaN equals NaN.

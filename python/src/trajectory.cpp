@@ -1,0 +1,220 @@
+#include <beeline/record/trajectory_file.h>
+
+#include "bindings.h"
+#include "interruption.h"
+#include "trajectory_fields.h"
+
+namespace beeline::python {
+
+nb::object Value<StateColumn>::to(const StateColumn& value) {
+  NewArray array(value.shape);
+  std::copy(value.values.begin(), value.values.end(), array.data());
+  return array.release_read_only();
+}
+
+StateColumn Value<StateColumn>::from(nb::handle value, const char* name) {
+  const InputArray array(value, name);
+  return {{array.shape().begin(), array.shape().end()},
+          {array.data(), array.data() + array.size()}};
+}
+
+namespace {
+
+void make_trajectory(Trajectory* self, nb::handle joint_names, nb::handle times,
+                     nb::handle positions, nb::handle velocities, nb::handle accelerations) {
+  const auto column = [](nb::handle value, const char* name) {
+    using Column = std::vector<Configuration>;
+    return value.is_none() ? Column() : Value<Column>::from(value, name);
+  };
+  Trajectory made{Value<std::vector<std::string>>::from(joint_names, "joint_names"),
+                  Value<std::vector<double>>::from(times, "times"), column(positions, "positions"),
+                  column(velocities, "velocities"), column(accelerations, "accelerations")};
+  check_trajectory(made);
+  new (self) Trajectory(std::move(made));
+}
+
+States sampled_states(const Trajectory& trajectory, nb::handle t, nb::handle side_name) {
+  const InputArray times(t, "t");
+  const Side side = Value<Side>::from(side_name, "side");
+  States states;
+  StateColumn* const columns[] = {&states.position, &states.velocity, &states.acceleration,
+                                  &states.jerk};
+  for (StateColumn* column : columns) {
+    column->shape.assign(times.shape().begin(), times.shape().end());
+    column->shape.push_back(static_cast<Index>(trajectory.joint_names.size()));
+    column->values.reserve(static_cast<std::size_t>(times.size()) * trajectory.joint_names.size());
+  }
+  for (Index i = 0; i < times.size(); ++i) {
+    const TrajectoryState state = sample(trajectory, times.data()[i], side);
+    const Configuration* const parts[] = {&state.position, &state.velocity, &state.acceleration,
+                                          &state.jerk};
+    for (int k = 0; k < 4; ++k) {
+      columns[k]->values.insert(columns[k]->values.end(), parts[k]->begin(), parts[k]->end());
+    }
+  }
+  return states;
+}
+
+void bind_samples(nb::class_<Trajectory>& trajectory) {
+  trajectory.def("__len__", &Trajectory::size, "Number of samples.");
+  trajectory.def_prop_ro(
+      "interpolation",
+      [](const Trajectory& self) { return Value<Interpolation>::to(self.interpolation()); },
+      nb::for_getter(
+          nb::sig(kept_text("def interpolation(self) -> " + Value<Interpolation>::type()))),
+      "The motion between the samples: polynomials of degree 1, 3 or 5 in time.");
+  trajectory.def_prop_ro(
+      "duration",
+      [](const Trajectory& self) {
+        return self.times.empty() ? 0.0 : self.times.back() - self.times.front();
+      },
+      "From the first sample to the last, s.");
+
+  Signature states("sample", "TrajectoryState",
+                   "Returns the state at time t of the motion that the columns mean. Before the "
+                   "first sample and after the last the joints are at rest there.");
+  states.takes("self")
+      .takes("t", array_like, "Time, s; or times of any shape.")
+      .keywords()
+      .takes("side", Value<Side>::type(),
+             "The side of t at which derivatives are taken. They may differ at a sample.",
+             "'after'");
+  define(trajectory, &sampled_states, states, nb::arg("t"), nb::kw_only(),
+         nb::arg("side") = "after");
+
+  Signature matched(
+      "matched_to", "Trajectory",
+      "Returns the trajectory with its columns in the arm's order, matched by joint "
+      "name. Raises Error for joints that are missing or that the arm does not have.");
+  matched.takes("self").takes("arm", "Arm", "The arm.");
+  define(
+      trajectory, [](const Trajectory& self, const Arm& arm) { return matched_to(arm, self); },
+      matched, nb::arg("arm"));
+}
+
+void bind_files(nb::class_<Trajectory>& trajectory) {
+  Signature load("load", "Trajectory",
+                 "Reads a trajectory from a file: .csv, with columns t, then the joints' names, "
+                 "NAME_vel and NAME_acc where known; .json, the message "
+                 "trajectory_msgs/JointTrajectory of ROS. Raises FileError, which names the line.");
+  load.takes("path", path_like, "Its ending determines the format.");
+  trajectory.def_static(
+      "load",
+      [](nb::handle path) {
+        const std::string file = path_from(path, "path");
+        nb::gil_scoped_release release;
+        return read_trajectory(file);
+      },
+      nb::arg("path"), nb::sig(load.text("staticmethod")), load.doc());
+  Signature save("save", "None",
+                 "Writes the trajectory to a .csv or .json file, which is replaced as a whole. "
+                 "Numbers read back exactly, times of .json to the nanosecond.");
+  save.takes("self").takes("path", path_like, "Its ending determines the format.");
+  define(
+      trajectory,
+      [](const Trajectory& self, nb::handle path) {
+        const std::string file = path_from(path, "path");
+        nb::gil_scoped_release release;
+        write_trajectory(file, self);
+      },
+      save, nb::arg("path"));
+}
+
+void bind_comparisons(nb::module_& m) {
+  Signature rest("at_rest", "Trajectory",
+                 "Returns a trajectory of one sample: the arm at rest at q at time zero.");
+  rest.takes("arm", "Arm", "The arm.").takes("q", array_like, "Configuration (n,).");
+  define(
+      m,
+      [](const Arm& arm, nb::handle q) { return at_rest(arm, Value<Configuration>::from(q, "q")); },
+      rest, nb::arg("arm"), nb::arg("q"));
+
+  Signature usage("limit_usage", "LimitUsage",
+                  "Returns the fractions of the arm's limits that a trajectory uses: the extremes "
+                  "of the polynomials between its samples. Exact for the velocity of any "
+                  "trajectory, the acceleration of cubics and quintics, and the jerk of quintics. "
+                  "Limits that are not known are assumed.");
+  usage.takes("arm", "Arm", "The arm.")
+      .takes("trajectory", "Trajectory", "Its joints are matched by name.")
+      .options<BudgetOptions>();
+  define(
+      m,
+      [](const Arm& arm, const Trajectory& trajectory, const nb::kwargs& keywords) {
+        Budget budget = options<BudgetOptions>(keywords).budget;
+        return unlocked(budget, [&] { return limit_usage(arm, trajectory, budget); });
+      },
+      usage, nb::arg("arm"), nb::arg("trajectory"), nb::arg("keywords"));
+
+  Signature slower("slow_down", "Trajectory",
+                   "Returns the trajectory slowed down by k: times are multiplied by it, "
+                   "velocities divided, accelerations divided by its square.");
+  slower.takes("trajectory", "Trajectory", "The trajectory.")
+      .takes("k", "float", "A factor of 1 or less changes nothing.");
+  define(
+      m,
+      [](const Trajectory& trajectory, nb::handle k) {
+        const double factor = Value<double>::from(k, "k");
+        if (!std::isfinite(factor)) throw Error("k is not finite: " + number(factor));
+        Trajectory result = trajectory;
+        slow_down(result, factor);
+        check_trajectory(result);
+        return result;
+      },
+      slower, nb::arg("trajectory"), nb::arg("k"));
+  Signature factor("slowdown", "float",
+                   "Returns the smallest factor k on the duration with which a motion that uses "
+                   "these fractions of its limits is within them: slowed down by k it uses v / k, "
+                   "a / k^2 and j / k^3. The factor is below 1 if the motion may be faster.");
+  factor.takes("velocity", "float", "Fraction of the velocity limits.")
+      .takes("acceleration", "float", "Fraction of the acceleration limits.")
+      .takes("jerk", "float", "Fraction of the jerk limits.");
+  define(
+      m,
+      [](nb::handle velocity, nb::handle acceleration, nb::handle jerk) {
+        return slowdown(Value<double>::from(velocity, "velocity"),
+                        Value<double>::from(acceleration, "acceleration"),
+                        Value<double>::from(jerk, "jerk"));
+      },
+      factor, nb::arg("velocity"), nb::arg("acceleration"), nb::arg("jerk"));
+
+  Signature compared("difference", "TrajectoryDifference",
+                     "Compares two trajectories of an arm, each from its own first sample on, "
+                     "joints linear between samples, at the samples of both. The joints' largest "
+                     "differences are exact; those of the tool are the largest at the samples.");
+  compared.takes("arm", "Arm", "The arm.")
+      .takes("a", "Trajectory", "The first trajectory.")
+      .takes("b", "Trajectory", "The second one.");
+  define(
+      m,
+      [](const Arm& arm, const Trajectory& a, const Trajectory& b) {
+        nb::gil_scoped_release release;
+        return difference(arm, a, b);
+      },
+      compared, nb::arg("arm"), nb::arg("a"), nb::arg("b"));
+}
+
+}  // namespace
+
+void bind_trajectories(nb::module_& m) {
+  bind_record<States>(m);
+  nb::class_<Trajectory> trajectory = bind_record<Trajectory>(m);
+  Signature made("__init__", "None", "");
+  made.takes("self")
+      .takes("joint_names", "list[str]")
+      .takes("times", array_like)
+      .takes("positions", array_like)
+      .takes("velocities", std::string(array_like) + " | None", "", "None")
+      .takes("accelerations", std::string(array_like) + " | None", "", "None");
+  trajectory.def("__init__", &make_trajectory, nb::arg("joint_names"), nb::arg("times"),
+                 nb::arg("positions"), nb::arg("velocities") = nb::none(),
+                 nb::arg("accelerations") = nb::none(), nb::sig(made.text()));
+  bind_samples(trajectory);
+  bind_files(trajectory);
+  bind_record<JointDifference>(m);
+  bind_record<TrajectoryDifference>(m);
+  bind_record<LimitFraction>(m);
+  bind_record<LimitUsage>(m);
+  bind_comparisons(m);
+}
+
+}  // namespace beeline::python
