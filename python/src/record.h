@@ -21,17 +21,74 @@ nb::object kept(nb::handle self, const char* name, Make make) {
   return value;
 }
 
-/// A struct with Fields as a Python class: read-only attributes, keywords in its constructor where
-/// `Fields<T>::constructible`, repr(), ==, copies and pickles.
+template <class T>
+inline constexpr bool is_constructible = requires {
+  Fields<T>::constructible;
+}
+|| requires { Fields<T>::required; };
+
+/// The struct of the values of its members: positional ones in their order where it has `required`
+/// ones, then keywords.
+template <class T>
+T made_record(const nb::args& values, const nb::kwargs& keywords) {
+  constexpr std::size_t required = required_members<T>;
+  std::vector<std::string> names;
+  std::apply([&](const auto&... field) { (names.emplace_back(field.name), ...); },
+             Fields<T>::all());
+  const std::size_t positional = values.size();
+  if (positional > (required > 0 ? names.size() : 0)) {
+    throw nb::type_error(
+        (std::string(Fields<T>::name) + ": too many positional arguments").c_str());
+  }
+  nb::kwargs named;
+  for (std::size_t i = 0; i < positional; ++i) named[names[i].c_str()] = values[i];
+  for (const auto& [key, value] : keywords) {
+    if (named.contains(key)) {
+      throw nb::type_error(
+          (std::string(Fields<T>::name) + ": two values of " + nb::str(key).c_str()).c_str());
+    }
+    named[key] = value;
+  }
+  for (std::size_t i = 0; i < required; ++i) {
+    if (named.contains(names[i].c_str())) continue;
+    throw nb::type_error((std::string(Fields<T>::name) + ": " + names[i] + " is missing").c_str());
+  }
+  T made = options<T>(named);
+  if constexpr (requires { Fields<T>::check(made); }) Fields<T>::check(made);
+  return made;
+}
+
+/// A struct with Fields as a Python class: read-only attributes, a constructor, repr(), ==,
+/// copies and pickles.
 template <class T>
 requires is_described<T>
 struct Value<T> {
   static std::string type() { return Fields<T>::name; }
+  static std::string argument_type() {
+    std::string text = Fields<T>::name;
+    if constexpr (requires { Fields<T>::as_tuple; }) {
+      std::string types;
+      std::apply(
+          [&](const auto&... field) {
+            ((types +=
+              (types.empty() ? "" : ", ") + python::argument_type<member_type<decltype(field)>>()),
+             ...);
+          },
+          Fields<T>::all());
+      text += " | tuple[" + types + "]";
+    }
+    return text;
+  }
   static nb::object to(const T& value) { return nb::cast(value); }
   static T from(nb::handle value, const char* name) {
     const T* found = nullptr;
-    if (!nb::try_cast<const T*>(value, found) || !found) raise_type(name, Fields<T>::name, value);
-    return *found;
+    if (nb::try_cast<const T*>(value, found) && found) return *found;
+    if constexpr (requires { Fields<T>::as_tuple; }) {
+      if (nb::isinstance<nb::tuple>(value)) {
+        return made_record<T>(nb::borrow<nb::args>(value), nb::kwargs());
+      }
+    }
+    raise_type(name, argument_type(), value);
   }
   static bool same(const T& a, const T& b) {
     return std::apply(
@@ -67,11 +124,14 @@ nb::class_<T> bind_record(nb::module_& module) {
   using Described = Fields<T>;
   nb::class_<T> bound(module, Described::name, nb::dynamic_attr(), Described::doc);
   std::apply([&](const auto&... field) { (bind_field(bound, field), ...); }, Described::all());
-  if constexpr (requires { Described::constructible; }) {
+  if constexpr (is_constructible<T>) {
     Signature signature("__init__", "None", "");
-    signature.takes("self").template options<T>();
+    signature.takes("self").template members<T>();
     bound.def(
-        "__init__", [](T* self, const nb::kwargs& values) { new (self) T(options<T>(values)); },
+        "__init__",
+        [](T* self, const nb::args& values, const nb::kwargs& keywords) {
+          new (self) T(made_record<T>(values, keywords));
+        },
         nb::sig(signature.text()));
   }
   bound.def("__repr__", [](nb::handle_t<T> self) {

@@ -12,7 +12,9 @@ const char* kept_text(std::string text) {
 }
 
 std::string default_text(nb::handle value) {
-  if (PyFloat_Check(value.ptr()) && std::isinf(nb::cast<double>(value))) return "float('inf')";
+  if (PyFloat_Check(value.ptr()) && std::isinf(nb::cast<double>(value))) {
+    return nb::cast<double>(value) > 0 ? "float('inf')" : "float('-inf')";
+  }
   const bool simple = value.is_none() || PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr()) ||
                       PyUnicode_Check(value.ptr());
   return simple ? nb::repr(value).c_str() : "...";

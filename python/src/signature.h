@@ -22,7 +22,9 @@ constexpr Field<T, M> field(const char* name, M T::*member, const char* doc) {
 }
 
 /// Describes a struct once, for its Python class, for keyword arguments, signatures and docstrings:
-/// `name`, `doc`, `all()`, a tuple of Field; `constructible` where users make such objects;
+/// `name`, `doc`, `all()`, a tuple of Field; where users make such objects, `constructible`, by
+/// keywords, or `required`, the number of members that must be given, by position too; `as_tuple`
+/// where an argument may be the tuple of its members;
 /// `truth`, the meaning of its truth value, where it has one; `check`, a function that throws for
 /// values that such an object cannot have. A member of type Budget stands for the keywords
 /// time_limit, max_work and progress.
@@ -33,6 +35,23 @@ template <class T>
 inline constexpr bool is_described = requires {
   Fields<T>::name;
 };
+
+/// The number of members that the constructor needs.
+template <class T>
+constexpr std::size_t required_members = 0;
+template <class T>
+requires requires { Fields<T>::required; }
+inline constexpr std::size_t required_members<T> = Fields<T>::required;
+
+template <class T>
+struct MemberType;
+template <class T, class M>
+struct MemberType<Field<T, M>> {
+  using type = M;
+};
+/// The type of the member that a field describes.
+template <class F>
+using member_type = typename MemberType<std::decay_t<F>>::type;
 
 /// Keeps a text for the life of the process, as nanobind needs.
 const char* kept_text(std::string text);
@@ -54,9 +73,17 @@ class Signature {
   template <class Options>
   Signature& options() {
     keywords();
-    const Options defaults{};
-    std::apply([&](const auto&... field) { (option(defaults, field), ...); },
-               Fields<Options>::all());
+    return members<Options>();
+  }
+  /// Adds a parameter for each field; keywords unless the struct has `required` members.
+  template <class T>
+  Signature& members() {
+    if (required_members<T> == 0) keywords();
+    const T defaults{};
+    std::size_t i = 0;
+    std::apply(
+        [&](const auto&... field) { (option(defaults, field, i++ < required_members<T>), ...); },
+        Fields<T>::all());
     return *this;
   }
   /// What is returned, in one sentence; and what is raised besides Error for invalid arguments.
@@ -69,13 +96,12 @@ class Signature {
 
  private:
   template <class T, class M>
-  void option(const T& defaults, const Field<T, M>& field) {
+  void option(const T& defaults, const Field<T, M>& field, bool required) {
     if constexpr (std::is_same_v<M, Budget>) {
       budget();
     } else {
-      std::string type = Value<M>::type();
-      if (type.starts_with(array_type)) type.replace(0, std::string(array_type).size(), array_like);
-      takes(field.name, type, field.doc, default_text(Value<M>::to(defaults.*field.member)));
+      takes(field.name, argument_type<M>(), field.doc,
+            required ? "" : default_text(Value<M>::to(defaults.*field.member)));
     }
   }
   void budget();

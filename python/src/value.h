@@ -31,6 +31,15 @@ std::string path_from(nb::handle path, const char* name);
 
 [[noreturn]] void raise_type(const char* name, const std::string& expected, nb::handle value);
 
+/// The annotation of an argument, which may be more than a result: any array, any sequence.
+template <class T>
+std::string argument_type() {
+  if constexpr (requires { Value<T>::argument_type(); }) return Value<T>::argument_type();
+  std::string type = Value<T>::type();
+  if (type.starts_with("numpy.")) type = array_like;
+  return type;
+}
+
 /// Equality as of records: NaN equals NaN.
 inline bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 template <class T>
@@ -81,6 +90,7 @@ struct Value<std::string> {
 template <class T>
 struct Value<std::optional<T>> {
   static std::string type() { return Value<T>::type() + " | None"; }
+  static std::string argument_type() { return python::argument_type<T>() + " | None"; }
   static nb::object to(const std::optional<T>& value) {
     return value ? Value<T>::to(*value) : nb::none();
   }
@@ -217,6 +227,9 @@ struct Value<std::vector<Pose>> {
 template <class T>
 struct Value<std::vector<T>> {
   static std::string type() { return "list[" + Value<T>::type() + "]"; }
+  static std::string argument_type() {
+    return "collections.abc.Sequence[" + python::argument_type<T>() + "]";
+  }
   static nb::object to(const std::vector<T>& value) {
     nb::list list;
     for (const T& item : value) list.append(Value<T>::to(item));
