@@ -2,12 +2,9 @@
 #include <fmt/core.h>
 
 #include <beeline/error.h>
-#include <beeline/kinematics/forward.h>
-#include <beeline/pose/orientation.h>
 #include <beeline/read/arm_json.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/urdf.h>
-#include <beeline/trajectory/trajectory.h>
 
 #include "arm_argument.h"
 #include "format.h"
@@ -26,109 +23,14 @@ struct ShowArguments {
   bool json = false;
 };
 
-/// A limit of the position; an infinite one is none.
-std::string position_limit(double limit, bool prismatic, const UnitArgument& unit) {
-  if (!std::isfinite(limit)) return "none";
-  return shown(prismatic ? limit : unit.shown(limit));
-}
-
-/// A limit of a derivative; one that is not known is assumed, and marked.
-std::string rate_limit(double known, double kept, bool prismatic, const UnitArgument& unit) {
-  return shown(prismatic ? kept : unit.shown(kept)) + (std::isfinite(known) ? "  " : " a");
-}
-
 constexpr double Limits::*rates[] = {&Limits::velocity, &Limits::acceleration, &Limits::jerk};
 constexpr const char* rate_names[] = {"velocity", "acceleration", "jerk"};
-
-/// The limits of joint i. Those of a joint that mimic joints follow are tightened so that these
-/// stay within theirs.
-const Limits& limits_of(const Arm& arm, std::size_t i) {
-  const Joint& joint = arm.joints()[i];
-  return joint.mimic ? joint.limits : arm.limits(arm.drives()[i].coordinate);
-}
-
-std::string joint_row(const Arm& arm, std::size_t i, const Pose& link, std::size_t width,
-                      const UnitArgument& unit) {
-  const Joint& joint = arm.joints()[i];
-  const bool prismatic = kind(joint) == JointKind::prismatic;
-  const Limits& limits = limits_of(arm, i);
-  const Twist screw = adjoint(link, joint.screw);
-  const Vector3 axis = prismatic ? screw.head<3>() : screw.tail<3>();
-  std::string row = fmt::format("{:>3}  {:<{}}  {:<9}  {:<22}", i + 1, joint.name, width,
-                                name(kind(joint)), shown(axis));
-  for (const double limit : {limits.lower, limits.upper}) {
-    row += fmt::format("  {:>9}", position_limit(limit, prismatic, unit));
-  }
-  const Limits kept = motion_limits(limits);
-  for (const auto rate : rates) {
-    row += fmt::format("  {:>12}", rate_limit(limits.*rate, kept.*rate, prismatic, unit));
-  }
-  row.erase(row.find_last_not_of(' ') + 1);
-  if (kind(joint) == JointKind::helical) {
-    row += fmt::format("  pitch {} m/rad", shown(pitch(joint)));
-  }
-  if (joint.mimic) {
-    row += fmt::format("  = {} x {} + {}", shown(joint.mimic->multiplier), joint.mimic->leader,
-                       shown(prismatic ? joint.mimic->offset : unit.shown(joint.mimic->offset)));
-  }
-  return row + "\n";
-}
-
-std::string joint_table(const Arm& arm, const UnitArgument& unit) {
-  std::size_t width = 5;
-  for (const Joint& joint : arm.joints()) width = std::max(width, joint.name.size());
-  std::string table = fmt::format(
-      "{:>3}  {:<{}}  {:<9}  {:<22}  {:>9}  {:>9}  {:>12}  {:>12}  {:>12}\n", "", "joint", width,
-      "type", "axis in the world", "lower", "upper", "velocity  ", "acceleration", "jerk");
-  bool assumed = false;
-  const std::vector<Pose> links = link_poses(arm, Configuration::Zero(arm.dof()));
-  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
-    table += joint_row(arm, i, links[i + 1], width, unit);
-    const Limits& limits = limits_of(arm, i);
-    for (const auto rate : rates) assumed = assumed || !std::isfinite(limits.*rate);
-  }
-  if (assumed) table += "     (a: not known, assumed in motions; see --limits, --velocity)\n";
-  return table + fmt::format(
-                     "     (revolute joints in {}, prismatic joints in m; velocity per s, "
-                     "acceleration per s^2, jerk per s^3)\n",
-                     unit.name());
-}
-
-std::string frame_table(const Arm& arm, const UnitArgument& unit) {
-  std::string table = fmt::format(
-      "\nframes in the world, all joints at 0 (x y z in m; roll pitch yaw in {})\n", unit.name());
-  const auto add = [&](const std::string& label, const Pose& pose) {
-    const RollPitchYaw rpy = roll_pitch_yaw(pose.linear());
-    const Eigen::Vector3d angles(unit.shown(rpy.roll), unit.shown(rpy.pitch), unit.shown(rpy.yaw));
-    table += fmt::format("  {:<24}  {:<30}  {}\n", label, shown(pose.translation()), shown(angles));
-  };
-  const std::vector<Pose> links = link_poses(arm, Configuration::Zero(arm.dof()));
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    add(i == 0 ? "0 (base)" : fmt::format("{} {}", i, arm.joints()[i - 1].link), links[i]);
-  }
-  add("tool", links.back() * arm.tool());
-  return table;
-}
-
-std::string arm_text(const Arm& arm, const UnitArgument& unit) {
-  const std::string text =
-      fmt::format("{}: {}, {} degree{} of freedom, {}\n\n", arm.name(),
-                  counted(static_cast<std::int64_t>(arm.joints().size()), "joint"), arm.dof(),
-                  arm.dof() == 1 ? "" : "s", arm.planar() ? "planar" : "spatial") +
-      joint_table(arm, unit) + frame_table(arm, unit);
-  const Arm::Reach& reach = arm.reach();
-  if (!std::isfinite(reach.radius)) {
-    return text + "\nreach: unlimited, because a prismatic joint has no limits\n";
-  }
-  return text + fmt::format("\nreach: the tool stays within {} m of the point {}\n",
-                            shown(reach.radius), shown(reach.centre));
-}
 
 Json joint_document(const Arm& arm, std::size_t i, const UnitArgument& unit) {
   const Joint& joint = arm.joints()[i];
   const bool prismatic = kind(joint) == JointKind::prismatic;
   const auto value = [&](double number) { return prismatic ? number : unit.shown(number); };
-  const Limits& known = limits_of(arm, i);
+  const Limits& known = joint_limits(arm, i);
   Json limits = Json::object();
   const auto add = [&](const char* key, double limit) {
     limits.add(key, value(limit));  // null where it is infinite
@@ -223,7 +125,7 @@ Answer show(const ShowArguments& arguments) {
                        {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits});
     internal::write_file(arguments.out, arm_to_json(arm));
   }
-  Answer answer{.text = arm_text(arm, arguments.unit),
+  Answer answer{.text = arm_table(arm, arguments.unit.degrees),
                 .document = arm_document(arm, arguments.unit)};
   if (!arguments.arm.srdf.empty()) add_srdf(arguments, arm, answer);
   return answer;

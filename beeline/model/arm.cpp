@@ -1,14 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <ostream>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
 
 #include <beeline/error.h>
 #include <beeline/model/arm.h>
-#include <beeline/pose/orientation.h>
 
 namespace beeline {
 namespace {
@@ -309,28 +307,6 @@ Configuration middle_configuration(const Arm& arm) {
                    : std::clamp(0.0, limits.lower, limits.upper);
   }
   return q;
-}
-
-std::ostream& operator<<(std::ostream& out, const Arm& arm) {
-  out << "arm " << arm.name() << ", " << arm.joints().size() << " joints, dof " << arm.dof()
-      << '\n';
-  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
-    const Joint& joint = arm.joints()[i];
-    const Limits& limits = joint.limits;
-    out << "  " << joint.name << ", " << name(kind(joint)) << ", " << number(limits.lower) << " to "
-        << number(limits.upper) << ' ' << unit(joint);
-    const std::pair<double, const char*> rates[] = {
-        {limits.velocity, "/s"}, {limits.acceleration, "/s^2"}, {limits.jerk, "/s^3"}};
-    for (const auto& [rate, per] : rates) {
-      if (rate < Limits::none) out << ", " << number(rate) << ' ' << unit(joint) << per;
-    }
-    if (joint.mimic) {
-      out << ", " << number(joint.mimic->multiplier) << " * " << joint.mimic->leader << " + "
-          << number(joint.mimic->offset);
-    }
-    out << '\n';
-  }
-  return out << "  tool at " << arm.tool() << '\n';
 }
 
 }  // namespace beeline

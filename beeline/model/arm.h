@@ -143,7 +143,19 @@ std::vector<std::string> limit_violations(const Arm& arm, const ConfigurationRef
 /// The midpoint of each coordinate's limits, or the value nearest to zero where one is infinite.
 Configuration middle_configuration(const Arm& arm);
 
-/// Prints the arm as a table: one line for each joint with its kind and limits, then the tool.
+/// The limits of joint i (from 0): those of its coordinate, or a mimic joint's own.
+inline const Limits& joint_limits(const Arm& arm, std::size_t i) {
+  const Joint& joint = arm.joints()[i];
+  return joint.mimic ? joint.limits : arm.limits(arm.drives()[i].coordinate);
+}
+
+/// Returns the arm as a table: each joint with its kind, its axis in the world where all joints are
+/// at 0, its position limits and its limits of velocity, acceleration and jerk, those of
+/// motion_limits() marked where they are assumed; the frames of all links and of the tool there;
+/// the reach. Six significant digits, angles in rad or in degrees.
+std::string arm_table(const Arm& arm, bool degrees = false);
+
+/// Prints arm_table().
 std::ostream& operator<<(std::ostream& out, const Arm& arm);
 
 }  // namespace beeline

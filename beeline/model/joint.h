@@ -31,6 +31,34 @@ struct Limits {
   double speed_scale = 1;
 };
 
+/// The velocity limit assumed for a joint without a known one: radians or metres per second.
+constexpr double assumed_velocity_limit = 1.0;
+
+/// Seconds to full speed, and from no to full acceleration, that are assumed for a joint without
+/// known limits of acceleration or jerk.
+constexpr double assumed_time_to_velocity = 0.25;
+constexpr double assumed_time_to_acceleration = 0.1;
+
+/// The velocity limit that motions keep, radians or metres per second: the joint's own where it is
+/// known, else the assumed one.
+constexpr double velocity_limit_of(const Limits& limits) {
+  return limits.velocity < Limits::none ? limits.velocity
+                                        : limits.speed_scale * assumed_velocity_limit;
+}
+
+/// The limits that motions keep: the joint's own where they are known, else the assumed ones. None
+/// is infinite but those of the position.
+constexpr Limits motion_limits(Limits limits) {
+  limits.velocity = velocity_limit_of(limits);
+  if (!(limits.acceleration < Limits::none)) {
+    limits.acceleration = limits.speed_scale * limits.velocity / assumed_time_to_velocity;
+  }
+  if (!(limits.jerk < Limits::none)) {
+    limits.jerk = limits.speed_scale * limits.acceleration / assumed_time_to_acceleration;
+  }
+  return limits;
+}
+
 /// Limits that replace those of a joint, in the same units; a limit that is not set stays.
 /// Limits::none, or -Limits::none for `lower`, states that there is no limit, or none is known.
 struct LimitOverrides {

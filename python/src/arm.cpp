@@ -1,5 +1,3 @@
-#include <sstream>
-
 #include <beeline/model/catalog.h>
 #include <beeline/read/arm.h>
 #include <beeline/read/arm_json.h>
@@ -53,10 +51,9 @@ Arm arm_with_limits(const Arm& arm, nb::handle limits) {
 }
 
 std::string printed(const Arm& arm) {
-  std::ostringstream out;
-  out << arm;
-  std::string text = out.str();
-  return text.substr(0, text.find_last_not_of('\n') + 1);
+  std::string table = arm_table(arm);
+  table.pop_back();  // the end of its last line
+  return table;
 }
 
 ChainEnds ends_of(nb::handle base, nb::handle tip) {

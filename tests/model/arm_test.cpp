@@ -212,13 +212,23 @@ TEST(LimitMargin, IsOneInTheMiddleAndZeroAtTheLimits) {
   EXPECT_EQ(position_in_range(1.5, 1, inf), 0);
 }
 
-TEST(Arm, PrintsItsJointsLimitsAndTool) {
+TEST(Arm, PrintsItsJointsLimitsFramesAndReach) {
   std::ostringstream out;
-  out << arm_with_elbow(
-      [](Joint& joint) { joint.limits = {.lower = -1, .upper = 2, .velocity = 3}; });
-  EXPECT_NE(out.str().find("  elbow, revolute, -1 to 2 rad, 3 rad/s\n"), std::string::npos)
-      << out.str();
-  EXPECT_NE(out.str().find("tool at x "), std::string::npos) << out.str();
+  const Arm arm = arm_with_elbow([](Joint& joint) {
+    joint.limits = {.lower = -1, .upper = 2, .velocity = 3};
+    joint.link = "forearm";
+  });
+  out << arm;
+  EXPECT_EQ(out.str(), arm_table(arm));
+  for (const char* line :
+       {"arm: 3 joints, 3 degrees of freedom, planar\n",
+        "  2  elbow     revolute   0, 0, 1                        -1          2           3  "
+        "          12 a         120 a\n",
+        "  (a: not known, assumed in motions)\n", "  2 forearm                 0, 0, 0  ",
+        "  tool  ", "\nreach: the tool stays within 0 m of the point 0, 0, 0\n"}) {
+    EXPECT_NE(out.str().find(line), std::string::npos) << line << out.str();
+  }
+  EXPECT_NE(arm_table(arm, true).find("  -57.2958     114.592     171.887  "), std::string::npos);
   out.str("");
   out << JointKind::prismatic;
   EXPECT_EQ(out.str(), "prismatic");
