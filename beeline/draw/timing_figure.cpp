@@ -63,7 +63,27 @@ std::vector<double> waypoint_times(const Trajectory& trajectory,
   return times;
 }
 
+std::string extent_of(const Trajectory& trajectory) {
+  return number(trajectory.times.back() - trajectory.times.front()) + " s, " +
+         std::to_string(trajectory.size()) + (trajectory.size() == 1 ? " sample" : " samples");
+}
+
+void add_legend(const Trajectory& trajectory, Sheet& sheet) {
+  for (const std::string& name : trajectory.joint_names) {
+    sheet.legend.push_back(joint_curve(name, static_cast<int>(sheet.legend.size())));
+  }
+}
+
 }  // namespace
+
+Drawing timing_figure(const Trajectory& trajectory, const std::string& title) {
+  check_trajectory(trajectory);
+  if (trajectory.times.empty()) throw Error("a motion without samples cannot be drawn");
+  Sheet sheet{.title = title.empty() ? extent_of(trajectory) : title, .plot_height = plot_height};
+  add_legend(trajectory, sheet);
+  sheet.columns.push_back({.charts = joint_charts(trajectory)});
+  return compose(sheet);
+}
 
 Drawing timing_figure(const Arm& arm, const Trajectory& given, const TimingFigureOptions& options) {
   const Trajectory trajectory = matched_to(arm, given);
@@ -71,14 +91,9 @@ Drawing timing_figure(const Arm& arm, const Trajectory& given, const TimingFigur
   const Task task = options.task   ? *options.task
                     : options.path ? options.path->task
                                    : default_task(arm);
-  const double duration = trajectory.times.back() - trajectory.times.front();
   Sheet sheet{.title = options.title, .plot_height = plot_height};
-  if (sheet.title.empty()) {
-    sheet.title = arm.name() + ": " + number(duration) + " s, " +
-                  std::to_string(trajectory.size()) +
-                  (trajectory.size() == 1 ? " sample" : " samples");
-  }
-  for (int k = 0; k < arm.dof(); ++k) sheet.legend.push_back(joint_curve(arm, k));
+  if (sheet.title.empty()) sheet.title = arm.name() + ": " + extent_of(trajectory);
+  add_legend(trajectory, sheet);
   ChartColumn over_time{.charts = joint_charts(arm, trajectory)};
   over_time.charts.push_back(tool_speed_chart(arm, trajectory));
   over_time.charts.push_back(condition_chart(arm, trajectory, task));

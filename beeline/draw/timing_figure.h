@@ -39,6 +39,10 @@ struct TimingFigureOptions {
 Drawing timing_figure(const Arm& arm, const Trajectory& trajectory,
                       const TimingFigureOptions& options = {});
 
+/// Draws the same of a trajectory without its arm: positions, velocities and accelerations. Throws
+/// Error where check_trajectory() does, and when there are no samples.
+Drawing timing_figure(const Trajectory& trajectory, const std::string& title = {});
+
 /// A motion with the name of its curve.
 struct NamedMotion {
   std::string name;

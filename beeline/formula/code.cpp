@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <beeline/formula/code.h>
 #include <beeline/formula/internal/code_writer.h>
 #include <beeline/formula/internal/program_chain.h>
@@ -32,7 +34,38 @@ Program::Id determinant_of(ProgramChain& chain, const DeterminantFormula& determ
   return product;
 }
 
+bool has_rates(const SymbolicArm& arm, const ExpressionMatrix& matrix) {
+  for (const Expression& entry : matrix.entries) {
+    for (const auto& [monomial, coefficient] : entry.terms()) {
+      for (const auto& [symbol, exponent] : monomial.powers) {
+        if (arm.symbols[static_cast<std::size_t>(symbol)].kind == SymbolKind::rate) return true;
+      }
+    }
+  }
+  return false;
+}
+
 }  // namespace
+
+GeneratedCode formula_code(const SymbolicArm& arm, const ExpressionMatrix& matrix,
+                           const std::string& name, CodeLanguage language, bool numbers) {
+  const auto fits = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  if (name.empty() || !std::all_of(name.begin(), name.end(), fits)) {
+    throw Error("\"" + name + "\" is not a name for a function: letters, digits and underscores");
+  }
+  ProgramChain chain(arm, numbers);
+  std::vector<Program::Id> entries;
+  for (const Expression& entry : matrix.entries) entries.push_back(chain.expression(entry));
+  if (entries.empty()) throw Error("a matrix without entries has no code");
+  CodeWriter writer(arm, chain, language);
+  const bool one = entries.size() == 1;
+  const std::string size = std::to_string(matrix.rows) + " x " + std::to_string(matrix.columns);
+  writer.function(name, one ? "A number." : "M, " + size + " row by row.", has_rates(arm, matrix),
+                  {{"M", one ? 0 : static_cast<int>(matrix.columns), entries}});
+  return writer.finish();
+}
 
 GeneratedCode formula_code(const SymbolicArm& arm, const FormulaContent& content,
                            CodeLanguage language, bool numbers) {

@@ -32,4 +32,10 @@ struct GeneratedCode {
 GeneratedCode formula_code(const SymbolicArm& arm, const FormulaContent& content,
                            CodeLanguage language, bool numbers = false);
 
+/// Generates code for any matrix of expressions: a function ARM_name(q, M), with the joint
+/// velocities ARM_name(q, dq, M) where they occur. Of a matrix of one entry the function returns
+/// the number. Throws Error for a name that is not letters, digits and underscores.
+GeneratedCode formula_code(const SymbolicArm& arm, const ExpressionMatrix& matrix,
+                           const std::string& name, CodeLanguage language, bool numbers = false);
+
 }  // namespace beeline

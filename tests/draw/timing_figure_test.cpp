@@ -182,7 +182,7 @@ TEST(JointCharts, TellsThirtyJointsApart) {
   const Arm arm = testing::random_arm(random, 30);
   std::set<std::tuple<double, double, double, std::vector<double>>> looks;
   for (int k = 0; k < 30; ++k) {
-    const Curve curve = joint_curve(arm, k);
+    const Curve curve = joint_curve(arm.joint_of(k).name, k);
     EXPECT_EQ(curve.name, arm.joint_of(k).name);
     looks.insert({curve.colour.red, curve.colour.green, curve.colour.blue, curve.dashes});
   }

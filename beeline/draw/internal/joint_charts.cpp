@@ -75,10 +75,30 @@ struct Quantity {
   double Limits::*limit;
 };
 
-Chart chart_of(const Arm& arm, const Trajectory& trajectory, const Quantity& quantity) {
+const Quantity quantities[] = {
+    {0, "joint positions", "% of the range", "", nullptr},
+    {1, "joint velocities", "% of the limit", "/s", &Limits::velocity},
+    {2, "joint accelerations", "% of the limit", "/s²", &Limits::acceleration}};
+
+/// A chart without curves.
+Chart empty_chart(const Trajectory& trajectory, const Quantity& quantity) {
   const bool by_differences = quantity.order > highest_order(trajectory);
-  Chart chart{.heading = quantity.name + std::string(by_differences ? ", by differences" : ""),
-              .x_name = "time [s]"};
+  return {.heading = quantity.name + std::string(by_differences ? ", by differences" : ""),
+          .x_name = "time [s]"};
+}
+
+/// Adds (value - middle) / unit of joint k to its curve.
+void add_values(const Trajectory& trajectory, int k, const Quantity& quantity, double middle,
+                double unit, Curve& curve) {
+  if (quantity.order > highest_order(trajectory)) {
+    add_acceleration_steps(trajectory, k, unit, curve);
+  } else {
+    add_derivative(trajectory, k, quantity.order, middle, unit, curve);
+  }
+}
+
+Chart chart_of(const Arm& arm, const Trajectory& trajectory, const Quantity& quantity) {
+  Chart chart = empty_chart(trajectory, quantity);
   std::vector<LimitScale> scales;
   for (const Limits& limits : arm.limits()) scales.push_back(limit_scale(limits, quantity.limit));
   const auto limited = [](const LimitScale& scale) { return scale.half > 0; };
@@ -89,17 +109,12 @@ Chart chart_of(const Arm& arm, const Trajectory& trajectory, const Quantity& qua
   if (some && !all) chart.right_name = units + " (thick)";
   for (int k = 0; k < arm.dof(); ++k) {
     const LimitScale& scale = scales[k];
-    Curve curve = joint_curve(arm, k);
-    curve.name.clear();  // it is in the sheet's legend
+    Curve curve = joint_curve("", k);  // the name is in the sheet's legend
     curve.right = some && !limited(scale);
     if (curve.right) curve.width = 1.8;
     const double middle = limited(scale) ? scale.middle : 0;
     const double unit = limited(scale) ? scale.half / 100 : 1;
-    if (by_differences) {
-      add_acceleration_steps(trajectory, k, unit, curve);
-    } else {
-      add_derivative(trajectory, k, quantity.order, middle, unit, curve);
-    }
+    add_values(trajectory, k, quantity, middle, unit, curve);
     chart.curves.push_back(std::move(curve));
   }
   if (some) chart.reference_lines = {{"limit", 100}, {"", -100}};
@@ -113,19 +128,29 @@ Chart chart_of(const Arm& arm, const Trajectory& trajectory, const Quantity& qua
 
 }  // namespace
 
-Curve joint_curve(const Arm& arm, int k) {
+Curve joint_curve(const std::string& name, int k) {
   const std::vector<double> dashes[] = {{}, {5, 2}, {1.2, 1.6}, {6, 1.6, 1.2, 1.6}};
-  return {.name = arm.joint_of(k).name, .colour = distinct_colour(k), .dashes = dashes[k / 8 % 4]};
+  return {.name = name, .colour = distinct_colour(k), .dashes = dashes[k / 8 % 4]};
 }
 
 std::vector<Chart> joint_charts(const Arm& arm, const Trajectory& trajectory) {
-  const Quantity quantities[] = {
-      {0, "joint positions", "% of the range", "", nullptr},
-      {1, "joint velocities", "% of the limit", "/s", &Limits::velocity},
-      {2, "joint accelerations", "% of the limit", "/s²", &Limits::acceleration}};
   std::vector<Chart> charts;
   for (const Quantity& quantity : quantities) {
     if (has_data(trajectory, quantity.order)) charts.push_back(chart_of(arm, trajectory, quantity));
+  }
+  return charts;
+}
+
+std::vector<Chart> joint_charts(const Trajectory& trajectory) {
+  std::vector<Chart> charts;
+  for (const Quantity& quantity : quantities) {
+    if (!has_data(trajectory, quantity.order)) continue;
+    charts.push_back(empty_chart(trajectory, quantity));
+    charts.back().left_name = "rad" + std::string(quantity.per) + ", m" + quantity.per;
+    for (int k = 0; k < trajectory.positions.front().size(); ++k) {
+      charts.back().curves.push_back(joint_curve("", k));
+      add_values(trajectory, k, quantity, 0, 1, charts.back().curves.back());
+    }
   }
   return charts;
 }
