@@ -1,0 +1,35 @@
+#!/usr/bin/env python3
+"""Prints a header as Doxygen is to read it.
+
+Usage: doxygen_filter.py HEADER
+
+One namespace holds all declarations; without it each header's are those of the header. Indented lines of a
+comment, which are formulas and tables, are printed as they are."""
+
+import re
+import sys
+from pathlib import Path
+
+COMMENT = re.compile(r"^( *///)( *)(.*)$")
+
+
+def without_namespace(line):
+    return "" if line in ("namespace beeline {", "}  // namespace beeline") else line
+
+
+def with_code_blocks(lines):
+    """Makes code blocks of Markdown of the indented lines of comments, other than those of lists."""
+    in_list = in_code = False
+    for line in lines:
+        comment = COMMENT.match(line)
+        in_list = bool(comment) and (comment[3].startswith("- ") or (in_list and len(comment[2]) >= 2))
+        indented = bool(comment) and len(comment[2]) >= 3 and bool(comment[3]) and not in_list
+        if comment and indented != in_code:
+            yield comment[1]  # a blank line before and after
+        in_code = indented
+        yield f"{comment[1]}    {comment[2]}{comment[3]}" if indented else line
+
+
+if __name__ == "__main__":
+    text = Path(sys.argv[1]).read_text().splitlines()
+    print("\n".join(with_code_blocks(map(without_namespace, text))))
