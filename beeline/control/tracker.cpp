@@ -3,6 +3,7 @@
 #include <ostream>
 #include <vector>
 
+#include <beeline/control/internal/command_interpolation.h>
 #include <beeline/control/internal/goal_solver.h>
 #include <beeline/control/internal/velocity_bounds.h>
 #include <beeline/control/tracker.h>
@@ -14,9 +15,17 @@ namespace beeline {
 namespace internal {
 namespace {
 
+/// Max distance of each coordinate from the arm to the goal, in units of the distance in which it
+/// stops from its velocity limit.
+constexpr double goal_distance = 4;
+
 Task checked_task(const Arm& arm, const TrackerOptions& options) {
   if (!(options.time_step > 0) || !std::isfinite(options.time_step)) {
     throw Error("the time step must be above zero, not " + number(options.time_step) + " s");
+  }
+  if (!(options.command_period >= 0) || !std::isfinite(options.command_period)) {
+    throw Error("the command period must be zero or above, not " + number(options.command_period) +
+                " s");
   }
   const Deviation& tolerance = options.tolerance;
   if (!(tolerance.position > 0) || !(tolerance.orientation > 0)) {
@@ -60,6 +69,7 @@ class TrackerLoop {
   Task task_;
   TrackerOptions options_;
   Bounds positions_;
+  CommandInterpolation commands_;
   GoalSolver solver_;
   std::vector<VelocityBounds> bounds_;
   Eigen::VectorXd lower_, upper_;  ///< bounds of the goal
@@ -76,6 +86,7 @@ TrackerLoop::TrackerLoop(const Arm& arm, const ConfigurationRef& start,
       task_(checked_task(arm, options)),
       options_(options),
       positions_(bounds_of(arm_)),
+      commands_(Pose::Identity(), options.time_step, options.command_period),
       solver_(arm_, task_),
       bounds_(static_cast<std::size_t>(arm.dof())),
       lower_(arm.dof()),
@@ -90,19 +101,21 @@ TrackerLoop::TrackerLoop(const Arm& arm, const ConfigurationRef& start,
 void TrackerLoop::reset(const ConfigurationRef& q) {
   const std::vector<std::string> violations = limit_violations(arm_, q, 0);
   if (!violations.empty()) throw Error("the start of a tracker: " + violations.front());
+  commands_ = {forward_kinematics(arm_, q), options_.time_step, options_.command_period};
   step_ = {.q = q, .velocity = Configuration::Zero(q.size()), .error = {}};
   estimated_velocity_.setZero();
   solver_.reset(q);
 }
 
-/// The goal stays within the distance in which a joint can stop from its velocity limit. A goal
-/// farther away would not change the velocity; near a singularity it could be on the other side of
-/// the joint's range.
+/// The goal stays near the arm. With a goal far away, all joints would wait for one that has to
+/// rotate by half a turn where the command passes next to a singularity; with one that is nearer,
+/// they would compensate for each other during a long motion and turn back at its end.
 void TrackerLoop::fill_goal_bounds() {
   for (Eigen::Index k = 0; k < lower_.size(); ++k) {
     const Limits& limits = arm_.limits(k);
     const double v = limits.velocity;
-    const double distance = v * options_.time_step + v * v / (2 * limits.acceleration);
+    const double stop = v * options_.time_step + v * v / (2 * limits.acceleration);
+    const double distance = goal_distance * stop;
     lower_[k] = std::max(positions_.lower[k], step_.q[k] - distance);
     upper_[k] = std::min(positions_.upper[k], step_.q[k] + distance);
   }
@@ -206,10 +219,13 @@ void TrackerLoop::report(const Pose& world_T_tool, const GoalStatus& goal) {
 }
 
 const TrackerStep& TrackerLoop::step(const Pose& world_T_tool) {
-  const Pose command = checked_pose(world_T_tool, "the commanded pose");
+  const Pose commanded = checked_pose(world_T_tool, "the commanded pose");
+  CommandInterpolation commands = commands_;
+  const Pose& command = commands.step(commanded);
   fill_goal_bounds();
   last_goal_ = solver_.goal();
   const GoalStatus goal = solver_.approach(command, lower_, upper_);
+  commands_ = commands;  // no exceptions from here on
   step_.limit = ServoLimit::none;
   step_.joint = std::nullopt;
   fill_goal_velocity(goal.blocking >= 0);

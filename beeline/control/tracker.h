@@ -18,7 +18,12 @@ class TrackerLoop;
 struct TrackerOptions {
   std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
   double time_step = 1e-3;                  ///< between two steps, seconds, above 0
-  Deviation tolerance{1e-6, 1e-6};          ///< of TrackerStatus::following, m and rad, above 0
+  /// Between two commands that differ, seconds. Each is approached in a straight line during this
+  /// time, so that commands that come at a lower rate than the steps give a continuous motion, one
+  /// period late. Where commands differ at every step it smooths their noise, as a first-order
+  /// filter with this time constant. Up to `time_step`: commands are followed at once.
+  double command_period = 0;
+  Deviation tolerance{1e-6, 1e-6};  ///< of TrackerStatus::following, m and rad, above 0
 };
 
 enum class TrackerStatus {
@@ -34,7 +39,9 @@ struct TrackerStep {
   Configuration q;         ///< rad or m, within the position limits
   Configuration velocity;  ///< of the step, rad/s or m/s: (q - the last q) / time_step
   TrackerStatus status = TrackerStatus::following;
-  Deviation error;  ///< of the tool at q from the commanded pose, in the task's rows
+  /// Of the tool at q from the commanded pose, within a command period from the pose on the line to
+  /// it; in the task's rows.
+  Deviation error;
   /// With the status `limited`: the limit, the coordinate, and whether the limit is assumed.
   ServoLimit limit = ServoLimit::none;
   std::optional<int> joint = std::nullopt;
