@@ -45,6 +45,14 @@ PyObject* swapped(PyArrayObject* array) {
   return checked(PyArray_Transpose(array, &order));
 }
 
+/// Whether results can be written to the array's memory as they are computed.
+bool holds_directly(PyArrayObject* array, bool transposed) {
+  if (!transposed) return PyArray_ISCARRAY(array);
+  if (PyArray_NDIM(array) == 2) return PyArray_ISFARRAY(array);
+  const nb::object exchanged = nb::steal(swapped(array));
+  return PyArray_ISCARRAY(array_of(exchanged));
+}
+
 }  // namespace
 
 void import_numpy() {
@@ -106,10 +114,7 @@ nb::object NewArray::release_read_only() {
 }
 
 OutputArray::OutputArray(nb::handle value, const char* name, std::span<const Index> shape,
-                         Real real, bool transposed)
-    : transposed_(transposed) {
-  std::vector<Index> memory(shape.begin(), shape.end());
-  if (transposed) std::swap(memory[memory.size() - 1], memory[memory.size() - 2]);
+                         Real real, bool transposed) {
   if (!value.is_none()) {
     if (!PyArray_Check(value.ptr()) || PyArray_TYPE(array_of(value)) != number_of(real)) {
       throw nb::type_error((std::string(name) + ": expected an array of " +
@@ -123,12 +128,19 @@ OutputArray::OutputArray(nb::handle value, const char* name, std::span<const Ind
     }
     if (!PyArray_ISWRITEABLE(given)) throw Error(std::string(name) + " is read-only");
     result_ = nb::borrow(value);
-    nb::object direct = transposed ? nb::steal(swapped(given)) : result_;
-    if (PyArray_ISCARRAY(array_of(direct))) {
-      data_ = PyArray_DATA(array_of(direct));
-      return;  // written directly
+    if (holds_directly(given, transposed)) {
+      data_ = PyArray_DATA(given);
+      return;
     }
   }
+  if (transposed && shape.size() == 2) {
+    written_ =
+        nb::steal(checked(PyArray_EMPTY(2, shape.data(), number_of(real), 1)));  // in Fortran order
+    data_ = PyArray_DATA(array_of(written_));
+    return;
+  }
+  std::vector<Index> memory(shape.begin(), shape.end());
+  if (transposed) std::swap(memory[memory.size() - 1], memory[memory.size() - 2]);
   NewArray fresh(memory, real);
   data_ = fresh.data<void>();
   written_ = transposed ? fresh.release_transposed() : fresh.release();

@@ -96,7 +96,6 @@ class OutputArray {
  private:
   nb::object written_;  ///< has the memory that data() is
   nb::object result_;   ///< the caller's, or null: then `written_` is returned
-  bool transposed_;
   void* data_;
 };
 

@@ -273,13 +273,17 @@ struct Value<Enum> {
   }
   static nb::object to(Enum value) { return Value<std::string>::to(spelling(value)); }
   static Enum from(nb::handle value, const char* name) {
-    const std::string text = Value<std::string>::from(value, name);
-    std::vector<std::string> names;
-    for (Enum choice : choices<Enum>()) {
-      names.push_back(spelling(choice));
-      if (names.back() == text) return choice;
+    static const std::vector<std::string> names = [] {
+      std::vector<std::string> all;
+      for (Enum choice : choices<Enum>()) all.push_back(spelling(choice));
+      return all;
+    }();
+    static const std::vector<Enum> values = choices<Enum>();
+    if (!PyUnicode_Check(value.ptr())) raise_type(name, "text", value);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (PyUnicode_CompareWithASCIIString(value.ptr(), names[i].c_str()) == 0) return values[i];
     }
-    throw unknown_name(name, text, names);
+    throw unknown_name(name, Value<std::string>::from(value, name), names);
   }
   static bool same(Enum a, Enum b) { return a == b; }
 };
