@@ -1,0 +1,76 @@
+# What Beeline needs. Everything that is missing is named in one message, with the command that installs it.
+set(beeline_missing)
+set(beeline_debian)
+
+# beeline_require(Eigen3 3.4 libeigen3-dev): find_package() of at least that version.
+macro(beeline_require name version debian)
+  find_package(${name} QUIET ${ARGN})
+  if(NOT ${name}_FOUND)
+    list(APPEND beeline_missing ${name})
+    list(APPEND beeline_debian ${debian})
+  elseif(${name}_VERSION VERSION_LESS ${version})
+    list(APPEND beeline_missing "${name} ${version} (found ${${name}_VERSION})")
+    list(APPEND beeline_debian ${debian})
+  endif()
+endmacro()
+
+# `pip install .`: libraries of the build environment are installed below its prefix, or below cmeel.prefix beside
+# its Python packages.
+if(SKBUILD)
+  find_package(Python 3.10 REQUIRED COMPONENTS Interpreter)
+  execute_process(
+    COMMAND ${Python_EXECUTABLE} -c "import nanobind; print(nanobind.__file__)"
+    OUTPUT_VARIABLE site OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  cmake_path(GET site PARENT_PATH site)
+  cmake_path(GET site PARENT_PATH site)
+  cmake_path(SET prefix NORMALIZE ${site}/../../..)
+  set(beeline_build_environment ${prefix})
+  list(PREPEND CMAKE_PREFIX_PATH ${site}/cmeel.prefix ${prefix})
+endif()
+
+# Eigen 5 is compatible with 3.4; its version file says otherwise.
+beeline_require(Eigen3 3.4 libeigen3-dev)
+beeline_require(hwy 1.0 libhwy-dev NO_MODULE)
+beeline_require(TBB 2021 libtbb-dev COMPONENTS tbb)
+beeline_require(tinyxml2 9 libtinyxml2-dev)
+beeline_require(yaml-cpp 0.7 libyaml-cpp-dev)
+set(beeline_yaml yaml-cpp)
+if(TARGET yaml-cpp::yaml-cpp)  # its name since 0.8
+  set(beeline_yaml yaml-cpp::yaml-cpp)
+endif()
+beeline_require(CLI11 2.1 libcli11-dev)
+beeline_require(fmt 9 libfmt-dev)
+beeline_require(FastFloat 3 libfast-float-dev)
+
+# The Python package of nlohmann-json has the headers alone.
+if(SKBUILD AND EXISTS ${site}/nlohmann_json/include/nlohmann/json.hpp)
+  add_library(nlohmann_json::nlohmann_json INTERFACE IMPORTED)
+  target_include_directories(nlohmann_json::nlohmann_json INTERFACE ${site}/nlohmann_json/include)
+else()
+  beeline_require(nlohmann_json 3.11 nlohmann-json3-dev)
+endif()
+
+if(BEELINE_PYTHON)
+  find_package(Python 3.10 QUIET COMPONENTS Interpreter Development.Module NumPy)
+  if(NOT Python_Development.Module_FOUND)
+    list(APPEND beeline_missing "Python.h of Python ${Python_VERSION}")
+    list(APPEND beeline_debian python3-dev)
+  endif()
+endif()
+
+if(BEELINE_CAIRO)
+  find_package(PkgConfig QUIET)
+  if(PkgConfig_FOUND)
+    pkg_check_modules(beeline_cairo QUIET IMPORTED_TARGET cairo)
+  endif()
+  if(NOT beeline_cairo_FOUND)
+    list(APPEND beeline_missing "cairo (or -DBEELINE_CAIRO=OFF)")
+    list(APPEND beeline_debian pkg-config libcairo2-dev)
+  endif()
+endif()
+
+if(beeline_missing)
+  list(JOIN beeline_missing ", " beeline_missing)
+  list(JOIN beeline_debian " " beeline_debian)
+  message(FATAL_ERROR "Missing: ${beeline_missing}. On Debian: apt-get install ${beeline_debian}")
+endif()
