@@ -1,9 +1,4 @@
 #include "command/program.h"
 #include "verbs.h"
 
-int main(int argc, char** argv) {
-  return run_program({arms_verb(), show_verb(), fk_verb(), jacobian_verb(), ik_verb(), batch_verb(),
-                      move_verb(), line_verb(), check_verb(), retime_verb(), replay_verb(),
-                      diff_verb(), export_verb(), draw_verb(), figure_verb(), formula_verb()},
-                     argc, argv);
-}
+int main(int argc, char** argv) { return run_program(all_verbs(), argc, argv); }

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <vector>
+
 #include "command/verb.h"
+
+/// The verbs of the command, in the order of its overview.
+std::vector<Verb> all_verbs();
 
 /// One function for each verb, each in the file of its name.
 Verb arms_verb();

@@ -9,7 +9,8 @@ from . import _core, arms
 from ._core import *  # noqa: F403
 from ._core import __version__
 
-__all__ = ["__version__", "arms", *(name for name in vars(_core) if not name.startswith("_"))]
+__all__ = ["__version__", "arms"]
+__all__ += _core.__all__
 
 for _name in __all__:
     _value = globals()[_name]

@@ -9,5 +9,6 @@ void bind_poses(nanobind::module_& module);
 void bind_arms(nanobind::module_& module);
 void bind_kinematics(nanobind::module_& module);
 void bind_trajectories(nanobind::module_& module);
+void bind_command_line(nanobind::module_& module);
 
 }  // namespace beeline::python

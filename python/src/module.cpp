@@ -1,9 +1,24 @@
 #include <beeline/error.h>
 
+#include <nanobind/stl/string.h>
+
 #include "bindings.h"
 #include "numpy_arrays.h"
 
 namespace beeline::python {
+namespace {
+
+/// What `from beeline._core import *` imports: every public name.
+nb::list public_names(const nb::module_& module) {
+  nb::list names;
+  for (const nb::handle name : nb::list(module.attr("__dict__"))) {
+    if (!nb::cast<std::string>(name).starts_with('_')) names.append(name);
+  }
+  names.attr("sort")();
+  return names;
+}
+
+}  // namespace
 
 NB_MODULE(_core, module) {
   import_numpy();
@@ -19,6 +34,8 @@ NB_MODULE(_core, module) {
   bind_arms(module);
   bind_kinematics(module);
   bind_trajectories(module);
+  bind_command_line(module);
+  module.attr("__all__") = public_names(module);
 }
 
 }  // namespace beeline::python

@@ -1,0 +1,7 @@
+#include "verbs.h"
+
+std::vector<Verb> all_verbs() {
+  return {arms_verb(),   show_verb(), fk_verb(),     jacobian_verb(), ik_verb(),     batch_verb(),
+          move_verb(),   line_verb(), check_verb(),  retime_verb(),   replay_verb(), diff_verb(),
+          export_verb(), draw_verb(), figure_verb(), formula_verb()};
+}

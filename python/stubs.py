@@ -1,0 +1,30 @@
+"""Writes the type stub of the extension: the signatures and docstrings of every public name.
+
+Usage: stubs.py EXTENSION STUB"""
+
+import importlib.util
+import sys
+from pathlib import Path
+
+from nanobind.stubgen import StubGen
+
+
+def main(extension: str, stub: str) -> None:
+    # On its own, as the package renames the module of its classes.
+    spec = importlib.util.spec_from_file_location("beeline._core", extension)
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["beeline._core"] = module
+    spec.loader.exec_module(module)
+
+    generator = StubGen(module)
+    generator.put(module)
+    text = generator.get().replace("__all__: list =", "__all__: list[str] =")
+    private = "__version__: str\n\ndef _command_line(words: list[bytes], /) -> int: ...\n"
+    Path(stub).write_text(text + "\n" + private)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    main(sys.argv[1], sys.argv[2])
