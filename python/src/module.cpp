@@ -11,7 +11,7 @@ namespace {
 /// What `from beeline._core import *` imports: every public name.
 nb::list public_names(const nb::module_& module) {
   nb::list names;
-  for (const nb::handle name : nb::list(module.attr("__dict__"))) {
+  for (const auto& [name, value] : nb::borrow<nb::dict>(PyModule_GetDict(module.ptr()))) {
     if (!nb::cast<std::string>(name).starts_with('_')) names.append(name);
   }
   names.attr("sort")();
