@@ -43,10 +43,12 @@ bench:
 	@cmake --build --preset release --parallel $(JOBS) --target bench
 	@scripts/bench.sh
 
-docs: build
-	@scripts/install_packages.sh docs
+docs:
+	@scripts/install_packages.sh build docs
 	@scripts/venv.sh .venv-docs docs/requirements.txt
-	@scripts/docs.sh build/beeline build/docs
+	@cmake --preset release -DBEELINE_PYTHON=ON -DPython_EXECUTABLE=$(CURDIR)/.venv-docs/bin/python $(strict)
+	@cmake --build --preset release --parallel $(JOBS) --target beeline _core
+	@scripts/docs.sh build build/docs
 
 test:
 	@scripts/install_packages.sh build test

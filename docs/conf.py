@@ -12,7 +12,12 @@ html_title = "Beeline"
 exclude_patterns = ["sphinx", "doxygen", "sessions", "requirements.txt"]
 smartquotes = False  # "--" is part of options
 
-extensions = ["myst_nb", "breathe", "mathml", "sphinx_copybutton"]
+extensions = [
+    "myst_nb", "breathe", "mathml", "sphinx_copybutton", "sphinx.ext.autodoc", "sphinx.ext.napoleon",
+]
+autodoc_member_order = "bysource"
+autodoc_typehints_format = "short"
+napoleon_google_docstring = False
 html_math_renderer = "mathml"
 myst_enable_extensions = ["dollarmath", "deflist", "attrs_inline", "colon_fence"]
 myst_heading_anchors = 3

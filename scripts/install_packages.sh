@@ -9,7 +9,7 @@ build=(g++ cmake ninja-build ccache pkg-config
 test=(libgtest-dev python3 python3-pytest python3-numpy python3-jsonschema)
 peers=(python3 python3-venv ffmpeg)
 bench=(libbenchmark-dev liborocos-kdl-dev python3 python3-venv valgrind)
-docs=(doxygen rsync python3 python3-venv)
+docs=(doxygen rsync python3 python3-dev python3-venv)
 lint=(clang-format-14 clang-tidy-14 clang-14 libc++-14-dev libc++abi-14-dev shellcheck python3)
 
 wanted=()
