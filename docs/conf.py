@@ -9,6 +9,7 @@ sys.path.insert(0, str(HERE / "sphinx"))
 project = "Beeline"
 copyright = "the authors of Beeline"
 html_title = "Beeline"
+default_role = "code"  # of docstrings
 exclude_patterns = ["sphinx", "doxygen", "sessions", "requirements.txt"]
 smartquotes = False  # "--" is part of options
 
@@ -37,3 +38,12 @@ html_show_sourcelink = False
 html_copy_source = False
 pygments_style = "friendly"
 pygments_dark_style = "monokai"
+
+
+def short_types(app, what, name, value, options, signature, result):
+    """Signatures without the modules of numpy's types, which the references name in their introduction."""
+    return tuple(text and text.replace("numpy.typing.", "").replace("numpy.", "") for text in (signature, result))
+
+
+def setup(app):
+    app.connect("autodoc-process-signature", short_types)

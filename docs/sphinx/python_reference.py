@@ -23,6 +23,8 @@ INDEX = """# Python reference
 
 {introduction}
 
+In signatures `ArrayLike` and `NDArray` are numpy's types.
+
 | part | names |
 |---|---|
 {rows}
@@ -59,27 +61,39 @@ def grouped(names, folder_of, folders):
     return {page: sorted(found, key=str.lower) for page, found in pages.items() if found}
 
 
+def static_methods(kind):
+    """The names of nanobind's static methods, which autodoc takes for data."""
+    return [name for name, value in vars(kind).items()
+            if type(value).__name__ == "nb_func" and not name.startswith("_")]
+
+
 def directive(name):
     """The heading and autodoc's directive for a public name of the module."""
     value = getattr(beeline, name)
-    kind, options = "autofunction" if callable(value) else "autodata", ""
+    lines = [f".. {'autofunction' if callable(value) else 'autodata'}:: beeline.{name}"]
     if inspect.ismodule(value):
-        kind, options = "automodule", "   :members:\n   :imported-members:\n"
+        lines = [f".. automodule:: beeline.{name}", "   :members:", "   :imported-members:"]
     elif inspect.isclass(value):
-        kind, options = "autoclass", "   :members:\n"
-    return f"## {name}\n\n```{{eval-rst}}\n.. {kind}:: beeline.{name}\n{options}```\n"
+        static = static_methods(value)
+        lines = [f".. autoclass:: beeline.{name}", "   :members:", f"   :exclude-members: {', '.join(static)}", ""]
+        lines += [f"   .. automethod:: {method}" for method in static]
+    return f"## {name}\n\n```{{eval-rst}}\n" + "\n".join(lines) + "\n```\n"
+
+
+def title_of(page):
+    return {"only_python": "Only in Python"}.get(page, page.capitalize())
 
 
 def main(root, xml, output):
     output.mkdir(parents=True, exist_ok=True)
-    meaning, rows, pages = {**contents(root), OWN: "what only Python has"}, [], []
+    meaning, rows, pages = {**contents(root), OWN: "what only the Python module has"}, [], []
     names = [name for name in beeline.__all__ if not name.startswith("_")]
     for part, found in grouped(names, folders_of_names(xml), public_headers(root)).items():
-        page = {".": "errors", OWN: "python"}.get(part, part.replace("/", "_"))
-        title = meaning[part][0].upper() + meaning[part][1:]
-        text = [f"# {title}\n", *map(directive, found)]
+        page = {".": "errors", OWN: "only_python"}.get(part, part.replace("/", "_"))
+        description = meaning[part][0].upper() + meaning[part][1:]
+        text = [f"# {title_of(page)}\n\n{description}.\n", *map(directive, found)]
         (output / f"{page}.md").write_text("\n".join(text))
-        rows.append(f"| [{meaning[part]}]({page}.md) | " + ", ".join(f"`{name}`" for name in found) + " |")
+        rows.append(f"| [{title_of(page)}]({page}.md) | " + ", ".join(f"`{name}`" for name in found) + " |")
         pages.append(page)
     text = INDEX.format(introduction=inspect.cleandoc(beeline.__doc__), rows="\n".join(rows), pages="\n".join(pages))
     (output / "index.md").write_text(text)
