@@ -9,6 +9,9 @@ void bind_poses(nanobind::module_& module);
 void bind_arms(nanobind::module_& module);
 void bind_kinematics(nanobind::module_& module);
 void bind_trajectories(nanobind::module_& module);
+void bind_paths(nanobind::module_& module);
+void bind_joint_paths(nanobind::module_& module);
+void bind_timing(nanobind::module_& module);
 void bind_command_line(nanobind::module_& module);
 
 }  // namespace beeline::python

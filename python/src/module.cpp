@@ -1,9 +1,9 @@
 #include <beeline/error.h>
 
-#include <nanobind/stl/string.h>
-
 #include "bindings.h"
 #include "numpy_arrays.h"
+
+#include <nanobind/stl/string.h>
 
 namespace beeline::python {
 namespace {
@@ -34,6 +34,9 @@ NB_MODULE(_core, module) {
   bind_arms(module);
   bind_kinematics(module);
   bind_trajectories(module);
+  bind_paths(module);
+  bind_joint_paths(module);
+  bind_timing(module);
   bind_command_line(module);
   module.attr("__all__") = public_names(module);
 }
