@@ -33,7 +33,8 @@ template <>
 struct Fields<Deviation> {
   static constexpr const char* name = "Deviation";
   static constexpr const char* doc = "Norms of the linear and the angular part of a task error.";
-  static constexpr bool constructible = true;
+  static constexpr std::size_t required = 2;
+  static constexpr bool as_tuple = true;
   static constexpr auto all() {
     return std::tuple(field("position", &Deviation::position, "Metres."),
                       field("orientation", &Deviation::orientation, "Radians."));

@@ -238,7 +238,6 @@ void bind_routes(nb::module_& m) {
 }  // namespace
 
 void bind_paths(nb::module_& m) {
-  bind_record<Deviation>(m);
   bind_record<PoseMotion>(m);
   bind_segment<Line>(m);
   bind_segment<ScrewLine>(m);

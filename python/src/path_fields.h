@@ -4,7 +4,7 @@
 #include <beeline/path/joint_path.h>
 #include <beeline/path/tool_path.h>
 
-#include "record.h"
+#include "kinematics_fields.h"
 
 namespace beeline::python {
 
@@ -12,18 +12,6 @@ template <>
 inline std::vector<PathKind> choices() {
   return {PathKind::line, PathKind::screw, PathKind::arc, PathKind::spline};
 }
-
-template <>
-struct Fields<Deviation> {
-  static constexpr const char* name = "Deviation";
-  static constexpr const char* doc = "Norms of the linear and the angular part of a task error.";
-  static constexpr std::size_t required = 2;
-  static constexpr bool as_tuple = true;
-  static constexpr auto all() {
-    return std::tuple(field("position", &Deviation::position, "m."),
-                      field("orientation", &Deviation::orientation, "rad."));
-  }
-};
 
 /// Rows (position, orientation) of an array.
 template <>
