@@ -8,6 +8,7 @@ namespace beeline::python {
 void bind_poses(nanobind::module_& module);
 void bind_arms(nanobind::module_& module);
 void bind_kinematics(nanobind::module_& module);
+void bind_inverse(nanobind::module_& module);
 void bind_trajectories(nanobind::module_& module);
 void bind_paths(nanobind::module_& module);
 void bind_joint_paths(nanobind::module_& module);

@@ -33,6 +33,7 @@ NB_MODULE(_core, module) {
   bind_poses(module);
   bind_arms(module);
   bind_kinematics(module);
+  bind_inverse(module);
   bind_trajectories(module);
   bind_paths(module);
   bind_joint_paths(module);

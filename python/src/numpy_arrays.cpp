@@ -59,6 +59,8 @@ void import_numpy() {
   if (_import_array() < 0) throw nb::python_error();
 }
 
+bool is_array(nb::handle value) { return PyArray_Check(value.ptr()); }
+
 InputArray::InputArray(nb::handle value, const char* name, bool float32)
     : name_(name), real_(Real::float64) {
   constexpr int flags = NPY_ARRAY_C_CONTIGUOUS | NPY_ARRAY_ALIGNED | NPY_ARRAY_NOTSWAPPED;

@@ -17,6 +17,9 @@ enum class Real { float64, float32 };
 /// Imports numpy's C interface, when the module is imported. Throws the ImportError of Python.
 void import_numpy();
 
+/// Whether the object is a numpy array.
+bool is_array(nb::handle value);
+
 /// An argument as a C-contiguous array of float64, or of float32 where it is one and `float32` is
 /// accepted. Refers to the caller's memory where its dtype and strides allow, else to a copy.
 class InputArray {

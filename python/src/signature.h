@@ -129,6 +129,11 @@ struct Fields<BudgetOptions> {
   static constexpr auto all() { return std::tuple(field("budget", &BudgetOptions::budget, "")); }
 };
 
+template <>
+inline std::vector<Ending> choices() {
+  return {Ending::complete, Ending::time_limit, Ending::cancelled, Ending::work_limit};
+}
+
 /// Sets the member of `result` that the keyword names; returns whether there is one. Adds the names
 /// of all members to `names`.
 template <class Options>

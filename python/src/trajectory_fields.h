@@ -24,11 +24,6 @@ inline std::string spelling(Side side) {
 }
 
 template <>
-inline std::vector<Ending> choices() {
-  return {Ending::complete, Ending::time_limit, Ending::cancelled, Ending::work_limit};
-}
-
-template <>
 struct Fields<Trajectory> {
   static constexpr const char* name = "Trajectory";
   static constexpr const char* doc =

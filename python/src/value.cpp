@@ -25,7 +25,7 @@ nb::object matrix_of(nb::handle value) {
 }
 
 bool is_array_or_list(nb::handle value) {
-  return nb::isinstance<nb::list>(value) || nb::isinstance<nb::tuple>(value) ||
+  return is_array(value) || nb::isinstance<nb::list>(value) || nb::isinstance<nb::tuple>(value) ||
          nb::hasattr(value, "__array_interface__");
 }
 

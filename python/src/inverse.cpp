@@ -1,0 +1,310 @@
+#include <mutex>
+
+#include "bindings.h"
+#include "interruption.h"
+#include "inverse_fields.h"
+#include "rows.h"
+
+namespace beeline::python {
+namespace {
+
+/// InverseSolver with the arm and the keywords that it was made of; threads take turns.
+class Solver {
+ public:
+  Solver(nb::object arm, nb::dict keywords)
+      : arm_(std::move(arm)),
+        keywords_(std::move(keywords)),
+        dof_(nb::cast<const Arm&>(arm_).dof()) {
+    InverseOptions all = options<InverseOptions>(nb::borrow<nb::kwargs>(keywords_));
+    all.budget.progress = {};  // inverse kinematics does not report
+    all.budget.cancelled = [this] { return cancelled(); };
+    solver_.emplace(nb::cast<const Arm&>(arm_), all);
+  }
+
+  const nb::object& arm() const { return arm_; }
+  const nb::dict& keywords() const { return keywords_; }
+  int dof() const { return dof_; }
+  std::string method() {
+    const std::lock_guard lock(mutex_);
+    return solver_->method();
+  }
+
+  /// work(the C++ solver), without Python's lock.
+  template <class Work>
+  auto run(Work work) {
+    std::optional<std::invoke_result_t<Work, InverseSolver&>> result;
+    Call call;  // outlives the turn, as it needs Python's lock at its end
+    {
+      nb::gil_scoped_release release;
+      const std::lock_guard turn(mutex_);
+      call_ = &call;
+      result.emplace(work(*solver_));
+    }
+    if (call.interruption) call.interruption->rethrow();
+    return std::move(*result);
+  }
+
+ private:
+  struct Call {
+    Budget budget;
+    std::optional<Interruption> interruption;
+  };
+
+  /// Most calls end before they ask.
+  bool cancelled() {
+    if (!call_->interruption) call_->interruption.emplace(call_->budget);
+    return call_->budget.cancelled();
+  }
+
+  nb::object arm_;
+  nb::dict keywords_;
+  int dof_;
+  std::mutex mutex_;
+  Call* call_ = nullptr;  ///< the one whose turn it is
+  std::optional<InverseSolver> solver_;
+};
+
+void check_one_pose(nb::handle pose) {
+  if (is_array(pose) && InputArray(pose, "world_T_tool").dimensions() > 2) {
+    throw Error("world_T_tool has the shape " +
+                shape_text(InputArray(pose, "world_T_tool").shape()) +
+                "; expected (4, 4); batch_inverse() takes many poses");
+  }
+}
+
+nb::object solve(Solver& solver, nb::handle pose, nb::handle seed) {
+  const Pose world_T_tool = Value<Pose>::from(pose, "world_T_tool");
+  if (seed.is_none()) {
+    return nb::cast(solver.run([&](InverseSolver& one) { return one.solve(world_T_tool); }));
+  }
+  const InputArray start(seed, "seed");
+  if (start.dimensions() != 1)
+    throw Error("seed has the shape " + shape_text(start.shape()) + "; expected (" +
+                std::to_string(solver.dof()) + ",)");
+  const ConfigurationRef from(Eigen::Map<const Configuration>(start.data(), start.size()));
+  return nb::cast(solver.run([&](InverseSolver& one) { return one.solve(world_T_tool, from); }));
+}
+
+int solve_into(Solver& solver, nb::handle pose, nb::handle seed, nb::handle solutions) {
+  const Pose world_T_tool = Value<Pose>::from(pose, "world_T_tool");
+  const InputArray start(seed, "seed"), shaped(solutions, "solutions");
+  const auto shape = shaped.shape();
+  const bool fits = start.dimensions() == 1 && !shape.empty() && shape.size() <= 2 &&
+                    shape.back() == solver.dof() && shaped.size() > 0;
+  if (!fits) {
+    const std::string n = std::to_string(solver.dof());
+    throw Error("seed and solutions have the shapes " + shape_text(start.shape()) + " and " +
+                shape_text(shape) + "; expected (" + n + ",), and the same or (N, " + n + ")");
+  }
+  OutputArray results(solutions, "solutions", shape, Real::float64);
+  Eigen::Map<Eigen::MatrixXd> columns(results.data(), solver.dof(), shaped.rows(1));
+  const Configuration from = Eigen::Map<const Configuration>(start.data(), start.size());
+  const int count =
+      solver.run([&](InverseSolver& one) { return one.solve(world_T_tool, from, columns); });
+  columns.rightCols(columns.cols() - count).setConstant(std::numeric_limits<double>::quiet_NaN());
+  results.finish();
+  return count;
+}
+
+/// Poses of a batch as columns of the layout.
+struct PoseColumns {
+  Eigen::MatrixXd values;
+  std::vector<Index> shape;  ///< of the batch
+};
+
+PoseColumns columns_of(const std::vector<Pose>& poses) {
+  PoseColumns columns{Eigen::MatrixXd(16, poses.size()), {static_cast<Index>(poses.size())}};
+  for (Index i = 0; i < columns.values.cols(); ++i) {
+    Eigen::Map<Eigen::Matrix4d>(columns.values.col(i).data()) =
+        poses[static_cast<std::size_t>(i)].matrix();
+  }
+  return columns;
+}
+
+PoseColumns pose_columns(nb::handle value, PoseLayout layout) {
+  constexpr const char* name = "world_T_tool";
+  const bool matrix = layout == PoseLayout::matrix;
+  if (matrix && !is_array(value)) return columns_of(poses_from(value, name));
+  const InputArray array(value, name);
+  const auto shape = array.shape();
+  const std::size_t inner = matrix ? 2 : 1;
+  if (shape.size() < inner || shape.back() != (matrix ? 4 : 7) ||
+      (matrix && shape[shape.size() - 2] != 4)) {
+    throw Error(std::string(name) + " has the shape " + shape_text(shape) + "; expected " +
+                (matrix ? "(N, 4, 4)" : "(N, 7)"));
+  }
+  const Index count = array.rows(static_cast<int>(inner));
+  PoseColumns columns{Eigen::MatrixXd(size(layout), count), {shape.begin(), shape.end() - inner}};
+  for (Index i = 0; i < count; ++i) {
+    if (matrix) {
+      const Eigen::Map<const Eigen::Matrix4d> rows(array.data() + 16 * i);  // transposed
+      Eigen::Map<Eigen::Matrix4d>(columns.values.col(i).data()) = rows.transpose();
+    } else {
+      columns.values.col(i) = Eigen::Map<const Eigen::VectorXd>(array.data() + 7 * i, 7);
+    }
+  }
+  return columns;
+}
+
+/// The keyword's value, which is taken out of `keywords`, or None.
+nb::object taken(nb::dict& keywords, const char* keyword) {
+  if (!keywords.contains(keyword)) return nb::none();
+  nb::object value = keywords[keyword];
+  nb::del(keywords[keyword]);
+  return value;
+}
+
+Eigen::MatrixXd seeds_from(const Arm& arm, nb::handle value, const PoseColumns& poses) {
+  if (value.is_none()) return middle_configuration(arm);
+  const Configurations seeds(arm, value, "seed");
+  if (!seeds.one() && seeds.shape({}) != poses.shape) {
+    throw Error("seed has the shape " + shape_text(seeds.shape({arm.dof()})) + "; expected (" +
+                std::to_string(arm.dof()) + ",), or one for each pose");
+  }
+  return Eigen::Map<const Eigen::MatrixXd>(seeds.data(), arm.dof(), seeds.count());
+}
+
+BatchInverseResult batch(const Arm& arm, nb::handle world_T_tool, const nb::kwargs& given) {
+  nb::dict keywords = nb::borrow<nb::dict>(given);
+  BatchOptions with;
+  if (const nb::object threads = taken(keywords, "threads"); !threads.is_none()) {
+    with.threads = threads_from(threads);
+  }
+  if (const nb::object layout = taken(keywords, "layout"); !layout.is_none()) {
+    with.layout = Value<PoseLayout>::from(layout, "layout");
+  }
+  const nb::object seed = taken(keywords, "seed"), out = taken(keywords, "out");
+  InverseOptions inverse = options<InverseOptions>(nb::borrow<nb::kwargs>(keywords));
+  with.budget = std::exchange(inverse.budget, Budget());
+  const PoseColumns poses = pose_columns(world_T_tool, with.layout);
+  const Eigen::MatrixXd seeds = seeds_from(arm, seed, poses);
+  std::vector<Index> shape = poses.shape;
+  shape.push_back(arm.dof());
+  OutputArray results(out, "out", shape, Real::float64);
+  Eigen::Map<Eigen::MatrixXd> q(results.data(), arm.dof(), poses.values.cols());
+  const BatchResult result = unlocked(
+      with.budget, [&] { return batch_inverse(arm, poses.values, seeds, q, inverse, with); });
+  return {{results.finish()}, result.ending, result.computed, result.solved};
+}
+
+Signature& takes_pose(Signature& signature) {
+  return signature.takes("world_T_tool", array_like,
+                         "Pose of the tool (4, 4); or an SE3 of pinocchio or spatialmath, or a "
+                         "RigidTransform of scipy.");
+}
+
+void bind_solver(nb::module_& m) {
+  nb::class_<Solver> solver(
+      m, "InverseSolver",
+      "inverse_kinematics() for many poses of one arm: what does not depend on the pose is "
+      "computed once. Threads that call one solver take turns; a copy for each works in parallel.");
+  Signature made("__init__", "None", "");
+  made.takes("self").takes("arm", "Arm", "The arm.").options<InverseOptions>();
+  solver.def(
+      "__init__",
+      [](Solver* self, nb::handle_t<Arm> arm, const nb::kwargs& keywords) {
+        new (self) Solver(nb::borrow(arm), nb::dict(keywords));
+      },
+      nb::arg("arm"), nb::arg("keywords"), nb::sig(made.text()));
+
+  Signature one("solve", "InverseResult",
+                "Computes joint configurations that bring the tool to a pose.");
+  takes_pose(one.takes("self"))
+      .takes("seed", std::string(array_like) + " | None", "In place of the option's, (n,).",
+             "None");
+  define(solver, &solve, one, nb::arg("world_T_tool"), nb::arg("seed") = nb::none());
+
+  Signature into("solve_into", "int",
+                 "For control loops: writes the solutions, nearest to the seed first, into the "
+                 "rows of `solutions`, as many as fit, without a diagnosis of failures. The other "
+                 "rows become NaN.");
+  takes_pose(into.takes("self"))
+      .takes("seed", array_like, "Configuration (n,).")
+      .takes("solutions", array_type, "(n,), or (N, n) with the option `all`.")
+      .returns("The number of solutions written.");
+  define(solver, &solve_into, into, nb::arg("world_T_tool"), nb::arg("seed"), nb::arg("solutions"));
+
+  solver.def_prop_ro(
+      "method", [](Solver& self) { return self.method(); },
+      nb::for_getter(nb::sig("def method(self) -> str")),
+      "The closed form that the arm has, or `numerical`.");
+  solver.def_prop_ro(
+      "arm", [](const Solver& self) { return self.arm(); },
+      nb::for_getter(nb::sig("def arm(self) -> Arm")), "The arm.");
+  solver.def("__repr__", [](Solver& self) {
+    return "InverseSolver(" + nb::cast<const Arm&>(self.arm()).name() + ", " + self.method() + ")";
+  });
+  solver.def(
+      "__getstate__",
+      [](const Solver& self) { return nb::make_tuple(self.arm(), nb::dict(self.keywords())); },
+      nb::sig("def __getstate__(self) -> tuple[Arm, dict[str, object]]"));
+  solver.def(
+      "__setstate__",
+      [](Solver& self, const nb::tuple& state) {
+        if (nb::len(state) != 2) throw Error("the pickled state has another number of values");
+        if (!nb::isinstance<Arm>(state[0]) || !nb::isinstance<nb::dict>(state[1])) {
+          throw Error("the pickled state is not that of an InverseSolver");
+        }
+        new (&self) Solver(state[0], nb::borrow<nb::dict>(state[1]));
+      },
+      nb::sig("def __setstate__(self, state: tuple[object, ...], /) -> None"));
+}
+
+}  // namespace
+
+void bind_inverse(nb::module_& m) {
+  bind_record<NearestMiss>(m);
+  nb::class_<InverseResult> result = bind_record<InverseResult>(m);
+  result.def_prop_ro(
+      "q",
+      [](const InverseResult& self) {
+        return self.solutions.empty() ? nb::none()
+                                      : Value<Configuration>::to(self.solutions.front());
+      },
+      nb::for_getter(nb::sig(kept_text("def q(self) -> " + std::string(array_type) + " | None"))),
+      "The first solution (n,), or None.");
+  nb::class_<BatchInverseResult> many = bind_record<BatchInverseResult>(m);
+  many.def_prop_ro(
+      "has_solution",
+      [](const BatchInverseResult& self) {
+        const nb::object first = self.q.array[nb::make_tuple(nb::ellipsis(), 0)];
+        return nb::object(nb::module_::import_("numpy").attr("isfinite")(first));
+      },
+      nb::for_getter(nb::sig("def has_solution(self) -> numpy.typing.NDArray[numpy.bool_]")),
+      "Which poses have a solution (...).");
+
+  Signature one("inverse_kinematics", "InverseResult",
+                "Computes joint configurations that bring the tool to a pose. Every one is checked "
+                "by forward kinematics, finite and within limits. The method follows from the "
+                "arm's geometry: see InverseSolver.method.");
+  takes_pose(one.takes("arm", "Arm", "The arm.")).options<InverseOptions>();
+  one.returns("True when solved.");
+  define(
+      m,
+      [](const Arm& arm, nb::handle pose, const nb::kwargs& keywords) {
+        check_one_pose(pose);
+        const Pose world_T_tool = Value<Pose>::from(pose, "world_T_tool");
+        InverseOptions with = options<InverseOptions>(keywords);
+        with.budget.progress = {};
+        return unlocked(with.budget, [&] { return inverse_kinematics(arm, world_T_tool, with); });
+      },
+      one, nb::arg("arm"), nb::arg("world_T_tool"), nb::arg("options"));
+
+  Signature batched("batch_inverse", "BatchInverseResult",
+                    "Computes one solution for each of many poses, by all cores. The keywords are "
+                    "those of inverse_kinematics(); `seed` is also (..., n), one for each pose; "
+                    "`all` and `every_turn` are ignored; the budget is that of the whole batch.");
+  batched.takes("arm", "Arm", "The arm.")
+      .takes("world_T_tool", array_like,
+             "Poses (..., 4, 4), or a list of poses. A pose that is not finite has no solution.")
+      .keywords()
+      .takes("layout", Value<PoseLayout>::type(),
+             "`position_quaternion`: poses are (..., 7), x y z qw qx qy qz.", "'matrix'")
+      .takes("threads", "int", threads_doc, "0")
+      .takes("out", std::string(array_type) + " | None", "Array for q.", "None")
+      .options<InverseOptions>();
+  define(m, &batch, batched, nb::arg("arm"), nb::arg("world_T_tool"), nb::arg("options"));
+  bind_solver(m);
+}
+
+}  // namespace beeline::python

@@ -1,0 +1,167 @@
+#pragma once
+
+#include <beeline/batch/batch.h>
+#include <beeline/inverse/inverse_kinematics.h>
+
+#include "kinematics_fields.h"
+
+namespace beeline::python {
+
+template <>
+inline std::vector<InverseMethod> choices() {
+  return {InverseMethod::automatic, InverseMethod::closed_form, InverseMethod::numerical};
+}
+
+template <>
+inline std::vector<Redundancy> choices() {
+  return {Redundancy::any, Redundancy::nearest, Redundancy::centred};
+}
+
+template <>
+inline std::vector<InverseStatus> choices() {
+  using enum InverseStatus;
+  return {solved,    unreachable, orientation_unreachable, outside_limits, not_found, time_limit,
+          cancelled, work_limit};
+}
+
+template <>
+struct Fields<InverseOptions> {
+  static constexpr const char* name = "InverseOptions";
+  static constexpr auto all() {
+    return std::tuple(
+        field("seed", &InverseOptions::seed,
+              "Solutions are sorted by their distance from it, (n,); default: arm.middle. It may "
+              "be outside the limits."),
+        field("task", &InverseOptions::task,
+              "Components of the pose: spatial, position, planar, or a mask such as 111110, with "
+              ":tool in the tool's axes; default: planar for a planar arm, else spatial."),
+        field("method", &InverseOptions::method, "`automatic`: a closed form where there is one."),
+        field(
+            "all", &InverseOptions::all,
+            "All solutions instead of one. Closed form: all that exist; of a redundant arm, all "
+            "on a grid of values of the redundant joint. Numerical: those found in all restarts."),
+        field("every_turn", &InverseOptions::every_turn,
+              "With `all`: also solutions that differ by multiples of 2 pi."),
+        field("ignore_limits", &InverseOptions::ignore_limits, "Ignore the joint limits."),
+        field("lock", &InverseOptions::lock,
+              "A coordinate, from 0 to n - 1, that keeps the seed's value."),
+        field("redundancy", &InverseOptions::redundancy,
+              "Of infinitely many solutions, `any`: the first that is found; `nearest` to the "
+              "seed; `centred`: the least margin of a joint to its limits is largest."),
+        field("grid", &InverseOptions::grid,
+              "Number of values of the redundant joint tried first, 2 to 10000."),
+        field("tolerance", &InverseOptions::tolerance,
+              "Largest error of a solution, metres and radians, above 0."),
+        field("max_iterations", &InverseOptions::max_iterations,
+              "Most steps of the numerical solver from one start."),
+        field("max_restarts", &InverseOptions::max_restarts, "Most random starts after the first."),
+        field("random_seed", &InverseOptions::random_seed, "The same value gives the same result."),
+        field("budget", &InverseOptions::budget, ""));
+  }
+};
+
+template <>
+struct Fields<NearestMiss> {
+  static constexpr const char* name = "NearestMiss";
+  static constexpr const char* doc = "The configuration nearest to the requested pose.";
+  static constexpr auto all() {
+    return std::tuple(
+        field("q", &NearestMiss::q,
+              "Status outside_limits: the solution that is least outside the limits. not_found, or "
+              "ended by the budget: the configuration of least error that was found. Otherwise one "
+              "of least position error and, among those, of least orientation error, limits "
+              "ignored."),
+        field("world_T_tool", &NearestMiss::world_T_tool, "The tool's pose at q (4, 4)."),
+        field("error", &NearestMiss::error, "Of that pose from the requested one."),
+        field("blocking", &NearestMiss::blocking,
+              "outside_limits: the coordinate that is farthest outside; else -1."),
+        field("excess", &NearestMiss::excess,
+              "outside_limits: how far it is outside, radians or metres."));
+  }
+};
+
+template <>
+struct Fields<InverseResult> {
+  static constexpr const char* name = "InverseResult";
+  static constexpr const char* doc = "Solutions of inverse kinematics, or why there are none.";
+  static constexpr const char* truth = "Whether there is a solution.";
+  static constexpr auto all() {
+    return std::tuple(
+        field("status", &InverseResult::status,
+              "`solved`: every solution is checked by forward kinematics. `unreachable`, "
+              "`orientation_unreachable`, `outside_limits`: none exists, or none of many searches "
+              "found one; `reason` says which. `not_found` proves nothing. `time_limit`, "
+              "`cancelled`, `work_limit`: the budget ended the search."),
+        field("solutions", &InverseResult::solutions,
+              "By distance from the seed, (S, n). Empty unless solved, or ended by the budget."),
+        field("complete", &InverseResult::complete,
+              "With `all`: these are all solutions, which are finitely many."),
+        field("singular", &InverseResult::singular,
+              "Solved by a closed form at a singular configuration: each solution represents "
+              "infinitely many, and is the nearest of them to the seed."),
+        field("residual", &InverseResult::residual,
+              "Metres or radians, the larger of both. solved: the largest error of a solution. "
+              "unreachable: the least position error. orientation_unreachable: the nearest miss's "
+              "angle. outside_limits: its excess."),
+        field("nearest", &InverseResult::nearest, "The nearest miss, if there are no solutions."),
+        field("reason", &InverseResult::reason,
+              "One sentence; empty when solved and not singular."),
+        field("method", &InverseResult::method,
+              "Such as `closed form: three axes meet (joints 4, 5, 6)`."),
+        field("iterations", &InverseResult::iterations,
+              "Of the numerical solver, over all starts."),
+        field("restarts", &InverseResult::restarts, "Random starts."));
+  }
+};
+
+/// A numpy array of float64, kept as it is.
+struct KeptArray {
+  nb::object array;
+};
+template <>
+struct Value<KeptArray> {
+  static std::string type() { return array_type; }
+  static nb::object to(const KeptArray& value) { return value.array; }
+  static KeptArray from(nb::handle value, const char* name) {
+    if (!is_array(value)) raise_type(name, "an array", value);
+    return {nb::borrow(value)};
+  }
+  static bool same(const KeptArray& a, const KeptArray& b) {
+    const nb::object equal = nb::module_::import_("numpy").attr("array_equal");
+    return nb::cast<bool>(equal(a.array, b.array, nb::arg("equal_nan") = true));
+  }
+};
+
+struct BatchInverseResult {
+  KeptArray q;
+  Ending ending = Ending::complete;
+  Index computed = 0, solved = 0;
+
+  explicit operator bool() const { return solved == poses(); }
+  /// The number of poses.
+  Index poses() const {
+    const InputArray values(q.array, "q");
+    return values.rows(1);
+  }
+};
+
+template <>
+struct Fields<BatchInverseResult> {
+  static constexpr const char* name = "BatchInverseResult";
+  static constexpr const char* doc = "One solution for each pose of a batch.";
+  static constexpr const char* truth = "Whether every pose has a solution.";
+  static constexpr auto all() {
+    return std::tuple(
+        field("q", &BatchInverseResult::q,
+              "Configurations (..., n). NaN where no solution was found, or the budget ended the "
+              "batch before."),
+        field("ending", &BatchInverseResult::ending, "Whether the budget ended the batch."),
+        field("computed", &BatchInverseResult::computed, "Number of poses computed."),
+        field("solved", &BatchInverseResult::solved, "Number of poses with a solution."));
+  }
+  static void check(const BatchInverseResult& value) {
+    if (InputArray(value.q.array, "q").dimensions() == 0) throw Error("q has no rows");
+  }
+};
+
+}  // namespace beeline::python
