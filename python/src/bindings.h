@@ -13,6 +13,11 @@ void bind_trajectories(nanobind::module_& module);
 void bind_paths(nanobind::module_& module);
 void bind_joint_paths(nanobind::module_& module);
 void bind_timing(nanobind::module_& module);
+void bind_certificates(nanobind::module_& module);
+void bind_planning(nanobind::module_& module);
+void bind_pose_lists(nanobind::module_& module);
+void bind_programs(nanobind::module_& module);
+void bind_controller_files(nanobind::module_& module);
 void bind_command_line(nanobind::module_& module);
 
 }  // namespace beeline::python

@@ -13,15 +13,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds between_checks{20};
 
-/// A Python object that is released with Python's lock, from whichever thread.
-std::shared_ptr<nb::object> shared(nb::object object) {
+}  // namespace
+
+std::shared_ptr<nb::object> shared_object(nb::object object) {
   return {new nb::object(std::move(object)), [](nb::object* held) {
             nb::gil_scoped_acquire lock;
             delete held;
           }};
 }
-
-}  // namespace
 
 std::function<void(double)> progress_of(nb::handle value) {
   if (value.is_none() || value.ptr() == Py_False) return {};
@@ -30,7 +29,7 @@ std::function<void(double)> progress_of(nb::handle value) {
     callable = nb::module_::import_("beeline._progress").attr("ProgressBar")();
   }
   if (!PyCallable_Check(callable.ptr())) raise_type("progress", "a callable or a bool", value);
-  return [held = shared(std::move(callable))](double fraction) { (*held)(fraction); };
+  return [held = shared_object(std::move(callable))](double fraction) { (*held)(fraction); };
 }
 
 struct Interruption::State {

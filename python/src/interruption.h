@@ -13,6 +13,9 @@ namespace beeline::python {
 
 namespace nb = nanobind;
 
+/// A Python object that is released with Python's lock, from whichever thread.
+std::shared_ptr<nb::object> shared_object(nb::object object);
+
 /// The `progress` of a Budget: none for False or None, a progress bar for True, else the callable.
 std::function<void(double)> progress_of(nb::handle value);
 

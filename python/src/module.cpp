@@ -38,6 +38,11 @@ NB_MODULE(_core, module) {
   bind_paths(module);
   bind_joint_paths(module);
   bind_timing(module);
+  bind_certificates(module);
+  bind_planning(module);
+  bind_pose_lists(module);
+  bind_programs(module);
+  bind_controller_files(module);
   bind_command_line(module);
   module.attr("__all__") = public_names(module);
 }

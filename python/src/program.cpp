@@ -1,0 +1,119 @@
+#include <map>
+
+#include <beeline/read/internal/numbers.h>
+
+#include "bindings.h"
+#include "interruption.h"
+#include "pose_list_fields.h"
+#include "program_fields.h"
+
+namespace beeline::python {
+namespace {
+
+using States = std::map<std::string, Configuration>;
+
+States states_from(const Arm& arm, nb::handle states) {
+  States named;
+  if (states.is_none()) return named;
+  if (!nb::isinstance<nb::dict>(states)) raise_type("states", "a dict", states);
+  for (const auto& [name, q] : nb::borrow<nb::dict>(states)) {
+    const Configuration state = Value<Configuration>::from(q, "states");
+    check_configuration(arm, state);
+    named[Value<std::string>::from(name, "states")] = state;
+  }
+  return named;
+}
+
+/// The configuration that an item of the column q means.
+Configuration configuration_of(const Arm& arm, const std::string& item, const States& states,
+                               AngleUnit unit) {
+  const auto named = states.find(item);
+  if (named != states.end()) return named->second;
+  const std::vector<double> values = internal::parse_numbers(item, "q");
+  Configuration q = Eigen::Map<const Configuration>(values.data(), Index(values.size()));
+  check_configuration(arm, q);
+  for (Index k = 0; k < q.size(); ++k) {
+    const bool prismatic = kind(arm.joint_of(k)) == JointKind::prismatic;
+    if (!prismatic) q[k] = to_radians(q[k], unit);
+  }
+  return q;
+}
+
+/// Throws FileError for a row whose pose does not have what the arm needs.
+void check_forms(const Arm& arm, const ProgramRows& program) {
+  for (const ProgramRow& row : program.rows) {
+    if (!row.pose) continue;
+    if (row.pose->planar && !arm.planar()) {
+      throw FileError(program.path, row.line,
+                      "x,y,theta is for planar arms; " + arm.name() +
+                          " needs x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz");
+    }
+    if (!row.pose->oriented && row.motion != "via") {
+      throw FileError(program.path, row.line, "the pose has no orientation");
+    }
+  }
+}
+
+Program loaded(nb::handle path, const Arm& arm, nb::handle unit_name, nb::handle states,
+               nb::handle start) {
+  const auto unit = Value<AngleUnit>::from(unit_name, "unit");
+  const States named = states_from(arm, states);
+  const ProgramRows rows = read_program_rows(path_from(path, "path"), unit);
+  check_forms(arm, rows);
+  return program_of(
+      arm, rows, [&](const std::string& item) { return configuration_of(arm, item, named, unit); },
+      Value<std::optional<Pose>>::from(start, "start"));
+}
+
+void bind_load(nb::class_<Program>& program) {
+  Signature load("load", "Program",
+                 "Reads a program file: a CSV file whose header names columns of poses and some of "
+                 "motion, relative, q, speed, blend, dwell. Raises FileError, which names the "
+                 "line.");
+  load.takes("path", path_like, "Path.")
+      .takes("arm", "Arm", "The arm.")
+      .keywords()
+      .takes("unit", Value<AngleUnit>::type(), "Of angles in the file.", "'radians'")
+      .takes("states", std::string("dict[str, ") + array_like + "] | None",
+             "Configurations by the names that the column q may have.", "None")
+      .takes("start", std::string(array_like) + " | None",
+             "The tool's pose where the motion starts, to which the first pose may be relative, "
+             "(4, 4).",
+             "None");
+  program.def_static("load", &loaded, nb::arg("path"), nb::arg("arm"), nb::kw_only(),
+                     nb::arg("unit") = "radians", nb::arg("states") = nb::none(),
+                     nb::arg("start") = nb::none(), nb::sig(load.text("staticmethod")), load.doc());
+}
+
+}  // namespace
+
+void bind_programs(nb::module_& m) {
+  bind_record<Move>(m);
+  nb::class_<Program> program = bind_record<Program>(m);
+  bind_load(program);
+  bind_record<PlannedMove>(m);
+  bind_record<ProgramMotion>(m);
+  Signature planned(
+      "move_program", "ProgramMotion",
+      "Plans the moves of a program as one trajectory from rest to rest. A joint move "
+      "to a pose ends at a configuration from which the moves up to the next joint "
+      "move are possible; no other move changes the branch. path_deviation() proves "
+      "the deviation of all moves but joint moves, with all pauses. Raises Error, "
+      "which names the move, for a program that makes no sense.");
+  planned.takes("arm", "Arm", "The arm.")
+      .takes("start", std::string(array_like) + " | None",
+             "Configuration (n,); None: the motion begins at the first move's waypoint, which must "
+             "be that of a joint move or a line.")
+      .takes("program", "Program", "Program.")
+      .options<PathMotionOptions>();
+  define(
+      m,
+      [](const Arm& arm, nb::handle start, const Program& moves, const nb::kwargs& keywords) {
+        const auto begin = Value<std::optional<Configuration>>::from(start, "start");
+        auto asked = options<PathMotionOptions>(keywords);
+        return unlocked(asked.budget, [&] { return move_program(arm, begin, moves, asked); });
+      },
+      planned, nb::arg("arm"), nb::arg("start").none(), nb::arg("program"), nb::arg("keywords"));
+}
+
+}  // namespace beeline::python
