@@ -8,7 +8,6 @@
 #include <beeline/control/internal/velocity_bounds.h>
 #include <beeline/control/tracker.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/kinematics/internal/mask.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
@@ -188,23 +187,20 @@ void TrackerLoop::move_within_limits() {
 }
 
 void TrackerLoop::report(const Pose& world_T_tool, const GoalStatus& goal) {
-  const auto deviation = [](const Twist& error) {
-    return Deviation{error.head<3>().norm(), error.tail<3>().norm()};
-  };
-  step_.error = deviation(
-      masked(task_, pose_error(world_T_tool, forward_kinematics(arm_, step_.q), task_.frame)));
+  step_.error = task_deviation(task_, world_T_tool, forward_kinematics(arm_, step_.q));
   step_.status = TrackerStatus::limited;
   if (within(step_.error, options_.tolerance)) {
     step_.status = TrackerStatus::following;
-  } else if (!within(deviation(solver_.error()), options_.tolerance)) {
-    if (goal.blocking >= 0) {
-      const double q = solver_.goal()[goal.blocking];
-      const bool at_limit =
-          q == (goal.upwards ? positions_.upper : positions_.lower)[goal.blocking];
-      step_.limit = at_limit ? ServoLimit::position : ServoLimit::velocity;
-      step_.joint = static_cast<int>(goal.blocking);
-    } else {
+  } else if (!within(goal.error, options_.tolerance)) {
+    if (goal.blocking < 0) {
       step_.status = goal.stationary ? TrackerStatus::unreachable : TrackerStatus::singular;
+    } else {
+      const double end = (goal.upwards ? positions_.upper : positions_.lower)[goal.blocking];
+      const bool at_limit = solver_.goal()[goal.blocking] == end;
+      if (at_limit || !step_.joint) {  // else that of the motion towards a goal farther away
+        step_.limit = at_limit ? ServoLimit::position : ServoLimit::velocity;
+        step_.joint = static_cast<int>(goal.blocking);
+      }
     }
   }
   if (step_.status != TrackerStatus::limited) {

@@ -3,6 +3,7 @@
 #include <beeline/control/pid.h>
 #include <beeline/control/player.h>
 #include <beeline/control/servo.h>
+#include <beeline/control/tracker.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/timing/point_to_point.h>
@@ -31,6 +32,24 @@ TEST(Servo, DoesNotAllocate) {
       const long before = allocations;
       servo.step(q, command, v);
       servo.step_towards(q, goal, v);
+      EXPECT_EQ(allocations, before) << name;
+    }
+  }
+}
+
+TEST(Tracker, DoesNotAllocate) {
+#if !BEELINE_COUNTS_ALLOCATIONS
+  GTEST_SKIP() << "allocations cannot be counted here";
+#endif
+  testing::Random random;
+  for (const std::string& name : built_in_names()) {
+    const Arm arm = built_in(name);
+    Tracker tracker(arm, random.configuration(arm), {.command_period = 2e-3});
+    for (int i = 0; i < 200; ++i) {
+      Pose goal = forward_kinematics(arm, random.configuration(arm));
+      if (i % 4 == 0) goal.translation() *= 3;  // beyond reach
+      const long before = allocations;
+      for (int k = 0; k < 5; ++k) tracker.step(goal);
       EXPECT_EQ(allocations, before) << name;
     }
   }

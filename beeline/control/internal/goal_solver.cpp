@@ -14,9 +14,11 @@ constexpr double solved = 1e-12;   // |c|, rounding is about 1e-15
 // Of the squared norm of A's columns. The smallest damping only keeps the factors finite.
 constexpr double min_damping = 1e-12;
 
-// An accepted step reduces |c|^2 by at least this fraction of the prediction. Without damping, a
-// fraction of one half means that the step leads to the minimum of a quadratic function.
+// An accepted step reduces |c|^2 by at least this fraction of the prediction of the linear model,
+// and the slope of |c|^2 along it at its end is at most this fraction of that at its start, with
+// the opposite sign: it does not pass the minimum.
 constexpr double min_gain_ratio = 0.55;
+constexpr double max_slope_ratio = 0.02;
 
 // Away from a solution, at a boundary of the workspace, a step that reduces |c| by less than this
 // is not made: it would remove the last bend of the arm and with it the side of the elbow.
@@ -26,6 +28,13 @@ constexpr double negligible_reduction = 1e-8;
 // that leaves a saddle of the error, relative to the velocity limits, s.
 constexpr double goal_null_space_speed = 0.5;
 constexpr double saddle_step = 0.02;
+
+/// Minus half of the slope of |c|^2 along x, where the error c has the derivative -A.
+double descent(const Jacobian& a, const WeightedTask::Rows& c, const Eigen::VectorXd& x) {
+  double sum = 0;
+  for (Eigen::Index k = 0; k < x.size(); ++k) sum += x[k] * a.col(k).dot(c);
+  return sum;
+}
 
 }  // namespace
 
@@ -99,7 +108,9 @@ GoalSolver::Progress GoalSolver::improve(const Pose& world_T_tool, const Eigen::
   if (!(predicted > 1e-15 * cost_)) return Progress::none;
   const double cost = evaluate_trial(world_T_tool);
   const double ratio = (cost_ - cost) / predicted;
-  if (!(ratio >= min_gain_ratio) && cost > solved * solved) {
+  const bool passed =
+      -descent(task_.matrix(), task_.command(), x_) > max_slope_ratio * descent(a_, c_, x_);
+  if ((!(ratio >= min_gain_ratio) || passed) && cost > solved * solved) {
     damping_ = std::max(10 * damping_, 0.01 * std::sqrt(cost_) * size);
     return Progress::rejected;
   }
@@ -137,7 +148,7 @@ bool GoalSolver::leave_saddle(const Pose& world_T_tool, const Eigen::VectorXd& l
 
 GoalStatus GoalSolver::status(bool stationary, const Eigen::VectorXd& lower,
                               const Eigen::VectorXd& upper) const {
-  GoalStatus status{stationary, -1, false};
+  GoalStatus status{{error_.head<3>().norm(), error_.tail<3>().norm()}, stationary};
   double largest = 1e-9 * a_.norm() * c_.norm();
   for (Eigen::Index k = 0; k < goal_.size(); ++k) {
     const double gradient = a_.col(k).dot(c_);

@@ -8,6 +8,7 @@ namespace beeline::internal {
 
 /// How an approach to a pose has ended.
 struct GoalStatus {
+  Deviation error;             ///< of the task at the goal
   bool stationary = false;     ///< no small change within the box reduces the error
   Eigen::Index blocking = -1;  ///< the coordinate whose bound prevents the largest reduction
   bool upwards = false;        ///< that bound is the upper one
@@ -16,10 +17,9 @@ struct GoalStatus {
 /// Continues a configuration towards commanded poses, within boxes of configurations: minimises
 ///   |c(g)|^2,  c = S (task error at g)      (scales S and weights W of weighted_task.h)
 /// by Levenberg–Marquardt steps (Marquardt 1963) from the last result, without allocations. Each
-/// step is a BoundedLeastSquares. It is accepted only where the error decreases by more than about
-/// half of the prediction of the linear model: for a quadratic function this says that the step
-/// does not pass the minimum, so an arm stretched out towards a pose beyond its reach does not
-/// change the side of its elbow.
+/// step is a BoundedLeastSquares. A step that passes the minimum of the error along it is rejected
+/// and the damping increased, so that an arm stretched out towards a pose beyond its reach keeps
+/// the side of its elbow.
 class GoalSolver {
  public:
   using Rows = WeightedTask::Rows;
@@ -34,7 +34,6 @@ class GoalSolver {
                       const Eigen::VectorXd& upper);
 
   const Configuration& goal() const { return goal_; }
-  const Twist& error() const { return error_; }  ///< of the task at the goal, m and rad
 
  private:
   enum class Progress { yes, rejected, none };
