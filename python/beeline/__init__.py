@@ -8,8 +8,9 @@ result that is false and has a `reason`; invalid input raises `beeline.Error`.
 from . import _core, arms
 from ._core import *  # noqa: F403
 from ._core import __version__
+from ._pictures import animate, draw, figure
 
-__all__ = ["__version__", "arms"]
+__all__ = ["__version__", "animate", "arms", "draw", "figure"]
 __all__ += _core.__all__
 
 for _name in __all__:

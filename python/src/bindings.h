@@ -18,6 +18,8 @@ void bind_planning(nanobind::module_& module);
 void bind_pose_lists(nanobind::module_& module);
 void bind_programs(nanobind::module_& module);
 void bind_controller_files(nanobind::module_& module);
+void bind_formulas(nanobind::module_& module);
+void bind_pictures(nanobind::module_& module);
 void bind_command_line(nanobind::module_& module);
 
 }  // namespace beeline::python

@@ -43,6 +43,8 @@ NB_MODULE(_core, module) {
   bind_pose_lists(module);
   bind_programs(module);
   bind_controller_files(module);
+  bind_formulas(module);
+  bind_pictures(module);
   bind_command_line(module);
   module.attr("__all__") = public_names(module);
 }

@@ -119,6 +119,22 @@ void bind_field(nb::class_<T>& bound, const Field<T, M>& field) {
   }
 }
 
+/// Adds ==, by `same(a, b)`, of objects that have no hash.
+template <class T, class Same>
+void bind_equality(nb::class_<T>& bound, Same same) {
+  bound.def(
+      "__eq__",
+      [same](const T& self, nb::handle other) -> nb::object {
+        const T* right = nullptr;
+        if (!nb::try_cast<const T*>(other, right) || !right) {
+          return nb::borrow(nb::handle(Py_NotImplemented));
+        }
+        return nb::bool_(&self == right || same(self, *right));
+      },
+      nb::sig("def __eq__(self, other: object, /) -> bool"));
+  bound.attr("__hash__") = nb::none();
+}
+
 template <class T>
 nb::class_<T> bind_record(nb::module_& module) {
   using Described = Fields<T>;
@@ -157,17 +173,7 @@ nb::class_<T> bind_record(nb::module_& module) {
     bound.def(
         "__bool__", [](const T& self) { return static_cast<bool>(self); }, Described::truth);
   }
-  bound.def(
-      "__eq__",
-      [](const T& self, nb::handle other) -> nb::object {
-        const T* right = nullptr;
-        if (!nb::try_cast<const T*>(other, right) || !right) {
-          return nb::borrow(nb::handle(Py_NotImplemented));
-        }
-        return nb::bool_(Value<T>::same(self, *right));
-      },
-      nb::sig("def __eq__(self, other: object, /) -> bool"));
-  bound.attr("__hash__") = nb::none();
+  bind_equality(bound, &Value<T>::same);
   bound.def(
       "__getstate__",
       [](const T& self) {

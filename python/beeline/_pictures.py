@@ -1,0 +1,75 @@
+"""Pictures as the verbs `draw` and `figure` of the command line make them."""
+
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from ._core import (
+    Animation,
+    Arm,
+    Drawing,
+    Trajectory,
+    arm_figure,
+    chapter_figure,
+    motion_animation,
+    motion_figure,
+)
+
+
+def draw(arm: Arm, shown: Any = None, *, waypoints: ArrayLike | None = None, **options: Any) -> Drawing:
+    """Draws an arm, or its motion.
+
+    Parameters
+    ----------
+    arm : Arm
+        The arm.
+    shown : array_like, Trajectory, or a result that has a `trajectory`, default None
+        A configuration (n,), or a motion. Default: `display_configuration(arm)`.
+    waypoints : array_like, default None
+        Poses (N, 4, 4) to mark in the picture of a motion, numbered from 1.
+    **options
+        Those of `arm_figure()`: frames, jacobian, title, caption, azimuth, elevation, ....
+
+    Returns
+    -------
+    Drawing
+        Notebooks show it, `save()` writes it.
+    """
+    shown = getattr(shown, "trajectory", shown)
+    if isinstance(shown, Trajectory):
+        return motion_figure(arm, shown, waypoints, **options)
+    if waypoints is not None:
+        raise TypeError("waypoints are marked in the picture of a motion: draw(arm, trajectory, waypoints=...)")
+    return arm_figure(arm, shown, **options)
+
+
+def animate(
+    arm: Arm, motion: Any, *, waypoints: ArrayLike | None = None, small_views: bool = False, **options: Any
+) -> Animation:
+    """Draws the motion of an arm as an animation.
+
+    Parameters
+    ----------
+    arm : Arm
+        The arm.
+    motion : Trajectory, or a result that has a `trajectory`
+        The motion.
+    waypoints : array_like, default None
+        Poses (N, 4, 4) to mark, numbered from 1.
+    small_views : bool, default False
+        Add small views from above and from the front (spatial arms).
+    **options
+        Those of `motion_animation()`: speed, rest_before, rest_after, frames, azimuth, ....
+
+    Returns
+    -------
+    Animation
+        Notebooks play it, `save()` writes it.
+    """
+    trajectory = getattr(motion, "trajectory", motion)
+    return motion_animation(arm, trajectory, waypoints, small_views=small_views, **options)
+
+
+def figure(number: str) -> Drawing:
+    """Draws a figure of Dellaert, *Serial Link Manipulators*: one of `chapter_figures()`."""
+    return chapter_figure(number)

@@ -1,0 +1,264 @@
+#include <beeline/draw/canvas.h>
+#include <beeline/draw/chapter.h>
+#include <beeline/read/internal/file.h>
+
+#include "bindings.h"
+#include "draw_fields.h"
+#include "trajectory_fields.h"
+
+namespace beeline::python {
+namespace {
+
+/// An animation and how it is played.
+struct PlayedAnimation {
+  Animation animation;
+  PlaybackOptions playback;
+};
+
+template <class Work>
+auto without_lock(Work work) {
+  const nb::gil_scoped_release release;
+  return work();
+}
+
+std::vector<Pose> waypoints_from(nb::handle value) {
+  return value.is_none() ? std::vector<Pose>() : poses_from(value, "waypoints");
+}
+
+Drawing arm_drawing(const Arm& arm, nb::handle q, const nb::kwargs& keywords) {
+  const auto given = options<ArmFigureOptions>(keywords);
+  const Configuration at =
+      q.is_none() ? display_configuration(arm) : Value<Configuration>::from(q, "q");
+  return compose(arm_figure(arm, at, given));
+}
+
+nb::str svg_of(const Drawing& drawing) {
+  const std::string svg = without_lock([&] { return render(drawing, Format::svg); });
+  return nb::str(svg.data(), svg.size());
+}
+
+nb::str svg_of(const PlayedAnimation& played) {
+  const std::string svg =
+      without_lock([&] { return animated_svg(played.animation, played.playback); });
+  return nb::str(svg.data(), svg.size());
+}
+
+/// Browsers play an animation inside <img>, where its style and identifiers stay its own.
+nb::object html_of(const PlayedAnimation& played) {
+  const nb::object encoded =
+      nb::module_::import_("base64").attr("b64encode")(svg_of(played).attr("encode")());
+  return nb::str("<img src=\"data:image/svg+xml;base64,") + encoded.attr("decode")() +
+         nb::str("\">");
+}
+
+constexpr const char* svg_getter = "def svg(self) -> str";
+constexpr const char* size_doc = "Points, 1/72 inch.";
+
+void bind_drawing(nb::module_& m) {
+  nb::class_<Drawing> drawing(m, "Drawing",
+                              "A picture on a page. Notebooks show it; `save()` writes it.");
+  drawing.def_prop_ro(
+      "svg", [](const Drawing& self) { return svg_of(self); }, nb::for_getter(nb::sig(svg_getter)),
+      "The picture as the text of an SVG file; equal for equal pictures.");
+  drawing.def_ro("width", &Drawing::width, size_doc);
+  drawing.def_ro("height", &Drawing::height, size_doc);
+  Signature save("save", "None",
+                 "Writes the picture in the format that the path's extension names. PNG and PDF "
+                 "need a build with Cairo; without it they raise Error.");
+  save.takes("self").takes("path", path_like, "A .svg, .png or .pdf file.");
+  define(
+      drawing,
+      [](const Drawing& self, nb::handle path) {
+        const std::string file = path_from(path, "path");
+        without_lock([&] { internal::write_file(file, render(self, format_of(file))); });
+      },
+      save, nb::arg("path"));
+  drawing.def("_repr_svg_", [](const Drawing& self) { return svg_of(self); });
+  drawing.def("__repr__", [](const Drawing& self) {
+    return "<beeline.Drawing of " + number(self.width) + " x " + number(self.height) + " points>";
+  });
+  bind_equality(drawing, [](const Drawing& a, const Drawing& b) {
+    return a.width == b.width && a.height == b.height && a.marks == b.marks;
+  });
+}
+
+void bind_animation(nb::module_& m) {
+  nb::class_<PlayedAnimation> animation(
+      m, "Animation", "A picture that moves. Notebooks play it; `save()` writes it.");
+  animation.def_prop_ro(
+      "svg", [](const PlayedAnimation& self) { return svg_of(self); },
+      nb::for_getter(nb::sig(svg_getter)),
+      "The animation as the text of an SVG file that plays in any browser, without a script.");
+  animation.def_prop_ro(
+      "times",
+      [](const PlayedAnimation& self) {
+        return Value<std::vector<double>>::to(self.animation.times);
+      },
+      nb::for_getter(nb::sig(kept_text("def times(self) -> " + std::string(array_type)))),
+      "The times of its frames, s.");
+  Signature save("save", "None",
+                 "Writes the animation in the format that the path's extension names. All but SVG "
+                 "need a build with Cairo and the program ffmpeg; without them they raise Error.");
+  save.takes("self").takes("path", path_like, "A .svg, .gif, .mp4 or .webp file.");
+  define(
+      animation,
+      [](const PlayedAnimation& self, nb::handle path) {
+        const std::string file = path_from(path, "path");
+        without_lock([&] { beeline::save(self.animation, file, self.playback); });
+      },
+      save, nb::arg("path"));
+  animation.def("_repr_html_", &html_of, nb::sig("def _repr_html_(self) -> str"));
+  animation.def("__repr__", [](const PlayedAnimation& self) {
+    const std::vector<double>& times = self.animation.times;
+    return "<beeline.Animation of " + number(times.empty() ? 0 : times.back() - times.front()) +
+           " s, " + std::to_string(times.size()) + " frames>";
+  });
+}
+
+void bind_chapter(nb::module_& m) {
+  m.def(
+      "chapter_figures", [] { return Value<std::vector<std::string>>::to(chapter_figures()); },
+      nb::sig("def chapter_figures() -> list[str]"),
+      "The figures of Dellaert, *Serial Link Manipulators*, that chapter_figure() draws.");
+  Signature figure("chapter_figure", "Drawing",
+                   "Draws a figure of Dellaert, *Serial Link Manipulators*.");
+  figure.takes("number", "str", "One of `chapter_figures()`, such as `1.7`.");
+  define(
+      m,
+      [](nb::handle number) {
+        return compose(chapter_figure(Value<std::string>::from(number, "number")));
+      },
+      figure, nb::arg("number"));
+  Signature moving("chapter_animation", "Animation",
+                   "Draws Figure 1.7 or 1.9 with the arm in motion.");
+  moving.takes("number", "str", "`1.7` or `1.9`.").options<PlaybackOptions>();
+  define(
+      m,
+      [](nb::handle number, const nb::kwargs& playback) {
+        const std::string name = Value<std::string>::from(number, "number");
+        const auto played = options<PlaybackOptions>(playback);
+        return without_lock([&] { return PlayedAnimation{chapter_animation(name), played}; });
+      },
+      moving, nb::arg("number"), nb::arg("playback"));
+}
+
+void bind_motions(nb::module_& m) {
+  constexpr const char* trajectory_doc = "Of this arm's joints.";
+  constexpr const char* waypoints_doc = "Poses (N, 4, 4) to mark, numbered from 1.";
+  const std::string poses = std::string(array_like) + " | None";
+  Signature figure("motion_figure", "Drawing",
+                   "Draws a motion: the trail of the tool, the arm at the end, faded arms before, "
+                   "and the waypoints.");
+  figure.takes("arm", "Arm", "The arm.")
+      .takes("trajectory", "Trajectory", trajectory_doc)
+      .takes("waypoints", poses, waypoints_doc, "None")
+      .options<ArmFigureOptions>();
+  define(
+      m,
+      [](const Arm& arm, const Trajectory& trajectory, nb::handle waypoints,
+         const nb::kwargs& keywords) {
+        const std::vector<Pose> marked = waypoints_from(waypoints);
+        const auto given = options<ArmFigureOptions>(keywords);
+        return without_lock([&] { return compose(motion_figure(arm, trajectory, marked, given)); });
+      },
+      figure, nb::arg("arm"), nb::arg("trajectory"), nb::arg("waypoints") = nb::none(),
+      nb::arg("options"));
+  Signature moving("motion_animation", "Animation",
+                   "Draws the same in motion: the arm moves and leaves the trail of its tool.");
+  moving.takes("arm", "Arm", "The arm.")
+      .takes("trajectory", "Trajectory", trajectory_doc)
+      .takes("waypoints", poses, waypoints_doc, "None")
+      .options<ArmFigureOptions>()
+      .options<PlaybackOptions>();
+  define(
+      m,
+      [](const Arm& arm, const Trajectory& trajectory, nb::handle waypoints,
+         const nb::kwargs& keywords) {
+        const std::vector<Pose> marked = waypoints_from(waypoints);
+        const auto given = options<ArmFigureOptions, PlaybackOptions>(keywords);
+        return without_lock([&] {
+          return PlayedAnimation{motion_animation(arm, trajectory, marked, std::get<0>(given)),
+                                 std::get<1>(given)};
+        });
+      },
+      moving, nb::arg("arm"), nb::arg("trajectory"), nb::arg("waypoints") = nb::none(),
+      nb::arg("options"));
+}
+
+void bind_charts(nb::module_& m) {
+  Signature timing("timing_figure", "Drawing",
+                   "Draws positions, velocities and accelerations of all joints over time, with "
+                   "their limits, the speed of the tool, and the inverse condition number of the "
+                   "task's Jacobian (0 at a singularity).");
+  timing.takes("arm", "Arm", "The arm.")
+      .takes("trajectory", "Trajectory", "Of this arm's joints.")
+      .keywords()
+      .takes("title", "str", "Default: the arm's name and the duration.", "''")
+      .takes("task", "str | None", "Default: planar for planar arms, else spatial.", "None")
+      .takes("waypoint_times", array_like, "When waypoints 1, 2, ... are passed, s.", "()");
+  define(
+      m,
+      [](const Arm& arm, const Trajectory& trajectory, nb::handle title, nb::handle task,
+         nb::handle waypoint_times) {
+        TimingFigureOptions given;
+        given.title = Value<std::string>::from(title, "title");
+        given.task = Value<std::optional<Task>>::from(task, "task");
+        given.waypoint_times = Value<std::vector<double>>::from(waypoint_times, "waypoint_times");
+        return without_lock([&] { return timing_figure(arm, trajectory, given); });
+      },
+      timing, nb::arg("arm"), nb::arg("trajectory"), nb::kw_only(), nb::arg("title") = "",
+      nb::arg("task") = nb::none(), nb::arg("waypoint_times") = nb::make_tuple());
+  Signature responses("step_response_figure", "Drawing",
+                      "Draws the step responses of controllers: for each motion, over time, the "
+                      "distance towards the goal in joint space, in percent.");
+  responses.takes("motions", "collections.abc.Mapping[str, Trajectory]", "By the curves' names.")
+      .takes("goal", array_like, "Configuration (n,).")
+      .takes("title", "str", "Title.", "''");
+  define(
+      m,
+      [](const nb::dict& motions, nb::handle goal, nb::handle title) {
+        std::vector<NamedMotion> named;
+        for (const auto& [name, motion] : motions) {
+          named.push_back({Value<std::string>::from(name, "motions"),
+                           Value<Trajectory>::from(motion, "motions")});
+        }
+        return step_response_figure(named, Value<Configuration>::from(goal, "goal"),
+                                    Value<std::string>::from(title, "title"));
+      },
+      responses, nb::arg("motions"), nb::arg("goal"), nb::arg("title") = "");
+}
+
+}  // namespace
+
+void bind_pictures(nb::module_& m) {
+  bind_drawing(m);
+  bind_animation(m);
+  bind_chapter(m);
+  bind_motions(m);
+  bind_charts(m);
+  Signature figure("arm_figure", "Drawing",
+                   "Draws an arm: from above when it is planar, otherwise in an oblique view with "
+                   "two small views beside it.");
+  figure.takes("arm", "Arm", "The arm.")
+      .takes("q", std::string(array_like) + " | None",
+             "Configuration (n,). Default: `display_configuration(arm)`.", "None")
+      .options<ArmFigureOptions>();
+  define(m, &arm_drawing, figure, nb::arg("arm"), nb::arg("q") = nb::none(), nb::arg("options"));
+  Signature shown("display_configuration", array_type,
+                  "Returns a configuration (n,) that shows the arm well: the middle of the "
+                  "position limits or, where the arm is singular there, one far from "
+                  "singularities.");
+  shown.takes("arm", "Arm", "The arm.");
+  define(
+      m, [](const Arm& arm) { return Value<Configuration>::to(display_configuration(arm)); }, shown,
+      nb::arg("arm"));
+  // Notebooks draw an arm, and the joints of a trajectory over time.
+  auto arm = nb::borrow<nb::class_<Arm>>(nb::type<Arm>());
+  arm.def("_repr_svg_", [](const Arm& self) {
+    return svg_of(compose(arm_figure(self, display_configuration(self))));
+  });
+  auto trajectory = nb::borrow<nb::class_<Trajectory>>(nb::type<Trajectory>());
+  trajectory.def("_repr_svg_", [](const Trajectory& self) { return svg_of(timing_figure(self)); });
+}
+
+}  // namespace beeline::python
