@@ -1,5 +1,6 @@
 """Formulas for SymPy, as functions of arrays, and in notebooks: methods of the classes that _core has."""
 
+import importlib
 import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, cast
@@ -87,7 +88,7 @@ def lambdified(formula: "Expression | ExpressionMatrix") -> NumericFunction:
 
 def to_sympy(formula: "Expression | ExpressionMatrix") -> Any:
     """`to_sympy()` of expressions and matrices."""
-    import sympy
+    sympy: Any = importlib.import_module("sympy")
 
     symbols = [_symbol(formula.arm, number) for number in range(len(formula.arm.symbols))]
     if hasattr(formula, "shape"):
@@ -98,7 +99,7 @@ def to_sympy(formula: "Expression | ExpressionMatrix") -> Any:
 
 def _symbol(arm: "SymbolicArm", number: int) -> Any:
     """A symbol, or what a mimic joint's variable is of that of the joint that it follows."""
-    import sympy
+    sympy: Any = importlib.import_module("sympy")
 
     symbol = arm.symbols[number]
     if symbol.coordinate < 0 or (symbol.ratio, symbol.value) == (1, 0):
@@ -112,10 +113,10 @@ def _symbol(arm: "SymbolicArm", number: int) -> Any:
 
 
 def _sum(expression: "Expression", symbols: Sequence[Any]) -> Any:
-    import sympy
+    sympy: Any = importlib.import_module("sympy")
 
     terms = []
-    for coefficient, powers, trigs in expression._terms():
+    for coefficient, powers, trigs in expression.terms():
         factors = [_number(coefficient)]
         factors += [symbols[symbol] ** exponent for symbol, exponent in powers]
         for sine, _, multiples in trigs:
@@ -126,7 +127,7 @@ def _sum(expression: "Expression", symbols: Sequence[Any]) -> Any:
 
 
 def _number(coefficient: tuple[Any, ...]) -> Any:
-    import sympy
+    sympy: Any = importlib.import_module("sympy")
 
     if len(coefficient) == 1:
         return sympy.Float(coefficient[0])

@@ -1,5 +1,6 @@
 """What `progress=True` shows: the fraction computed, on stderr."""
 
+import importlib
 import importlib.util
 import sys
 import time
@@ -51,8 +52,7 @@ class ProgressBar:
     def _tqdm(self) -> Any:
         if importlib.util.find_spec("tqdm") is None:
             return None
-        from tqdm.auto import tqdm
-
+        tqdm: Any = importlib.import_module("tqdm.auto").tqdm
         form = "{desc}: {percentage:3.0f}%|{bar}| {elapsed}<{remaining}"
         return tqdm(total=100.0, desc=self.description, bar_format=form)
 

@@ -42,9 +42,10 @@ void bind_common(nb::class_<T>& bound, const char* sympy_type, MatrixOf matrix_o
       },
       code, nb::arg("language") = "python", nb::kw_only(), nb::arg("name") = "formula",
       nb::arg("numbers") = false);
-  Signature lambdify("lambdify", "beeline._formulas.NumericFunction",
-                     "Returns a function of q, (n,) or (N, n), and of dq where joint velocities "
-                     "occur. It needs numpy alone, and pickles.");
+  Signature lambdify(
+      "lambdify", "collections.abc.Callable[..., typing.Any]",
+      "Returns a function of q, (n,) or (N, n), and of dq where joint velocities "
+      "occur: a number, or an array; (N, ...) for many. It needs numpy alone, and pickles.");
   lambdify.takes("self");
   define(
       bound, [](nb::handle_t<T> self) { return formulas().attr("lambdified")(self); }, lambdify);

@@ -79,8 +79,12 @@ void bind_expression(nb::module_& m) {
     return "$\\displaystyle " + latex_of(*self.arm, self.value) + "$";
   });
   bound.def(
-      "_terms", [](const NamedExpression& self) { return terms_of(self.value); },
-      nb::sig("def _terms(self) -> tuple[typing.Any, ...]"));
+      "terms", [](const NamedExpression& self) { return terms_of(self.value); },
+      nb::sig("def terms(self) -> tuple[typing.Any, ...]"),
+      "Returns the terms, for other libraries: tuples (coefficient, powers, trigs). A coefficient "
+      "is (a, b, c, d, e) for (a + b sqrt(2) + c sqrt(3) + d sqrt(6)) / e, or (number,); powers "
+      "are (symbol, exponent); trigs (is_sine, group, ((symbol, multiple), ...)), the sine or "
+      "cosine of the sum of multiples. Symbols are indices of `arm.symbols`.");
   Signature derivative("derivative", "Expression", "Returns the partial derivative.");
   derivative.takes("self").takes("symbol", "str", "Name of a symbol, such as q1 or a2.");
   define(

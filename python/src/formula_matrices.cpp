@@ -78,11 +78,17 @@ void bind_matrices(nb::module_& m) {
       "shape",
       [](const NamedMatrix& self) { return nb::make_tuple(self.value.rows, self.value.columns); },
       nb::for_getter(nb::sig("def shape(self) -> tuple[int, int]")), "Rows and columns.");
+  bound.def(
+      "__getitem__",
+      [](const NamedMatrix& self, const nb::tuple& index) {
+        const bool entry = nb::len(index) == 2 && PyIndex_Check(nb::object(index[0]).ptr()) &&
+                           PyIndex_Check(nb::object(index[1]).ptr());
+        if (!entry) throw nb::next_overload();
+        return part_of(self, index);
+      },
+      nb::sig("def __getitem__(self, index: tuple[int, int], /) -> Expression"));
   bound.def("__getitem__", &part_of,
-            nb::sig("@typing.overload\n"
-                    "def __getitem__(self, index: tuple[int, int], /) -> Expression\n"
-                    "@typing.overload\n"
-                    "def __getitem__(self, index: typing.Any, /) -> ExpressionMatrix"));
+            nb::sig("def __getitem__(self, index: typing.Any, /) -> ExpressionMatrix"));
   bound.def(
       "__str__",
       [](const NamedMatrix& self) { return formulas().attr("matrix_text")(cells_of(self, false)); },

@@ -177,6 +177,28 @@ TEST(JointCharts, TakesDifferencesForAccelerationsOfLinearMotions) {
   }
 }
 
+TEST(JointCharts, OfATrajectoryAloneAreThoseOfAnArmWithoutLimits) {
+  Random random;
+  const Arm arm = testing::random_arm(random, 4);
+  std::vector<Joint> joints = arm.joints();
+  for (Joint& joint : joints) joint.limits = {};
+  const Arm bare(arm.name(), joints);
+  for (const bool known : {false, true}) {
+    const Trajectory motion = wave(random, arm, 20, known);
+    const std::vector<Chart> alone = joint_charts(motion), with_arm = joint_charts(bare, motion);
+    ASSERT_EQ(alone.size(), with_arm.size());
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+      EXPECT_EQ(alone[i].heading, with_arm[i].heading);
+      for (std::size_t k = 0; k < 4; ++k) {
+        EXPECT_EQ(alone[i].curves[k].x, with_arm[i].curves[k].x);
+        EXPECT_EQ(alone[i].curves[k].y, with_arm[i].curves[k].y);
+      }
+    }
+    EXPECT_EQ(timing_figure(motion).width, timing_figure(bare, motion).width);
+  }
+  EXPECT_THROW(timing_figure(Trajectory{.joint_names = {"a"}}), Error);
+}
+
 TEST(JointCharts, TellsThirtyJointsApart) {
   Random random;
   const Arm arm = testing::random_arm(random, 30);
