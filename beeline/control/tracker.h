@@ -23,7 +23,7 @@ struct TrackerOptions {
   /// period late. Where commands differ at every step it smooths their noise, as a first-order
   /// filter with this time constant. Up to `time_step`: commands are followed at once.
   double command_period = 0;
-  Deviation tolerance{1e-6, 1e-6};  ///< of TrackerStatus::following, m and rad, above 0
+  Deviation tolerance{1e-4, 1e-3};  ///< of TrackerStatus::following, m and rad, above 0
 };
 
 enum class TrackerStatus {

@@ -1,13 +1,17 @@
-// Times one step of the servo, anywhere and next to a singularity. With a number of steps as
-// argument also the slowest of them on a smooth random motion: bench_servo 10000000. Takes the
-// options of Google Benchmark.
+// Times one step of the servo, anywhere and next to a singularity, and of the tracker. With a
+// number of steps as argument also the slowest of them on a smooth random motion: bench_servo
+// 10000000. Takes the options of Google Benchmark.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <numbers>
+#include <string>
+#include <vector>
 
 #include <beeline/control/servo.h>
+#include <beeline/control/tracker.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 
@@ -70,6 +74,26 @@ void add(const char* name) {
   }
 }
 
+/// The tracker follows a smooth motion within the limits.
+void add_tracker(const char* name) {
+  benchmark::RegisterBenchmark((std::string(name) + "/tracker").c_str(), [name](auto& state) {
+    const Loop loop(name, 0);
+    std::vector<Pose> commands;
+    for (int i = 0; i < 20000; ++i) {
+      const double angle = 1e-4 * std::numbers::pi * i;
+      Pose pose = loop.home;
+      pose.translation() +=
+          0.03 * Vector3(std::cos(angle) - 1, std::sin(angle) * std::sin(angle), 0);
+      commands.push_back(pose);
+    }
+    Tracker tracker(loop.arm, loop.q);
+    std::size_t i = 0;
+    for (auto _ : state) {
+      benchmark::DoNotOptimize(&tracker.step(commands[i++ % commands.size()]));
+    }
+  });
+}
+
 /// Prints the slowest of `count` steps: as measured in the first pass, with all interruptions, and
 /// by the faster of two equal passes of each step, which is the time of the step itself.
 void print_slowest(const char* name, long count) {
@@ -113,7 +137,10 @@ int main(int argc, char** argv) {
     for (const char* name : {"ur5", "panda"}) print_slowest(name, count);
     return 0;
   }
-  for (const char* name : {"puma560", "ur5", "panda", "iiwa14"}) add(name);
+  for (const char* name : {"puma560", "ur5", "panda", "iiwa14"}) {
+    add(name);
+    add_tracker(name);
+  }
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

@@ -46,8 +46,7 @@ void follow_jumps(const Arm& arm, testing::Random& random, const TrackerOptions&
     // A status other than `following` has its reason.
     ASSERT_EQ(step.status == TrackerStatus::limited, step.joint.has_value()) << step;
     ASSERT_EQ(step.status == TrackerStatus::limited, step.limit != ServoLimit::none) << step;
-    ASSERT_EQ(step.status == TrackerStatus::following,
-              step.error.position <= 1e-6 && step.error.orientation <= 1e-6)
+    ASSERT_EQ(step.status == TrackerStatus::following, within(step.error, options.tolerance))
         << step;
     q = step.q;
     velocity = step.velocity;
