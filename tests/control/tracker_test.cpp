@@ -74,6 +74,41 @@ TEST(Tracker, KeepsAllLimitsOfRandomArms) {
   }
 }
 
+TEST(Tracker, KeepsExtremeLimits) {
+  testing::Random random;
+  const Arm panda = built_in("panda");
+  const double extremes[] = {1e-9, 1e-3, 1, 1e6, 1e160, 1e300};
+  for (int i = 0; i < testing::cases(30); ++i) {
+    std::vector<Joint> joints = panda.joints();
+    for (Joint& joint : joints) {
+      joint.limits.velocity = extremes[random.integer(0, 5)];
+      joint.limits.acceleration = extremes[random.integer(0, 5)];
+      if (random.integer(0, 3) == 0) joint.limits.upper = joint.limits.lower + 1e-12;
+      if (random.integer(0, 3) == 0) joint.limits.lower = joint.limits.upper;
+    }
+    const Arm arm("extreme", joints, panda.tool());
+    TrackerOptions options;
+    options.time_step = std::pow(10, random.integer(-9, 3));
+    Tracker tracker(arm, random.configuration(arm), options);
+    Configuration velocity = tracker.velocity();
+    for (int k = 0; k < 200; ++k) {
+      Pose goal = forward_kinematics(arm, random.configuration(arm));
+      if (k % 7 == 0) goal.translation() *= 1e90;
+      const TrackerStep& step = tracker.step(goal);
+      for (int j = 0; j < 7; ++j) {
+        const Limits& limits = arm.limits(j);
+        ASSERT_TRUE(within_position_limits(limits, step.q[j], 0)) << j;
+        ASSERT_LE(std::abs(step.velocity[j]), limits.velocity) << j;
+        const double max_change = limits.acceleration * options.time_step;
+        ASSERT_LE(std::abs(step.velocity[j] - velocity[j]),
+                  (1 + 1e-9) * max_change + 1e-12 * std::abs(velocity[j]))
+            << j;
+      }
+      velocity = step.velocity;
+    }
+  }
+}
+
 TEST(Tracker, StaysAtRestAtItsPose) {
   testing::Random random;
   for (const std::string& name : built_in_names()) {

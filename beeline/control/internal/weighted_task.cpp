@@ -17,7 +17,10 @@ WeightedTask::WeightedTask(const Arm& arm, const Task& task)
   for (int i = 0; i < 6; ++i) {
     scale_[i] = !task.rows[i] ? 0 : i < 3 ? 1 / unit_of_length(arm) : 1;
   }
-  for (int k = 0; k < arm.dof(); ++k) weight_[k] = velocity_limit_of(arm.limits(k));
+  constexpr double max_weight = 1e6;  // squares of much larger weights overflow
+  for (int k = 0; k < arm.dof(); ++k) {
+    weight_[k] = std::min(velocity_limit_of(arm.limits(k)), max_weight);
+  }
 }
 
 Pose WeightedTask::set_configuration(const ConfigurationRef& q) {

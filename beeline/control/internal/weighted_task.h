@@ -5,7 +5,7 @@
 namespace beeline::internal {
 
 /// The task of one step in dimensionless form: A x = c with A = S J W, c = S v and q̇ = W x.
-///   W = diag(weight): the velocity limits, or 1 rad/s or m/s where there is none
+///   W = diag(weight): the velocity limits, or 1 rad/s or m/s where there is none; at most 1e6
 ///   S = diag(scale): 1 / unit_of_length(arm) for translations, 1 for rotations, and 0 for the rows
 ///   that the task excludes
 class WeightedTask {
