@@ -43,6 +43,11 @@ NB_MODULE(_core, module) {
   bind_pose_lists(module);
   bind_programs(module);
   bind_controller_files(module);
+  bind_control(module);
+  bind_pids(module);
+  bind_servos(module);
+  bind_players(module);
+  bind_trackers(module);
   bind_formulas(module);
   bind_pictures(module);
   bind_command_line(module);

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <optional>
+
+#include <beeline/model/arm.h>
+
+#include "signature.h"
+
+namespace beeline::python {
+
+// Python's lock is held during each step, so threads that share an object take turns.
+
+inline constexpr const char* configuration_doc = "Configuration (n,).";
+inline constexpr const char* loop_doc =
+    " No step allocates but for its result. One object serves one loop; threads that share it take "
+    "turns.";
+
+/// Copies, and no pickles: the state of a loop is of this process.
+template <class Loop>
+void bind_copies(nb::class_<Loop>& loop, const char* name) {
+  const char* copy = kept_text("def __copy__(self) -> " + std::string(name));
+  const char* deep = kept_text("def __deepcopy__(self, memo: object, /) -> " + std::string(name));
+  loop.def(
+      "__copy__", [](const Loop& self) { return Loop(self); }, nb::sig(copy));
+  loop.def(
+      "__deepcopy__", [](const Loop& self, nb::handle) { return Loop(self); }, nb::sig(deep));
+  loop.def(
+      "__reduce__",
+      [name](const Loop&) -> nb::object {
+        throw nb::type_error(
+            (std::string(name) + " has the state of a loop: it has no pickle").c_str());
+      },
+      nb::sig("def __reduce__(self) -> typing.NoReturn"));
+}
+
+/// The numbers of an argument (n,), in the caller's memory where that is possible.
+class Numbers {
+ public:
+  Numbers(nb::handle value, const char* name) : array_(value, name) {
+    if (array_.dimensions() == 1) return;
+    throw Error(std::string(name) + " has the shape " + shape_text(array_.shape()) +
+                "; expected (n,)");
+  }
+  operator ConfigurationRef() const {
+    return Eigen::Map<const Configuration>(array_.data(), size());
+  }
+  Index size() const { return array_.size(); }
+
+ private:
+  InputArray array_;
+};
+
+/// The caller's arrays for results: one, or a tuple of two; none for None. Checked on construction,
+/// before the step is made.
+class Outputs {
+ public:
+  Outputs(nb::handle out, Index n) {
+    if (out.is_none()) return;
+    const Index shape[] = {n};
+    if (!nb::isinstance<nb::tuple>(out)) {
+      first_.emplace(out, "out", shape, Real::float64);
+      return;
+    }
+    const auto both = nb::borrow<nb::tuple>(out);
+    if (both.size() != 2) throw nb::type_error("out: expected an array, or a tuple of two");
+    first_.emplace(both[0], "out[0]", shape, Real::float64);
+    second_.emplace(both[1], "out[1]", shape, Real::float64);
+  }
+  void write(const Configuration& first, const Configuration& second) {
+    write(first_, first);
+    write(second_, second);
+  }
+
+ private:
+  static void write(std::optional<OutputArray>& out, const Configuration& values) {
+    if (!out) return;
+    std::copy(values.begin(), values.end(), out->data());
+    out->finish();
+  }
+  std::optional<OutputArray> first_, second_;
+};
+
+inline std::string outputs_type() {
+  const std::string array = array_type;
+  return array + " | tuple[" + array + ", " + array + "] | None";
+}
+
+}  // namespace beeline::python

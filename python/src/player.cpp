@@ -1,0 +1,73 @@
+#include "bindings.h"
+#include "loop_arguments.h"
+#include "loop_fields.h"
+
+namespace beeline::python {
+
+void bind_players(nb::module_& m) {
+  bind_record<Command>(m);
+  bind_record<TrackingError>(m);
+  nb::class_<Player> player(
+      m, "Player",
+      kept_text(
+          std::string(
+              "Plays a recording in a control loop: first a point-to-point motion from the arm's "
+              "configuration to the recording's first sample, then the recording at a speed that "
+              "may "
+              "change while it runs, down to zero, which is a pause. The speed changes linearly, "
+              "within "
+              "the known acceleration limits. One object plays once.") +
+          loop_doc));
+  Signature made("__init__", "None", "");
+  made.takes("self")
+      .takes("arm", "Arm")
+      .takes("recording", "Trajectory")
+      .takes("start", array_like)
+      .options<PlayerOptions>();
+  player.def(
+      "__init__",
+      [](Player* self, const Arm& arm, const Trajectory& recording, nb::handle start,
+         const nb::kwargs& keywords) {
+        new (self)
+            Player(arm, recording, Numbers(start, "start"), options<PlayerOptions>(keywords));
+      },
+      nb::arg("arm"), nb::arg("recording"), nb::arg("start"), nb::arg("keywords"),
+      nb::sig(made.text()));
+  Signature step("step", "Command",
+                 "Advances by one time step and returns the set points at its end. Stays at the "
+                 "recording's end.");
+  step.takes("self").keywords().takes(
+      "out", outputs_type(), "Array (n,) of float64 for q, or two for q and velocity.", "None");
+  define(
+      player,
+      [](Player& self, nb::handle out) {
+        Outputs outputs(out, out.is_none() ? 0 : self.tracking().largest.size());
+        Command command = self.step();
+        outputs.write(command.q, command.velocity);
+        return command;
+      },
+      step, nb::kw_only(), nb::arg("out") = nb::none());
+  Signature speed("set_speed", "None", "Sets the target speed.");
+  speed.takes("self").takes("speed", "float", "From 0, a pause, to 1.");
+  define(
+      player,
+      [](Player& self, nb::handle value) { self.set_speed(Value<double>::from(value, "speed")); },
+      speed, nb::arg("speed"));
+  Signature measured("measured", "None",
+                     "Records a measured configuration, to be compared with the last command.");
+  measured.takes("self").takes("q", array_like, configuration_doc);
+  define(
+      player, [](Player& self, nb::handle q) { self.measured(Numbers(q, "q")); }, measured,
+      nb::arg("q"));
+  player.def_prop_ro("leading_in", &Player::leading_in,
+                     "Whether it is on the motion to the recording's first sample.");
+  player.def_prop_ro("done", &Player::done, "Whether it is at the recording's end.");
+  player.def_prop_ro("speed", &Player::speed, "Current speed.");
+  player.def_prop_ro("recording_time", &Player::recording_time,
+                     "Current time of the recording, s.");
+  player.def_prop_ro("tracking", &Player::tracking,
+                     "The difference between measured and commanded positions.");
+  bind_copies(player, "Player");
+}
+
+}  // namespace beeline::python

@@ -1,0 +1,89 @@
+#include "bindings.h"
+#include "loop_arguments.h"
+#include "loop_fields.h"
+
+namespace beeline::python {
+
+void bind_servos(nb::module_& m) {
+  bind_record<ServoMotion>(m);
+  nb::class_<Servo> servo(
+      m, "Servo",
+      kept_text(
+          std::string(
+              "Cartesian velocity control: converts tool velocities into joint velocities within "
+              "the "
+              "arm's limits, in a control loop. Each step maximises alpha in [0, 1] subject to J "
+              "qdot = "
+              "alpha v and the limits of velocity, acceleration and position: the tool keeps the "
+              "direction of the command v and slows down. A redundant arm moves away from its "
+              "position "
+              "limits (Liegeois 1977).") +
+          loop_doc));
+  Signature made("__init__", "None", "");
+  made.takes("self").takes("arm", "Arm").options<ServoOptions>();
+  servo.def(
+      "__init__",
+      [](Servo* self, const Arm& arm, const nb::kwargs& keywords) {
+        new (self) Servo(arm, options<ServoOptions>(keywords));
+      },
+      nb::arg("arm"), nb::arg("keywords"), nb::sig(made.text()));
+
+  const auto stepped = [](nb::handle q, nb::handle out, const auto& step) {
+    const Numbers from(q, "q");
+    const Index shape[] = {from.size()};
+    OutputArray velocity(out, "out", shape, Real::float64);
+    ServoMotion motion{Configuration(from.size())};
+    const ServoStep done = step(ConfigurationRef(from), motion.velocity);
+    motion.scale = done.scale;
+    motion.limit = done.limit;
+    motion.joint = done.joint;
+    std::copy(motion.velocity.begin(), motion.velocity.end(), velocity.data());
+    velocity.finish();
+    return motion;
+  };
+  constexpr const char* out_doc = "Array (n,) of float64 for the joint velocities.";
+  const std::string out_type = std::string(array_type) + " | None";
+  Signature step("step", "ServoStep", "Converts a tool velocity into joint velocities.");
+  step.takes("self")
+      .takes("q", array_like, configuration_doc)
+      .takes("command", array_like,
+             "Tool velocity [vx vy vz wx wy wz] in the task's frame (world or tool axes), m/s and "
+             "rad/s, (6,); rows that the task excludes are ignored.")
+      .keywords()
+      .takes("out", out_type, out_doc, "None");
+  define(
+      servo,
+      [stepped](Servo& self, nb::handle q, nb::handle command, nb::handle out) {
+        const Twist twist = Value<Twist>::from(command, "command");
+        return stepped(q, out, [&](const ConfigurationRef& from, Configuration& velocity) {
+          return self.step(from, twist, velocity);
+        });
+      },
+      step, nb::arg("q"), nb::arg("command"), nb::kw_only(), nb::arg("out") = nb::none());
+  Signature towards("step_towards", "ServoStep",
+                    "Moves towards a pose: the command is gain times the pose error, within the "
+                    "bounds on its speed.");
+  towards.takes("self")
+      .takes("q", array_like, configuration_doc)
+      .takes("world_T_tool", array_like, "Pose (4, 4).")
+      .keywords()
+      .takes("out", out_type, out_doc, "None");
+  define(
+      servo,
+      [stepped](Servo& self, nb::handle q, nb::handle world_T_tool, nb::handle out) {
+        const Pose pose = Value<Pose>::from(world_T_tool, "world_T_tool");
+        return stepped(q, out, [&](const ConfigurationRef& from, Configuration& velocity) {
+          return self.step_towards(from, pose, velocity);
+        });
+      },
+      towards, nb::arg("q"), nb::arg("world_T_tool"), nb::kw_only(), nb::arg("out") = nb::none());
+  Signature velocity("set_velocity", "None",
+                     "Sets the arm's current velocity, which is zero at first.");
+  velocity.takes("self").takes("velocity", array_like, "rad/s or m/s, (n,).");
+  define(
+      servo, [](Servo& self, nb::handle values) { self.set_velocity(Numbers(values, "velocity")); },
+      velocity, nb::arg("velocity"));
+  bind_copies(servo, "Servo");
+}
+
+}  // namespace beeline::python

@@ -1,0 +1,67 @@
+#include "bindings.h"
+#include "loop_arguments.h"
+#include "loop_fields.h"
+
+namespace beeline::python {
+
+void bind_trackers(nb::module_& m) {
+  bind_record<TrackerStep>(m);
+  nb::class_<Tracker> tracker(
+      m, "Tracker",
+      kept_text(
+          std::string(
+              "Follows commanded tool poses, as a hand controller sends them, in a control loop: "
+              "poses "
+              "in, configurations out. Commands may jump, be out of reach or lead through "
+              "singularities. Each step keeps the limits of velocity, acceleration and position, "
+              "unknown ones assumed; the configuration never jumps to another solution of inverse "
+              "kinematics. A command within the limits is reached at the end of the step. Equal "
+              "commands give equal results.") +
+          loop_doc));
+  Signature made("__init__", "None", "");
+  made.takes("self").takes("arm", "Arm").takes("start", array_like).options<TrackerOptions>();
+  tracker.def(
+      "__init__",
+      [](Tracker* self, const Arm& arm, nb::handle start, const nb::kwargs& keywords) {
+        new (self) Tracker(arm, Numbers(start, "start"), options<TrackerOptions>(keywords));
+      },
+      nb::arg("arm"), nb::arg("start"), nb::arg("keywords"), nb::sig(made.text()));
+  Signature step("step", "TrackerStep",
+                 "Advances by one time step towards the commanded pose of the tool. Raises Error "
+                 "for a pose that is not a rigid motion, which changes nothing.");
+  step.takes("self")
+      .takes("world_T_tool", array_like, "Pose (4, 4).")
+      .keywords()
+      .takes("out", outputs_type(), "Array (n,) of float64 for q, or two for q and velocity.",
+             "None");
+  define(
+      tracker,
+      [](Tracker& self, nb::handle world_T_tool, nb::handle out) {
+        const Pose pose = Value<Pose>::from(world_T_tool, "world_T_tool");
+        Outputs outputs(out, self.configuration().size());
+        const TrackerStep& made_step = self.step(pose);
+        outputs.write(made_step.q, made_step.velocity);
+        return made_step;
+      },
+      step, nb::arg("world_T_tool"), nb::kw_only(), nb::arg("out") = nb::none());
+  Signature reset("reset", "None", "Continues at rest from another configuration.");
+  reset.takes("self").takes("q", array_like, configuration_doc);
+  define(
+      tracker, [](Tracker& self, nb::handle q) { self.reset(Numbers(q, "q")); }, reset,
+      nb::arg("q"));
+  const auto property = [&tracker](const char* name, auto get, const char* doc) {
+    tracker.def_prop_ro(
+        name, [get](const Tracker& self) { return Value<Configuration>::to(get(self)); },
+        nb::for_getter(nb::sig(kept_text("def " + std::string(name) + "(self) -> " + array_type))),
+        doc);
+  };
+  property(
+      "configuration", [](const Tracker& self) { return self.configuration(); },
+      "q of the last step, (n,).");
+  property(
+      "velocity", [](const Tracker& self) { return self.velocity(); },
+      "Of the last step, zero at first, rad/s or m/s, (n,).");
+  bind_copies(tracker, "Tracker");
+}
+
+}  // namespace beeline::python
