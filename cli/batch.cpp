@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <chrono>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>

@@ -1,7 +1,7 @@
 #include "batch_work.h"
 
 #include <algorithm>
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <limits>
 
 #include <beeline/error.h>

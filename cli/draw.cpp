@@ -1,5 +1,5 @@
 #include <cmath>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>

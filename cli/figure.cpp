@@ -1,5 +1,5 @@
 #include <filesystem>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <beeline/draw/canvas.h>
 #include <beeline/draw/chapter.h>

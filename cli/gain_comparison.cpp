@@ -1,6 +1,6 @@
 #include "gain_comparison.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <beeline/draw/canvas.h>
 #include <beeline/draw/timing_figure.h>

@@ -1,4 +1,4 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <beeline/error.h>
 #include <beeline/inverse/inverse_kinematics.h>

@@ -1,7 +1,7 @@
 #include "input_files.h"
 
 #include <cmath>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <beeline/error.h>
 #include <beeline/record/trajectory_file.h>

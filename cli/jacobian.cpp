@@ -1,5 +1,5 @@
 #include <cmath>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <beeline/error.h>
 #include <beeline/kinematics/analytical_jacobian.h>

@@ -1,4 +1,4 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/control/cartesian.h>

@@ -1,6 +1,6 @@
 #include "line_report.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "format.h"
 

@@ -1,7 +1,7 @@
 #include "motion_report.h"
 
 #include <cmath>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "format.h"
 

@@ -1,4 +1,4 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <beeline/control/joint.h>
 #include <beeline/error.h>

@@ -1,7 +1,7 @@
 #include "result_files.h"
 
 #include <filesystem>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <beeline/error.h>
 #include <beeline/read/internal/csv.h>

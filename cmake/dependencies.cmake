@@ -40,6 +40,10 @@ if(TARGET yaml-cpp::yaml-cpp)  # its name since 0.8
 endif()
 beeline_require(CLI11 2.1 libcli11-dev)
 beeline_require(fmt 9 libfmt-dev)
+set(beeline_fmt fmt::fmt)
+if(SKBUILD)  # a wheel needs no library of it
+  set(beeline_fmt fmt::fmt-header-only)
+endif()
 beeline_require(FastFloat 3 libfast-float-dev)
 
 # The Python package of nlohmann-json has the headers alone.

@@ -20,6 +20,7 @@ def main(extension: str, stub: str) -> None:
     generator = StubGen(module)
     generator.put(module)
     text = generator.get().replace("__all__: list =", "__all__: list[str] =")
+    text = text.replace("__hash__: None = None", "__hash__: None  # type: ignore[assignment]")
     private = "__version__: str\n\ndef _command_line(words: list[bytes], /) -> int: ...\n"
     Path(stub).write_text(text + "\n" + private)
 

@@ -1,6 +1,6 @@
 #include "progress.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "streams.h"
 

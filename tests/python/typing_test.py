@@ -1,0 +1,61 @@
+"""Type checkers see what the module has: the stub names all of it, and code that uses it passes `mypy --strict`."""
+
+import ast
+import os
+import subprocess
+import sys
+
+import beeline
+import pytest
+
+
+def mypy(build, *words):
+    environment = {name: value for name, value in os.environ.items() if name != "LD_PRELOAD"}
+    environment |= {"MYPYPATH": str(build / "python"), "MYPY_CACHE_DIR": str(build / "mypy")}
+    done = subprocess.run(
+        [sys.executable, "-m", "mypy", "--strict", *words],
+        capture_output=True, text=True, cwd=build, env=environment,
+    )  # fmt: skip
+    return done.stdout + done.stderr if done.returncode else ""
+
+
+def test_the_stub_has_the_names_of_the_module(build):
+    stub = ast.parse((build / "python" / "beeline" / "_core.pyi").read_text())
+    defined = {node.name for node in stub.body if hasattr(node, "name")}
+    assert set(beeline._core.__all__) == {name for name in defined if not name.startswith("_")}
+    assert set(beeline._core.__all__) < set(beeline.__all__)
+
+
+def test_every_public_function_has_a_signature_and_a_docstring(build):
+    for name in beeline._core.__all__:
+        assert getattr(beeline, name).__doc__, name
+    stub = ast.parse((build / "python" / "beeline" / "_core.pyi").read_text())
+    functions = [node for node in ast.walk(stub) if isinstance(node, ast.FunctionDef)]
+    for function in functions:
+        parameters = function.args.args + function.args.kwonlyargs + function.args.posonlyargs
+        untyped = [parameter.arg for parameter in parameters if parameter.annotation is None]
+        assert untyped in ([], ["self"]), (function.name, untyped)
+        assert function.returns is not None, function.name
+
+
+def test_the_package_passes_strictly(build):
+    assert mypy(build, "-p", "beeline") == ""
+
+
+def test_code_that_uses_the_module_passes_strictly(root, build):
+    users = [root / "tests" / "python" / "typed_code.py", *sorted((root / "examples").glob("*.py"))]
+    assert mypy(build, *map(str, users)) == ""
+
+
+def test_wrong_types_are_found(build, tmp_path):
+    wrong = tmp_path / "wrong.py"
+    wrong.write_text("import beeline\n\nbeeline.arms.panda().with_speed_scale('half')\nbeeline.no_such_name\n")
+    found = mypy(build, str(wrong))
+    assert "wrong.py:3" in found and "wrong.py:4" in found
+
+
+def test_the_typed_code_runs():
+    pytest.importorskip("numpy")
+    from typed_code import main
+
+    main()
