@@ -10,6 +10,9 @@ ifdef CI
 strict := -DCMAKE_COMPILE_WARNING_AS_ERROR=ON
 endif
 
+# The Python module, in build/python, for every Python.
+module := -DBEELINE_PYTHON=ON -DPython_EXECUTABLE=$(CURDIR)/.venv-python/bin/python
+
 .NOTPARALLEL:
 .PHONY: help build demo bench docs test test-peers test-all asan tsan lint format install clean
 
@@ -45,8 +48,9 @@ bench:
 
 docs:
 	@scripts/install_packages.sh build docs
+	@scripts/venv.sh .venv-python tests/python/requirements.txt
 	@scripts/venv.sh .venv-docs docs/requirements.txt
-	@cmake --preset release -DBEELINE_PYTHON=ON -DPython_EXECUTABLE=$(CURDIR)/.venv-docs/bin/python $(strict)
+	@cmake --preset release $(module) $(strict)
 	@cmake --build --preset release --parallel $(JOBS) --target beeline _core
 	@scripts/docs.sh build build/docs
 
@@ -58,8 +62,9 @@ test:
 
 test-peers:
 	@scripts/install_packages.sh build test peers
+	@scripts/venv.sh .venv-python tests/python/requirements.txt
 	@scripts/venv.sh .venv tests/peers/requirements.txt
-	@cmake --preset release -DBEELINE_TESTS=ON -DBEELINE_PEERS=ON $(strict)
+	@cmake --preset release -DBEELINE_TESTS=ON -DBEELINE_PEERS=ON $(module) $(strict)
 	@cmake --build --preset release --parallel $(JOBS) --target peers
 	@ctest --preset release --label-regex peers
 
@@ -90,4 +95,4 @@ install: build
 	@cmake --install build --prefix $(PREFIX)
 
 clean:
-	@rm -rf build build-dev build-asan build-tsan build-libcxx .venv-bench .venv-docs
+	@rm -rf build build-dev build-asan build-tsan build-libcxx .venv-bench .venv-docs .venv-python

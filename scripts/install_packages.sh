@@ -7,7 +7,7 @@ build=(g++ cmake ninja-build ccache pkg-config
        libeigen3-dev libhwy-dev libtbb-dev libtinyxml2-dev libyaml-cpp-dev nlohmann-json3-dev
        libcli11-dev libfmt-dev libfast-float-dev libcairo2-dev)
 test=(libgtest-dev python3 python3-pytest python3-numpy python3-jsonschema)
-peers=(python3 python3-venv ffmpeg)
+peers=(python3 python3-dev python3-venv ffmpeg)
 bench=(libbenchmark-dev liborocos-kdl-dev python3 python3-venv valgrind)
 docs=(doxygen rsync python3 python3-dev python3-venv)
 lint=(clang-format-14 clang-tidy-14 clang-14 libc++-14-dev libc++abi-14-dev shellcheck python3)

@@ -1,0 +1,125 @@
+"""docs/coming_from.md: the names, frames and orders of other libraries beside Beeline's. The page shows these functions."""
+
+from pathlib import Path
+
+import beeline
+import ikpy.chain
+import numpy as np
+import pinocchio
+import pytest
+import roboticstoolbox
+import ssik
+from spatialmath import SE3, UnitQuaternion
+from urdf_tree import ROBOTS
+
+UR5 = ROBOTS / "ur_description/urdf/ur5_robot.urdf"
+PICKER = Path(__file__).resolve().parents[2] / "docs/howto/robot.urdf"
+
+
+@pytest.fixture
+def random(seed):
+    return np.random.default_rng(seed)
+
+
+def test_robotics_toolbox(random):
+    robot = roboticstoolbox.models.DH.Puma560()
+    pedestal = SE3.Tz(0.67183).A  # 26.45 inches, in the first row of its table
+    arm = beeline.arms.puma560().with_mount(pedestal)
+    q = random.uniform(-3, 3, 6)
+
+    assert np.allclose(robot.fkine(q).A, beeline.forward_kinematics(arm, q))
+    assert np.allclose(robot.jacob0(q), beeline.jacobian(arm, q))
+    assert np.allclose(robot.jacobe(q), beeline.jacobian(arm, q, "tool"))
+    assert np.isclose(robot.manipulability(q), beeline.manipulability(arm, q))
+
+
+def test_robotics_toolbox_links_and_inverse(random):
+    robot = roboticstoolbox.models.DH.Puma560()
+    arm = beeline.arms.puma560().with_mount(SE3.Tz(0.67183).A)
+    q = random.uniform(-1, 1, 6)
+
+    links = np.array([pose.A for pose in robot.fkine_all(q)])
+    ours = beeline.link_poses(arm, q)
+    assert np.allclose(links[1:], ours[1:])  # its link 0 is at the floor, ours on the mount
+    answer = robot.ikine_LM(robot.fkine(q), q0=q + 0.1)
+    assert answer.success
+    assert np.allclose(beeline.forward_kinematics(arm, answer.q), robot.fkine(q).A, atol=1e-4)
+
+
+def test_robotics_toolbox_tools(random):
+    q = random.uniform(-1, 1, 7)
+    hand = SE3.Rz(-np.pi / 4) * SE3.Tz(0.1034)  # on the flange; its DH model has 0.103
+    arm = beeline.arms.panda().with_tcp(hand.A)
+    assert np.allclose(roboticstoolbox.models.Panda().fkine(q).A, beeline.forward_kinematics(arm, q))
+
+    q = random.uniform(-1, 1, 6)
+    ours = beeline.forward_kinematics(beeline.arms.ur5(), q)  # its UR5 has d1 = 0.089459, the maker's 0.089159
+    assert np.allclose(roboticstoolbox.models.DH.UR5().fkine(q).A, SE3.Tz(0.0003).A @ ours, atol=1e-6)
+
+
+def test_orientations_of_robotics_toolbox_and_pinocchio(random):
+    roll, pitch, yaw = random.uniform(-1, 1, 3)
+    rotation = SE3.RPY([roll, pitch, yaw]).R  # order="zyx" is the default, URDF's
+    assert np.allclose(rotation, pinocchio.rpy.rpyToMatrix(roll, pitch, yaw))
+
+    arm = beeline.arms.panda()
+    q = random.uniform(-1, 1, 7)
+    pose = beeline.forward_kinematics(arm, q)
+    qw, qx, qy, qz = beeline.forward_kinematics(arm, q, layout="position_quaternion")[3:]
+    toolbox = UnitQuaternion(pose[:3, :3]).A
+    peer = pinocchio.Quaternion(pose[:3, :3]).coeffs()
+    assert np.allclose(toolbox * np.sign(toolbox[0]), [qw, qx, qy, qz])  # s, v
+    assert np.allclose(peer * np.sign(peer[3]), [qx, qy, qz, qw])  # x, y, z, w
+
+
+def test_pinocchio(random):
+    model = pinocchio.buildModelFromUrdf(str(UR5))
+    data = model.createData()
+    tool = model.getFrameId("tool0")
+    arm = beeline.Arm.from_urdf(UR5, tip="tool0")
+    q = random.uniform(-3, 3, 6)
+
+    pinocchio.forwardKinematics(model, data, q)
+    pinocchio.updateFramePlacements(model, data)
+    assert np.allclose(data.oMf[tool].homogeneous, beeline.forward_kinematics(arm, q))
+    for reference, frame in (
+        (pinocchio.LOCAL_WORLD_ALIGNED, "base"),
+        (pinocchio.LOCAL, "tool"),
+        (pinocchio.WORLD, "space"),
+    ):
+        peer = pinocchio.computeFrameJacobian(model, data, q, tool, reference)
+        assert np.allclose(peer, beeline.jacobian(arm, q, frame))
+
+
+def test_pinocchio_continuous_joints():
+    model = pinocchio.buildModelFromUrdf(str(PICKER))  # lift, shoulder, elbow; turn is continuous
+    arm = beeline.Arm.from_urdf(PICKER, tip="gripper")
+    q = [0.3, 0.5, -1, 0.2]
+    assert model.nq == 5 and arm.dof == 4
+
+    data = model.createData()
+    pinocchio.framesForwardKinematics(model, data, np.array([*q[:3], np.cos(q[3]), np.sin(q[3])]))
+    peer = data.oMf[model.getFrameId("gripper")].homogeneous
+    assert np.allclose(peer, beeline.forward_kinematics(arm, q))
+
+
+def test_ikpy(random):
+    chain = ikpy.chain.Chain.from_urdf_file(
+        str(PICKER),
+        base_elements=["base", "lift", "column", "shoulder", "upper", "elbow", "fore", "turn", "wrist", "gripper_mount"],
+        active_links_mask=[False, True, True, True, True, False],
+    )
+    arm = beeline.Arm.from_urdf(PICKER, tip="gripper")
+    q = random.uniform(0, 0.8, 4)
+
+    full = [0, *q, 0]  # the base and the fixed joint have values too
+    assert len(chain.links) == len(full)
+    assert np.allclose(chain.forward_kinematics(full), beeline.forward_kinematics(arm, q))
+
+
+def test_ssik(random):
+    robot = ssik.Manipulator.from_prebuilt("ur5_ik")
+    arm = beeline.Arm.from_urdf(UR5, tip="ee_link")
+    q = random.uniform(-3, 3, 6)
+
+    assert np.allclose(robot.fk(q), beeline.forward_kinematics(arm, q))
