@@ -3,6 +3,8 @@
 import sys
 from pathlib import Path
 
+from sphinx.ext.napoleon import Config, NumpyDocstring
+
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "sphinx"))
 
@@ -13,12 +15,10 @@ default_role = "code"  # of docstrings
 exclude_patterns = ["sphinx", "doxygen", "sessions", "requirements.txt"]
 smartquotes = False  # "--" is part of options
 
-extensions = [
-    "myst_nb", "breathe", "mathml", "sphinx_copybutton", "sphinx.ext.autodoc", "sphinx.ext.napoleon",
+extensions = ["myst_nb", "breathe", "mathml", "sphinx_copybutton", "sphinx.ext.autodoc",
 ]
 autodoc_member_order = "bysource"
 autodoc_typehints_format = "short"
-napoleon_google_docstring = False
 html_math_renderer = "mathml"
 myst_enable_extensions = ["dollarmath", "deflist", "attrs_inline", "colon_fence"]
 myst_heading_anchors = 3
@@ -45,5 +45,13 @@ def short_types(app, what, name, value, options, signature, result):
     return tuple(text and text.replace("numpy.typing.", "").replace("numpy.", "") for text in (signature, result))
 
 
+def numpy_sections(app, what, name, value, options, lines):
+    """Sections of docstrings in numpy's style. Properties have none; Napoleon takes what stands before a colon in their
+    first line for a type."""
+    if what not in ("property", "attribute"):
+        lines[:] = NumpyDocstring(lines, Config(), app, what, name, value, options).lines()
+
+
 def setup(app):
+    app.connect("autodoc-process-docstring", numpy_sections)
     app.connect("autodoc-process-signature", short_types)
