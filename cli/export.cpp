@@ -43,7 +43,7 @@ void check_ending(ControllerForm form, const std::string& out) {
 
 ControllerFileOptions file_options(const ExportArguments& arguments) {
   ControllerFileOptions options{.rate = arguments.rate};
-  options.program = std::filesystem::path(arguments.out).stem().string();
+  options.program_name = std::filesystem::path(arguments.out).stem().string();
   options.comments = internal::extension(arguments.out) != "json";
   return options;
 }

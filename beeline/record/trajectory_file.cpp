@@ -40,7 +40,7 @@ std::string with_comments(const std::vector<std::string>& comments, const std::s
 std::string text_in_form(ControllerForm form, const Trajectory& samples,
                          const std::vector<std::string>& comments,
                          const ControllerFileOptions& options) {
-  const internal::ProgramSource source{samples, comments, options.program};
+  const internal::ProgramSource source{samples, comments, options.program_name};
   switch (form) {
     case ControllerForm::ros2:
       return with_comments(comments, internal::trajectory_to_json(samples));
@@ -189,7 +189,7 @@ ControllerFile controller_file(const Arm& arm, const Program& program, const Pro
       comment("What of that proof holds here: " + file.proof), comment("Note: " + file.note)};
   const internal::MoveSource source{motion.trajectory.positions.front(),
                                     internal::controller_moves(arm, program, motion), comments,
-                                    options.program};
+                                    options.program_name};
   file.text = form == ControllerForm::urscript ? internal::urscript_moves(source)
               : form == ControllerForm::rapid  ? internal::rapid_moves(source)
                                                : internal::krl_moves(source);

@@ -63,7 +63,7 @@ struct ControllerFileOptions {
   /// csv requires it.
   std::optional<double> rate = std::nullopt;
   /// The name of a rapid or krl program: the file's name without its ending.
-  std::string program = "beeline_motion";
+  std::string program_name = "beeline_motion";
   bool comments = true;  ///< false for ros2 as JSON, which has none
 };
 

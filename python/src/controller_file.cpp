@@ -23,7 +23,7 @@ struct Fields<ControllerFileOptions> {
         field("rate", &T::rate,
               "Setpoints per second; None: the trajectory's own samples; of urscript 125. csv "
               "requires it."),
-        field("program", &T::program, "The name of a rapid or krl program."),
+        field("program_name", &T::program_name, "The name of a rapid or krl program."),
         field("comments", &T::comments, "False for ros2 as JSON, which has none."));
   }
 };

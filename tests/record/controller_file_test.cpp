@@ -58,7 +58,7 @@ TEST(ControllerFile, WhatAFormCannotHoldIsRefused) {
   EXPECT_REFUSED(controller_file(ur5, still, ControllerForm::csv), "need a rate");
   EXPECT_REFUSED(controller_file(ur5, still, ControllerForm::rapid, {.rate = 0.0}),
                  "must be 0.001 samples per second or above, not 0");
-  EXPECT_REFUSED(controller_file(ur5, still, ControllerForm::rapid, {.program = "a b"}),
+  EXPECT_REFUSED(controller_file(ur5, still, ControllerForm::rapid, {.program_name = "a b"}),
                  "\"a b\" cannot name a program of RAPID");
   EXPECT_REFUSED(
       controller_file(ur5, Trajectory{ur5.joint_names(), {}, {}, {}, {}}, ControllerForm::ros2),
