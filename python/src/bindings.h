@@ -6,8 +6,11 @@ namespace beeline::python {
 
 // Each adds its part of the module, in this order: later ones use the classes of earlier ones.
 void bind_poses(nanobind::module_& module);
+void bind_planar_poses(nanobind::module_& module);  ///< by bind_poses()
 void bind_arms(nanobind::module_& module);
 void bind_kinematics(nanobind::module_& module);
+void bind_derivatives(nanobind::module_& module);
+void bind_tasks(nanobind::module_& module);
 void bind_inverse(nanobind::module_& module);
 void bind_trajectories(nanobind::module_& module);
 void bind_paths(nanobind::module_& module);

@@ -227,11 +227,6 @@ constexpr const char* as_returned =
 }  // namespace
 
 void bind_kinematics(nb::module_& m) {
-  bind_record<Deviation>(m);
-  bind_record<ManipulabilityMeasures>(m);
-  bind_record<ManipulabilityEllipsoids>(m);
-  bind_record<ManipulabilityGradient>(m);
-
   Signature fk = batch_signature("forward_kinematics", array_type,
                                  "Returns the poses of the tool, world_T_tool (Dellaert, *Serial "
                                  "Link Manipulators*, eq. 1.1).");

@@ -33,6 +33,8 @@ NB_MODULE(_core, module) {
   bind_poses(module);
   bind_arms(module);
   bind_kinematics(module);
+  bind_derivatives(module);
+  bind_tasks(module);
   bind_inverse(module);
   bind_trajectories(module);
   bind_paths(module);

@@ -56,11 +56,12 @@ class RowArgument {
 int threads_from(nb::handle value);
 
 /// Calls evaluate(i, results of row i) for each configuration: without Python's lock, and until
-/// Ctrl-C, where there are many. Returns the results, C-contiguous, or the caller's `out`.
+/// Ctrl-C, where there are many. Returns the results or the caller's `out`. They are written with
+/// their last two dimensions column by column, as Eigen's matrices are.
 template <class Evaluate>
 nb::object for_rows(const Configurations& q, std::initializer_list<Index> inner, nb::handle out,
                     Evaluate evaluate) {
-  OutputArray results(out, "out", q.shape(inner), Real::float64);
+  OutputArray results(out, "out", q.shape(inner), Real::float64, inner.size() > 1);
   Index size = 1;
   for (Index n : inner) size *= n;
   if (q.one()) {

@@ -15,21 +15,21 @@ std::string name_of_type(nb::handle value) {
               "; expected " + expected);
 }
 
-/// The 4 x 4 matrix of an object of another library, or the value itself.
-nb::object matrix_of(nb::handle value) {
-  for (const char* name : {"homogeneous", "A"}) {
-    if (nb::hasattr(value, name)) return value.attr(name);
-  }
-  if (nb::hasattr(value, "as_matrix")) return value.attr("as_matrix")();
-  return nb::borrow(value);
-}
-
 bool is_array_or_list(nb::handle value) {
   return is_array(value) || nb::isinstance<nb::list>(value) || nb::isinstance<nb::tuple>(value) ||
          nb::hasattr(value, "__array_interface__");
 }
 
 }  // namespace
+
+nb::object matrix_of(nb::handle value) {
+  if (is_array_or_list(value)) return nb::borrow(value);
+  for (const char* name : {"homogeneous", "A"}) {
+    if (nb::hasattr(value, name)) return value.attr(name);
+  }
+  if (nb::hasattr(value, "as_matrix")) return value.attr("as_matrix")();
+  return nb::borrow(value);
+}
 
 void raise_type(const char* name, const std::string& expected, nb::handle value) {
   throw nb::type_error(
@@ -103,7 +103,7 @@ nb::object Value<Pose>::to(const Pose& value) {
 }
 
 Pose Value<Pose>::from(nb::handle value, const char* name) {
-  const nb::object matrix = is_array_or_list(value) ? nb::borrow(value) : matrix_of(value);
+  const nb::object matrix = matrix_of(value);
   const InputArray array(matrix, name);
   if (array.dimensions() != 2 || array.shape()[0] != 4 || array.shape()[1] != 4) {
     raise_shape(array, "a pose (4, 4)");
@@ -118,7 +118,7 @@ std::vector<Pose> poses_from(nb::handle value, const char* name) {
     for (nb::handle item : nb::borrow(value)) poses.push_back(Value<Pose>::from(item, name));
     return poses;
   }
-  const nb::object matrices = is_array_or_list(value) ? nb::borrow(value) : matrix_of(value);
+  const nb::object matrices = matrix_of(value);
   const InputArray array(matrices, name);
   const auto shape = array.shape();
   if (array.dimensions() == 1 && shape[0] == 0) return poses;

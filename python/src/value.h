@@ -154,6 +154,17 @@ struct Value<Matrix> {
   }
 };
 
+/// A vector or matrix of finite numbers.
+template <class Matrix>
+Matrix finite_from(nb::handle value, const char* name) {
+  Matrix matrix = Value<Matrix>::from(value, name);
+  if (!matrix.allFinite()) throw Error(std::string(name) + " has a value that is not finite");
+  return matrix;
+}
+
+/// The matrix of a pose or rotation of another library, or the value itself.
+nb::object matrix_of(nb::handle value);
+
 /// Poses are 4 x 4 arrays. As arguments, also what has such a matrix as `homogeneous` (pinocchio's
 /// SE3), `A` (spatialmath's SE3) or `as_matrix()` (scipy's RigidTransform).
 template <>
