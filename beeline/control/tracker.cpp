@@ -73,8 +73,9 @@ class TrackerLoop {
   std::vector<VelocityBounds> bounds_;
   Eigen::VectorXd lower_, upper_;  ///< bounds of the goal
   Configuration last_goal_;
-  Eigen::VectorXd goal_velocity_, estimated_velocity_;
-  Eigen::VectorXd desired_;  ///< joint velocities without the limits of this step
+  Eigen::VectorXd estimated_velocity_;  ///< of the goal, within the acceleration limits
+  Eigen::VectorXd goal_velocity_;       ///< the same, at most that of this step
+  Eigen::VectorXd desired_;             ///< joint velocities without the limits of this step
   TrackerStep step_;
 };
 
@@ -91,19 +92,20 @@ TrackerLoop::TrackerLoop(const Arm& arm, const ConfigurationRef& start,
       lower_(arm.dof()),
       upper_(arm.dof()),
       last_goal_(arm.dof()),
-      goal_velocity_(arm.dof()),
       estimated_velocity_(arm.dof()),
+      goal_velocity_(arm.dof()),
       desired_(arm.dof()) {
   reset(start);
 }
 
 void TrackerLoop::reset(const ConfigurationRef& q) {
-  const std::vector<std::string> violations = limit_violations(arm_, q, 0);
+  const std::vector<std::string> violations = limit_violations(arm_, q);
   if (!violations.empty()) throw Error("the start of a tracker: " + violations.front());
-  commands_ = {forward_kinematics(arm_, q), options_.time_step, options_.command_period};
-  step_ = {.q = q, .velocity = Configuration::Zero(q.size()), .error = {}};
+  const Configuration start = q.cwiseMax(positions_.lower).cwiseMin(positions_.upper);
+  commands_ = {forward_kinematics(arm_, start), options_.time_step, options_.command_period};
+  step_ = {.q = start, .velocity = Configuration::Zero(q.size()), .error = {}};
   estimated_velocity_.setZero();
-  solver_.reset(q);
+  solver_.reset(start);
 }
 
 /// The goal stays near the arm. With a goal far away, all joints would wait for one that has to

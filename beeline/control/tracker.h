@@ -63,20 +63,24 @@ std::ostream& operator<<(std::ostream& out, const TrackerStep& step);
 /// is not limited.
 ///
 /// Each step first continues the goal configuration g, which minimises the weighted error of the
-/// task (Levenberg–Marquardt) within the position limits and within the distance in which each
-/// joint can stop, v²/2a, of the arm. The arm then moves along the straight line in joint space to
-/// g, at a velocity relative to the velocity of g from which every joint can stop at g. A command
-/// within the limits is therefore reached at the end of the step; otherwise all joints lag together
-/// and the tool does not overshoot a command at rest. The configuration is continuous, so it never
-/// jumps to another solution of inverse kinematics. At a singularity the tool deviates from the
-/// command and continues. A redundant arm moves away from its position limits while the tool moves
-/// (Liégeois 1977).
+/// task (Levenberg–Marquardt) within the position limits and, around the arm, within four times the
+/// distance v²/2a in which each joint can stop. The arm then moves along the straight line in joint
+/// space to g, at a velocity relative to that of g from which every joint can stop at g. Hence
+///
+/// - a command within the limits is reached at the end of each step, without lag;
+/// - otherwise all joints lag together, and a command at rest is reached without overshoot; if it
+///   stops at once, the joints pass it by v²/2a;
+/// - the solution is the one continued from the start. It does not jump to another one, also where
+///   only another one reaches the command;
+/// - near a singularity the tool deviates from the command and continues; an arm that was stretched
+///   out towards commands beyond its reach may bend to the other side afterwards;
+/// - a redundant arm moves away from its position limits while the tool moves (Liégeois 1977).
 ///
 /// No step allocates. Equal commands give equal results. One object serves one loop.
 class Tracker {
  public:
   /// Starts at rest at `start`. Throws Error for an invalid option, and when `start` does not fit
-  /// the arm or is outside its position limits.
+  /// the arm or is outside its position limits by more than position_slack.
   Tracker(const Arm& arm, const ConfigurationRef& start, const TrackerOptions& options = {});
   Tracker(const Tracker& other);
   Tracker(Tracker&& other) noexcept;  ///< `other` may then only be assigned to or destroyed

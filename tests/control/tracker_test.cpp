@@ -194,6 +194,16 @@ TEST(Tracker, StepsArePrinted) {
             "m, 0.2 rad");
 }
 
+TEST(Tracker, StartsAtItsLimitsUpToRounding) {
+  const Arm arm = built_in("panda");
+  Configuration q = middle_configuration(arm);
+  q[3] = arm.limits(3).upper + 0.5 * position_slack;
+  Tracker tracker(arm, q);
+  EXPECT_EQ(tracker.configuration()[3], arm.limits(3).upper);
+  q[3] += position_slack;
+  EXPECT_REFUSED(tracker.reset(q), "outside");
+}
+
 TEST(Tracker, RefusesInvalidArguments) {
   const Arm arm = built_in("ur5");
   const Configuration q = Configuration::Constant(6, 0.3);

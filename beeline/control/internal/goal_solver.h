@@ -18,8 +18,7 @@ struct GoalStatus {
 ///   |c(g)|^2,  c = S (task error at g)      (scales S and weights W of weighted_task.h)
 /// by Levenberg–Marquardt steps (Marquardt 1963) from the last result, without allocations. Each
 /// step is a BoundedLeastSquares. A step that passes the minimum of the error along it is rejected
-/// and the damping increased, so that an arm stretched out towards a pose beyond its reach keeps
-/// the side of its elbow.
+/// and the damping increased.
 class GoalSolver {
  public:
   using Rows = WeightedTask::Rows;
@@ -54,13 +53,14 @@ class GoalSolver {
   bool redundant_;
   BoundedLeastSquares least_squares_;
   Configuration goal_, trial_;
-  Jacobian a_;  ///< A at the goal
-  Rows c_;      ///< c at the goal
-  Twist error_, trial_error_;
-  double cost_ = 0;     ///< |c|^2
-  double damping_ = 0;  ///< of the next step
-  Eigen::VectorXd x_, bias_, lower_,
-      upper_;  ///< the weighted step, its null-space part, its bounds
+  Jacobian a_;                     ///< A at the goal
+  Rows c_;                         ///< c at the goal
+  Twist error_, trial_error_;      ///< m and rad
+  double cost_ = 0;                ///< |c|^2
+  double damping_ = 0;             ///< of the next step
+  Eigen::VectorXd x_;              ///< the weighted step
+  Eigen::VectorXd bias_;           ///< its part in the null space
+  Eigen::VectorXd lower_, upper_;  ///< its bounds
 };
 
 }  // namespace beeline::internal
