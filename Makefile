@@ -14,13 +14,14 @@ endif
 module := -DBEELINE_PYTHON=ON -DPython_EXECUTABLE=$(CURDIR)/.venv-python/bin/python
 
 .NOTPARALLEL:
-.PHONY: help build demo bench docs test test-peers test-all asan tsan lint format install clean
+.PHONY: help build demo bench docs wheel test test-peers test-all asan tsan lint format install clean
 
 help:
 	@echo "make build     the command, in build/beeline"
 	@echo "make demo      an arm moves in straight lines: report and pictures in build/demo"
 	@echo "make bench     Beeline beside other solvers on the same poses: tables, build/bench/results.json"
 	@echo "make docs      the documentation, in build/docs/html"
+	@echo "make wheel     the Python module for CPython 3.10 to 3.13, in build-wheel/dist, tried in each that is here"
 	@echo "make test      builds and runs every test but the next"
 	@echo "make test-peers   comparisons with Pinocchio, Ruckig, toppra: packages from PyPI"
 	@echo "make test-all  both"
@@ -47,7 +48,7 @@ bench:
 	@scripts/bench.sh
 
 docs:
-	@scripts/install_packages.sh build docs
+	@scripts/install_packages.sh build docs python
 	@scripts/venv.sh .venv-python tests/python/requirements.txt
 	@scripts/venv.sh .venv-docs docs/requirements.txt
 	@cmake --preset release $(module) $(strict)
@@ -55,13 +56,18 @@ docs:
 	@scripts/docs.sh build build/docs
 
 test:
-	@scripts/install_packages.sh build test
-	@cmake --preset release -DBEELINE_TESTS=ON $(strict)
+	@scripts/install_packages.sh build test python
+	@scripts/venv.sh .venv-python tests/python/requirements.txt
+	@cmake --preset release -DBEELINE_TESTS=ON $(module) $(strict)
 	@cmake --build --preset release --parallel $(JOBS)
 	@ctest --preset release --parallel $(JOBS) --label-exclude peers
 
+wheel:
+	@scripts/install_packages.sh build python
+	@scripts/wheel.sh build-wheel/dist
+
 test-peers:
-	@scripts/install_packages.sh build test peers
+	@scripts/install_packages.sh build test peers python
 	@scripts/venv.sh .venv-python tests/python/requirements.txt
 	@scripts/venv.sh .venv tests/peers/requirements.txt
 	@cmake --preset release -DBEELINE_TESTS=ON -DBEELINE_PEERS=ON $(module) $(strict)
@@ -71,8 +77,9 @@ test-peers:
 test-all: test test-peers
 
 asan:
-	@scripts/install_packages.sh build test
-	@cmake --preset asan
+	@scripts/install_packages.sh build test python
+	@scripts/venv.sh .venv-python tests/python/requirements.txt
+	@cmake --preset asan $(module)
 	@cmake --build --preset asan --parallel $(JOBS)
 	@ctest --preset asan --parallel $(JOBS)
 
@@ -83,8 +90,9 @@ tsan:
 	@ctest --preset tsan
 
 lint:
-	@scripts/install_packages.sh build test lint
-	@cmake --preset dev >/dev/null
+	@scripts/install_packages.sh build test lint python
+	@scripts/venv.sh .venv-python tests/python/requirements.txt
+	@cmake --preset dev $(module) >/dev/null
 	@scripts/lint.sh build-dev
 
 format:
@@ -95,4 +103,4 @@ install: build
 	@cmake --install build --prefix $(PREFIX)
 
 clean:
-	@rm -rf build build-dev build-asan build-tsan build-libcxx .venv-bench .venv-docs .venv-python
+	@rm -rf build build-dev build-asan build-tsan build-libcxx build-wheel .venv-bench .venv-docs .venv-python .venv-wheel

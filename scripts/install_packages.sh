@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of the named groups that are not there yet.
-# Usage: install_packages.sh build|test|peers|bench|lint|docs...
+# Usage: install_packages.sh build|test|python|peers|bench|lint|docs...
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config
        libeigen3-dev libhwy-dev libtbb-dev libtinyxml2-dev libyaml-cpp-dev nlohmann-json3-dev
        libcli11-dev libfmt-dev libfast-float-dev libcairo2-dev)
 test=(libgtest-dev python3 python3-pytest python3-numpy python3-jsonschema)
-peers=(python3 python3-dev python3-venv ffmpeg)
+peers=(ffmpeg)
+python=(python3 python3-dev python3-venv)
 bench=(libbenchmark-dev liborocos-kdl-dev python3 python3-venv valgrind)
-docs=(doxygen rsync python3 python3-dev python3-venv)
+docs=(doxygen rsync)
 lint=(clang-format-14 clang-tidy-14 clang-14 libc++-14-dev libc++abi-14-dev shellcheck python3)
 
 wanted=()
@@ -19,9 +20,10 @@ for group in "$@"; do
     test) wanted+=("${test[@]}") ;;
     peers) wanted+=("${peers[@]}") ;;
     bench) wanted+=("${bench[@]}") ;;
+    python) wanted+=("${python[@]}") ;;
     lint) wanted+=("${lint[@]}") ;;
     docs) wanted+=("${docs[@]}") ;;
-    *) echo "$0: no group '$group': build, test, peers, bench, lint, docs" >&2; exit 2 ;;
+    *) echo "$0: no group '$group': build, test, python, peers, bench, lint, docs" >&2; exit 2 ;;
   esac
 done
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 MAX_FILE, MAX_FUNCTION = 400, 60  # lines
-FOLDERS = ("beeline", "cli", "tests", "bench", "examples", "cmake", "scripts")
+FOLDERS = ("beeline", "cli", "tests", "bench", "examples", "cmake", "python", "scripts")
 CODE = {".h", ".cpp"}
 ENDINGS = CODE | {".py", ".sh", ".cmake", ".txt"}
 

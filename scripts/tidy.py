@@ -26,7 +26,7 @@ STAMPS = Path(os.environ.get("BEELINE_LINT_STAMPS", ROOT / "build" / "lint"))
 TIDY = ["clang-tidy-14", "--quiet", f"--config-file={ROOT}/.clang-tidy",
         "--extra-arg=-Wno-unknown-warning-option", "--extra-arg=-Wno-unused-command-line-argument",
         "--extra-arg=-DHWY_COMPILE_ONLY_STATIC"]
-LINTED = tuple(f"{ROOT}/{folder}/" for folder in ("beeline", "cli", "examples"))
+LINTED = tuple(f"{ROOT}/{folder}/" for folder in ("beeline", "cli", "examples", "python"))
 INCLUDE = re.compile(rb'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-PLACES = ("beeline", "cli", "tests", "bench", "examples", "docs", "cmake", "scripts", "README.md",
+PLACES = ("beeline", "cli", "tests", "bench", "examples", "docs", "cmake", "python", "scripts", "README.md",
           "CHANGELOG.md", "CONTRIBUTING.md", "CMakeLists.txt", "Makefile", "layers.txt")
 ENDINGS = {".h", ".cpp", ".py", ".sh", ".md", ".txt", ".cmake", ".in", ""}
 FORMER_NAMES = {"cli/command/former_names.cpp", "tests/cli/names_test.py"}

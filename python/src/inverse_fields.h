@@ -53,8 +53,9 @@ struct Fields<InverseOptions> {
         field("tolerance", &InverseOptions::tolerance,
               "Largest error of a solution, metres and radians, above 0."),
         field("max_iterations", &InverseOptions::max_iterations,
-              "Most steps of the numerical solver from one start."),
-        field("max_restarts", &InverseOptions::max_restarts, "Most random starts after the first."),
+              "Maximum number of steps of the numerical solver from one start."),
+        field("max_restarts", &InverseOptions::max_restarts,
+              "Maximum number of random starts after the first."),
         field("random_seed", &InverseOptions::random_seed, "The same value gives the same result."),
         field("budget", &InverseOptions::budget, ""));
   }

@@ -160,8 +160,9 @@ bool set_option(Options& result, const std::string& keyword, nb::handle value,
 template <class... Options>
 auto options(const nb::kwargs& values) {
   std::tuple<Options...> result{};
-  for (const auto& [key, value] : values) {
-    const std::string keyword = Value<std::string>::from(key, "keyword");
+  for (const auto& item : values) {
+    const std::string keyword = Value<std::string>::from(item.first, "keyword");
+    const nb::handle value = item.second;
     std::vector<std::string> names;
     const bool found = std::apply(
         [&](Options&... part) { return (set_option(part, keyword, value, names) || ...); }, result);
