@@ -5,12 +5,12 @@ Twists and rows of Jacobians have the linear part first: [vx vy vz wx wy wz]. A 
 result that is false and has a `reason`; invalid input raises `beeline.Error`.
 """
 
-from . import _core, arms
+from . import _core, arms, plot, poses
 from ._core import *  # noqa: F403
 from ._core import __version__
 from ._pictures import animate, draw, figure
 
-__all__ = ["__version__", "animate", "arms", "draw", "figure"]
+__all__ = ["__version__", "animate", "arms", "draw", "figure", "plot", "poses"]
 __all__ += _core.__all__
 
 for _name in __all__:

@@ -252,6 +252,16 @@ void bind_pictures(nb::module_& m) {
   define(
       m, [](const Arm& arm) { return Value<Configuration>::to(display_configuration(arm)); }, shown,
       nb::arg("arm"));
+  m.def(
+      "distinct_colour",
+      [](nb::handle k) {
+        const Colour colour = distinct_colour(
+            static_cast<int>(integer_from(k, "k", 0, std::numeric_limits<int>::max())));
+        return nb::make_tuple(colour.red, colour.green, colour.blue);
+      },
+      nb::arg("k"), nb::sig("def distinct_colour(k: int) -> tuple[float, float, float]"),
+      "Returns colour k of a cycle of eight, red, green and blue from 0 to 1: 0 red, 1 green, 2 "
+      "blue (the axes x, y, z and joints 1, 2, 3), then five others.");
   // Notebooks draw an arm, and the joints of a trajectory over time.
   auto arm = nb::borrow<nb::class_<Arm>>(nb::type<Arm>());
   arm.def("_repr_svg_", [](const Arm& self) {

@@ -17,7 +17,7 @@ std::string name_of_type(nb::handle value) {
 
 bool is_array_or_list(nb::handle value) {
   return is_array(value) || nb::isinstance<nb::list>(value) || nb::isinstance<nb::tuple>(value) ||
-         nb::hasattr(value, "__array_interface__");
+         is_array(value);
 }
 
 }  // namespace
