@@ -16,8 +16,7 @@ std::string name_of_type(nb::handle value) {
 }
 
 bool is_array_or_list(nb::handle value) {
-  return is_array(value) || nb::isinstance<nb::list>(value) || nb::isinstance<nb::tuple>(value) ||
-         is_array(value);
+  return is_array(value) || nb::isinstance<nb::list>(value) || nb::isinstance<nb::tuple>(value);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ def test_as_arguments(make, matrices):
     assert one and np.allclose(one.solutions, same.solutions, atol=1e-9)
     many = beeline.batch_inverse(arm, make(goals))
     for given in (many, beeline.batch_inverse(arm, [make(goal) for goal in goals])):
-        reached = beeline.forward_kinematics(arm, given.configurations)
+        reached = beeline.forward_kinematics(arm, given.q)
         assert np.allclose(reached, goals, atol=1e-6)
 
 

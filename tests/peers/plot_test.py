@@ -1,0 +1,115 @@
+"""beeline.plot in matplotlib, without a display: what the axes show, and refusals."""
+
+import os
+
+os.environ["MPLBACKEND"] = "Agg"
+
+import numpy as np  # noqa: E402
+import pytest  # noqa: E402
+
+beeline = pytest.importorskip("beeline")
+from matplotlib import pyplot  # noqa: E402
+from matplotlib.colors import to_rgb  # noqa: E402
+
+from beeline import plot  # noqa: E402
+
+
+@pytest.fixture(autouse=True)
+def closed():
+    yield
+    pyplot.close("all")
+
+
+def motion(arm, with_velocities=True):
+    t = np.linspace(0, 2, 9)
+    amplitude = np.linspace(0.5, -0.4, arm.dof)
+    q = beeline.display_configuration(arm) + np.sin(t)[:, None] * amplitude
+    return beeline.Trajectory(arm.joint_names, t, q, np.cos(t)[:, None] * amplitude if with_velocities else None)
+
+
+def points_of(line):
+    return np.array(line.get_data_3d() if hasattr(line, "get_data_3d") else line.get_data()).T
+
+
+@pytest.mark.parametrize("name", beeline.arms.names())
+def test_every_built_in_arm(name, tmp_path):
+    arm = beeline.Arm.load(name)
+    q = beeline.display_configuration(arm)
+    ax = plot.arm(arm, frames=True, jacobian=True, label="here")
+    links = next(line for line in ax.lines if line.get_label() == "here")
+    dimensions = 2 if arm.planar else 3
+    tool = beeline.forward_kinematics(arm, q)[:dimensions, 3]
+    assert np.allclose(points_of(links)[-1], tool)
+    drawn = {tuple(np.round(point, 9) + 0.0) for point in points_of(links)}
+    for pose in beeline.link_poses(arm, q):
+        assert tuple(np.round(pose[:dimensions, 3], 9) + 0.0) in drawn
+    for extent, value in zip((ax.get_xlim(), ax.get_ylim()), tool):
+        assert extent[0] <= value <= extent[1]
+    ax.figure.savefig(tmp_path / "arm.png")
+    for draw in (plot.motion, plot.trail):
+        draw(arm, motion(arm), waypoints=[beeline.forward_kinematics(arm, q)]).figure.savefig(tmp_path / "motion.png")
+
+
+def test_the_trail_is_that_of_the_motion_between_its_samples():
+    arm = beeline.arms.panda()
+    trajectory = motion(arm)
+    ax = plot.trail(arm, trajectory, samples=33)
+    exact = beeline.forward_kinematics(arm, trajectory.sample(np.linspace(0, 2, 33)).position)[:, :3, 3]
+    shown = points_of(ax.lines[0])
+    assert all(np.abs(shown - point).max(axis=1).min() < 1e-12 for point in exact)
+    rows = plot.trail(arm, trajectory.positions)
+    assert len(points_of(rows.lines[0])) == 9
+
+
+def test_joint_curves_have_the_library_s_colours_and_the_arm_s_limits():
+    arm = beeline.arms.panda()
+    trajectory = motion(arm)
+    axes = plot.joints(trajectory, arm)
+    curves = [line for line in axes[0].lines if line.get_label() in arm.joint_names]
+    assert [to_rgb(curve.get_color()) for curve in curves] == [beeline.distinct_colour(k) for k in range(7)]
+    assert to_rgb(curves[0].get_color())[0] > 0.8 and to_rgb(curves[2].get_color())[2] > 0.7
+    t = np.linspace(0, 1.99, 50)
+    state = trajectory.sample(t)
+    for ax, values in zip(axes, (state.position, state.velocity, state.acceleration)):
+        line = ax.lines[3]
+        assert np.abs(np.interp(t, *line.get_data()) - values[:, 3]).max() < 2e-3
+    levels = {round(line.get_ydata()[0], 4) for line in axes[0].lines if line.get_linestyle() == "--"}
+    assert levels == set(np.round(np.concatenate([arm.lower, arm.upper]), 4))
+    assert len(plot.joints(trajectory)[0].lines) == 7
+
+
+def test_a_linear_motion_has_steps():
+    arm = beeline.arms.rrr()
+    axes = plot.joints(motion(arm, with_velocities=False), arm)
+    assert "by differences" in axes[2].get_ylabel()
+    assert any(line.get_linestyle() == ":" for line in axes[1].lines)  # an assumed limit
+    velocity = axes[1].lines[0].get_ydata()
+    assert len(np.unique(np.round(velocity, 9))) == 8
+
+
+@pytest.mark.parametrize("name", ["rrr", "panda"])
+def test_an_animation_passes_the_whole_motion(name, tmp_path):
+    arm = beeline.Arm.load(name)
+    trajectory = motion(arm)
+    moving = plot.animation(arm, trajectory, speed=2, fps=10)
+    moving.save(tmp_path / "moving.gif", writer="pillow")
+    assert (tmp_path / "moving.gif").stat().st_size > 1000
+    ends = [points_of(moving._func(frame)[0])[-1] for frame in (0, 10)]
+    poses = beeline.forward_kinematics(arm, trajectory.positions[[0, -1]])
+    assert np.allclose(ends, poses[:, : len(ends[0]), 3])
+
+
+def test_refusals():
+    rrr, panda = beeline.arms.rrr(), beeline.arms.panda()
+    with pytest.raises(ValueError, match="3d"):
+        plot.arm(panda, ax=pyplot.figure().add_subplot())
+    with pytest.raises(ValueError, match="planar"):
+        plot.arm(rrr, ax=pyplot.figure().add_subplot(projection="3d"))
+    with pytest.raises(beeline.Error):
+        plot.arm(rrr, [1, 2])
+    with pytest.raises(beeline.Error):
+        plot.motion(rrr, motion(panda))
+    with pytest.raises(TypeError, match="Trajectory"):
+        plot.joints([1, 2, 3])
+    with pytest.raises(ValueError, match="positive"):
+        plot.animation(rrr, motion(rrr), speed=0)
