@@ -82,6 +82,9 @@ Eigen::VectorXd task_rows(const Task& task, const Twist& twist) {
 
 Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const Task& task,
                               double length_unit) {
+  if (!(length_unit > 0)) {
+    throw Error("length_unit is " + number(length_unit) + " m; it must be above 0");
+  }
   Jacobian all = jacobian(arm, q, task.frame);
   all.topRows<3>() /= length_unit;
   return internal::selected_rows(task, all);

@@ -77,8 +77,9 @@ InputArray::InputArray(nb::handle value, const char* name, bool float32)
     } else {
       array_ = PyArray_FROMANY(value.ptr(), type, 0, 0, flags);
     }
-  } else {
-    array_ = PyArray_FROMANY(value.ptr(), type, 0, 0, flags);
+  } else {  // first as numpy sees it: text in lists would be read as numbers
+    const nb::object natural = nb::steal(PyArray_FROM_O(value.ptr()));
+    array_ = natural.is_valid() ? PyArray_FROMANY(natural.ptr(), type, 0, 0, flags) : nullptr;
   }
   if (!array_) raise_conversion(name);
   PyArrayObject* array = array_of(array_);

@@ -1,0 +1,166 @@
+"""Inverse kinematics: solutions reach their poses; options, records, batches, solvers and threads."""
+
+import copy
+import os
+import pickle
+import random
+import threading
+
+import beeline
+import numpy as np
+import pytest
+
+SEED = int(os.environ.get("BEELINE_SEED", random.randrange(10**6)))
+ARMS = ["rrr", "scara", "stanford", "puma560", "ur5", "panda", "iiwa14"]
+
+
+@pytest.fixture(params=ARMS)
+def arm(request):
+    return beeline.Arm.load(request.param)
+
+
+@pytest.fixture
+def rng():
+    print("seed", SEED)
+    return np.random.default_rng(SEED)
+
+
+def reachable(arm, rng, count):
+    q = rng.uniform(np.maximum(arm.lower, -3), np.minimum(arm.upper, 3), (count, arm.dof))
+    return q, beeline.forward_kinematics(arm, q)
+
+
+def test_solutions_reach_the_pose(arm, rng):
+    for q, pose in zip(*reachable(arm, rng, 20)):
+        result = beeline.inverse_kinematics(arm, pose)
+        assert result and result.status == "solved" and result.nearest is None
+        assert np.abs(beeline.forward_kinematics(arm, result.q) - pose).max() < 1e-9
+        assert np.array_equal(result.q, result.solutions[0])
+        assert not arm.limit_violations(result.q)
+        near = beeline.inverse_kinematics(arm, pose, seed=q, redundancy="nearest")
+        assert np.linalg.norm(near.q - q) < 1e-3
+        assert pickle.loads(pickle.dumps(result)) == result == copy.deepcopy(result)
+
+
+def test_all_solutions(arm, rng):
+    for q, pose in zip(*reachable(arm, rng, 5)):
+        result = beeline.inverse_kinematics(arm, pose, all=True, seed=q)
+        distances = np.linalg.norm(result.solutions - q, axis=1)
+        assert np.all(np.diff(distances) > -1e-12)
+        poses = beeline.forward_kinematics(arm, result.solutions)
+        assert np.abs(poses - pose).max() < 1e-8
+        assert result.solutions.shape[1] == arm.dof and not result.solutions.flags.writeable
+
+
+def test_options_are_those_of_the_library(rng):
+    arm = beeline.arms.panda()
+    q, poses = reachable(arm, rng, 1)
+    locked = beeline.inverse_kinematics(arm, poses[0], seed=q[0], lock=6)
+    assert locked and locked.q[6] == pytest.approx(q[0][6], abs=1e-12)
+    position = beeline.inverse_kinematics(arm, poses[0], task="position")
+    assert position and np.abs(beeline.forward_kinematics(arm, position.q)[:3, 3] - poses[0][:3, 3]).max() < 1e-9
+    numerical = beeline.inverse_kinematics(arm, poses[0], method="numerical", random_seed=3)
+    assert numerical.method.startswith("numerical")
+    ended = beeline.inverse_kinematics(arm, poses[0], method="numerical", all=True, max_work=1)
+    assert not ended and ended.status == "work_limit" and ended.reason
+    stopped = beeline.inverse_kinematics(arm, poses[0], method="numerical", time_limit=0)
+    assert stopped.status in ("time_limit", "solved")
+
+
+def test_negative_answers_have_reasons(arm):
+    pose = np.eye(4)
+    pose[:3, 3] = arm.reach[0] + [3 * arm.reach[1] if np.isfinite(arm.reach[1]) else 99, 0, 0]
+    result = beeline.inverse_kinematics(arm, pose)
+    assert not result and result.q is None and result.solutions.size == 0
+    assert result.status in ("unreachable", "outside_limits") and result.reason
+    assert result.nearest.error.position > 0 and result.nearest.q.shape == (arm.dof,)
+    assert repr(result).startswith(f"InverseResult(status='{result.status}'")
+
+
+def test_a_solver_is_inverse_kinematics(arm, rng):
+    solver = beeline.InverseSolver(arm, max_restarts=50)
+    assert solver.arm is arm and solver.method in repr(solver)
+    q, poses = reachable(arm, rng, 20)
+    for other in (solver, copy.copy(solver), pickle.loads(pickle.dumps(solver))):
+        for seed, pose in zip(q, poses):
+            assert other.solve(pose) == beeline.inverse_kinematics(arm, pose, max_restarts=50)
+            assert other.solve(pose, seed) == beeline.inverse_kinematics(arm, pose, seed=seed, max_restarts=50)
+            result = np.empty(arm.dof)
+            assert other.solve_into(pose, seed, result) == 1
+            assert np.abs(beeline.forward_kinematics(arm, result) - pose).max() < 1e-8
+
+
+def test_solutions_are_written_into_arrays(rng):
+    arm = beeline.arms.ur5()
+    (q,), (pose,) = reachable(arm, rng, 1)
+    solver = beeline.InverseSolver(arm, all=True)
+    expected = solver.solve(pose, q).solutions
+    for out in (np.empty((64, 6)), np.empty((64, 6), order="F"), np.empty((128, 12))[::2, ::2]):
+        count = solver.solve_into(pose, q, out)
+        assert count == len(expected) and np.abs(out[:count] - expected).max() < 1e-9
+        assert np.isnan(out[count:]).all()
+    assert solver.solve_into(beeline.make_pose([9, 9, 9]), q, out) == 0
+    assert np.isnan(out).all()
+
+
+def test_a_batch_is_its_poses_one_by_one(arm, rng):
+    q, poses = reachable(arm, rng, 60)
+    poses[7, 0, 3] = np.nan
+    poses[8] = beeline.make_pose([99, 0, 0])
+    result = beeline.batch_inverse(arm, poses)
+    assert not result and result.solved == 58 and result.computed == 60 and result.ending == "complete"
+    assert np.flatnonzero(~result.has_solution).tolist() == [7, 8] and np.isnan(result.q[7:9]).all()
+    solver = beeline.InverseSolver(arm)
+    for pose, found in zip(poses[result.has_solution], result.q[result.has_solution]):
+        one = np.empty(arm.dof)
+        assert solver.solve_into(pose, arm.middle, one) == 1
+        assert np.array_equal(one, found)
+    assert np.array_equal(beeline.batch_inverse(arm, poses, threads=1).q, result.q, equal_nan=True)
+    good = poses[9:].copy()
+    whole = beeline.batch_inverse(arm, good)
+    assert whole and pickle.loads(pickle.dumps(whole)) == whole == copy.copy(whole)
+    for same in (good.tolist(), list(good), np.asfortranarray(good), good[::-1].copy()[::-1]):
+        assert np.array_equal(beeline.batch_inverse(arm, same).q, whole.q)
+    grid = beeline.batch_inverse(arm, good[:50].reshape(5, 10, 4, 4))
+    assert grid.q.shape == (5, 10, arm.dof) and np.array_equal(grid.q.reshape(50, -1), whole.q[:50])
+    assert grid.has_solution.shape == (5, 10)
+    seven = beeline.forward_kinematics(arm, q[9:], layout="position_quaternion")
+    other = beeline.batch_inverse(arm, seven, layout="position_quaternion")
+    assert other.solved == 51
+    seeded = beeline.batch_inverse(arm, good, seed=q[9:], redundancy="nearest")
+    assert np.linalg.norm(seeded.q - q[9:], axis=1).max() < 1e-3
+    out = np.empty((51, arm.dof))
+    assert beeline.batch_inverse(arm, good, out=out).q is out
+
+
+def test_a_budget_ends_a_batch(rng):
+    arm = beeline.arms.panda()
+    _, poses = reachable(arm, rng, 200)
+    result = beeline.batch_inverse(arm, poses, max_work=100, method="numerical")
+    assert not result and result.ending == "work_limit" and result.computed < 200
+    assert np.count_nonzero(result.has_solution) == result.solved
+    assert beeline.batch_inverse(arm, poses[:0]).q.shape == (0, 7)
+    assert beeline.batch_inverse(arm, [])
+
+
+def test_threads_call_at_once(rng):
+    arm = beeline.arms.panda()
+    q, poses = reachable(arm, rng, 200)
+    solver = beeline.InverseSolver(arm)
+    expected = [solver.solve(pose) for pose in poses]
+    kinematics = beeline.jacobian(arm, q)
+    wrong = []
+
+    def work():
+        for row, pose, result, columns in zip(q, poses, expected, kinematics):
+            if solver.solve(pose) != result or np.abs(beeline.jacobian(arm, row) - columns).max() > 1e-12:
+                wrong.append(row)
+        if np.abs(beeline.forward_kinematics(arm, q) - poses).max() != 0:
+            wrong.append("batch")
+
+    threads = [threading.Thread(target=work) for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not wrong
