@@ -72,8 +72,9 @@ std::ostream& operator<<(std::ostream& out, const TrackerStep& step);
 ///   stops at once, the joints pass it by v²/2a;
 /// - the solution is the one continued from the start. It does not jump to another one, also where
 ///   only another one reaches the command;
-/// - near a singularity the tool deviates from the command and continues; an arm that was stretched
-///   out towards commands beyond its reach may bend to the other side afterwards;
+/// - near a singularity the tool deviates from the command and continues; a redundant arm that was
+///   stretched out towards commands beyond its reach may bend to the other side afterwards, and
+///   stay where a limit prevents that; others return on the same side in most cases;
 /// - a redundant arm moves away from its position limits while the tool moves (Liégeois 1977).
 ///
 /// No step allocates. Equal commands give equal results. One object serves one loop.

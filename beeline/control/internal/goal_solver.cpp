@@ -10,6 +10,7 @@ namespace {
 
 constexpr int max_goal_steps = 8;  // from a command to the next, two suffice
 constexpr double solved = 1e-12;   // |c|, rounding is about 1e-15
+constexpr double unsolved = 1e-4;  // |c| of a pose that is perhaps out of reach
 
 // Of the squared norm of A's columns. The smallest damping only keeps the factors finite.
 constexpr double min_damping = 1e-12;
@@ -46,6 +47,7 @@ GoalSolver::GoalSolver(const Arm& arm, const Task& task)
       least_squares_(arm.dof()),
       goal_(Configuration::Zero(arm.dof())),
       trial_(arm.dof()),
+      crossed_(arm.dof()),
       a_(6, arm.dof()),
       c_(Rows::Zero()),
       error_(Twist::Zero()),
@@ -120,24 +122,68 @@ GoalSolver::Progress GoalSolver::improve(const Pose& world_T_tool, const Eigen::
     return Progress::none;
   }
   if (ratio > 0.75) damping_ /= 10;
-  accept_trial(cost);
+  accept_trial(cost > unsolved * unsolved ? cost_on_same_side(cost, world_T_tool) : cost);
   return Progress::yes;
+}
+
+/// The determinant of A for as many coordinates as rows. Its sign changes at a singularity.
+double GoalSolver::determinant(const Jacobian& a) const {
+  Matrix6 square = Matrix6::Zero();
+  square.leftCols(a.cols()) = a;
+  Eigen::Index column = a.cols();
+  for (int i = 0; i < 6; ++i) {
+    if (!rows_.rows[i]) square(i, column++) = 1;
+  }
+  return square.determinant();
+}
+
+/// Sets bias_ to a direction of the null space of A, of length saddle_step, with the square of
+/// singular values up to `damping` counting as zero. Returns whether there is one.
+bool GoalSolver::fill_null_direction(double damping) {
+  for (Eigen::Index k = 0; k < x_.size(); ++k) {
+    bias_[k] = (k % 2 == 0 ? 1 : -1) / (1 + 0.3 * static_cast<double>(k));  // any direction
+    lower_[k] = -Limits::none;
+    upper_[k] = Limits::none;
+  }
+  bias_ = least_squares_.solve(a_, Rows::Zero(), damping, bias_, lower_, upper_);
+  const double size = bias_.lpNorm<Eigen::Infinity>();
+  if (!(size > 1e-3)) return false;
+  bias_ *= saddle_step / size;
+  return true;
+}
+
+/// Where the arm is stretched out towards a pose beyond its reach, a step across the singularity
+/// hardly changes the error. Moves trial_ back to the side of the goal along the null space of A,
+/// where that does not increase the error. At a singularity where motion in the null space does not
+/// lead back, as at a wrist's, the step stays. Returns |c|^2 at trial_.
+double GoalSolver::cost_on_same_side(double cost, const Pose& world_T_tool) {
+  if (trial_.size() != rows_.size()) return cost;
+  const double before = determinant(a_), after = determinant(task_.matrix());
+  if (!(before * after < 0) || !fill_null_direction(1e-5 * a_.squaredNorm())) return cost;
+  crossed_ = trial_;
+  for (const double sign : {1.0, -1.0}) {
+    trial_ = crossed_ + sign * task_.weight().cwiseProduct(bias_);
+    evaluate_trial(world_T_tool);
+    const double beyond = determinant(task_.matrix());
+    if (!(beyond * before > 0)) continue;
+    const double part = std::min(1.0, (before - after) / (beyond - after));
+    trial_ = (crossed_ + sign * part * task_.weight().cwiseProduct(bias_))
+                 .cwiseMax(positions_.lower)
+                 .cwiseMin(positions_.upper);
+    const double moved = evaluate_trial(world_T_tool);
+    if (moved <= cost_ && determinant(task_.matrix()) * before > 0) return moved;
+  }
+  trial_ = crossed_;
+  return evaluate_trial(world_T_tool);
 }
 
 /// At a saddle of the error, as with the arm stretched out exactly and a pose nearer to its base,
 /// no first-order step reduces the error. Tries a motion in the null space of A both ways.
 bool GoalSolver::leave_saddle(const Pose& world_T_tool, const Eigen::VectorXd& lower,
                               const Eigen::VectorXd& upper) {
-  const Eigen::VectorXd& weight = task_.weight();
-  for (Eigen::Index k = 0; k < x_.size(); ++k) {
-    bias_[k] = (k % 2 == 0 ? 1 : -1) / (1 + 0.3 * static_cast<double>(k));  // any direction
-    lower_[k] = -Limits::none;
-    upper_[k] = Limits::none;
-  }
-  x_ = least_squares_.solve(a_, Rows::Zero(), 1e-8 * a_.squaredNorm(), bias_, lower_, upper_);
-  x_ *= saddle_step / std::max(x_.lpNorm<Eigen::Infinity>(), 1e-300);
+  if (!fill_null_direction(1e-8 * a_.squaredNorm())) return false;
   for (const double sign : {1.0, -1.0}) {
-    trial_ = (goal_ + sign * weight.cwiseProduct(x_)).cwiseMax(lower).cwiseMin(upper);
+    trial_ = (goal_ + sign * task_.weight().cwiseProduct(bias_)).cwiseMax(lower).cwiseMin(upper);
     const double cost = evaluate_trial(world_T_tool);
     if (!(cost_ - cost > 2 * negligible_reduction * std::sqrt(cost_))) continue;
     accept_trial(cost);

@@ -42,6 +42,9 @@ class GoalSolver {
   void fill_step(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
   Progress improve(const Pose& world_T_tool, const Eigen::VectorXd& lower,
                    const Eigen::VectorXd& upper);
+  double determinant(const Jacobian& a) const;
+  bool fill_null_direction(double damping);
+  double cost_on_same_side(double cost, const Pose& world_T_tool);
   bool leave_saddle(const Pose& world_T_tool, const Eigen::VectorXd& lower,
                     const Eigen::VectorXd& upper);
   GoalStatus status(bool stationary, const Eigen::VectorXd& lower,
@@ -53,6 +56,7 @@ class GoalSolver {
   bool redundant_;
   BoundedLeastSquares least_squares_;
   Configuration goal_, trial_;
+  Configuration crossed_;          ///< trial_ on the other side of a singularity
   Jacobian a_;                     ///< A at the goal
   Rows c_;                         ///< c at the goal
   Twist error_, trial_error_;      ///< m and rad
