@@ -12,11 +12,25 @@ project = "Beeline"
 copyright = "the authors of Beeline"
 html_title = "Beeline"
 default_role = "code"  # of docstrings
-exclude_patterns = ["sphinx", "doxygen", "sessions", "requirements.txt"]
+exclude_patterns = ["sphinx", "doxygen", "sessions", "requirements.txt", "examples/*.ipynb", "examples/*.py"]
 smartquotes = False  # "--" is part of options
 
-extensions = ["myst_nb", "breathe", "mathml", "sphinx_copybutton", "sphinx.ext.autodoc",
+extensions = [
+    "myst_nb", "breathe", "mathml", "sphinx_copybutton", "sphinx.ext.autodoc", "sphinx_gallery.gen_gallery",
 ]
+sphinx_gallery_conf = {
+    "examples_dirs": str(HERE.parent / "examples"),
+    "gallery_dirs": "examples",
+    "within_subsection_order": "FileNameSortKey",
+    "filename_pattern": r"\d\d_\w+\.py",
+    "image_scrapers": ("pictures.saved_pictures",),
+    "abort_on_example_error": True,
+    "download_all_examples": False,
+    "show_memory": False,
+    "show_signature": False,
+    "write_computation_times": False,
+    "min_reported_time": 1e9,
+}
 autodoc_member_order = "bysource"
 autodoc_typehints_format = "short"
 html_math_renderer = "mathml"

@@ -11,11 +11,12 @@ source=$folder/source
 export PYTHONPATH=$build/python
 
 mkdir -p "$source"
-rsync --archive --delete --exclude=/cpp --exclude=/python --exclude=/command_line --exclude=/doxygen --exclude=/sessions \
+rsync --archive --delete --exclude=/cpp --exclude=/python --exclude=/command_line --exclude=/doxygen --exclude=/sessions --exclude=/examples \
   --exclude=__pycache__ docs/ "$source/docs/"
 rsync --archive --delete examples tests CHANGELOG.md "$source/"
-rm -rf "$source"/docs/{doxygen,cpp,python,command_line,sessions} "$folder/html"
+rm -rf "$source"/docs/{doxygen,cpp,python,command_line,sessions,examples} "$folder/html"
 mkdir -p "$source/docs/doxygen"
+cp docs/sphinx/GALLERY_HEADER.rst "$source/examples/"
 
 { cat docs/Doxyfile; echo "OUTPUT_DIRECTORY = $source/docs/doxygen"; } | doxygen -
 "$python" -B docs/sphinx/cpp_reference.py . "$source/docs/doxygen/xml" "$source/docs/cpp"
