@@ -4,7 +4,7 @@
 
 #include "bindings.h"
 #include "draw_fields.h"
-#include "trajectory_fields.h"
+#include "planning_fields.h"
 
 namespace beeline::python {
 namespace {
@@ -189,25 +189,38 @@ void bind_charts(nb::module_& m) {
   Signature timing("timing_figure", "Drawing",
                    "Draws positions, velocities and accelerations of all joints over time, with "
                    "their limits, the speed of the tool, and the inverse condition number of the "
-                   "task's Jacobian (0 at a singularity).");
+                   "task's Jacobian (0 at a singularity). For a planned motion along a path, also "
+                   "the trail with its deviation exaggerated, and the deviation over the arc "
+                   "length with its proved bound.");
   timing.takes("arm", "Arm", "The arm.")
-      .takes("trajectory", "Trajectory", "Of this arm's joints.")
+      .takes("motion", "Trajectory | PathMotion", "Of this arm's joints.")
       .keywords()
       .takes("title", "str", "Default: the arm's name and the duration.", "''")
       .takes("task", "str | None", "Default: planar for planar arms, else spatial.", "None")
-      .takes("waypoint_times", array_like, "When waypoints 1, 2, ... are passed, s.", "()");
+      .takes("tolerance", "Deviation | None", "Drawn as a reference line.", "None")
+      .takes("waypoint_times", array_like,
+             "When waypoints 1, 2, ... are passed, s. Default: those of the path.", "()");
   define(
       m,
-      [](const Arm& arm, const Trajectory& trajectory, nb::handle title, nb::handle task,
+      [](const Arm& arm, nb::handle motion, nb::handle title, nb::handle task, nb::handle tolerance,
          nb::handle waypoint_times) {
         TimingFigureOptions given;
         given.title = Value<std::string>::from(title, "title");
         given.task = Value<std::optional<Task>>::from(task, "task");
         given.waypoint_times = Value<std::vector<double>>::from(waypoint_times, "waypoint_times");
+        const PathMotion* along = nullptr;
+        if (nb::try_cast<const PathMotion*>(motion, along) && along) {
+          given.path = FollowedPath{along->path, along->path_parameters,
+                                    given.task.value_or(default_task(arm)),
+                                    Value<std::optional<Deviation>>::from(tolerance, "tolerance")};
+          return without_lock([&] { return timing_figure(arm, along->trajectory, given); });
+        }
+        const auto trajectory = Value<Trajectory>::from(motion, "motion");
         return without_lock([&] { return timing_figure(arm, trajectory, given); });
       },
-      timing, nb::arg("arm"), nb::arg("trajectory"), nb::kw_only(), nb::arg("title") = "",
-      nb::arg("task") = nb::none(), nb::arg("waypoint_times") = nb::make_tuple());
+      timing, nb::arg("arm"), nb::arg("motion"), nb::kw_only(), nb::arg("title") = "",
+      nb::arg("task") = nb::none(), nb::arg("tolerance") = nb::none(),
+      nb::arg("waypoint_times") = nb::make_tuple());
   Signature responses("step_response_figure", "Drawing",
                       "Draws the step responses of controllers: for each motion, over time, the "
                       "distance towards the goal in joint space, in percent.");
