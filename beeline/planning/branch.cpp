@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include <beeline/certificate/internal/path_checks.h>
+#include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/planning/branch.h>
@@ -90,6 +92,20 @@ Branch best_branch(const Arm& arm, const std::optional<Configuration>& start, co
   return *planned;
 }
 
+/// Throws Error for a path without segments or without a span for each, a task that its segments do
+/// not allow, and tolerances that are not above zero.
+void check_branch_search(const Arm& arm, const ToolPath& path, const BranchOptions& options) {
+  check_task(arm, path, options.task);
+  if (path.spans.size() != path.segments.size()) {
+    throw Error("a path of " + std::to_string(path.segments.size()) + " segments has " +
+                std::to_string(path.spans.size()) + " spans; it needs one for each");
+  }
+  const Deviation& tolerance = options.tolerance;
+  if (tolerance.position > 0 && tolerance.orientation > 0) return;
+  throw Error("the tolerances of a path must be above zero, not " + number(tolerance.position) +
+              " m and " + number(tolerance.orientation) + " rad");
+}
+
 /// The options of a part of a search.
 BranchOptions within(BudgetMeter& budget, const BranchOptions& given) {
   BranchOptions options = given;
@@ -102,6 +118,7 @@ BranchOptions within(BudgetMeter& budget, const BranchOptions& given) {
 
 Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, const ToolPath& path,
                  const BranchOptions& given) {
+  check_branch_search(arm, path, given);
   BudgetMeter budget(given.budget);
   Branch branch = best_branch(arm, start, path, within(budget, given), budget);
   if (!budget.complete()) set_ended(path, budget.ending(), branch);
@@ -109,6 +126,7 @@ Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, cons
 }
 
 std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, const BranchOptions& given) {
+  check_branch_search(arm, path, given);
   BudgetMeter budget(given.budget);
   BranchOptions options = within(budget, given);
   options.reasons = BranchOptions::Reasons::all;

@@ -60,9 +60,10 @@ struct BranchOptions {
 /// shortest path through a layered graph of configurations (Ferrentino & Chiacchio 2020), on grids
 /// that are refined until a motion is complete. Any other arm follows the best of all branches. If
 /// none is complete, returns the one that reaches farthest, with its reason. Where the budget ends
-/// the search, returns the best so far with the budget's status. Throws Error for a
-/// path without segments, a task that its segments do not allow, and a start that does not fit the
-/// arm or whose tool is not at the path's beginning.
+/// the search, returns the best so far with the budget's status. Throws Error for a path without
+/// segments or without a span for each, a task that its segments do not allow, tolerances that are
+/// not above zero, and a start that does not fit the arm or whose tool is not at the path's
+/// beginning.
 Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, const ToolPath& path,
                  const BranchOptions& options);
 

@@ -81,6 +81,7 @@ struct Trial {
 std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Configuration>& start,
                                       const ToolPath& path, const BranchOptions& options,
                                       bool rotate) {
+  internal::check_task(arm, path, options.task);
   // Other segments would no longer join the first one smoothly.
   if (start && !internal::all_lines(path)) return {};
   Trial trial{arm, start, path, rotate, options, options};

@@ -20,7 +20,8 @@ struct NearbyPath {
 /// double from 1 mm to 0.26 m, or from 0.01 to 0.64 rad; the first that succeeds is refined by
 /// bisection. Paths of planar arms move in the plane. With a start, the path's first pose is kept
 /// and its first line leads to the moved path; paths with other segments than lines then have no
-/// result. Where the budget ends the search, the result is empty or not refined.
+/// result. Where the budget ends the search, the result is empty or not refined. Throws Error as
+/// plan_path() does.
 std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Configuration>& start,
                                       const ToolPath& path, const BranchOptions& options,
                                       bool rotate);

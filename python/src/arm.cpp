@@ -291,7 +291,7 @@ void bind_arms(nb::module_& m) {
         }
         return nb::bool_(&self == right || arm_to_json(self) == arm_to_json(*right));
       },
-      nb::sig("def __eq__(self, other: object, /) -> bool"));
+      nb::arg().none(), nb::sig("def __eq__(self, other: object, /) -> bool"));
   arm.def("__hash__", [](const Arm& self) { return std::hash<std::string>()(arm_to_json(self)); });
   m.def(
       "built_in_names", [] { return Value<std::vector<std::string>>::to(built_in_names()); },

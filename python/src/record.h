@@ -131,7 +131,7 @@ void bind_equality(nb::class_<T>& bound, Same same) {
         }
         return nb::bool_(&self == right || same(self, *right));
       },
-      nb::sig("def __eq__(self, other: object, /) -> bool"));
+      nb::arg().none(), nb::sig("def __eq__(self, other: object, /) -> bool"));
   bound.attr("__hash__") = nb::none();
 }
 

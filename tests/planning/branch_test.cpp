@@ -1,9 +1,12 @@
 #include <beeline/certificate/verify.h>
+#include <beeline/kinematics/forward.h>
 #include <beeline/planning/branch.h>
+#include <beeline/planning/nearby_path.h>
 
 #include <tests/planning/dense_search.h>
 #include <tests/planning/motion_promises.h>
 #include <tests/random_arm.h>
+#include <tests/refusal.h>
 
 namespace beeline {
 namespace {
@@ -129,6 +132,25 @@ TEST(PlanPath, AnswersForAnyArm) {
                                         : move_in_lines(arm, std::vector<Pose>{from, to});
     EXPECT_EQ(motion.reason.empty(), motion.status == MotionStatus::reached);
     EXPECT_EQ(motion.trajectory.size() > 0, motion.status == MotionStatus::reached);
+  }
+}
+
+TEST(PlanPath, RefusesPathsThatAreNone) {
+  for (const char* name : {"panda", "ur5"}) {
+    const Arm arm = built_in(name);
+    const Configuration q = middle_configuration(arm);
+    Pose moved = forward_kinematics(arm, q);
+    moved.translation().z() += 0.01;
+    const ToolPath path = lines_through(std::vector{forward_kinematics(arm, q), moved});
+    const BranchOptions options{.task = Task::spatial()};
+    EXPECT_REFUSED(plan_path(arm, q, {}, options), "a path needs segments");
+    EXPECT_REFUSED(plan_path(arm, {}, {}, options), "a path needs segments");
+    EXPECT_REFUSED(branch_map(arm, {}, options), "a path needs segments");
+    EXPECT_REFUSED(nearby_path(arm, q, {}, options, false), "a path needs segments");
+    EXPECT_REFUSED(plan_path(arm, q, {path.segments, {}}, options), "0 spans");
+    BranchOptions exact = options;
+    exact.tolerance = {0, 1};
+    EXPECT_REFUSED(plan_path(arm, q, path, exact), "above zero");
   }
 }
 

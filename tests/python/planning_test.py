@@ -1,0 +1,297 @@
+"""Planned motions and their proofs, programs, files for controllers: laws, endings, refusals."""
+
+import copy
+import pickle
+
+import beeline
+import numpy as np
+import pytest
+
+PANDA, UR5, RRR = beeline.arms.panda(), beeline.arms.ur5(), beeline.arms.rrr()
+HOME = np.array([0, -0.785, 0, -2.356, 0, 1.571, 0.785])
+UR5_HOME = np.array([0.2, -1.2, 1.5, -0.5, 1.2, 0])
+
+
+@pytest.fixture
+def rng(seed):
+    return np.random.default_rng(seed)
+
+
+def moved(pose, x=0.0, y=0.0, z=0.0):
+    other = np.array(pose)
+    other[:3, 3] += [x, y, z]
+    return other
+
+
+TOOL = beeline.forward_kinematics(PANDA, HOME)
+SQUARE = np.array([moved(TOOL, y=0.1), moved(TOOL, y=0.1, z=0.1), moved(TOOL, z=0.1), TOOL])
+
+
+@pytest.fixture(scope="module")
+def motion():
+    return beeline.move_in_lines(PANDA, HOME, SQUARE)
+
+
+def distance_from_lines(positions, corners):
+    nearest = np.full(len(positions), np.inf)
+    for a, b in zip(corners, corners[1:]):
+        s = np.clip((positions - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
+        nearest = np.minimum(nearest, np.linalg.norm(positions - a - s[:, None] * (b - a), axis=1))
+    return nearest
+
+
+def test_the_tool_moves_in_lines(motion):
+    assert motion and motion.status == "reached" and motion.reason == ""
+    assert motion.trajectory is motion.trajectory and "reached" in str(motion)
+    t = np.linspace(0, motion.trajectory.duration, 20001)
+    tool = beeline.forward_kinematics(PANDA, motion.trajectory.sample(t).position)
+    off = distance_from_lines(tool[:, :3, 3], np.array([TOOL, *SQUARE])[:, :3, 3])
+    assert off.max() <= motion.deviation.bound.position <= 1e-4
+    ends = beeline.forward_kinematics(PANDA, motion.trajectory.positions[motion.arrivals])
+    assert np.abs(ends - SQUARE).max() < 1e-5
+    assert not np.any(motion.trajectory.velocities[motion.arrivals])
+    assert motion.deviation.interval_bounds.shape == (len(motion.trajectory) - 1, 2)
+    assert motion.deviation.interval_bounds[:, 0].max() == pytest.approx(motion.deviation.bound.position)
+
+
+def test_its_proof_is_repeated_from_the_columns(motion):
+    proof = beeline.verify(PANDA, motion.trajectory, SQUARE)
+    assert proof and proof.fault == "none" and "verified" in str(proof)
+    assert proof.deviation.bound.position == pytest.approx(motion.deviation.bound.position, rel=0.1)
+    assert np.array_equal(proof.arrivals, motion.arrivals)
+    route = beeline.Route(motion.path, [True] * 4)
+    assert beeline.verify(PANDA, motion.trajectory, route)
+    bound = beeline.path_deviation(PANDA, motion.trajectory, motion.path_parameters, motion.path)
+    assert bound == motion.deviation
+    assert np.array_equal(beeline.arrivals(motion.path_parameters), motion.arrivals)
+    along = beeline.path_parameters_along(PANDA, motion.trajectory.positions, motion.path, motion.arrivals)
+    assert np.abs(along - motion.path_parameters).max() < 1e-6
+
+
+def test_faults_are_found(motion, rng):
+    trajectory = motion.trajectory
+    k = int(rng.integers(1, len(trajectory) - 1))
+    q = trajectory.positions.copy()
+    q[k, 3] += 2e-3
+    off = beeline.Trajectory(trajectory.joint_names, trajectory.times, q, trajectory.velocities, trajectory.accelerations)
+    answer = beeline.verify(PANDA, off, SQUARE)
+    assert not answer and answer.fault != "none" and answer.reason and abs(answer.sample - k) <= 1
+    fast = beeline.slow_down(trajectory, 1)
+    fast = beeline.Trajectory(fast.joint_names, fast.times / 2, fast.positions, 2 * fast.velocities,
+                              4 * fast.accelerations)
+    fault = beeline.first_joint_fault(PANDA, fast)
+    assert fault.kind in ("velocity", "acceleration", "jerk") and "joint" in fault.reason
+    assert beeline.first_joint_fault(PANDA, trajectory) is None
+    half = beeline.Trajectory(trajectory.joint_names, trajectory.times[k:], trajectory.positions[k:],
+                              trajectory.velocities[k:], trajectory.accelerations[k:])
+    if trajectory.velocities[k].any():
+        assert beeline.first_joint_fault(PANDA, half).kind == "moving"
+        assert beeline.first_joint_fault(PANDA, half, moving=(True, False)) is None
+
+
+def test_paths_of_all_kinds():
+    poses = [TOOL, moved(TOOL, y=0.05, z=0.05), moved(TOOL, y=0.1)]
+    for kind in ("line", "screw", "arc", "spline"):
+        route = beeline.route_of(beeline.path_through(poses, kind), kind)
+        motion = beeline.move_along(PANDA, HOME, route)
+        assert motion, (kind, motion.reason)
+        assert beeline.verify(PANDA, motion.trajectory, route)
+    blended = beeline.route_of(beeline.blended_lines(poses, (0.005, 0.05)))
+    smooth = beeline.move_along(PANDA, None, blended, rate=200, tool_speed=0.1)
+    assert smooth and np.abs(np.diff(smooth.trajectory.times) - 0.005).max() < 2e-9
+
+
+def test_without_a_start_the_first_pose_is_it():
+    motion = beeline.move_in_lines(UR5, None, [beeline.forward_kinematics(UR5, UR5_HOME),
+                                               moved(beeline.forward_kinematics(UR5, UR5_HOME), z=0.05)])
+    assert motion and len(motion.arrivals) == 1
+
+
+def test_what_is_impossible_has_a_reason():
+    far = beeline.move_in_lines(RRR, [0, np.pi / 2, 0], [beeline.parse_pose("20,0,0")])
+    assert not far and far.status == "unreachable" and "stops after" in far.reason
+    assert len(far.trajectory) == 0 and 0 < far.path_parameter < 1
+    few = beeline.move_in_lines(PANDA, HOME, SQUARE, max_samples=10)
+    assert few.status == "too_many_samples"
+    tool = beeline.forward_kinematics(UR5, UR5_HOME)
+    out = beeline.lines_through([tool, moved(tool, x=0.9)])
+    nearby = beeline.nearby_path(UR5, None, out)
+    assert nearby is None or beeline.plan_path(UR5, None, nearby.path)
+
+
+def test_budgets_end_plans():
+    for keywords, status in (({"max_work": 1}, "work_limit"), ({"time_limit": 0}, "time_limit")):
+        motion = beeline.move_in_lines(PANDA, HOME, SQUARE, **keywords)
+        assert not motion and motion.status == status and motion.reason
+        assert beeline.plan_path(PANDA, HOME, beeline.lines_through([TOOL, *SQUARE]), **keywords).status == status
+    assert beeline.verify(PANDA, beeline.move_in_lines(PANDA, HOME, SQUARE).trajectory, SQUARE,
+                          max_work=1).ending == "work_limit"
+
+
+def test_all_branches_of_a_path():
+    tool = beeline.forward_kinematics(UR5, UR5_HOME)
+    path = beeline.lines_through([tool, moved(tool, z=0.1)])
+    branches = beeline.branch_map(UR5, path, reasons="all")
+    assert 1 < len(branches) <= 8 and any(branches)
+    for branch in branches:
+        assert np.abs(beeline.forward_kinematics(UR5, branch.start) - tool).max() < 1e-9
+        assert bool(branch) == (branch.status == "reached") == (branch.reason == "")
+        for segment in branch.segments:
+            assert len(segment.samples) == len(segment.fractions)
+    called = []
+    guided = beeline.plan_path(UR5, UR5_HOME, path, guide=lambda s: called.append(s) or UR5_HOME)
+    assert guided and called and 0 <= min(called) and max(called) <= 1
+
+
+class Stop(Exception):
+    pass
+
+
+def test_exceptions_of_callbacks_end_the_work():
+    def stop(argument):
+        raise Stop(argument)
+
+    path = beeline.lines_through([TOOL, *SQUARE])
+    with pytest.raises(Stop):
+        beeline.plan_path(UR5, UR5_HOME, beeline.lines_through(
+            [beeline.forward_kinematics(UR5, UR5_HOME), moved(beeline.forward_kinematics(UR5, UR5_HOME), z=0.1)]), guide=stop)
+    with pytest.raises(Stop):
+        beeline.move_along(PANDA, HOME, beeline.route_of(beeline.path_through([TOOL, *SQUARE[:3]] * 8)),
+                           progress=stop)
+    with pytest.raises(beeline.Error, match="takes 6 joint values"):
+        beeline.plan_path(UR5, UR5_HOME, beeline.lines_through(
+            [beeline.forward_kinematics(UR5, UR5_HOME), moved(beeline.forward_kinematics(UR5, UR5_HOME), z=0.1)]),
+            guide=lambda s: [0])
+    assert beeline.plan_path(PANDA, HOME, path)  # all as before
+
+
+@pytest.fixture(scope="module")
+def pick(request):
+    root = request.getfixturevalue("root")
+    program = beeline.Program.load(root / "examples" / "pick_panda.csv", PANDA)
+    return program, beeline.move_program(PANDA, None, program)
+
+
+def test_a_program_of_a_file(pick, root):
+    program, motion = pick
+    assert motion and len(motion.moves) == len(program.moves) == motion.failed
+    assert program.moves[0].kind == "joint" and program.moves[1].place.startswith("pick_panda.csv:")
+    assert beeline.verify(PANDA, motion.trajectory, program)
+    assert beeline.Program(program.moves) == program
+    for move, planned in zip(program.moves, motion.moves):
+        if move.blend == 0:
+            tool = beeline.forward_kinematics(PANDA, motion.trajectory.positions[planned.end])
+            assert np.abs(tool - move.target).max() < 1e-5
+
+
+def test_a_program_of_moves():
+    program = beeline.Program([
+        beeline.Move("joint", q=HOME),
+        beeline.Move("line", moved(TOOL, z=-0.1), speed=0.1, dwell=0.2),
+        beeline.Move("arc", moved(TOOL, y=0.1, z=-0.1), via=(moved(TOOL, y=0.05, z=-0.05)[:3, 3])),
+    ])
+    motion = beeline.move_program(PANDA, HOME, program)
+    assert motion, motion.reason
+    assert beeline.verify(PANDA, motion.trajectory, program)
+    assert motion.moves[1].tool_speed <= 0.1 + 1e-9
+    wrong = beeline.Program([*program.moves[:2], beeline.Move("line", moved(TOOL, x=3))])
+    answer = beeline.move_program(PANDA, HOME, wrong)
+    assert not answer and answer.failed == 2 and "move 3" in answer.reason
+
+
+def test_configurations_of_a_file(tmp_path):
+    path = tmp_path / "moves.csv"
+    path.write_text("motion,q\njoint,ready\njoint,\"0,-45,0,-135,0,90,45\"\n")
+    program = beeline.Program.load(path, PANDA, unit="degrees", states={"ready": HOME})
+    assert np.array_equal(program.moves[0].q, HOME)
+    assert program.moves[1].q == pytest.approx(np.radians([0, -45, 0, -135, 0, 90, 45]))
+    with pytest.raises(beeline.FileError, match=":2: .*ready"):
+        beeline.Program.load(path, PANDA)
+    path.write_text("x,y,theta,motion\n1,2,3,line\n")
+    with pytest.raises(beeline.FileError, match=":2: x,y,theta is for planar arms"):
+        beeline.Program.load(path, PANDA)
+    path.write_text("x,y,z,motion\n1,2,3,line\n")
+    with pytest.raises(beeline.FileError, match=":2: the pose has no orientation"):
+        beeline.Program.load(path, PANDA)
+
+
+def test_poses_of_a_file(root):
+    listed = beeline.read_poses(root / "examples" / "waypoints_rrr.csv", "degrees")
+    assert listed.poses.shape == (3, 4, 4) and listed.planar and listed.columns == ["x", "y", "theta"]
+    with pytest.raises(beeline.FileError, match="no_such_file"):
+        beeline.read_poses("no_such_file.csv")
+    assert beeline.parse_pose("1,2,3", triple="position")[:3, 3] == pytest.approx([1, 2, 3])
+    with pytest.raises(beeline.Error):
+        beeline.parse_pose("1,2,3,4")
+
+
+def test_files_for_controllers(pick, tmp_path):
+    program, motion = pick
+    for form in ("ros2", "csv"):
+        file = beeline.controller_file(PANDA, motion.trajectory, form, rate=100)
+        assert file.proof and file.samples == pytest.approx(100 * file.duration + 1, abs=1.5)
+        path = tmp_path / ("motion." + beeline.controller_file_endings(form)[0])
+        file.save(path)
+        assert path.read_text() == file.text
+    ur5 = beeline.move_in_lines(UR5, UR5_HOME, [moved(beeline.forward_kinematics(UR5, UR5_HOME), z=0.05)])
+    for form, word in (("urscript", "servoj"), ("rapid", "MoveAbsJ"), ("krl", "PTP")):
+        assert word in beeline.controller_file(UR5, ur5.trajectory, form, program="lift").text
+    plan = beeline.Program([beeline.Move("joint", q=UR5_HOME),
+                            beeline.Move("line", moved(beeline.forward_kinematics(UR5, UR5_HOME), z=0.05))])
+    planned = beeline.move_program(UR5, UR5_HOME, plan)
+    assert "movel" in beeline.controller_file(UR5, plan, planned, "urscript").text
+    with pytest.raises(beeline.Error, match="six revolute joints"):
+        beeline.controller_file(PANDA, motion.trajectory, "rapid")
+
+
+def test_copies_and_pickles_are_equal(motion, pick):
+    program, planned = pick
+    far = beeline.move_in_lines(RRR, [0, np.pi / 2, 0], [beeline.parse_pose("20,0,0")])
+    values = [motion, motion.deviation, far, program, program.moves[0], planned, planned.moves[1],
+              beeline.verify(PANDA, motion.trajectory, SQUARE), beeline.MovingEnds(True, False),
+              beeline.plan_path(PANDA, HOME, motion.path),
+              beeline.controller_file(PANDA, motion.trajectory, "ros2")]
+    for value in values:
+        for other in (copy.copy(value), copy.deepcopy(value), pickle.loads(pickle.dumps(value))):
+            assert other == value and repr(other) == repr(value)
+        assert value != 0 and value != None  # noqa: E711
+
+
+REFUSED = {
+    "the motion cannot start": lambda: beeline.move_in_lines(PANDA, HOME + 9, SQUARE),
+    "takes 7 joint values": lambda: beeline.move_in_lines(PANDA, HOME[:6], SQUARE),
+    "at least one waypoint": lambda: beeline.move_in_lines(PANDA, HOME, []),
+    "waypoints has the shape": lambda: beeline.move_in_lines(PANDA, HOME, np.zeros((2, 3, 4))),
+    "not a rigid motion": lambda: beeline.move_in_lines(PANDA, HOME, 2 * SQUARE),
+    "number that is not finite": lambda: beeline.move_in_lines(PANDA, HOME, SQUARE * np.nan),
+    "tolerance must be": lambda: beeline.move_in_lines(PANDA, HOME, SQUARE, tolerance=0),
+    "unknown task": lambda: beeline.move_in_lines(PANDA, HOME, SQUARE, task="planer"),
+    "did you mean \"tolerance\"": lambda: beeline.move_in_lines(PANDA, HOME, SQUARE, tolerence=1),
+    "a route needs segments": lambda: beeline.move_along(PANDA, HOME, beeline.Route(beeline.ToolPath([]), [])),
+    "a path needs segments": lambda: beeline.plan_path(PANDA, HOME, beeline.ToolPath([])),
+    "a program needs moves": lambda: beeline.move_program(PANDA, None, beeline.Program([])),
+    "an arc needs a via": lambda: beeline.move_program(PANDA, HOME, beeline.Program([beeline.Move("arc", TOOL)])),
+    "does not fit": lambda: beeline.verify(UR5, beeline.at_rest(PANDA, HOME), SQUARE),
+    "not a path parameter": lambda: beeline.arrivals([0, np.nan]),
+    "arrivals are indices": lambda: beeline.path_parameters_along(
+        PANDA, [HOME], beeline.lines_through([TOOL, SQUARE[0]]), [3]),
+    "a path parameter for each": lambda: beeline.path_deviation(
+        PANDA, beeline.at_rest(PANDA, HOME), [], beeline.lines_through([TOOL, SQUARE[0]])),
+}
+
+
+@pytest.mark.parametrize("message", REFUSED)
+def test_invalid_arguments_are_refused(message):
+    with pytest.raises(beeline.Error, match=message):
+        REFUSED[message]()
+
+
+@pytest.mark.parametrize("call", [
+    lambda: beeline.verify(PANDA, beeline.at_rest(PANDA, HOME), "poses"), lambda: beeline.Move(),
+    lambda: beeline.Program([TOOL]), lambda: beeline.Program(beeline.Move("line")),
+    lambda: beeline.plan_path(PANDA, HOME, beeline.lines_through([TOOL, SQUARE[0]]), guide=3),
+    lambda: beeline.controller_file(PANDA, TOOL, "csv"),
+    lambda: beeline.move_in_lines(PANDA, HOME, SQUARE, progress=1)])
+def test_wrong_types_are_refused(call):
+    with pytest.raises(TypeError):
+        call()
