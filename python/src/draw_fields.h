@@ -7,6 +7,27 @@
 
 namespace beeline::python {
 
+/// An animation and how it is played.
+struct PlayedAnimation {
+  Animation animation;
+  PlaybackOptions playback;
+};
+
+template <class Work>
+auto without_lock(Work work) {
+  const nb::gil_scoped_release release;
+  return work();
+}
+
+/// The picture for notebooks, not wider than their cells.
+nb::str notebook_svg(const Drawing& drawing);
+
+/// A picture as plain values, for pickles; and back.
+nb::tuple state_of(const Drawing& drawing);
+Drawing drawing_from(const nb::tuple& state);
+
+void bind_pages(nb::module_& module);
+
 template <>
 struct Fields<ArmFigureOptions> {
   static constexpr auto all() {

@@ -183,6 +183,22 @@ Expression product_of(const DeterminantFormula& determinant) {
   return product;
 }
 
+void bind_text(nb::class_<NamedDeterminant>& bound) {
+  const auto printed = [](const NamedDeterminant& self) {
+    std::string text = equation(self.text);
+    for (const std::string& sentence : self.text.sentences) text += "\n" + sentence;
+    return text;
+  };
+  bound.def("__str__", printed);
+  bound.def("__repr__", printed);
+  bound.def_prop_ro(
+      "latex", [](const NamedDeterminant& self) { return equation(self.latex); },
+      "The equation as LaTeX, for mathematics mode.");
+  bound.def("_repr_latex_", [](const NamedDeterminant& self) {
+    return "$\\displaystyle " + equation(self.latex) + "$";
+  });
+}
+
 void bind_determinant(nb::module_& m) {
   nb::class_<NamedDeterminant> bound(
       m, "DeterminantFormula",
@@ -223,19 +239,7 @@ void bind_determinant(nb::module_& m) {
       },
       nb::for_getter(nb::sig("def singularities(self) -> list[str]")),
       "Where it is zero, in sentences.");
-  const auto printed = [](const NamedDeterminant& self) {
-    std::string text = equation(self.text);
-    for (const std::string& sentence : self.text.sentences) text += "\n" + sentence;
-    return text;
-  };
-  bound.def("__str__", printed);
-  bound.def("__repr__", printed);
-  bound.def_prop_ro(
-      "latex", [](const NamedDeterminant& self) { return equation(self.latex); },
-      "The equation as LaTeX, for mathematics mode.");
-  bound.def("_repr_latex_", [](const NamedDeterminant& self) {
-    return "$\\displaystyle " + equation(self.latex) + "$";
-  });
+  bind_text(bound);
   bound.def(
       "__reduce__",
       [](const NamedDeterminant& self) {

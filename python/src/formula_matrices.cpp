@@ -36,6 +36,54 @@ nb::list cells_of(const NamedMatrix& self, bool latex) {
   return rows;
 }
 
+void bind_state(nb::class_<NamedMatrix>& bound) {
+  bound.def(
+      "__getstate__",
+      [](const NamedMatrix& self) {
+        nb::list entries;
+        for (const Expression& entry : self.value.entries) entries.append(terms_of(entry));
+        return nb::make_tuple(self.arm, self.value.rows, self.value.columns, entries);
+      },
+      nb::sig("def __getstate__(self) -> tuple[object, ...]"));
+  bound.def(
+      "__setstate__",
+      [](NamedMatrix& self, const nb::tuple& state) {
+        const SharedArm arm = named_arm(state[0], "pickle");
+        ExpressionMatrix matrix{Value<std::size_t>::from(state[1], "rows"),
+                                Value<std::size_t>::from(state[2], "columns")};
+        for (nb::handle terms : nb::cast<nb::list>(nb::object(state[3]))) {
+          matrix.entries.push_back(expression_from(*arm, terms));
+        }
+        if (matrix.columns == 0 || matrix.entries.size() % matrix.columns != 0 ||
+            matrix.entries.size() / matrix.columns != matrix.rows) {
+          throw Error("the pickled matrix has another number of entries");
+        }
+        new (&self) NamedMatrix{arm, std::move(matrix)};
+      },
+      nb::sig("def __setstate__(self, state: tuple[object, ...], /) -> None"));
+}
+
+void bind_text(nb::class_<NamedMatrix>& bound) {
+  bound.def(
+      "__str__",
+      [](const NamedMatrix& self) { return formulas().attr("matrix_text")(cells_of(self, false)); },
+      nb::sig("def __str__(self) -> str"));
+  bound.def(
+      "__repr__", [](nb::handle_t<NamedMatrix> self) { return nb::str(self); },
+      nb::sig("def __repr__(self) -> str"));
+  bound.def_prop_ro(
+      "latex",
+      [](const NamedMatrix& self) { return formulas().attr("matrix_latex")(cells_of(self, true)); },
+      nb::for_getter(nb::sig("def latex(self) -> str")),
+      "The matrix as LaTeX, for mathematics mode.");
+  bound.def(
+      "_repr_latex_",
+      [](nb::handle_t<NamedMatrix> self) {
+        return nb::str("$\\displaystyle ") + self.attr("latex") + nb::str("$");
+      },
+      nb::sig("def _repr_latex_(self) -> str"));
+}
+
 }  // namespace
 
 nb::object values_of(const NamedArm& arm, const std::vector<const Expression*>& entries,
@@ -89,24 +137,7 @@ void bind_matrices(nb::module_& m) {
       nb::sig("def __getitem__(self, index: tuple[int, int], /) -> Expression"));
   bound.def("__getitem__", &part_of,
             nb::sig("def __getitem__(self, index: typing.Any, /) -> ExpressionMatrix"));
-  bound.def(
-      "__str__",
-      [](const NamedMatrix& self) { return formulas().attr("matrix_text")(cells_of(self, false)); },
-      nb::sig("def __str__(self) -> str"));
-  bound.def(
-      "__repr__", [](nb::handle_t<NamedMatrix> self) { return nb::str(self); },
-      nb::sig("def __repr__(self) -> str"));
-  bound.def_prop_ro(
-      "latex",
-      [](const NamedMatrix& self) { return formulas().attr("matrix_latex")(cells_of(self, true)); },
-      nb::for_getter(nb::sig("def latex(self) -> str")),
-      "The matrix as LaTeX, for mathematics mode.");
-  bound.def(
-      "_repr_latex_",
-      [](nb::handle_t<NamedMatrix> self) {
-        return nb::str("$\\displaystyle ") + self.attr("latex") + nb::str("$");
-      },
-      nb::sig("def _repr_latex_(self) -> str"));
+  bind_text(bound);
   Signature value("value", array_type,
                   "Returns the numbers, (rows, columns) or (N, rows, columns).");
   value.takes("self")
@@ -122,30 +153,7 @@ void bind_matrices(nb::module_& m) {
             {static_cast<Index>(self.value.rows), static_cast<Index>(self.value.columns)}, q, dq);
       },
       value, nb::arg("q"), nb::arg("dq") = nb::none());
-  bound.def(
-      "__getstate__",
-      [](const NamedMatrix& self) {
-        nb::list entries;
-        for (const Expression& entry : self.value.entries) entries.append(terms_of(entry));
-        return nb::make_tuple(self.arm, self.value.rows, self.value.columns, entries);
-      },
-      nb::sig("def __getstate__(self) -> tuple[object, ...]"));
-  bound.def(
-      "__setstate__",
-      [](NamedMatrix& self, const nb::tuple& state) {
-        const SharedArm arm = named_arm(state[0], "pickle");
-        ExpressionMatrix matrix{Value<std::size_t>::from(state[1], "rows"),
-                                Value<std::size_t>::from(state[2], "columns")};
-        for (nb::handle terms : nb::cast<nb::list>(nb::object(state[3]))) {
-          matrix.entries.push_back(expression_from(*arm, terms));
-        }
-        if (matrix.columns == 0 || matrix.entries.size() % matrix.columns != 0 ||
-            matrix.entries.size() / matrix.columns != matrix.rows) {
-          throw Error("the pickled matrix has another number of entries");
-        }
-        new (&self) NamedMatrix{arm, std::move(matrix)};
-      },
-      nb::sig("def __setstate__(self, state: tuple[object, ...], /) -> None"));
+  bind_state(bound);
 }
 
 }  // namespace beeline::python

@@ -1,6 +1,8 @@
 """Pictures: SVG of arms and motions, in notebooks and files."""
 
+import copy
 import os
+import pickle
 import xml.etree.ElementTree as ElementTree
 
 import beeline
@@ -22,7 +24,9 @@ def texts(svg):
 def test_arms_and_motions_draw_themselves(name):
     arm = beeline.Arm.load(name)
     trajectory = motion(arm)
-    assert arm._repr_svg_() == beeline.draw(arm).svg == beeline.draw(arm)._repr_svg_()
+    assert arm._repr_svg_() == beeline.draw(arm)._repr_svg_()
+    style = 'style="max-width: 100%; height: auto" '
+    assert arm._repr_svg_().replace(style, "") == beeline.draw(arm).svg != arm._repr_svg_()
     assert arm.name in texts(arm._repr_svg_())
     assert beeline.draw(arm, arm.middle) == beeline.arm_figure(arm, arm.middle)
     assert beeline.draw(arm, trajectory) == beeline.motion_figure(arm, trajectory)
@@ -69,6 +73,24 @@ def test_the_figures_of_the_chapter():
     assert "animate" in beeline.chapter_animation("1.7", speed=4).svg
     with pytest.raises(beeline.Error, match="1.9"):
         beeline.figure("2.1")
+
+
+def test_copies_and_pickles():
+    arm = beeline.arms.panda()
+    for drawing in (beeline.draw(arm, frames=True), beeline.timing_figure(arm, motion(arm)), beeline.figure("1.2")):
+        for again in (pickle.loads(pickle.dumps(drawing)), copy.copy(drawing), copy.deepcopy(drawing)):
+            assert again == drawing and again.svg == drawing.svg
+    width, height, marks = beeline.figure("1.2").__getstate__()
+    kinds = {mark[0]: mark for mark in marks}
+    broken = [(), (width,), (width, height, (("stroke",),)), (width, height, (kinds["stroke"][:3],)), (1, 2, 3),
+              (width, height, (("stroke", "mlq", *kinds["stroke"][2:]),)),
+              (width, height, (("stroke", "mlll", [1.0, 2.0], *kinds["stroke"][3:]),)),
+              (width, height, (kinds["text"][:-1],)), (width, "high", ())]  # fmt: skip
+    for state in broken:
+        with pytest.raises((beeline.Error, TypeError)):
+            beeline.Drawing.__new__(beeline.Drawing).__setstate__(state)
+    animation = beeline.animate(arm, motion(arm))
+    assert copy.copy(animation) is copy.deepcopy(animation) is animation
 
 
 def test_step_responses():

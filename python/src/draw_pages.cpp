@@ -1,0 +1,118 @@
+#include <beeline/draw/canvas.h>
+#include <beeline/read/internal/file.h>
+
+#include "draw_fields.h"
+
+namespace beeline::python {
+namespace {
+
+nb::str svg_of(const Drawing& drawing) {
+  const std::string svg = without_lock([&] { return render(drawing, Format::svg); });
+  return nb::str(svg.data(), svg.size());
+}
+
+nb::str svg_of(const PlayedAnimation& played) {
+  const std::string svg =
+      without_lock([&] { return animated_svg(played.animation, played.playback); });
+  return nb::str(svg.data(), svg.size());
+}
+
+/// Browsers play an animation inside <img>, where its style and identifiers stay its own.
+nb::object html_of(const PlayedAnimation& played) {
+  const nb::object encoded =
+      nb::module_::import_("base64").attr("b64encode")(svg_of(played).attr("encode")());
+  return nb::str("<img src=\"data:image/svg+xml;base64,") + encoded.attr("decode")() +
+         nb::str("\" style=\"max-width: 100%\">");
+}
+
+constexpr const char* svg_getter = "def svg(self) -> str";
+constexpr const char* size_doc = "Points, 1/72 inch.";
+
+void bind_drawing(nb::module_& m) {
+  nb::class_<Drawing> drawing(m, "Drawing",
+                              "A picture on a page. Notebooks show it; `save()` writes it.");
+  drawing.def_prop_ro(
+      "svg", [](const Drawing& self) { return svg_of(self); }, nb::for_getter(nb::sig(svg_getter)),
+      "The picture as the text of an SVG file; equal for equal pictures.");
+  drawing.def_ro("width", &Drawing::width, size_doc);
+  drawing.def_ro("height", &Drawing::height, size_doc);
+  Signature save("save", "None",
+                 "Writes the picture in the format that the path's extension names. PNG and PDF "
+                 "need a build with Cairo; without it they raise Error.");
+  save.takes("self").takes("path", path_like, "A .svg, .png or .pdf file.");
+  define(
+      drawing,
+      [](const Drawing& self, nb::handle path) {
+        const std::string file = path_from(path, "path");
+        without_lock([&] { internal::write_file(file, render(self, format_of(file))); });
+      },
+      save, nb::arg("path"));
+  drawing.def("_repr_svg_", &notebook_svg);
+  drawing.def("__repr__", [](const Drawing& self) {
+    return "<beeline.Drawing of " + number(self.width) + " x " + number(self.height) + " points>";
+  });
+  drawing.def("__getstate__", &state_of, nb::sig("def __getstate__(self) -> tuple[object, ...]"));
+  drawing.def(
+      "__setstate__",
+      [](Drawing& self, const nb::tuple& state) { new (&self) Drawing(drawing_from(state)); },
+      nb::sig("def __setstate__(self, state: tuple[object, ...], /) -> None"));
+  bind_equality(drawing, [](const Drawing& a, const Drawing& b) {
+    return a.width == b.width && a.height == b.height && a.marks == b.marks;
+  });
+}
+
+void bind_animation(nb::module_& m) {
+  nb::class_<PlayedAnimation> animation(
+      m, "Animation", "A picture that moves. Notebooks play it; `save()` writes it.");
+  animation.def_prop_ro(
+      "svg", [](const PlayedAnimation& self) { return svg_of(self); },
+      nb::for_getter(nb::sig(svg_getter)),
+      "The animation as the text of an SVG file that plays in any browser, without a script.");
+  animation.def_prop_ro(
+      "times",
+      [](const PlayedAnimation& self) {
+        return Value<std::vector<double>>::to(self.animation.times);
+      },
+      nb::for_getter(nb::sig(kept_text("def times(self) -> " + std::string(array_type)))),
+      "The times of its frames, s.");
+  Signature save("save", "None",
+                 "Writes the animation in the format that the path's extension names. All but SVG "
+                 "need a build with Cairo and the program ffmpeg; without them they raise Error.");
+  save.takes("self").takes("path", path_like, "A .svg, .gif, .mp4 or .webp file.");
+  define(
+      animation,
+      [](const PlayedAnimation& self, nb::handle path) {
+        const std::string file = path_from(path, "path");
+        without_lock([&] { beeline::save(self.animation, file, self.playback); });
+      },
+      save, nb::arg("path"));
+  animation.def("_repr_html_", &html_of, nb::sig("def _repr_html_(self) -> str"));
+  const auto itself = [](nb::handle_t<PlayedAnimation> self) { return nb::borrow(self); };
+  animation.def("__copy__", itself, nb::sig("def __copy__(self) -> Animation"));
+  animation.def(
+      "__deepcopy__",
+      [itself](nb::handle_t<PlayedAnimation> self, nb::handle) { return itself(self); },
+      nb::sig("def __deepcopy__(self, memo: object, /) -> Animation"));
+  animation.def("__repr__", [](const PlayedAnimation& self) {
+    const std::vector<double>& times = self.animation.times;
+    return "<beeline.Animation of " + number(times.empty() ? 0 : times.back() - times.front()) +
+           " s, " + std::to_string(times.size()) + " frames>";
+  });
+}
+
+}  // namespace
+
+nb::str notebook_svg(const Drawing& drawing) {
+  std::string svg = without_lock([&] { return render(drawing, Format::svg); });
+  const std::string start = "<svg ";
+  const std::size_t root = svg.find(start);
+  svg.insert(root + start.size(), "style=\"max-width: 100%; height: auto\" ");
+  return nb::str(svg.data(), svg.size());
+}
+
+void bind_pages(nb::module_& m) {
+  bind_drawing(m);
+  bind_animation(m);
+}
+
+}  // namespace beeline::python
