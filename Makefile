@@ -41,9 +41,10 @@ demo: build
 	@scripts/demo.sh build/beeline build/demo
 
 bench:
-	@scripts/install_packages.sh build bench
+	@scripts/install_packages.sh build bench python
 	@scripts/bench_peers.sh
-	@cmake --preset release -DBEELINE_BENCH=ON $(strict)
+	@scripts/venv.sh .venv-python tests/python/requirements.txt
+	@cmake --preset release -DBEELINE_BENCH=ON $(module) $(strict)
 	@cmake --build --preset release --parallel $(JOBS) --target bench
 	@scripts/bench.sh
 

@@ -89,6 +89,9 @@ section "Formulas: operations"
 section "Formulas: forward kinematics and Jacobian"
 "$python" -B bench/formula/timing.py build/beeline build || status=1
 
+section "Calls from Python, microseconds"
+PYTHONPATH=build/python "$python" -B bench/python/calls.py "$folder" || status=1
+
 section "Against bench/baseline.json"
 python3 -B bench/baseline.py check "$results" "$folder/instructions.json" bench/baseline.json ||
   status=1

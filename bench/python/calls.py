@@ -1,0 +1,173 @@
+"""Microseconds a call from Python: Beeline, its C++ time, and other packages, interleaved in one run.
+
+Usage: calls.py FOLDER: that of libbench_calls.so. Prints tables in Markdown. CPU time of the thread, the
+median of rounds, so that a busy machine can be used."""
+
+import ctypes
+import statistics
+import sys
+import time
+import warnings
+from pathlib import Path
+
+import beeline
+import numpy as np
+from peers import PEERS, urdf_of
+
+ROUNDS, ROWS, BATCH, SEED = 9, 300, 1_000_000, 20240229
+BEELINE = {
+    "forward": "forward(arm, q)",
+    "jacobian": "jacobian(arm, q)",
+    "solve": "solver.solve(T)",
+    "solve_into": "solver.solve_into(T, middle, out)",
+    "inverse_kinematics": "inverse(arm, T)",
+}
+TITLES = {
+    "forward": "forward kinematics",
+    "jacobian": "Jacobian",
+    "solve": "`InverseSolver.solve`",
+    "solve_into": "`InverseSolver.solve_into`",
+    "inverse_kinematics": "`inverse_kinematics`",
+}
+
+
+class Case:
+    """One expression in q, T and G (what `prepare` makes of T), timed over all rows."""
+
+    def __init__(self, expression, names, q, poses, prepare=None):
+        scope = dict(names)
+        self.rows = list(zip(q, poses, [eval(prepare, scope, {"T": T}) for T in poses] if prepare else poses))
+        exec(f"def run(rows):\n for q, T, G in rows:\n  {expression}", scope)
+        exec(f"def one(q, T, G): return {expression}", scope)
+        self.run, self.one, self.times = scope["run"], scope["one"], []
+        self.run(self.rows[:3])
+        begin = time.thread_time()
+        self.run(self.rows[:3])
+        if time.thread_time() - begin > 0.01:
+            self.rows = self.rows[:20]
+
+    def measure(self):
+        begin = time.thread_time()
+        self.run(self.rows)
+        self.times.append((time.thread_time() - begin) / len(self.rows) * 1e6)
+
+    def microseconds(self):
+        return statistics.median(self.times)
+
+
+class CppCase:
+    def __init__(self, library, arm, what, q, poses):
+        columns = np.ascontiguousarray(poses.swapaxes(1, 2))
+        pointer = ctypes.POINTER(ctypes.c_double)
+        self.arguments = (arm.name.encode(), what.encode(), q.ctypes.data_as(pointer),
+                          columns.ctypes.data_as(pointer), ctypes.c_long(len(q)))
+        self.kept, self.function, self.times = (q, columns), library.time_calls, []
+
+    def measure(self):
+        self.times.append(self.function(*self.arguments) / len(self.kept[0]) * 1e6)
+
+    def microseconds(self):
+        return statistics.median(self.times)
+
+
+def solved(case, forward, poses):
+    """Share of the poses that a solution reaches, to 1e-5."""
+    right = 0
+    for row in case.rows:
+        try:
+            found = np.atleast_2d(np.asarray(case.one(*row), float))
+            right += any(np.abs(forward(q) - row[1]).max() < 1e-5 for q in found)
+        except Exception:  # no solution
+            pass
+    return right / len(case.rows)
+
+
+def cases_of(library, arm, q, left_out):
+    poses = np.ascontiguousarray(beeline.forward_kinematics(arm, q))
+    own = {"arm": arm, "forward": beeline.forward_kinematics, "jacobian": beeline.jacobian, "middle": arm.middle,
+           "inverse": beeline.inverse_kinematics, "solver": beeline.InverseSolver(arm), "out": np.empty(arm.dof)}
+    cases = {(what, "Beeline"): Case(call, own, q, poses) for what, call in BEELINE.items()}
+    cases |= {(what, "C++"): CppCase(library, arm, what, q, poses) for what in BEELINE}
+    urdf, shares = urdf_of(arm), {}
+    for name, peer in PEERS.items():
+        try:
+            names, calls = peer(arm, urdf)
+            prepare = calls.pop("prepare", None)
+            forward = eval("lambda q: " + calls["forward"], dict(names))
+            own_poses = np.array([forward(row) for row in q])
+            for what, call in calls.items():
+                key = ("solve" if what == "inverse" else what, name)
+                cases[key] = Case(call, names, q, own_poses, prepare)
+            if "inverse" in calls:
+                shares[name] = solved(cases[("solve", name)], forward, own_poses)
+        except Exception as error:  # a peer that is not installed, or has no such arm
+            left_out.append(f"{name} for {arm.name}: {error}")
+    return cases, shares
+
+
+def print_calls(library):
+    print("| arm | call |", " | ".join(["C++", "Beeline", "difference", *PEERS]), "|")
+    print("|---" * (5 + len(PEERS)) + "|")
+    left_out = []
+    for name in ("ur5", "panda"):
+        arm = beeline.Arm.load(name)
+        q = np.random.default_rng(SEED).uniform(arm.lower, arm.upper, (ROWS, arm.dof)).clip(-3.1, 3.1)
+        cases, shares = cases_of(library, arm, q, left_out)
+        for _ in range(ROUNDS):
+            for case in cases.values():
+                case.measure()
+        for what, title in TITLES.items():
+            own, cpp = (cases[what, who].microseconds() for who in ("Beeline", "C++"))
+            row = [f"{cpp:.3f}", f"{own:.3f}", f"{own - cpp:.3f}"]
+            for peer in PEERS:
+                case = cases.get((what, peer))
+                share = f" ({100 * shares[peer]:.0f} %)" if case and what == "solve" else ""
+                row.append(f"{case.microseconds():.3g}{share}" if case else "")
+            print(f"| {name} | {title} |", " | ".join(row), "|")
+    for line in left_out:
+        print(f"\nLeft out: {line}")
+
+
+def batch_times(library, function, name, arm, q, threads):
+    fresh = function(arm, q)
+    memory = fresh.swapaxes(1, 2)
+    pointer = ctypes.POINTER(ctypes.c_double)
+    clock = time.thread_time if threads == 1 else time.perf_counter
+    cpp, cpp_new, into, new = [], [], [], []
+    for _ in range(ROUNDS):
+        for times, results in ((cpp, memory.ctypes.data_as(pointer)), (cpp_new, None)):
+            times.append(library.time_batch(arm.name.encode(), name.encode(), q.ctypes.data_as(pointer),
+                                            results, ctypes.c_long(len(q)), threads))
+        begin = clock()
+        function(arm, q, out=fresh, threads=threads)
+        into.append(clock() - begin)
+        begin = clock()
+        function(arm, q, threads=threads)
+        new.append(clock() - begin)
+    return [statistics.median(times) / len(q) * 1e9 for times in (cpp, into, cpp_new, new)]
+
+
+def print_batches(library):
+    print(f"\nBatches of {BATCH:,} configurations of panda, ns a configuration:\n")
+    print("| batch | threads | C++ | Python, `out=` | ratio | C++, new memory | Python, a new array | ratio |")
+    print("|---" * 8 + "|")
+    arm = beeline.arms.panda()
+    q = np.random.default_rng(SEED).uniform(arm.lower, arm.upper, (BATCH, arm.dof))
+    for name, function in (("forward", beeline.forward_kinematics), ("jacobian", beeline.jacobian)):
+        for threads in (1, 0):
+            cpp, into, cpp_new, new = batch_times(library, function, name, arm, q, threads)
+            label = "one (CPU time)" if threads == 1 else "all (wall time)"
+            print(f"| {name} | {label} | {cpp:.1f} | {into:.1f} | {into / cpp:.3f} | {cpp_new:.1f} | {new:.1f} |"
+                  f" {new / cpp_new:.3f} |")
+
+
+def main():
+    warnings.simplefilter("ignore")  # of ikpy, about its start
+    library = ctypes.CDLL(str(Path(sys.argv[1]).resolve() / "libbench_calls.so"))
+    library.time_calls.restype = library.time_batch.restype = ctypes.c_double
+    print_calls(library)
+    print_batches(library)
+
+
+if __name__ == "__main__":
+    main()
