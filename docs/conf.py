@@ -36,6 +36,9 @@ autodoc_typehints_format = "short"
 html_math_renderer = "mathml"
 myst_enable_extensions = ["dollarmath", "deflist", "attrs_inline", "colon_fence"]
 myst_heading_anchors = 3
+nb_execution_mode = "force"
+nb_execution_raise_on_error = True
+nb_execution_timeout = 120
 copybutton_exclude = ".linenos, .gp, .go"  # of a session, only what is typed
 
 breathe_projects = {"beeline": str(HERE / "doxygen" / "xml")}
@@ -63,7 +66,8 @@ def numpy_sections(app, what, name, value, options, lines):
     """Sections of docstrings in numpy's style. Properties have none; Napoleon takes what stands before a colon in their
     first line for a type."""
     if what not in ("property", "attribute"):
-        lines[:] = NumpyDocstring(lines, Config(), app, what, name, value, options).lines()
+        settings = Config(napoleon_use_param=False, napoleon_use_rtype=False)
+        lines[:] = NumpyDocstring(lines, settings, app, what, name, value, options).lines()
 
 
 def setup(app):
