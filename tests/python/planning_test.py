@@ -235,7 +235,7 @@ def test_files_for_controllers(pick, tmp_path):
         assert path.read_text() == file.text
     ur5 = beeline.move_in_lines(UR5, UR5_HOME, [moved(beeline.forward_kinematics(UR5, UR5_HOME), z=0.05)])
     for form, word in (("urscript", "servoj"), ("rapid", "MoveAbsJ"), ("krl", "PTP")):
-        assert word in beeline.controller_file(UR5, ur5.trajectory, form, program="lift").text
+        assert word in beeline.controller_file(UR5, ur5.trajectory, form, program_name="lift").text
     plan = beeline.Program([beeline.Move("joint", q=UR5_HOME),
                             beeline.Move("line", moved(beeline.forward_kinematics(UR5, UR5_HOME), z=0.05))])
     planned = beeline.move_program(UR5, UR5_HOME, plan)
