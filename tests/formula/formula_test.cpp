@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <beeline/formula/code.h>
 #include <beeline/formula/formula.h>
 #include <beeline/kinematics/derivatives.h>
 #include <beeline/kinematics/forward.h>
@@ -130,6 +131,26 @@ TEST(AnyFormula, EqualsTheArms) {
     }
   }
   EXPECT_GT(compared, testing::cases(100) / 4);
+}
+
+TEST(FormulaCode, OfAnyMatrixIsOneFunction) {
+  const SymbolicArm rrr = symbolic_arm(built_in("rrr"));
+  const ExpressionMatrix columns = jacobian_formula(rrr);
+  const GeneratedCode code = formula_code(rrr, columns, "columns", CodeLanguage::c);
+  ASSERT_EQ(code.functions.size(), 1u);
+  EXPECT_EQ(code.functions[0].name, "rrr_columns");
+  EXPECT_EQ(code.functions[0].trigonometric, 6);
+  EXPECT_NE(code.text.find("rrr_columns(const double q[3], double M[18])"), std::string::npos);
+  const ExpressionMatrix rate = time_derivative(rrr, columns);
+  EXPECT_NE(formula_code(rrr, rate, "rate", CodeLanguage::python).text.find("rrr_rate(q, dq):"),
+            std::string::npos);
+  const ExpressionMatrix one{1, 1, {columns(0, 0)}};
+  EXPECT_NE(formula_code(rrr, one, "x", CodeLanguage::cpp).text.find("double rrr_x("),
+            std::string::npos);
+  for (const char* name : {"", "a b", "x;", "\u00e4"}) {
+    EXPECT_THROW(formula_code(rrr, one, name, CodeLanguage::c), Error) << name;
+  }
+  EXPECT_THROW(formula_code(rrr, {}, "x", CodeLanguage::c), Error);
 }
 
 }  // namespace

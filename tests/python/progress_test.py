@@ -2,6 +2,8 @@
 
 import sys
 
+import beeline
+import numpy as np
 import pytest
 from beeline._progress import ProgressBar
 
@@ -49,3 +51,20 @@ def test_no_stderr(monkeypatch):
     monkeypatch.setattr(sys, "stderr", None)
     bar(0.5)
     bar(1)
+
+
+def test_a_plan_reports_each_of_its_lines():
+    arm = beeline.arms.panda()
+    start = np.array([0, -0.785, 0, -2.356, 0, 1.571, 0.785])
+    here = beeline.forward_kinematics(arm, start)
+    there = here.copy()
+    there[:3, 3] += [0.05, 0.1, -0.05]
+    fractions = []
+    assert beeline.move_in_lines(arm, start, [there, here, there], progress=fractions.append)
+    assert {1 / 3, 2 / 3, 1.0} <= set(fractions) and fractions == sorted(fractions)
+
+    def fail(fraction):
+        raise ArithmeticError("enough")
+
+    with pytest.raises(ArithmeticError, match="enough"):
+        beeline.move_in_lines(arm, start, [there, here], progress=fail)

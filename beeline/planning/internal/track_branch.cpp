@@ -58,6 +58,7 @@ void track_path(const Arm& arm, const ToolPath& path, const Bounds& bounds,
     budget.report((begin + 1) / segments);
     // The sample at the joint of two segments belongs to both.
     samples_left -= std::min(samples_left, tracked.samples.size() - 1);
+    budget.report((begin + 1) / segments);
   }
 }
 
