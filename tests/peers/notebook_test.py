@@ -9,7 +9,7 @@ pytest.importorskip("beeline")
 nbformat = pytest.importorskip("nbformat")
 nbclient = pytest.importorskip("nbclient")
 
-NOTEBOOK = Path(__file__).parents[2] / "examples" / "first_steps.ipynb"
+NOTEBOOK = Path(__file__).parents[2] / "docs" / "first_steps.ipynb"
 
 
 @pytest.fixture(scope="module")
