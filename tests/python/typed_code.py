@@ -1,9 +1,14 @@
 """Code that uses much of the module, as a type checker sees it (typing_test.py) and as it runs."""
 
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
 import numpy
 from numpy.typing import NDArray
 
 import beeline
+
+Array = NDArray[numpy.float64]
 
 
 def arms() -> list[beeline.Arm]:
@@ -18,9 +23,35 @@ def arms() -> list[beeline.Arm]:
     ]
 
 
-def tool_position(arm: beeline.Arm, q: NDArray[numpy.float64]) -> NDArray[numpy.float64]:
-    pose = beeline.forward_kinematics(arm, q)
+def tool_position(arm: beeline.Arm, q: Array) -> Array:
+    pose: Array = beeline.forward_kinematics(arm, q)
     return pose[:3, 3]
+
+
+def line_down(arm: beeline.Arm, q: Array, depth: float) -> beeline.Trajectory:
+    goal = beeline.forward_kinematics(arm, q)
+    goal[2, 3] -= depth
+    solved = beeline.inverse_kinematics(arm, goal, seed=q)
+    if not solved:
+        raise RuntimeError(solved.reason)
+    solution: Array | None = solved.q
+    assert solution is not None
+    motion = beeline.move_in_lines(arm, q, [goal], time_limit=60, progress=lambda fraction: None)
+    bound: float = motion.deviation.bound.position
+    assert motion.status == "reached" and bound < 1e-4
+    return motion.trajectory
+
+
+def retimed(arm: beeline.Arm, trajectory: beeline.Trajectory) -> beeline.Trajectory:
+    slower = beeline.slow_down(trajectory, 0.5)
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "slow.csv"
+        slower.save(path)
+        read = beeline.Trajectory.load(path).matched_to(arm)
+    result = beeline.retime(arm, read, profile="jerk")
+    duration: float = result.trajectory.duration
+    assert duration < read.duration
+    return result.trajectory
 
 
 def main() -> None:
@@ -29,6 +60,10 @@ def main() -> None:
         assert len(names) == arm.dof
         assert tool_position(arm, arm.middle).shape == (3,)
         assert not arm.limit_violations(arm.middle)
+        jacobian: Array = beeline.jacobian(arm, arm.middle, frame="tool")
+        assert jacobian.shape[1] == arm.dof
+    panda = beeline.arms.panda()
+    retimed(panda, line_down(panda, numpy.array([0, -0.785, 0, -2.356, 0, 1.571, 0.785]), 0.1))
     try:
         beeline.Arm.load("no_such_arm")
     except beeline.Error as error:

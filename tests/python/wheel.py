@@ -1,0 +1,38 @@
+"""Tries an installed module: kinematics, inverse kinematics, a line, the command; prints the time of its import."""
+
+import statistics
+import subprocess
+import sys
+
+import numpy
+
+import beeline
+
+
+def import_milliseconds() -> float:
+    """The import beyond numpy's own, milliseconds: the median of 11 fresh interpreters."""
+    code = "import numpy, time; begin = time.perf_counter(); import beeline; print(time.perf_counter() - begin)"
+    runs = [subprocess.check_output([sys.executable, "-I", "-c", code]) for _ in range(11)]
+    return 1e3 * statistics.median(map(float, runs))
+
+
+arm = beeline.arms.panda()
+q = numpy.array([0, -0.785, 0, -2.356, 0, 1.571, 0.785])
+pose = beeline.forward_kinematics(arm, q)
+pose[2, 3] -= 0.1
+found = beeline.inverse_kinematics(arm, pose, seed=q)
+assert found and numpy.allclose(beeline.forward_kinematics(arm, found.q), pose, atol=1e-6), found
+many = beeline.batch_inverse(arm, numpy.tile(pose, (100, 1, 1)))
+motion = beeline.move_in_lines(arm, q, [pose])
+assert motion and len(motion.trajectory) > 10, motion
+
+for command in ([sys.executable, "-I", "-m", "beeline"], [sys.prefix + "/bin/beeline"]):
+    printed = subprocess.check_output([*command, "--help"], text=True)
+    assert "Usage: beeline VERB" in printed
+    refused = subprocess.run([*command, "ik", "rrr", "--pose", "100,0,0"], capture_output=True)
+    assert refused.returncode == 1 and refused.stderr
+
+print(
+    f"Python {sys.version.split()[0]}, numpy {numpy.__version__}: beeline {beeline.__version__} works,"
+    f" imported in {import_milliseconds():.1f} ms after numpy"
+)
