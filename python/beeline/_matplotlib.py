@@ -1,14 +1,18 @@
 """Arms in axes of matplotlib: what beeline.plot draws its pictures of."""
 
+from __future__ import annotations
+
 import importlib
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ._core import Arm, Joint, distinct_colour, link_poses
 
-Array = NDArray[np.float64]
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
 
 LINK = (0.45, 0.52, 0.6)
 AMBER = (0.85, 0.37, 0.01)  # trails

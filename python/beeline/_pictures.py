@@ -1,8 +1,8 @@
 """Pictures as the verbs `draw` and `figure` of the command line make them."""
 
-from typing import Any
+from __future__ import annotations
 
-from numpy.typing import ArrayLike
+from typing import TYPE_CHECKING, Any
 
 from ._core import (
     Animation,
@@ -14,6 +14,9 @@ from ._core import (
     motion_animation,
     motion_figure,
 )
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def draw(arm: Arm, shown: Any = None, *, waypoints: ArrayLike | None = None, **options: Any) -> Drawing:

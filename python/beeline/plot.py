@@ -5,20 +5,25 @@ then `ax.figure.savefig("arm.png")`. Planar arms are drawn from above, others in
 joint 1 red, joint 2 green, joint 3 blue, as in pictures of `beeline.draw()`.
 """
 
+from __future__ import annotations
+
 import importlib
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from ._core import Arm, Trajectory, display_configuration, distinct_colour, forward_kinematics, motion_limits
 from ._core import jacobian as _jacobian
-from ._matplotlib import AMBER, GREY, LINK, arrow, axes_of, dots, draw_arm, draw_ghost, extent, fit, line, pyplot, skeleton
+from ._matplotlib import AMBER, GREY, LINK, arrow, axes_of, dots, draw_arm, draw_ghost, extent, fit, line, pyplot
+from ._matplotlib import skeleton
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    Array = NDArray[np.float64]
 
 __all__ = ["animation", "arm", "joints", "motion", "trail"]
-
-Array = NDArray[np.float64]
 
 
 def arm(
@@ -275,8 +280,9 @@ def _curves(trajectory: Trajectory, samples: int) -> tuple[Array, list[Array]]:
     times = knots[:-1, None] + np.diff(knots)[:, None] * np.linspace(0, 1, parts)
     times[:, -1] = knots[1:]
     after, before = trajectory.sample(times[:, :-1]), trajectory.sample(times[:, -1:], side="before")
-    columns = [(after.position, before.position), (after.velocity, before.velocity), (after.acceleration, before.acceleration)]
-    joined = [np.concatenate(pair, axis=1).reshape(times.size, -1) for pair in columns]
+    names = ("position", "velocity", "acceleration")
+    columns = [np.concatenate([getattr(after, name), getattr(before, name)], axis=1) for name in names]
+    joined = [column.reshape(times.size, -1) for column in columns]
     return times.ravel(), joined
 
 

@@ -4,17 +4,21 @@ Functions of beeline take poses as arrays (4, 4), many as (N, 4, 4), and also ob
 libraries as they are. They return arrays; the functions `to_...` below convert those.
 """
 
+from __future__ import annotations
+
 import importlib
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from ._core import Error
 
-__all__ = ["from_any", "to_pinocchio", "to_rigid_transform", "to_rotation", "to_spatialmath"]
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
 
-Array = NDArray[np.float64]
+    Array = NDArray[np.float64]
+
+__all__ = ["from_any", "to_pinocchio", "to_rigid_transform", "to_rotation", "to_spatialmath"]
 
 
 def from_any(value: Any, position: ArrayLike | None = None) -> Array:

@@ -40,9 +40,8 @@ def test_exact_roots_stay_exact():
 def test_a_mimic_joint_is_written_in_its_leader():
     arm = beeline.Arm.from_string("RR:1,1")
     first, second = arm.joints
-    follower = beeline.Joint(
-        name="joint2", offset=second.offset, screw=second.screw, mimic=beeline.Mimic(leader="joint1", multiplier=2.0, offset=0.1)
-    )
+    mimic = beeline.Mimic(leader="joint1", multiplier=2.0, offset=0.1)
+    follower = beeline.Joint(name="joint2", offset=second.offset, screw=second.screw, mimic=mimic)
     x = beeline.tool_formula(beeline.Arm("mimic", [first, follower]))[0, 3]
     names = {symbol.name for symbol in x.to_sympy().free_symbols}
     assert names == {"a1", "a2", "q1"}

@@ -18,8 +18,8 @@ def executed(tmp_path_factory):
     os.environ.setdefault("JUPYTER_PLATFORM_DIRS", "1")
     os.environ["IPYTHONDIR"] = str(folder / "ipython")
     notebook = nbformat.read(NOTEBOOK, as_version=4)
-    client = nbclient.NotebookClient(notebook, timeout=300, kernel_name="python3", resources={"metadata": {"path": folder}})
-    return client.execute()
+    resources = {"metadata": {"path": folder}}
+    return nbclient.NotebookClient(notebook, timeout=300, kernel_name="python3", resources=resources).execute()
 
 
 def test_the_file_has_no_outputs():

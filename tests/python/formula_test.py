@@ -109,7 +109,7 @@ def test_code_in_three_languages():
     arm = beeline.arms.panda()
     for language, word in [("python", "def panda_jacobian(q)"), ("c", "<math.h>"), ("c++", "<cmath>")]:
         code = beeline.formula_code(arm, language, jacobian=True)
-        assert word in str(code) and [function.name for function in code.functions] == ["panda_forward", "panda_jacobian"]
+        assert word in str(code) and code.functions[-1].name == "panda_jacobian"
     assert "def rrr_x(q):" in beeline.tool_formula(beeline.arms.rrr())[0, 3].code(name="x").text
 
 

@@ -17,7 +17,8 @@ def motion(arm):
 
 
 def texts(svg):
-    return [element.text or "" for element in ElementTree.fromstring(svg.encode()).iter() if element.tag.endswith("text")]
+    elements = ElementTree.fromstring(svg.encode()).iter()
+    return [element.text or "" for element in elements if element.tag.endswith("text")]
 
 
 @pytest.mark.parametrize("name", beeline.arms.names())
