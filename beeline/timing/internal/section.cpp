@@ -99,7 +99,10 @@ std::vector<Sample> first_samples(const JointMotion& motion, const TimeScaling& 
   const double gaps = linear ? 1 : first_intervals;
   for (double i = 1; i < gaps; ++i) add(duration * i / gaps);
   if (!linear) {
-    for (const double t : scaling.kinks(large_jump)) add(t);
+    for (const double t : scaling.kinks(large_jump)) {
+      if (ended(options.budget)) return {};
+      add(t);
+    }
   }
   for (const double s : options.required) {
     if (!(s > given.s.front() && s < given.s.back())) continue;
