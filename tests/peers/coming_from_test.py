@@ -41,9 +41,11 @@ def test_robotics_toolbox_links_and_inverse(random):
     links = np.array([pose.A for pose in robot.fkine_all(q)])
     ours = beeline.link_poses(arm, q)
     assert np.allclose(links[1:], ours[1:])  # its link 0 is at the floor, ours on the mount
-    answer = robot.ikine_LM(robot.fkine(q), q0=q + 0.1)
+    answer = robot.ikine_LM(robot.fkine(q), q0=q + 0.1, tol=1e-12)  # of half the squared error
     assert answer.success
-    assert np.allclose(beeline.forward_kinematics(arm, answer.q), robot.fkine(q).A, atol=1e-4)
+    assert np.allclose(beeline.forward_kinematics(arm, answer.q), robot.fkine(q).A, atol=1e-5)
+    ours = beeline.inverse_kinematics(arm, robot.fkine(q), seed=q)  # takes the SE3; the solution nearest to the seed
+    assert np.allclose(ours.solutions[0], q)
 
 
 def test_robotics_toolbox_tools(random):
@@ -114,7 +116,12 @@ def test_ikpy(random):
 
     full = [0, *q, 0]  # the base and the fixed joint have values too
     assert len(chain.links) == len(full)
-    assert np.allclose(chain.forward_kinematics(full), beeline.forward_kinematics(arm, q))
+    pose = beeline.forward_kinematics(arm, q)
+    assert np.allclose(chain.forward_kinematics(full), pose)
+    seed = q + 0.1
+    theirs = chain.inverse_kinematics_frame(pose, initial_position=[0, *seed, 0], orientation_mode="all")
+    ours = beeline.inverse_kinematics(arm, pose, seed=seed, task="111001")  # x, y, z, rotation about z
+    assert np.allclose(theirs[1:5], q, atol=1e-5) and np.allclose(ours.solutions[0], q)
 
 
 def test_ssik(random):
@@ -122,4 +129,8 @@ def test_ssik(random):
     arm = beeline.Arm.from_urdf(UR5, tip="ee_link")
     q = random.uniform(-3, 3, 6)
 
-    assert np.allclose(robot.fk(q), beeline.forward_kinematics(arm, q))
+    pose = beeline.forward_kinematics(arm, q)
+    assert np.allclose(robot.fk(q), pose)
+    theirs = robot.solve(pose, max_solutions=1, q_seed=q)  # nearest to the seed
+    ours = beeline.inverse_kinematics(arm, pose, seed=q)
+    assert np.allclose(theirs[0].q, q) and np.allclose(ours.solutions[0], q)
