@@ -61,10 +61,16 @@ ChainEnds ends_of(nb::handle base, nb::handle tip) {
           Value<std::optional<std::string>>::from(tip, "tip").value_or("")};
 }
 
-void bind_sources(nb::class_<Arm>& arm) {
+template <class Function, class... Arguments>
+void define_static(nb::class_<Arm>& arm, Function function, const Signature& signature,
+                   const Arguments&... arguments) {
+  arm.def_static(signature.name(), function, arguments..., nb::sig(signature.text("staticmethod")),
+                 signature.doc());
+}
+
+void bind_files(nb::class_<Arm>& arm) {
   const auto add = [&](auto function, Signature& signature, const auto&... arguments) {
-    arm.def_static(signature.name(), function, arguments...,
-                   nb::sig(signature.text("staticmethod")), signature.doc());
+    define_static(arm, function, signature, arguments...);
   };
   const auto chain = [](Signature& signature) -> Signature& {
     return signature.keywords()
@@ -95,7 +101,12 @@ void bind_sources(nb::class_<Arm>& arm) {
       },
       urdf, nb::arg("source"), nb::kw_only(), nb::arg("base") = nb::none(),
       nb::arg("tip") = nb::none());
+}
 
+void bind_descriptions(nb::class_<Arm>& arm) {
+  const auto add = [&](auto function, Signature& signature, const auto&... arguments) {
+    define_static(arm, function, signature, arguments...);
+  };
   Signature dh("from_dh", "Arm", "Returns the arm of a Denavit-Hartenberg table.");
   dh.takes("rows", "list[DhRow]", "One row for each joint.")
       .keywords()
@@ -271,7 +282,8 @@ void bind_arms(nb::module_& m) {
       },
       nb::arg("name"), nb::arg("joints"), nb::kw_only(), nb::arg("tool") = nb::none(),
       nb::arg("base") = nb::none(), nb::sig(made.text()));
-  bind_sources(arm);
+  bind_files(arm);
+  bind_descriptions(arm);
   bind_properties(arm);
   bind_copies(arm);
   arm.def(

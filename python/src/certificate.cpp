@@ -87,7 +87,9 @@ void bind_path_deviation(nb::module_& m) {
       },
       bound, nb::arg("arm"), nb::arg("trajectory"), nb::arg("path_parameters"), nb::arg("path"),
       nb::arg("task") = "spatial", nb::arg("keywords"));
+}
 
+void bind_path_parameters(nb::module_& m) {
   Signature parameters("path_parameters_along", array_type,
                        "Returns the path parameters of samples along the path. Samples between two "
                        "arrivals get the parameter of the nearest point, those after the last one "
@@ -136,6 +138,7 @@ void bind_certificates(nb::module_& m) {
   bind_record<PathDeviation>(m);
   bind_record<Verification>(m);
   bind_path_deviation(m);
+  bind_path_parameters(m);
   bind_verify(m);
 }
 

@@ -9,7 +9,7 @@ Configuration configuration_from(nb::handle value, const char* name) {
   return Value<Configuration>::from(value, name);
 }
 
-void bind_simulations(nb::module_& m) {
+void bind_joint_control(nb::module_& m) {
   Signature joints("control_joints", "ControlledMotion",
                    "Simulates joint-space motion control from `start` to `goal` (Dellaert, *Serial "
                    "Link Manipulators*, eq. 1.3). With kp alone the motion is a straight line in "
@@ -32,7 +32,9 @@ void bind_simulations(nb::module_& m) {
         return unlocked(asked.budget, [&] { return control_joints(arm, from, to, pid, asked); });
       },
       joints, nb::arg("arm"), nb::arg("start"), nb::arg("goal"), nb::arg("keywords"));
+}
 
+void bind_cartesian_control(nb::module_& m) {
   Signature lines(
       "control_in_lines", "ControlledMotion",
       "Simulates Cartesian control (Dellaert, *Serial Link Manipulators*, section 1.8): "
@@ -55,7 +57,9 @@ void bind_simulations(nb::module_& m) {
                         [&] { return control_in_lines(arm, from, poses, asked); });
       },
       lines, nb::arg("arm"), nb::arg("start"), nb::arg("waypoints"), nb::arg("keywords"));
+}
 
+void bind_overshoot(nb::module_& m) {
   Signature over("joint_overshoot", "float",
                  "Returns the largest distance of any joint beyond the goal, relative to its "
                  "distance from the first sample to the goal; 0 when no joint overshoots.");
@@ -79,7 +83,9 @@ void bind_simulations(nb::module_& m) {
 
 void bind_control(nb::module_& m) {
   bind_record<ControlledMotion>(m);
-  bind_simulations(m);
+  bind_joint_control(m);
+  bind_cartesian_control(m);
+  bind_overshoot(m);
   bind_record<SpeedChange>(m);
   bind_record<Replay>(m);
   Signature replayed("replay", "Replay",

@@ -27,19 +27,16 @@ void check_options(const RefineOptions& options) {
   }
 }
 
-}  // namespace
-
-void bind_joint_paths(nb::module_& m) {
-  nb::class_<JointPath> bound = bind_record<JointPath>(m);
-  bound.def("__len__", &JointPath::size, "Number of grid points.");
-  bind_record<PathPoint>(m);
+void bind_path_points(nb::module_& m) {
   Signature point("path_point", "PathPoint",
                   "Evaluates the path in one step, between the grid points `step` and `step + 1`.");
   point.takes("path", "JointPath", "Path.")
       .takes("step", "int", "Index of the step.")
       .takes("u", "float", "Fraction of the step, from 0 to 1.");
   define(m, &point_of, point, nb::arg("path"), nb::arg("step"), nb::arg("u"));
+}
 
+void bind_joint_splines(nb::module_& m) {
   Signature spline("joint_spline", "JointPath",
                    "Returns the cubic spline through the samples, twice continuously "
                    "differentiable, with not-a-knot end conditions (de Boor, *A Practical Guide to "
@@ -77,6 +74,9 @@ void bind_joint_paths(nb::module_& m) {
             chord_length(Value<std::vector<Configuration>>::from(samples, "samples")));
       },
       chord, nb::arg("samples"));
+}
+
+void bind_refinement(nb::module_& m) {
   Signature fine("refined", "JointPath",
                  "Returns the same path with more grid points: steps that are longer or curve more "
                  "than the options allow are divided into equal parts.");
@@ -89,6 +89,17 @@ void bind_joint_paths(nb::module_& m) {
         return refined(path, given);
       },
       fine, nb::arg("path"), nb::arg("keywords"));
+}
+
+}  // namespace
+
+void bind_joint_paths(nb::module_& m) {
+  nb::class_<JointPath> bound = bind_record<JointPath>(m);
+  bound.def("__len__", &JointPath::size, "Number of grid points.");
+  bind_record<PathPoint>(m);
+  bind_path_points(m);
+  bind_joint_splines(m);
+  bind_refinement(m);
 }
 
 }  // namespace beeline::python

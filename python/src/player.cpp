@@ -3,10 +3,9 @@
 #include "loop_fields.h"
 
 namespace beeline::python {
+namespace {
 
-void bind_players(nb::module_& m) {
-  bind_record<Command>(m);
-  bind_record<TrackingError>(m);
+nb::class_<Player> player_class(nb::module_& m) {
   nb::class_<Player> player(
       m, "Player",
       kept_text(
@@ -33,6 +32,10 @@ void bind_players(nb::module_& m) {
       },
       nb::arg("arm"), nb::arg("recording"), nb::arg("start"), nb::arg("keywords"),
       nb::sig(made.text()));
+  return player;
+}
+
+void bind_loop(nb::class_<Player>& player) {
   Signature step("step", "Command",
                  "Advances by one time step and returns the set points at its end. Stays at the "
                  "recording's end.");
@@ -59,6 +62,9 @@ void bind_players(nb::module_& m) {
   define(
       player, [](Player& self, nb::handle q) { self.measured(Numbers(q, "q")); }, measured,
       nb::arg("q"));
+}
+
+void bind_state(nb::class_<Player>& player) {
   player.def_prop_ro("leading_in", &Player::leading_in,
                      "Whether it is on the motion to the recording's first sample.");
   player.def_prop_ro("done", &Player::done, "Whether it is at the recording's end.");
@@ -67,6 +73,16 @@ void bind_players(nb::module_& m) {
                      "Current time of the recording, s.");
   player.def_prop_ro("tracking", &Player::tracking,
                      "The difference between measured and commanded positions.");
+}
+
+}  // namespace
+
+void bind_players(nb::module_& m) {
+  bind_record<Command>(m);
+  bind_record<TrackingError>(m);
+  nb::class_<Player> player = player_class(m);
+  bind_loop(player);
+  bind_state(player);
   bind_copies(player, "Player");
 }
 

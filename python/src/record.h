@@ -136,6 +136,41 @@ void bind_equality(nb::class_<T>& bound, Same same) {
 }
 
 template <class T>
+void bind_pickling(nb::class_<T>& bound) {
+  using Described = Fields<T>;
+  bound.def(
+      "__getstate__",
+      [](const T& self) {
+        return std::apply(
+            [&](const auto&... field) {
+              return nb::make_tuple(
+                  Value<std::decay_t<decltype(self.*field.member)>>::to(self.*field.member)...);
+            },
+            Described::all());
+      },
+      nb::sig("def __getstate__(self) -> tuple[object, ...]"));
+  bound.def(
+      "__setstate__",
+      [](T& self, const nb::tuple& state) {
+        constexpr std::size_t count = std::tuple_size_v<decltype(Described::all())>;
+        if (nb::len(state) != count) throw Error("the pickled state has another number of values");
+        T restored;
+        std::apply(
+            [&](const auto&... field) {
+              std::size_t i = 0;
+              ((restored.*field.member =
+                    Value<std::decay_t<decltype(restored.*field.member)>>::from(state[i++],
+                                                                                field.name)),
+               ...);
+            },
+            Described::all());
+        if constexpr (requires { Described::check(restored); }) Described::check(restored);
+        new (&self) T(std::move(restored));
+      },
+      nb::sig("def __setstate__(self, state: tuple[object, ...], /) -> None"));
+}
+
+template <class T>
 nb::class_<T> bind_record(nb::module_& module) {
   using Described = Fields<T>;
   nb::class_<T> bound(module, Described::name, nb::dynamic_attr(), Described::doc);
@@ -174,36 +209,7 @@ nb::class_<T> bind_record(nb::module_& module) {
         "__bool__", [](const T& self) { return static_cast<bool>(self); }, Described::truth);
   }
   bind_equality(bound, &Value<T>::same);
-  bound.def(
-      "__getstate__",
-      [](const T& self) {
-        return std::apply(
-            [&](const auto&... field) {
-              return nb::make_tuple(
-                  Value<std::decay_t<decltype(self.*field.member)>>::to(self.*field.member)...);
-            },
-            Described::all());
-      },
-      nb::sig("def __getstate__(self) -> tuple[object, ...]"));
-  bound.def(
-      "__setstate__",
-      [](T& self, const nb::tuple& state) {
-        constexpr std::size_t count = std::tuple_size_v<decltype(Described::all())>;
-        if (nb::len(state) != count) throw Error("the pickled state has another number of values");
-        T restored;
-        std::apply(
-            [&](const auto&... field) {
-              std::size_t i = 0;
-              ((restored.*field.member =
-                    Value<std::decay_t<decltype(restored.*field.member)>>::from(state[i++],
-                                                                                field.name)),
-               ...);
-            },
-            Described::all());
-        if constexpr (requires { Described::check(restored); }) Described::check(restored);
-        new (&self) T(std::move(restored));
-      },
-      nb::sig("def __setstate__(self, state: tuple[object, ...], /) -> None"));
+  bind_pickling(bound);
   return bound;
 }
 

@@ -3,9 +3,27 @@
 #include "loop_fields.h"
 
 namespace beeline::python {
+namespace {
 
-void bind_servos(nb::module_& m) {
-  bind_record<ServoMotion>(m);
+constexpr const char* out_doc = "Array (n,) of float64 for the joint velocities.";
+
+/// step(q, velocity), with the velocity in `out` too.
+template <class Step>
+ServoMotion stepped(nb::handle q, nb::handle out, const Step& step) {
+  const Numbers from(q, "q");
+  const Index shape[] = {from.size()};
+  OutputArray velocity(out, "out", shape, Real::float64);
+  ServoMotion motion{Configuration(from.size())};
+  const ServoStep done = step(ConfigurationRef(from), motion.velocity);
+  motion.scale = done.scale;
+  motion.limit = done.limit;
+  motion.joint = done.joint;
+  std::copy(motion.velocity.begin(), motion.velocity.end(), velocity.data());
+  velocity.finish();
+  return motion;
+}
+
+nb::class_<Servo> servo_class(nb::module_& m) {
   nb::class_<Servo> servo(
       m, "Servo",
       kept_text(
@@ -27,21 +45,10 @@ void bind_servos(nb::module_& m) {
         new (self) Servo(arm, options<ServoOptions>(keywords));
       },
       nb::arg("arm"), nb::arg("keywords"), nb::sig(made.text()));
+  return servo;
+}
 
-  const auto stepped = [](nb::handle q, nb::handle out, const auto& step) {
-    const Numbers from(q, "q");
-    const Index shape[] = {from.size()};
-    OutputArray velocity(out, "out", shape, Real::float64);
-    ServoMotion motion{Configuration(from.size())};
-    const ServoStep done = step(ConfigurationRef(from), motion.velocity);
-    motion.scale = done.scale;
-    motion.limit = done.limit;
-    motion.joint = done.joint;
-    std::copy(motion.velocity.begin(), motion.velocity.end(), velocity.data());
-    velocity.finish();
-    return motion;
-  };
-  constexpr const char* out_doc = "Array (n,) of float64 for the joint velocities.";
+void bind_steps(nb::class_<Servo>& servo) {
   const std::string out_type = std::string(array_type) + " | None";
   Signature step("step", "ServoStep", "Converts a tool velocity into joint velocities.");
   step.takes("self")
@@ -53,7 +60,7 @@ void bind_servos(nb::module_& m) {
       .takes("out", out_type, out_doc, "None");
   define(
       servo,
-      [stepped](Servo& self, nb::handle q, nb::handle command, nb::handle out) {
+      [](Servo& self, nb::handle q, nb::handle command, nb::handle out) {
         const Twist twist = Value<Twist>::from(command, "command");
         return stepped(q, out, [&](const ConfigurationRef& from, Configuration& velocity) {
           return self.step(from, twist, velocity);
@@ -70,19 +77,31 @@ void bind_servos(nb::module_& m) {
       .takes("out", out_type, out_doc, "None");
   define(
       servo,
-      [stepped](Servo& self, nb::handle q, nb::handle world_T_tool, nb::handle out) {
+      [](Servo& self, nb::handle q, nb::handle world_T_tool, nb::handle out) {
         const Pose pose = Value<Pose>::from(world_T_tool, "world_T_tool");
         return stepped(q, out, [&](const ConfigurationRef& from, Configuration& velocity) {
           return self.step_towards(from, pose, velocity);
         });
       },
       towards, nb::arg("q"), nb::arg("world_T_tool"), nb::kw_only(), nb::arg("out") = nb::none());
+}
+
+void bind_velocity(nb::class_<Servo>& servo) {
   Signature velocity("set_velocity", "None",
                      "Sets the arm's current velocity, which is zero at first.");
   velocity.takes("self").takes("velocity", array_like, "rad/s or m/s, (n,).");
   define(
       servo, [](Servo& self, nb::handle values) { self.set_velocity(Numbers(values, "velocity")); },
       velocity, nb::arg("velocity"));
+}
+
+}  // namespace
+
+void bind_servos(nb::module_& m) {
+  bind_record<ServoMotion>(m);
+  nb::class_<Servo> servo = servo_class(m);
+  bind_steps(servo);
+  bind_velocity(servo);
   bind_copies(servo, "Servo");
 }
 

@@ -120,7 +120,7 @@ void bind_files(nb::class_<Trajectory>& trajectory) {
       save, nb::arg("path"));
 }
 
-void bind_comparisons(nb::module_& m) {
+void bind_limit_usage(nb::module_& m) {
   Signature rest("at_rest", "Trajectory",
                  "Returns a trajectory of one sample: the arm at rest at q at time zero.");
   rest.takes("arm", "Arm", "The arm.").takes("q", array_like, "Configuration (n,).");
@@ -144,7 +144,9 @@ void bind_comparisons(nb::module_& m) {
         return unlocked(budget, [&] { return limit_usage(arm, trajectory, budget); });
       },
       usage, nb::arg("arm"), nb::arg("trajectory"), nb::arg("keywords"));
+}
 
+void bind_slowdowns(nb::module_& m) {
   Signature slower("slow_down", "Trajectory",
                    "Returns the trajectory slowed down by k: times are multiplied by it, "
                    "velocities divided, accelerations divided by its square.");
@@ -176,7 +178,9 @@ void bind_comparisons(nb::module_& m) {
                         Value<double>::from(jerk, "jerk"));
       },
       factor, nb::arg("velocity"), nb::arg("acceleration"), nb::arg("jerk"));
+}
 
+void bind_comparisons(nb::module_& m) {
   Signature compared("difference", "TrajectoryDifference",
                      "Compares two trajectories of an arm, each from its own first sample on, "
                      "joints linear between samples, at the samples of both. The joints' largest "
@@ -214,6 +218,8 @@ void bind_trajectories(nb::module_& m) {
   bind_record<TrajectoryDifference>(m);
   bind_record<LimitFraction>(m);
   bind_record<LimitUsage>(m);
+  bind_limit_usage(m);
+  bind_slowdowns(m);
   bind_comparisons(m);
 }
 
