@@ -72,8 +72,18 @@ void add_numbered(Scene& scene, const std::vector<Pose>& waypoints) {
   add_poses(scene, waypoints, names);
 }
 
+constexpr int max_ghosts = 1000;
+constexpr std::size_t max_dots = 100'000;
+
 /// Returns the trajectory with its columns in the arm's order.
-Trajectory checked(const Arm& arm, const Trajectory& trajectory) {
+Trajectory checked(const Arm& arm, const Trajectory& trajectory, const ArmFigureOptions& options) {
+  if (options.ghosts < 0 || options.ghosts > max_ghosts) {
+    throw Error("ghosts " + std::to_string(options.ghosts) + " is outside 0 to " +
+                std::to_string(max_ghosts));
+  }
+  if (options.dots > max_dots) {
+    throw Error("dots " + std::to_string(options.dots) + " is above " + std::to_string(max_dots));
+  }
   if (trajectory.times.empty()) throw Error("a motion without samples cannot be drawn");
   return matched_to(arm, trajectory);
 }
@@ -138,7 +148,7 @@ Figure arm_figure(const Arm& arm, const ConfigurationRef& q, const ArmFigureOpti
 
 Figure motion_figure(const Arm& arm, const Trajectory& given, const std::vector<Pose>& waypoints,
                      const ArmFigureOptions& options) {
-  const Trajectory trajectory = checked(arm, given);
+  const Trajectory trajectory = checked(arm, given, options);
   const Configuration& end = trajectory.positions.back();
   Scene scene;
   for (const double t : times_evenly_along(tool_trail(arm, trajectory), options.ghosts)) {
@@ -156,7 +166,7 @@ Figure motion_figure(const Arm& arm, const Trajectory& given, const std::vector<
 
 Animation motion_animation(const Arm& arm, const Trajectory& given,
                            const std::vector<Pose>& waypoints, const ArmFigureOptions& options) {
-  const Trajectory trajectory = checked(arm, given);
+  const Trajectory trajectory = checked(arm, given, options);
   Scene scene;
   if (options.ghosts > 0) add_arm(scene, arm, trajectory.positions.front(), {.faded = true});
   add_trail(scene, arm, trajectory, {.dots = options.dots, .growing = true});

@@ -19,8 +19,8 @@ struct ArmFigureOptions {
   double azimuth = -0.87;    ///< of the spatial view, radians
   double elevation = 0.44;   ///< of the spatial view, radians
   bool small_views = true;   ///< add small views from above and from the front (spatial arms)
-  int ghosts = 3;            ///< number of earlier configurations of a motion, drawn faded
-  std::size_t dots = 81;     ///< on the trail of a motion, at equal times
+  int ghosts = 3;            ///< earlier configurations of a motion, drawn faded; 0 to 1000
+  std::size_t dots = 81;     ///< on the trail of a motion, at equal times; up to 100,000
 };
 
 /// Draws the arm at configuration q: from above when it is planar, otherwise in an oblique view

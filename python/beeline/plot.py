@@ -207,6 +207,8 @@ def animation(
     if not (speed > 0 and fps > 0):
         raise ValueError(f"speed and fps are positive numbers, not {speed} and {fps}")
     frames = max(2, math.ceil(trajectory.duration * fps / speed) + 1)
+    if frames > 20_000:
+        raise ValueError(f"an animation of {frames} frames is too long; play it faster or at fewer fps")
     times = trajectory.times[0] + np.linspace(0, trajectory.duration, frames)
     configurations = trajectory.sample(times).position
     everywhere = np.array([skeleton(arm, q) for q in configurations])

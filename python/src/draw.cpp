@@ -183,8 +183,12 @@ void bind_pictures(nb::module_& m) {
     return notebook_svg(compose(arm_figure(self, display_configuration(self))));
   });
   auto trajectory = nb::borrow<nb::class_<Trajectory>>(nb::type<Trajectory>());
-  trajectory.def("_repr_svg_",
-                 [](const Trajectory& self) { return notebook_svg(timing_figure(self)); });
+  trajectory.def(
+      "_repr_svg_",
+      [](const Trajectory& self) -> nb::object {
+        return self.times.empty() ? nb::none() : nb::object(notebook_svg(timing_figure(self)));
+      },
+      nb::sig("def _repr_svg_(self) -> str | None"));
 }
 
 }  // namespace beeline::python

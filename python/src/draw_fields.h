@@ -44,8 +44,9 @@ struct Fields<ArmFigureOptions> {
         field("small_views", &Options::small_views,
               "Add small views from above and from the front (spatial arms)."),
         field("ghosts", &Options::ghosts,
-              "Number of earlier configurations of a motion, drawn faded."),
-        field("dots", &Options::dots, "Number of dots on the trail of a motion, at equal times."));
+              "Number of earlier configurations of a motion, drawn faded, 0 to 1000."),
+        field("dots", &Options::dots,
+              "Number of dots on the trail of a motion, at equal times, up to 100000."));
   }
 };
 

@@ -113,3 +113,5 @@ def test_refusals():
         plot.joints([1, 2, 3])
     with pytest.raises(ValueError, match="positive"):
         plot.animation(rrr, motion(rrr), speed=0)
+    with pytest.raises(ValueError, match="too long"):
+        plot.animation(rrr, beeline.Trajectory(rrr.joint_names, [0, 1e9], np.zeros((2, 3))))

@@ -49,6 +49,10 @@ def test_options_are_those_of_the_command():
     assert "1" in texts(marked.svg)
 
 
+def test_a_trajectory_without_samples_has_no_picture():
+    assert beeline.Trajectory(["a"], [], np.zeros((0, 1)))._repr_svg_() is None
+
+
 def test_saved_files(tmp_path):
     arm = beeline.arms.rrr()
     drawing, animation = beeline.draw(arm), beeline.animate(arm, motion(arm))
@@ -118,6 +122,9 @@ def test_step_responses():
         (lambda arm: beeline.draw(arm, ghosts=-3, frames="yes"), TypeError, "frames"),
         (lambda arm: beeline.draw(arm, waypoints=[np.eye(4)]), TypeError, "motion"),
         (lambda arm: beeline.draw(arm, motion(beeline.arms.ur5())), beeline.Error, "joint"),
+        (lambda arm: beeline.draw(arm, motion(arm), ghosts=-1), beeline.Error, "outside 0 to 1000"),
+        (lambda arm: beeline.draw(arm, motion(arm), ghosts=2**31 - 1), beeline.Error, "outside 0 to 1000"),
+        (lambda arm: beeline.animate(arm, motion(arm), dots=2**40), beeline.Error, "above 100000"),
         (lambda arm: beeline.animate(arm, motion(arm), speed=0), beeline.Error, "speed"),
         (lambda arm: beeline.animate(arm, [0, 0, 0]), TypeError, "Trajectory|incompatible"),
         (lambda arm: beeline.draw(arm, [np.nan] * 3), beeline.Error, "finite|NaN|nan"),
