@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include <beeline/error.h>
 #include <beeline/planning/branch.h>
 
 namespace beeline {
