@@ -196,7 +196,7 @@ BatchWork jacobian_work(const BatchArguments& arguments, const Arm& arm) {
             .ending;
     if (counts.ending != Ending::complete) return;
     rows.check(block, whole, bad);
-    results = whole(source, Eigen::placeholders::all);
+    results = whole(source, Eigen::seqN(0, whole.cols()));
   };
   return work;
 }

@@ -166,7 +166,7 @@ void check_determinant(const SymbolicArm& arm, const TransformList& list, const 
     const std::vector<double> symbols = symbol_values(arm, q);
     const std::vector<Pose> places = internal::place_poses(list, symbols);
     const Jacobian columns = internal::numeric_twists(arm, list, places, symbols, frame);
-    const Eigen::MatrixXd square = columns(rows_of(task), Eigen::placeholders::all);
+    const Eigen::MatrixXd square = columns(rows_of(task), Eigen::seqN(0, columns.cols()));
     // Errors of entries are relative to the lengths: by Hadamard's inequality for columns and rows
     const double lengths = internal::length_scale(arm);
     double scale = 1 + lengths, row_scale = 1;

@@ -58,7 +58,8 @@ Configuration null_space_step(const Request& request, const Configuration& q, co
     Configuration step = Configuration::Zero(q.size());
     const std::size_t before = free.size();
     const Eigen::VectorXd scale = cost.curvature(free).cwiseSqrt().cwiseInverse();
-    const Eigen::MatrixXd scaled = jacobian(Eigen::placeholders::all, free) * scale.asDiagonal();
+    const Eigen::MatrixXd scaled =
+        jacobian(Eigen::seqN(0, jacobian.rows()), free) * scale.asDiagonal();
     const Eigen::VectorXd slope = scale.cwiseProduct(cost.slope(free));
     const MinimumNormSolution moving = minimum_norm_solution(scaled, scaled * slope);
     if (moving.rank == scaled.cols()) return step;  // the null space is empty

@@ -50,7 +50,8 @@ TEST(Redundancy, NearestIsStationaryOnTheSelfMotion) {
       for (Eigen::Index k = 0; k < q.size(); ++k) {
         if (q[k] > bounds.lower[k] + 1e-9 && q[k] < bounds.upper[k] - 1e-9) free.push_back(k);
       }
-      const Eigen::MatrixXd jacobian = task_jacobian(arm, q, Task::spatial())(Eigen::placeholders::all, free);
+      const Eigen::MatrixXd jacobian =
+          task_jacobian(arm, q, Task::spatial())(Eigen::seqN(0, 6), free);
       const Eigen::FullPivLU<Eigen::MatrixXd> factor(jacobian);
       if (factor.dimensionOfKernel() == 0) continue;  // the joints at limits leave no self-motion
       ++redundant;
