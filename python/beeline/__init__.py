@@ -5,6 +5,8 @@ Twists and rows of Jacobians have the linear part first: [vx vy vz wx wy wz]. A 
 result that is false and has a `reason`; invalid input raises `beeline.Error`.
 """
 
+import copyreg as _copyreg
+
 from . import _core, arms, plot, poses
 from ._core import *  # noqa: F403
 from ._core import __version__
@@ -21,3 +23,6 @@ for _name in __all__:
         except (AttributeError, TypeError):
             pass  # a function: it cannot be changed
 del _name, _value
+
+# Functions pickle by name, as those of Python do: for multiprocessing, joblib and dask.
+_copyreg.pickle(type(_core.forward_kinematics), lambda function: function.__qualname__)

@@ -61,17 +61,16 @@ ChainEnds ends_of(nb::handle base, nb::handle tip) {
           Value<std::optional<std::string>>::from(tip, "tip").value_or("")};
 }
 
-template <class Function, class... Arguments>
-void define_static(nb::class_<Arm>& arm, Function function, const Signature& signature,
-                   const Arguments&... arguments) {
+/// Adds a static method that makes an arm.
+template <class... Extra>
+void add_source(nb::class_<Arm>& arm, auto function, const Signature& signature,
+                const Extra&... arguments) {
   arm.def_static(signature.name(), function, arguments..., nb::sig(signature.text("staticmethod")),
                  signature.doc());
 }
 
+/// Arms of files: the chain between two links.
 void bind_files(nb::class_<Arm>& arm) {
-  const auto add = [&](auto function, Signature& signature, const auto&... arguments) {
-    define_static(arm, function, signature, arguments...);
-  };
   const auto chain = [](Signature& signature) -> Signature& {
     return signature.keywords()
         .takes("base", "str | None", "Name of the link that the chain begins at.", "None")
@@ -81,8 +80,11 @@ void bind_files(nb::class_<Arm>& arm) {
                  "Returns the arm that `source` names: a built-in arm (`panda`), a joint string "
                  "(`RRR:3.5,3.5,2`), or a file (`.urdf`, `.json`).");
   chain(load.takes("source", path_like, "Name, joint string or path."));
-  add([](nb::handle text, nb::handle base,
-         nb::handle tip) { return read_arm(path_from(text, "source"), ends_of(base, tip)); },
+  add_source(
+      arm,
+      [](nb::handle text, nb::handle base, nb::handle tip) {
+        return read_arm(path_from(text, "source"), ends_of(base, tip));
+      },
       load, nb::arg("source"), nb::kw_only(), nb::arg("base") = nb::none(),
       nb::arg("tip") = nb::none());
 
@@ -90,7 +92,8 @@ void bind_files(nb::class_<Arm>& arm) {
                  "Reads the chain from `base` to `tip` of a URDF file, or of the text of one. The "
                  "world is the base link's frame.");
   chain(urdf.takes("source", path_like, "Path, or text that begins with `<`."));
-  add(
+  add_source(
+      arm,
       [](nb::handle source, nb::handle base, nb::handle tip) {
         const std::string text = path_from(source, "source");
         if (text.find_first_not_of(" \t\r\n") != std::string::npos &&
@@ -103,10 +106,8 @@ void bind_files(nb::class_<Arm>& arm) {
       nb::arg("tip") = nb::none());
 }
 
+/// Arms of other descriptions.
 void bind_descriptions(nb::class_<Arm>& arm) {
-  const auto add = [&](auto function, Signature& signature, const auto&... arguments) {
-    define_static(arm, function, signature, arguments...);
-  };
   Signature dh("from_dh", "Arm", "Returns the arm of a Denavit-Hartenberg table.");
   dh.takes("rows", "list[DhRow]", "One row for each joint.")
       .keywords()
@@ -116,7 +117,8 @@ void bind_descriptions(nb::class_<Arm>& arm) {
              "uses.")
       .takes("name", "str", "Name of the arm.", "'arm'")
       .takes("limits", "list[Limits] | None", "One for each joint.", "None");
-  add(
+  add_source(
+      arm,
       [](nb::handle rows, nb::handle convention, nb::handle name, nb::handle limits) {
         return arm_from_dh(rows, Value<std::string>::from(convention, "convention"),
                            Value<std::string>::from(name, "name"), limits);
@@ -127,12 +129,16 @@ void bind_descriptions(nb::class_<Arm>& arm) {
   Signature string("from_string", "Arm",
                    "Returns the arm of a joint string, such as `RRR:3.5,3.5,2` or `RRRRRR`.");
   string.takes("text", "str", "Letters R P H S C E U, then a length in m for each.");
-  add([](nb::handle text) { return arm_from_joint_string(Value<std::string>::from(text, "text")); },
+  add_source(
+      arm,
+      [](nb::handle text) { return arm_from_joint_string(Value<std::string>::from(text, "text")); },
       string, nb::arg("text"));
 
   Signature json("from_json", "Arm", "Returns the arm of a text that to_json() returned.");
   json.takes("text", "str", "JSON.");
-  add([](nb::handle text) { return arm_from_json(Value<std::string>::from(text, "text"), "JSON"); },
+  add_source(
+      arm,
+      [](nb::handle text) { return arm_from_json(Value<std::string>::from(text, "text"), "JSON"); },
       json, nb::arg("text"));
 }
 
@@ -147,7 +153,8 @@ void property(nb::class_<Arm>& arm, const char* name, const std::string& type, G
 template <class M>
 void limit_property(nb::class_<Arm>& arm, const char* name, M Limits::*limit, const char* doc) {
   property(
-      arm, name, array_type, [limit](const Arm& self) { return limits_of(self, limit); }, doc);
+      arm, name, array_type, [limit](const Arm& self) { return read_only(limits_of(self, limit)); },
+      doc);
 }
 
 void bind_properties(nb::class_<Arm>& arm) {
@@ -165,10 +172,12 @@ void bind_properties(nb::class_<Arm>& arm) {
       [](const Arm& self) { return Value<std::vector<std::string>>::to(self.joint_names()); },
       "Name of the joint of each coordinate.");
   property(
-      arm, "base", array_type, [](const Arm& self) { return Value<Pose>::to(self.base()); },
+      arm, "base", array_type,
+      [](const Arm& self) { return read_only(Value<Pose>::to(self.base())); },
       "Pose of link 0 in the world (4, 4).");
   property(
-      arm, "tool", array_type, [](const Arm& self) { return Value<Pose>::to(self.tool()); },
+      arm, "tool", array_type,
+      [](const Arm& self) { return read_only(Value<Pose>::to(self.tool())); },
       "Pose of the tool in the last link (4, 4).");
   property(
       arm, "limits", "list[Limits]",
@@ -182,7 +191,9 @@ void bind_properties(nb::class_<Arm>& arm) {
   limit_property(arm, "jerk", &Limits::jerk, "Jerk limits; inf where unknown, (n,).");
   property(
       arm, "middle", array_type,
-      [](const Arm& self) { return Value<Configuration>::to(middle_configuration(self)); },
+      [](const Arm& self) {
+        return read_only(Value<Configuration>::to(middle_configuration(self)));
+      },
       "Middle of each coordinate's limits, or the value nearest to zero where one is "
       "infinite, (n,).");
   property(
@@ -276,9 +287,11 @@ void bind_arms(nb::module_& m) {
         const auto pose = [](nb::handle value, const char* what) {
           return Value<std::optional<Pose>>::from(value, what).value_or(Pose::Identity());
         };
-        new (self) Arm(Value<std::string>::from(name, "name"),
-                       Value<std::vector<Joint>>::from(joints, "joints"), pose(tool, "tool"),
-                       pose(base, "base"));
+        Arm result(Value<std::string>::from(name, "name"),
+                   Value<std::vector<Joint>>::from(joints, "joints"), pose(tool, "tool"),
+                   pose(base, "base"));
+        arm_to_json(result);  // refuses names that copies could not have
+        new (self) Arm(std::move(result));
       },
       nb::arg("name"), nb::arg("joints"), nb::kw_only(), nb::arg("tool") = nb::none(),
       nb::arg("base") = nb::none(), nb::sig(made.text()));
@@ -294,16 +307,7 @@ void bind_arms(nb::module_& m) {
   arm.def("__setstate__", [](Arm& self, const std::string& json) {
     new (&self) Arm(arm_from_json(json, "pickle"));
   });
-  arm.def(
-      "__eq__",
-      [](const Arm& self, nb::handle other) -> nb::object {
-        const Arm* right = nullptr;
-        if (!nb::try_cast<const Arm*>(other, right) || !right) {
-          return nb::borrow(nb::handle(Py_NotImplemented));
-        }
-        return nb::bool_(&self == right || arm_to_json(self) == arm_to_json(*right));
-      },
-      nb::arg().none(), nb::sig("def __eq__(self, other: object, /) -> bool"));
+  bind_equality(arm, [](const Arm& a, const Arm& b) { return arm_to_json(a) == arm_to_json(b); });
   arm.def("__hash__", [](const Arm& self) { return std::hash<std::string>()(arm_to_json(self)); });
   m.def(
       "built_in_names", [] { return Value<std::vector<std::string>>::to(built_in_names()); },

@@ -1,4 +1,6 @@
+#include <atomic>
 #include <mutex>
+#include <thread>
 
 #include "bindings.h"
 #include "interruption.h"
@@ -8,36 +10,38 @@
 namespace beeline::python {
 namespace {
 
-/// InverseSolver with the arm and the keywords that it was made of; threads take turns.
+/// InverseSolver with the arm and a copy of the keywords that it was made of. Only one thread
+/// solves at a time; the others wait.
 class Solver {
  public:
   Solver(nb::object arm, nb::dict keywords)
-      : arm_(std::move(arm)),
-        keywords_(std::move(keywords)),
-        dof_(nb::cast<const Arm&>(arm_).dof()) {
+      : arm_(std::move(arm)), keywords_(copied(keywords)), dof_(nb::cast<const Arm&>(arm_).dof()) {
     InverseOptions all = options<InverseOptions>(nb::borrow<nb::kwargs>(keywords_));
     all.budget.progress = {};  // inverse kinematics does not report
     all.budget.cancelled = [this] { return cancelled(); };
     solver_.emplace(nb::cast<const Arm&>(arm_), all);
+    method_ = solver_->method();
   }
 
   const nb::object& arm() const { return arm_; }
   const nb::dict& keywords() const { return keywords_; }
   int dof() const { return dof_; }
-  std::string method() {
-    const std::lock_guard lock(mutex_);
-    return solver_->method();
-  }
+  const std::string& method() const { return method_; }
 
-  /// work(the C++ solver), without Python's lock.
+  /// work(the C++ solver), without Python's lock. Throws Error in a signal handler that interrupts
+  /// the solver in the same thread.
   template <class Work>
   auto run(Work work) {
+    if (owner_ == std::this_thread::get_id()) {
+      throw Error("the solver is solving already, in this thread");
+    }
     std::optional<std::invoke_result_t<Work, InverseSolver&>> result;
-    Call call;  // outlives the turn, as it needs Python's lock at its end
+    Call call;  // outlives the lock of the mutex, as it needs Python's lock at its end
     {
       nb::gil_scoped_release release;
-      const std::lock_guard turn(mutex_);
+      const std::lock_guard lock(mutex_);
       call_ = &call;
+      const Owner owner(owner_);
       result.emplace(work(*solver_));
     }
     if (call.interruption) call.interruption->rethrow();
@@ -51,7 +55,24 @@ class Solver {
     std::optional<Interruption> interruption;
   };
 
-  /// Most calls end before they have asked often.
+  /// Without `progress`, which inverse kinematics does not call.
+  static nb::dict copied(const nb::dict& keywords) {
+    nb::dict copies;
+    const nb::object deepcopy = nb::module_::import_("copy").attr("deepcopy");
+    for (const auto& [keyword, value] : keywords) {
+      if (nb::cast<std::string>(keyword) != "progress") copies[keyword] = deepcopy(value);
+    }
+    return copies;
+  }
+
+  /// Marks this thread as the one that solves, during its life.
+  struct Owner {
+    explicit Owner(std::atomic<std::thread::id>& id) : id_(id) { id_ = std::this_thread::get_id(); }
+    ~Owner() { id_ = std::thread::id(); }
+    std::atomic<std::thread::id>& id_;
+  };
+
+  /// The clock is first looked at after 32 questions: most calls end before.
   bool cancelled() {
     if (++call_->asked < 32) return false;
     if (!call_->interruption) call_->interruption.emplace(call_->budget);
@@ -62,8 +83,10 @@ class Solver {
   nb::dict keywords_;
   int dof_;
   std::mutex mutex_;
-  Call* call_ = nullptr;  ///< the one whose turn it is
+  std::atomic<std::thread::id> owner_;
+  Call* call_ = nullptr;  ///< the one that solves
   std::optional<InverseSolver> solver_;
+  std::string method_;
 };
 
 void check_one_pose(nb::handle pose) {

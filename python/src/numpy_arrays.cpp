@@ -117,7 +117,7 @@ nb::object NewArray::release_read_only() {
 }
 
 OutputArray::OutputArray(nb::handle value, const char* name, std::span<const Index> shape,
-                         Real real, bool transposed) {
+                         Real real, bool transposed, bool direct) {
   if (!value.is_none()) {
     if (!PyArray_Check(value.ptr()) || PyArray_TYPE(array_of(value)) != number_of(real)) {
       throw nb::type_error((std::string(name) + ": expected an array of " +
@@ -131,7 +131,7 @@ OutputArray::OutputArray(nb::handle value, const char* name, std::span<const Ind
     }
     if (!PyArray_ISWRITEABLE(given)) throw Error(std::string(name) + " is read-only");
     result_ = nb::borrow(value);
-    if (holds_directly(given, transposed)) {
+    if (direct && holds_directly(given, transposed)) {
       data_ = PyArray_DATA(given);
       return;
     }
@@ -157,11 +157,16 @@ nb::object OutputArray::finish() {
   return std::move(result_);
 }
 
+nb::object read_only(nb::object value) {
+  if (PyArray_Check(value.ptr())) PyArray_CLEARFLAGS(array_of(value), NPY_ARRAY_WRITEABLE);
+  return value;
+}
+
 nb::object index_array(std::span<const std::size_t> values) {
   const npy_intp size = static_cast<npy_intp>(values.size());
   nb::object array = nb::steal(checked(PyArray_SimpleNew(1, &size, NPY_INT64)));
   std::ranges::copy(values, static_cast<std::int64_t*>(PyArray_DATA(array_of(array))));
-  return array;
+  return read_only(array);
 }
 
 }  // namespace beeline::python

@@ -85,10 +85,11 @@ class NewArray {
 class OutputArray {
  public:
   /// `value` None: a new array. `transposed`: the memory holds the last two dimensions exchanged.
-  /// Throws TypeError unless it is an array of the dtype, Error for another shape or a read-only
-  /// one.
+  /// `direct`: the caller's memory may be written to before finish(), which it may not where
+  /// arguments that are read later may lie in it. Throws TypeError unless it is an array of the
+  /// dtype, Error for another shape or a read-only one.
   OutputArray(nb::handle value, const char* name, std::span<const Index> shape, Real real,
-              bool transposed = false);
+              bool transposed = false, bool direct = true);
 
   template <class T = double>
   T* data() const {
@@ -102,7 +103,10 @@ class OutputArray {
   void* data_;
 };
 
-/// `array` as integers, for indices: a new array of int64.
+/// Returns the value; an array can no longer be written to.
+nb::object read_only(nb::object value);
+
+/// The values as integers, for indices: a new array of int64 that cannot be written to.
 nb::object index_array(std::span<const std::size_t> values);
 
 }  // namespace beeline::python

@@ -58,8 +58,8 @@ T made_record(const nb::args& values, const nb::kwargs& keywords) {
   return made;
 }
 
-/// A struct with Fields as a Python class: read-only attributes, a constructor, repr(), ==,
-/// copies and pickles.
+/// A struct with Fields as a Python class: read-only attributes, no others, a constructor, repr(),
+/// ==, copies and pickles.
 template <class T>
 requires is_described<T>
 struct Value<T> {
@@ -108,13 +108,14 @@ void bind_field(nb::class_<T>& bound, const Field<T, M>& field) {
     bound.def_prop_ro(
         field.name,
         [member, name](nb::handle_t<T> self) -> nb::object {
+          if (!nb::inst_ready(self)) throw nb::type_error("the object was not initialised");
           const T* value = nb::inst_ptr<T>(self);
           return kept(self, name, [&] { return Value<M>::to(value->*member); });
         },
         nb::for_getter(nb::sig(sig)), field.doc);
   } else {
     bound.def_prop_ro(
-        field.name, [member](const T& self) { return Value<M>::to(self.*member); },
+        field.name, [member](const T& self) { return read_only(Value<M>::to(self.*member)); },
         nb::for_getter(nb::sig(sig)), field.doc);
   }
 }
@@ -135,56 +136,10 @@ void bind_equality(nb::class_<T>& bound, Same same) {
   bound.attr("__hash__") = nb::none();
 }
 
+/// Adds repr(), with every member; str(), where C++ prints the struct; the truth value.
 template <class T>
-void bind_pickling(nb::class_<T>& bound) {
+void bind_text(nb::class_<T>& bound) {
   using Described = Fields<T>;
-  bound.def(
-      "__getstate__",
-      [](const T& self) {
-        return std::apply(
-            [&](const auto&... field) {
-              return nb::make_tuple(
-                  Value<std::decay_t<decltype(self.*field.member)>>::to(self.*field.member)...);
-            },
-            Described::all());
-      },
-      nb::sig("def __getstate__(self) -> tuple[object, ...]"));
-  bound.def(
-      "__setstate__",
-      [](T& self, const nb::tuple& state) {
-        constexpr std::size_t count = std::tuple_size_v<decltype(Described::all())>;
-        if (nb::len(state) != count) throw Error("the pickled state has another number of values");
-        T restored;
-        std::apply(
-            [&](const auto&... field) {
-              std::size_t i = 0;
-              ((restored.*field.member =
-                    Value<std::decay_t<decltype(restored.*field.member)>>::from(state[i++],
-                                                                                field.name)),
-               ...);
-            },
-            Described::all());
-        if constexpr (requires { Described::check(restored); }) Described::check(restored);
-        new (&self) T(std::move(restored));
-      },
-      nb::sig("def __setstate__(self, state: tuple[object, ...], /) -> None"));
-}
-
-template <class T>
-nb::class_<T> bind_record(nb::module_& module) {
-  using Described = Fields<T>;
-  nb::class_<T> bound(module, Described::name, nb::dynamic_attr(), Described::doc);
-  std::apply([&](const auto&... field) { (bind_field(bound, field), ...); }, Described::all());
-  if constexpr (is_constructible<T>) {
-    Signature signature("__init__", "None", "");
-    signature.takes("self").template members<T>();
-    bound.def(
-        "__init__",
-        [](T* self, const nb::args& values, const nb::kwargs& keywords) {
-          new (self) T(made_record<T>(values, keywords));
-        },
-        nb::sig(signature.text()));
-  }
   bound.def("__repr__", [](nb::handle_t<T> self) {
     std::string text = std::string(Described::name) + "(";
     std::apply(
@@ -208,8 +163,68 @@ nb::class_<T> bind_record(nb::module_& module) {
     bound.def(
         "__bool__", [](const T& self) { return static_cast<bool>(self); }, Described::truth);
   }
+}
+
+/// The struct of the values that __getstate__ returned.
+template <class T>
+T restored(const nb::tuple& state) {
+  constexpr std::size_t count = std::tuple_size_v<decltype(Fields<T>::all())>;
+  if (nb::len(state) != count) throw Error("the pickled state has another number of values");
+  T result;
+  std::apply(
+      [&](const auto&... field) {
+        std::size_t i = 0;
+        ((result.*field.member = Value<member_type<decltype(field)>>::from(state[i++], field.name)),
+         ...);
+      },
+      Fields<T>::all());
+  if constexpr (requires { Fields<T>::check(result); }) Fields<T>::check(result);
+  return result;
+}
+
+/// Adds what copies and pickles need: the tuple of all members.
+template <class T>
+void bind_state(nb::class_<T>& bound) {
+  bound.def(
+      "__getstate__",
+      [](const T& self) {
+        return std::apply(
+            [&](const auto&... field) {
+              return nb::make_tuple(Value<member_type<decltype(field)>>::to(self.*field.member)...);
+            },
+            Fields<T>::all());
+      },
+      nb::sig("def __getstate__(self) -> tuple[object, ...]"));
+  bound.def(
+      "__setstate__", [](T& self, const nb::tuple& state) { new (&self) T(restored<T>(state)); },
+      nb::sig("def __setstate__(self, state: tuple[object, ...], /) -> None"));
+}
+
+template <class T>
+nb::class_<T> bind_record(nb::module_& module) {
+  using Described = Fields<T>;
+  nb::class_<T> bound(module, Described::name, nb::dynamic_attr(), Described::doc);
+  std::apply([&](const auto&... field) { (bind_field(bound, field), ...); }, Described::all());
+  if constexpr (is_constructible<T>) {
+    Signature signature("__init__", "None", "");
+    signature.takes("self").template members<T>();
+    bound.def(
+        "__init__",
+        [](T* self, const nb::args& values, const nb::kwargs& keywords) {
+          new (self) T(made_record<T>(values, keywords));
+        },
+        nb::sig(signature.text()));
+  }
+  bound.def(
+      "__setattr__",
+      [](const T&, const std::string& member, nb::handle) {
+        throw nb::attribute_error(
+            (std::string(Described::name) + " is immutable: " + member + " cannot be set").c_str());
+      },
+      nb::sig("def __setattr__(self, name: str, value: object, /) -> None"));
+  bind_text(bound);
   bind_equality(bound, &Value<T>::same);
-  bind_pickling(bound);
+  bind_state(bound);
   return bound;
 }
 

@@ -61,7 +61,7 @@ int threads_from(nb::handle value);
 template <class Evaluate>
 nb::object for_rows(const Configurations& q, std::initializer_list<Index> inner, nb::handle out,
                     Evaluate evaluate) {
-  OutputArray results(out, "out", q.shape(inner), Real::float64, inner.size() > 1);
+  OutputArray results(out, "out", q.shape(inner), Real::float64, inner.size() > 1, q.one());
   Index size = 1;
   for (Index n : inner) size *= n;
   if (q.one()) {

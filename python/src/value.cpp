@@ -38,14 +38,20 @@ void raise_type(const char* name, const std::string& expected, nb::handle value)
 std::string path_from(nb::handle path, const char* name) {
   const nb::object text = nb::steal(PyOS_FSPath(path.ptr()));
   if (!text.is_valid()) throw nb::python_error();
-  return Value<std::string>::from(text, name);
+  std::string whole = Value<std::string>::from(text, name);
+  // The system would end the path there, and mean another file.
+  if (whole.find('\0') != std::string::npos)
+    throw Error(std::string(name) + " contains a null byte");
+  return whole;
 }
 
 double Value<double>::from(nb::handle value, const char* name) {
   const double number = PyFloat_AsDouble(value.ptr());
   if (number == -1 && PyErr_Occurred()) {
-    PyErr_Clear();
-    raise_type(name, "a number", value);
+    const nb::python_error error;
+    if (error.matches(PyExc_TypeError)) raise_type(name, "a number", value);
+    if (!error.matches(PyExc_OverflowError)) throw error;
+    throw Error(std::string(name) + " is larger than a float");
   }
   return number;
 }
@@ -53,22 +59,27 @@ double Value<double>::from(nb::handle value, const char* name) {
 bool Value<bool>::from(nb::handle value, const char* name) {
   if (value.ptr() == Py_True) return true;
   if (value.ptr() == Py_False) return false;
-  if (name_of_type(value) == "bool" || name_of_type(value) == "bool_")
-    return PyObject_IsTrue(value.ptr()) == 1;
+  if (name_of_type(value) == "bool" || name_of_type(value) == "bool_") {  // of numpy
+    const int truth = PyObject_IsTrue(value.ptr());
+    if (truth < 0) throw nb::python_error();
+    return truth == 1;
+  }
   raise_type(name, "True or False", value);
 }
 
 std::int64_t integer_from(nb::handle value, const char* name, std::int64_t min, std::int64_t max) {
   nb::object whole = nb::steal(PyNumber_Index(value.ptr()));
   if (!whole.is_valid()) {
-    PyErr_Clear();
-    raise_type(name, "a whole number", value);
+    const nb::python_error error;
+    if (error.matches(PyExc_TypeError)) raise_type(name, "a whole number", value);
+    throw error;
   }
   const long long number = PyLong_AsLongLong(whole.ptr());
   const bool failed = number == -1 && PyErr_Occurred();
   if (failed) PyErr_Clear();
   if (failed || number < min || number > max) {
-    throw Error(std::string(name) + " is out of range: " + nb::str(whole).c_str());
+    throw Error(std::string(name) + " must be a whole number from " + std::to_string(min) + " to " +
+                std::to_string(max));
   }
   return number;
 }

@@ -34,7 +34,7 @@ Pose WeightedTask::set_configuration(const ConfigurationRef& q) {
 bool WeightedTask::set_command(const Twist& command) {
   for (int i = 0; i < 6; ++i) command_[i] = scale_[i] > 0 ? scale_[i] * command[i] : 0;
   constexpr double max_command = 1e100;  // squares of larger numbers overflow
-  if (!(command_.lpNorm<Eigen::Infinity>() < max_command)) {
+  if (!command_.allFinite() || !(command_.lpNorm<Eigen::Infinity>() < max_command)) {
     throw Error("the command must be finite and below 1e100");
   }
   return command_.squaredNorm() > 0;

@@ -1,0 +1,112 @@
+"""Objects of the module: what may be written, compared, pickled, and called by several at once."""
+
+import pickle
+import signal
+import threading
+
+import beeline
+import numpy as np
+import pytest
+
+
+@pytest.fixture
+def arm():
+    return beeline.arms.panda()
+
+
+def test_objects_compare_with_others(arm):
+    for value in (arm, beeline.Limits(), beeline.at_rest(arm, arm.middle)):
+        assert not value == None and value != None  # noqa: E711
+        assert value != 1 and value in [None, value]
+
+
+def test_objects_are_immutable(arm):
+    with pytest.raises(AttributeError, match="lowr"):
+        beeline.Limits().lowr = 3
+    with pytest.raises(AttributeError):
+        beeline.Limits().lower = 3
+    for array in (arm.base, arm.tool, arm.lower, arm.middle, arm.joints[0].offset):
+        assert not array.flags.writeable
+
+
+def test_functions_pickle(arm):
+    for function in (beeline.forward_kinematics, beeline.inverse_kinematics, beeline.Arm.load):
+        assert pickle.loads(pickle.dumps(function)) is function
+
+
+def test_paths_with_null_bytes_are_refused(arm, tmp_path):
+    kept = tmp_path / "kept"
+    kept.write_text("kept")
+    with pytest.raises(beeline.Error, match="null"):
+        beeline.at_rest(arm, arm.middle).save(f"{kept}\0.csv")
+    assert kept.read_text() == "kept"
+
+
+def test_arms_have_names_that_copies_can_have(arm):
+    for name in ("", "a\nb", "x" * 2000):
+        with pytest.raises(beeline.Error, match="name"):
+            beeline.Arm(name, arm.joints)
+
+
+def test_results_over_their_arguments(arm):
+    rows = np.random.default_rng(3).uniform(arm.lower, arm.upper, (9, 7))
+    wrench = np.arange(1.0, 7)
+    expected = beeline.joint_torques(arm, rows[:-1], wrench)
+    beeline.joint_torques(arm, rows[:-1], wrench, out=rows[1:])
+    assert np.array_equal(rows[1:], expected)
+
+
+def test_numbers_that_cannot_be_converted(arm):
+    class Interrupted:
+        def __float__(self):
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        beeline.Deviation(Interrupted(), 0)
+    with pytest.raises(beeline.Error, match="position"):
+        beeline.Deviation(10**400, 0)
+    with pytest.raises(beeline.Error, match="lock"):
+        beeline.inverse_kinematics(arm, np.eye(4), lock=10**5000)
+
+
+def long_solver(arm):
+    return beeline.InverseSolver(arm, method="numerical", all=True, max_restarts=10**6, time_limit=0.5)
+
+
+REACHABLE = np.array([[1, 0, 0, 0.3], [0, 1, 0, 0.3], [0, 0, 1, 0.3], [0, 0, 0, 1]])
+
+
+def test_a_solver_is_printed_while_it_solves(arm):
+    solver = long_solver(arm)
+    thread = threading.Thread(target=solver.solve, args=(REACHABLE,))
+    thread.start()
+    while thread.is_alive():
+        assert "numerical" in repr(solver)
+        thread.join(0.01)
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs timers")
+def test_a_signal_handler_cannot_use_the_solver_it_interrupts(arm):
+    solver = long_solver(arm)
+    refusals = []
+
+    def handle(*_):
+        with pytest.raises(beeline.Error, match="solving") as refused:
+            solver.solve(REACHABLE)
+        refusals.append(refused)
+
+    former = signal.signal(signal.SIGALRM, handle)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.1)
+        assert solver.solve(REACHABLE).status == "time_limit"
+    finally:
+        signal.signal(signal.SIGALRM, former)
+    assert len(refusals) == 1
+
+
+def test_commands_that_are_not_finite(arm):
+    for row in range(6):
+        command = np.zeros(6)
+        command[row] = np.nan
+        with pytest.raises(beeline.Error):
+            beeline.Servo(arm).step(arm.middle, command)
