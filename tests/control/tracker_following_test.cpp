@@ -18,8 +18,8 @@
 namespace beeline {
 namespace {
 
-constexpr double dt = 1e-3;
-constexpr double pi = std::numbers::pi;
+constexpr double step_time = 1e-3;
+using std::numbers::pi;
 
 double largest_part(const Deviation& error) { return std::max(error.position, error.orientation); }
 
@@ -128,7 +128,7 @@ TEST(Tracker, FollowsAPlannedMotionWithoutLag) {
       Tracker tracker(arm, q);
       const double duration = motion.trajectory.times.back();
       double largest = 0;
-      for (double t = dt; t < duration + dt; t += dt) {
+      for (double t = step_time; t < duration + step_time; t += step_time) {
         const Configuration at = sample(motion.trajectory, std::min(t, duration)).position;
         const TrackerStep& step = tracker.step(forward_kinematics(arm, at));
         largest = std::max(largest, largest_part(step.error));
@@ -174,14 +174,14 @@ TEST(Tracker, StopsWithTheCommand) {
   q << 0.3, -1.2, 1.6, -0.8, -1.2, 0.2;
   Tracker tracker(arm, q);
   for (int i = 0; i < 1000; ++i) {
-    q[0] += 0.5 * dt;
+    q[0] += 0.5 * step_time;
     tracker.step(forward_kinematics(arm, q));
   }
   double farthest = 0;
   for (int i = 0; i < 2000; ++i) {
     farthest = std::max(farthest, tracker.step(forward_kinematics(arm, q)).q[0] - q[0]);
   }
-  EXPECT_LT(farthest, 0.5 * 0.5 / (2 * 4) + 0.5 * dt);
+  EXPECT_LT(farthest, 0.5 * 0.5 / (2 * 4) + 0.5 * step_time);
   EXPECT_LT(largest_part(tracker.step(forward_kinematics(arm, q)).error), 1e-12);
 }
 
@@ -226,12 +226,12 @@ TEST(Tracker, ReturnsFromBeyondReach) {
       Tracker tracker(arm, q);
       TrackerStatus farthest = TrackerStatus::following;
       const double distance = 1.5 * reach;
-      const int there = static_cast<int>(distance / (reach * speed) / dt);
+      const int there = static_cast<int>(distance / (reach * speed) / step_time);
       for (int i = 0; i < 2 * there + 2000; ++i) {
         const double travelled = std::min({1.0 * i, there + 1000.0, 2.0 * there + 1000 - i});
         Pose command = pose;
         command.translation() +=
-            outward * reach * speed * dt * std::clamp(travelled, 0.0, 1.0 * there);
+            outward * reach * speed * step_time * std::clamp(travelled, 0.0, 1.0 * there);
         const TrackerStep& step = tracker.step(command);
         if (i == there + 500) farthest = step.status;
       }
@@ -297,11 +297,11 @@ TEST(Tracker, FollowsCommandsAtALowerRateInACommandPeriod) {
   };
   constexpr int period = 11;  // steps
   double with = 0, without = 0;
-  Tracker tracker(arm, q, {.command_period = period * dt}), at_once(arm, q);
+  Tracker tracker(arm, q, {.command_period = period * step_time}), at_once(arm, q);
   for (int i = 0; i < 5000; ++i) {
-    const Pose command = command_at((i / period) * period * dt);
+    const Pose command = command_at((i / period) * period * step_time);
     const Vector3 now = forward_kinematics(arm, tracker.step(command).q).translation();
-    const Vector3 late = command_at((i + 1 - period) * dt).translation();
+    const Vector3 late = command_at((i + 1 - period) * step_time).translation();
     if (i > 500) with = std::max(with, (now - late).norm());
     without = std::max(without, at_once.step(command).error.position);
   }
