@@ -196,7 +196,7 @@ TEST(JointCharts, OfATrajectoryAloneAreThoseOfAnArmWithoutLimits) {
     }
     EXPECT_EQ(timing_figure(motion).width, timing_figure(bare, motion).width);
   }
-  EXPECT_THROW(timing_figure(Trajectory{.joint_names = {"a"}}), Error);
+  EXPECT_THROW(timing_figure(Trajectory{{"a"}, {}, {}, {}, {}}), Error);
 }
 
 TEST(JointCharts, TellsThirtyJointsApart) {
