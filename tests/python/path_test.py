@@ -185,7 +185,7 @@ REFUSED = {
     "does not increase": lambda: beeline.joint_spline([[0], [1]], [1, 0]),
     "two grid points": lambda: beeline.JointPath([0], [[0]], [[0]], [[0]]),
     "step 2 is not": lambda: beeline.path_point(SPLINE, 2, 0),
-    "out of range": lambda: beeline.path_point(SPLINE, -1, 0),
+    "step must be a whole number": lambda: beeline.path_point(SPLINE, -1, 0),
     "must be above 0": lambda: beeline.refined(SPLINE, min_steps=0),
     "must be at most": lambda: beeline.refined(SPLINE, max_parts=2**31 - 1),
     "unknown option": lambda: beeline.refined(SPLINE, steps=1),
