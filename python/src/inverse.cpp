@@ -14,7 +14,7 @@ namespace {
 /// solves at a time; the others wait.
 class Solver {
  public:
-  Solver(nb::object arm, nb::dict keywords)
+  Solver(nb::object arm, const nb::dict& keywords)
       : arm_(std::move(arm)), keywords_(copied(keywords)), dof_(nb::cast<const Arm&>(arm_).dof()) {
     InverseOptions all = options<InverseOptions>(nb::borrow<nb::kwargs>(keywords_));
     all.budget.progress = {};  // inverse kinematics does not report
@@ -67,9 +67,11 @@ class Solver {
 
   /// Marks this thread as the one that solves, during its life.
   struct Owner {
-    explicit Owner(std::atomic<std::thread::id>& id) : id_(id) { id_ = std::this_thread::get_id(); }
-    ~Owner() { id_ = std::thread::id(); }
-    std::atomic<std::thread::id>& id_;
+    explicit Owner(std::atomic<std::thread::id>& thread) : id(thread) {
+      id = std::this_thread::get_id();
+    }
+    ~Owner() { id = std::thread::id(); }
+    std::atomic<std::thread::id>& id;
   };
 
   /// The clock is first looked at after 32 questions: most calls end before.

@@ -13,11 +13,7 @@ using std::size_t;
 /// Calls work with a value of the arithmetic's type.
 template <class Work>
 void in_arithmetic(Real real, Work work) {
-  if (real == Real::float32) {
-    work(float());
-  } else {
-    work(double());
-  }
+  real == Real::float32 ? work(0.0F) : work(0.0);
 }
 
 template <class T>

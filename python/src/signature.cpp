@@ -23,8 +23,8 @@ std::string default_text(nb::handle value) {
 Signature::Signature(std::string name, std::string returns, std::string summary)
     : name_(std::move(name)), returns_(std::move(returns)), summary_(std::move(summary)) {}
 
-Signature& Signature::takes(std::string name, std::string type, std::string doc,
-                            std::string fallback) {
+Signature& Signature::takes(const std::string& name, const std::string& type,
+                            const std::string& doc, const std::string& fallback) {
   if (!parameters_.empty()) parameters_ += ", ";
   parameters_ += name;
   if (!type.empty()) parameters_ += ": " + type;

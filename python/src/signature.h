@@ -65,8 +65,8 @@ class Signature {
   Signature(std::string name, std::string returns, std::string summary);
 
   /// Adds a parameter. Without `fallback` it is required.
-  Signature& takes(std::string name, std::string type = "", std::string doc = "",
-                   std::string fallback = "");
+  Signature& takes(const std::string& name, const std::string& type = "",
+                   const std::string& doc = "", const std::string& fallback = "");
   /// The parameters that follow are keywords.
   Signature& keywords();
   /// Adds a keyword for each field.

@@ -228,7 +228,7 @@ TEST(Arm, PrintsItsJointsLimitsFramesAndReach) {
         "  tool  ", "\nreach: the tool stays within 0 m of the point 0, 0, 0\n"}) {
     EXPECT_NE(out.str().find(line), std::string::npos) << line << out.str();
   }
-  EXPECT_NE(arm_table(arm, true).find("  -57.2958     114.592     171.887  "), std::string::npos);
+  EXPECT_NE(arm_table(arm, true).find("  -57.2958    114.592     171.887  "), std::string::npos);
   out.str("");
   out << JointKind::prismatic;
   EXPECT_EQ(out.str(), "prismatic");
