@@ -14,11 +14,6 @@ TOOL = beeline.forward_kinematics(PANDA, HOME)
 START, GOAL = np.zeros(3), np.radians([99.2, -68.8, -30.4])
 
 
-@pytest.fixture
-def rng(seed):
-    return np.random.default_rng(seed)
-
-
 def moved(pose, x=0.0, y=0.0, z=0.0):
     other = np.array(pose)
     other[:3, 3] += [x, y, z]

@@ -1,27 +1,18 @@
 """Formulas: equal to the kinematics at random configurations, as numbers, functions, code and pickles."""
 
 import copy
-import os
 import pickle
-import random
 
 import beeline
 import numpy as np
 import pytest
 
-SEED = int(os.environ.get("BEELINE_SEED", random.randrange(10**6)))
 ARMS = ["rrr", "rp", "gantry", "scara", "stanford", "puma560", "ur5", "panda", "iiwa14"]
 
 
 @pytest.fixture(params=ARMS)
 def arm(request):
     return beeline.Arm.load(request.param)
-
-
-@pytest.fixture
-def rng():
-    print("seed", SEED)
-    return np.random.default_rng(SEED)
 
 
 def test_formulas_are_the_kinematics(arm, rng):

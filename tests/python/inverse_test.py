@@ -1,28 +1,19 @@
 """Inverse kinematics: solutions reach their poses; options, records, batches, solvers and threads."""
 
 import copy
-import os
 import pickle
-import random
 import threading
 
 import beeline
 import numpy as np
 import pytest
 
-SEED = int(os.environ.get("BEELINE_SEED", random.randrange(10**6)))
 ARMS = ["rrr", "scara", "stanford", "puma560", "ur5", "panda", "iiwa14"]
 
 
 @pytest.fixture(params=ARMS)
 def arm(request):
     return beeline.Arm.load(request.param)
-
-
-@pytest.fixture
-def rng():
-    print("seed", SEED)
-    return np.random.default_rng(SEED)
 
 
 def reachable(arm, rng, count):

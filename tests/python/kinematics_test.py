@@ -1,25 +1,16 @@
 """Kinematics of one configuration and of many: laws, and every shape, dtype, order and stride of arrays."""
 
-import os
-import random
 
 import beeline
 import numpy as np
 import pytest
 
-SEED = int(os.environ.get("BEELINE_SEED", random.randrange(10**6)))
 ARMS = ["rrr", "rp", "gantry", "scara", "stanford", "puma560", "ur5", "panda", "iiwa14"]
 
 
 @pytest.fixture(params=ARMS)
 def arm(request):
     return beeline.Arm.load(request.param)
-
-
-@pytest.fixture
-def rng():
-    print("seed", SEED)
-    return np.random.default_rng(SEED)
 
 
 # Functions of the batch kernels: the inner shape of their results.

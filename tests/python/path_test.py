@@ -10,11 +10,6 @@ import pytest
 KINDS = ["line", "screw", "arc", "spline"]
 
 
-@pytest.fixture
-def rng(seed):
-    return np.random.default_rng(seed)
-
-
 def random_pose(rng):
     rotation, _ = np.linalg.qr(rng.normal(size=(3, 3)))
     pose = np.eye(4)

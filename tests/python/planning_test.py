@@ -12,11 +12,6 @@ HOME = np.array([0, -0.785, 0, -2.356, 0, 1.571, 0.785])
 UR5_HOME = np.array([0.2, -1.2, 1.5, -0.5, 1.2, 0])
 
 
-@pytest.fixture
-def rng(seed):
-    return np.random.default_rng(seed)
-
-
 def moved(pose, x=0.0, y=0.0, z=0.0):
     other = np.array(pose)
     other[:3, 3] += [x, y, z]

@@ -1,21 +1,12 @@
 """Poses, rotations and angles: laws over random cases, and what is refused."""
 
-import os
 import pickle
-import random
 
 import beeline
 import numpy as np
 import pytest
 
-SEED = int(os.environ.get("BEELINE_SEED", random.randrange(10**6)))
 TOLERANCE = 1e-12
-
-
-@pytest.fixture
-def rng():
-    print("seed", SEED)
-    return np.random.default_rng(SEED)
 
 
 def random_pose(rng):

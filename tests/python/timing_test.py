@@ -11,11 +11,6 @@ PANDA = beeline.arms.panda()
 PROFILES = ["fastest", "jerk", "trapezoidal", "quintic", "s-curve"]
 
 
-@pytest.fixture
-def rng(seed):
-    return np.random.default_rng(seed)
-
-
 def waypoints(rng, count=5, size=0.4):
     q = PANDA.middle + rng.uniform(-size, size, (count, 7))
     return beeline.Trajectory(PANDA.joint_names, range(count), q)

@@ -12,11 +12,6 @@ PANDA = beeline.arms.panda()
 COLUMNS = {"linear": 1, "cubic": 2, "quintic": 3}  # of an interpolation
 
 
-@pytest.fixture
-def rng(seed):
-    return np.random.default_rng(seed)
-
-
 def random_trajectory(rng, interpolation="quintic", samples=6, joints=3):
     times = np.cumsum(rng.uniform(0.1, 1, samples))
     columns = rng.uniform(-1, 1, (COLUMNS[interpolation], samples, joints))
