@@ -12,10 +12,29 @@
 
 #include <hwy/aligned_allocator.h>
 
+#ifndef __EMSCRIPTEN__
 #include <oneapi/tbb/enumerable_thread_specific.h>
+#endif
 
 namespace beeline {
 namespace {
+
+/// A copy of a value for each thread of in_parallel(); local() returns the caller's. WebAssembly
+/// has one thread.
+#ifdef __EMSCRIPTEN__
+template <class Value>
+class PerThread {
+ public:
+  explicit PerThread(const Value& value) : value_(value) {}
+  Value& local() { return value_; }
+
+ private:
+  Value value_;
+};
+#else
+template <class Value>
+using PerThread = tbb::enumerable_thread_specific<Value>;
+#endif
 
 using internal::batch_kernel;
 using internal::batch_width;
@@ -111,18 +130,33 @@ void compute_buffered(BatchJob<Real>& job, const ConstColumnsRef<Real>& q,
 /// The state of a batch whose threads may end it.
 class Counts {
  public:
-  explicit Counts(const Budget& budget) : budget_(budget) {}
+  Counts(const Budget& budget, Eigen::Index all) : budget_(budget), all_(all) {}
 
   internal::BudgetMeter& budget() { return budget_; }
   void add(Eigen::Index computed, Eigen::Index solved) {
     computed_ += computed;
     solved_ += solved;
+    if (budget_.reports()) report();
   }
-  BatchResult result() const { return {budget_.ending(), computed_, solved_}; }
+  BatchResult result() {
+    if (budget_.complete() && reported_ < 1) budget_.report(1);
+    return {budget_.ending(), computed_, solved_};
+  }
 
  private:
+  /// Reports each hundredth, in order, unless another thread is reporting.
+  void report() {
+    if (reporting_.exchange(true)) return;
+    const double fraction = static_cast<double>(computed_) / static_cast<double>(all_);
+    if (fraction >= reported_ + 0.01) budget_.report(reported_ = fraction);
+    reporting_ = false;
+  }
+
   internal::BudgetMeter budget_;
+  const Eigen::Index all_;
   std::atomic<Eigen::Index> computed_ = 0, solved_ = 0;
+  std::atomic<bool> reporting_ = false;
+  double reported_ = 0;
 };
 
 template <class Real>
@@ -144,7 +178,7 @@ BatchResult run(const Arm& arm, const ConstColumnsRef<Real>& q, const Outputs<Re
   all.write = bytes > cached_bytes ? BatchWrite::past_caches
               : bytes > near_bytes ? BatchWrite::by_lines
                                    : BatchWrite::directly;
-  Counts counts(options.budget);
+  Counts counts(options.budget, q.cols());
   in_parallel(q.cols(), block, options.threads, [&](Eigen::Index first, Eigen::Index last) {
     if (counts.budget().ended(last - first)) {
       for (const Output<Real>& output : outputs) {
@@ -239,10 +273,10 @@ BatchResult batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
   InverseOptions one = inverse;
   one.all = false;
   one.every_turn = false;
-  Counts counts(options.budget);
+  Counts counts(options.budget, count);
   one.budget.part_of = &counts.budget();
   const InverseSolver original(arm, one);
-  tbb::enumerable_thread_specific<InverseSolver> solvers(original);
+  PerThread<InverseSolver> solvers(original);
   constexpr Eigen::Index block = 32;
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   in_parallel(count, block, options.threads, [&](Eigen::Index first, Eigen::Index last) {

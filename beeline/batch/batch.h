@@ -20,7 +20,7 @@ struct BatchOptions {
   Frame frame = Frame::base;  ///< of Jacobians
   int threads = 0;            ///< 0: one for each core. The results do not depend on it.
   /// Of the whole batch. A unit of its work is one column. Which columns are computed before it
-  /// ends depends on the threads.
+  /// ends depends on the threads. Reports the fraction computed, from any of them.
   Budget budget = {};
 };
 

@@ -25,7 +25,7 @@ struct ControlledMotion {
 
 struct SimulationOptions {
   double tolerance = 1e-6;  ///< max error of a goal that is reached, metres and radians, above 0
-  int max_steps = 100'000;  ///< of the whole motion, 1 or more; else not_converged
+  int max_steps = 100'000;  ///< of the whole motion, 1 to 1e7; else not_converged
   double time_step = 0.02;  ///< of the controller, seconds, above 0
   Budget budget = {};       ///< of the whole motion
 };

@@ -49,6 +49,7 @@ ControlledMotion control_joints(const Arm& arm, const Configuration& start,
   if (motion.status == MotionStatus::outside_limits) {  // from overshoot, as the limits are convex
     motion.reason += "; the controller overshoots: the gains are too large";
   }
+  if (motion.status == MotionStatus::cancelled) return motion;
   motion.overshoot = joint_overshoot(motion.trajectory.positions, goal);
   return motion;
 }

@@ -24,30 +24,38 @@ Pid::Pid(const PidGains& gains, const ConfigurationRef& goal)
       goal_(goal),
       sum_(Configuration::Zero(goal.size())),
       last_error_(Configuration::Zero(goal.size())),
-      change_(Configuration::Zero(goal.size())) {}
+      change_(Configuration::Zero(goal.size())) {
+  check(goal);
+}
 
-void Pid::check_size(const ConfigurationRef& q) const {
-  if (q.size() == goal_.size()) return;
-  throw Error("the goal of the controller has " + std::to_string(goal_.size()) +
-              " joint values, the configuration " + std::to_string(q.size()));
+void Pid::check(const ConfigurationRef& q) const {
+  if (q.size() != goal_.size()) {
+    throw Error("the goal of the controller has " + std::to_string(goal_.size()) +
+                " joint values, the configuration " + std::to_string(q.size()));
+  }
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    if (std::isfinite(q[k])) continue;
+    throw Error("the value of joint " + std::to_string(k + 1) + " is " + number(q[k]) +
+                "; it must be a finite number");
+  }
 }
 
 void Pid::start(const ConfigurationRef& q) {
-  check_size(q);
+  check(q);
   sum_.setZero();
   last_error_ = goal_ - q;
   started_ = true;
 }
 
 void Pid::set_goal(const ConfigurationRef& goal) {
-  check_size(goal);
+  check(goal);
   last_error_ += goal - goal_;
   goal_ = goal;
 }
 
 const Configuration& Pid::step(const ConfigurationRef& q) {
   if (!started_) start(q);
-  check_size(q);
+  check(q);
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     const double e = goal_[k] - q[k];
     sum_[k] += e;

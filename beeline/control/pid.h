@@ -19,23 +19,24 @@ struct PidGains {
 /// Joint values are plain numbers; angles are not wrapped. No step allocates.
 class Pid {
  public:
-  /// Throws Error unless kp > 0, ki >= 0, kd >= 0 and all are finite.
+  /// Throws Error unless kp > 0, ki >= 0, kd >= 0 and all are finite, as the goal is.
   Pid(const PidGains& gains, const ConfigurationRef& goal);
 
   /// Resets the state to q: the sum is zero, and q is the reference of the next difference.
-  /// Throws Error when the size of q is not the goal's.
+  /// Throws Error when the size of q is not the goal's or a value is not finite.
   void start(const ConfigurationRef& q);
 
   /// Changes the goal and keeps the state. The change of the goal does not enter the difference of
-  /// the error. Throws Error when its size is not the old goal's.
+  /// the error. Throws Error when its size is not the old goal's or a value is
+  /// not finite.
   void set_goal(const ConfigurationRef& goal);
 
   /// Returns the change of q, valid until the next step. A first step without start() starts at q.
-  /// Throws Error when the size of q is not the goal's.
+  /// Throws Error when the size of q is not the goal's or a value is not finite; the state stays.
   const Configuration& step(const ConfigurationRef& q);
 
  private:
-  void check_size(const ConfigurationRef& q) const;
+  void check(const ConfigurationRef& q) const;
 
   PidGains gains_;
   Configuration goal_, sum_, last_error_, change_;

@@ -62,6 +62,7 @@ InverseResult InverseSolver::solve(const Pose& world_T_tool) {
 
 InverseResult InverseSolver::solve(const Pose& world_T_tool, const ConfigurationRef& seed) {
   internal::BudgetMeter budget(state_->options.budget);
+  if (auto found = internal::one_solution_fast(*state_, world_T_tool, seed, budget)) return *found;
   return internal::solve(*state_, world_T_tool, seed, internal::Diagnosis::wanted, budget);
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/math/hermite.h>
 #include <beeline/path/joint_path.h>
 
@@ -29,6 +30,16 @@ int parts(const JointPath& path, std::size_t k, const RefineOptions& options) {
   const double rate = std::max({path.dq[k].norm(), path.dq[k + 1].norm(), 1e-300});  // not 0
   const double wanted = std::max(length / longest, change / rate / options.max_change);
   return static_cast<int>(std::clamp(std::ceil(wanted - 1e-9), 1.0, double(options.max_parts)));
+}
+
+/// Throws Error where the refined path would exhaust the memory.
+void check_parts(const JointPath& path, const RefineOptions& options) {
+  constexpr double most = 1e7;
+  double all = 1;
+  for (std::size_t k = 0; k + 1 < path.size(); ++k) all += parts(path, k, options);
+  if (all <= most) return;
+  throw Error("the refined path would have " + number(all) + " grid points, at most " +
+              number(most) + " are possible; lower min_steps or max_parts, or raise max_change");
 }
 
 /// The derivatives at the samples of a spline through at least four: solves the tridiagonal system
@@ -157,6 +168,9 @@ std::vector<double> chord_length(std::span<const Configuration> samples) {
 
 JointPath refined(const JointPath& path, const RefineOptions& options) {
   check_path(path);
+  check_parts(path, options);
+  internal::BudgetMeter budget(options.budget);
+  const std::size_t between_reports = 1 + path.size() / 100;
   JointPath fine;
   const auto append = [&fine](double s, Configuration q, Configuration dq, Configuration ddq) {
     fine.s.push_back(s);
@@ -165,9 +179,12 @@ JointPath refined(const JointPath& path, const RefineOptions& options) {
     fine.ddq.push_back(std::move(ddq));
   };
   for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+    if (budget.ended()) return {};
+    if (k % between_reports == 0) budget.report(double(k) / double(path.size()));
     append(path.s[k], path.q[k], path.dq[k], path.ddq[k]);
     const int count = parts(path, k, options);
     for (int part = 1; part < count; ++part) {
+      if (budget.ended()) return {};
       const double u = double(part) / count;
       const double s = path.s[k] + u * (path.s[k + 1] - path.s[k]);
       if (!(s > fine.s.back() && s < path.s[k + 1]))
@@ -177,6 +194,7 @@ JointPath refined(const JointPath& path, const RefineOptions& options) {
     }
   }
   append(path.s.back(), path.q.back(), path.dq.back(), path.ddq.back());
+  budget.report(1);
   return fine;
 }
 

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include <beeline/budget.h>
 #include <beeline/error.h>
 #include <beeline/model/arm.h>
 
@@ -52,10 +53,12 @@ struct RefineOptions {
   std::size_t min_steps = 400;  ///< above 0: no step is longer than the path divided by this
   double max_change = 0.1;      ///< above 0: of dq/ds over a step, relative to |dq/ds|
   int max_parts = 512;          ///< 1 or more: into which one step is divided
+  Budget budget = {};           ///< a grid point is a unit of work
 };
 
 /// Returns the same path with more grid points: those of `path` stay, and steps that are longer or
-/// curve more than the options allow are divided into equal parts.
+/// curve more than the options allow are divided into equal parts. Empty where the budget ends it.
+/// Throws Error, too, for more than 1e7 grid points.
 JointPath refined(const JointPath& path, const RefineOptions& options = {});
 
 }  // namespace beeline

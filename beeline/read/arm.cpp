@@ -46,7 +46,8 @@ std::string known_endings() {
   return listed(endings);
 }
 
-Arm read_arm_file(const std::string& path, const ChainEnds& ends, std::vector<std::string>* notes) {
+/// The format of a file that describes an arm, by its ending.
+const ArmFormat& format_of_file(const std::string& path, const ChainEnds& ends) {
   const std::string ending = internal::extension(path);
   if (ending == "xacro") {
     throw FileError(path, 0, "is a xacro file; run xacro first and pass the URDF that it writes");
@@ -61,7 +62,7 @@ Arm read_arm_file(const std::string& path, const ChainEnds& ends, std::vector<st
     throw FileError(path, 0, "is not a known kind of arm file; known are " + known_endings());
   }
   if (!format->tree) refuse_ends(path, ends);
-  return format->parse(internal::read_file(path), path, ends, notes);
+  return *format;
 }
 
 /// The built-in name that equals `text` up to the case of letters; empty if there is none. A joint
@@ -83,9 +84,17 @@ Arm read_arm(const std::string& text, const ChainEnds& ends, std::vector<std::st
     refuse_ends(text, ends);
     return name.empty() ? arm_from_joint_string(text) : built_in(name);
   }
-  if (text.find_first_of("./") != std::string::npos) return read_arm_file(text, ends, notes);
+  if (text.find_first_of("./") != std::string::npos) {
+    const ArmFormat& format = format_of_file(text, ends);
+    return format.parse(internal::read_file(text), text, ends, notes);
+  }
   throw Error(std::string(unknown_name("arm", internal::printable(text), built_in_names()).what()) +
               "; or give a joint string such as RRR:3.5,3.5,2, or a .urdf or .json file");
+}
+
+Arm arm_from_text(std::string_view text, const std::string& path, const ChainEnds& ends,
+                  std::vector<std::string>* notes) {
+  return format_of_file(path, ends).parse(text, path, ends, notes);
 }
 
 }  // namespace beeline

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <beeline/error.h>
@@ -28,5 +29,9 @@ constexpr std::size_t max_joints = 10000;
 /// FileError for a file that cannot be read.
 Arm read_arm(const std::string& text, const ChainEnds& ends = {},
              std::vector<std::string>* notes = nullptr);
+
+/// The same from the text of a file; the ending of `path` gives its format, and messages name it.
+Arm arm_from_text(std::string_view text, const std::string& path, const ChainEnds& ends = {},
+                  std::vector<std::string>* notes = nullptr);
 
 }  // namespace beeline

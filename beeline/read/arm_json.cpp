@@ -96,11 +96,7 @@ Arm read_arm_json(const std::string& path) {
 }
 
 std::string arm_to_json(const Arm& arm) {
-  check_name(arm.name(), "the arm's name");
-  for (const Joint& joint : arm.joints()) {
-    check_name(joint.name, "a joint's name");
-    if (!joint.link.empty()) check_name(joint.link, "a link's name");
-  }
+  internal::check_names(arm);
   std::string text = "{\n  \"name\": " + internal::json_string(arm.name());
   if (!arm.base().matrix().isIdentity(0))
     text += ",\n  \"base\": " + internal::pose_to_json(arm.base());

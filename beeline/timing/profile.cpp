@@ -18,13 +18,13 @@ struct Row {
 };
 
 template <internal::ScalarForm form>
-TimeScaling scalar(const JointPath& path, const PathLimits& limits, internal::BudgetMeter*) {
-  return internal::scalar_profile(form, path, limits);
+TimeScaling scalar(const JointPath& path, const PathLimits& limits, internal::BudgetMeter* budget) {
+  return internal::scalar_profile(form, path, limits, budget);
 }
 
 TimeScaling from_rest_to_rest(const JointPath& path, const PathLimits& limits,
-                              internal::BudgetMeter*) {
-  return internal::fastest(path, limits);
+                              internal::BudgetMeter* budget) {
+  return internal::fastest(path, limits, {}, budget);
 }
 
 using internal::ScalarForm;

@@ -50,8 +50,9 @@ constexpr Profile default_profile = Profile::jerk;
 ///                             ds/dt <= speed,  at rest at t = 0 and t = T,
 /// over all s(t) for fastest and jerk, and over those of the profile's form for the others.
 /// Where the budget ends the search of the profile jerk, returns the best found so far, which keeps
-/// the limits. Throws Error for a path or limits that check_path() or check_limits() refuse, and
-/// for Profile::jerk without any jerk limit.
+/// the limits; none, with the reason, where it ends the computation before there is one. Throws
+/// Error for a path or limits that check_path() or check_limits() refuse, and for Profile::jerk
+/// without any jerk limit.
 TimeScaling time_scaling(const JointPath& path, const PathLimits& limits, Profile profile,
                          const Budget& budget = {});
 

@@ -37,6 +37,13 @@ std::vector<std::vector<Configuration>> parts_between_stops(const Trajectory& tr
   return all;
 }
 
+/// The number of steps between the positions of all parts.
+std::size_t steps_of(const std::vector<std::vector<Configuration>>& parts) {
+  std::size_t steps = 0;
+  for (const std::vector<Configuration>& positions : parts) steps += positions.size() - 1;
+  return steps;
+}
+
 /// The path parameters that get a sample: the positions, and for linear joints more.
 std::vector<double> required_samples(const std::vector<Configuration>& positions, bool linear) {
   std::vector<double> s = chord_length(positions);
@@ -79,7 +86,13 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   const bool linear = options.interpolation == Interpolation::linear;
   internal::BudgetMeter budget(options.budget);
   const std::vector<std::vector<Configuration>> parts = parts_between_stops(trajectory);
+  const double count = static_cast<double>(steps_of(parts));
+  double steps = 0;  // of the sections so far
   for (const std::vector<Configuration>& samples : parts) {
+    // The time scaling of a section is about half of its work.
+    const auto fraction = [&](double section) {
+      return (steps + section * static_cast<double>(samples.size() - 1)) / count;
+    };
     if (budget.ended(static_cast<std::int64_t>(samples.size()))) break;
     const internal::SectionOptions section{.interpolation = options.interpolation,
                                            .keep_jerk = keeps_jerk(timed.profile),
@@ -92,8 +105,10 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
     const internal::TimedPath path =
         internal::timed_path(arm, joint_spline(samples, chord_length(samples)), timed.profile,
                              options.speed_scale, options.tool_speed, budget);
+    if (!budget.complete() && !path.scaling) break;
     timed.reason = path.scaling.reason;
     if (!timed) return timed;
+    budget.report(fraction(0.5));
     const internal::SampledSection sampled = internal::sample_section(arm, path, section);
     if (!sampled && sampled.reason.empty()) break;  // the budget has ended
     timed.reason = sampled.reason;
@@ -103,6 +118,8 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
     }
     internal::append(timed.trajectory, sampled.trajectory);
     ++timed.sections;
+    budget.report(fraction(1));
+    steps += static_cast<double>(samples.size() - 1);
   }
   internal::round_times(timed.trajectory);
   timed.limits = limit_usage(arm, timed.trajectory, budget.part());

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 #include <beeline/control/joint.h>
 #include <beeline/model/catalog.h>
@@ -42,6 +43,13 @@ TEST(Pid, RefusesInvalidArguments) {
   Pid pid({}, goal);
   EXPECT_REFUSED((pid.step(Configuration::Zero(3))), "has 2 joint values, the configuration 3");
   EXPECT_REFUSED((pid.set_goal(Configuration::Zero(3))), "has 2 joint values, the configuration 3");
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Vector2d unknown(0, nan), far(-Limits::none, 0);
+  EXPECT_REFUSED((Pid({}, unknown)), "the value of joint 2 is nan; it must be a finite number");
+  EXPECT_REFUSED(pid.step(unknown), "the value of joint 2 is nan; it must be a finite number");
+  EXPECT_REFUSED(pid.start(unknown), "must be a finite number");
+  EXPECT_REFUSED(pid.set_goal(far), "the value of joint 1 is -inf; it must be a finite number");
+  EXPECT_EQ(pid.step(goal), Configuration::Zero(2));  // nothing of them is in the state
 }
 
 }  // namespace

@@ -149,5 +149,20 @@ TEST(JointPath, RefinedKeepsItsGridPointsAndItsShape) {
   }
 }
 
+TEST(JointPath, RefinedIsEmptyWhereTheBudgetEndsIt) {
+  const std::vector<Configuration> samples{Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 2)};
+  const JointPath path = joint_spline(samples, std::vector<double>{0, 1});
+  const JointPath whole = refined(path);
+  std::vector<double> reported;
+  const JointPath same = refined(
+      path, {.budget = {.max_work = 1000,
+                        .progress = [&](double fraction) { reported.push_back(fraction); }}});
+  EXPECT_EQ(same.s, whole.s);
+  EXPECT_EQ(reported, (std::vector<double>{0, 1}));
+  EXPECT_EQ(refined(path, {.budget = {.max_work = 100}}).size(), 0u);
+  EXPECT_REFUSED(refined(path, {.min_steps = 20'000'000, .max_parts = 100'000'000}),
+                 "at most 1e+07 are possible");
+}
+
 }  // namespace
 }  // namespace beeline

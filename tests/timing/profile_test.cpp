@@ -130,6 +130,40 @@ TEST(TimeScalingWithSpeeds, HasTheShapeThatTheSpeedLimitNeeds) {
   }
 }
 
+// Cancelled at any question, there is no time scaling or one that keeps the limits; questions alone
+// change nothing.
+TEST(TimeScalingWithBudget, IsNoneOrKeepsTheLimitsWhereverItIsCancelled) {
+  testing::Random random;
+  for (int i = 0; i < testing::cases(4); ++i) {
+    LimitedPath made = random_limited_path(random);
+    made.limits.fraction.assign(made.path.size(), 1);  // for used()
+    const JointPath& path = made.path;
+    const PathLimits& limits = made.limits;
+    for (const Profile profile : every_profile) {
+      const TimeScaling whole = time_scaling(path, limits, profile);
+      int asked = 0;
+      const TimeScaling same =
+          time_scaling(path, limits, profile, {.cancelled = [&] { return ++asked < 0; }});
+      EXPECT_EQ(same.t, whole.t) << name(profile);
+      EXPECT_EQ(same.speed, whole.speed) << name(profile);
+      ASSERT_GT(asked, 1) << name(profile);
+      for (int k = 0; k < 10; ++k) {
+        int left = random.integer(0, asked - 1);
+        const TimeScaling part =
+            time_scaling(path, limits, profile, {.cancelled = [&] { return left-- <= 0; }});
+        if (!part) {
+          EXPECT_EQ(part.reason, "the search was cancelled") << name(profile);
+          EXPECT_TRUE(part.t.empty()) << name(profile);
+          continue;
+        }
+        EXPECT_EQ(profile, Profile::jerk);
+        EXPECT_GE(part.duration(), whole.duration() * (1 - 1e-9));
+        EXPECT_LE(used(path, limits, part).first, 1.02);
+      }
+    }
+  }
+}
+
 TEST(TimeScalingWithFractions, RefusesOthersThanOneForEachGridPointAboveZeroUpToOne) {
   testing::Random random;
   auto [path, limits] = random_limited_path(random);

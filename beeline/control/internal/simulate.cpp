@@ -78,8 +78,11 @@ void check_options(const SimulationOptions& options) {
   if (!(options.time_step > 0) || !std::isfinite(options.time_step)) {
     throw Error("the time step must be above zero, not " + number(options.time_step) + " s");
   }
-  if (options.max_steps < 1)
-    throw Error("max_steps must be at least 1, not " + std::to_string(options.max_steps));
+  constexpr int most = 10'000'000;  // for an arm of seven joints about 1 GB of samples
+  if (options.max_steps < 1 || options.max_steps > most) {
+    throw Error("max_steps must be from 1 to " + std::to_string(most) + ", not " +
+                std::to_string(options.max_steps));
+  }
 }
 
 ControlledMotion begin_motion(const Arm& arm, const Configuration& start) {

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <beeline/formula/internal/code_writer.h>
+#include <beeline/formula/internal/digits.h>
 
 namespace beeline::internal {
 namespace {
@@ -23,9 +23,7 @@ std::string identifier(const std::string& name) {
 
 /// The number with all digits, as a floating-point literal.
 std::string literal(double value) {
-  char buffer[64];
-  const auto end = std::to_chars(std::begin(buffer), std::end(buffer), value);
-  std::string text(buffer, end.ptr);
+  const std::string text = shortest_digits(value);
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <map>
 
+#include <beeline/formula/internal/digits.h>
 #include <beeline/formula/internal/notation.h>
 
 namespace beeline::internal {
@@ -42,12 +42,8 @@ bool is_word(const std::string& factor) {
 }  // namespace
 
 std::string decimal(double value) {
-  char text[64];
-  const auto shortest = std::to_chars(std::begin(text), std::end(text), value);
-  std::string exact(text, shortest.ptr);
-  const auto rounded =
-      std::to_chars(std::begin(text), std::end(text), value, std::chars_format::general, 15);
-  std::string brief(text, rounded.ptr);
+  const std::string exact = shortest_digits(value);
+  const std::string brief = rounded_digits(value, 15);
   return brief.size() < exact.size() ? brief : exact;
 }
 

@@ -22,7 +22,7 @@ void add_solution(const Request& request, const Configuration& q, InverseResult&
   if (excess(request.bounds, nearest) > slack) return;
   nearest = nearest.cwiseMax(request.bounds.lower).cwiseMin(request.bounds.upper);
   double error = error_at(request, nearest);
-  if (error > std::max(1e-13, request.tolerance / 100)) {
+  if (error > needs_no_correction(request.tolerance)) {
     // q was clamped to a bound, is ill conditioned, or lost digits because its angles are far from
     // zero.
     const Configuration& near = within(request.bounds, q) ? q : nearest;

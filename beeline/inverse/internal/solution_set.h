@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include <beeline/inverse/internal/request.h>
 #include <beeline/inverse/numerical/posture_index.h>
 
@@ -7,6 +9,10 @@ namespace beeline::internal {
 
 /// The larger of the task's position and orientation error at q, by forward kinematics.
 double error_at(const Request& request, const Configuration& q);
+
+/// The error up to which a solution of a closed form is left as it is: digits better than
+/// requested.
+inline double needs_no_correction(double tolerance) { return std::max(1e-13, tolerance / 100); }
 
 /// Adds the representative of the candidate q nearest to the seed to the solutions if it is within
 /// limits, forward kinematics confirms it, and it is not among them yet. Levenberg-Marquardt steps

@@ -255,7 +255,8 @@ KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
     const std::vector<int> chosen = shortest_path(layers, end);
     std::vector<Knot> knots;
     std::size_t r = 0;
-    for (; r < end; ++r) {
+    const auto cancelled = [&] { return budget.ended(0) && budget.ending() == Ending::cancelled; };
+    for (; r < end && !cancelled(); ++r) {
       const Knot next{layers[r].s, layers[r].solutions[static_cast<std::size_t>(chosen[r])]};
       if (r > 0 && !is_continuous(arm, path, options.task, costs.bounds, knots.back(), next)) {
         removed.push_back({r, chosen[r - 1], chosen[r]});

@@ -1,4 +1,5 @@
 #include <beeline/error.h>
+#include <beeline/model/arm.h>
 #include <beeline/read/internal/name.h>
 
 namespace beeline::internal {
@@ -61,6 +62,14 @@ void check_name(std::string_view name, std::string_view what) {
   if (!is_utf8(name)) refuse(in_quotes(name) + " is not UTF-8 text");
   for (const char c : name) {
     if (is_control(c)) refuse(in_quotes(name) + " contains a control character");
+  }
+}
+
+void check_names(const Arm& arm) {
+  check_name(arm.name(), "the arm's name");
+  for (const Joint& joint : arm.joints()) {
+    check_name(joint.name, "a joint's name");
+    if (!joint.link.empty()) check_name(joint.link, "a link's name");
   }
 }
 

@@ -3,6 +3,10 @@
 #include <string>
 #include <string_view>
 
+namespace beeline {
+class Arm;
+}
+
 namespace beeline::internal {
 
 /// Returns text from a user or a file for a one-line message: control characters and bytes that are
@@ -17,5 +21,8 @@ bool is_utf8(std::string_view text);
 /// Checks a name of an arm, a joint or a link: not empty, UTF-8, no control characters, at most
 /// 1000 bytes. Throws Error that begins with `what` otherwise.
 void check_name(std::string_view name, std::string_view what);
+
+/// Checks the names of the arm, its joints and its links.
+void check_names(const Arm& arm);
 
 }  // namespace beeline::internal

@@ -110,7 +110,10 @@ void apply_shape(const std::vector<std::int64_t>& shape, bool by_columns, NpyHea
       throw Error("its header's shape is too large");
     width *= shape[i];
   }
-  header.width = width;
+  if (width > std::numeric_limits<Eigen::Index>::max()) {  // 32 bits in WebAssembly
+    throw Error("its header's shape is too large");
+  }
+  header.width = static_cast<Eigen::Index>(width);
   // Both orders are the same when at most one dimension exceeds 1.
   const auto long_dimensions =
       std::count_if(shape.begin(), shape.end(), [](std::int64_t size) { return size > 1; });
@@ -231,7 +234,7 @@ Eigen::Index NpyReader::read(Eigen::Ref<Eigen::MatrixXd> block) {
     throw Error("a block for rows of " + std::to_string(header_.width) +
                 " numbers must have that many rows, stored contiguously");
   }
-  const Eigen::Index rows = std::min<std::int64_t>(left_, block.cols());
+  const auto rows = static_cast<Eigen::Index>(std::min<std::int64_t>(left_, block.cols()));
   const auto numbers = static_cast<std::size_t>(rows * header_.width);
   const std::size_t wanted = numbers * static_cast<std::size_t>(bytes_of(header_));
   std::size_t count = 0;

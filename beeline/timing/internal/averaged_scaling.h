@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <beeline/internal/budget_meter.h>
 #include <beeline/math/hermite.h>
 #include <beeline/timing/time_scaling.h>
 
@@ -25,8 +26,8 @@ class AveragedScaling {
   /// At times from 0 to the duration.
   Progress at(double t) const;
 
-  /// The time at which s is reached, by bisection.
-  double time_of(double s) const;
+  /// The time at which s is reached, by bisection; coarse where the budget ends it.
+  double time_of(double s, BudgetMeter* budget = nullptr) const;
 
   /// The times, in order and inside the duration, at which the highest derivative of the given
   /// scaling that is not smooth jumps by more than `fraction` of its largest magnitude, and `width`

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/timing/internal/ended_scaling.h>
 #include <beeline/timing/internal/fastest.h>
 #include <beeline/timing/internal/step_polygon.h>
 #include <beeline/timing/internal/timed_path.h>
@@ -12,6 +13,8 @@ namespace {
 constexpr double near_limit = 0.9;       // of a squared velocity limit; steps are not checked below
 constexpr double simply_slower = 1.001;  // a violation up to this is removed without a new pass
 constexpr double shortest_duration = 1e-3;  // seconds, if nothing moves; times must increase
+
+constexpr std::size_t steps_between_asks = 64;  // steps of the path; then the budget is asked
 
 double squared(double x) { return x * x; }
 
@@ -31,12 +34,18 @@ inline Middle middle(const JointPath& path, std::size_t k, Eigen::Index i, doubl
 /// constraints.
 class Constraints {
  public:
-  Constraints(const JointPath& path, const PathLimits& limits)
+  Constraints(const JointPath& path, const PathLimits& limits, BudgetMeter* budget)
       : path_(path),
         limits_(limits),
+        budget_(budget),
         slowness_(limits.velocity.cwiseInverse()),
         polygon_(strips_, strips_of_a_step()) {
     prepare();
+  }
+
+  /// Whether the budget has ended the computation, asked at some of the steps k.
+  bool ended(std::size_t k) const {
+    return k % steps_between_asks == 0 && internal::ended(budget_, 0);
   }
 
   /// The largest squared speed at grid point k that the velocity limits allow.
@@ -66,7 +75,7 @@ class Constraints {
   /// which the strips keep it.
   double velocity_fraction(const std::vector<double>& b) const {
     double largest = 0;
-    for (std::size_t k = 0; k + 1 < path_.size(); ++k) {
+    for (std::size_t k = 0; k + 1 < path_.size() && !ended(k); ++k) {
       const double h = path_.s[k + 1] - path_.s[k], higher = std::max(b[k], b[k + 1]);
       for (Eigen::Index i = 0; i < slowness_.size(); ++i) {
         const double d0 = path_.dq[k][i], d1 = path_.dq[k + 1][i], mid = middle(path_, k, i, h).dq;
@@ -97,7 +106,7 @@ class Constraints {
     }
     strips_.along.resize((path_.size() - 1) * strips_of_a_step());
     strips_.across.resize(strips_.along.size());
-    for (std::size_t k = 0; k + 1 < path_.size(); ++k) prepare_step(k);
+    for (std::size_t k = 0; k + 1 < path_.size() && !ended(k); ++k) prepare_step(k);
   }
 
   /// With the squared speeds x and y at both ends, d2s/dt2 = (y - x) / 2h. A joint's acceleration
@@ -138,6 +147,7 @@ class Constraints {
 
   const JointPath& path_;
   const PathLimits& limits_;
+  BudgetMeter* budget_;
   Configuration slowness_;  ///< inverses of the limits of velocity
   Strips strips_;           ///< of all steps
   StepPolygon polygon_;
@@ -145,9 +155,10 @@ class Constraints {
 };
 
 /// The backward and the forward pass. Writes the squared speeds at the grid points into b. Returns
-/// why there are none; empty when there are.
+/// why there are none; empty when there are, or the budget has ended the computation.
 std::string squared_speeds(const JointPath& path, const EndSpeeds& ends, Constraints& constraints,
                            std::vector<double>& b) {
+  if (constraints.ended(0)) return {};
   const std::size_t last = path.size() - 1;
   const double within = 1 + 1e-9;  // rounding of a speed computed as the largest
   if (squared(ends.end) > constraints.largest(last) * within) {
@@ -157,6 +168,7 @@ std::string squared_speeds(const JointPath& path, const EndSpeeds& ends, Constra
   std::vector<SquaredSpeeds> controllable(last + 1);
   controllable[last].min = controllable[last].max = squared(ends.end);
   for (std::size_t k = last; k-- > 0;) {
+    if (constraints.ended(k)) return {};
     controllable[k] = constraints.begins(k, controllable[k + 1]);
     if (!controllable[k].none()) continue;
     return "the speed at the path's end cannot be reached: no speed at s = " + number(path.s[k]) +
@@ -171,6 +183,7 @@ std::string squared_speeds(const JointPath& path, const EndSpeeds& ends, Constra
            number(std::sqrt(high ? controllable[0].max : controllable[0].min));
   }
   for (std::size_t k = 0; k < last; ++k) {
+    if (constraints.ended(k)) return {};
     b[k + 1] = constraints.furthest_end(k, b[k], controllable[k + 1]);
     if (b[k] + b[k + 1] > 0) continue;
     return "the path cannot be traversed from s = " + number(path.s[k]);
@@ -212,12 +225,14 @@ void check(const JointPath& path, const PathLimits& limits, const EndSpeeds& end
 
 }  // namespace
 
-TimeScaling fastest(const JointPath& path, const PathLimits& limits, const EndSpeeds& ends) {
+TimeScaling fastest(const JointPath& path, const PathLimits& limits, const EndSpeeds& ends,
+                    BudgetMeter* budget) {
   check(path, limits, ends);
-  Constraints constraints(path, limits);
+  Constraints constraints(path, limits, budget);
   std::vector<double> b;
   std::string reason = squared_speeds(path, ends, constraints, b);
   const double found = reason.empty() ? constraints.velocity_fraction(b) : 0;
+  if (ended(budget, 0)) return ended_scaling(*budget);
   // The peaks are between the eighths at which it is evaluated; a quarter more bounds a parabola.
   const double over = found + 0.25 * std::max(0.0, found - 1);
   const bool at_rest = ends.begin == 0 && ends.end == 0;
@@ -230,6 +245,7 @@ TimeScaling fastest(const JointPath& path, const PathLimits& limits, const EndSp
     constraints.slow_down(over * (1 + 1e-9));
     reason = squared_speeds(path, ends, constraints, b);
   }
+  if (ended(budget, 0)) return ended_scaling(*budget);
   if (reason.empty()) return scaling_of(path, b);
   TimeScaling none;
   none.reason = std::move(reason);

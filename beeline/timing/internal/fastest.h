@@ -1,5 +1,6 @@
 #pragma once
 
+#include <beeline/internal/budget_meter.h>
 #include <beeline/path/joint_path.h>
 #include <beeline/timing/time_scaling.h>
 
@@ -20,9 +21,10 @@ struct EndSpeeds {
 /// points d2s/dt2 is constant, and the limits are kept there too: those of acceleration exactly for
 /// a cubic path, else to the error of a parabola through both ends and the middle of a step. Linear
 /// in the number of grid points. A path along which nothing moves takes at least 1 ms in total.
-/// Returns no time scaling, with the reason, where the speeds at the ends are too high. Throws
-/// Error for speeds at the ends that are negative or not finite, and what check_path() and
-/// check_limits() refuse.
-TimeScaling fastest(const JointPath& path, const PathLimits& limits, const EndSpeeds& ends = {});
+/// Returns no time scaling, with the reason, where the speeds at the ends are too high or the
+/// budget ends the computation. Throws Error for speeds at the ends that are negative or not
+/// finite, and what check_path() and check_limits() refuse.
+TimeScaling fastest(const JointPath& path, const PathLimits& limits, const EndSpeeds& ends = {},
+                    BudgetMeter* budget = nullptr);
 
 }  // namespace beeline::internal

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/timing/internal/ended_scaling.h>
 #include <beeline/timing/internal/fastest.h>
 #include <beeline/timing/internal/jerk_limited.h>
 #include <beeline/timing/internal/minimise_duration.h>
@@ -63,19 +64,27 @@ std::vector<double> knots_for(const QuinticMotion& motion) {
   return knots;
 }
 
+/// Whether the result is no longer wanted; where another limit ended the search, it is.
+bool cancelled(BudgetMeter* budget) {
+  return ended(budget, 0) && budget->ending() == Ending::cancelled;
+}
+
+/// The same, asked at some of the steps k.
+bool cancelled(BudgetMeter* budget, std::size_t k) { return k % 64 == 0 && cancelled(budget); }
+
 /// Minimises the duration over the splines with these knots.
 SquaredRateSpline optimal_rate(QuinticMotion& motion, std::vector<double> knots,
                                BudgetMeter* budget) {
   SquaredRateSpline spline(std::move(knots));
   DurationProblem problem(spline, motion.limits().acceleration, motion.limits().jerk);
   double largest = 1;
-  for (std::size_t k = 0; k < problem.times().size(); ++k) {
+  for (std::size_t k = 0; k < problem.times().size() && !cancelled(budget, k); ++k) {
     const MotionSample& sample = motion.at(problem.times()[k]);
     largest = std::max(largest, sample.inverse_max);
     problem.set(k, sample);
   }
   spline.coefficients.setConstant(start_fraction / largest);
-  minimise_duration(spline, problem, budget);
+  if (!cancelled(budget)) minimise_duration(spline, problem, budget);
   return spline;
 }
 
@@ -99,10 +108,11 @@ double slowdown_at(QuinticMotion& motion, double tau, const SquaredRate& rate) {
 
 /// The same for each step of the spline: the largest at its ends, three times between them, and on
 /// both sides of the path's grid points.
-std::vector<double> slowdowns(QuinticMotion& motion, const SquaredRateSpline& spline) {
+std::vector<double> slowdowns(QuinticMotion& motion, const SquaredRateSpline& spline,
+                              BudgetMeter* budget) {
   std::vector<double> factors(spline.steps());
   auto passed = motion.times().begin();
-  for (std::size_t k = 0; k < spline.steps(); ++k) {
+  for (std::size_t k = 0; k < spline.steps() && !cancelled(budget, k); ++k) {
     const double begin = spline.knots()[k], length = spline.knots()[k + 1] - begin;
     const SquaredRate first = spline.begin_of(k);
     double& factor = factors[k];
@@ -167,7 +177,8 @@ double seconds(const SquaredRate& first, double from, double to) {
   return half / 9 * (5 * f(middle - node) + 8 * f(middle) + 5 * f(middle + node));
 }
 
-TimeScaling scaling_of(const QuinticMotion& motion, const SquaredRateSpline& spline) {
+TimeScaling scaling_of(const QuinticMotion& motion, const SquaredRateSpline& spline,
+                       BudgetMeter* budget) {
   TimeScaling scaling;
   scaling.smooth = true;
   const std::vector<double>& knots = spline.knots();
@@ -175,6 +186,7 @@ TimeScaling scaling_of(const QuinticMotion& motion, const SquaredRateSpline& spl
   SquaredRate first = spline.begin_of(0);
   double time = 0, before = 0;
   for (const auto& [tau, s] : scaling_points(motion, spline)) {
+    if (cancelled(budget, scaling.s.size())) return ended_scaling(*budget);
     for (; k + 1 < spline.steps() && knots[k + 1] <= tau; before = knots[++k]) {
       time += seconds(first, before - knots[k], knots[k + 1] - knots[k]);
       first = spline.begin_of(k + 1);
@@ -195,14 +207,16 @@ TimeScaling scaling_of(const QuinticMotion& motion, const SquaredRateSpline& spl
 /// more knots where the previous one violates limits, because slowing the whole motion down
 /// increases the duration everywhere.
 TimeScaling without_stops(const JointPath& path, const PathLimits& limits, BudgetMeter* budget) {
-  TimeScaling best = scalar_profile(ScalarForm::quintic, path, limits);
+  TimeScaling best = scalar_profile(ScalarForm::quintic, path, limits, budget);
+  if (!best) return best;
   QuinticMotion motion(path, limits, best);
   std::vector<double> knots = knots_for(motion);
   for (int attempt = 0; attempt < max_attempts && !ended(budget); ++attempt) {
     const SquaredRateSpline spline = optimal_rate(motion, std::move(knots), budget);
-    const std::vector<double> factors = slowdowns(motion, spline);
+    const std::vector<double> factors = slowdowns(motion, spline, budget);
     const double factor = *std::max_element(factors.begin(), factors.end());
-    TimeScaling scaling = scaling_of(motion, spline);
+    TimeScaling scaling = scaling_of(motion, spline, budget);
+    if (cancelled(budget)) break;
     slow_down(scaling, factor);
     if (scaling.duration() < best.duration()) best = std::move(scaling);
     if (factor < acceptable) break;
@@ -269,16 +283,18 @@ void append(TimeScaling& scaling, const TimeScaling& next) {
 TimeScaling with_stops(const JointPath& path, const PathLimits& limits, int bisections,
                        BudgetMeter* budget) {
   TimeScaling scaling = without_stops(path, limits, budget);
-  if (bisections == 0 || ended(budget) || best_stop(scaling.speed) == 0) return scaling;
-  const TimeScaling bound = fastest(path, limits);
-  if (scaling.duration() < slow * bound.duration()) return scaling;
+  if (!scaling || bisections == 0 || ended(budget) || best_stop(scaling.speed) == 0) return scaling;
+  const TimeScaling bound = fastest(path, limits, {}, budget);
+  if (!bound || scaling.duration() < slow * bound.duration()) return scaling;
   const std::size_t stop = best_stop(bound.speed);
   if (stop == 0) return scaling;
   const Part first = part_of(path, limits, 0, stop);
   const Part second = part_of(path, limits, stop, path.size() - 1);
   TimeScaling both = with_stops(first.path, first.limits, bisections - 1, budget);
-  if (both.duration() > scaling.duration()) return scaling;
-  append(both, with_stops(second.path, second.limits, bisections - 1, budget));
+  if (!both || both.duration() > scaling.duration()) return scaling;
+  const TimeScaling rest = with_stops(second.path, second.limits, bisections - 1, budget);
+  if (!rest) return scaling;
+  append(both, rest);
   return both.duration() < scaling.duration() ? both : scaling;
 }
 

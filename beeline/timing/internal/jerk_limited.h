@@ -22,8 +22,8 @@ namespace beeline::internal {
 /// never slower than the quintic. The limits hold at the checked times. The quintic between two
 /// points of the result (see TimeScaling::smooth) exceeds the jerk limit where the jerk of the
 /// optimum jumps between them: by less than 10 % on 900 random paths. retime() measures its samples
-/// and slows down for that. Where the budget
-/// ends it, returns the best so far, which keeps the limits. Throws Error for what check_path() and
+/// and slows down for that. Where the budget ends it, returns the best so far, which keeps the
+/// limits, or none, with the reason, before there is one. Throws Error for what check_path() and
 /// check_limits() refuse, and without any jerk limit.
 TimeScaling jerk_limited(const JointPath& path, const PathLimits& limits,
                          BudgetMeter* budget = nullptr);

@@ -68,6 +68,7 @@ void minimise_duration(SquaredRateSpline& spline, const DurationProblem& problem
   const auto work = static_cast<std::int64_t>(1 + spline.steps() / steps_of_work);
   for (int i = 0; i < max_steps && inside && !ended(budget, work); ++i) {
     solve(equations, size, dc);
+    if (ended(budget, 0)) break;
     const MultiplierStep step =
         multiplier_step(problem, c.data(), dc.data(), multipliers.data(), gap, change.data());
     double primal = std::min(1.0, step_fraction * step.coefficients);
@@ -77,6 +78,8 @@ void minimise_duration(SquaredRateSpline& spline, const DurationProblem& problem
     gap = reached * gap_reduction(std::min(primal, dual));
     // The limits are not linear, so coefficients that satisfy them to first order may violate them.
     for (int tries = 0; tries < max_backtracks; ++tries, primal *= 0.7) {
+      inside = !ended(budget, 0);
+      if (!inside) break;
       next = c;
       add(next, primal, dc);
       inside = set_up(equations, problem, next.data(), multipliers.data(), gap);

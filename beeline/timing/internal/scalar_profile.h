@@ -1,5 +1,6 @@
 #pragma once
 
+#include <beeline/internal/budget_meter.h>
 #include <beeline/path/joint_path.h>
 #include <beeline/timing/time_scaling.h>
 
@@ -17,8 +18,10 @@ enum class ScalarForm {
 
 /// Minimises the duration over the shape parameters of the form subject to the limits of velocity,
 /// acceleration and, except for the trapezoid, jerk. One or two scans with golden sections, which
-/// may end in a local optimum on a path with many curves. Throws Error for what check_path() and
+/// may end in a local optimum on a path with many curves. Returns no time scaling, with the reason,
+/// where the budget ends the computation. Throws Error for what check_path() and
 /// check_limits() refuse.
-TimeScaling scalar_profile(ScalarForm form, const JointPath& path, const PathLimits& limits);
+TimeScaling scalar_profile(ScalarForm form, const JointPath& path, const PathLimits& limits,
+                           BudgetMeter* budget = nullptr);
 
 }  // namespace beeline::internal

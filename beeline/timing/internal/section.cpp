@@ -38,8 +38,10 @@ class Refinement {
   Refinement(const JointMotion& motion, const PathLimits& limits, const SectionOptions& options)
       : motion_(motion), limits_(limits), options_(options) {}
 
-  /// Appends samples after `a`, up to and including `b`, as close as the interpolation needs.
+  /// Appends samples after `a`, up to and including `b`, as close as the interpolation needs; some
+  /// where the budget ends it.
   void append(std::vector<Sample>& samples, const Sample& a, const Sample& b) const {
+    if (ended(options_.budget, 0)) return;
     const double h = b.t - a.t;
     std::array<Sample, 3> inner;  // at the quarters
     for (std::size_t i = 0; i < 3; ++i) {
@@ -107,7 +109,7 @@ std::vector<Sample> first_samples(const JointMotion& motion, const TimeScaling& 
   for (const double s : options.required) {
     if (!(s > given.s.front() && s < given.s.back())) continue;
     if (ended(options.budget)) return {};
-    const double t = scaling.time_of(s);
+    const double t = scaling.time_of(s, options.budget);
     Progress now = scaling.at(t);
     now.s = s;
     points.emplace_back(t, now);
@@ -164,6 +166,7 @@ SampledSection refined_samples(const Arm& arm, const TimedPath& section,
       if (ended(options.budget)) return {};
       refinement.append(refined, samples[k - 1], samples[k]);
     }
+    if (ended(options.budget, 0)) return {};
     samples = std::move(refined);
   }
   return with_columns(arm, samples, options.interpolation);

@@ -77,12 +77,14 @@ bool lower_limits(const Arm& arm, const SampledSection& samples, const SectionOp
                   TimedPath& section) {
   constexpr double worthwhile = 1.001;  // smaller excesses are left to a slowdown of the whole
   const auto excess = [&, limits = kept_limits(arm, options)](int order) {
-    std::vector<double> factors = limit_fractions(limits, samples.trajectory, order);
+    std::vector<double> factors =
+        limit_fractions(limits, samples.trajectory, order, options.budget);
     for (double& factor : factors) factor /= std::pow(options.speed_scale, order);
     return factors;
   };
   auto velocity = excess(1);
   const auto acceleration = excess(2), jerk = excess(3);
+  if (ended(options.budget, 0)) return false;
   if (options.tool_speed.limits.size() > 1) {
     const std::vector<double> tool = tool_excess(arm, samples, options.tool_speed);
     for (std::size_t k = 0; k < tool.size(); ++k) velocity[k] = std::max(velocity[k], tool[k]);

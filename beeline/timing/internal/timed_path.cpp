@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <beeline/kinematics/jacobian.h>
+#include <beeline/timing/internal/ended_scaling.h>
 #include <beeline/timing/internal/timed_path.h>
 #include <beeline/trajectory/internal/sample_rate.h>
 #include <beeline/trajectory/internal/tool_speed.h>
@@ -10,12 +11,14 @@ namespace beeline::internal {
 namespace {
 
 /// Returns the reason if the path leaves the arm's position limits, otherwise an empty text.
-std::string outside(const Arm& arm, const JointPath& samples, const JointPath& refined) {
+std::string outside(const Arm& arm, const JointPath& samples, const JointPath& refined,
+                    BudgetMeter& budget) {
   for (const Configuration& q : samples.q) {
     const auto violations = limit_violations(arm, q);
     if (!violations.empty()) return violations.front();
   }
   for (const Configuration& q : refined.q) {
+    if (budget.ended(0)) return {};
     const auto violations = limit_violations(arm, q);
     if (!violations.empty()) {
       return "between two samples the spline through them leaves the limits: " +
@@ -26,12 +29,12 @@ std::string outside(const Arm& arm, const JointPath& samples, const JointPath& r
 }
 
 /// The limits of the path's speed ds/dt at its grid points with which the tool's speed is kept.
-std::vector<double> path_speeds(const Arm& arm, const JointPath& path,
-                                const ToolSpeeds& tool_speed) {
+std::vector<double> path_speeds(const Arm& arm, const JointPath& path, const ToolSpeeds& tool_speed,
+                                BudgetMeter& budget) {
   std::vector<double> speeds;
   if (!(tool_speed.lowest() < Limits::none)) return speeds;
   Jacobian columns(6, arm.dof());
-  for (std::size_t k = 0; k < path.size(); ++k) {
+  for (std::size_t k = 0; k < path.size() && !budget.ended(0); ++k) {
     jacobian(arm, path.q[k], columns);
     const double limit = tool_speed.lowest(path.s[k], path.s[k]);
     speeds.push_back(limit / (columns.topRows<3>() * path.dq[k]).norm());
@@ -67,12 +70,16 @@ void check_options(double tool_speed, double rate) {
 TimedPath timed_path(const Arm& arm, const JointPath& path, Profile profile, double speed_scale,
                      const ToolSpeeds& tool_speed, BudgetMeter& budget) {
   TimedPath section;
-  section.path = refined(path);
-  section.scaling.reason = outside(arm, path, section.path);
+  section.path = refined(path, {.budget = budget.part()});
+  section.scaling.reason = outside(arm, path, section.path, budget);
   if (!section.scaling.reason.empty()) return section;
   section.profile = profile;
   section.limits = path_limits(arm, speed_scale);
-  section.limits.speed = path_speeds(arm, section.path, tool_speed);
+  section.limits.speed = path_speeds(arm, section.path, tool_speed, budget);
+  if (budget.ended(0)) {
+    section.scaling = ended_scaling(budget);
+    return section;
+  }
   section.scaling = time_scaling(section.path, section.limits, profile, budget.part());
   return section;
 }

@@ -36,13 +36,14 @@ void take_interval(CoordinateFraction& largest, std::span<const Limits> limits,
   }
 }
 
+constexpr std::size_t batch = 64;  // samples, of less than a microsecond
+
 }  // namespace
 
 CoordinateFraction limit_fraction(std::span<const Limits> limits, const Trajectory& trajectory,
                                   int order, BudgetMeter* budget) {
   CoordinateFraction largest;
   largest.exact = order <= bounded_order(trajectory.interpolation());
-  constexpr std::size_t batch = 64;  // samples, of less than a microsecond
   for (std::size_t k = 0; k + 1 < trajectory.size(); ++k) {
     if (k % batch == 0 && ended(budget, batch)) break;
     take_interval(largest, limits, trajectory, k, order);
@@ -51,10 +52,11 @@ CoordinateFraction limit_fraction(std::span<const Limits> limits, const Trajecto
 }
 
 std::vector<double> limit_fractions(std::span<const Limits> limits, const Trajectory& trajectory,
-                                    int order) {
+                                    int order, BudgetMeter* budget) {
   std::vector<double> fractions(trajectory.size() - 1, 0.0);
   if (order > bounded_order(trajectory.interpolation())) return fractions;
   for (std::size_t k = 0; k < fractions.size(); ++k) {
+    if (k % batch == 0 && ended(budget, 0)) break;
     CoordinateFraction largest;
     take_interval(largest, limits, trajectory, k, order);
     fractions[k] = largest.fraction;

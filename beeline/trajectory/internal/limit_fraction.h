@@ -23,8 +23,8 @@ CoordinateFraction limit_fraction(std::span<const Limits> limits, const Trajecto
                                   int order, BudgetMeter* budget = nullptr);
 
 /// The largest fraction of the limits of that order between each two samples; 0 for an order that
-/// the interpolation does not bound.
+/// the interpolation does not bound, and where the budget ends it.
 std::vector<double> limit_fractions(std::span<const Limits> limits, const Trajectory& trajectory,
-                                    int order);
+                                    int order, BudgetMeter* budget = nullptr);
 
 }  // namespace beeline::internal
