@@ -21,7 +21,10 @@ def main(extension: str, stub: str) -> None:
     generator.put(module)
     text = generator.get().replace("__all__: list =", "__all__: list[str] =")
     text = text.replace("__hash__: None = None", "__hash__: None  # type: ignore[assignment]")
-    private = "__version__: str\n\ndef _command_line(words: list[bytes], /) -> int: ...\n"
+    # The dtype of an array for results.
+    real = '_Real = TypeVar("_Real", numpy.float32, numpy.float64, default=numpy.float64)'
+    private = f"from typing import Any\n\nfrom typing_extensions import TypeVar\n\n{real}\n\n__version__: str\n\ndef _command_line(words: list[bytes], /) -> int: ...\n"
+    private += "\ndef _matrix_of(value: object, /) -> Any: ...\n"
     Path(stub).write_text(text + "\n" + private)
 
 

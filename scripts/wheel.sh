@@ -40,4 +40,8 @@ for candidate in "$HOME"/.pyenv/versions/3.1[0-9]*/bin/python /usr/bin/python3 p
   (cd "$fresh" && venv/bin/python -I "$OLDPWD/tests/python/wheel.py")
   rm -rf "$fresh"
 done
+if [[ $tried == " " ]]; then
+  echo "$0: no Python from 3.10 on to try it with" >&2
+  exit 1
+fi
 echo "Tried with Python$tried"

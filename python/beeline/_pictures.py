@@ -37,6 +37,11 @@ def draw(arm: Arm, shown: Any = None, *, waypoints: ArrayLike | None = None, **o
     -------
     Drawing
         Notebooks show it, `save()` writes it.
+
+    Raises
+    ------
+    beeline.Error
+        As arm_figure() and motion_figure() do.
     """
     shown = getattr(shown, "trajectory", shown)
     if isinstance(shown, Trajectory):
@@ -68,6 +73,11 @@ def animate(
     -------
     Animation
         Notebooks play it, `save()` writes it.
+
+    Raises
+    ------
+    beeline.Error
+        As motion_animation() does.
     """
     trajectory = getattr(motion, "trajectory", motion)
     return motion_animation(arm, trajectory, waypoints, small_views=small_views, **options)

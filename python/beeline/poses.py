@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._core import Error
+from ._core import Error, _matrix_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -36,6 +36,11 @@ def from_any(value: Any, position: ArrayLike | None = None) -> Array:
     -------
     array
         (4, 4), or (N, 4, 4) for many.
+
+    Raises
+    ------
+    beeline.Error
+        For matrices of another shape.
     """
     matrices = _matrices(value)
     if matrices.shape[-2:] == (3, 3):
@@ -75,24 +80,21 @@ def to_pinocchio(poses: Any) -> Any:
 
 def _matrices(value: Any) -> Array:
     """The matrices of an object, 3 x 3 of an orientation."""
-    if not isinstance(value, np.ndarray):
-        for name in ("homogeneous", "A"):
-            if hasattr(value, name):
-                return np.array(getattr(value, name), dtype=float)
-        if hasattr(value, "as_matrix"):
-            return np.array(value.as_matrix(), dtype=float)
-        if _holds_objects(value):
-            return np.array([_matrices(item) for item in value])
-    return np.array(value, dtype=float)
+    matrix = _matrix_of(value)
+    if matrix is value and _holds_objects(value):
+        return np.array([_matrices(item) for item in value])
+    return np.array(matrix, dtype=float)
 
 
 def _holds_objects(value: Any) -> bool:
     """Whether a list, or a vector of pinocchio, has items that are poses of other libraries."""
+    if isinstance(value, np.ndarray):
+        return False
     try:
         first = next(iter(value))
     except (TypeError, StopIteration):
         return False
-    return any(hasattr(first, name) for name in ("homogeneous", "A", "as_matrix"))
+    return _matrix_of(first) is not first
 
 
 def _module(name: str, package: str) -> Any:

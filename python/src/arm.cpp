@@ -1,6 +1,7 @@
 #include <beeline/model/catalog.h>
 #include <beeline/read/arm.h>
 #include <beeline/read/arm_json.h>
+#include <beeline/read/internal/name.h>
 #include <beeline/read/joint_limits.h>
 #include <beeline/read/joint_string.h>
 #include <beeline/read/urdf.h>
@@ -11,11 +12,25 @@
 namespace beeline::python {
 namespace {
 
+/// Records, or the rows of an array.
+std::vector<DhRow> dh_rows(nb::handle value) {
+  const bool records = nb::isinstance<nb::list>(value) || nb::isinstance<nb::tuple>(value);
+  if (records && (nb::len(value) == 0 || nb::isinstance<DhRow>(value[0]))) {
+    return Value<std::vector<DhRow>>::from(value, "rows");
+  }
+  const auto table = finite_from<Eigen::Matrix<double, Eigen::Dynamic, 4>>(value, "rows");
+  std::vector<DhRow> rows;
+  for (const auto& row : table.rowwise()) {
+    rows.push_back({row[0], row[1], row[2], row[3], JointKind::revolute});
+  }
+  return rows;
+}
+
 Arm arm_from_dh(nb::handle rows, const std::string& convention, const std::string& name,
                 nb::handle limits) {
   const auto named = Value<DhConvention>::from(nb::str(convention.c_str()), "convention");
   std::vector<Joint> joints;
-  for (const DhRow& row : Value<std::vector<DhRow>>::from(rows, "rows")) {
+  for (const DhRow& row : dh_rows(rows)) {
     joints.push_back(dh_joint(row, named));
     joints.back().name = "joint" + std::to_string(joints.size());
   }
@@ -61,14 +76,6 @@ ChainEnds ends_of(nb::handle base, nb::handle tip) {
           Value<std::optional<std::string>>::from(tip, "tip").value_or("")};
 }
 
-/// Adds a static method that makes an arm.
-template <class... Extra>
-void add_source(nb::class_<Arm>& arm, auto function, const Signature& signature,
-                const Extra&... arguments) {
-  arm.def_static(signature.name(), function, arguments..., nb::sig(signature.text("staticmethod")),
-                 signature.doc());
-}
-
 /// Arms of files: the chain between two links.
 void bind_files(nb::class_<Arm>& arm) {
   const auto chain = [](Signature& signature) -> Signature& {
@@ -78,9 +85,10 @@ void bind_files(nb::class_<Arm>& arm) {
   };
   Signature load("load", "Arm",
                  "Returns the arm that `source` names: a built-in arm (`panda`), a joint string "
-                 "(`RRR:3.5,3.5,2`), or a file (`.urdf`, `.json`).");
+                 "(`RRR:3.5,3.5,2`), or a file (`.urdf`, `.json`). Raises FileError for an "
+                 "invalid file, whose line it names.");
   chain(load.takes("source", path_like, "Name, joint string or path."));
-  add_source(
+  define_static(
       arm,
       [](nb::handle text, nb::handle base, nb::handle tip) {
         return read_arm(path_from(text, "source"), ends_of(base, tip));
@@ -88,11 +96,13 @@ void bind_files(nb::class_<Arm>& arm) {
       load, nb::arg("source"), nb::kw_only(), nb::arg("base") = nb::none(),
       nb::arg("tip") = nb::none());
 
-  Signature urdf("from_urdf", "Arm",
-                 "Reads the chain from `base` to `tip` of a URDF file, or of the text of one. The "
-                 "world is the base link's frame.");
+  Signature urdf(
+      "from_urdf", "Arm",
+      "Reads the chain from `base` to `tip` of a URDF file, or of the text of one. The "
+      "world is the base link's frame. Raises FileError for an invalid file, whose line it "
+      "names.");
   chain(urdf.takes("source", path_like, "Path, or text that begins with `<`."));
-  add_source(
+  define_static(
       arm,
       [](nb::handle source, nb::handle base, nb::handle tip) {
         const std::string text = path_from(source, "source");
@@ -109,7 +119,9 @@ void bind_files(nb::class_<Arm>& arm) {
 /// Arms of other descriptions.
 void bind_descriptions(nb::class_<Arm>& arm) {
   Signature dh("from_dh", "Arm", "Returns the arm of a Denavit-Hartenberg table.");
-  dh.takes("rows", "list[DhRow]", "One row for each joint.")
+  dh.takes("rows", std::string("collections.abc.Sequence[DhRow] | ") + array_like,
+           "One row for each joint; or an array (n, 4) with the columns a, alpha, d, theta, m and "
+           "rad, of revolute joints.")
       .keywords()
       .takes("convention", Value<DhConvention>::type(),
              "`standard`: Rz(theta) Tz(d) Tx(a) Rx(alpha); `modified` (Craig): Tx(a) Rx(alpha) "
@@ -117,7 +129,7 @@ void bind_descriptions(nb::class_<Arm>& arm) {
              "uses.")
       .takes("name", "str", "Name of the arm.", "'arm'")
       .takes("limits", "list[Limits] | None", "One for each joint.", "None");
-  add_source(
+  define_static(
       arm,
       [](nb::handle rows, nb::handle convention, nb::handle name, nb::handle limits) {
         return arm_from_dh(rows, Value<std::string>::from(convention, "convention"),
@@ -129,14 +141,14 @@ void bind_descriptions(nb::class_<Arm>& arm) {
   Signature string("from_string", "Arm",
                    "Returns the arm of a joint string, such as `RRR:3.5,3.5,2` or `RRRRRR`.");
   string.takes("text", "str", "Letters R P H S C E U, then a length in m for each.");
-  add_source(
+  define_static(
       arm,
       [](nb::handle text) { return arm_from_joint_string(Value<std::string>::from(text, "text")); },
       string, nb::arg("text"));
 
   Signature json("from_json", "Arm", "Returns the arm of a text that to_json() returned.");
   json.takes("text", "str", "JSON.");
-  add_source(
+  define_static(
       arm,
       [](nb::handle text) { return arm_from_json(Value<std::string>::from(text, "text"), "JSON"); },
       json, nb::arg("text"));
@@ -262,6 +274,33 @@ void bind_copies(nb::class_<Arm>& arm) {
       outside, nb::arg("q"));
 }
 
+void bind_constructor(nb::class_<Arm>& arm) {
+  Signature made("__init__", "None",
+                 "Makes an arm of its joints. Raises Error for joints or names that no arm has.");
+  made.takes("self")
+      .takes("name", "str", "Name of the arm.")
+      .takes("joints", "list[Joint]", "From the base to the tool.")
+      .keywords()
+      .takes("tool", std::string(array_like) + " | None",
+             "Pose of the tool in the last link (4, 4).", "None")
+      .takes("base", std::string(array_like) + " | None", "Pose of link 0 in the world (4, 4).",
+             "None");
+  define(
+      arm,
+      [](Arm* self, nb::handle name, nb::handle joints, nb::handle tool, nb::handle base) {
+        const auto pose = [](nb::handle value, const char* what) {
+          return Value<std::optional<Pose>>::from(value, what).value_or(Pose::Identity());
+        };
+        Arm result(Value<std::string>::from(name, "name"),
+                   Value<std::vector<Joint>>::from(joints, "joints"), pose(tool, "tool"),
+                   pose(base, "base"));
+        internal::check_names(result);
+        new (self) Arm(std::move(result));
+      },
+      made, nb::arg("name"), nb::arg("joints"), nb::kw_only(), nb::arg("tool") = nb::none(),
+      nb::arg("base") = nb::none());
+}
+
 }  // namespace
 
 void bind_arms(nb::module_& m) {
@@ -274,27 +313,7 @@ void bind_arms(nb::module_& m) {
       m, "Arm",
       "A serial chain: a base, joints 1 to n, a tool. Immutable. Joint i connects link i-1 to link "
       "i; link 0 is the base.");
-  Signature made("__init__", "None", "");
-  made.takes("self")
-      .takes("name", "str")
-      .takes("joints", "list[Joint]")
-      .keywords()
-      .takes("tool", std::string(array_like) + " | None", "", "None")
-      .takes("base", std::string(array_like) + " | None", "", "None");
-  arm.def(
-      "__init__",
-      [](Arm* self, nb::handle name, nb::handle joints, nb::handle tool, nb::handle base) {
-        const auto pose = [](nb::handle value, const char* what) {
-          return Value<std::optional<Pose>>::from(value, what).value_or(Pose::Identity());
-        };
-        Arm result(Value<std::string>::from(name, "name"),
-                   Value<std::vector<Joint>>::from(joints, "joints"), pose(tool, "tool"),
-                   pose(base, "base"));
-        arm_to_json(result);  // refuses names that copies could not have
-        new (self) Arm(std::move(result));
-      },
-      nb::arg("name"), nb::arg("joints"), nb::kw_only(), nb::arg("tool") = nb::none(),
-      nb::arg("base") = nb::none(), nb::sig(made.text()));
+  bind_constructor(arm);
   bind_files(arm);
   bind_descriptions(arm);
   bind_properties(arm);

@@ -28,12 +28,19 @@ struct Fields<Limits> {
       "Limits of one joint, in rad, or m for a prismatic joint, and s. Infinite if there is no "
       "limit, or none is known.";
   static constexpr bool constructible = true;
+  static void check(const Limits& limits) {  // as arms do
+    Joint joint;
+    joint.name = "of these limits";
+    joint.screw << 0, 0, 0, 0, 0, 1;
+    joint.limits = limits;
+    Arm(joint.name, {joint});
+  }
   static constexpr auto all() {
-    return std::tuple(field("lower", &Limits::lower, "Of the position."),
+    return std::tuple(field("lower", &Limits::lower, "Of the position, at most `upper`."),
                       field("upper", &Limits::upper, "Of the position."),
-                      field("velocity", &Limits::velocity, "Of abs(dq/dt)."),
-                      field("acceleration", &Limits::acceleration, "Of abs(d2q/dt2)."),
-                      field("jerk", &Limits::jerk, "Of abs(d3q/dt3)."),
+                      field("velocity", &Limits::velocity, "Of abs(dq/dt), above 0."),
+                      field("acceleration", &Limits::acceleration, "Of abs(d2q/dt2), above 0."),
+                      field("jerk", &Limits::jerk, "Of abs(d3q/dt3), above 0."),
                       field("speed_scale", &Limits::speed_scale,
                             "The speed scale k that the limits have been multiplied by."));
   }

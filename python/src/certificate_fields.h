@@ -59,6 +59,8 @@ struct Fields<PathDeviation> {
 };
 
 template <>
+constexpr bool reports<VerifyOptions> = false;
+template <>
 struct Fields<VerifyOptions> {
   static constexpr const char* name = "VerifyOptions";
   static constexpr auto all() {

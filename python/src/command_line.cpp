@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bindings.h"
+#include "interruption.h"
 
 namespace beeline::python {
 namespace nb = nanobind;
@@ -20,7 +21,7 @@ void bind_command_line(nb::module_& module) {
         std::vector<char*> argv;
         for (std::string& argument : arguments) argv.push_back(argument.data());
         argv.push_back(nullptr);
-        nb::gil_scoped_release release;
+        const LockRelease release;
         return run_program(all_verbs(), static_cast<int>(arguments.size()), argv.data());
       },
       nb::sig("def _command_line(words: list[bytes], /) -> int"),

@@ -25,13 +25,16 @@ struct Fields<PidGains> {
 };
 
 template <>
+constexpr bool reports<SimulationOptions> = false;
+template <>
 struct Fields<SimulationOptions> {
   static constexpr const char* name = "SimulationOptions";
   static constexpr auto all() {
     return std::tuple(
         field("tolerance", &SimulationOptions::tolerance,
               "Max error of a goal that is reached, m and rad, above 0."),
-        field("max_steps", &SimulationOptions::max_steps, "Of the whole motion, 1 or more."),
+        field("max_steps", &SimulationOptions::max_steps,
+              "Of the whole motion, from 1 to 10,000,000."),
         field("time_step", &SimulationOptions::time_step, "Of the controller, s, above 0."),
         field("budget", &SimulationOptions::budget, ""));
   }
@@ -88,6 +91,8 @@ struct Fields<SpeedChange> {
   }
 };
 
+template <>
+constexpr bool reports<ReplayOptions> = false;
 template <>
 struct Fields<ReplayOptions> {
   static constexpr const char* name = "ReplayOptions";

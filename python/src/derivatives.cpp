@@ -23,7 +23,8 @@ Signature& takes_frame(Signature& signature) {
 }
 
 Signature& takes_out(Signature& signature) {
-  return signature.keywords().takes("out", optional_array, "Array for the result.", "None");
+  return signature.keywords().takes("out", optional_array,
+                                    "Array for the result, apart from the arguments.", "None");
 }
 
 nb::object derivative(const Arm& arm, nb::handle q, nb::handle dq, nb::handle frame_name,
@@ -31,10 +32,13 @@ nb::object derivative(const Arm& arm, nb::handle q, nb::handle dq, nb::handle fr
   const Configurations configurations(arm, q);
   const RowArgument velocities(dq, "dq", arm.dof(), configurations);
   const Frame frame = Value<Frame>::from(frame_name, "frame");
-  return for_rows(configurations, {6, arm.dof()}, out, [&](Index i, double* result) {
-    jacobian_derivative(arm, configurations.row(i), velocities.row(i),
-                        Eigen::Map<Jacobian>(result, 6, arm.dof()), frame);
-  });
+  return for_rows(
+      configurations, {6, arm.dof()}, out,
+      [&](Index i, double* result) {
+        jacobian_derivative(arm, configurations.row(i), velocities.row(i),
+                            Eigen::Map<Jacobian>(result, 6, arm.dof()), frame);
+      },
+      velocities);
 }
 
 nb::object hessian_of(const Arm& arm, nb::handle q, nb::handle frame_name, nb::handle out) {
@@ -53,11 +57,14 @@ nb::object acceleration(const Arm& arm, nb::handle q, nb::handle dq, nb::handle 
   const RowArgument velocities(dq, "dq", arm.dof(), configurations);
   const RowArgument accelerations(ddq, "ddq", arm.dof(), configurations);
   const Frame frame = Value<Frame>::from(frame_name, "frame");
-  return for_rows(configurations, {6}, out, [&](Index i, double* result) {
-    Eigen::Map<Twist> twist(result);
-    twist = tool_acceleration(arm, configurations.row(i), velocities.row(i), accelerations.row(i),
-                              frame);
-  });
+  return for_rows(
+      configurations, {6}, out,
+      [&](Index i, double* result) {
+        Eigen::Map<Twist> twist(result);
+        twist = tool_acceleration(arm, configurations.row(i), velocities.row(i),
+                                  accelerations.row(i), frame);
+      },
+      velocities, accelerations);
 }
 
 nb::object torques(const Arm& arm, nb::handle q, nb::handle wrench, nb::handle frame_name,
@@ -65,10 +72,13 @@ nb::object torques(const Arm& arm, nb::handle q, nb::handle wrench, nb::handle f
   const Configurations configurations(arm, q);
   const RowArgument wrenches(wrench, "wrench", 6, configurations);
   const Frame frame = Value<Frame>::from(frame_name, "frame");
-  return for_rows(configurations, {arm.dof()}, out, [&](Index i, double* result) {
-    Eigen::Map<Configuration> torques(result, arm.dof());
-    torques = joint_torques(arm, configurations.row(i), wrenches.row(i), frame);
-  });
+  return for_rows(
+      configurations, {arm.dof()}, out,
+      [&](Index i, double* result) {
+        Eigen::Map<Configuration> torques(result, arm.dof());
+        torques = joint_torques(arm, configurations.row(i), wrenches.row(i), frame);
+      },
+      wrenches);
 }
 
 nb::object planar(const Arm& arm, nb::handle q, nb::handle out) {

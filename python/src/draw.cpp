@@ -40,7 +40,9 @@ void bind_chapter(nb::module_& m) {
       [](nb::handle number, const nb::kwargs& playback) {
         const std::string name = Value<std::string>::from(number, "number");
         const auto played = options<PlaybackOptions>(playback);
-        return without_lock([&] { return PlayedAnimation{chapter_animation(name), played}; });
+        Animation drawn = without_lock([&] { return chapter_animation(name); });
+        return PlayedAnimation(std::move(drawn), played, "chapter_animation", nb::make_tuple(name),
+                               nb::dict(playback));
       },
       moving, nb::arg("number"), nb::arg("playback"));
 }
@@ -79,10 +81,12 @@ void bind_motions(nb::module_& m) {
          const nb::kwargs& keywords) {
         const std::vector<Pose> marked = waypoints_from(waypoints);
         const auto given = options<ArmFigureOptions, PlaybackOptions>(keywords);
-        return without_lock([&] {
-          return PlayedAnimation{motion_animation(arm, trajectory, marked, std::get<0>(given)),
-                                 std::get<1>(given)};
-        });
+        Animation drawn = without_lock(
+            [&] { return motion_animation(arm, trajectory, marked, std::get<0>(given)); });
+        return PlayedAnimation(
+            std::move(drawn), std::get<1>(given), "motion_animation",
+            nb::make_tuple(arm, trajectory, Value<std::vector<Pose>>::to(marked)),
+            nb::dict(keywords));
       },
       moving, nb::arg("arm"), nb::arg("trajectory"), nb::arg("waypoints") = nb::none(),
       nb::arg("options"));
@@ -167,16 +171,18 @@ void bind_pictures(nb::module_& m) {
   define(
       m, [](const Arm& arm) { return Value<Configuration>::to(display_configuration(arm)); }, shown,
       nb::arg("arm"));
-  m.def(
-      "distinct_colour",
+  Signature colours("distinct_colour", "tuple[float, float, float]",
+                    "Returns colour k of a cycle of eight, red, green and blue from 0 to 1: 0 red, "
+                    "1 green, 2 blue (the axes x, y, z and joints 1, 2, 3), then five others.");
+  colours.takes("k", "int", "From 0.");
+  define(
+      m,
       [](nb::handle k) {
         const Colour colour = distinct_colour(
             static_cast<int>(integer_from(k, "k", 0, std::numeric_limits<int>::max())));
         return nb::make_tuple(colour.red, colour.green, colour.blue);
       },
-      nb::arg("k"), nb::sig("def distinct_colour(k: int) -> tuple[float, float, float]"),
-      "Returns colour k of a cycle of eight, red, green and blue from 0 to 1: 0 red, 1 green, 2 "
-      "blue (the axes x, y, z and joints 1, 2, 3), then five others.");
+      colours, nb::arg("k"));
   // Notebooks draw an arm, and the joints of a trajectory over time.
   auto arm = nb::borrow<nb::class_<Arm>>(nb::type<Arm>());
   arm.def("_repr_svg_", [](const Arm& self) {

@@ -3,6 +3,7 @@
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/timing_figure.h>
 
+#include "interruption.h"
 #include "record.h"
 
 namespace beeline::python {
@@ -11,11 +12,18 @@ namespace beeline::python {
 struct PlayedAnimation {
   Animation animation;
   PlaybackOptions playback;
+  nb::str drawn_by;  ///< the function that draws it, for pickles; and what it is called with
+  nb::tuple arguments;
+  nb::dict keywords;
+
+  /// Throws Error for options that it cannot be played with.
+  PlayedAnimation(Animation made, const PlaybackOptions& options, const char* function,
+                  nb::tuple positional, nb::dict named);
 };
 
 template <class Work>
 auto without_lock(Work work) {
-  const nb::gil_scoped_release release;
+  const LockRelease release;
   return work();
 }
 

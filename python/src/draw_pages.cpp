@@ -1,4 +1,5 @@
 #include <beeline/draw/canvas.h>
+#include <beeline/draw/internal/animation_frames.h>
 #include <beeline/read/internal/file.h>
 
 #include "draw_fields.h"
@@ -93,6 +94,19 @@ void bind_animation(nb::module_& m) {
       "__deepcopy__",
       [itself](nb::handle_t<PlayedAnimation> self, nb::handle) { return itself(self); },
       nb::sig("def __deepcopy__(self, memo: object, /) -> Animation"));
+  animation.def(
+      "__reduce__",
+      [](const PlayedAnimation& self) {
+        const nb::object draw = nb::getattr(nb::module_::import_("beeline"), self.drawn_by);
+        const nb::object partial = nb::module_::import_("functools").attr("partial");
+        return nb::make_tuple(partial(draw, **self.keywords), self.arguments);
+      },
+      nb::sig("def __reduce__(self) -> tuple[object, ...]"));
+  bind_equality(animation, [](const PlayedAnimation& a, const PlayedAnimation& b) {
+    return a.playback.frames_per_second == b.playback.frames_per_second && without_lock([&] {
+             return animated_svg(a.animation, a.playback) == animated_svg(b.animation, b.playback);
+           });
+  });
   animation.def("__repr__", [](const PlayedAnimation& self) {
     const std::vector<double>& times = self.animation.times;
     return "<beeline.Animation of " + number(times.empty() ? 0 : times.back() - times.front()) +
@@ -101,6 +115,16 @@ void bind_animation(nb::module_& m) {
 }
 
 }  // namespace
+
+PlayedAnimation::PlayedAnimation(Animation made, const PlaybackOptions& options,
+                                 const char* function, nb::tuple positional, nb::dict named)
+    : animation(std::move(made)),
+      playback(options),
+      drawn_by(function),
+      arguments(std::move(positional)),
+      keywords(std::move(named)) {
+  internal::check_playback(animation, playback);
+}
 
 nb::str notebook_svg(const Drawing& drawing) {
   std::string svg = without_lock([&] { return render(drawing, Format::svg); });

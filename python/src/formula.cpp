@@ -1,11 +1,12 @@
 #include "bindings.h"
 #include "formula_fields.h"
+#include "interruption.h"
 
 namespace beeline::python {
 namespace {
 
 SharedArm name_arm(const Arm& arm, const SymbolicOptions& options) {
-  const nb::gil_scoped_release release;
+  const LockRelease release;
   return std::make_shared<NamedArm>(NamedArm{arm, options, symbolic_arm(arm, options)});
 }
 
@@ -83,7 +84,7 @@ void whole(nb::module_& m, const char* name, const char* doc, Derive derive) {
       m,
       [derive](nb::handle value) {
         const SharedArm arm = named_arm(value, "arm");
-        const nb::gil_scoped_release release;
+        const LockRelease release;
         return NamedMatrix{arm, derive(arm->symbolic)};
       },
       signature, nb::arg("arm"));
@@ -121,7 +122,7 @@ void bind_derivations(nb::module_& m) {
       [](nb::handle value, nb::handle frame) {
         const SharedArm arm = named_arm(value, "arm");
         const Frame in = Value<Frame>::from(frame, "frame");
-        const nb::gil_scoped_release release;
+        const LockRelease release;
         return NamedMatrix{arm, jacobian_formula(arm->symbolic, in)};
       },
       columns, nb::arg("arm"), nb::arg("frame") = "base");

@@ -1,6 +1,7 @@
 #include <beeline/kinematics/task.h>
 
 #include "formula_fields.h"
+#include "interruption.h"
 
 namespace beeline::python {
 namespace {
@@ -37,7 +38,7 @@ NamedDocument document_of(nb::handle value, nb::handle task, const nb::kwargs& k
   const SharedArm arm = named_arm(value, "arm");
   auto [content, style] = options<FormulaContent, FormulaStyle>(keywords);
   content.task = task_of(*arm, task);
-  const nb::gil_scoped_release release;
+  const LockRelease release;
   return {arm, content, style, formula_document(arm->symbolic, content, style)};
 }
 
@@ -150,7 +151,7 @@ void bind_code(nb::module_& m) {
         content.task = task_of(*arm, task);
         const auto in = Value<CodeLanguage>::from(language, "language");
         const bool with_numbers = Value<bool>::from(numbers, "numbers");
-        const nb::gil_scoped_release release;
+        const LockRelease release;
         return formula_code(arm->symbolic, content, in, with_numbers);
       },
       made, nb::arg("arm"), nb::arg("language") = "python", nb::kw_only(),
@@ -165,7 +166,7 @@ WrittenSection determinant_section(const NamedArm& arm, const Task& task, bool l
 NamedDeterminant determinant_of(nb::handle value, nb::handle rows) {
   const SharedArm arm = named_arm(value, "arm");
   const Task task = task_of(*arm, rows);
-  const nb::gil_scoped_release release;
+  const LockRelease release;
   return {arm, task, determinant_formula(arm->symbolic, task),
           determinant_section(*arm, task, false), determinant_section(*arm, task, true)};
 }

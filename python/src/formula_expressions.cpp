@@ -111,7 +111,8 @@ void bind_expression(nb::module_& m) {
       nb::sig("def __getstate__(self) -> tuple[object, ...]"));
   bound.def(
       "__setstate__",
-      [](NamedExpression& self, const nb::tuple& state) {
+      [](NamedExpression& self, const nb::tuple& given) {
+        const nb::tuple state = state_tuple(given, 2);
         const SharedArm arm = named_arm(state[0], "pickle");
         new (&self) NamedExpression{arm, expression_from(*arm, state[1])};
       },

@@ -39,6 +39,9 @@ bool same_arm(const NamedArm& a, const NamedArm& b);
 nb::tuple terms_of(const Expression& expression);
 Expression expression_from(const NamedArm& arm, nb::handle terms);
 
+/// A tuple of a pickled state. Throws Error unless it is one of at least `count` values.
+nb::tuple state_tuple(nb::handle state, std::size_t count = 0);
+
 void bind_expressions(nb::module_& module);
 void bind_documents(nb::module_& module);
 

@@ -47,7 +47,8 @@ void bind_state(nb::class_<NamedMatrix>& bound) {
       nb::sig("def __getstate__(self) -> tuple[object, ...]"));
   bound.def(
       "__setstate__",
-      [](NamedMatrix& self, const nb::tuple& state) {
+      [](NamedMatrix& self, const nb::tuple& given) {
+        const nb::tuple state = state_tuple(given, 4);
         const SharedArm arm = named_arm(state[0], "pickle");
         ExpressionMatrix matrix{Value<std::size_t>::from(state[1], "rows"),
                                 Value<std::size_t>::from(state[2], "columns")};

@@ -16,7 +16,7 @@ Coefficient coefficient_from(nb::handle state) {
 std::vector<std::pair<int, int>> pairs_from(const NamedArm& arm, nb::handle state) {
   std::vector<std::pair<int, int>> pairs;
   const auto count = static_cast<std::int64_t>(arm.symbolic.symbols.size());
-  for (nb::handle pair : nb::borrow<nb::tuple>(state)) {
+  for (nb::handle pair : state_tuple(state)) {
     pairs.emplace_back(integer_from(pair[0], "symbol", 0, count - 1),
                        integer_from(pair[1], "exponent", -1'000'000, 1'000'000));
   }
@@ -24,6 +24,13 @@ std::vector<std::pair<int, int>> pairs_from(const NamedArm& arm, nb::handle stat
 }
 
 }  // namespace
+
+nb::tuple state_tuple(nb::handle state, std::size_t count) {
+  if (!nb::isinstance<nb::tuple>(state) || nb::len(state) < count) {
+    throw Error("the pickled state is not that of a formula");
+  }
+  return nb::borrow<nb::tuple>(state);
+}
 
 nb::tuple terms_of(const Expression& expression) {
   const auto pairs = [](const std::vector<std::pair<int, int>>& given) {
@@ -48,9 +55,10 @@ nb::tuple terms_of(const Expression& expression) {
 
 Expression expression_from(const NamedArm& arm, nb::handle terms) {
   Expression expression;
-  for (nb::handle term : nb::cast<nb::tuple>(terms)) {
+  for (nb::handle item : state_tuple(terms)) {
+    const nb::tuple term = state_tuple(item, 3);
     Monomial monomial{.powers = pairs_from(arm, term[1])};
-    for (nb::handle trig : nb::cast<nb::tuple>(nb::object(term[2]))) {
+    for (nb::handle trig : state_tuple(nb::object(term[2]))) {
       monomial.trigs.push_back({{Value<int>::from(trig[1], "group"), pairs_from(arm, trig[2])},
                                 Value<bool>::from(trig[0], "sine")});
     }

@@ -17,8 +17,7 @@ class Solver {
   Solver(nb::object arm, const nb::dict& keywords)
       : arm_(std::move(arm)), keywords_(copied(keywords)), dof_(nb::cast<const Arm&>(arm_).dof()) {
     InverseOptions all = options<InverseOptions>(nb::borrow<nb::kwargs>(keywords_));
-    all.budget.progress = {};  // inverse kinematics does not report
-    all.budget.cancelled = [this] { return cancelled(); };
+    all.budget.cancelled = [this] { return call_->cancelled(); };
     solver_.emplace(nb::cast<const Arm&>(arm_), all);
     method_ = solver_->method();
   }
@@ -35,32 +34,25 @@ class Solver {
     if (owner_ == std::this_thread::get_id()) {
       throw Error("the solver is solving already, in this thread");
     }
-    std::optional<std::invoke_result_t<Work, InverseSolver&>> result;
-    Call call;  // outlives the lock of the mutex, as it needs Python's lock at its end
-    {
-      nb::gil_scoped_release release;
+    Budget call;
+    Interruption interruption(call);  // outlives the lock of the mutex: its end needs Python's lock
+    auto result = [&] {
+      const LockRelease release;
       const std::lock_guard lock(mutex_);
       call_ = &call;
       const Owner owner(owner_);
-      result.emplace(work(*solver_));
-    }
-    if (call.interruption) call.interruption->rethrow();
-    return std::move(*result);
+      return work(*solver_);
+    }();
+    interruption.rethrow();
+    return result;
   }
 
  private:
-  struct Call {
-    int asked = 0;
-    Budget budget;
-    std::optional<Interruption> interruption;
-  };
-
-  /// Without `progress`, which inverse kinematics does not call.
   static nb::dict copied(const nb::dict& keywords) {
     nb::dict copies;
     const nb::object deepcopy = nb::module_::import_("copy").attr("deepcopy");
     for (const auto& [keyword, value] : keywords) {
-      if (nb::cast<std::string>(keyword) != "progress") copies[keyword] = deepcopy(value);
+      copies[keyword] = deepcopy(value);
     }
     return copies;
   }
@@ -74,19 +66,12 @@ class Solver {
     std::atomic<std::thread::id>& id;
   };
 
-  /// The clock is first looked at after 32 questions: most calls end before.
-  bool cancelled() {
-    if (++call_->asked < 32) return false;
-    if (!call_->interruption) call_->interruption.emplace(call_->budget);
-    return call_->budget.cancelled();
-  }
-
   nb::object arm_;
   nb::dict keywords_;
   int dof_;
   std::mutex mutex_;
   std::atomic<std::thread::id> owner_;
-  Call* call_ = nullptr;  ///< the one that solves
+  const Budget* call_ = nullptr;  ///< of the call that solves
   std::optional<InverseSolver> solver_;
   std::string method_;
 };
@@ -99,17 +84,17 @@ void check_one_pose(nb::handle pose) {
   }
 }
 
-nb::object solve(Solver& solver, nb::handle pose, nb::handle seed) {
+InverseResult solve(Solver& solver, nb::handle pose, nb::handle seed) {
   const Pose world_T_tool = Value<Pose>::from(pose, "world_T_tool");
   if (seed.is_none()) {
-    return nb::cast(solver.run([&](InverseSolver& one) { return one.solve(world_T_tool); }));
+    return solver.run([&](InverseSolver& one) { return one.solve(world_T_tool); });
   }
   const InputArray start(seed, "seed");
   if (start.dimensions() != 1)
     throw Error("seed has the shape " + shape_text(start.shape()) + "; expected (" +
                 std::to_string(solver.dof()) + ",)");
   const ConfigurationRef from(Eigen::Map<const Configuration>(start.data(), start.size()));
-  return nb::cast(solver.run([&](InverseSolver& one) { return one.solve(world_T_tool, from); }));
+  return solver.run([&](InverseSolver& one) { return one.solve(world_T_tool, from); });
 }
 
 int solve_into(Solver& solver, nb::handle pose, nb::handle seed, nb::handle solutions) {
@@ -201,8 +186,10 @@ BatchInverseResult batch(const Arm& arm, nb::handle world_T_tool, const nb::kwar
     with.layout = Value<PoseLayout>::from(layout, "layout");
   }
   const nb::object seed = taken(keywords, "seed"), out = taken(keywords, "out");
+  const nb::object progress = taken(keywords, "progress");
   InverseOptions inverse = options<InverseOptions>(nb::borrow<nb::kwargs>(keywords));
   with.budget = std::exchange(inverse.budget, Budget());
+  with.budget.progress = progress_of(progress);
   const PoseColumns poses = pose_columns(world_T_tool, with.layout);
   const Eigen::MatrixXd seeds = seeds_from(arm, seed, poses);
   std::vector<Index> shape = poses.shape;
@@ -225,14 +212,14 @@ void bind_solver(nb::module_& m) {
       m, "InverseSolver",
       "inverse_kinematics() for many poses of one arm: what does not depend on the pose is "
       "computed once. Threads that call one solver take turns; a copy for each works in parallel.");
-  Signature made("__init__", "None", "");
+  Signature made("__init__", "None", "Computes what does not depend on the pose.");
   made.takes("self").takes("arm", "Arm", "The arm.").options<InverseOptions>();
   solver.def(
       "__init__",
       [](Solver* self, nb::handle_t<Arm> arm, const nb::kwargs& keywords) {
         new (self) Solver(nb::borrow(arm), nb::dict(keywords));
       },
-      nb::arg("arm"), nb::arg("keywords"), nb::sig(made.text()));
+      nb::arg("arm"), nb::arg("keywords"), nb::sig(made.text()), made.doc());
 
   Signature one("solve", "InverseResult",
                 "Computes joint configurations that bring the tool to a pose.");
@@ -312,7 +299,6 @@ void bind_inverse(nb::module_& m) {
         check_one_pose(pose);
         const Pose world_T_tool = Value<Pose>::from(pose, "world_T_tool");
         InverseOptions with = options<InverseOptions>(keywords);
-        with.budget.progress = {};
         return unlocked(with.budget, [&] { return inverse_kinematics(arm, world_T_tool, with); });
       },
       one, nb::arg("arm"), nb::arg("world_T_tool"), nb::arg("options"));
@@ -329,6 +315,7 @@ void bind_inverse(nb::module_& m) {
              "`position_quaternion`: poses are (..., 7), x y z qw qx qy qz.", "'matrix'")
       .takes("threads", "int", threads_doc, "0")
       .takes("out", std::string(array_type) + " | None", "Array for q.", "None")
+      .progress()
       .options<InverseOptions>();
   define(m, &batch, batched, nb::arg("arm"), nb::arg("world_T_tool"), nb::arg("options"));
   bind_solver(m);

@@ -24,6 +24,10 @@ inline std::vector<InverseStatus> choices() {
           cancelled, work_limit};
 }
 
+/// The search of one pose has no known end.
+template <>
+constexpr bool reports<InverseOptions> = false;
+
 template <>
 struct Fields<InverseOptions> {
   static constexpr const char* name = "InverseOptions";

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "bindings.h"
+#include "interruption.h"
 #include "joint_path_fields.h"
 
 namespace beeline::python {
@@ -79,14 +80,15 @@ void bind_joint_splines(nb::module_& m) {
 void bind_refinement(nb::module_& m) {
   Signature fine("refined", "JointPath",
                  "Returns the same path with more grid points: steps that are longer or curve more "
-                 "than the options allow are divided into equal parts.");
+                 "than the options allow are divided into equal parts. At most 1e7 grid points. "
+                 "Without grid points where the budget ends it.");
   fine.takes("path", "JointPath", "Path.").options<RefineOptions>();
   define(
       m,
       [](const JointPath& path, const nb::kwargs& keywords) {
-        const auto given = options<RefineOptions>(keywords);
+        auto given = options<RefineOptions>(keywords);
         check_options(given);
-        return refined(path, given);
+        return unlocked(given.budget, [&] { return refined(path, given); });
       },
       fine, nb::arg("path"), nb::arg("keywords"));
 }

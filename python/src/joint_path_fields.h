@@ -39,12 +39,13 @@ template <>
 struct Fields<RefineOptions> {
   static constexpr const char* name = "RefineOptions";
   static constexpr auto all() {
-    return std::tuple(field("min_steps", &RefineOptions::min_steps,
-                            "Above 0: no step is longer than the path divided by this."),
-                      field("max_change", &RefineOptions::max_change,
-                            "Above 0: of dq/ds over a step, relative to abs(dq/ds)."),
-                      field("max_parts", &RefineOptions::max_parts,
-                            "1 or more: into which one step is divided."));
+    return std::tuple(
+        field("min_steps", &RefineOptions::min_steps,
+              "Above 0: no step is longer than the path divided by this."),
+        field("max_change", &RefineOptions::max_change,
+              "Above 0: of dq/ds over a step, relative to abs(dq/ds)."),
+        field("max_parts", &RefineOptions::max_parts, "1 or more: into which one step is divided."),
+        field("budget", &RefineOptions::budget, ""));
   }
 };
 

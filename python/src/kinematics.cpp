@@ -23,22 +23,12 @@ auto columns(T* data, Index rows, Index count) {
                                                                                   count);
 }
 
-/// Throws where results would be written over the configurations that they are computed from.
-template <class T>
-void check_apart(const T* q, Index q_size, const T* out, Index out_size) {
-  const std::less<const T*> before;
-  if (before(q, out + out_size) && before(out, q + q_size)) {
-    throw Error("out has memory of q");
-  }
-}
-
 /// Runs batch(arithmetic, configurations as columns, results as columns, options) without Python's
 /// lock. `rows` is the number of results of one configuration.
 template <class Batch>
 void run(const Arm& arm, const Configurations& q, const OutputArray& results, Index rows,
          BatchOptions options, Batch batch) {
   in_arithmetic(q.real(), [&]<class T>(T) {
-    check_apart(q.data<T>(), q.count() * arm.dof(), results.data<T>(), q.count() * rows);
     unlocked(options.budget, [&] {
       return batch(T(), columns(q.data<T>(), arm.dof(), q.count()),
                    columns(results.data<T>(), rows, q.count()), options);
@@ -128,9 +118,13 @@ nb::object forward(const Arm& arm, nb::handle q, nb::handle base, nb::handle too
                    nb::handle layout_name, nb::handle out, nb::handle threads) {
   const Configurations configurations(arm, q, "q", true);
   const PoseLayout layout = Value<PoseLayout>::from(layout_name, "layout");
+  const int thread_count = threads_from(threads);
+  check_apart(out, q, "q");
+  check_apart(out, base, "base");
+  check_apart(out, tool, "tool");
   const bool plain = base.is_none() && tool.is_none() && layout == PoseLayout::matrix;
   if (!plain || !configurations.one() || configurations.real() == Real::float32) {
-    return forward_batch(arm, configurations, base, tool, layout, out, threads_from(threads));
+    return forward_batch(arm, configurations, base, tool, layout, out, thread_count);
   }
   const Pose pose = forward_kinematics(arm, configurations.row(0));
   if (out.is_none()) return Value<Pose>::to(pose);
@@ -146,6 +140,7 @@ nb::object links(const Arm& arm, nb::handle q, nb::handle layout_name, nb::handl
   BatchOptions options;
   options.layout = Value<PoseLayout>::from(layout_name, "layout");
   options.threads = threads_from(threads);
+  check_apart(out, q, "q");
   const bool matrix = options.layout == PoseLayout::matrix;
   const Index count = static_cast<Index>(arm.joints().size()) + 1;
   OutputArray results(
@@ -163,6 +158,8 @@ nb::object jacobian_of(const Arm& arm, nb::handle q, nb::handle frame, nb::handl
   const Configurations configurations(arm, q, "q", true);
   BatchOptions options;
   options.frame = Value<Frame>::from(frame, "frame");
+  options.threads = threads_from(threads);
+  check_apart(out, q, "q");
   OutputArray results(out, "out", configurations.shape({6, arm.dof()}), configurations.real(),
                       true);
   if (configurations.one() && configurations.real() == Real::float64) {
@@ -170,7 +167,6 @@ nb::object jacobian_of(const Arm& arm, nb::handle q, nb::handle frame, nb::handl
              options.frame);
     return results.finish();
   }
-  options.threads = threads_from(threads);
   const auto batch = [&]<class T>(T, const auto& from, auto jacobians, const BatchOptions& with) {
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> no_poses(16, 0);
     return batch_jacobian<T>(arm, from, jacobians, no_poses, with);
@@ -183,6 +179,7 @@ nb::object manipulability(const Arm& arm, nb::handle q, nb::handle out, nb::hand
   const Configurations configurations(arm, q, "q", true);
   BatchOptions options;
   options.threads = threads_from(threads);
+  check_apart(out, q, "q");
   OutputArray results(out, "out", configurations.shape({}), configurations.real());
   const auto batch = [&]<class T>(T, const auto& from, auto values, const BatchOptions& with) {
     return batch_manipulability<T>(arm, from, values, with);
@@ -191,6 +188,9 @@ nb::object manipulability(const Arm& arm, nb::handle q, nb::handle out, nb::hand
   const nb::object values = results.finish();
   return configurations.one() && out.is_none() ? values[nb::make_tuple()] : values;
 }
+
+/// Of the dtype of `out`, float64 without one: stubs.py declares it.
+constexpr const char* real_array = "numpy.typing.NDArray[_Real]";
 
 Signature batch_signature(const char* name, const char* returns, const char* summary) {
   Signature signature(name, returns, summary);
@@ -210,10 +210,12 @@ void takes_layout(Signature& signature) {
 
 void takes_out(Signature& signature, const char* memory) {
   signature
-      .takes(
-          "out", std::string(array_type) + " | None",
-          std::string("Array for the result, of its shape and dtype, with any strides. ") + memory,
-          "None")
+      .takes("out", std::string(real_array) + " | None",
+             std::string("Array for the result, of its shape and dtype (float32 for a q of "
+                         "float32), with any strides, "
+                         "apart from the arguments. ") +
+                 memory,
+             "None")
       .takes("threads", "int", threads_doc, "0");
 }
 
@@ -223,7 +225,7 @@ constexpr const char* as_returned =
 }  // namespace
 
 void bind_kinematics(nb::module_& m) {
-  Signature fk = batch_signature("forward_kinematics", array_type,
+  Signature fk = batch_signature("forward_kinematics", real_array,
                                  "Returns the poses of the tool, world_T_tool (Dellaert, *Serial "
                                  "Link Manipulators*, eq. 1.1).");
   fk.keywords()
@@ -241,7 +243,7 @@ void bind_kinematics(nb::module_& m) {
          nb::arg("threads") = 0);
 
   Signature poses =
-      batch_signature("link_poses", array_type,
+      batch_signature("link_poses", real_array,
                       "Returns the poses of all links in the world, from link 0 (the "
                       "base) to the last. The tool's is the last one times arm.tool.");
   takes_layout(poses.keywords());
@@ -250,7 +252,7 @@ void bind_kinematics(nb::module_& m) {
   define(m, &links, poses, nb::arg("arm"), nb::arg("q"), nb::kw_only(),
          nb::arg("layout") = "matrix", nb::arg("out") = nb::none(), nb::arg("threads") = 0);
 
-  Signature j = batch_signature("jacobian", array_type,
+  Signature j = batch_signature("jacobian", real_array,
                                 "Returns the Jacobian: rows [vx vy vz wx wy wz], a column for each "
                                 "coordinate, in m and rad per unit of it (Dellaert, eq. 1.4).");
   j.takes("frame", Value<Frame>::type(),
@@ -264,7 +266,7 @@ void bind_kinematics(nb::module_& m) {
          nb::arg("out") = nb::none(), nb::arg("threads") = 0);
 
   Signature w = batch_signature(
-      "manipulability", (std::string("float | ") + array_type).c_str(),
+      "manipulability", (std::string("float | ") + real_array).c_str(),
       "Returns Yoshikawa's manipulability sqrt(det(J J^T)) of all six rows of the Jacobian; 0 for "
       "fewer than six joints. manipulability_gradient() takes some of the rows.");
   takes_out(w.keywords(), "");

@@ -4,7 +4,7 @@
 
 #include <beeline/model/arm.h>
 
-#include "signature.h"
+#include "record.h"
 
 namespace beeline::python {
 
@@ -13,11 +13,30 @@ namespace beeline::python {
 inline constexpr const char* configuration_doc = "Configuration (n,).";
 inline constexpr const char* loop_doc =
     " No step allocates but for its result. One object serves one loop; threads that share it take "
-    "turns.";
+    "turns. A copy is independent, in the same state. It equals only itself, and has no "
+    "pickle: pickle what it is made of.";
 
-/// Copies, and no pickles: the state of a loop is of this process.
+/// A loop, and what it was made of, for its repr().
 template <class Loop>
-void bind_copies(nb::class_<Loop>& loop, const char* name) {
+struct Described : Loop {
+  template <class... Arguments>
+  explicit Described(std::string text, const Arguments&... arguments)
+      : Loop(arguments...), made_of(std::move(text)) {}
+  std::string made_of;
+};
+
+/// `panda, gain=5`
+inline std::string described(const std::string& first, const nb::kwargs& options) {
+  std::string text = first;
+  for (const auto& [name, value] : options) {
+    text += std::string(", ") + nb::str(name).c_str() + "=" + field_text(value);
+  }
+  return text;
+}
+
+/// Adds copies, repr(), and what refuses pickles: the state of a loop is of this process.
+template <class Loop>
+void bind_copies(nb::class_<Loop>& loop, const char* name, const char* parts) {
   const char* copy = kept_text("def __copy__(self) -> " + std::string(name));
   const char* deep = kept_text("def __deepcopy__(self, memo: object, /) -> " + std::string(name));
   loop.def(
@@ -26,11 +45,16 @@ void bind_copies(nb::class_<Loop>& loop, const char* name) {
       "__deepcopy__", [](const Loop& self, nb::handle) { return Loop(self); }, nb::sig(deep));
   loop.def(
       "__reduce__",
-      [name](const Loop&) -> nb::object {
-        throw nb::type_error(
-            (std::string(name) + " has the state of a loop: it has no pickle").c_str());
+      [name, parts](const Loop&) -> nb::object {
+        throw nb::type_error((std::string(name) +
+                              " has no pickle, as it has the state of a loop; pickle " + parts +
+                              ", and make another")
+                                 .c_str());
       },
       nb::sig("def __reduce__(self) -> typing.NoReturn"));
+  loop.def("__repr__", [name](const Loop& self) {
+    return "<beeline." + std::string(name) + " of " + self.made_of + ">";
+  });
 }
 
 /// The numbers of an argument (n,), in the caller's memory where that is possible.

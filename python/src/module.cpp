@@ -1,6 +1,7 @@
 #include <beeline/error.h>
 
 #include "bindings.h"
+#include "interruption.h"
 #include "numpy_arrays.h"
 
 #include <nanobind/stl/string.h>
@@ -22,6 +23,7 @@ nb::list public_names(const nb::module_& module) {
 
 NB_MODULE(_core, module) {
   import_numpy();
+  bind_exit(module);
   nb::exception<Error> error(module, "Error", PyExc_ValueError);
   error.attr("__doc__") =
       "Invalid input. The message names the culprit, its value, and the "

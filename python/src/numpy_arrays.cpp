@@ -3,6 +3,7 @@
 #define NPY_NO_DEPRECATED_API NPY_1_22_API_VERSION
 #define NPY_TARGET_VERSION NPY_1_22_API_VERSION
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include <beeline/error.h>
@@ -53,6 +54,40 @@ bool holds_directly(PyArrayObject* array, bool transposed) {
   return PyArray_ISCARRAY(array_of(exchanged));
 }
 
+/// numpy takes the values below a mask without a word. Lists are those that it has read as numbers.
+void refuse_masked(nb::handle value, const char* name) {
+  if (nb::isinstance<nb::list>(value) || nb::isinstance<nb::tuple>(value)) {
+    for (const nb::handle item : nb::borrow(value)) {
+      if (!PyFloat_CheckExact(item.ptr())) refuse_masked(item, name);
+    }
+  } else if (PyArray_Check(value.ptr()) && !PyArray_CheckExact(value.ptr()) &&
+             nb::cast<bool>(nb::module_::import_("numpy.ma").attr("is_masked")(value))) {
+    throw Error(std::string(name) + " has masked entries; fill or drop them");
+  }
+}
+
+/// Whether the arrays share memory; also where finding out would take long.
+bool share_memory(nb::handle a, nb::handle b) {
+  try {
+    const nb::object decide = nb::module_::import_("numpy").attr("shares_memory");
+    return nb::cast<bool>(decide(a, b, nb::arg("max_work") = 100000));
+  } catch (const nb::python_error& error) {
+    if (!error.matches(PyExc_RuntimeError)) throw;
+    return true;  // TooHardError
+  }
+}
+
+/// The first byte of the array's memory and the one after its last.
+std::pair<std::uintptr_t, std::uintptr_t> memory_of(PyArrayObject* array) {
+  const auto first = reinterpret_cast<std::uintptr_t>(PyArray_DATA(array));
+  std::uintptr_t begin = first, end = first + static_cast<std::uintptr_t>(PyArray_ITEMSIZE(array));
+  for (int i = 0; i < PyArray_NDIM(array); ++i) {
+    const npy_intp length = (PyArray_DIM(array, i) - 1) * PyArray_STRIDE(array, i);
+    (length < 0 ? begin : end) += static_cast<std::uintptr_t>(length);
+  }
+  return {begin, end};
+}
+
 }  // namespace
 
 void import_numpy() {
@@ -63,9 +98,13 @@ bool is_array(nb::handle value) { return PyArray_Check(value.ptr()); }
 
 InputArray::InputArray(nb::handle value, const char* name, bool float32)
     : name_(name), real_(Real::float64) {
+  if (value.is_none()) {
+    throw nb::type_error((std::string(name) + ": expected numbers, not None").c_str());
+  }
   constexpr int flags = NPY_ARRAY_C_CONTIGUOUS | NPY_ARRAY_ALIGNED | NPY_ARRAY_NOTSWAPPED;
   int type = NPY_FLOAT64;
   if (PyArray_Check(value.ptr())) {
+    refuse_masked(value, name);
     PyArrayObject* given = array_of(value);
     if (float32 && PyArray_TYPE(given) == NPY_FLOAT32) {
       type = NPY_FLOAT32;
@@ -79,6 +118,8 @@ InputArray::InputArray(nb::handle value, const char* name, bool float32)
     }
   } else {  // first as numpy sees it: text in lists would be read as numbers
     const nb::object natural = nb::steal(PyArray_FROM_O(value.ptr()));
+    const bool numbers = natural.is_valid() && PyArray_TYPE(array_of(natural)) != NPY_OBJECT;
+    if (numbers) refuse_masked(value, name);
     array_ = natural.is_valid() ? PyArray_FROMANY(natural.ptr(), type, 0, 0, flags) : nullptr;
   }
   if (!array_) raise_conversion(name);
@@ -117,8 +158,9 @@ nb::object NewArray::release_read_only() {
 }
 
 OutputArray::OutputArray(nb::handle value, const char* name, std::span<const Index> shape,
-                         Real real, bool transposed, bool direct) {
+                         Real real, bool transposed) {
   if (!value.is_none()) {
+    refuse_masked(value, name);
     if (!PyArray_Check(value.ptr()) || PyArray_TYPE(array_of(value)) != number_of(real)) {
       throw nb::type_error((std::string(name) + ": expected an array of " +
                             (real == Real::float32 ? "float32" : "float64"))
@@ -131,7 +173,7 @@ OutputArray::OutputArray(nb::handle value, const char* name, std::span<const Ind
     }
     if (!PyArray_ISWRITEABLE(given)) throw Error(std::string(name) + " is read-only");
     result_ = nb::borrow(value);
-    if (direct && holds_directly(given, transposed)) {
+    if (holds_directly(given, transposed)) {
       data_ = PyArray_DATA(given);
       return;
     }
@@ -155,6 +197,16 @@ nb::object OutputArray::finish() {
     throw nb::python_error();
   }
   return std::move(result_);
+}
+
+void check_apart(nb::handle out, nb::handle argument, const char* name) {
+  if (!PyArray_Check(out.ptr()) || !PyArray_Check(argument.ptr())) return;
+  if (PyArray_SIZE(array_of(out)) == 0 || PyArray_SIZE(array_of(argument)) == 0) return;
+  const auto [out_begin, out_end] = memory_of(array_of(out));
+  const auto [begin, end] = memory_of(array_of(argument));
+  if (out_end <= begin || end <= out_begin) return;
+  if (!share_memory(out, argument)) return;  // columns of one table, say
+  throw Error(std::string("out has memory of ") + name + "; give it its own");
 }
 
 nb::object read_only(nb::object value) {

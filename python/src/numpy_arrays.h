@@ -25,7 +25,8 @@ bool is_array(nb::handle value);
 class InputArray {
  public:
   /// Takes arrays, lists, tuples and numbers. Throws TypeError, naming the argument, for all that
-  /// numpy does not convert to float64 safely: text, objects, complex numbers, ragged lists.
+  /// numpy does not convert to float64 safely: text, objects, complex numbers, ragged lists. Throws
+  /// Error for masked entries, whose values numpy would take.
   InputArray(nb::handle value, const char* name, bool float32 = false);
   InputArray(const InputArray&) = delete;
   InputArray& operator=(const InputArray&) = delete;
@@ -85,11 +86,10 @@ class NewArray {
 class OutputArray {
  public:
   /// `value` None: a new array. `transposed`: the memory holds the last two dimensions exchanged.
-  /// `direct`: the caller's memory may be written to before finish(), which it may not where
-  /// arguments that are read later may lie in it. Throws TypeError unless it is an array of the
-  /// dtype, Error for another shape or a read-only one.
+  /// The caller's memory may be written to before finish(): see check_apart(). Throws TypeError
+  /// unless it is an array of the dtype, Error for another shape or a read-only one.
   OutputArray(nb::handle value, const char* name, std::span<const Index> shape, Real real,
-              bool transposed = false, bool direct = true);
+              bool transposed = false);
 
   template <class T = double>
   T* data() const {
@@ -102,6 +102,10 @@ class OutputArray {
   nb::object result_;   ///< the caller's, or null: then `written_` is returned
   void* data_;
 };
+
+/// Throws Error where `out` has memory of the argument, both arrays: results are written while
+/// arguments are read.
+void check_apart(nb::handle out, nb::handle argument, const char* name);
 
 /// Returns the value; an array can no longer be written to.
 nb::object read_only(nb::object value);

@@ -104,13 +104,14 @@ void bind_evaluation(nb::module_& m) {
 
 void bind_tool_path(nb::module_& m) {
   nb::class_<ToolPath> path = bind_record<ToolPath>(m);
-  Signature made("__init__", "None", "");
+  Signature made("__init__", "None",
+                 "Makes a path of segments. Raises Error for segments that do not connect.");
   made.takes("self")
-      .takes("segments", argument_type<std::vector<Segment>>())
-      .takes("spans", std::string(array_like) + " | None", "", "None")
-      .takes("names", "collections.abc.Sequence[str]", "", "()");
-  path.def("__init__", &make_path, nb::arg("segments"), nb::arg("spans") = nb::none(),
-           nb::arg("names") = nb::make_tuple(), nb::sig(made.text()));
+      .takes("segments", argument_type<std::vector<Segment>>(), "One after the other.")
+      .takes("spans", std::string(array_like) + " | None", "Of each, about m.", "None")
+      .takes("names", "collections.abc.Sequence[str]", "Of each, or none.", "()");
+  define(path, &make_path, made, nb::arg("segments"), nb::arg("spans") = nb::none(),
+         nb::arg("names") = nb::make_tuple());
   const auto add = [&path](auto function, Signature signature) {
     signature = Signature(signature).takes("s", "float", "Path parameter.");
     define(path, function, signature, nb::arg("s"));

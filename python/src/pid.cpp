@@ -7,38 +7,46 @@
 namespace beeline::python {
 
 void bind_pids(nb::module_& m) {
-  nb::class_<Pid> pid(m, "Pid",
-                      "A PID controller in joint space, with its state: each step is kp e + ki sum "
-                      "e + kd (e - last e) with the error e = goal - q (Dellaert, *Serial Link "
-                      "Manipulators*, eq. 1.3). Angles are not wrapped.");
-  Signature made("__init__", "None", "");
-  made.takes("self").takes("goal", array_like).options<PidGains>();
-  pid.def(
-      "__init__",
-      [](Pid* self, nb::handle goal, const nb::kwargs& keywords) {
-        new (self) Pid(options<PidGains>(keywords), Numbers(goal, "goal"));
+  nb::class_<Described<Pid>> pid(
+      m, "Pid",
+      "A PID controller in joint space, with its state: each step is kp e + ki sum "
+      "e + kd (e - last e) with the error e = goal - q (Dellaert, *Serial Link "
+      "Manipulators*, eq. 1.3). Angles are not wrapped. A copy is "
+      "independent, in the same state. It equals only itself, and has no pickle: pickle what it is "
+      "made of.");
+  Signature made("__init__", "None", "Starts a controller.");
+  made.takes("self").takes("goal", array_like, configuration_doc).options<PidGains>();
+  define(
+      pid,
+      [](Described<Pid>* self, nb::handle goal, const nb::kwargs& keywords) {
+        const Numbers to(goal, "goal");
+        new (self) Described<Pid>(described(std::to_string(to.size()) + " joints", keywords),
+                                  options<PidGains>(keywords), to);
       },
-      nb::arg("goal"), nb::arg("keywords"), nb::sig(made.text()));
+      made, nb::arg("goal"), nb::arg("keywords"));
   Signature start("start", "None",
                   "Resets the state to q: the sum is zero, and q is the reference of the next "
                   "difference.");
   start.takes("self").takes("q", array_like, configuration_doc);
   define(
-      pid, [](Pid& self, nb::handle q) { self.start(Numbers(q, "q")); }, start, nb::arg("q"));
+      pid, [](Described<Pid>& self, nb::handle q) { self.start(Numbers(q, "q")); }, start,
+      nb::arg("q"));
   Signature goal("set_goal", "None",
                  "Changes the goal and keeps the state. The change does not enter the difference "
                  "of the error.");
   goal.takes("self").takes("goal", array_like, configuration_doc);
   define(
-      pid, [](Pid& self, nb::handle q) { self.set_goal(Numbers(q, "goal")); }, goal,
+      pid, [](Described<Pid>& self, nb::handle q) { self.set_goal(Numbers(q, "goal")); }, goal,
       nb::arg("goal"));
   Signature step("step", array_type, "Returns the change of q, (n,).");
   step.takes("self").takes("q", array_like, configuration_doc);
   define(
       pid,
-      [](Pid& self, nb::handle q) { return Value<Configuration>::to(self.step(Numbers(q, "q"))); },
+      [](Described<Pid>& self, nb::handle q) {
+        return Value<Configuration>::to(self.step(Numbers(q, "q")));
+      },
       step, nb::arg("q"));
-  bind_copies(pid, "Pid");
+  bind_copies(pid, "Pid", "its goal and gains");
 }
 
 }  // namespace beeline::python

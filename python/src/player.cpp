@@ -5,8 +5,8 @@
 namespace beeline::python {
 namespace {
 
-nb::class_<Player> player_class(nb::module_& m) {
-  nb::class_<Player> player(
+nb::class_<Described<Player>> player_class(nb::module_& m) {
+  nb::class_<Described<Player>> player(
       m, "Player",
       kept_text(
           std::string(
@@ -17,25 +17,28 @@ nb::class_<Player> player_class(nb::module_& m) {
               "within "
               "the known acceleration limits. One object plays once.") +
           loop_doc));
-  Signature made("__init__", "None", "");
+  Signature made(
+      "__init__", "None",
+      "Starts at rest at `start`. Raises Error for a recording that does not fit the arm "
+      "or leaves its position limits, and a start outside them.");
   made.takes("self")
-      .takes("arm", "Arm")
-      .takes("recording", "Trajectory")
-      .takes("start", array_like)
+      .takes("arm", "Arm", "The arm.")
+      .takes("recording", "Trajectory", "Its joints are matched by name.")
+      .takes("start", array_like, configuration_doc)
       .options<PlayerOptions>();
-  player.def(
-      "__init__",
-      [](Player* self, const Arm& arm, const Trajectory& recording, nb::handle start,
+  define(
+      player,
+      [](Described<Player>* self, const Arm& arm, const Trajectory& recording, nb::handle start,
          const nb::kwargs& keywords) {
-        new (self)
-            Player(arm, recording, Numbers(start, "start"), options<PlayerOptions>(keywords));
+        const Numbers from(start, "start");
+        new (self) Described<Player>(described(arm.name(), keywords), arm, recording, from,
+                                     options<PlayerOptions>(keywords));
       },
-      nb::arg("arm"), nb::arg("recording"), nb::arg("start"), nb::arg("keywords"),
-      nb::sig(made.text()));
+      made, nb::arg("arm"), nb::arg("recording"), nb::arg("start"), nb::arg("keywords"));
   return player;
 }
 
-void bind_loop(nb::class_<Player>& player) {
+void bind_loop(nb::class_<Described<Player>>& player) {
   Signature step("step", "Command",
                  "Advances by one time step and returns the set points at its end. Stays at the "
                  "recording's end.");
@@ -43,7 +46,7 @@ void bind_loop(nb::class_<Player>& player) {
       "out", outputs_type(), "Array (n,) of float64 for q, or two for q and velocity.", "None");
   define(
       player,
-      [](Player& self, nb::handle out) {
+      [](Described<Player>& self, nb::handle out) {
         Outputs outputs(out, out.is_none() ? 0 : self.tracking().largest.size());
         Command command = self.step();
         outputs.write(command.q, command.velocity);
@@ -54,17 +57,19 @@ void bind_loop(nb::class_<Player>& player) {
   speed.takes("self").takes("speed", "float", "From 0, a pause, to 1.");
   define(
       player,
-      [](Player& self, nb::handle value) { self.set_speed(Value<double>::from(value, "speed")); },
+      [](Described<Player>& self, nb::handle value) {
+        self.set_speed(Value<double>::from(value, "speed"));
+      },
       speed, nb::arg("speed"));
   Signature measured("measured", "None",
                      "Records a measured configuration, to be compared with the last command.");
   measured.takes("self").takes("q", array_like, configuration_doc);
   define(
-      player, [](Player& self, nb::handle q) { self.measured(Numbers(q, "q")); }, measured,
-      nb::arg("q"));
+      player, [](Described<Player>& self, nb::handle q) { self.measured(Numbers(q, "q")); },
+      measured, nb::arg("q"));
 }
 
-void bind_state(nb::class_<Player>& player) {
+void bind_state(nb::class_<Described<Player>>& player) {
   player.def_prop_ro("leading_in", &Player::leading_in,
                      "Whether it is on the motion to the recording's first sample.");
   player.def_prop_ro("done", &Player::done, "Whether it is at the recording's end.");
@@ -80,10 +85,10 @@ void bind_state(nb::class_<Player>& player) {
 void bind_players(nb::module_& m) {
   bind_record<Command>(m);
   bind_record<TrackingError>(m);
-  nb::class_<Player> player = player_class(m);
+  nb::class_<Described<Player>> player = player_class(m);
   bind_loop(player);
   bind_state(player);
-  bind_copies(player, "Player");
+  bind_copies(player, "Player", "its arm, recording and options");
 }
 
 }  // namespace beeline::python

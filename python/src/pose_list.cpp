@@ -20,7 +20,7 @@ void bind_pose_lists(nb::module_& m) {
       Signature("read_poses", "PoseList",
                 "Reads a CSV file whose header names the columns of one form, in any order: "
                 "x,y,theta; x,y,z,roll,pitch,yaw; x,y,z,qw,qx,qy,qz; x,y,z; x,y. Metres, and rpy "
-                "about fixed axes as in URDF. Raises FileError, which names the line.")
+                "about fixed axes as in URDF. Raises FileError for invalid lines, which it names.")
           .takes("path", path_like, "Path."),
       "path");
   add(

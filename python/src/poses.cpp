@@ -227,8 +227,8 @@ void bind_motions(nb::module_& m) {
       m, "inverse", "Returns the inverse (4, 4) of a pose.", "pose", pose_doc,
       [](nb::handle value) { return Value<Pose>::to(Value<Pose>::from(value, "pose").inverse()); });
   one_argument(m, "checked_pose",
-               "Returns the pose with its rotation orthonormal to rounding. Raises Error, with the "
-               "reason, for a matrix that is not a rigid motion to 1e-6.",
+               "Returns the pose with its rotation orthonormal to rounding. Raises Error for a "
+               "matrix that is not a rigid motion to 1e-6, with the reason.",
                "pose", pose_doc,
                [](nb::handle value) { return Value<Pose>::to(Value<Pose>::from(value, "pose")); });
   Signature ad("adjoint", array_type,
@@ -274,6 +274,7 @@ void bind_motions(nb::module_& m) {
 }  // namespace
 
 void bind_poses(nb::module_& m) {
+  m.def("_matrix_of", &matrix_of, nb::arg().none());  // for poses.py
   bind_record<RollPitchYaw>(m);
   bind_record<Quaternion>(m);
   bind_angles(m);

@@ -68,8 +68,8 @@ Program loaded(nb::handle path, const Arm& arm, nb::handle unit_name, nb::handle
 void bind_load(nb::class_<Program>& program) {
   Signature load("load", "Program",
                  "Reads a program file: a CSV file whose header names columns of poses and some of "
-                 "motion, relative, q, speed, blend, dwell. Raises FileError, which names the "
-                 "line.");
+                 "motion, relative, q, speed, blend, dwell. Raises FileError for invalid lines, "
+                 "which it names.");
   load.takes("path", path_like, "Path.")
       .takes("arm", "Arm", "The arm.")
       .keywords()
@@ -80,9 +80,9 @@ void bind_load(nb::class_<Program>& program) {
              "The tool's pose where the motion starts, to which the first pose may be relative, "
              "(4, 4).",
              "None");
-  program.def_static("load", &loaded, nb::arg("path"), nb::arg("arm"), nb::kw_only(),
-                     nb::arg("unit") = "radians", nb::arg("states") = nb::none(),
-                     nb::arg("start") = nb::none(), nb::sig(load.text("staticmethod")), load.doc());
+  define_static(program, &loaded, load, nb::arg("path"), nb::arg("arm"), nb::kw_only(),
+                nb::arg("unit") = "radians", nb::arg("states") = nb::none(),
+                nb::arg("start") = nb::none());
 }
 
 }  // namespace
@@ -98,8 +98,8 @@ void bind_programs(nb::module_& m) {
       "Plans the moves of a program as one trajectory from rest to rest. A joint move "
       "to a pose ends at a configuration from which the moves up to the next joint "
       "move are possible; no other move changes the branch. path_deviation() proves "
-      "the deviation of all moves but joint moves, with all pauses. Raises Error, "
-      "which names the move, for a program that makes no sense.");
+      "the deviation of all moves but joint moves, with all pauses. Raises Error for "
+      "a program that makes no sense, whose move it names.");
   planned.takes("arm", "Arm", "The arm.")
       .takes("start", std::string(array_like) + " | None",
              "Configuration (n,); None: the motion begins at the first move's waypoint, which must "

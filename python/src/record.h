@@ -206,14 +206,15 @@ nb::class_<T> bind_record(nb::module_& module) {
   nb::class_<T> bound(module, Described::name, nb::dynamic_attr(), Described::doc);
   std::apply([&](const auto&... field) { (bind_field(bound, field), ...); }, Described::all());
   if constexpr (is_constructible<T>) {
-    Signature signature("__init__", "None", "");
+    Signature signature("__init__", "None", "Makes one of the values of its members.");
     signature.takes("self").template members<T>();
-    bound.def(
-        "__init__",
+    if constexpr (!requires { Described::check; }) signature.any_values();
+    define(
+        bound,
         [](T* self, const nb::args& values, const nb::kwargs& keywords) {
           new (self) T(made_record<T>(values, keywords));
         },
-        nb::sig(signature.text()));
+        signature);
   }
   bound.def(
       "__setattr__",

@@ -3,7 +3,7 @@
 namespace beeline::python {
 
 Configurations::Configurations(const Arm& arm, nb::handle q, const char* name, bool float32)
-    : array_(q, name, float32), dof_(arm.dof()), count_(0) {
+    : array_(q, name, float32), argument_(q), dof_(arm.dof()), count_(0) {
   const auto shape = array_.shape();
   if (shape.empty() || shape.back() != dof_) {
     const std::string n = std::to_string(dof_);
@@ -28,7 +28,7 @@ std::vector<Index> Configurations::shape(std::initializer_list<Index> inner) con
 }
 
 RowArgument::RowArgument(nb::handle value, const char* name, Index size, const Configurations& q)
-    : array_(value, name), size_(size), single_(array_.dimensions() == 1) {
+    : array_(value, name), argument_(value), size_(size), single_(array_.dimensions() == 1) {
   const auto shape = array_.shape();
   const std::vector<Index> each = q.shape({size});
   const bool fits =

@@ -21,6 +21,10 @@ class Configurations {
  public:
   Configurations(const Arm& arm, nb::handle q, const char* name = "q", bool float32 = false);
 
+  /// As given.
+  nb::handle argument() const { return argument_; }
+  const char* name() const { return array_.name(); }
+
   bool one() const { return array_.dimensions() == 1; }
   Index count() const { return count_; }
   Real real() const { return array_.real(); }
@@ -36,6 +40,7 @@ class Configurations {
 
  private:
   InputArray array_;
+  nb::handle argument_;
   Index dof_, count_;
 };
 
@@ -43,12 +48,15 @@ class Configurations {
 class RowArgument {
  public:
   RowArgument(nb::handle value, const char* name, Index size, const Configurations& q);
+  nb::handle argument() const { return argument_; }
+  const char* name() const { return array_.name(); }
   Eigen::Map<const Eigen::VectorXd> row(Index i) const {
     return {array_.data() + (single_ ? 0 : i * size_), size_};
   }
 
  private:
   InputArray array_;
+  nb::handle argument_;
   Index size_;
   bool single_;
 };
@@ -57,11 +65,14 @@ int threads_from(nb::handle value);
 
 /// Calls evaluate(i, results of row i) for each configuration: without Python's lock, and until
 /// Ctrl-C, where there are many. Returns the results or the caller's `out`. They are written with
-/// their last two dimensions column by column, as Eigen's matrices are.
-template <class Evaluate>
+/// their last two dimensions column by column, as Eigen's matrices are. `others` are what
+/// evaluate() reads besides q.
+template <class Evaluate, class... Rows>
 nb::object for_rows(const Configurations& q, std::initializer_list<Index> inner, nb::handle out,
-                    Evaluate evaluate) {
-  OutputArray results(out, "out", q.shape(inner), Real::float64, inner.size() > 1, q.one());
+                    Evaluate evaluate, const Rows&... others) {
+  check_apart(out, q.argument(), q.name());
+  (check_apart(out, others.argument(), others.name()), ...);
+  OutputArray results(out, "out", q.shape(inner), Real::float64, inner.size() > 1);
   Index size = 1;
   for (Index n : inner) size *= n;
   if (q.one()) {

@@ -23,8 +23,8 @@ ServoMotion stepped(nb::handle q, nb::handle out, const Step& step) {
   return motion;
 }
 
-nb::class_<Servo> servo_class(nb::module_& m) {
-  nb::class_<Servo> servo(
+nb::class_<Described<Servo>> servo_class(nb::module_& m) {
+  nb::class_<Described<Servo>> servo(
       m, "Servo",
       kept_text(
           std::string(
@@ -37,18 +37,19 @@ nb::class_<Servo> servo_class(nb::module_& m) {
               "position "
               "limits (Liegeois 1977).") +
           loop_doc));
-  Signature made("__init__", "None", "");
-  made.takes("self").takes("arm", "Arm").options<ServoOptions>();
-  servo.def(
-      "__init__",
-      [](Servo* self, const Arm& arm, const nb::kwargs& keywords) {
-        new (self) Servo(arm, options<ServoOptions>(keywords));
+  Signature made("__init__", "None", "Starts a loop of an arm at rest.");
+  made.takes("self").takes("arm", "Arm", "The arm.").options<ServoOptions>();
+  define(
+      servo,
+      [](Described<Servo>* self, const Arm& arm, const nb::kwargs& keywords) {
+        new (self)
+            Described<Servo>(described(arm.name(), keywords), arm, options<ServoOptions>(keywords));
       },
-      nb::arg("arm"), nb::arg("keywords"), nb::sig(made.text()));
+      made, nb::arg("arm"), nb::arg("keywords"));
   return servo;
 }
 
-void bind_steps(nb::class_<Servo>& servo) {
+void bind_steps(nb::class_<Described<Servo>>& servo) {
   const std::string out_type = std::string(array_type) + " | None";
   Signature step("step", "ServoStep", "Converts a tool velocity into joint velocities.");
   step.takes("self")
@@ -60,7 +61,7 @@ void bind_steps(nb::class_<Servo>& servo) {
       .takes("out", out_type, out_doc, "None");
   define(
       servo,
-      [](Servo& self, nb::handle q, nb::handle command, nb::handle out) {
+      [](Described<Servo>& self, nb::handle q, nb::handle command, nb::handle out) {
         const Twist twist = Value<Twist>::from(command, "command");
         return stepped(q, out, [&](const ConfigurationRef& from, Configuration& velocity) {
           return self.step(from, twist, velocity);
@@ -77,7 +78,7 @@ void bind_steps(nb::class_<Servo>& servo) {
       .takes("out", out_type, out_doc, "None");
   define(
       servo,
-      [](Servo& self, nb::handle q, nb::handle world_T_tool, nb::handle out) {
+      [](Described<Servo>& self, nb::handle q, nb::handle world_T_tool, nb::handle out) {
         const Pose pose = Value<Pose>::from(world_T_tool, "world_T_tool");
         return stepped(q, out, [&](const ConfigurationRef& from, Configuration& velocity) {
           return self.step_towards(from, pose, velocity);
@@ -86,12 +87,15 @@ void bind_steps(nb::class_<Servo>& servo) {
       towards, nb::arg("q"), nb::arg("world_T_tool"), nb::kw_only(), nb::arg("out") = nb::none());
 }
 
-void bind_velocity(nb::class_<Servo>& servo) {
+void bind_velocity(nb::class_<Described<Servo>>& servo) {
   Signature velocity("set_velocity", "None",
                      "Sets the arm's current velocity, which is zero at first.");
   velocity.takes("self").takes("velocity", array_like, "rad/s or m/s, (n,).");
   define(
-      servo, [](Servo& self, nb::handle values) { self.set_velocity(Numbers(values, "velocity")); },
+      servo,
+      [](Described<Servo>& self, nb::handle values) {
+        self.set_velocity(Numbers(values, "velocity"));
+      },
       velocity, nb::arg("velocity"));
 }
 
@@ -99,10 +103,10 @@ void bind_velocity(nb::class_<Servo>& servo) {
 
 void bind_servos(nb::module_& m) {
   bind_record<ServoMotion>(m);
-  nb::class_<Servo> servo = servo_class(m);
+  nb::class_<Described<Servo>> servo = servo_class(m);
   bind_steps(servo);
   bind_velocity(servo);
-  bind_copies(servo, "Servo");
+  bind_copies(servo, "Servo", "its arm and options");
 }
 
 }  // namespace beeline::python

@@ -1,6 +1,8 @@
 #include "signature.h"
 
+#include <cctype>
 #include <deque>
+#include <utility>
 
 #include "interruption.h"
 
@@ -21,7 +23,70 @@ std::string default_text(nb::handle value) {
 }
 
 Signature::Signature(std::string name, std::string returns, std::string summary)
-    : name_(std::move(name)), returns_(std::move(returns)), summary_(std::move(summary)) {}
+    : name_(std::move(name)), returns_(std::move(returns)), summary_(std::move(summary)) {
+  const std::size_t end = summary_.rfind(" Raises ");
+  if (end == std::string::npos) return;
+  refused_ = summary_.substr(end + 8);
+  summary_.erase(end);
+}
+
+void Signature::refuses(const std::string& name, const std::string& type) {
+  const auto among = [&](std::string& names) {
+    names += (names.empty() ? "`" : ", `") + name + "`";
+  };
+  const auto has = [&](const char* text) { return type.find(text) != std::string::npos; };
+  if (type == "Arm") {
+    has_arm_ = true;
+  } else if (has("Trajectory")) {
+    among(motions_);
+  } else if (name == "out" || name == "solutions") {
+    among(outputs_);
+  } else if (has(array_like) || has("numpy.typing.NDArray")) {
+    among(arrays_);
+  } else if (has(path_like)) {
+    among(files_);
+  } else if (has("Callable") || has("dict") || has("list") || has("Sequence")) {
+    return;
+  } else if (has("typing.Literal") || has("int") || has("float") || has("str")) {
+    among(values_);
+  }
+}
+
+std::string Signature::raised() const {
+  std::string text, others;
+  const auto add = [&](const std::string& names, const char* what) {
+    if (!names.empty()) text += (text.empty() ? "For " : "; for ") + names + what;
+  };
+  add(arrays_, any_values_ ? " of another shape" : " of another shape or not finite");
+  add(outputs_, " of another shape or read-only");
+  add(files_, " that cannot be read or written");
+  if (!any_values_) add(values_, " other than described");
+  const bool described = refused_.find("fit the arm") != std::string::npos;
+  if (has_arm_ && !described) add(motions_, " that does not fit the arm");
+  const std::size_t end = refused_.find_first_of(" ,");
+  const std::string kind = refused_.substr(0, end);
+  if (end != std::string::npos) {
+    others = refused_.substr(refused_.find_first_not_of(" ,", end));
+    if (others.ends_with('.')) others.pop_back();
+    if (kind == "Error") {
+      text += (text.empty() ? "" : "; ") + std::exchange(others, "");
+    }
+  }
+  if (!text.empty()) {
+    text[0] = static_cast<char>(std::toupper(text[0]));
+    text = "beeline.Error\n    " + text + ".\n";
+  }
+  if (!others.empty()) {
+    others[0] = static_cast<char>(std::toupper(others[0]));
+    text += "beeline." + kind + "\n    " + others + ".\n";
+  }
+  return text.empty() ? "" : "\nRaises\n------\n" + text;
+}
+
+Signature& Signature::any_values() {
+  any_values_ = true;
+  return *this;
+}
 
 Signature& Signature::takes(const std::string& name, const std::string& type,
                             const std::string& doc, const std::string& fallback) {
@@ -29,6 +94,7 @@ Signature& Signature::takes(const std::string& name, const std::string& type,
   parameters_ += name;
   if (!type.empty()) parameters_ += ": " + type;
   if (!fallback.empty()) parameters_ += " = " + fallback;
+  refuses(name, type);
   if (doc.empty()) return *this;
   documented_ += name + " : " + type +
                  (fallback.empty() || fallback == "..." ? "" : ", default " + fallback) + "\n    " +
@@ -47,7 +113,7 @@ Signature& Signature::returns(std::string doc) {
   return *this;
 }
 
-void Signature::budget() {
+void Signature::budget(bool reports) {
   takes("time_limit", "float | None",
         "Seconds after which the search ends. What it ends depends "
         "on the machine.",
@@ -56,8 +122,13 @@ void Signature::budget() {
         "Units of work, of some microseconds each, after which the "
         "search ends.",
         "None");
-  takes("progress", "bool | collections.abc.Callable[[float], object]",
-        "Called with the fraction computed, from 0 to 1; True shows a progress bar.", "False");
+  if (reports) progress();
+}
+
+Signature& Signature::progress() {
+  return takes("progress", "bool | collections.abc.Callable[[float], object]",
+               "Called with the fraction computed, from 0 to 1; True shows a progress bar.",
+               "False");
 }
 
 const char* Signature::text(const char* decorator) const {
@@ -69,6 +140,7 @@ const char* Signature::doc() const {
   std::string doc = summary_ + "\n";
   if (!documented_.empty()) doc += "\nParameters\n----------\n" + documented_;
   if (!returned_.empty()) doc += "\nReturns\n-------\n" + returns_ + "\n    " + returned_ + "\n";
+  doc += raised();
   return kept_text(std::move(doc));
 }
 

@@ -2,6 +2,8 @@
 
 #include <string>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 
 #include <beeline/budget.h>
 
@@ -59,7 +61,15 @@ const char* kept_text(std::string text);
 /// The default of an option as Python source; `...` for one that is not a plain value.
 std::string default_text(nb::handle value);
 
+/// Whether a computation with these options calls `progress`; else that is no keyword of it.
+template <class Options>
+constexpr bool reports = true;
+
 /// The signature and the docstring, in numpydoc's form, of a function.
+///
+/// The section "Raises" names the arguments by their types: arrays may have another shape, a
+/// trajectory may not fit the arm, other values may not be those described. What else is refused is
+/// the summary's last sentence, `Raises Error for ...` or `Raises FileError, ...`.
 class Signature {
  public:
   Signature(std::string name, std::string returns, std::string summary);
@@ -86,8 +96,12 @@ class Signature {
         Fields<T>::all());
     return *this;
   }
-  /// What is returned, in one sentence; and what is raised besides Error for invalid arguments.
+  /// The keyword `progress`, which options() has with a budget.
+  Signature& progress();
+  /// What is returned, in one sentence.
   Signature& returns(std::string doc);
+  /// Any numbers are accepted, finite or not: arguments are refused for their shapes only.
+  Signature& any_values();
 
   const char* name() const { return name_.c_str(); }
   /// The signature as Python source, below a decorator where one is given.
@@ -98,22 +112,91 @@ class Signature {
   template <class T, class M>
   void option(const T& defaults, const Field<T, M>& field, bool required) {
     if constexpr (std::is_same_v<M, Budget>) {
-      budget();
+      budget(reports<T>);
     } else {
       takes(field.name, argument_type<M>(), field.doc,
             required ? "" : default_text(Value<M>::to(defaults.*field.member)));
     }
   }
-  void budget();
+  void budget(bool reports);
+  void refuses(const std::string& name, const std::string& type);
+  std::string raised() const;
 
-  std::string name_, returns_, summary_, returned_, parameters_, documented_;
-  bool keywords_ = false;
+  std::string name_, returns_, summary_, returned_, parameters_, documented_, refused_;
+  std::string arrays_, outputs_, files_, values_,
+      motions_;  ///< names of parameters that may be refused
+  bool keywords_ = false, any_values_ = false, has_arm_ = false;
 };
 
-/// Adds a function, method or static method whose signature and docstring `signature` gives.
+/// The types of a function's parameters.
+template <class R, class... P>
+std::tuple<P...> parameters(R (*)(P...));
+template <class F, class R, class... P>
+std::tuple<P...> parameters(R (F::*)(P...) const);
+template <class F, class R, class... P>
+std::tuple<P...> parameters(R (F::*)(P...));
+
+template <class Function>
+auto parameters_of() {
+  if constexpr (std::is_class_v<Function>) {
+    return std::type_identity<decltype(parameters(&Function::operator()))>();
+  } else {
+    return std::type_identity<decltype(parameters(std::declval<Function>()))>();
+  }
+}
+
+/// nanobind's description of the parameter that is the `from_last`th from the last one. A handle
+/// may be None: the function's body refuses it, naming the argument.
+template <class Parameters, std::size_t from_last, class Argument>
+auto accepting_none(const Argument& argument) {
+  using Traits = nb::detail::arg_traits<Argument>;
+  if constexpr (Traits::is_arg) {
+    using Type = std::tuple_element_t<std::tuple_size_v<Parameters> - from_last, Parameters>;
+    constexpr auto flags = Traits::flags | nb::detail::cast_flags::accepts_none;
+    if constexpr (!std::is_same_v<Type, nb::handle>) {
+      return argument;
+    } else if constexpr (Traits::has_default) {
+      return nb::arg_v_t<flags, Traits::locked>(argument, nb::object(argument.value));
+    } else {
+      return argument.none();
+    }
+  } else {
+    return argument;
+  }
+}
+
+template <class Parameters, class... Extra, class Add>
+void with_none(Add add, const Extra&... extra) {
+  static constexpr bool is_argument[] = {nb::detail::arg_traits<Extra>::is_arg..., false};
+  constexpr auto from_last = [](std::size_t i) {
+    std::size_t count = 0;
+    for (; i < sizeof...(Extra); ++i) count += is_argument[i] ? 1 : 0;
+    return count;
+  };
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    add(accepting_none<Parameters, from_last(I)>(extra)...);
+  }
+  (std::index_sequence_for<Extra...>());
+}
+
+/// Adds a function or method whose signature and docstring `signature` gives.
 template <class Scope, class Function, class... Extra>
 void define(Scope& scope, Function function, const Signature& signature, const Extra&... extra) {
-  scope.def(signature.name(), function, extra..., nb::sig(signature.text()), signature.doc());
+  const auto add = [&](const auto&... arguments) {
+    scope.def(signature.name(), function, arguments..., nb::sig(signature.text()), signature.doc());
+  };
+  with_none<typename decltype(parameters_of<Function>())::type>(add, extra...);
+}
+
+/// Adds a static method.
+template <class T, class Function, class... Extra>
+void define_static(nb::class_<T>& scope, Function function, const Signature& signature,
+                   const Extra&... extra) {
+  const auto add = [&](const auto&... arguments) {
+    scope.def_static(signature.name(), function, arguments...,
+                     nb::sig(signature.text("staticmethod")), signature.doc());
+  };
+  with_none<typename decltype(parameters_of<Function>())::type>(add, extra...);
 }
 
 /// Sets the part of the budget that the keyword names; returns whether there is one.
@@ -123,6 +206,8 @@ bool set_budget(Budget& budget, const std::string& keyword, nb::handle value);
 struct BudgetOptions {
   Budget budget;
 };
+template <>
+constexpr bool reports<BudgetOptions> = false;
 template <>
 struct Fields<BudgetOptions> {
   static constexpr const char* name = "BudgetOptions";
@@ -142,8 +227,10 @@ bool set_option(Options& result, const std::string& keyword, nb::handle value,
   bool found = false;
   const auto assign = [&]<class M>(const Field<Options, M>& field) {
     if constexpr (std::is_same_v<M, Budget>) {
+      names.insert(names.end(), {"time_limit", "max_work"});
+      if (reports<Options>) names.emplace_back("progress");
+      if (keyword == "progress" && !reports<Options>) return;
       found = found || set_budget(result.*field.member, keyword, value);
-      names.insert(names.end(), {"time_limit", "max_work", "progress"});
     } else {
       names.emplace_back(field.name);
       if (keyword != field.name) return;
@@ -156,7 +243,7 @@ bool set_option(Options& result, const std::string& keyword, nb::handle value,
 }
 
 /// The struct, or the tuple of structs, with the members that the keyword arguments name. Throws
-/// Error, listing the options, for another name.
+/// TypeError, listing the options, for another name.
 template <class... Options>
 auto options(const nb::kwargs& values) {
   std::tuple<Options...> result{};
@@ -166,7 +253,7 @@ auto options(const nb::kwargs& values) {
     std::vector<std::string> names;
     const bool found = std::apply(
         [&](Options&... part) { return (set_option(part, keyword, value, names) || ...); }, result);
-    if (!found) throw unknown_name("option", keyword, names);
+    if (!found) throw nb::type_error(unknown_name("option", keyword, names).what());
   }
   if constexpr (sizeof...(Options) == 1) {
     return std::get<0>(std::move(result));

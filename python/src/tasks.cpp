@@ -144,7 +144,8 @@ void bind_tasks(nb::module_& m) {
       .takes("task", "str", task_doc)
       .takes("length_unit", "float", "Metres.", "1.0")
       .keywords()
-      .takes("out", std::string(array_type) + " | None", "Array for the result.", "None")
+      .takes("out", std::string(array_type) + " | None",
+             "Array for the result, apart from the arguments.", "None")
       .returns("(m, n), or (..., m, n).");
   define(m, &scaled_jacobian, task, nb::arg("arm"), nb::arg("q"), nb::arg("task"),
          nb::arg("length_unit") = 1.0, nb::kw_only(), nb::arg("out") = nb::none());

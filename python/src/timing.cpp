@@ -147,7 +147,8 @@ void bind_time_scaling(nb::module_& m) {
                    "abs(d3q/dt3) <= jerk (where the profile keeps it) and ds/dt <= speed, at rest "
                    "at t = 0 and t = T, over all s(t) for `fastest` and `jerk`, and over those of "
                    "the profile's form for the others. Where the budget ends the search of `jerk`, "
-                   "returns the best found so far, which keeps the limits.");
+                   "returns the best found so far, which keeps the limits; one with a "
+                   "`reason`, and no points, where there is none yet.");
   scaled.takes("path", "JointPath", "Path.")
       .takes("limits", "PathLimits", "Limits.")
       .takes("profile", Value<Profile>::type(), "Form of s(t).", "'jerk'")

@@ -4,9 +4,10 @@
 
 namespace beeline::python {
 
-void bind_trackers(nb::module_& m) {
-  bind_record<TrackerStep>(m);
-  nb::class_<Tracker> tracker(
+namespace {
+
+nb::class_<Described<Tracker>> tracker_class(nb::module_& m) {
+  nb::class_<Described<Tracker>> tracker(
       m, "Tracker",
       kept_text(
           std::string(
@@ -18,14 +19,28 @@ void bind_trackers(nb::module_& m) {
               "kinematics. A command within the limits is reached at the end of the step. Equal "
               "commands give equal results.") +
           loop_doc));
-  Signature made("__init__", "None", "");
-  made.takes("self").takes("arm", "Arm").takes("start", array_like).options<TrackerOptions>();
-  tracker.def(
-      "__init__",
-      [](Tracker* self, const Arm& arm, nb::handle start, const nb::kwargs& keywords) {
-        new (self) Tracker(arm, Numbers(start, "start"), options<TrackerOptions>(keywords));
+  Signature made("__init__", "None",
+                 "Starts at rest at `start`. Raises Error for a start outside the arm's limits.");
+  made.takes("self")
+      .takes("arm", "Arm", "The arm.")
+      .takes("start", array_like, configuration_doc)
+      .options<TrackerOptions>();
+  define(
+      tracker,
+      [](Described<Tracker>* self, const Arm& arm, nb::handle start, const nb::kwargs& keywords) {
+        const Numbers from(start, "start");
+        new (self) Described<Tracker>(described(arm.name(), keywords), arm, from,
+                                      options<TrackerOptions>(keywords));
       },
-      nb::arg("arm"), nb::arg("start"), nb::arg("keywords"), nb::sig(made.text()));
+      made, nb::arg("arm"), nb::arg("start"), nb::arg("keywords"));
+  return tracker;
+}
+
+}  // namespace
+
+void bind_trackers(nb::module_& m) {
+  bind_record<TrackerStep>(m);
+  nb::class_<Described<Tracker>> tracker = tracker_class(m);
   Signature step("step", "TrackerStep",
                  "Advances by one time step towards the commanded pose of the tool. Raises Error "
                  "for a pose that is not a rigid motion, which changes nothing.");
@@ -36,7 +51,7 @@ void bind_trackers(nb::module_& m) {
              "None");
   define(
       tracker,
-      [](Tracker& self, nb::handle world_T_tool, nb::handle out) {
+      [](Described<Tracker>& self, nb::handle world_T_tool, nb::handle out) {
         const Pose pose = Value<Pose>::from(world_T_tool, "world_T_tool");
         Outputs outputs(out, self.configuration().size());
         const TrackerStep& made_step = self.step(pose);
@@ -47,21 +62,21 @@ void bind_trackers(nb::module_& m) {
   Signature reset("reset", "None", "Continues at rest from another configuration.");
   reset.takes("self").takes("q", array_like, configuration_doc);
   define(
-      tracker, [](Tracker& self, nb::handle q) { self.reset(Numbers(q, "q")); }, reset,
+      tracker, [](Described<Tracker>& self, nb::handle q) { self.reset(Numbers(q, "q")); }, reset,
       nb::arg("q"));
   const auto property = [&tracker](const char* name, auto get, const char* doc) {
     tracker.def_prop_ro(
-        name, [get](const Tracker& self) { return Value<Configuration>::to(get(self)); },
+        name, [get](const Described<Tracker>& self) { return Value<Configuration>::to(get(self)); },
         nb::for_getter(nb::sig(kept_text("def " + std::string(name) + "(self) -> " + array_type))),
         doc);
   };
   property(
-      "configuration", [](const Tracker& self) { return self.configuration(); },
+      "configuration", [](const Described<Tracker>& self) { return self.configuration(); },
       "q of the last step, (n,).");
   property(
-      "velocity", [](const Tracker& self) { return self.velocity(); },
+      "velocity", [](const Described<Tracker>& self) { return self.velocity(); },
       "Of the last step, zero at first, rad/s or m/s, (n,).");
-  bind_copies(tracker, "Tracker");
+  bind_copies(tracker, "Tracker", "its arm, configuration and options");
 }
 
 }  // namespace beeline::python

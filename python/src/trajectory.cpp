@@ -96,16 +96,17 @@ void bind_files(nb::class_<Trajectory>& trajectory) {
   Signature load("load", "Trajectory",
                  "Reads a trajectory from a file: .csv, with columns t, then the joints' names, "
                  "NAME_vel and NAME_acc where known; .json, the message "
-                 "trajectory_msgs/JointTrajectory of ROS. Raises FileError, which names the line.");
+                 "trajectory_msgs/JointTrajectory of ROS. Raises FileError for invalid lines, "
+                 "which it names.");
   load.takes("path", path_like, "Its ending determines the format.");
-  trajectory.def_static(
-      "load",
+  define_static(
+      trajectory,
       [](nb::handle path) {
         const std::string file = path_from(path, "path");
-        nb::gil_scoped_release release;
+        const LockRelease release;
         return read_trajectory(file);
       },
-      nb::arg("path"), nb::sig(load.text("staticmethod")), load.doc());
+      load, nb::arg("path"));
   Signature save("save", "None",
                  "Writes the trajectory to a .csv or .json file, which is replaced as a whole. "
                  "Numbers read back exactly, times of .json to the nanosecond.");
@@ -114,7 +115,7 @@ void bind_files(nb::class_<Trajectory>& trajectory) {
       trajectory,
       [](const Trajectory& self, nb::handle path) {
         const std::string file = path_from(path, "path");
-        nb::gil_scoped_release release;
+        const LockRelease release;
         write_trajectory(file, self);
       },
       save, nb::arg("path"));
@@ -191,7 +192,7 @@ void bind_comparisons(nb::module_& m) {
   define(
       m,
       [](const Arm& arm, const Trajectory& a, const Trajectory& b) {
-        nb::gil_scoped_release release;
+        const LockRelease release;
         return difference(arm, a, b);
       },
       compared, nb::arg("arm"), nb::arg("a"), nb::arg("b"));
@@ -202,16 +203,17 @@ void bind_comparisons(nb::module_& m) {
 void bind_trajectories(nb::module_& m) {
   bind_record<States>(m);
   nb::class_<Trajectory> trajectory = bind_record<Trajectory>(m);
-  Signature made("__init__", "None", "");
+  Signature made("__init__", "None",
+                 "Makes a trajectory of N samples. Raises Error for times that do not increase.");
   made.takes("self")
-      .takes("joint_names", "list[str]")
-      .takes("times", array_like)
-      .takes("positions", array_like)
-      .takes("velocities", std::string(array_like) + " | None", "", "None")
-      .takes("accelerations", std::string(array_like) + " | None", "", "None");
-  trajectory.def("__init__", &make_trajectory, nb::arg("joint_names"), nb::arg("times"),
-                 nb::arg("positions"), nb::arg("velocities") = nb::none(),
-                 nb::arg("accelerations") = nb::none(), nb::sig(made.text()));
+      .takes("joint_names", "list[str]", "Of n joints.")
+      .takes("times", array_like, "Seconds, (N,).")
+      .takes("positions", array_like, "rad or m, (N, n).")
+      .takes("velocities", std::string(array_like) + " | None", "Per second, (N, n).", "None")
+      .takes("accelerations", std::string(array_like) + " | None", "Likewise.", "None");
+  define(trajectory, &make_trajectory, made, nb::arg("joint_names"), nb::arg("times"),
+         nb::arg("positions"), nb::arg("velocities") = nb::none(),
+         nb::arg("accelerations") = nb::none());
   bind_samples(trajectory);
   bind_files(trajectory);
   bind_record<JointDifference>(m);

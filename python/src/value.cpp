@@ -36,6 +36,7 @@ void raise_type(const char* name, const std::string& expected, nb::handle value)
 }
 
 std::string path_from(nb::handle path, const char* name) {
+  if (path.is_none()) raise_type(name, "a path", path);
   const nb::object text = nb::steal(PyOS_FSPath(path.ptr()));
   if (!text.is_valid()) throw nb::python_error();
   std::string whole = Value<std::string>::from(text, name);

@@ -63,7 +63,7 @@ def test_an_interrupt_ends_the_command_with_what_it_found(tmp_path):
     maps = Path(f"/proc/{started.pid}/maps")
     while started.poll() is None and b"_core.abi3.so" not in maps.read_bytes():
         time.sleep(0.01)
-    time.sleep(0.5)
+    time.sleep(1.5)  # the other modules are imported
     os.kill(started.pid, signal.SIGINT)
     output = started.communicate()
     assert b"Traceback" not in output[1]

@@ -7,17 +7,12 @@ import threading
 import beeline
 import numpy as np
 import pytest
+from moved import moved
 
 PANDA, RRR = beeline.arms.panda(), beeline.arms.rrr()
 HOME = np.array([0, -0.785, 0, -2.356, 0, 1.571, 0.785])
 TOOL = beeline.forward_kinematics(PANDA, HOME)
 START, GOAL = np.zeros(3), np.radians([99.2, -68.8, -30.4])
-
-
-def moved(pose, x=0.0, y=0.0, z=0.0):
-    other = np.array(pose)
-    other[:3, 3] += [x, y, z]
-    return other
 
 
 @pytest.fixture(scope="module")
@@ -188,10 +183,24 @@ def test_loops_outlive_their_arm_and_copy(recording):
         other = copy.copy(loop)
         first = [step(loop) for _ in range(3)]
         assert [step(other) for _ in range(3)] == first
-        with pytest.raises(TypeError, match="no pickle"):
+        assert loop == loop and loop != other
+        assert repr(loop) == repr(other) == f"<beeline.{type(loop).__name__} of panda>"
+        with pytest.raises(TypeError, match="has no pickle.*; pickle its arm"):
             pickle.dumps(loop)
         for value in (first[0],):
             assert pickle.loads(pickle.dumps(value)) == value == copy.deepcopy(value)
+
+
+def test_a_copied_pid_continues_alone():
+    pid = beeline.Pid([1, 2], kp=0.5, ki=0.1)
+    pid.step([0, 0])
+    other = copy.deepcopy(pid)
+    assert np.array_equal(pid.step([0.1, 0]), other.step([0.1, 0]))
+    pid.set_goal([5, 5])
+    assert not np.array_equal(pid.step([0, 0]), other.step([0, 0]))
+    assert repr(other) == "<beeline.Pid of 2 joints, kp=0.5, ki=0.1>"
+    with pytest.raises(TypeError, match="pickle its goal and gains"):
+        pickle.dumps(pid)
 
 
 @pytest.mark.filterwarnings("ignore:nanobind")
@@ -212,7 +221,6 @@ def test_copies_and_pickles_are_equal(recording):
 REFUSED = {
     "takes 3 joint values": lambda: beeline.control_joints(RRR, START, GOAL[:2]),
     "kp must be above zero": lambda: beeline.control_joints(RRR, START, GOAL, kp=0),
-    "known: kp, ki, kd, tolerance": lambda: beeline.control_joints(RRR, START, GOAL, gain=1),
     "at least one waypoint": lambda: beeline.control_in_lines(PANDA, HOME, []),
     "unknown method": lambda: beeline.control_in_lines(PANDA, HOME, [TOOL], method="magic"),
     "goal has 1 values": lambda: beeline.joint_overshoot([[1, 2]], [1]),

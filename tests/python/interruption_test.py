@@ -3,6 +3,7 @@
 import signal
 import subprocess
 import sys
+import textwrap
 import threading
 import time
 
@@ -12,7 +13,7 @@ import pytest
 
 PANDA = beeline.arms.panda()
 
-# Each lasts for many seconds.
+# Each lasts for seconds.
 WORK = {
     "retime": """
 rng = np.random.default_rng(1)
@@ -23,7 +24,15 @@ tool = beeline.forward_kinematics(arm, arm.middle)
 up = np.array(tool); up[2, 3] += 0.1
 beeline.move_in_lines(arm, None, [tool, up] * 10000, max_samples=2**31 - 1)""",
     "control_joints": """
-beeline.control_joints(arm, arm.middle, arm.middle + 0.1, kp=1e-9, max_steps=2**31 - 1)""",
+beeline.control_joints(arm, arm.middle, arm.middle + 0.1, kp=1e-9, max_steps=10**7)""",
+    "batch_inverse": """
+tool = beeline.forward_kinematics(arm, arm.middle)
+beeline.batch_inverse(arm, np.broadcast_to(tool, (2_000_000, 4, 4)))""",
+    "refined": """
+q = arm.middle + np.random.default_rng(1).uniform(-0.5, 0.5, (2000, 7))
+path = beeline.joint_spline(q, beeline.chord_length(q))
+while True:
+    beeline.refined(path, max_parts=4000, max_change=1e-4, min_steps=1_000_000)""",
 }
 
 
@@ -39,6 +48,52 @@ def test_ctrl_c_raises_keyboard_interrupt(work):
     _, errors = child.communicate()
     print(f"{work}: ended {1000 * (time.monotonic() - began):.0f} ms after Ctrl-C")
     assert child.returncode == -signal.SIGINT and errors.strip().endswith("KeyboardInterrupt"), errors
+
+
+# A thread that never ends its work by itself.
+DAEMONS = WORK | {
+    "with progress": """
+tool = beeline.forward_kinematics(arm, arm.middle)
+up = np.array(tool); up[2, 3] += 0.1
+beeline.move_in_lines(arm, None, [tool, up] * 10000, max_samples=2**31 - 1, progress=lambda done: time.sleep(1e-3))""",
+    "a solver": """
+solver = beeline.InverseSolver(arm)
+tool = beeline.forward_kinematics(arm, arm.middle)
+while True:
+    solver.solve(tool)""",
+    "not impressed by exceptions": """
+while True:
+    try:
+        beeline.control_joints(arm, arm.middle, arm.middle + 0.1, kp=1e-9, max_steps=10**7)
+    except BaseException:
+        pass""",
+}
+
+
+@pytest.mark.parametrize("work", DAEMONS)
+def test_a_daemon_thread_does_not_abort_the_end_of_the_process(work):
+    program = f"""import threading, time
+import beeline, numpy as np
+arm = beeline.arms.panda()
+def work():
+{textwrap.indent(DAEMONS[work].strip(), "    ")}
+for _ in range(2):
+    threading.Thread(target=work, daemon=True).start()
+time.sleep(0.3)
+"""
+    child = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert (child.returncode, child.stderr) == (0, "")
+
+
+def test_beeline_computes_after_its_own_exit_hook():
+    """Functions registered before beeline was imported run after the hook."""
+    program = """import atexit
+atexit.register(lambda: print(len(beeline.control_joints(arm, arm.middle, arm.middle).trajectory.times)))
+import beeline
+arm = beeline.arms.panda()
+"""
+    child = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert (child.returncode, child.stdout, child.stderr) == (0, "1\n", "")
 
 
 class Stop(Exception):

@@ -48,12 +48,48 @@ def test_arms_have_names_that_copies_can_have(arm):
             beeline.Arm(name, arm.joints)
 
 
-def test_results_over_their_arguments(arm):
-    rows = np.random.default_rng(3).uniform(arm.lower, arm.upper, (9, 7))
-    wrench = np.arange(1.0, 7)
-    expected = beeline.joint_torques(arm, rows[:-1], wrench)
-    beeline.joint_torques(arm, rows[:-1], wrench, out=rows[1:])
-    assert np.array_equal(rows[1:], expected)
+def test_results_are_not_written_over_their_arguments(arm, rng):
+    rows, wrenches = rng.uniform(arm.lower, arm.upper, (9, 7)), np.ones((8, 7))
+    kept = rows.copy()
+    for out in (rows[1:], rows[:-1], rows[8:0:-1]):
+        with pytest.raises(beeline.Error, match="out has memory of q"):
+            beeline.joint_torques(arm, rows[:-1], np.ones(6), out=out)
+    with pytest.raises(beeline.Error, match="out has memory of wrench"):
+        beeline.joint_torques(arm, rows[:-1], wrenches[:, :6], out=wrenches)
+    with pytest.raises(beeline.Error, match="out has memory of base"):
+        base = np.eye(4)
+        beeline.forward_kinematics(arm, arm.middle, base=base, out=base)
+    with pytest.raises(beeline.Error, match="out has memory of dq"):
+        beeline.tool_acceleration(arm, rows[0], kept[0], rows[1], out=kept[0, 1:])
+    assert np.array_equal(rows, kept)
+
+
+def test_results_beside_their_arguments(arm, rng):
+    table = np.hstack([rng.uniform(arm.lower, arm.upper, (9, 7)), np.zeros((9, 7))])
+    expected = beeline.joint_torques(arm, table[:, :7], np.ones(6))
+    beeline.joint_torques(arm, table[:, :7], np.ones(6), out=table[:, 7:])
+    assert np.array_equal(table[:, 7:], expected)
+
+
+def test_limits_that_no_arm_has_are_refused():
+    for wrong in ({"lower": np.nan}, {"lower": 2, "upper": 1}, {"velocity": 0}, {"jerk": np.nan}, {"lower": np.inf}):
+        with pytest.raises(beeline.Error, match="limit"):
+            beeline.Limits(**wrong)
+
+
+def test_a_table_of_dh_rows(arm, rng):
+    table = rng.uniform(-1, 1, (5, 4))
+    rows = [beeline.DhRow(a=a, alpha=alpha, d=d, theta=theta) for a, alpha, d, theta in table]
+    for convention in ("standard", "modified"):
+        expected = beeline.Arm.from_dh(rows, convention=convention)
+        assert beeline.Arm.from_dh(table, convention=convention) == expected
+        assert beeline.Arm.from_dh(table.tolist(), convention=convention) == expected
+    for wrong in (table[:, :3], table[0], table * np.nan, []):
+        with pytest.raises(beeline.Error):
+            beeline.Arm.from_dh(wrong, convention="standard")
+    for wrong in (None, "table", [rows[0], 1]):
+        with pytest.raises(TypeError, match="rows"):
+            beeline.Arm.from_dh(wrong, convention="standard")
 
 
 def test_numbers_that_cannot_be_converted(arm):

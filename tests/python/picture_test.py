@@ -118,7 +118,7 @@ def test_step_responses():
     [
         (lambda arm: beeline.draw(arm, "q"), TypeError, "q"),
         (lambda arm: beeline.draw(arm, [1, 2]), beeline.Error, "2 values|needs 3|3 "),
-        (lambda arm: beeline.draw(arm, colour="red"), beeline.Error, "known: title, caption"),
+        (lambda arm: beeline.draw(arm, colour="red"), TypeError, "known: title, caption"),
         (lambda arm: beeline.draw(arm, ghosts=-3, frames="yes"), TypeError, "frames"),
         (lambda arm: beeline.draw(arm, waypoints=[np.eye(4)]), TypeError, "motion"),
         (lambda arm: beeline.draw(arm, motion(beeline.arms.ur5())), beeline.Error, "joint"),
@@ -133,3 +133,22 @@ def test_step_responses():
 def test_refusals(wrong, error, message):
     with pytest.raises(error, match=message):
         wrong(beeline.arms.rrr()).svg
+
+
+def test_animations_copy_pickle_and_compare():
+    arm = beeline.arms.rrr()
+    moving = beeline.animate(arm, motion(arm), waypoints=[np.eye(4)], speed=2, title="a title")
+    for value in (moving, beeline.chapter_animation("1.7", speed=2)):
+        for other in (copy.copy(value), copy.deepcopy(value), pickle.loads(pickle.dumps(value))):
+            assert other == value and other.svg == value.svg and repr(other) == repr(value)
+    assert moving != beeline.animate(arm, motion(arm), waypoints=[np.eye(4)], speed=2)
+    assert beeline.chapter_animation("1.7") != beeline.chapter_animation("1.7", frames_per_second=10)
+
+
+@pytest.mark.parametrize("option", ["speed", "rest_before", "rest_after", "frames_per_second"])
+def test_how_an_animation_is_played_is_checked_at_once(option):
+    for value in (-1, float("nan")):
+        with pytest.raises(beeline.Error, match=option):
+            beeline.chapter_animation("1.7", **{option: value})
+        with pytest.raises(beeline.Error, match=option):
+            beeline.animate(beeline.arms.rrr(), motion(beeline.arms.rrr()), **{option: value})

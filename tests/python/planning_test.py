@@ -6,16 +6,11 @@ import pickle
 import beeline
 import numpy as np
 import pytest
+from moved import moved
 
 PANDA, UR5, RRR = beeline.arms.panda(), beeline.arms.ur5(), beeline.arms.rrr()
 HOME = np.array([0, -0.785, 0, -2.356, 0, 1.571, 0.785])
 UR5_HOME = np.array([0.2, -1.2, 1.5, -0.5, 1.2, 0])
-
-
-def moved(pose, x=0.0, y=0.0, z=0.0):
-    other = np.array(pose)
-    other[:3, 3] += [x, y, z]
-    return other
 
 
 TOOL = beeline.forward_kinematics(PANDA, HOME)
@@ -261,7 +256,6 @@ REFUSED = {
     "number that is not finite": lambda: beeline.move_in_lines(PANDA, HOME, SQUARE * np.nan),
     "tolerance must be": lambda: beeline.move_in_lines(PANDA, HOME, SQUARE, tolerance=0),
     "unknown task": lambda: beeline.move_in_lines(PANDA, HOME, SQUARE, task="planer"),
-    "did you mean \"tolerance\"": lambda: beeline.move_in_lines(PANDA, HOME, SQUARE, tolerence=1),
     "a route needs segments": lambda: beeline.move_along(PANDA, HOME, beeline.Route(beeline.ToolPath([]), [])),
     "a path needs segments": lambda: beeline.plan_path(PANDA, HOME, beeline.ToolPath([])),
     "a program needs moves": lambda: beeline.move_program(PANDA, None, beeline.Program([])),

@@ -53,6 +53,63 @@ def test_no_stderr(monkeypatch):
     bar(1)
 
 
+def reported(work):
+    fractions = []
+    result = work(progress=fractions.append)
+    assert fractions == sorted(fractions) and fractions[-1] == 1 and 0 <= fractions[0]
+    return result, fractions
+
+
+def test_retiming_reports_its_sections(seed):
+    arm = beeline.arms.panda()
+    q = arm.middle + np.random.default_rng(seed).uniform(-0.3, 0.3, (9, 7))
+    q[3] = q[4]  # a stop
+    path = beeline.Trajectory(arm.joint_names, range(9), q)
+    timed, fractions = reported(lambda **keywords: beeline.retime(arm, path, **keywords))
+    assert timed == beeline.retime(arm, path) and len(fractions) == 2 * timed.sections == 4
+
+
+def test_batches_report_the_poses_computed(seed):
+    arm = beeline.arms.panda()
+    q = arm.middle + np.random.default_rng(seed).uniform(-0.3, 0.3, (3000, 7))
+    poses = beeline.forward_kinematics(arm, q)
+    done, fractions = reported(lambda **keywords: beeline.batch_inverse(arm, poses, **keywords))
+    assert done.computed == 3000 and 10 < len(fractions) <= 101
+    np.testing.assert_array_equal(done.q, beeline.batch_inverse(arm, poses).q)
+
+    def fail(fraction):
+        raise ArithmeticError("enough")
+
+    with pytest.raises(ArithmeticError, match="enough"):
+        beeline.batch_inverse(arm, poses, progress=fail)
+
+
+def test_the_search_for_one_pose_has_no_progress():
+    arm = beeline.arms.panda()
+    with pytest.raises(TypeError, match="progress"):
+        beeline.inverse_kinematics(arm, beeline.forward_kinematics(arm, arm.middle), progress=True)
+
+
+def test_what_reports_no_progress_refuses_the_keyword():
+    arm = beeline.arms.panda()
+    start, goal = arm.middle, arm.middle + 0.1
+    pose = beeline.forward_kinematics(arm, start)
+    moved = beeline.point_to_point(arm, start, goal)
+    motion = beeline.sampled(arm, moved, 100)
+    for work in [
+        lambda **options: beeline.sampled(arm, moved, 100, **options),
+        lambda **options: beeline.limit_usage(arm, motion, **options),
+        lambda **options: beeline.verify(arm, motion, [pose], **options),
+        lambda **options: beeline.first_joint_fault(arm, motion, **options),
+        lambda **options: beeline.replay(arm, motion, **options),
+        lambda **options: beeline.control_joints(arm, start, goal, **options),
+        lambda **options: beeline.control_in_lines(arm, start, [pose], **options),
+    ]:
+        work(time_limit=60)
+        with pytest.raises(TypeError, match='unknown option "progress"'):
+            work(progress=True)
+
+
 def test_a_plan_reports_each_of_its_lines():
     arm = beeline.arms.panda()
     start = np.array([0, -0.785, 0, -2.356, 0, 1.571, 0.785])

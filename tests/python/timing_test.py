@@ -155,7 +155,6 @@ REFUSED = {
     "does not fit": lambda: beeline.retime(beeline.arms.ur5(), TWO),
     "speed": lambda: beeline.retime(PANDA, TWO, speed_scale=2),
     "unknown profile": lambda: beeline.retime(PANDA, TWO, profile="s_curv"),
-    "unknown option": lambda: beeline.retime(PANDA, TWO, spede_scale=1),
     "max_work": lambda: beeline.retime(PANDA, TWO, max_work=-1),
     "time_limit": lambda: beeline.retime(PANDA, TWO, time_limit=-1),
     "as many limits": lambda: beeline.time_scaling(PATH, beeline.PathLimits([1], [1], [1])),

@@ -28,6 +28,13 @@ def tool_position(arm: beeline.Arm, q: Array) -> Array:
     return pose[:3, 3]
 
 
+def jacobians_of_both_dtypes(arm: beeline.Arm) -> None:
+    q = numpy.zeros((2, arm.dof), numpy.float32)
+    single: NDArray[numpy.float32] = beeline.jacobian(arm, q, out=numpy.empty((2, 6, arm.dof), numpy.float32))
+    double: Array = beeline.jacobian(arm, arm.middle, out=numpy.empty((6, arm.dof)))
+    assert single.dtype == numpy.float32 and double.dtype == numpy.float64
+
+
 def line_down(arm: beeline.Arm, q: Array, depth: float) -> beeline.Trajectory:
     goal = beeline.forward_kinematics(arm, q)
     goal[2, 3] -= depth
@@ -63,6 +70,7 @@ def main() -> None:
         jacobian: Array = beeline.jacobian(arm, arm.middle, frame="tool")
         assert jacobian.shape[1] == arm.dof
     panda = beeline.arms.panda()
+    jacobians_of_both_dtypes(panda)
     retimed(panda, line_down(panda, numpy.array([0, -0.785, 0, -2.356, 0, 1.571, 0.785]), 0.1))
     try:
         beeline.Arm.load("no_such_arm")

@@ -8,6 +8,11 @@ import sys
 import beeline
 
 
+# They take what has been checked when it was made.
+NOTHING_REFUSED = {"length_of", "span_of", "motion_limits", "tool_formula", "base_formula", "flange_formula", "latex",
+                   "time_derivative", "has_inverse_formula", "display_configuration"}  # fmt: skip
+
+
 def mypy(build, *words):
     environment = {name: value for name, value in os.environ.items() if name != "LD_PRELOAD"}
     environment |= {"MYPYPATH": str(build / "python"), "MYPY_CACHE_DIR": str(build / "mypy")}
@@ -36,6 +41,26 @@ def test_every_public_function_has_a_signature_and_a_docstring(build):
         untyped = [parameter.arg for parameter in parameters if parameter.annotation is None]
         assert untyped in ([], ["self"]), (function.name, untyped)
         assert function.returns is not None, function.name
+        documented = ast.get_docstring(function) or ""
+        assert documented or function.name != "__init__", ast.dump(function)
+        if "Parameters\n---" in documented and function.name not in NOTHING_REFUSED | {"__init__"}:
+            assert "Raises\n---" in documented, function.name
+
+
+def test_docstrings_say_what_is_refused():
+    documented = {
+        beeline.jacobian: "For `q` of another shape or not finite; for `out` of another shape or read-only; "
+        "for `frame`, `threads` other than described.",
+        beeline.limit_usage: "`trajectory` that does not fit the arm",
+        beeline.planar_jacobian: "; when the arm is not planar.",
+        beeline.Trajectory.load: "beeline.FileError\n    For invalid lines, which it names.",
+        beeline.Servo.__init__: "other than described",
+        beeline.Trajectory.__init__: "for times that do not increase",
+        beeline.Limits.__init__: "`lower`, `upper`",
+        beeline.poses.from_any: "For matrices of another shape",
+    }
+    for function, text in documented.items():
+        assert text in function.__doc__.split("Raises\n")[1]
 
 
 def test_the_package_passes_strictly(build):

@@ -1,5 +1,8 @@
-"""Tries an installed module: kinematics, inverse kinematics, a line, the command; prints the time of its import."""
+"""Tries an installed wheel: kinematics, inverse kinematics, a line, the command, the licences of what it holds; prints
+the time of its import."""
 
+import importlib.metadata
+import re
 import statistics
 import subprocess
 import sys
@@ -31,6 +34,14 @@ for command in ([sys.executable, "-I", "-m", "beeline"], [sys.prefix + "/bin/bee
     assert "Usage: beeline VERB" in printed
     refused = subprocess.run([*command, "ik", "rrr", "--pose", "100,0,0"], capture_output=True)
     assert refused.returncode == 1 and refused.stderr
+
+files = [str(path) for path in importlib.metadata.files("beeline-arms")]
+licences = {name.rpartition("/")[2] for name in files if ".dist-info/licenses/" in name}
+shipped = set(re.findall(r"beeline_arms\.libs/(lib[\w-]+?)-[0-9a-f]{8}\.so", "\n".join(files)))
+headers = {"libcli11", "libeigen3", "libfast-float", "libfmt", "nlohmann-json3"}
+assert "libtbb" in shipped, files
+wanted = {"LICENSE", "Apache-2.0.txt", "nanobind.txt"} | {f"{library}-dev.txt" for library in shipped | headers}
+assert wanted <= licences, wanted - licences
 
 print(
     f"Python {sys.version.split()[0]}, numpy {numpy.__version__}: beeline {beeline.__version__} works,"
