@@ -198,7 +198,7 @@ std::vector<Option> formula_options(FormulaArguments& arguments) {
            .target = &arguments.all},
           {.name = "--as",
            .value = "FORM",
-           .help = "How the formulas are written.",
+           .help = "How the formulas are written: text, latex, python, c++ or c.",
            .target = &arguments.as,
            .choices = {"text", "latex", "python", "c++", "c"}},
           {.name = "--numbers",

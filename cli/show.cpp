@@ -1,4 +1,3 @@
-#include <cmath>
 #include <fmt/format.h>
 
 #include <beeline/error.h>
@@ -7,6 +6,7 @@
 #include <beeline/read/urdf.h>
 
 #include "arm_argument.h"
+#include "arm_document.h"
 #include "format.h"
 #include "result_files.h"
 #include "verbs.h"
@@ -22,53 +22,6 @@ struct ShowArguments {
   std::string out;
   bool json = false;
 };
-
-constexpr double Limits::*rates[] = {&Limits::velocity, &Limits::acceleration, &Limits::jerk};
-constexpr const char* rate_names[] = {"velocity", "acceleration", "jerk"};
-
-Json joint_document(const Arm& arm, std::size_t i, const UnitArgument& unit) {
-  const Joint& joint = arm.joints()[i];
-  const bool prismatic = kind(joint) == JointKind::prismatic;
-  const auto value = [&](double number) { return prismatic ? number : unit.shown(number); };
-  const Limits& known = joint_limits(arm, i);
-  Json limits = Json::object();
-  const auto add = [&](const char* key, double limit) {
-    limits.add(key, value(limit));  // null where it is infinite
-  };
-  add("lower", known.lower);
-  add("upper", known.upper);
-  add("velocity", known.velocity);
-  add("acceleration", known.acceleration);
-  add("jerk", known.jerk);
-  const Limits kept = motion_limits(known);
-  Json assumed = Json::object();
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (!std::isfinite(known.*rates[k])) assumed.add(rate_names[k], value(kept.*rates[k]));
-  }
-  Json document{{"name", joint.name}, {"type", name(kind(joint))}};
-  if (!joint.link.empty()) document.add("link", joint.link);
-  document.add("limits", limits);
-  document.add("assumed", assumed);
-  if (joint.mimic) {
-    document.add("mimic", Json{{"joint", joint.mimic->leader},
-                               {"multiplier", joint.mimic->multiplier},
-                               {"offset", value(joint.mimic->offset)}});
-  }
-  return document;
-}
-
-Json arm_document(const Arm& arm, const UnitArgument& unit) {
-  Json joints = Json::list();
-  for (std::size_t i = 0; i < arm.joints().size(); ++i) {
-    joints.append(joint_document(arm, i, unit));
-  }
-  return {{"name", arm.name()},
-          {"joints", joints},
-          {"dof", arm.dof()},
-          {"planar", arm.planar()},
-          {"reach",
-           Json{{"centre", Eigen::VectorXd(arm.reach().centre)}, {"radius", arm.reach().radius}}}};
-}
 
 /// The chain of a group, or why it is none.
 std::string chain_text(const Srdf& srdf, const std::string& group, const std::string& urdf) {
@@ -126,7 +79,7 @@ Answer show(const ShowArguments& arguments) {
     internal::write_file(arguments.out, arm_to_json(arm));
   }
   Answer answer{.text = arm_table(arm, arguments.unit.degrees),
-                .document = arm_document(arm, arguments.unit)};
+                .document = arm_document(arm, arguments.unit.degrees)};
   if (!arguments.arm.srdf.empty()) add_srdf(arguments, arm, answer);
   return answer;
 }

@@ -24,3 +24,4 @@ Verb export_verb();
 Verb draw_verb();
 Verb figure_verb();
 Verb formula_verb();
+Verb view_verb();

@@ -1,16 +1,17 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of the named groups that are not there yet.
-# Usage: install_packages.sh build|test|python|peers|bench|lint|docs...
+# Usage: install_packages.sh build|test|python|peers|bench|lint|docs|web...
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config
        libeigen3-dev libhwy-dev libtbb-dev libtinyxml2-dev libyaml-cpp-dev nlohmann-json3-dev
-       libcli11-dev libfmt-dev libfast-float-dev libcairo2-dev)
+       libcli11-dev libfmt-dev libfast-float-dev libcairo2-dev libcpp-httplib-dev)
 test=(libgtest-dev python3 python3-pytest python3-numpy python3-jsonschema)
 peers=(ffmpeg)
 python=(python3 python3-dev python3-venv)
 bench=(libbenchmark-dev liborocos-kdl-dev python3 python3-venv valgrind)
 docs=(doxygen rsync)
+web=(emscripten dpkg-dev chromium)
 lint=(clang-format-14 clang-tidy-14 clang-14 libc++-14-dev libc++abi-14-dev shellcheck python3)
 
 wanted=()
@@ -22,8 +23,9 @@ for group in "$@"; do
     bench) wanted+=("${bench[@]}") ;;
     python) wanted+=("${python[@]}") ;;
     lint) wanted+=("${lint[@]}") ;;
+    web) wanted+=("${web[@]}") ;;
     docs) wanted+=("${docs[@]}") ;;
-    *) echo "$0: no group '$group': build, test, python, peers, bench, lint, docs" >&2; exit 2 ;;
+    *) echo "$0: no group '$group': build, test, python, peers, bench, lint, docs, web" >&2; exit 2 ;;
   esac
 done
 

@@ -1,0 +1,134 @@
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
+#include <future>
+
+#include <beeline/error.h>
+#include <beeline/record/trajectory_file.h>
+
+#include "arm_argument.h"
+#include "command/interrupt.h"
+#include "command/streams.h"
+#include "input_files.h"
+#include "page_server.h"
+#include "verbs.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+using namespace beeline;
+
+namespace {
+
+constexpr const char* loopback = "127.0.0.1";
+
+struct ViewArguments {
+  ArmArgument arm;
+  UnitArgument unit;
+  std::string file;
+  std::string folder, host = loopback;
+  int port = 8642;
+  bool no_browser = false;
+  bool json = false;
+};
+
+/// The folder of the built page: --page, what was installed beside the command, or where `make web`
+/// puts it.
+std::string page_folder(const std::string& given) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  std::vector<fs::path> folders{program.parent_path() / "../share/beeline/web",
+                                program.parent_path() / "web"};
+  if (!given.empty()) folders = {given};
+  for (const fs::path& folder : folders) {
+    if (fs::is_regular_file(folder / "index.html", ignored)) return folder.string();
+  }
+  throw Error(given.empty() ? "the page is not built: `make web` builds it, --page FOLDER names it"
+                            : "--page " + given + ": there is no index.html");
+}
+
+/// Opens the address in the user's browser, where there is a screen.
+void open_browser(const std::string& address) {
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
+  if (fork() != 0) return;
+  const int nowhere = open("/dev/null", O_RDWR);  // who reads our stdout must see its end
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
+  execlp("xdg-open", "xdg-open", address.c_str(), nullptr);
+  _exit(1);
+}
+
+Answer view(const ViewArguments& arguments) {
+  PageSession session{arguments.arm.read(arguments.unit)};
+  if (!arguments.file.empty()) {
+    session.trajectory =
+        trajectory_text(read_recording(arguments.file, session.arm), TrajectoryFormat::csv);
+  }
+  if (arguments.host != loopback) {
+    warn("--host " + arguments.host + ": others on the network can see the arm and move it");
+  }
+  catch_interrupt();
+  PageServer server(std::move(session), page_folder(arguments.folder), arguments.host);
+  const bool six = arguments.host.find(':') != std::string::npos;  // an IPv6 address
+  const std::string host = six ? "[" + arguments.host + "]" : arguments.host;
+  const std::string address = fmt::format("http://{}:{}/", host, server.bind(arguments.port));
+  write_stdout(arguments.json ? Json{{"address", address}}.text() + "\n" : address + "\n");
+  if (!arguments.no_browser) open_browser(address);
+  std::future<void> serving = std::async(std::launch::async, [&server] { server.run(); });
+  const auto ended = [&serving] {
+    return serving.wait_for(std::chrono::milliseconds(50)) == std::future_status::ready;
+  };
+  while (!interrupted() && !ended()) continue;
+  // Again, where the interrupt comes before the server answers requests.
+  do server.stop();
+  while (!ended());
+  return {.text_on_stderr = true};
+}
+
+}  // namespace
+
+Verb view_verb() {
+  static ViewArguments arguments;
+  return {
+      .name = "view",
+      .summary = "Show an arm in the browser, and a running program's joint values live",
+      .description =
+          "Serves the page on this computer and opens it with the arm, and with a trajectory to "
+          "play. Prints the address, and ends at Ctrl-C. A program that is running posts joint "
+          "values, in radians and metres, to api/joints; the page follows. Requests of other sites "
+          "are refused.",
+      .arguments = {arguments.arm.argument(),
+                    {.name = "FILE",
+                     .help = "A trajectory to play, .csv or .json.",
+                     .target = &arguments.file,
+                     .completes = Completes::file,
+                     .required = false}},
+      .options = joined({{{.name = "--port",
+                           .value = "N",
+                           .help = "The port, or the next one that is free.",
+                           .target = &arguments.port,
+                           .range = {.lowest = 1, .highest = 65535}},
+                          {.name = "--host",
+                           .value = "ADDRESS",
+                           .help = "The address to listen on; others than 127.0.0.1 let the "
+                                   "network in.",
+                           .target = &arguments.host},
+                          {.name = "--no-browser",
+                           .help = "Do not open a browser.",
+                           .target = &arguments.no_browser},
+                          {.name = "--page",
+                           .value = "FOLDER",
+                           .help = "The folder of the built page. Default: the one that was "
+                                   "installed with the command, or that of make web.",
+                           .target = &arguments.folder,
+                           .completes = Completes::file}},
+                         arguments.unit.options(),
+                         arguments.arm.options()}),
+      .examples = {{"A UR5 in the browser", "beeline view ur5"},
+                   {"Joint values from a shell; a program does the same 60 times a second",
+                    "beeline view ur5 --no-browser &\n"
+                    "curl -H 'Content-Type: application/json' -d '{\"q\": [0, -1, 1, 0, 1, 0]}' "
+                    "http://127.0.0.1:8642/api/joints"}},
+      .json = &arguments.json,
+      .run = [] { return view(arguments); }};
+}

@@ -1,0 +1,3 @@
+import { defineConfig } from "vitest/config";
+
+export default defineConfig({ test: { testTimeout: 0, hookTimeout: 0, include: ["bench/*.ts"] } });

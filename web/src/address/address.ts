@@ -1,0 +1,70 @@
+import { initialState, sections, type ArmSource, type PageState, type Section } from "../state/page_state.js";
+import { compressed, decompressed } from "./compression.js";
+
+const frames = ["base", "tool", "space"] as const;
+const longest = 200_000; // characters of an address that are looked at
+const mostJoints = 1000;
+
+function numbers(text: string | null): number[] | null {
+  if (text === null || text === "") return null;
+  const values = text.split(",", mostJoints + 1).map(Number);
+  return values.length <= mostJoints && values.every(Number.isFinite) ? values : null;
+}
+
+/** Poses of seven numbers with semicolons between; none where one is not. */
+function poses(text: string | null): number[][] {
+  const rows = text === null || text === "" ? [] : text.split(";", mostJoints).map(numbers);
+  return rows.every((row) => row?.length === 7) ? (rows as number[][]) : [];
+}
+
+/** The shortest text that reads back as the same number. */
+function list(values: number[]): string {
+  return values.map(String).join(",");
+}
+
+async function sourceOf(words: URLSearchParams): Promise<ArmSource> {
+  const json = words.get("json");
+  if (json !== null) return { json: new TextDecoder().decode(await decompressed(json)) };
+  return { text: words.get("arm") ?? (initialState.arm as { text: string }).text };
+}
+
+/** The part of an address behind #, which holds the state. Numbers are exact. */
+export async function addressOf(state: PageState): Promise<string> {
+  const words = new URLSearchParams();
+  if ("json" in state.arm) words.set("json", await compressed(new TextEncoder().encode(state.arm.json)));
+  else words.set("arm", state.arm.text);
+  if (state.q) words.set("q", list(state.q));
+  if (state.section !== initialState.section) words.set("section", state.section);
+  if (!state.degrees) words.set("unit", "rad");
+  if (state.frame !== initialState.frame) words.set("frame", state.frame);
+  if (state.showFrames) words.set("frames", "1");
+  if (state.showSolutions) words.set("solutions", "1");
+  if (state.showEllipsoid) words.set("ellipsoid", "1");
+  if (state.goal) words.set("goal", list(state.goal));
+  if (state.gain !== initialState.gain) words.set("gain", String(state.gain));
+  if (state.waypoints.length > 0) words.set("waypoints", state.waypoints.map(list).join(";"));
+  if (state.lesson !== "") words.set("lesson", state.lesson);
+  return words.toString().replaceAll("%2C", ",").replaceAll("%3B", ";");
+}
+
+/** The state of an address. What cannot be read has its initial value. */
+export async function stateOf(hash: string): Promise<PageState> {
+  const words = new URLSearchParams(hash.replace(/^#/, "").slice(0, longest));
+  const section = words.get("section") as Section;
+  const frame = words.get("frame") as (typeof frames)[number];
+  const gain = Number(words.get("gain") ?? initialState.gain);
+  return {
+    arm: await sourceOf(words).catch(() => ({ json: "" })), // which is refused with a reason
+    q: numbers(words.get("q")),
+    degrees: words.get("unit") !== "rad",
+    section: sections.includes(section) ? section : initialState.section,
+    frame: frames.includes(frame) ? frame : initialState.frame,
+    showFrames: words.get("frames") === "1",
+    showSolutions: words.get("solutions") === "1",
+    showEllipsoid: words.get("ellipsoid") === "1",
+    goal: numbers(words.get("goal")),
+    gain: Number.isFinite(gain) ? gain : initialState.gain,
+    waypoints: poses(words.get("waypoints")),
+    lesson: words.get("lesson") ?? "",
+  };
+}

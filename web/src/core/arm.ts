@@ -1,0 +1,161 @@
+import { readText, writeText, type CoreModule } from "./module.js";
+import {
+  CoreError,
+  type ChainEnds,
+  type Frame,
+  type Gains,
+  type JointKind,
+  type Manipulability,
+  type Matrix,
+  type Skeleton,
+} from "./types.js";
+
+const frames: Frame[] = ["base", "tool", "space"];
+const kinds: JointKind[] = ["revolute", "prismatic", "helical"];
+const mostSolutions = 64;
+
+function checked(module: CoreModule, value: number): number {
+  if (value < 0) throw new CoreError(readText(module, module._beeline_error()));
+  return value;
+}
+
+/** An arm in the core's memory. Release it when it is not needed any more. */
+export class Arm {
+  readonly dof: number;
+  /** The number of links, the base included. */
+  readonly links: number;
+  readonly planar: boolean;
+  private readonly handle: number;
+  private released = false;
+  private readonly q: number;
+  private readonly other: number;
+  private readonly result: number;
+
+  /** The arm as `beeline show --out` writes it. */
+  readonly json: string;
+  /** What `beeline show --json` prints. */
+  readonly description: object;
+
+  /** Without a text, `name` is a built-in arm or a joint string; with one, a file's name, .urdf or .json. */
+  constructor(
+    private readonly module: CoreModule,
+    name: string,
+    text: string | null,
+    { base = "", tip = "" }: ChainEnds,
+  ) {
+    const texts = [name, base, tip].map((word) => writeText(module, word));
+    const content = text === null ? 0 : writeText(module, text);
+    const [first = 0, second = 0, third = 0] = texts;
+    const handle = module._beeline_arm(first, content, second, third);
+    for (const pointer of [...texts, content]) module._free(pointer);
+    this.handle = checked(module, handle);
+    this.json = readText(module, module._beeline_arm_json(handle));
+    this.description = JSON.parse(readText(module, module._beeline_arm_description(handle))) as object;
+    this.dof = module._beeline_arm_dof(handle);
+    this.links = module._beeline_arm_links(handle);
+    this.planar = module._beeline_arm_planar(handle) === 1;
+    this.q = module._beeline_allocate(this.dof);
+    this.other = module._beeline_allocate(Math.max(16, this.dof));
+    const most = Math.max(16 * (this.links + 1), mostSolutions * this.dof, 6 + 13 * this.links);
+    this.result = module._beeline_allocate(most);
+    if (this.q === 0 || this.other === 0 || this.result === 0) throw new CoreError("the core has no more memory");
+  }
+
+  /** Afterwards the arm refuses to compute. */
+  release(): void {
+    this.released = true;
+    for (const buffer of [this.q, this.other, this.result]) this.module._beeline_release(buffer);
+    checked(this.module, this.module._beeline_arm_release(this.handle));
+  }
+
+  /** The poses of all links and, last, of the tool. */
+  forward(q: ArrayLike<number>): Matrix[] {
+    this.put(q);
+    checked(this.module, this.module._beeline_forward(this.handle, this.q, this.result));
+    const all = this.take(0, 16 * (this.links + 1));
+    return Array.from({ length: this.links + 1 }, (_, i) => all.subarray(16 * i, 16 * i + 16));
+  }
+
+  /** A configuration that shows the arm well, far from singularities. */
+  displayConfiguration(): number[] {
+    checked(this.module, this.module._beeline_display_configuration(this.handle, this.result));
+    return Array.from(this.take(0, this.dof));
+  }
+
+  /** The centre line from base to tool. */
+  skeleton(q: ArrayLike<number>): Skeleton {
+    this.put(q);
+    const count = checked(this.module, this.module._beeline_skeleton(this.handle, this.q, this.result));
+    const numbers = Array.from(this.take(0, 6 + 13 * count));
+    const joints = Array.from({ length: count }, (_, i) => {
+      const at = (k: number): number[] => numbers.slice(3 + 13 * i + k, 6 + 13 * i + k);
+      const kind = kinds[numbers[3 + 13 * i] ?? 0] ?? "revolute";
+      return { kind, direction: at(1), enter: at(4), leave: at(7), centre: at(10) };
+    });
+    return { base: numbers.slice(0, 3), joints, tool: numbers.slice(3 + 13 * count) };
+  }
+
+  /** The 6 x dof Jacobian, column-major, rows [vx vy vz wx wy wz]. */
+  jacobian(q: ArrayLike<number>, frame: Frame = "base"): Float64Array {
+    this.put(q);
+    checked(this.module, this.module._beeline_jacobian(this.handle, this.q, frames.indexOf(frame), this.result));
+    return this.take(0, 6 * this.dof);
+  }
+
+  manipulability(q: ArrayLike<number>): Manipulability {
+    this.put(q);
+    const count = checked(this.module, this.module._beeline_manipulability(this.handle, this.q, this.result));
+    const [manipulability = 0, condition = 0, ...values] = this.take(0, 2 + count);
+    return { manipulability, condition, singularValues: values };
+  }
+
+  /** Solutions of inverse kinematics, nearest to the seed first: one, or with `all` up to 64. An empty list says that
+   * there is none; the answer of `beeline ik` has the reason. */
+  inverse(
+    pose: ArrayLike<number>,
+    seed: ArrayLike<number>,
+    options: { all?: boolean; ignoreLimits?: boolean } = {},
+  ): Float64Array[] {
+    if (pose.length !== 16) throw new CoreError(`a pose has 16 numbers, not ${pose.length}`);
+    this.put(seed);
+    this.module.HEAPF64.set(pose, this.other / 8);
+    const capacity = options.all === true ? mostSolutions : 1;
+    const ignore = options.ignoreLimits === true ? 1 : 0;
+    const found = this.module._beeline_inverse(this.handle, this.other, this.q, ignore, capacity, this.result);
+    return Array.from({ length: checked(this.module, found) }, (_, i) => this.take(this.dof * i, this.dof));
+  }
+
+  /** The joint values of joint-space PID control from q to the goal, one row a step. */
+  pid(gains: Gains, q: ArrayLike<number>, goal: ArrayLike<number>, steps: number): Float64Array[] {
+    this.put(q);
+    this.check(goal);
+    this.module.HEAPF64.set(goal, this.other / 8);
+    const { kp, ki = 0, kd = 0 } = gains;
+    const pid = checked(this.module, this.module._beeline_pid(this.dof, kp, ki, kd, this.q, this.other));
+    const rows: Float64Array[] = [];
+    try {
+      for (let i = 0; i < steps; ++i) {
+        checked(this.module, this.module._beeline_pid_step(pid, this.q));
+        rows.push(this.module.HEAPF64.slice(this.q / 8, this.q / 8 + this.dof));
+      }
+    } finally {
+      this.module._beeline_pid_release(pid);
+    }
+    return rows;
+  }
+
+  private check(q: ArrayLike<number>): void {
+    if (this.released) throw new CoreError("the arm was released");
+    if (q.length !== this.dof) throw new CoreError(`the arm has ${this.dof} joint values, not ${q.length}`);
+  }
+
+  private put(q: ArrayLike<number>): void {
+    this.check(q);
+    this.module.HEAPF64.set(q, this.q / 8);
+  }
+
+  private take(from: number, count: number): Float64Array {
+    const begin = this.result / 8 + from;
+    return this.module.HEAPF64.slice(begin, begin + count);
+  }
+}

@@ -1,0 +1,73 @@
+import type { CommandRequest, WorkerReply, WorkerStart } from "./protocol.js";
+import { CoreError, type CommandResult, type Files } from "./types.js";
+
+interface Waiting {
+  resolve(result: CommandResult): void;
+  reject(error: Error): void;
+  progress(fraction: number): void;
+}
+
+/** Runs commands in a worker. cancel() ends the worker with all that it computes; the next command starts another. */
+export class CoreWorker {
+  private worker: Promise<Worker> | null = null;
+  private module: Promise<WebAssembly.Module> | null = null;
+  private readonly waiting = new Map<number, Waiting>();
+  private next = 0;
+
+  /** `start` makes a worker that calls serve(), `compile` the module of the command; once, when it is first needed. */
+  constructor(
+    private readonly start: () => Promise<Worker>,
+    private readonly compile: () => Promise<WebAssembly.Module>,
+  ) {}
+
+  command(
+    args: string[],
+    files: Files = {},
+    progress: (fraction: number) => void = () => undefined,
+  ): Promise<CommandResult> {
+    this.worker ??= this.started();
+    const request: CommandRequest = { id: this.next++, args, files };
+    return new Promise((resolve, reject) => {
+      this.waiting.set(request.id, { resolve, reject, progress });
+      this.worker?.then(
+        (worker) => worker.postMessage(request),
+        (error: Error) => this.cancel(error.message),
+      );
+    });
+  }
+
+  /** Without a command under way the worker lives on. */
+  cancel(message = "cancelled"): void {
+    if (this.waiting.size === 0) return;
+    void this.worker?.then(
+      (worker) => worker.terminate(),
+      () => undefined,
+    );
+    this.worker = null;
+    for (const { reject } of this.waiting.values()) reject(new CoreError(message));
+    this.waiting.clear();
+  }
+
+  private async started(): Promise<Worker> {
+    this.module ??= this.compile();
+    const module = await this.module.catch((error: unknown) => {
+      this.module = null; // the next command tries again
+      throw error;
+    });
+    const worker = await this.start();
+    const begin: WorkerStart = { module };
+    worker.postMessage(begin);
+    worker.onmessage = (event: MessageEvent<WorkerReply>) => this.receive(event.data);
+    worker.onerror = (event) => this.cancel(`the core ended: ${event.message}`);
+    return worker;
+  }
+
+  private receive(reply: WorkerReply): void {
+    const waiting = this.waiting.get(reply.id);
+    if (waiting === undefined) return;
+    if ("progress" in reply) return waiting.progress(reply.progress);
+    this.waiting.delete(reply.id);
+    if ("error" in reply) waiting.reject(new CoreError(reply.error));
+    else waiting.resolve(reply.result);
+  }
+}

@@ -1,0 +1,81 @@
+import { instantiateCommand, type Factory } from "./load.js";
+import { writeText, type CommandModule } from "./module.js";
+import { CoreError, type CommandResult, type Files } from "./types.js";
+
+/** Collects a stream's bytes. */
+class Collected {
+  private readonly bytes: number[] = [];
+  constructor(private readonly watch: (text: string) => void = () => undefined) {}
+
+  readonly put = (byte: number): void => {
+    this.bytes.push(byte & 255);
+    if (byte === 37) this.watch(this.tail()); // %, which ends what the command prints as progress
+  };
+
+  private tail(): string {
+    return String.fromCharCode(...this.bytes.slice(-8));
+  }
+
+  text(): string {
+    return new TextDecoder().decode(new Uint8Array(this.bytes));
+  }
+}
+
+const folder = "/work";
+
+function prepare(module: CommandModule, files: Files): void {
+  module.FS.mkdir(folder);
+  module.FS.chdir(folder);
+  for (const [name, text] of Object.entries(files)) {
+    if (!/^[^/\0]+$/.test(name) || name.startsWith(".")) throw new CoreError(`"${name}" is not the name of a file`);
+    module.FS.writeFile(name, text);
+  }
+}
+
+function written(module: CommandModule, given: Files): Files {
+  const files: Files = {};
+  for (const name of module.FS.readdir(folder)) {
+    if (name === "." || name === "..") continue;
+    const text = module.FS.readFile(name, { encoding: "utf8" });
+    if (given[name] !== text) files[name] = text;
+  }
+  return files;
+}
+
+function call(module: CommandModule, args: string[]): number {
+  const texts = ["beeline", ...args].map((text) => writeText(module, text));
+  const argv = module._malloc(4 * (texts.length + 1));
+  module.HEAP32.set([...texts, 0], argv / 4);
+  return module._beeline_command(texts.length, argv);
+}
+
+/** Runs `beeline ARGS` in an instance of its own, with these files in its folder. The instance is dropped with all
+ * that it holds when the command ends. */
+export async function command(
+  factory: Factory<CommandModule>,
+  wasm: WebAssembly.Module,
+  args: string[],
+  files: Files = {},
+  progress: (fraction: number) => void = () => undefined,
+): Promise<CommandResult> {
+  const stdout = new Collected();
+  const stderr = new Collected((tail) => {
+    const percent = /\r *(\d+) %$/.exec(tail);
+    if (percent?.[1] !== undefined) progress(Number(percent[1]) / 100);
+  });
+  const module = await instantiateCommand(factory, wasm, stdout.put, stderr.put);
+  prepare(module, files);
+  const code = call(module, args);
+  // eslint-disable-next-line no-control-regex
+  const reasons = stderr
+    .text()
+    .replace(/\r *\d+ %/g, "")
+    .replace(/\r\u001b\[K/g, "");
+  return { code, stdout: stdout.text(), stderr: reasons, files: written(module, files) };
+}
+
+/** The JSON that a command with --json prints. Throws CoreError with the message of a command that was refused. */
+export function answer<T = unknown>(result: CommandResult): T {
+  if (result.code > 1) throw new CoreError(result.stderr.replace(/^beeline: /, "").trim());
+  return JSON.parse(result.stdout) as T;
+}

@@ -1,0 +1,29 @@
+import { answer, command } from "./command.js";
+import { compile, type Factory } from "./load.js";
+import type { CommandModule } from "./module.js";
+import type { CommandResult, Files } from "./types.js";
+
+/** The whole command line in this thread; CoreWorker runs it in another. */
+export class Commands {
+  private constructor(
+    private readonly factory: Factory<CommandModule>,
+    private readonly wasm: WebAssembly.Module,
+  ) {}
+
+  static async load(
+    factory: Factory<CommandModule>,
+    wasm: BufferSource | Response | PromiseLike<Response>,
+  ): Promise<Commands> {
+    return new Commands(factory, await compile(wasm));
+  }
+
+  /** Runs `beeline ARGS` with these files in its folder. */
+  run(args: string[], files: Files = {}, progress?: (fraction: number) => void): Promise<CommandResult> {
+    return command(this.factory, this.wasm, args, files, progress);
+  }
+
+  /** What `beeline ARGS --json` prints, that of a no included. Throws CoreError for what is refused. */
+  async json<T>(args: string[], files: Files = {}): Promise<T> {
+    return answer<T>(await this.run([...args, "--json"], files));
+  }
+}

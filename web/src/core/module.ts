@@ -1,0 +1,70 @@
+/** What each of Emscripten's modules has of what we use. */
+export interface Module {
+  HEAPU8: Uint8Array;
+  HEAP32: Int32Array;
+  HEAPF64: Float64Array;
+  _malloc(bytes: number): number;
+  _free(pointer: number): void;
+}
+
+/** The command's module, web/core/command.h. */
+export interface CommandModule extends Module {
+  FS: FileSystem;
+  _beeline_command(argc: number, argv: number): number;
+}
+
+/** The core's module: the functions of web/core/beeline.h, with an underscore in front. */
+export interface CoreModule extends Module {
+  _beeline_allocate(count: number): number;
+  _beeline_release(pointer: number): void;
+  _beeline_error(): number;
+  _beeline_arm(name: number, text: number, base: number, tip: number): number;
+  _beeline_arm_json(arm: number): number;
+  _beeline_arm_description(arm: number): number;
+  _beeline_built_in_names(): number;
+  _beeline_arm_release(arm: number): number;
+  _beeline_arm_dof(arm: number): number;
+  _beeline_arm_links(arm: number): number;
+  _beeline_arm_planar(arm: number): number;
+  _beeline_forward(arm: number, q: number, matrices: number): number;
+  _beeline_display_configuration(arm: number, q: number): number;
+  _beeline_skeleton(arm: number, q: number, numbers: number): number;
+  _beeline_jacobian(arm: number, q: number, frame: number, columns: number): number;
+  _beeline_manipulability(arm: number, q: number, measures: number): number;
+  _beeline_inverse(
+    arm: number,
+    pose: number,
+    seed: number,
+    ignoreLimits: number,
+    capacity: number,
+    solutions: number,
+  ): number;
+  _beeline_pid(dof: number, kp: number, ki: number, kd: number, q: number, goal: number): number;
+  _beeline_pid_goal(pid: number, goal: number): number;
+  _beeline_pid_step(pid: number, q: number): number;
+  _beeline_pid_release(pid: number): number;
+}
+
+export interface FileSystem {
+  streams: ({ tty?: unknown } | null)[];
+  init(stdin: () => number | null, stdout: (byte: number) => void, stderr: (byte: number) => void): void;
+  mkdir(path: string): void;
+  chdir(path: string): void;
+  readdir(path: string): string[];
+  writeFile(path: string, text: string): void;
+  readFile(path: string, options: { encoding: "utf8" }): string;
+}
+
+/** Copies a text into the module's memory, with a zero byte behind it; free it with _free(). */
+export function writeText(module: Module, text: string): number {
+  const bytes = new TextEncoder().encode(text);
+  const pointer = module._malloc(bytes.length + 1);
+  module.HEAPU8.set(bytes, pointer);
+  module.HEAPU8[pointer + bytes.length] = 0;
+  return pointer;
+}
+
+export function readText(module: Module, pointer: number): string {
+  const end = module.HEAPU8.indexOf(0, pointer);
+  return new TextDecoder().decode(module.HEAPU8.slice(pointer, end));
+}

@@ -1,0 +1,16 @@
+import type { CommandResult, Files } from "./types.js";
+
+/** What the page posts to a worker: one command, answered by one result after any number of progress messages. */
+export interface CommandRequest {
+  id: number;
+  args: string[];
+  files: Files;
+}
+
+/** The first message to a worker: the compiled module of the command. */
+export interface WorkerStart {
+  module: WebAssembly.Module;
+}
+
+export type WorkerReply =
+  { id: number; progress: number } | { id: number; result: CommandResult } | { id: number; error: string };

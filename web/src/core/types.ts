@@ -1,0 +1,50 @@
+/** A 4 x 4 homogeneous matrix, column-major as in three.js, metres. */
+export type Matrix = Float64Array;
+
+export type Frame = "base" | "tool" | "space";
+
+export type JointKind = "revolute" | "prismatic" | "helical";
+
+/** An arm's centre line, metres, in the world: it meets the axis of each joint at `enter` and leaves it at `leave`. */
+export interface Skeleton {
+  base: number[];
+  joints: { kind: JointKind; direction: number[]; enter: number[]; leave: number[]; centre: number[] }[];
+  tool: number[];
+}
+
+/** Links of a URDF file between which the arm is; see --base and --tip of the command line. */
+export interface ChainEnds {
+  base?: string;
+  tip?: string;
+}
+
+export interface Manipulability {
+  manipulability: number;
+  condition: number;
+  singularValues: number[];
+}
+
+export interface Gains {
+  kp: number;
+  ki?: number;
+  kd?: number;
+}
+
+/** Files by name, such as {"arm.urdf": "<robot …"}. */
+export type Files = Record<string, string>;
+
+/** What a command of the command line left: `beeline VERB …`. */
+export interface CommandResult {
+  /** 0 yes, 1 the computed answer is no, 2 bad usage, 3 bad input file. */
+  code: number;
+  stdout: string;
+  /** Reasons and warnings, without the progress. */
+  stderr: string;
+  /** The files that the command wrote. */
+  files: Files;
+}
+
+/** The message of the core, in the words of the command line. */
+export class CoreError extends Error {
+  override name = "CoreError";
+}

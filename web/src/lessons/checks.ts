@@ -1,0 +1,57 @@
+import type { Arm } from "../core/arm.js";
+import { readFormula } from "./formula.js";
+
+/** What a check answers: whether the exercise is solved, and a sentence. */
+export interface Verdict {
+  solved: boolean;
+  says: string;
+}
+
+const trials = 20;
+const close = 1e-9;
+
+/** Whether the tool is at a place, with an angle, in the plane. */
+export function checkReach(pose: ArrayLike<number>, goal: { x: number; y: number; degrees: number }): Verdict {
+  const [x = 0, y = 0] = [pose[12], pose[13]];
+  const angle = Math.atan2(pose[1] ?? 0, pose[0] ?? 1) - (goal.degrees * Math.PI) / 180;
+  const turn = Math.abs(Math.atan2(Math.sin(angle), Math.cos(angle))) * (180 / Math.PI);
+  const away = Math.hypot(x - goal.x, y - goal.y);
+  if (away <= 0.1 && turn <= 3) return { solved: true, says: "Right: the tool is there." };
+  return { solved: false, says: `The tool is ${away.toFixed(2)} m and ${turn.toFixed(0)}° away.` };
+}
+
+/** Whether typed formulas give the pose of a planar arm of one revolute and one prismatic joint, everywhere. */
+export function checkFormulas(texts: { x: string; y: string; angle: string }, arm: Arm, random: () => number): Verdict {
+  try {
+    const [x, y, angle] = [texts.x, texts.y, texts.angle].map((text) => readFormula(text, ["q1", "q2"]));
+    for (let trial = 0; trial < trials; ++trial) {
+      const q = [6 * random() - 3, 2 * random()];
+      const values = { q1: q[0] as number, q2: q[1] as number };
+      const pose = arm.forward(q).at(-1) as Float64Array;
+      const wrong: string[] = [];
+      if (!(Math.abs((x?.(values) ?? NaN) - (pose[12] as number)) < close)) wrong.push("x");
+      if (!(Math.abs((y?.(values) ?? NaN) - (pose[13] as number)) < close)) wrong.push("y");
+      const turn = (angle?.(values) ?? NaN) - Math.atan2(pose[1] as number, pose[0] as number);
+      if (!(Math.abs(Math.sin(turn / 2)) < close)) wrong.push("the angle");
+      if (wrong.length === 0) continue;
+      const at = q.map((value) => value.toFixed(2)).join(", ");
+      return { solved: false, says: `Not yet: ${wrong.join(" and ")} differ at q = (${at}).` };
+    }
+    return { solved: true, says: `Right: all three agree with the core at ${trials} random configurations.` };
+  } catch (error) {
+    return { solved: false, says: (error as Error).message };
+  }
+}
+
+/** Whether the Jacobian of an arm is the same at all configurations: compared at random ones. */
+export function checkConstantJacobian(arm: Arm, random: () => number): Verdict {
+  const at = (): number[] => Array.from({ length: arm.dof }, () => 2 * random() - 1);
+  const first = arm.jacobian(at());
+  for (let trial = 0; trial < trials; ++trial) {
+    const other = arm.jacobian(at());
+    if (!first.every((value, i) => Math.abs(value - (other[i] as number)) < close)) {
+      return { solved: false, says: "Not yet: its Jacobian changes with the configuration." };
+    }
+  }
+  return { solved: true, says: "Right: its Jacobian is the same everywhere. Which joints does it have, and why?" };
+}

@@ -1,0 +1,19 @@
+/** The lessons, in the order of the sections of the chapter (Dellaert, "Serial Link Manipulators"). Each is loaded when
+ * it is opened; its equations are MathML already. */
+export interface Lesson {
+  id: string;
+  title: string;
+  load(): Promise<{ default: string }>;
+}
+
+export const lessons: Lesson[] = [
+  { id: "definitions", title: "1 Links and joints", load: () => import("./text/1_definitions.md") },
+  { id: "rrr", title: "2 A planar arm", load: () => import("./text/2_rrr.md") },
+  { id: "forward", title: "3 Forward kinematics", load: () => import("./text/3_forward_kinematics.md") },
+  { id: "describing", title: "4 Describing an arm", load: () => import("./text/4_describing.md") },
+  { id: "worked", title: "5 The three-link arm", load: () => import("./text/5_worked_example.md") },
+  { id: "joint-control", title: "6 Joint-space control", load: () => import("./text/6_joint_control.md") },
+  { id: "jacobian", title: "7 The Jacobian", load: () => import("./text/7_jacobian.md") },
+  { id: "cartesian", title: "8 Cartesian control", load: () => import("./text/8_cartesian_control.md") },
+  { id: "comparison", title: "9 Both side by side", load: () => import("./text/9_comparison.md") },
+];

@@ -1,0 +1,12 @@
+declare module "beeline-module/*.js" {
+  const factory: (options: object) => Promise<unknown>;
+  export default factory;
+}
+declare module "*.md" {
+  const html: string;
+  export default html;
+}
+declare module "*?url" {
+  const url: string;
+  export default url;
+}

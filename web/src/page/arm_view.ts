@@ -1,0 +1,90 @@
+import { Group, Vector3 } from "three";
+import type { Arm } from "../core/arm.js";
+import { ArmFigure, type Skeleton } from "../scene/arm_figure.js";
+import { putAt, triad } from "../scene/marks.js";
+import { Stage } from "../scene/stage.js";
+import { ToolHandle } from "../scene/tool_handle.js";
+
+const ghostColour = 0xb07a2a;
+
+/** The picture of one arm: itself, its frames, the handle at its tool, its other solutions as ghosts. */
+export class ArmView {
+  readonly stage: Stage;
+  private readonly figure: ArmFigure;
+  private readonly frames: Group[];
+  private readonly handle: ToolHandle;
+  private ghosts: ArmFigure[] = [];
+  private dragged: (pose: number[]) => void = () => undefined;
+
+  /** `size`: the arm's reach, metres. */
+  constructor(
+    holder: HTMLElement,
+    private readonly arm: Arm,
+    readonly size: number,
+  ) {
+    this.stage = new Stage(holder, arm.planar, size);
+    const kinds = this.skeleton(new Array<number>(arm.dof).fill(0)).joints.map((joint) => joint.kind);
+    this.figure = new ArmFigure(kinds, size);
+    this.frames = Array.from({ length: arm.links + 1 }, () => triad(0.16 * size));
+    this.stage.scene.add(this.figure, ...this.frames);
+    this.handle = new ToolHandle(this.stage, arm.planar, (pose) => this.dragged(pose));
+  }
+
+  onDrag(dragged: (pose: number[]) => void): void {
+    this.dragged = dragged;
+  }
+
+  set handleMode(mode: "translate" | "rotate") {
+    this.handle.mode = mode;
+  }
+
+  /** Shows a configuration whose link poses, the tool's last, are `poses`. */
+  show(q: number[], poses: Float64Array[], frames: boolean): void {
+    this.figure.place(this.skeleton(q));
+    this.frames.forEach((frame, i) => {
+      frame.visible = frames || i === this.frames.length - 1;
+      putAt(frame, poses[i] as Float64Array);
+    });
+    this.handle.follow(poses[poses.length - 1] as Float64Array);
+    this.stage.changed();
+  }
+
+  /** Shows other configurations, transparent. */
+  showGhosts(configurations: number[][]): void {
+    for (const ghost of this.ghosts) ghost.dispose();
+    this.ghosts = configurations.slice(1, 17).map((q) => {
+      const ghost = new ArmFigure(this.figure.kinds, this.size, ghostColour, 0.25);
+      ghost.place(this.skeleton(q));
+      this.stage.scene.add(ghost);
+      return ghost;
+    });
+    this.stage.changed();
+  }
+
+  /** Shows of all ghosts one, or all again. The first solution has no ghost: it is the arm itself. */
+  point(index: number | null): void {
+    this.ghosts.forEach((ghost, i) => (ghost.visible = index === null || i + 1 === index));
+    this.stage.changed();
+  }
+
+  dispose(): void {
+    this.handle.dispose();
+    this.stage.dispose();
+  }
+
+  private skeleton(q: number[]): Skeleton {
+    const { base, joints, tool } = this.arm.skeleton(q);
+    const vector = (values: number[]): Vector3 => new Vector3(...values);
+    return {
+      base: vector(base),
+      joints: joints.map((joint) => ({
+        kind: joint.kind,
+        direction: vector(joint.direction),
+        enter: vector(joint.enter),
+        leave: vector(joint.leave),
+        centre: vector(joint.centre),
+      })),
+      tool: vector(tool),
+    };
+  }
+}

@@ -1,0 +1,188 @@
+import factory from "beeline-module/core.js";
+import { addressOf, stateOf } from "../address/address.js";
+import { CoreWorker } from "../core/client.js";
+import type { Arm } from "../core/arm.js";
+import { Core } from "../core/core.js";
+import { compile, type Factory } from "../core/load.js";
+import type { CoreModule } from "../core/module.js";
+import { ArmChooser } from "../panels/arm_chooser.js";
+import { element } from "../panels/element.js";
+import { JointsPanel } from "../panels/joints.js";
+import { follow, sessionOf, type Session } from "../live/live.js";
+import { initialState, type ArmSource, type PageState, type Section } from "../state/page_state.js";
+import { bytesOf, startWorker } from "../share/parts.js";
+import { savedAddress } from "../share/save_page.js";
+import { Store } from "../state/store.js";
+import { ArmView } from "./arm_view.js";
+import { Control } from "./control.js";
+import type { ArmDescription } from "./description.js";
+import { Hold } from "./hold.js";
+import { LessonsSection } from "./lessons.js";
+import { MotionSection } from "./motion.js";
+import type { SectionPanel, Services, Shown } from "./section.js";
+import { toolbar } from "./toolbar.js";
+
+/** The arm's file in the folder of a command. */
+const armFile = "arm.json";
+
+/** The page: its state, the arm that it shows, and a panel for each section. */
+export class Page {
+  private readonly panels: Map<Section, { title: string; panel: SectionPanel }>;
+  private readonly services: Services;
+  private readonly motion: MotionSection;
+  private shown: Shown | null = null;
+  /** What of the state belongs to the arm that is shown. */
+  private valid: Pick<PageState, "arm" | "q" | "goal"> | null = null;
+  private writing = 0;
+
+  private constructor(
+    private readonly document: Document,
+    private readonly core: Core,
+    worker: CoreWorker,
+    private readonly store: Store<PageState>,
+    private readonly chooser: ArmChooser,
+  ) {
+    this.services = {
+      store,
+      command: (args, files = {}, progress = undefined) =>
+        worker.command(args, { ...files, [armFile]: this.shown?.arm.json ?? "" }, progress),
+      cancel: () => worker.cancel(),
+    };
+    const joints = new JointsPanel((q) => store.set({ q }));
+    this.motion = new MotionSection(this.services);
+    this.panels = new Map<Section, { title: string; panel: SectionPanel }>([
+      ["hold", { title: "Hold", panel: new Hold(this.services, joints) }],
+      ["control", { title: "Control", panel: new Control(this.services) }],
+      ["motion", { title: "Motion", panel: this.motion }],
+      ["lessons", { title: "Lessons", panel: new LessonsSection(this.services, joints, (text) => core.arm(text)) }],
+    ]);
+    const side = document.getElementById("side") as HTMLElement;
+    side.replaceChildren(chooser.root, ...[...this.panels.values()].map(({ panel }) => panel.root));
+    (document.getElementById("tools") as HTMLElement).replaceChildren(
+      ...toolbar(store, () => this.shown?.view ?? null),
+    );
+    this.showSections();
+    store.subscribe((_, changed) => this.changed(changed));
+    document.defaultView?.addEventListener("hashchange", () => void this.readAddress());
+  }
+
+  /** Loads the core, reads the address and shows it. */
+  static async open(document: Document): Promise<Page> {
+    const core = await Core.load(
+      factory as unknown as Factory<CoreModule>,
+      (await bytesOf("core-module")) as BufferSource,
+    );
+    const worker = new CoreWorker(startWorker, async () => compile((await bytesOf("command-module")) as BufferSource));
+    const state = await stateOf(location.hash === "" ? savedAddress() : location.hash);
+    const session = await sessionOf(document);
+    if (session && location.hash === "") state.arm = { json: session.arm };
+    const store = new Store(state);
+    let page: Page | null = null;
+    const chooser = new ArmChooser(
+      core.builtInNames(),
+      (text) => store.set({ arm: { text }, q: null, goal: null }),
+      (file) => page?.openFile(file.name, file.text),
+    );
+    page = new Page(document, core, worker, store, chooser);
+    chooser.acceptDrops(document.body);
+    page.takeArm(store.get().arm);
+    if (session) page.goLive(session);
+    return page;
+  }
+
+  /** Follows the joint values that a program posts to `beeline view`, and plays its trajectory. */
+  private goLive(session: Session): void {
+    const light = element("span", { role: "status", class: "live" }, "connecting");
+    (this.document.getElementById("tools") as HTMLElement).append(light);
+    follow(
+      (q) => {
+        if (q.length === this.shown?.arm.dof) this.store.set({ q });
+      },
+      (now) => (light.textContent = now ? "live" : "connecting again"),
+    );
+    if (session.trajectory === null) return;
+    this.motion.open("motion.csv", session.trajectory);
+    this.store.set({ section: "motion" });
+  }
+
+  private changed(changed: ReadonlySet<keyof PageState>): void {
+    if (changed.has("section")) this.showSections();
+    const { arm } = this.store.get();
+    if (arm === this.valid?.arm) this.update(changed);
+    else if (changed.has("arm")) this.takeArm(arm);
+    void this.writeAddress();
+  }
+
+  /** Reads an arm and shows it; the one before stays where it is refused. */
+  private takeArm(source: ArmSource): void {
+    try {
+      const text = "text" in source ? source.text : armFile;
+      const files = "text" in source ? {} : { [armFile]: source.json };
+      this.show(this.core.arm(text, files), source);
+    } catch (error) {
+      if (this.valid) this.store.set(this.valid);
+      else if (source !== initialState.arm) this.store.set({ arm: initialState.arm, q: null, goal: null });
+      this.chooser.refuse((error as Error).message);
+    }
+  }
+
+  private show(arm: Arm, source: ArmSource): void {
+    this.services.cancel(); // what is computed for the arm before
+    this.shown?.view.dispose();
+    this.shown?.arm.release();
+    const description = arm.description as ArmDescription;
+    const holder = this.document.getElementById("stage") as HTMLElement;
+    this.shown = { arm, description, view: new ArmView(holder, arm, description.reach?.radius || 1) };
+    for (const { panel } of this.panels.values()) panel.take(this.shown);
+    this.chooser.show(description.name);
+    const { q, goal } = this.store.get();
+    this.valid = { arm: source, q, goal };
+    if (q === null || q.length !== arm.dof) this.store.set({ q: arm.displayConfiguration() });
+    else this.update(new Set(["q"]));
+  }
+
+  private update(changed: ReadonlySet<keyof PageState>): void {
+    const { arm, q, goal, section } = this.store.get();
+    if (!q || q.length !== this.shown?.arm.dof) return;
+    this.valid = { arm, q, goal };
+    this.panels.get(section)?.panel.update(q, changed);
+  }
+
+  private showSections(): void {
+    const { section } = this.store.get();
+    const links = [...this.panels].map(([name, { title, panel }]) => {
+      if (name !== section && !panel.root.hidden) panel.leave();
+      panel.root.hidden = name !== section;
+      const current: Record<string, string> = name === section ? { "aria-current": "page" } : {};
+      const link = element("a", { href: `#section=${name}`, ...current }, title);
+      link.addEventListener("click", (event) => {
+        event.preventDefault();
+        this.store.set({ section: name });
+      });
+      return link;
+    });
+    (this.document.getElementById("sections") as HTMLElement).replaceChildren(...links);
+  }
+
+  private openFile(name: string, text: string): void {
+    try {
+      const arm = this.core.arm(name, { [name]: text });
+      const { json } = arm;
+      arm.release();
+      this.store.set({ arm: { json }, q: null, goal: null });
+    } catch (error) {
+      this.chooser.refuse((error as Error).message);
+    }
+  }
+
+  private async readAddress(): Promise<void> {
+    this.store.set(await stateOf(location.hash));
+  }
+
+  private async writeAddress(): Promise<void> {
+    const turn = ++this.writing;
+    await new Promise((resolve) => setTimeout(resolve, 250)); // browsers limit how often it may change
+    if (turn !== this.writing) return;
+    history.replaceState(null, "", `#${await addressOf(this.store.get())}`);
+  }
+}

@@ -1,0 +1,80 @@
+import { element } from "./element.js";
+
+/** A file that was dropped or opened: its text under its name. */
+export interface OpenedFile {
+  name: string;
+  text: string;
+}
+
+export const largest = 20_000_000; // bytes of a file
+
+export function tooLarge(file: File): string {
+  return `${file.name} has ${file.size} bytes; at most ${largest} are read`;
+}
+
+/** Chooses the arm: a built-in one, a joint string, or a file (URDF or JSON), also one dropped on the page. */
+export class ArmChooser {
+  readonly root = element("section", { class: "chooser", "aria-label": "Arm" });
+  private readonly message = element("p", { role: "alert", class: "refusal" });
+  private readonly text: HTMLInputElement;
+
+  constructor(
+    builtIn: string[],
+    private readonly chosen: (text: string) => void,
+    private readonly opened: (file: OpenedFile) => void,
+  ) {
+    const names = element("datalist", { id: "built-in" }, ...builtIn.map((value) => element("option", { value })));
+    this.text = element("input", {
+      id: "arm-text",
+      list: "built-in",
+      spellcheck: "false",
+      autocomplete: "off",
+      placeholder: "panda, or RRR:3.5,3.5,2",
+    });
+    const file = element("input", { type: "file", accept: ".urdf,.json,.xml", id: "arm-file" });
+    file.addEventListener("change", () => void this.take(file.files));
+    const form = element(
+      "form",
+      {
+        onsubmit: (event: Event) => {
+          event.preventDefault();
+          if (this.text.value.trim() !== "") this.chosen(this.text.value.trim());
+        },
+      },
+      element("label", { for: "arm-text" }, "Arm: a name, or joints with lengths"),
+      element("span", { class: "pair" }, this.text, element("button", {}, "Show")),
+      element("label", { for: "arm-file" }, "or a file: URDF or JSON"),
+      file,
+      names,
+    );
+    this.text.addEventListener("input", () => {
+      if (builtIn.includes(this.text.value)) this.chosen(this.text.value);
+    });
+    this.root.append(form, this.message);
+  }
+
+  /** Takes files that are dropped on `target`. */
+  acceptDrops(target: HTMLElement): void {
+    target.addEventListener("dragover", (event) => event.preventDefault());
+    target.addEventListener("drop", (event) => {
+      event.preventDefault();
+      void this.take(event.dataTransfer?.files ?? null);
+    });
+  }
+
+  show(name: string): void {
+    if (document.activeElement !== this.text) this.text.value = name;
+    this.message.textContent = "";
+  }
+
+  refuse(reason: string): void {
+    this.message.textContent = reason;
+  }
+
+  private async take(files: FileList | null): Promise<void> {
+    const file = files?.[0];
+    if (!file) return;
+    if (file.size > largest) return this.refuse(tooLarge(file));
+    this.opened({ name: file.name, text: await file.text() });
+  }
+}

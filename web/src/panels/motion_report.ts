@@ -1,0 +1,104 @@
+import { saveFile } from "../share/save_file.js";
+import { element, shown, table } from "./element.js";
+
+/** What the page shows of the answer of `beeline line` and `beeline check`. */
+export interface LineAnswer {
+  status: string;
+  reason: string;
+  duration?: number;
+  samples?: number;
+  deviation_bound?: number | null;
+  deviation_measured?: number | null;
+  orientation_bound?: number | null;
+  orientation_measured?: number | null;
+  limits?: Record<string, { fraction: number; joint: string; assumed?: boolean } | null>;
+  limit_margin?: number | null;
+  inverse_condition?: number | null;
+  branches?: Branch[];
+}
+
+/** One way to follow the path, from one solution of inverse kinematics at its first pose. */
+export interface Branch {
+  start: number[];
+  status: string;
+  path_parameter: number;
+  limit_margin: number;
+  inverse_condition: number;
+  reason: string;
+}
+
+function small(value: number | null | undefined, unit: string): string {
+  if (value === null || value === undefined) return "—";
+  return `${value.toExponential(1).replace("-", "−").replace("+", "")} ${unit}`;
+}
+
+/** Status, reason, deviation measured and proved, use of the limits. */
+export function planReport(answer: LineAnswer): HTMLElement {
+  const time = answer.duration === undefined ? "" : `, ${shown(answer.duration, 2)} s`;
+  const parts: HTMLElement[] = [element("p", {}, element("strong", {}, answer.status), `${time}. ${answer.reason}`)];
+  if (answer.deviation_bound !== undefined && answer.deviation_bound !== null) {
+    parts.push(
+      table(
+        "Deviation from the line",
+        ["measured", "proved"],
+        ["position", "orientation"],
+        [
+          [small(answer.deviation_measured, "m"), small(answer.deviation_bound, "m")],
+          [small(answer.orientation_measured, "rad"), small(answer.orientation_bound, "rad")],
+        ],
+      ),
+    );
+  }
+  const used = Object.entries(answer.limits ?? {}).flatMap(([name, use]) => (use ? [{ name, ...use }] : []));
+  if (used.length > 0) {
+    const rows = used.map(({ fraction, joint, assumed }) => [
+      `${shown(100 * fraction, 1)} %`,
+      joint,
+      assumed === true ? "assumed" : "",
+    ]);
+    parts.push(
+      table(
+        "Largest use of the limits",
+        ["", "at joint", ""],
+        used.map(({ name }) => name),
+        rows,
+      ),
+    );
+  }
+  return element("div", { class: "numbers" }, ...parts);
+}
+
+/** The branches, with a button for each that follows the whole path. */
+export function branchList(branches: Branch[], chosen: (start: number[]) => void): HTMLElement {
+  const items = branches.map((branch, i) => {
+    const whole = branch.status === "reached";
+    const share = `${shown(100 * branch.path_parameter, 0)} % of the path`;
+    const margin = `margin to joint limits ${shown(100 * branch.limit_margin, 0)} %`;
+    const text = whole ? `all of the path, ${margin}` : `${share}: ${branch.reason}`;
+    const bar = element("meter", { min: 0, max: 1, value: branch.path_parameter, "aria-label": share });
+    const button = element(
+      "button",
+      { type: "button", disabled: !whole, onclick: () => chosen(branch.start) },
+      `Branch ${i + 1}`,
+    );
+    return element("li", {}, button, " ", bar, " ", text);
+  });
+  return element("section", { "aria-label": "Branches" }, element("h2", {}, "Branches"), element("ol", {}, ...items));
+}
+
+/** The waypoints, each with a button that removes it. */
+export function waypointList(poses: number[][], removed: (index: number) => void): HTMLElement {
+  const items = poses.map((pose, i) => {
+    const [x = 0, y = 0, z = 0] = pose;
+    const label = `Remove waypoint ${i + 1}`;
+    const remove = element("button", { type: "button", "aria-label": label, onclick: () => removed(i) }, "×");
+    return element("li", {}, `${shown(x, 3)}, ${shown(y, 3)}, ${shown(z, 3)} m `, remove);
+  });
+  return element("ol", { class: "waypoints" }, ...items);
+}
+
+/** A button that saves a text as a file. */
+export function fileSaver(name: string, text: string, type: string): HTMLElement {
+  const save = (): void => saveFile(name, new Blob([text], { type }));
+  return element("button", { type: "button", onclick: save }, `Save ${name}`);
+}

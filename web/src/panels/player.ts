@@ -1,0 +1,59 @@
+import { at, type Motion } from "../page/trajectory.js";
+import { element } from "./element.js";
+
+/** Plays a motion: a time bar, play and pause. */
+export class Player {
+  readonly root = element("div", { class: "player", hidden: true });
+  private readonly bar = element("input", { type: "range", min: 0, step: "any", "aria-label": "Time, seconds" });
+  private readonly button = element("button", { type: "button" }, "Play");
+  private readonly clock = element("output");
+  private motion: Motion | null = null;
+  private playing = false;
+
+  constructor(private readonly place: (q: number[]) => void) {
+    this.bar.addEventListener("input", () => {
+      this.pause();
+      this.show();
+    });
+    this.button.addEventListener("click", () => (this.playing ? this.pause() : this.play()));
+    this.root.append(this.button, this.bar, this.clock);
+  }
+
+  take(motion: Motion | null): void {
+    this.pause();
+    this.motion = motion;
+    this.root.hidden = motion === null;
+    this.bar.max = String(motion?.times.at(-1) ?? 0);
+    this.bar.value = "0";
+  }
+
+  play(): void {
+    if (!this.motion) return;
+    const end = Number(this.bar.max);
+    if (Number(this.bar.value) >= end) this.bar.value = "0";
+    const begin = performance.now() - 1000 * Number(this.bar.value);
+    this.playing = true;
+    this.button.textContent = "Pause";
+    const step = (): void => {
+      if (!this.playing) return;
+      const time = Math.min(end, (performance.now() - begin) / 1000);
+      this.bar.value = String(time);
+      this.show();
+      if (time >= end) this.pause();
+      else requestAnimationFrame(step);
+    };
+    step();
+  }
+
+  pause(): void {
+    this.playing = false;
+    this.button.textContent = "Play";
+  }
+
+  private show(): void {
+    if (!this.motion) return;
+    const time = Number(this.bar.value);
+    this.clock.textContent = `${time.toFixed(2)} s`;
+    this.place(at(this.motion, time));
+  }
+}

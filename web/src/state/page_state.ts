@@ -1,0 +1,42 @@
+/** The parts of the page, each with a panel of its own. */
+export const sections = ["hold", "control", "motion", "lessons"] as const;
+export type Section = (typeof sections)[number];
+
+/** Where the arm comes from: an argument ARM of the command line (a built-in name or a joint string), or the JSON that
+ * `beeline show --out` writes. */
+export type ArmSource = { text: string } | { json: string };
+
+/** Everything that the page shows. The address holds all of it, so that a link shows the same. */
+export interface PageState {
+  arm: ArmSource;
+  /** Radians and metres; null: one that shows the arm well. */
+  q: number[] | null;
+  degrees: boolean;
+  section: Section;
+  /** The frame of the Jacobian in the panel. */
+  frame: "base" | "tool" | "space";
+  showFrames: boolean;
+  showSolutions: boolean;
+  showEllipsoid: boolean;
+  /** The goal of the control section, as a configuration; null: a quarter of the range away. */
+  goal: number[] | null;
+  gain: number;
+  /** Poses of a line: x y z qw qx qy qz. */
+  waypoints: number[][];
+  lesson: string;
+}
+
+export const initialState: PageState = {
+  arm: { text: "ur5" },
+  q: null,
+  degrees: true,
+  section: "hold",
+  frame: "base",
+  showFrames: false,
+  showSolutions: false,
+  showEllipsoid: false,
+  goal: null,
+  gain: 0.1,
+  waypoints: [],
+  lesson: "",
+};

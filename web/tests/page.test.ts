@@ -1,0 +1,207 @@
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
+import { open, visit, type Complaints, type Visit } from "./browser.js";
+import { json } from "./native.js";
+
+interface Fk {
+  pose: { translation: number[]; quaternion: number[] | Record<string, number> };
+}
+
+let there: Visit;
+let watched: Complaints | null = null;
+beforeAll(async () => {
+  there = await visit();
+}, 60_000);
+afterAll(() => there.close());
+
+/** After each test: no error in the console, no request that left this computer. */
+afterEach(() => {
+  if (watched) expect(watched).toEqual({ errors: [], requests: [] });
+  watched = null;
+});
+
+async function opened(hash: string, size?: { width: number; height: number }) {
+  const { page, complaints } = await open(there, hash, size);
+  watched = complaints;
+  return page;
+}
+
+function numbers(text: string | null): number[] {
+  return (
+    (text ?? "")
+      .replaceAll("−", "-")
+      .match(/-?\d+\.\d+/g)
+      ?.map(Number) ?? []
+  );
+}
+
+test("the pose in the panel is that of the command line", async () => {
+  const q = [0.3, -1.1, 1.4, -0.7, 0.9, 0.2];
+  const page = await opened(`#arm=ur5&q=${q.join(",")}&unit=rad`);
+  const cells = page.locator("table", { hasText: "Pose of the tool" }).locator("tbody tr").first().locator("td");
+  const { pose } = json<Fk>(["fk", "ur5", `--q=${q.join(",")}`]);
+  const shown = numbers((await cells.allTextContents()).join(" "));
+  pose.translation.forEach((value, i) => expect(Math.abs(value - (shown[i] ?? NaN))).toBeLessThan(6e-5));
+});
+
+test("the Jacobian in the panel is that of the command line, in each frame", async () => {
+  const q = [0.3, -1.1, 1.4, -0.7, 0.9, 0.2];
+  const page = await opened(`#arm=ur5&q=${q.join(",")}`);
+  for (const frame of ["base", "tool", "space"]) {
+    await page.getByLabel("Frame of the Jacobian").selectOption(frame);
+    const rows = page.locator("table", { hasText: "Jacobian" }).locator("tbody td");
+    const shown = numbers((await rows.allTextContents()).join(" "));
+    const { jacobian } = json<{ jacobian: number[][] }>(["jacobian", "ur5", `--q=${q.join(",")}`, "--frame", frame]);
+    jacobian.flat().forEach((value, i) => expect(Math.abs(value - (shown[i] ?? NaN))).toBeLessThan(6e-4));
+  }
+});
+
+test("a slider moves its joint, by keyboard, and the address follows", async () => {
+  const page = await opened("#arm=rrr&q=0.1,0.2,0.3");
+  const slider = page.getByLabel("joint2, degrees, slider");
+  await slider.focus();
+  for (let i = 0; i < 5; ++i) await page.keyboard.press("ArrowRight");
+  await expect
+    .poll(() => Number(new URL(page.url().replace("#", "?")).searchParams.get("q")?.split(",")[1]))
+    .not.toBe(0.2);
+  const { searchParams } = new URL(page.url().replace("#", "?"));
+  expect(searchParams.get("q")?.split(",")[0]).toBe("0.1");
+});
+
+test("all solutions are listed as the command line finds them; a click goes there", async () => {
+  const q = [0.3, -1.1, 1.4, -0.7, 0.9, 0.2];
+  const page = await opened(`#arm=ur5&q=${q.join(",")}&solutions=1`);
+  const list = page.getByLabel("Inverse kinematics").locator("li button");
+  await list.first().waitFor();
+  const { pose } = json<{ pose: { matrix: number[][] } }>(["fk", "ur5", `--q=${q.join(",")}`]);
+  expect(pose.matrix.length).toBe(4);
+  expect(await list.count()).toBe(8);
+  const wanted = numbers(await list.nth(3).textContent());
+  await list.nth(3).click();
+  await expect
+    .poll(async () => Number(await page.getByLabel("joint1, degrees", { exact: true }).inputValue()))
+    .toBeCloseTo(wanted[0] ?? NaN, 0);
+});
+
+test("a link shows the same arm in the same configuration in a fresh profile", async () => {
+  const first = await opened("#arm=RRP:1,0.5,0.2&q=0.25,-0.5,0.125&unit=rad&frames=1");
+  await first.getByLabel("joint1, rad", { exact: true }).fill("0.75");
+  await first.getByLabel("joint1, rad", { exact: true }).press("Enter");
+  await expect.poll(() => first.url()).toContain("q=0.75,-0.5,0.125");
+  const second = await opened(new URL(first.url()).hash);
+  for (const [i, value] of [0.75, -0.5, 0.125].entries()) {
+    const field = second.locator(`#joint-${i}`);
+    expect(Number(await field.inputValue())).toBeCloseTo(value, 4);
+  }
+  expect(await second.getByRole("button", { name: "Frames" }).getAttribute("aria-pressed")).toBe("true");
+});
+
+test("an arm from a file is shown, and its link holds it whole", async () => {
+  const page = await opened("");
+  const arm = { name: "mine", joint_string: "RRR:1,1,0.5" };
+  await page.setInputFiles("#arm-file", {
+    name: "mine.json",
+    mimeType: "application/json",
+    buffer: Buffer.from(JSON.stringify(arm)),
+  });
+  await expect.poll(() => page.locator("#arm-text").inputValue()).toBe("mine");
+  await expect.poll(() => page.url()).toContain("json=");
+  const second = await opened(new URL(page.url()).hash);
+  expect(await second.locator("#arm-text").inputValue()).toBe("mine");
+  expect(await second.locator(".joints .joint").count()).toBe(3);
+});
+
+test("a truncated URDF and a wrong name give a reason, and the page lives on", async () => {
+  const page = await opened("#arm=rrr");
+  const refusal = page.getByRole("alert");
+  const urdf = '<robot name="a"><link name="b"/><joint name="j" type="revolute"><parent link="b"/>';
+  await page.setInputFiles("#arm-file", { name: "cut.urdf", mimeType: "text/xml", buffer: Buffer.from(urdf) });
+  await expect.poll(() => refusal.textContent()).toContain("cut.urdf");
+  await page.locator("#arm-text").fill("pnada");
+  await page.getByRole("button", { name: "Show" }).click();
+  await expect.poll(() => refusal.textContent()).toContain("panda");
+  await page.locator("#arm-text").fill("puma560");
+  await expect.poll(() => page.locator(".joints .joint").count()).toBe(6);
+});
+
+test("joint-space and Cartesian control both reach the goal", async () => {
+  const page = await opened("#arm=rrr&q=0.4,0.9,0.6&section=control&goal=1.4,-0.6,0.9&gain=0.1");
+  await page.getByRole("button", { name: "Go to the goal" }).click();
+  await page.getByText(/Cartesian space: reached, \d+ steps/).waitFor();
+  const text = await page.getByText(/Joint space: reached/).textContent();
+  const native = json<{ steps: number }>(["move", "rrr", "--from=0.4,0.9,0.6", "--to=1.4,-0.6,0.9", "--gain=0.1"]);
+  expect(text).toContain(`${native.steps} steps`);
+});
+
+test("a line is planned, proved and played, with its branches", async () => {
+  const poses = "-0.5,0.2,0.3,0,1,0,0;-0.5,-0.2,0.3,0,1,0,0";
+  const page = await opened(`#arm=ur5&q=-0.1,-1.2,1.8,-2.2,-1.57,0&section=motion&waypoints=${poses}`);
+  await page.getByRole("button", { name: "Plan the line" }).click();
+  await page.getByText("reached").first().waitFor();
+  const file = `x,y,z,qw,qx,qy,qz\n${poses.replace(";", "\n")}\n`;
+  const native = json<{ deviation_bound: number; branches: unknown[]; duration: number }>(
+    ["line", "ur5", "--through=poses.csv", "--branches", "--rate=100"],
+    { "poses.csv": file },
+  );
+  const proved = await page.locator("table", { hasText: "Deviation" }).locator("tbody tr").first().textContent();
+  const bound = Number(
+    /([\d.]+)e−(\d+) m$/
+      .exec(proved ?? "")
+      ?.slice(1, 3)
+      .join("e-"),
+  );
+  expect(bound).toBeGreaterThan(0.3 * native.deviation_bound);
+  expect(bound).toBeLessThan(3 * native.deviation_bound + 1e-12);
+  expect(await page.getByRole("button", { name: /^Branch \d/ }).count()).toBe(native.branches.length);
+  await page.getByRole("button", { name: /^Branch 2/ }).click();
+  await page.getByText("Save motion.csv").waitFor();
+});
+
+test("the saved page opens from a disk, without a network, and computes", async () => {
+  const page = await opened("#arm=RRP:1,0.5,0.2&q=0.25,-0.5,0.125&unit=rad");
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("button", { name: "Save page" }).click(),
+  ]);
+  const file = join(mkdtempSync(join(tmpdir(), "beeline-page-")), "beeline.html");
+  await download.saveAs(file);
+  const context = await there.browser.newContext({ offline: true });
+  const saved = await context.newPage();
+  const errors: string[] = [];
+  saved.on("pageerror", (error) => errors.push(error.message));
+  saved.on("console", (message) => message.type() === "error" && errors.push(message.text()));
+  await saved.goto(`file://${file}`);
+  await saved.waitForSelector("#first", { state: "detached" });
+  expect(Number(await saved.locator("#joint-1").inputValue())).toBeCloseTo(-0.5, 4);
+  await saved.getByText(/solutions?, /).waitFor(); // of the command, in its worker
+  const [again] = await Promise.all([
+    saved.waitForEvent("download"),
+    saved.getByRole("button", { name: "Save page" }).click(),
+  ]);
+  const second = `${file}.again.html`;
+  await again.saveAs(second);
+  expect(readFileSync(second, "utf8").length).toBeGreaterThan(0.9 * readFileSync(file, "utf8").length);
+  expect(errors).toEqual([]);
+  rmSync(dirname(file), { recursive: true });
+});
+
+test.each([
+  ["#arm=ur5", { width: 1200, height: 900 }],
+  ["#arm=panda", { width: 360, height: 740 }],
+  ["#arm=rrr&section=control", { width: 360, height: 740 }],
+  ["#arm=ur5&section=motion", { width: 1200, height: 900 }],
+])("%s is accessible and no wider than the screen", async (hash, size) => {
+  const page = await opened(hash, size);
+  await page.waitForTimeout(500);
+  const require = createRequire(import.meta.url);
+  await page.evaluate(readFileSync(require.resolve("axe-core"), "utf8"));
+  const found = await page.evaluate(
+    "axe.run().then((all) => all.violations.map((one) => one.id + ': ' + one.nodes.map((n) => n.html).join(' ').slice(0, 300)))",
+  );
+  expect(found).toEqual([]);
+  const wide = await page.evaluate("document.documentElement.scrollWidth");
+  expect(wide).toBeLessThanOrEqual(size.width);
+});

@@ -1,0 +1,167 @@
+import { deflateRawSync } from "node:zlib";
+import type { Page } from "playwright-core";
+import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
+import { open, visit, type Complaints, type Visit } from "./browser.js";
+
+let there: Visit;
+let watched: Complaints | null = null;
+let page: Page | null = null;
+beforeAll(async () => {
+  there = await visit();
+});
+afterAll(() => there.close());
+afterEach(async () => {
+  if (watched) expect(watched).toEqual({ errors: [], requests: [] });
+  watched = null;
+  await page?.context().close();
+});
+
+async function opened(hash: string): Promise<Page> {
+  const visited = await open(there, hash);
+  watched = visited.complaints;
+  page = visited.page;
+  return page;
+}
+
+async function joints(page: Page): Promise<number> {
+  return page.locator(".joints .joint").count();
+}
+
+const bomb = deflateRawSync(Buffer.alloc(50_000_000)).toString("base64url");
+
+test.each([
+  ["#arm=pnada", "pnada"],
+  ["#json=garbage", "arm.json"],
+  [`#json=${bomb}`, "arm.json"],
+  [`#json=${deflateRawSync("[".repeat(100_000)).toString("base64url")}`, "arm.json"],
+  [`#arm=${"R".repeat(100_000)}`, "joint"],
+])("an address whose arm is refused (%#) gives the reason and shows another arm", async (hash, reason) => {
+  const page = await opened(hash);
+  expect(await page.getByRole("alert").textContent()).toContain(reason);
+  expect(await joints(page)).toBe(6);
+});
+
+test.each([
+  "#arm=rrr&q=NaN,1,Infinity&gain=NaN&section=lesson&frame=x&waypoints=1,2;3",
+  "#arm=rrr&q=1e308,-1e308,1e300&gain=1e300",
+  "#arm=rrr&q=1,2&goal=1,2,3,4,5",
+  `#arm=rrr&q=${"1,".repeat(50_000)}1`,
+  "#arm=RP:1e3,1e3&q=1,1e308",
+])("an address with wrong numbers (%#) is read as far as it makes sense", async (hash) => {
+  const page = await opened(hash);
+  expect(await joints(page)).toBe(hash.includes("RP") ? 2 : 3);
+  for (const section of ["Control", "Motion", "Hold"]) await page.getByRole("link", { name: section }).click();
+  expect(await page.getByLabel("Pose of the tool").textContent()).not.toContain("NaN");
+});
+
+test("after a refusal the address and the buttons are those of the arm that is shown", async () => {
+  const page = await opened("#arm=rrr&q=0.1,0.2,0.3");
+  await page.locator("#arm-text").fill("pnada");
+  await page.getByRole("button", { name: "Show" }).click();
+  await expect.poll(() => page.getByRole("alert").textContent()).toContain("pnada");
+  await page.getByRole("button", { name: "Degrees" }).click();
+  await expect.poll(() => page.getByLabel("joint1, rad", { exact: true }).inputValue()).toBe("0.1000");
+  await expect.poll(() => page.url()).toContain("arm=rrr&q=0.1,0.2,0.3&unit=rad");
+});
+
+test("arms and sections changed while a command runs leave nothing of the arm before", async () => {
+  const poses = "-0.5,0.2,0.3,0,1,0,0;-0.5,-0.2,0.3,0,1,0,0";
+  const page = await opened(`#arm=ur5&section=motion&waypoints=${poses}`);
+  await page.getByRole("button", { name: "Plan the line" }).click();
+  await page.evaluate("location.hash = '#arm=rrr&section=control&q=0.4,0.9,0.6&goal=1.4,-0.6,0.9'");
+  await page.getByRole("button", { name: "Go to the goal" }).click();
+  await page.evaluate("location.hash = '#arm=panda&section=control'");
+  await page.evaluate("location.hash = '#arm=RRP:1,1,1&section=hold'");
+  await expect.poll(() => joints(page)).toBe(3);
+  const list = page.getByLabel("Inverse kinematics").locator("li button");
+  await list.first().waitFor();
+  expect((await list.first().textContent())?.split(", ").length).toBe(3);
+  await page.getByRole("link", { name: "Control" }).click();
+  expect(await page.getByText(/Joint space:/).count()).toBe(0);
+  await page.getByRole("link", { name: "Motion" }).click();
+  expect(await page.getByText("Cancel").isVisible()).toBe(false);
+  expect(await page.getByText("cancelled").count()).toBe(0);
+});
+
+test("without WebGL the page says so and computes", async () => {
+  const context = await there.browser.newContext();
+  page = await context.newPage();
+  await page.addInitScript("HTMLCanvasElement.prototype.getContext = () => null");
+  await page.goto(`${there.address}#arm=rrr&q=0.1,0.2,0.3`);
+  await page.getByText("has no WebGL").waitFor();
+  expect(await joints(page)).toBe(3);
+  await page.getByLabel("Inverse kinematics").locator("li button").first().waitFor();
+  await page.locator("#arm-text").fill("panda");
+  await expect.poll(() => joints(page as Page)).toBe(7);
+});
+
+test("without WebAssembly exceptions the page says which browsers have them", async () => {
+  const context = await there.browser.newContext();
+  page = await context.newPage();
+  await page.addInitScript("WebAssembly.validate = () => false");
+  await page.goto(there.address);
+  await page.getByRole("alert").getByText("exceptions").waitFor();
+});
+
+test("twenty arms, one after another, leave no picture's context behind", async () => {
+  const page = await opened("#arm=rrr");
+  const warnings: string[] = [];
+  page.on("console", (message) => warnings.push(message.text()));
+  for (let i = 0; i < 20; ++i) {
+    await page.locator("#arm-text").fill(i % 2 === 0 ? "RP:1,1" : "RRR:1,1,1");
+    await page.getByRole("button", { name: "Show" }).click();
+    await expect.poll(() => joints(page)).toBe(i % 2 === 0 ? 2 : 3);
+  }
+  expect(warnings.filter((text) => text.includes("Too many active WebGL contexts"))).toEqual([]);
+});
+
+test("a value beyond a limit becomes the limit, in the field too", async () => {
+  const page = await opened("#arm=panda");
+  const field = page.locator("#joint-0");
+  await field.fill("999");
+  await field.press("Enter");
+  await expect
+    .poll(() => field.inputValue())
+    .toBe(await field.evaluate((input) => Number(input.getAttribute("max")).toFixed(2)));
+});
+
+test.each(["RRR:1e-6,1e-6,1e-6", "RRR:1e3,1e3,1e3", "RRR:0,0,0", "RP", "PPP"])("%s is shown", async (arm) => {
+  const page = await opened(`#arm=${arm}&frames=1&solutions=1`);
+  await expect.poll(() => joints(page)).toBeGreaterThan(1);
+  await expect.poll(() => page.getByLabel("Inverse kinematics").getByRole("status").textContent()).not.toBe("");
+});
+
+test.each([
+  ["wrong.csv", "a,b\n1,2\n", "columns"],
+  ["cell.csv", "time,q1,q2,q3\n0,1,,2\n", "row 1"],
+  ["back.csv", "time,q1,q2,q3\n1,1,1,2\n0,1,1,2\n", "time"],
+  ["none.json", "{", "A JSON file is checked"],
+  ["other.csv", "time,q1,q2,q3,q4\n0,1,1,1,1\n", "columns"],
+  ["large.csv", "1,".repeat(10_500_000), "at most"],
+])("the trajectory %s is refused with a reason", async (name, text, reason) => {
+  const page = await opened("#arm=rrr&section=motion");
+  await page
+    .getByLabel("A trajectory, CSV or JSON")
+    .setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+  await page.getByRole("status").getByText(reason).first().waitFor();
+});
+
+test.each([
+  ["binary.urdf", "\0\x01\xff".repeat(1000)],
+  ["bomb.urdf", `<!DOCTYPE a [<!ENTITY a "aaaaaaaaaa">${"<!ENTITY b '&a;&a;'>".repeat(99)}]><robot name="&b;"/>`],
+  ["50MB.urdf", " ".repeat(50_000_000)],
+  ["ünïcode \"<b>&'.json", "{"],
+  ["__proto__", "{}"],
+])("the arm's file %s is refused with a reason", async (name, text) => {
+  const page = await opened("#arm=rrr");
+  await page.evaluate(
+    ([name, text]) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([text as string], name as string));
+      document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer }));
+    },
+    [name, text],
+  );
+  await expect.poll(() => page.getByRole("alert").textContent()).not.toBe("");
+  expect(await joints(page)).toBe(3);
+});
