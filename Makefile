@@ -14,7 +14,7 @@ endif
 module := -DBEELINE_PYTHON=ON -DPython_EXECUTABLE=$(CURDIR)/.venv-python/bin/python
 
 .NOTPARALLEL:
-.PHONY: help build demo bench docs wheel test test-peers test-all asan tsan lint format install clean
+.PHONY: help build demo bench docs wheel test test-peers test-web test-all web asan tsan lint format install clean
 
 help:
 	@echo "make build     the command, in build/beeline"
@@ -24,7 +24,9 @@ help:
 	@echo "make wheel     the Python module for CPython 3.10 to 3.13, in build-wheel/dist, tried in each that is here"
 	@echo "make test      builds and runs every test but the next"
 	@echo "make test-peers   comparisons with Pinocchio, Ruckig, toppra: packages from PyPI"
-	@echo "make test-all  both"
+	@echo "make test-web  the WebAssembly module beside the command, the page in a browser"
+	@echo "make test-all  all of these, and make wheel"
+	@echo "make web       the page, computed in the browser, in build/web"
 	@echo "make asan      make test under the address and undefined behaviour sanitizers"
 	@echo "make tsan      the tests of batch/ under the thread sanitizer"
 	@echo "make lint      formatting, static analysis, the house's rules"
@@ -75,7 +77,18 @@ test-peers:
 	@cmake --build --preset release --parallel $(JOBS) --target peers
 	@ctest --preset release --label-regex peers
 
-test-all: test test-peers
+test-all: test test-peers test-web wheel
+
+# Node's packages are those of package-lock.json.
+web:
+	@scripts/install_packages.sh build web
+	@scripts/web_sources.sh build-web-core/sources
+	@cmake --preset web $(strict) >/dev/null
+	@cmake --build --preset web --parallel $(JOBS)
+	@scripts/web.sh build-web-core/web build/web
+
+test-web: build web
+	@cd web && BEELINE=$(CURDIR)/build/beeline npm test --silent
 
 asan:
 	@scripts/install_packages.sh build test python
@@ -104,4 +117,4 @@ install: build
 	@cmake --install build --prefix $(PREFIX)
 
 clean:
-	@rm -rf build build-dev build-asan build-tsan build-libcxx build-wheel .venv-bench .venv-docs .venv-python .venv-wheel
+	@rm -rf build build-dev build-asan build-tsan build-libcxx build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-python .venv-wheel

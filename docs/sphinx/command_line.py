@@ -8,23 +8,11 @@ import subprocess
 import sys
 from pathlib import Path
 
-INDEX = """# Command line
+from index_page import write_index
 
-{overview}
-
-| verb | does |
-|---|---|
-{rows}
-
-```{{toctree}}
-:hidden:
-
-{pages}
-```
-"""
 ENTRY = re.compile(r"^  (?! )(\S.*?)(?:  +(\S.*))?$")
 COLUMN = 26  # of the entries' descriptions
-MARKUP = re.compile(r"([\\<$*\[\]{}|])")
+MARKUP = re.compile(r"([\\<$*_\[\]{}|])")
 OPTION = re.compile(r"(?<![\w`-])(--[a-z][a-z-]*)")
 
 
@@ -108,9 +96,8 @@ def main(beeline, output):
     options = dict(parts)["Options"]
     after = options[options.index("") + 1:]  # what the overview says after its options
     overview = "\n\n".join([*paragraphs(parts[0][1]), *paragraphs(after)])
-    rows = "\n".join(f"| [`{verb}`]({verb}.md) | {markdown(text)} |" for verb, text in verbs)
-    pages = "\n".join(verb for verb, _ in verbs)
-    (output / "index.md").write_text(INDEX.format(overview=overview, rows=rows, pages=pages))
+    rows = [(verb, f"`{verb}`", markdown(text)) for verb, text in verbs]
+    write_index(output, "Command line", overview, ("verb", "does"), rows)
 
 
 if __name__ == "__main__":

@@ -10,22 +10,11 @@ import sys
 from pathlib import Path
 from xml.etree import ElementTree
 
-INDEX = """# C++ reference
+from index_page import write_index
 
-`#include <beeline/beeline.h>` brings all of it; each header stands alone. Link with `beeline::beeline`, or with
+INTRODUCTION = """`#include <beeline/beeline.h>` brings all of it; each header stands alone. Link with `beeline::beeline`, or with
 `beeline::core`, which depends on Eigen and Highway only. Everything is in `namespace beeline`. Bad input throws
-`beeline::Error`; a negative answer is a result with a status and a reason.
-
-| folder | contents |
-|---|---|
-{rows}
-
-```{{toctree}}
-:hidden:
-
-{pages}
-```
-"""
+`beeline::Error`; a negative answer is a result with a status and a reason."""
 
 HEADER = """## {name}
 
@@ -81,16 +70,15 @@ def main(root, xml, output):
     name_files_by_path(xml)
     remove_private_parts(xml)
     output.mkdir(parents=True, exist_ok=True)
-    meaning, rows, pages = contents(root), [], []
+    meaning, rows = contents(root), []
     for folder, headers in public_headers(root).items():
         page = "beeline" if folder == "." else folder.replace("/", "_")
         title = "beeline/" if folder == "." else f"beeline/{folder}/"
         text = [f"# {title}\n\n{meaning[folder][0].upper() + meaning[folder][1:]}.\n"]
         text += [HEADER.format(name=name) for name in headers]
         (output / f"{page}.md").write_text("\n".join(text))
-        rows.append(f"| [`{title}`]({page}.md) | {meaning[folder]} |")
-        pages.append(page)
-    (output / "index.md").write_text(INDEX.format(rows="\n".join(rows), pages="\n".join(pages)))
+        rows.append((page, f"`{title}`", meaning[folder]))
+    write_index(output, "C++ reference", INTRODUCTION, ("folder", "contents"), rows)
 
 
 if __name__ == "__main__":

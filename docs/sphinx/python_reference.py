@@ -13,28 +13,16 @@ from xml.etree import ElementTree
 import beeline
 
 from cpp_reference import contents, public_headers
+from index_page import write_index
 
 OWN = "python"  # the page of names that no header declares
 
-INDEX = """# Python reference
-
-```{{py:module}} beeline
+INTRODUCTION = """```{{py:module}} beeline
 ```
 
-{introduction}
+{documentation}
 
-In signatures `ArrayLike` and `NDArray` are numpy's types.
-
-| part | names |
-|---|---|
-{rows}
-
-```{{toctree}}
-:hidden:
-
-{pages}
-```
-"""
+In signatures `ArrayLike` and `NDArray` are numpy's types."""
 
 
 def folders_of_names(xml):
@@ -47,7 +35,7 @@ def folders_of_names(xml):
         folder = Path(location.get("file")).parent.relative_to("beeline").as_posix()
         names = [compound.find("name").text.split("::")[-1]]
         if compound.get("kind") == "file":
-            names = [member.find("name").text for member in compound.iterfind("member")]
+            names = [member.find("name").text for member in compound.iterfind("member") if member.get("kind") != "enumvalue"]
         for name in names:
             found.setdefault(name, folder)
     return found
@@ -76,7 +64,8 @@ def directive(name):
     elif inspect.isclass(value):
         static = static_methods(value)
         lines = [f".. autoclass:: beeline.{name}", "   :members:", f"   :exclude-members: {', '.join(static)}", ""]
-        lines += [f"   .. automethod:: {method}" for method in static]
+        made = ["__init__"] if type(vars(value).get("__init__")).__name__ == "nb_method" else []
+        lines += [f"   .. automethod:: {method}" for method in made + static]
     return f"## {name}\n\n```{{eval-rst}}\n" + "\n".join(lines) + "\n```\n"
 
 
@@ -86,17 +75,16 @@ def title_of(page):
 
 def main(root, xml, output):
     output.mkdir(parents=True, exist_ok=True)
-    meaning, rows, pages = {**contents(root), OWN: "what only the Python module has"}, [], []
+    meaning, rows = {**contents(root), OWN: "what only the Python module has"}, []
     names = [name for name in beeline.__all__ if not name.startswith("_")]
     for part, found in grouped(names, folders_of_names(xml), public_headers(root)).items():
         page = {".": "errors", OWN: "only_python"}.get(part, part.replace("/", "_"))
         description = meaning[part][0].upper() + meaning[part][1:]
         text = [f"# {title_of(page)}\n\n{description}.\n", *map(directive, found)]
         (output / f"{page}.md").write_text("\n".join(text))
-        rows.append(f"| [{title_of(page)}]({page}.md) | " + ", ".join(f"`{name}`" for name in found) + " |")
-        pages.append(page)
-    text = INDEX.format(introduction=inspect.cleandoc(beeline.__doc__), rows="\n".join(rows), pages="\n".join(pages))
-    (output / "index.md").write_text(text)
+        rows.append((page, title_of(page), ", ".join(f"`{name}`" for name in found)))
+    introduction = INTRODUCTION.format(documentation=inspect.cleandoc(beeline.__doc__))
+    write_index(output, "Python reference", introduction, ("part", "names"), rows)
 
 
 if __name__ == "__main__":
