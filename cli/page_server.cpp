@@ -25,6 +25,7 @@ constexpr int threads = 64;                        // each open page takes one
 constexpr int most_pages = 48;                     // the other threads answer programs
 constexpr int ports = 10;
 constexpr std::chrono::seconds heartbeat{1};
+constexpr std::chrono::milliseconds look{50};  // how often a stream looks whether its page is open
 
 /// What the page may load: itself, its module and its workers, and nothing from elsewhere.
 constexpr const char* content_policy =
@@ -181,10 +182,14 @@ void PageServer::take_joints(const std::string& text) {
   changed_.notify_all();
 }
 
-std::string PageServer::next_event(std::uint64_t& seen) {
+std::string PageServer::next_event(std::uint64_t& seen, const std::function<bool()>& is_open) {
   std::unique_lock lock(mutex_);
-  changed_.wait_for(lock, heartbeat, [&] { return stopped_ || sequence_ != seen; });
-  if (sequence_ == seen) return {};
+  const auto changed = [&] { return stopped_ || sequence_ != seen; };
+  for (auto waited = look; !changed_.wait_for(lock, look, changed); waited += look) {
+    lock.unlock();
+    if (waited >= heartbeat || !is_open()) return {};
+    lock.lock();
+  }
   seen = sequence_;
   return fmt::format("event: joints\ndata: {{\"q\": {}, \"sequence\": {}}}\n\n", latest_, seen);
 }
@@ -205,7 +210,7 @@ void PageServer::events(httplib::Response& response) {
   response.set_chunked_content_provider(
       "text/event-stream", [this, page](std::size_t, httplib::DataSink& sink) {
         // The first answer comes at once, so that the page knows that it is connected.
-        std::string event = page->greeted ? next_event(page->seen) : ": welcome\n\n";
+        std::string event = page->greeted ? next_event(page->seen, sink.is_writable) : ": welcome\n\n";
         page->greeted = true;
         if (stopped_) {
           sink.done();

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -48,9 +49,9 @@ class PageServer {
   /// Takes joint values as the latest ones. Throws Error for what is no configuration of the arm.
   void take_joints(const std::string& text);
   void events(httplib::Response& response);
-  /// Waits for joint values after number `seen`, a second at most, and returns the text of the
-  /// event: empty where there are none.
-  std::string next_event(std::uint64_t& seen);
+  /// Waits for joint values after number `seen`, a second at most and while the page is open, and
+  /// returns the text of the event: empty where there are none.
+  std::string next_event(std::uint64_t& seen, const std::function<bool()>& is_open);
 
   PageSession session_;
   std::string folder_, host_;

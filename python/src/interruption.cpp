@@ -12,8 +12,8 @@ constexpr std::chrono::milliseconds between_checks{10};
 constexpr std::chrono::microseconds often{10};
 
 // The end of the interpreter.
-constexpr std::chrono::seconds longest_wait{1};
-std::atomic<int> released = 0;               // threads in the life of a LockRelease
+constexpr std::chrono::seconds longest_wait{5};
+std::atomic<int> released = 0;               // threads in the life of a LockRelease or EndDelay
 std::atomic<std::thread::id> ending_thread;  // the one that ends the interpreter, once it does
 std::atomic<bool> ended = false;             // no other thread gets Python's lock again
 
@@ -56,6 +56,13 @@ LockRelease::~LockRelease() {
   PyEval_RestoreThread(state_);
   --released;
 }
+
+EndDelay::EndDelay() {
+  check_interpreter();
+  ++released;
+}
+
+EndDelay::~EndDelay() { --released; }
 
 void bind_exit(nb::module_& module) {
   module.def("_end_work", &end_work, nb::sig("def _end_work() -> None"));

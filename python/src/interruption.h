@@ -23,7 +23,7 @@ std::function<void(double)> progress_of(nb::handle value);
 
 /// Releases Python's lock during its life. A thread that needed the lock again while the
 /// interpreter ends would abort the process: so the interpreter waits, before it ends, until the
-/// threads that have released the lock here have it again, for a second at most; those that do not
+/// threads that have released the lock here have it again, for 5 s at most; those that do not
 /// come stop for ever instead. Raises SystemExit, which ends a thread, where the interpreter is
 /// ending already.
 class LockRelease {
@@ -35,6 +35,17 @@ class LockRelease {
 
  private:
   PyThreadState* state_;
+};
+
+/// Makes the interpreter wait, before it ends, until this thread has left the scope, in which it
+/// calls code that may release Python's lock: numpy does while it copies. Raises SystemExit where
+/// the interpreter is ending already. Requires Python's lock.
+class EndDelay {
+ public:
+  EndDelay();
+  EndDelay(const EndDelay&) = delete;
+  EndDelay& operator=(const EndDelay&) = delete;
+  ~EndDelay();
 };
 
 /// Whether the interpreter is ending, in which work of this thread has no purpose.

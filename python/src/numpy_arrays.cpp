@@ -10,6 +10,8 @@
 
 #include <numpy/arrayobject.h>
 
+#include "interruption.h"
+
 namespace beeline::python {
 namespace {
 
@@ -35,6 +37,13 @@ PyObject* checked(PyObject* object) {
   nb::python_error error;
   if (!error.matches(PyExc_TypeError) && !error.matches(PyExc_ValueError)) throw error;
   throw nb::type_error((std::string(name) + ": " + nb::str(error.value()).c_str()).c_str());
+}
+
+/// A contiguous array of the type; null with Python's error where there is none.
+PyObject* converted(nb::handle value, int type) {
+  const EndDelay delay;
+  constexpr int flags = NPY_ARRAY_C_CONTIGUOUS | NPY_ARRAY_ALIGNED | NPY_ARRAY_NOTSWAPPED;
+  return PyArray_FROMANY(value.ptr(), type, 0, 0, flags);
 }
 
 PyObject* swapped(PyArrayObject* array) {
@@ -101,7 +110,6 @@ InputArray::InputArray(nb::handle value, const char* name, bool float32)
   if (value.is_none()) {
     throw nb::type_error((std::string(name) + ": expected numbers, not None").c_str());
   }
-  constexpr int flags = NPY_ARRAY_C_CONTIGUOUS | NPY_ARRAY_ALIGNED | NPY_ARRAY_NOTSWAPPED;
   int type = NPY_FLOAT64;
   if (PyArray_Check(value.ptr())) {
     refuse_masked(value, name);
@@ -114,13 +122,13 @@ InputArray::InputArray(nb::handle value, const char* name, bool float32)
       Py_INCREF(value.ptr());
       array_ = value.ptr();
     } else {
-      array_ = PyArray_FROMANY(value.ptr(), type, 0, 0, flags);
+      array_ = converted(value, type);
     }
   } else {  // first as numpy sees it: text in lists would be read as numbers
     const nb::object natural = nb::steal(PyArray_FROM_O(value.ptr()));
     const bool numbers = natural.is_valid() && PyArray_TYPE(array_of(natural)) != NPY_OBJECT;
     if (numbers) refuse_masked(value, name);
-    array_ = natural.is_valid() ? PyArray_FROMANY(natural.ptr(), type, 0, 0, flags) : nullptr;
+    array_ = natural.is_valid() ? converted(natural, type) : nullptr;
   }
   if (!array_) raise_conversion(name);
   PyArrayObject* array = array_of(array_);
@@ -193,6 +201,7 @@ OutputArray::OutputArray(nb::handle value, const char* name, std::span<const Ind
 
 nb::object OutputArray::finish() {
   if (!result_.is_valid()) return std::move(written_);
+  const EndDelay delay;
   if (written_.is_valid() && PyArray_CopyInto(array_of(result_), array_of(written_)) < 0) {
     throw nb::python_error();
   }
