@@ -7,7 +7,7 @@ const mostJoints = 1000;
 
 function numbers(text: string | null): number[] | null {
   if (text === null || text === "") return null;
-  const values = text.split(",", mostJoints + 1).map(Number);
+  const values = text.split(",", mostJoints + 1).map((item) => (item.trim() === "" ? NaN : Number(item)));
   return values.length <= mostJoints && values.every(Number.isFinite) ? values : null;
 }
 

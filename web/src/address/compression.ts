@@ -1,4 +1,4 @@
-const mostBytes = 20_000_000; // of what is read
+import { mostBytes } from "../core/limits.js";
 
 async function through(stream: ReadableWritablePair<Uint8Array, BufferSource>, bytes: Uint8Array): Promise<Uint8Array> {
   const reader = new Blob([bytes as BufferSource]).stream().pipeThrough(stream).getReader();

@@ -6,6 +6,7 @@ import { Stage } from "../scene/stage.js";
 import { ToolHandle } from "../scene/tool_handle.js";
 
 const ghostColour = 0xb07a2a;
+const mostGhosts = 16;
 
 /** The picture of one arm: itself, its frames, the handle at its tool, its other solutions as ghosts. */
 export class ArmView {
@@ -51,12 +52,12 @@ export class ArmView {
 
   /** Shows other configurations, transparent. */
   showGhosts(configurations: number[][]): void {
-    for (const ghost of this.ghosts) ghost.dispose();
-    this.ghosts = configurations.slice(1, 17).map((q) => {
-      const ghost = new ArmFigure(this.figure.kinds, this.size, ghostColour, 0.25);
+    const others = configurations.slice(1, 1 + mostGhosts);
+    while (this.ghosts.length > others.length) this.ghosts.pop()?.dispose();
+    others.forEach((q, i) => {
+      const ghost = (this.ghosts[i] ??= this.newGhost());
+      ghost.visible = true;
       ghost.place(this.skeleton(q));
-      this.stage.scene.add(ghost);
-      return ghost;
     });
     this.stage.changed();
   }
@@ -65,6 +66,12 @@ export class ArmView {
   point(index: number | null): void {
     this.ghosts.forEach((ghost, i) => (ghost.visible = index === null || i + 1 === index));
     this.stage.changed();
+  }
+
+  private newGhost(): ArmFigure {
+    const ghost = new ArmFigure(this.figure.kinds, this.size, ghostColour, 0.25);
+    this.stage.scene.add(ghost);
+    return ghost;
   }
 
   dispose(): void {

@@ -4,8 +4,8 @@ import { answer } from "../core/command.js";
 import type { Files } from "../core/types.js";
 import { element, shown } from "../panels/element.js";
 import { poseNumbers } from "../panels/pose.js";
-import { trail } from "../scene/marks.js";
-import { middle, type ArmDescription } from "./description.js";
+import { blue, trail } from "../scene/marks.js";
+import { middle, type ArmDescription } from "../core/description.js";
 import type { SectionPanel, Services, Shown } from "./section.js";
 import { readTrajectory } from "./trajectory.js";
 
@@ -27,7 +27,6 @@ interface Run {
 
 const steps = 2000; // of a controller that crawls
 const amber = 0xd95f02;
-const blue = 0x2b5fc7;
 
 /** Joint-space and Cartesian control side by side, to the same goal: Figures 1.7 and 1.9 of the chapter. */
 export class Control implements SectionPanel {

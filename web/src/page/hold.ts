@@ -1,4 +1,4 @@
-import { Matrix4, Vector3, type Group } from "three";
+import { Matrix4, Vector3 } from "three";
 import { answer } from "../core/command.js";
 import { JacobianPanel } from "../panels/jacobian.js";
 import type { JointsPanel } from "../panels/joints.js";
@@ -6,7 +6,7 @@ import { PosePanel, poseNumbers } from "../panels/pose.js";
 import { SolutionsPanel, type InverseAnswer } from "../panels/solutions.js";
 import { element } from "../panels/element.js";
 import { VelocityEllipsoid } from "../scene/ellipsoid.js";
-import { arrows } from "../scene/marks.js";
+import { Arrows } from "../scene/marks.js";
 import type { PageState } from "../state/page_state.js";
 import type { SectionPanel, Services, Shown } from "./section.js";
 import { selfMotion } from "./self_motion.js";
@@ -26,7 +26,7 @@ export class Hold implements SectionPanel {
     element("label", { for: "self" }, "self-motion"),
     this.redundancy,
   );
-  private columns: Group | null = null;
+  private columns: Arrows | null = null;
   private ellipsoid: VelocityEllipsoid | null = null;
   private shown: Shown | null = null;
   private asked = 0;
@@ -57,6 +57,8 @@ export class Hold implements SectionPanel {
 
   take(shown: Shown): void {
     this.shown = shown;
+    this.columns?.dispose();
+    this.ellipsoid?.dispose();
     this.columns = this.ellipsoid = null;
     ++this.asked;
     this.solutions.clear();
@@ -95,7 +97,6 @@ export class Hold implements SectionPanel {
 
   /** The columns of the Jacobian at the tool, red, green, blue: Figure 1.8 of the chapter. */
   private showColumns({ arm, view }: Shown, q: number[], tool: Float64Array): void {
-    this.columns?.removeFromParent();
     const base = arm.jacobian(q, "base");
     const vectors = Array.from(
       { length: arm.dof },
@@ -106,7 +107,8 @@ export class Hold implements SectionPanel {
     this.ellipsoid.place(origin, vectors, shortening);
     this.ellipsoid.visible = this.services.store.get().showEllipsoid;
     const shorter = vectors.map((vector) => vector.multiplyScalar(shortening));
-    this.columns = arrows(origin, shorter, view.size / 100);
+    this.columns ??= new Arrows(arm.dof, view.size / 100);
+    this.columns.place(origin, shorter);
     view.stage.scene.add(this.columns, this.ellipsoid);
     view.stage.changed();
   }

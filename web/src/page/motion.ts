@@ -1,16 +1,15 @@
 import { Matrix4, Vector3, type Group } from "three";
 import { answer } from "../core/command.js";
 import { element } from "../panels/element.js";
-import { largest, tooLarge } from "../panels/arm_chooser.js";
+import { tooLarge } from "../panels/arm_chooser.js";
 import { branchList, fileSaver, planReport, waypointList, type LineAnswer } from "../panels/motion_report.js";
 import { Player } from "../panels/player.js";
 import { poseNumbers } from "../panels/pose.js";
-import { trail } from "../scene/marks.js";
+import { blue, trail } from "../scene/marks.js";
 import type { PageState } from "../state/page_state.js";
 import type { SectionPanel, Services, Shown } from "./section.js";
 import { readTrajectory, type Motion } from "./trajectory.js";
 
-const blue = 0x2b5fc7;
 const rate = 100; // samples a second of a planned motion
 
 /** Waypoints, a line through them that is planned and proved in the page, its branches, and the motion to play. */
@@ -39,7 +38,8 @@ export class MotionSection implements SectionPanel {
     load.addEventListener("change", () => {
       const file = load.files?.[0];
       if (!file) return;
-      if (file.size > largest) this.report.textContent = tooLarge(file);
+      const refusal = tooLarge(file);
+      if (refusal !== null) this.report.textContent = refusal;
       else void file.text().then((text) => this.open(file.name, text));
       load.value = ""; // the same file can be opened again after an edit
     });

@@ -15,7 +15,7 @@ import { savedAddress } from "../share/save_page.js";
 import { Store } from "../state/store.js";
 import { ArmView } from "./arm_view.js";
 import { Control } from "./control.js";
-import type { ArmDescription } from "./description.js";
+import type { ArmDescription } from "../core/description.js";
 import { Hold } from "./hold.js";
 import { LessonsSection } from "./lessons.js";
 import { MotionSection } from "./motion.js";

@@ -3,7 +3,7 @@ import type { CommandResult, Files } from "../core/types.js";
 import type { PageState } from "../state/page_state.js";
 import type { Store } from "../state/store.js";
 import type { ArmView } from "./arm_view.js";
-import type { ArmDescription } from "./description.js";
+import type { ArmDescription } from "../core/description.js";
 
 /** The arm that the page shows. */
 export interface Shown {

@@ -1,3 +1,4 @@
+import { mostBytes } from "../core/limits.js";
 import { element } from "./element.js";
 
 /** A file that was dropped or opened: its text under its name. */
@@ -6,10 +7,9 @@ export interface OpenedFile {
   text: string;
 }
 
-export const largest = 20_000_000; // bytes of a file
-
-export function tooLarge(file: File): string {
-  return `${file.name} has ${file.size} bytes; at most ${largest} are read`;
+/** Why a file is not read; null if it is. */
+export function tooLarge(file: File): string | null {
+  return file.size <= mostBytes ? null : `${file.name} has ${file.size} bytes; at most ${mostBytes} are read`;
 }
 
 /** Chooses the arm: a built-in one, a joint string, or a file (URDF or JSON), also one dropped on the page. */
@@ -74,7 +74,8 @@ export class ArmChooser {
   private async take(files: FileList | null): Promise<void> {
     const file = files?.[0];
     if (!file) return;
-    if (file.size > largest) return this.refuse(tooLarge(file));
+    const refusal = tooLarge(file);
+    if (refusal !== null) return this.refuse(refusal);
     this.opened({ name: file.name, text: await file.text() });
   }
 }

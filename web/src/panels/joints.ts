@@ -1,4 +1,4 @@
-import type { JointDescription } from "../page/description.js";
+import type { JointDescription } from "../core/description.js";
 import { element } from "./element.js";
 import { unitOf, type Unit } from "./units.js";
 

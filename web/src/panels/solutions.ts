@@ -1,5 +1,5 @@
 import { element, shown } from "./element.js";
-import type { JointDescription } from "../page/description.js";
+import type { JointDescription } from "../core/description.js";
 import { unitOf } from "./units.js";
 
 /** What `beeline ik --json` prints. */

@@ -54,4 +54,10 @@ export class VelocityEllipsoid extends Mesh<SphereGeometry, MeshStandardMaterial
     );
     this.matrixWorldNeedsUpdate = true;
   }
+
+  override dispose(): this {
+    this.geometry.dispose();
+    this.material.dispose();
+    return this.removeFromParent();
+  }
 }

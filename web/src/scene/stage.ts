@@ -4,12 +4,13 @@ import {
   DirectionalLight,
   GridHelper,
   OrthographicCamera,
+  type Object3D,
   PerspectiveCamera,
   Scene,
+  Vector3,
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { element } from "../panels/element.js";
 
 /** The colours of the scene, in light and dark. */
 interface Theme {
@@ -20,7 +21,17 @@ interface Theme {
 const light: Theme = { background: 0xf7f8fa, grid: 0xdde2e8, gridCentre: 0xb8c2cc };
 const dark: Theme = { background: 0x14181d, grid: 0x2a323b, gridCentre: 0x45515e };
 
+const lostPicture =
+  "The picture is lost: the graphics card was reset. It comes back by itself as soon as the browser has it again.";
 const noPicture = "This browser has no WebGL, so there is no picture. The numbers beside it are computed all the same.";
+
+/** What stands in the place of the picture. */
+function sentence(text: string): HTMLElement {
+  const made = document.createElement("p");
+  made.setAttribute("role", "status");
+  made.textContent = text;
+  return made;
+}
 
 function rendererOrNull(): WebGLRenderer | null {
   try {
@@ -38,7 +49,9 @@ export class Stage {
   /** What the mouse acts on. */
   readonly canvas: HTMLElement;
   private readonly renderer: WebGLRenderer | null;
+  private readonly lost = sentence(lostPicture);
   private grid: GridHelper | null = null;
+  private pointed: Object3D | null = null;
   private waiting = false;
   private readonly darkness = matchMedia("(prefers-color-scheme: dark)");
   private readonly resize: ResizeObserver;
@@ -52,12 +65,14 @@ export class Stage {
   ) {
     this.renderer = rendererOrNull();
     this.renderer?.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.canvas = this.renderer?.domElement ?? element("p", { role: "status" }, noPicture);
+    this.canvas = this.renderer?.domElement ?? sentence(noPicture);
     this.camera = flat
       ? new OrthographicCamera(-1, 1, 1, -1, -100 * size, 100 * size)
       : new PerspectiveCamera(40, 1, size / 100, size * 100);
     this.camera.up.set(0, flat ? 1 : 0, flat ? 0 : 1);
     holder.replaceChildren(this.canvas);
+    this.canvas.addEventListener("webglcontextlost", this.lose);
+    this.canvas.addEventListener("webglcontextrestored", this.restore);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enableRotate = !flat;
     this.controls.addEventListener("change", () => this.changed());
@@ -79,7 +94,13 @@ export class Stage {
     requestAnimationFrame(() => {
       this.waiting = false;
       this.renderer?.render(this.scene, this.camera);
+      this.writePoint();
     });
+  }
+
+  /** Keeps in the attribute data-tool of the picture's element where it shows an object, in pixels. */
+  pointAt(object: Object3D): void {
+    this.pointed = object;
   }
 
   /** Puts the camera where the whole arm is seen. */
@@ -102,17 +123,37 @@ export class Stage {
 
   dispose(): void {
     this.resize.disconnect();
+    this.canvas.removeEventListener("webglcontextlost", this.lose);
     this.darkness.removeEventListener("change", this.paint);
     this.controls.dispose();
     this.renderer?.dispose();
     this.renderer?.forceContextLoss(); // browsers have few contexts, and free them late by themselves
     this.canvas.remove();
+    this.lost.remove();
+  }
+
+  private readonly lose = (event: Event): void => {
+    event.preventDefault(); // otherwise the browser does not restore it
+    this.holder.append(this.lost);
+  };
+
+  private readonly restore = (): void => {
+    this.lost.remove();
+    this.changed();
+  };
+
+  private writePoint(): void {
+    if (!this.pointed) return;
+    const { x, y } = this.pointed.getWorldPosition(new Vector3()).project(this.camera);
+    const { clientWidth: width, clientHeight: height } = this.holder;
+    this.holder.dataset["tool"] = `${((0.5 + x / 2) * width).toFixed(1)},${((0.5 - y / 2) * height).toFixed(1)}`;
   }
 
   private readonly paint = (): void => {
     const theme = this.darkness.matches ? dark : light;
     this.scene.background = new Color(theme.background);
     if (this.grid) this.scene.remove(this.grid);
+    this.grid?.dispose();
     const cell = 10 ** Math.round(Math.log10(this.size / 4));
     const cells = 2 * Math.ceil((1.5 * this.size) / cell);
     this.grid = new GridHelper(cells * cell, cells, theme.gridCentre, theme.grid);

@@ -1,4 +1,4 @@
-import { Matrix4, Object3D, Quaternion, Vector3 } from "three";
+import { Matrix4, Object3D, Vector3 } from "three";
 import { TransformControls } from "three/addons/controls/TransformControls.js";
 import type { Stage } from "./stage.js";
 
@@ -6,12 +6,14 @@ import type { Stage } from "./stage.js";
 export class ToolHandle {
   private readonly target = new Object3D();
   private readonly controls: TransformControls;
+  private readonly tool = new Matrix4();
   private held = false;
 
-  /** `moved` gets the pose that the handle was dragged to: a column-major 4 x 4 matrix. */
+  /** `flat`: for planar arms, which move in x and y and turn about z. `moved` gets the pose that the handle was dragged
+   * to: a column-major 4 x 4 matrix. */
   constructor(
     private readonly stage: Stage,
-    flat: boolean,
+    private readonly flat: boolean,
     moved: (pose: number[]) => void,
   ) {
     this.controls = new TransformControls(stage.camera, stage.canvas);
@@ -22,15 +24,15 @@ export class ToolHandle {
     this.controls.addEventListener("dragging-changed", (event) => {
       this.held = event.value === true;
       stage.controls.enabled = !this.held;
+      if (!this.held) this.return(); // from where the tool cannot go
     });
     this.controls.addEventListener("change", () => stage.changed());
     this.controls.addEventListener("objectChange", () => {
       this.target.updateMatrix();
       moved(this.target.matrix.toArray());
     });
-    this.flat = flat;
+    stage.pointAt(this.target);
   }
-  private readonly flat: boolean;
 
   set mode(mode: "translate" | "rotate") {
     this.controls.setMode(mode);
@@ -38,18 +40,10 @@ export class ToolHandle {
     this.controls.showZ = !this.flat || mode === "rotate";
   }
 
-  set visible(visible: boolean) {
-    this.controls.getHelper().visible = visible;
-    this.controls.enabled = visible;
-    this.stage.changed();
-  }
-
   /** Follows the tool, unless it is being dragged. */
   follow(pose: ArrayLike<number>): void {
-    if (this.held) return;
-    const matrix = new Matrix4().fromArray(Array.from(pose));
-    matrix.decompose(this.target.position as Vector3, this.target.quaternion as Quaternion, new Vector3());
-    this.stage.changed();
+    this.tool.fromArray(Array.from(pose));
+    if (!this.held) this.return();
   }
 
   dispose(): void {
@@ -57,5 +51,10 @@ export class ToolHandle {
     this.controls.dispose();
     this.target.removeFromParent();
     this.controls.getHelper().removeFromParent();
+  }
+
+  private return(): void {
+    this.tool.decompose(this.target.position, this.target.quaternion, new Vector3());
+    this.stage.changed();
   }
 }
