@@ -16,7 +16,7 @@ const shortening = 0.35; // metres drawn for a metre a second
 /** The section where the arm is held: sliders, the tool dragged by hand, numbers, all solutions. */
 export class Hold implements SectionPanel {
   readonly root = element("div", { class: "panel" });
-  private readonly pose = new PosePanel();
+  private readonly pose = new PosePanel((pose) => this.reach(pose));
   private readonly jacobian: JacobianPanel;
   private readonly solutions: SolutionsPanel;
   private readonly redundancy = element("input", { type: "range", min: -1, max: 1, step: "any", value: 0, id: "self" });
@@ -63,7 +63,8 @@ export class Hold implements SectionPanel {
     ++this.asked;
     this.solutions.clear();
     this.selfMotionRow.hidden = shown.arm.dof <= (shown.arm.planar ? 3 : 6);
-    shown.view.onDrag((pose) => this.drag(pose));
+    shown.view.onDrag((pose) => this.reach(pose));
+    this.pose.describe(shown.arm.planar);
     this.joints.describe(shown.description.joints, this.services.store.get().degrees);
   }
 
@@ -113,7 +114,8 @@ export class Hold implements SectionPanel {
     view.stage.changed();
   }
 
-  private drag(pose: number[]): void {
+  /** Moves the tool to a pose, or says why the arm does not reach it. */
+  private reach(pose: number[]): void {
     const { q } = this.services.store.get();
     if (!this.shown || !q) return;
     const [found] = this.shown.arm.inverse(pose, q);

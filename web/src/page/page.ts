@@ -19,6 +19,7 @@ import type { ArmDescription } from "../core/description.js";
 import { Hold } from "./hold.js";
 import { LessonsSection } from "./lessons.js";
 import { MotionSection } from "./motion.js";
+import { svgButton } from "./save_svg.js";
 import type { SectionPanel, Services, Shown } from "./section.js";
 import { toolbar } from "./toolbar.js";
 
@@ -30,6 +31,7 @@ export class Page {
   private readonly panels: Map<Section, { title: string; panel: SectionPanel }>;
   private readonly services: Services;
   private readonly motion: MotionSection;
+  private readonly saveSvg: HTMLButtonElement;
   private shown: Shown | null = null;
   /** What of the state belongs to the arm that is shown. */
   private valid: Pick<PageState, "arm" | "q" | "goal"> | null = null;
@@ -48,6 +50,7 @@ export class Page {
         worker.command(args, { ...files, [armFile]: this.shown?.arm.json ?? "" }, progress),
       cancel: () => worker.cancel(),
     };
+    this.saveSvg = svgButton(this.services, (reason) => chooser.refuse(reason));
     const joints = new JointsPanel((q) => store.set({ q }));
     this.motion = new MotionSection(this.services);
     this.panels = new Map<Section, { title: string; panel: SectionPanel }>([
@@ -59,7 +62,7 @@ export class Page {
     const side = document.getElementById("side") as HTMLElement;
     side.replaceChildren(chooser.root, ...[...this.panels.values()].map(({ panel }) => panel.root));
     (document.getElementById("tools") as HTMLElement).replaceChildren(
-      ...toolbar(store, () => this.shown?.view ?? null),
+      ...toolbar(store, () => this.shown?.view ?? null, this.saveSvg),
     );
     this.showSections();
     store.subscribe((_, changed) => this.changed(changed));
@@ -135,6 +138,7 @@ export class Page {
     this.shown = { arm, description, view: new ArmView(holder, arm, description.reach?.radius || 1) };
     for (const { panel } of this.panels.values()) panel.take(this.shown);
     this.chooser.show(description.name);
+    this.saveSvg.hidden = !arm.planar;
     const { q, goal } = this.store.get();
     this.valid = { arm: source, q, goal };
     if (q === null || q.length !== arm.dof) this.store.set({ q: arm.displayConfiguration() });

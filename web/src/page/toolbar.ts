@@ -8,8 +8,8 @@ import type { ArmView } from "./arm_view.js";
 
 type Switch = "degrees" | "showFrames" | "showSolutions" | "showEllipsoid";
 
-/** The buttons above the picture. */
-export function toolbar(store: Store<PageState>, view: () => ArmView | null): HTMLElement[] {
+/** The buttons of the picture; `saveSvg` is one more of them. */
+export function toolbar(store: Store<PageState>, view: () => ArmView | null, saveSvg: HTMLElement): HTMLElement[] {
   const pressed = (on: boolean): Record<string, string> => ({ "aria-pressed": String(on) });
   const toggle = (text: string, key: Switch): HTMLElement => {
     const button = element("button", { type: "button", ...pressed(store.get()[key]) }, text);
@@ -37,6 +37,7 @@ export function toolbar(store: Store<PageState>, view: () => ArmView | null): HT
     turn,
     home,
     save,
+    saveSvg,
     element("button", { type: "button", onclick: () => void savePage(store) }, "Save page"),
   ];
 }

@@ -1,4 +1,5 @@
 import { mostBytes } from "../core/limits.js";
+import { DhForm } from "./dh_form.js";
 import { element } from "./element.js";
 
 /** A file that was dropped or opened: its text under its name. */
@@ -50,7 +51,8 @@ export class ArmChooser {
     this.text.addEventListener("input", () => {
       if (builtIn.includes(this.text.value)) this.chosen(this.text.value);
     });
-    this.root.append(form, this.message);
+    const table = new DhForm((text) => this.opened({ name: "dh_table.json", text }));
+    this.root.append(form, table.root, this.message);
   }
 
   /** Takes files that are dropped on `target`. */

@@ -2,8 +2,8 @@ import type { JointDescription } from "../core/description.js";
 import { element } from "./element.js";
 import { unitOf, type Unit } from "./units.js";
 
-/** Limits of a slider where the joint has none, radians or metres. */
-const open = { revolute: Math.PI, prismatic: 1 };
+/** How far a slider reaches from 0 where the joint has no limit, radians or metres. A number can be typed beyond. */
+const open = { angle: 2 * Math.PI, length: 1 };
 
 interface Row {
   slider: HTMLInputElement;
@@ -37,6 +37,7 @@ export class JointsPanel {
           element("span", { class: "unit", "aria-hidden": "true" }, row.unit.name),
         );
       }),
+      ...withoutLimits(joints),
     );
   }
 
@@ -51,16 +52,22 @@ export class JointsPanel {
 
   private row(joint: JointDescription, degrees: boolean): Row {
     const unit = unitOf(joint.type, degrees);
-    const span = joint.type === "prismatic" ? open.prismatic : open.revolute;
-    const lower = (joint.limits.lower ?? -span) * unit.factor;
-    const upper = (joint.limits.upper ?? span) * unit.factor;
-    const range = { min: lower, max: upper, step: "any" };
+    const [lower, upper] = [joint.limits.lower ?? -Infinity, joint.limits.upper ?? Infinity];
+    const span = joint.type === "prismatic" ? open.length : open.angle;
+    const min = (lower > -Infinity ? lower : Math.min(-span, upper - span)) * unit.factor;
+    const max = (upper < Infinity ? upper : Math.max(span, lower + span)) * unit.factor;
     const label = `${joint.name}, ${unit.name === "°" ? "degrees" : unit.name}`;
-    const slider = element("input", { type: "range", "aria-label": `${label}, slider`, ...range });
-    const number = element("input", { type: "number", "aria-label": label, ...range });
+    const slider = element("input", { type: "range", "aria-label": `${label}, slider`, min, max, step: "any" });
+    const number = element("input", {
+      type: "number",
+      "aria-label": label,
+      step: "any",
+      min: lower > -Infinity && min,
+      max: upper < Infinity && max,
+    });
     const take = (from: HTMLInputElement): void => {
       if (from.value === "") return;
-      const value = Math.min(upper, Math.max(lower, Number(from.value)));
+      const value = Math.min(upper * unit.factor, Math.max(lower * unit.factor, Number(from.value)));
       number.value = value.toFixed(unit.digits);
       slider.value = String(value);
       const k = this.rows.findIndex((row) => row.slider === slider);
@@ -70,4 +77,17 @@ export class JointsPanel {
     number.addEventListener("change", () => take(number));
     return { slider, number, unit };
   }
+}
+
+/** Says which joints have no limits, or one only. */
+function withoutLimits(joints: JointDescription[]): HTMLElement[] {
+  const names = joints
+    .filter(({ limits }) => limits.lower === null || limits.upper === null)
+    .map(({ name, limits }) => {
+      if (limits.lower !== null) return `${name} (upper)`;
+      return limits.upper !== null ? `${name} (lower)` : name;
+    });
+  if (names.length === 0) return [];
+  const which = names.length === joints.length && names.length > 1 ? "all joints" : names.join(", ");
+  return [element("p", { class: "quiet" }, `No limits: ${which}. Numbers beyond the slider can be typed.`)];
 }

@@ -19,7 +19,6 @@ export class ToolHandle {
     this.controls = new TransformControls(stage.camera, stage.canvas);
     this.controls.size = 0.7;
     this.controls.attach(this.target);
-    if (flat) this.controls.showZ = false;
     stage.scene.add(this.target, this.controls.getHelper());
     this.controls.addEventListener("dragging-changed", (event) => {
       this.held = event.value === true;
@@ -28,6 +27,7 @@ export class ToolHandle {
     });
     this.controls.addEventListener("change", () => stage.changed());
     this.controls.addEventListener("objectChange", () => {
+      if (flat) this.target.position.z = this.tool.elements[14] as number; // which dragging changes by rounding
       this.target.updateMatrix();
       moved(this.target.matrix.toArray());
     });
@@ -37,7 +37,6 @@ export class ToolHandle {
   set mode(mode: "translate" | "rotate") {
     this.controls.setMode(mode);
     this.controls.showX = this.controls.showY = !(this.flat && mode === "rotate");
-    this.controls.showZ = !this.flat || mode === "rotate";
   }
 
   /** Follows the tool, unless it is being dragged. */
