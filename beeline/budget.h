@@ -38,7 +38,8 @@ struct Budget {
   /// Returns whether the search is to end. Called every millisecond or more often, by several
   /// threads at once where the search has several; it must not throw. Default: never.
   std::function<bool()> cancelled = {};
-  /// Called now and then with the fraction computed, from 0 to 1, by motions along paths.
+  /// Called now and then with the fraction computed, from 0 to 1, which never falls: by motions
+  /// along paths, their branches and nearby paths, batches and retiming.
   std::function<void(double)> progress = {};
   /// Set by the library: the meter of the computation that this one is a part of.
   internal::BudgetMeter* part_of = nullptr;

@@ -29,6 +29,20 @@ BudgetMeter::BudgetMeter(const Budget& budget) : budget_(budget) {
              (budget.part_of != nullptr && budget.part_of->limited_);
 }
 
+Budget BudgetMeter::part(double begin, double end) {
+  Budget part{.part_of = this};
+  if (reports()) {
+    part.progress = [this, begin, end](double share) { report(begin + share * (end - begin)); };
+  }
+  return part;
+}
+
+void BudgetMeter::report(double fraction) {
+  if (!budget_.progress || fraction <= reported_) return;
+  reported_ = fraction;
+  budget_.progress(fraction);
+}
+
 bool BudgetMeter::exceeded(std::int64_t work) {
   if (!complete()) return true;
   const Ending reached = reached_limit(work);

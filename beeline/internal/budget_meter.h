@@ -26,11 +26,12 @@ class BudgetMeter {
 
   /// The budget of a part of the computation: what is left of this one.
   Budget part() { return {.part_of = this}; }
+  /// The same for a part that computes from the fraction `begin` to `end` of all, and reports it.
+  Budget part(double begin, double end);
 
-  /// Reports the fraction computed.
-  void report(double fraction) const {
-    if (budget_.progress) budget_.progress(fraction);
-  }
+  /// Reports the fraction computed, unless a greater one was: a search that begins again with finer
+  /// steps does not run backwards.
+  void report(double fraction);
   bool reports() const { return static_cast<bool>(budget_.progress); }
 
  private:
@@ -41,6 +42,7 @@ class BudgetMeter {
   bool limited_ = false;
   std::atomic<Ending> ending_ = Ending::complete;
   std::atomic<std::int64_t> work_ = 0;
+  std::atomic<double> reported_ = -1;
   std::chrono::steady_clock::time_point deadline_ = std::chrono::steady_clock::time_point::max();
 };
 

@@ -109,8 +109,7 @@ void check_branch_search(const Arm& arm, const ToolPath& path, const BranchOptio
 /// The options of a part of a search.
 BranchOptions within(BudgetMeter& budget, const BranchOptions& given) {
   BranchOptions options = given;
-  options.budget = budget.part();
-  options.budget.progress = given.budget.progress;
+  options.budget = budget.part(0, 1);
   return options;
 }
 
@@ -141,7 +140,10 @@ std::vector<Branch> branch_map(const Arm& arm, const ToolPath& path, const Branc
                                                    .max_restarts = 4 * coarse,
                                                    .budget = options.budget});
   std::vector<Branch> branches;
+  const auto count = static_cast<double>(starts.solutions.size());
   for (const Configuration& start : starts.solutions) {
+    const auto done = static_cast<double>(branches.size());
+    options.budget = budget.part(done / count, (done + 1) / count);
     branches.push_back(plan_path(arm, start, path, options));
   }
   std::stable_sort(branches.begin(), branches.end(), better);

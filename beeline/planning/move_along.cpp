@@ -229,8 +229,7 @@ PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const
   BranchOptions planning{.task = task,
                          .tolerance = part_of_tolerance(options, planned_fraction),
                          .max_samples = static_cast<std::size_t>(options.max_samples),
-                         .budget = budget.part()};
-  planning.budget.progress = options.budget.progress;
+                         .budget = budget.part(0, 1)};
   const Branch plan = plan_path(arm, start, route.path, planning);
   PathMotion motion = timed(arm, route, plan, task, few_samples, options, budget);
   if (plan && motion.status == MotionStatus::outside_limits) {

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/planning/nearby_path.h>
@@ -92,11 +94,16 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
   trial.coarse = trial.exact;
   trial.coarse.tolerance = {10 * options.tolerance.position, 10 * options.tolerance.orientation};
   const double largest = rotate ? max_rotation : max_translation;
+  const int sizes =
+      1 + static_cast<int>(std::log2(largest / (rotate ? min_rotation : min_translation)));
+  const int directions = arm.planar() ? (rotate ? 2 : 4) : 6;
+  int tried = 0;
   for (double size = rotate ? min_rotation : min_translation; size <= largest; size *= 2) {
     for (int axis = 0; axis < 3; ++axis) {
       if (arm.planar() && rotate != (axis == 2)) continue;
       for (const double sign : {1.0, -1.0}) {
         if (budget.ended()) return {};
+        budget.report(static_cast<double>(tried++) / (sizes * directions));
         const Vector3 unit = sign * Vector3::Unit(axis);
         if (!trial.works(size * unit, trial.coarse) || !trial.works(size * unit, trial.exact)) {
           continue;

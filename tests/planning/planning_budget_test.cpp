@@ -4,6 +4,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/planning/move_along.h>
+#include <beeline/planning/nearby_path.h>
 #include <beeline/planning/program.h>
 
 #include "../ended_budget.h"
@@ -47,6 +48,39 @@ std::vector<Job> jobs() {
       job("not possible, with suggestions", "rrr", rrr, {{-1, 9, 0}}, true, {.suggest = true}),
       job("not possible, redundant", "panda", panda, {{0.5, 0.5, 0.1}}, true),
   };
+}
+
+/// The fractions that `work` reports, with the options of a search that tolerates 1e-5.
+template <class Work>
+std::vector<double> reported(const Work& work) {
+  std::vector<double> fractions;
+  BranchOptions options;
+  options.tolerance = {1e-5, 1e-5};
+  options.budget.progress = [&fractions](double done) { fractions.push_back(done); };
+  work(options);
+  return fractions;
+}
+
+TEST(PlanningBudget, ProgressOfSearchesNeverFalls) {
+  for (const Job& each : jobs()) {
+    SCOPED_TRACE(each.what);
+    const ToolPath path = lines_through(each.poses);
+    const auto started = [&](BranchOptions options) {
+      options.task = default_task(each.arm);
+      return options;
+    };
+    for (const std::vector<double>& fractions :
+         {reported([&](const BranchOptions& given) { branch_map(each.arm, path, started(given)); }),
+          reported([&](const BranchOptions& given) {
+            nearby_path(each.arm, each.start, path, started(given), false);
+          })}) {
+      ASSERT_FALSE(fractions.empty());
+      EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+      EXPECT_EQ(std::adjacent_find(fractions.begin(), fractions.end()), fractions.end());
+      EXPECT_GE(fractions.front(), 0);
+      EXPECT_LE(fractions.back(), 1);
+    }
+  }
 }
 
 /// Whether a status is that of a budget's end.

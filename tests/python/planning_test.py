@@ -105,7 +105,9 @@ def test_what_is_impossible_has_a_reason():
     assert few.status == "too_many_samples"
     tool = beeline.forward_kinematics(UR5, UR5_HOME)
     out = beeline.lines_through([tool, moved(tool, x=0.9)])
-    nearby = beeline.nearby_path(UR5, None, out)
+    fractions = []
+    nearby = beeline.nearby_path(UR5, None, out, progress=fractions.append)
+    assert fractions and fractions == sorted(fractions) and 0 <= fractions[0] and fractions[-1] <= 1
     assert nearby is None or beeline.plan_path(UR5, None, nearby.path)
 
 

@@ -55,7 +55,6 @@ void track_path(const Arm& arm, const ToolPath& path, const Bounds& bounds,
       if (!budget.complete()) set_ended(path, budget.ending(), branch);
       return;
     }
-    budget.report((begin + 1) / segments);
     // The sample at the joint of two segments belongs to both.
     samples_left -= std::min(samples_left, tracked.samples.size() - 1);
     budget.report((begin + 1) / segments);
@@ -207,13 +206,17 @@ std::vector<Branch> unordered_branches(const Arm& arm, const ToolPath& path,
     keep_limits(arm, path, branch);
     branches.push_back(std::move(branch));
   };
-  for (const Configuration& start : starts.solutions) {
-    if (!within(bounds, start)) continue;
-    Branch branch{.start = start};
+  const auto count = static_cast<double>(starts.solutions.size());
+  for (std::size_t i = 0; i < starts.solutions.size(); ++i) {
+    if (!within(bounds, starts.solutions[i])) continue;
+    Branch branch{.start = starts.solutions[i]};
     if (budget.ended()) {
       set_ended(path, budget.ending(), branch);
     } else {
-      track_path(arm, path, bounds, options, budget, branch);
+      const auto done = static_cast<double>(i);
+      const Budget share = budget.part(done / count, (done + 1) / count);
+      BudgetMeter one(share);
+      track_path(arm, path, bounds, options, one, branch);
     }
     add(std::move(branch));
   }
