@@ -32,6 +32,14 @@ void end_work() {
   ended = true;
 }
 
+/// Stops a thread that Python ends, by unwinding its stack, as it came for the lock too late: in
+/// Python code that a function of this module called. nanobind's catch (...) has caught that, and
+/// without an exception; to return would abort the process.
+void stop_unwound_thread(const std::exception_ptr& error, void*) {
+  while (!error) std::this_thread::sleep_for(std::chrono::hours(1));
+  std::rethrow_exception(error);
+}
+
 }  // namespace
 
 bool interpreter_ends() {
@@ -65,6 +73,7 @@ EndDelay::EndDelay() {
 EndDelay::~EndDelay() { --released; }
 
 void bind_exit(nb::module_& module) {
+  nb::register_exception_translator(&stop_unwound_thread);
   module.def("_end_work", &end_work, nb::sig("def _end_work() -> None"));
   module.def(
       "_after_fork", [] { released = 0; }, nb::sig("def _after_fork() -> None"));

@@ -23,7 +23,6 @@ nb::list public_names(const nb::module_& module) {
 
 NB_MODULE(_core, module) {
   import_numpy();
-  bind_exit(module);
   nb::exception<Error> error(module, "Error", PyExc_ValueError);
   error.attr("__doc__") =
       "Invalid input. The message names the culprit, its value, and the "
@@ -55,6 +54,7 @@ NB_MODULE(_core, module) {
   bind_formulas(module);
   bind_pictures(module);
   bind_command_line(module);
+  bind_exit(module);  // after the exceptions: the last translator is asked first
   module.attr("__all__") = public_names(module);
 }
 

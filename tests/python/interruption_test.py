@@ -61,6 +61,12 @@ solver = beeline.InverseSolver(arm)
 tool = beeline.forward_kinematics(arm, arm.middle)
 while True:
     solver.solve(tool)""",
+    "an argument's Python code": """
+class Slow:
+    def __array__(self, *args, **keywords):
+        while True:
+            time.sleep(1e-3)
+beeline.forward_kinematics(arm, Slow())""",
     "not impressed by exceptions": """
 while True:
     try:
