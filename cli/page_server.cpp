@@ -147,7 +147,7 @@ void PageServer::file(const httplib::Request& request, httplib::Response& respon
   if (!inside || !fs::is_regular_file(path, failed)) return refuse(response, 404, "no such file");
   std::string content = internal::read_file(path.string());
   constexpr std::string_view body = "<body>";  // marked, so that the page asks for the session
-  const std::size_t at = path.extension() == ".html" ? content.find(body) : std::string::npos;
+  const std::size_t at = path.filename() == "index.html" ? content.find(body) : std::string::npos;
   if (at != std::string::npos) {
     content.replace(at, body.size(), "<body data-session=\"api/session\">");
   }
@@ -207,16 +207,16 @@ void PageServer::events(httplib::Response& response) {
     delete closed;
     --pages_;
   });
-  response.set_chunked_content_provider(
-      "text/event-stream", [this, page](std::size_t, httplib::DataSink& sink) {
-        // The first answer comes at once, so that the page knows that it is connected.
-        std::string event = page->greeted ? next_event(page->seen, sink.is_writable) : ": welcome\n\n";
-        page->greeted = true;
-        if (stopped_) {
-          sink.done();
-          return false;
-        }
-        if (event.empty()) event = ": still here\n\n";  // fails where the page is closed
-        return sink.write(event.data(), event.size());
-      });
+  response.set_chunked_content_provider("text/event-stream", [this, page](std::size_t,
+                                                                          httplib::DataSink& sink) {
+    // The first answer comes at once, so that the page knows that it is connected.
+    std::string event = page->greeted ? next_event(page->seen, sink.is_writable) : ": welcome\n\n";
+    page->greeted = true;
+    if (stopped_) {
+      sink.done();
+      return false;
+    }
+    if (event.empty()) event = ": still here\n\n";  // fails where the page is closed
+    return sink.write(event.data(), event.size());
+  });
 }

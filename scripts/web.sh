@@ -12,7 +12,11 @@ if [[ ! web/package-lock.json -ot web/node_modules/.package-lock.json ]]; then
   (cd web && npm ci --silent)
 fi
 module=$(realpath "$1") folder=$(realpath --canonicalize-missing "$2")
-(cd web && npx tsc --noEmit && BEELINE_MODULE=$module npx vite build --logLevel warn --outDir "$folder.new" --emptyOutDir)
+cd web
+npx tsc --noEmit
+for mode in production saved; do  # the page; then saved.html, what saved pages are made of
+  BEELINE_MODULE=$module npx vite build --mode "$mode" --logLevel warn --outDir "$folder.new"
+done
 rm -rf "$folder"
 mv "$folder.new" "$folder"
 echo "The page: $2/index.html (browsers open it from a server: beeline view, or python3 -m http.server)"

@@ -1,23 +1,28 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { lessons } from "./lesson_plugin.js";
+import { savedPage } from "./saved_page_plugin.js";
 
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
 /** BEELINE_MODULE: the folder of core.wasm, beeline.wasm and their scripts; default: where `make web` makes them. */
 const module = process.env["BEELINE_MODULE"] ?? at("../build-web-core/web");
 
-export default defineConfig({
+const parts = { "core-module": "core", "command-module": "beeline", worker: "command_worker" };
+
+/** `vite build` builds the page; `vite build --mode saved`, after it, the document that a saved page is made of. */
+export default defineConfig(({ mode }) => ({
   base: "./",
-  plugins: [lessons()],
+  plugins: [lessons(), ...(mode === "saved" ? [savedPage(parts)] : [])],
   resolve: { alias: { "beeline-module": module } },
   build: {
     outDir: at("../build/web"),
-    emptyOutDir: true,
+    emptyOutDir: mode !== "saved",
     target: "es2022",
     assetsInlineLimit: 0,
-    chunkSizeWarningLimit: 800,
+    chunkSizeWarningLimit: mode === "saved" ? 4000 : 800,
+    ...(mode === "saved" ? { rolldownOptions: { output: { codeSplitting: false } } } : {}),
   },
   worker: { format: "es" },
   server: { fs: { allow: [at("."), module] } },
-});
+}));

@@ -186,6 +186,8 @@ test("the saved page opens from a disk, without a network, and computes", async 
   const second = `${file}.again.html`;
   await again.saveAs(second);
   expect(readFileSync(second, "utf8").length).toBeGreaterThan(0.9 * readFileSync(file, "utf8").length);
+  await saved.getByRole("link", { name: "Lessons" }).click(); // which the other page loads when they are opened
+  await saved.getByRole("heading", { name: "Links and joints" }).waitFor();
   expect(errors).toEqual([]);
   rmSync(dirname(file), { recursive: true });
 });

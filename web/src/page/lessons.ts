@@ -44,7 +44,7 @@ export class LessonsSection implements SectionPanel {
 
   private async open(lesson: Lesson): Promise<void> {
     this.opened = lesson.id;
-    const failed = { default: "<p>This lesson cannot be loaded; a saved page holds none.</p>" };
+    const failed = { default: "<p>This lesson cannot be loaded.</p>" };
     const { default: html } = await lesson.load().catch(() => failed);
     if (this.opened !== lesson.id) return;
     this.text.innerHTML = html; // ours, made when the page was built

@@ -8,10 +8,10 @@ import type { CoreModule } from "../core/module.js";
 import { ArmChooser } from "../panels/arm_chooser.js";
 import { element } from "../panels/element.js";
 import { JointsPanel } from "../panels/joints.js";
-import { follow, sessionOf, type Session } from "../live/live.js";
+import { follow, sessionOf } from "../live/live.js";
 import { initialState, type ArmSource, type PageState, type Section } from "../state/page_state.js";
 import { bytesOf, startWorker } from "../share/parts.js";
-import { savedAddress } from "../share/save_page.js";
+import { savedAddress, savedTrajectory } from "../share/save_page.js";
 import { Store } from "../state/store.js";
 import { ArmView } from "./arm_view.js";
 import { Control } from "./control.js";
@@ -89,12 +89,14 @@ export class Page {
     page = new Page(document, core, worker, store, chooser);
     chooser.acceptDrops(document.body);
     page.takeArm(store.get().arm);
-    if (session) page.goLive(session);
+    if (session) page.goLive();
+    const trajectory = session ? session.trajectory : await savedTrajectory();
+    if (trajectory !== null) page.openTrajectory(trajectory);
     return page;
   }
 
-  /** Follows the joint values that a program posts to `beeline view`, and plays its trajectory. */
-  private goLive(session: Session): void {
+  /** Follows the joint values that a program posts to `beeline view`. */
+  private goLive(): void {
     const light = element("span", { role: "status", class: "live" }, "connecting");
     (this.document.getElementById("tools") as HTMLElement).append(light);
     follow(
@@ -103,9 +105,12 @@ export class Page {
       },
       (now) => (light.textContent = now ? "live" : "connecting again"),
     );
-    if (session.trajectory === null) return;
-    this.motion.open("motion.csv", session.trajectory);
+  }
+
+  /** Plays the trajectory that the page was opened with. */
+  private openTrajectory(csv: string): void {
     this.store.set({ section: "motion" });
+    this.motion.open("motion.csv", csv);
   }
 
   private changed(changed: ReadonlySet<keyof PageState>): void {
@@ -187,6 +192,12 @@ export class Page {
     const turn = ++this.writing;
     await new Promise((resolve) => setTimeout(resolve, 250)); // browsers limit how often it may change
     if (turn !== this.writing) return;
-    history.replaceState(null, "", `#${await addressOf(this.store.get())}`);
+    const hash = `#${await addressOf(this.store.get())}`;
+    // In full, as the frame of a notebook (about:srcdoc) takes other addresses for those of the notebook.
+    history.replaceState(
+      null,
+      "",
+      location.href.replace(/#.*|$/, () => hash),
+    );
   }
 }

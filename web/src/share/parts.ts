@@ -1,35 +1,29 @@
 import coreUrl from "beeline-module/core.wasm?url";
 import commandUrl from "beeline-module/beeline.wasm?url";
 import workerUrl from "../core/command_worker.ts?worker&url";
-import { decompressed, compressed } from "../address/compression.js";
+import { decompressed } from "../address/compression.js";
 
 /** The parts of the page that are loaded when it runs. In a saved page they are elements of the document, in base64. */
 const addresses = { "core-module": coreUrl, "command-module": commandUrl, worker: workerUrl };
-export type Part = keyof typeof addresses;
-export const parts = Object.keys(addresses) as Part[];
+type Part = keyof typeof addresses;
 
-/** The id of the element that holds a part of a saved page. */
-export function elementOf(part: Part): string {
-  return `saved-${part}`;
+/** The text of an element of a saved page (saved.html), such as a part; null in other pages and where it is empty. */
+export function savedText(name: string): string | null {
+  return document.getElementById(`saved-${name}`)?.textContent?.trim() || null;
 }
 
 /** The bytes of a part, from the document or from the server. */
 export async function bytesOf(part: Part): Promise<Uint8Array> {
-  const saved = document.getElementById(elementOf(part));
-  if (saved) return decompressed(saved.textContent ?? "");
+  const saved = savedText(part);
+  if (saved !== null) return decompressed(saved);
   const answer = await fetch(addresses[part]);
   if (!answer.ok) throw new Error(`The page cannot be loaded: ${answer.status} for ${answer.url}`);
   return new Uint8Array(await answer.arrayBuffer());
 }
 
-/** A part as text that an HTML document can hold. */
-export async function savedText(part: Part): Promise<string> {
-  return compressed(await bytesOf(part));
-}
-
 /** Starts the worker that runs commands. Pages from a disk can start classic workers only, which have no import.meta. */
 export async function startWorker(): Promise<Worker> {
-  if (!document.getElementById(elementOf("worker"))) return new Worker(workerUrl, { type: "module" });
+  if (savedText("worker") === null) return new Worker(workerUrl, { type: "module" });
   const code = new TextDecoder().decode(await bytesOf("worker")).replaceAll("import.meta", '({ url: "file:///" })');
   // The address is not revoked: the browser reads it after this function has returned.
   return new Worker(URL.createObjectURL(new Blob([code], { type: "text/javascript" })));

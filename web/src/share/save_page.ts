@@ -1,48 +1,41 @@
-import { elementOf, parts, savedText } from "./parts.js";
+import { compressed, decompressed } from "../address/compression.js";
+import { savedText } from "./parts.js";
 
-const state = "saved-state";
+/** A saved page as it was opened, before anything changed it; null in other pages. */
+const asOpened = savedText("state") === null ? null : `<!doctype html>\n${document.documentElement.outerHTML}`;
 
 /** The part of the address behind # that a saved page begins with; empty in other pages. */
 export function savedAddress(): string {
-  return document.getElementById(state)?.textContent?.trim() ?? "";
+  return savedText("state") ?? "";
 }
 
-async function textAt(address: string): Promise<string> {
+/** The trajectory, CSV, that a saved page begins with; null where it has none. */
+export async function savedTrajectory(): Promise<string | null> {
+  const text = savedText("trajectory");
+  return text === null ? null : new TextDecoder().decode(await decompressed(text));
+}
+
+async function fileAt(address: string): Promise<Response> {
   const answer = await fetch(address);
   if (!answer.ok) throw new Error(`${answer.url}: ${answer.status}`);
-  return answer.text();
+  return answer;
 }
 
-/** Code and style of the page: in a saved page its own elements, else files. */
-async function codeAndStyle(): Promise<{ code: string; style: string }> {
-  const script = document.querySelector<HTMLScriptElement>('script[type="module"]');
-  const sheet = document.querySelector<HTMLLinkElement>('link[rel="stylesheet"]');
-  return {
-    code: script?.src ? await textAt(script.src) : (script?.textContent ?? ""),
-    style: sheet ? await textAt(sheet.href) : (document.querySelector("style")?.textContent ?? ""),
-  };
+/** saved.html with the files of the parts in its elements. */
+async function documentWithParts(): Promise<string> {
+  const text = await (await fileAt("saved.html")).text();
+  const [begin = "", ...parts] = text.split(/ data-file="(?=[^"]+"><\/script>)/);
+  const filled = parts.map(async (part) => {
+    const name = part.slice(0, part.indexOf('"'));
+    const bytes = new Uint8Array(await (await fileAt(name)).arrayBuffer());
+    return `>${await compressed(bytes)}${part.slice(name.length + 2)}`;
+  });
+  return [begin, ...(await Promise.all(filled))].join("");
 }
 
 /** The whole page as one HTML document, which opens from a disk without a network and shows what `address` (behind #)
- * says. */
+ * says. The Python module and `beeline view --save` make the same. */
 export async function pageAsDocument(address: string): Promise<string> {
-  const { code, style } = await codeAndStyle();
-  const held = await Promise.all(
-    parts.map(async (part) => `<script type="text/plain" id="${elementOf(part)}">${await savedText(part)}</script>`),
-  );
-  const escaped = address.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
-  return [
-    '<!doctype html><html lang="en"><head><meta charset="utf-8">',
-    '<meta name="viewport" content="width=device-width, initial-scale=1"><title>Beeline</title>',
-    `<link rel="icon" href="data:,"><style>${style}</style></head><body>`,
-    `<p id="${state}" hidden>${escaped}</p>`,
-    '<header><h1>Beeline</h1><nav aria-label="Sections" id="sections"></nav></header>',
-    '<main><section id="view" aria-label="Picture of the arm"><div id="stage"></div>',
-    '<div id="tools" role="toolbar" aria-label="Picture"></div>',
-    '<p id="first" role="status">Loading the core …</p></section>',
-    '<section id="side" aria-label="Panel"></section></main>',
-    ...held,
-    `<script type="module">${code.replaceAll("</script", "<\\/script")}</script>`,
-    "</body></html>",
-  ].join("\n");
+  const text = asOpened ?? (await documentWithParts());
+  return text.replace(/(<script type="text\/plain" id="saved-state">)[^<]*/, (_, begin: string) => begin + address);
 }
