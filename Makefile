@@ -14,12 +14,13 @@ endif
 module := -DBEELINE_PYTHON=ON -DPython_EXECUTABLE=$(CURDIR)/.venv-python/bin/python
 
 .NOTPARALLEL:
-.PHONY: help build demo bench docs wheel test test-peers test-web test-all web asan tsan lint format install clean
+.PHONY: help build demo bench bench-web docs wheel test test-peers test-web test-all web asan tsan lint format install clean
 
 help:
 	@echo "make build     the command, in build/beeline"
 	@echo "make demo      an arm moves in straight lines: report and pictures in build/demo"
 	@echo "make bench     Beeline beside other solvers on the same poses: tables, build/bench/results.json"
+	@echo "make bench-web    the page's functions in WebAssembly beside native ones"
 	@echo "make docs      the documentation, in build/docs/html"
 	@echo "make wheel     the Python module for CPython 3.10 to 3.13, in build-wheel/dist, tried in each that is here"
 	@echo "make test      builds and runs every test but the next"
@@ -49,6 +50,12 @@ bench:
 	@cmake --preset release -DBEELINE_BENCH=ON $(module) $(strict)
 	@cmake --build --preset release --parallel $(JOBS) --target bench
 	@scripts/bench.sh
+
+bench-web: web
+	@scripts/install_packages.sh build bench
+	@cmake --preset release -DBEELINE_BENCH=ON $(strict) >/dev/null
+	@cmake --build --preset release --parallel $(JOBS) --target beeline bench_web
+	@cd web && BEELINE=$(CURDIR)/build/beeline BENCH_NATIVE=$(CURDIR)/build/bench/bench_web npm run bench --silent
 
 docs:
 	@scripts/install_packages.sh build docs python

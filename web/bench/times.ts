@@ -1,5 +1,6 @@
+import { execFileSync } from "node:child_process";
 import { test } from "vitest";
-import { json, loadCommands, loadCore, random, run } from "../tests/native.js";
+import { loadCommands, loadCore, random, run } from "../tests/native.js";
 
 /** The shortest of a few repetitions, in microseconds a call. */
 function microseconds(work: () => void, calls: number): number {
@@ -12,12 +13,16 @@ function microseconds(work: () => void, calls: number): number {
   return best;
 }
 
-/** The same of the native command on one thread: batch over many rows. */
-function native(verb: string, name: string, rows: string[]): number {
-  const input = verb === "ik" ? "poses.csv" : "q.csv";
-  const args = ["batch", verb, name, "--in", input, "--out", "out.csv", "--threads", "1"];
-  const { rows_per_second } = json<{ rows_per_second: number }>(args, { [input]: rows.join("\n") + "\n" });
-  return 1e6 / rows_per_second;
+interface Times {
+  forward: number;
+  jacobian: number;
+  inverse: number;
+}
+
+/** The same of native code: web/bench/native.cpp. */
+function native(name: string, q: number[]): Times {
+  const program = process.env["BENCH_NATIVE"] ?? "../build/bench/bench_web";
+  return JSON.parse(execFileSync(program, [name, ...q.map(String)], { encoding: "utf8" })) as Times;
 }
 
 test("times of the core beside native", async () => {
@@ -27,15 +32,19 @@ test("times of the core beside native", async () => {
   for (const name of ["rrr", "puma560", "ur5", "panda"]) {
     const arm = core.arm(name);
     const q = Array.from({ length: arm.dof }, () => 0.2 + next());
-    const rows = Array.from({ length: 20_000 }, () => q.map((value) => value + 0.1 * next()).join(","));
     const pose = arm.forward(q).at(-1) ?? [];
-    table[name] = {
-      "forward, web": microseconds(() => arm.forward(q), 20_000).toFixed(2),
-      "forward, native batch": native("fk", name, rows).toFixed(2),
-      "Jacobian, web": microseconds(() => arm.jacobian(q), 20_000).toFixed(2),
-      "Jacobian, native batch": native("jacobian", name, rows).toFixed(2),
-      "inverse, web": microseconds(() => arm.inverse(pose, q), 500).toFixed(2),
+    const web: Times = {
+      forward: microseconds(() => arm.forward(q), 20_000),
+      jacobian: microseconds(() => arm.jacobian(q), 20_000),
+      inverse: microseconds(() => arm.inverse(pose, q), 5000),
     };
+    const compiled = native(name, q);
+    table[name] = Object.fromEntries(
+      (["forward", "jacobian", "inverse"] as const).flatMap((what) => [
+        [`${what}, web`, web[what].toFixed(2)],
+        [`${what}, native`, compiled[what].toFixed(2)],
+      ]),
+    );
     arm.release();
   }
   console.table(table);
