@@ -1,14 +1,25 @@
+import type { Arm } from "./arm.js";
+
 /** What the page uses of `beeline show --json`. */
 export interface JointDescription {
   name: string;
   type: "revolute" | "prismatic" | "helical";
   limits: { lower: number | null; upper: number | null; velocity: number | null };
+  /** Of a joint that follows another. */
+  mimic?: object;
 }
 
 export interface ArmDescription {
   name: string;
+  /** Those with a coordinate, in its order: without joints that mimic others. */
   joints: JointDescription[];
   reach?: { radius: number | null };
+}
+
+/** What the page uses of the description of an arm. */
+export function describe({ description }: Arm): ArmDescription {
+  const all = description as ArmDescription;
+  return { ...all, joints: all.joints.filter(({ mimic }) => mimic === undefined) };
 }
 
 /** The middle of the limits; 0 where a joint has none. */

@@ -2,6 +2,7 @@ import { Group, Vector3 } from "three";
 import type { Arm } from "../core/arm.js";
 import { ArmFigure, type Skeleton } from "../scene/arm_figure.js";
 import { putAt, triad } from "../scene/marks.js";
+import type { RobotMeshes } from "../scene/robot_meshes.js";
 import { Stage } from "../scene/stage.js";
 import { ToolHandle } from "../scene/tool_handle.js";
 
@@ -15,6 +16,9 @@ export class ArmView {
   private readonly frames: Group[];
   private readonly handle: ToolHandle;
   private ghosts: ArmFigure[] = [];
+  private meshes: RobotMeshes | null = null;
+  private poses: Float64Array[] = [];
+  private moved: () => void = () => undefined;
   private dragged: (pose: number[]) => void = () => undefined;
 
   /** `size`: the arm's reach, metres. */
@@ -47,6 +51,20 @@ export class ArmView {
       putAt(frame, poses[i] as Float64Array);
     });
     this.handle.follow(poses[poses.length - 1] as Float64Array);
+    this.poses = poses;
+    this.meshes?.place(poses);
+    this.moved();
+    this.stage.changed();
+  }
+
+  /** Shows meshes in place of the shapes of their links; `moved` is called after each show(). */
+  showMeshes(meshes: RobotMeshes, moved: () => void): void {
+    this.meshes?.dispose();
+    this.meshes = meshes;
+    this.moved = moved;
+    this.figure.cover(meshes.covered);
+    this.stage.scene.add(meshes);
+    if (this.poses.length > 0) meshes.place(this.poses);
     this.stage.changed();
   }
 
@@ -75,6 +93,7 @@ export class ArmView {
   }
 
   dispose(): void {
+    this.meshes?.dispose();
     this.handle.dispose();
     this.stage.dispose();
   }

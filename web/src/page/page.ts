@@ -7,15 +7,17 @@ import { compile, type Factory } from "../core/load.js";
 import type { CoreModule } from "../core/module.js";
 import { ArmChooser } from "../panels/arm_chooser.js";
 import { element } from "../panels/element.js";
+import { MeshList } from "../panels/mesh_list.js";
 import { JointsPanel } from "../panels/joints.js";
 import { follow, sessionOf } from "../live/live.js";
 import { initialState, type ArmSource, type PageState, type Section } from "../state/page_state.js";
 import { bytesOf, startWorker } from "../share/parts.js";
 import { savedAddress, savedTrajectory } from "../share/save_page.js";
 import { Store } from "../state/store.js";
+import { ArmFiles } from "./arm_files.js";
 import { ArmView } from "./arm_view.js";
 import { Control } from "./control.js";
-import type { ArmDescription } from "../core/description.js";
+import { describe } from "../core/description.js";
 import { Hold } from "./hold.js";
 import { LessonsSection } from "./lessons.js";
 import { MotionSection } from "./motion.js";
@@ -31,6 +33,7 @@ export class Page {
   private readonly panels: Map<Section, { title: string; panel: SectionPanel }>;
   private readonly services: Services;
   private readonly motion: MotionSection;
+  private readonly files: ArmFiles;
   private readonly saveSvg: HTMLButtonElement;
   private shown: Shown | null = null;
   /** What of the state belongs to the arm that is shown. */
@@ -43,7 +46,9 @@ export class Page {
     worker: CoreWorker,
     private readonly store: Store<PageState>,
     private readonly chooser: ArmChooser,
+    meshes: MeshList,
   ) {
+    this.files = new ArmFiles(core, store, chooser, meshes);
     this.services = {
       store,
       command: (args, files = {}, progress = undefined) =>
@@ -81,12 +86,16 @@ export class Page {
     if (session && location.hash === "") state.arm = { json: session.arm };
     const store = new Store(state);
     let page: Page | null = null;
+    const meshes = new MeshList();
     const chooser = new ArmChooser(
       core.builtInNames(),
       (text) => store.set({ arm: { text }, q: null, goal: null }),
-      (file) => page?.openFile(file.name, file.text),
+      (files) => void page?.files.open(files),
+      (json) => page?.files.openText("dh_table.json", json),
+      meshes.line,
+      meshes.root,
     );
-    page = new Page(document, core, worker, store, chooser);
+    page = new Page(document, core, worker, store, chooser, meshes);
     chooser.acceptDrops(document.body);
     page.takeArm(store.get().arm);
     if (session) page.goLive();
@@ -138,11 +147,12 @@ export class Page {
     this.services.cancel(); // what is computed for the arm before
     this.shown?.view.dispose();
     this.shown?.arm.release();
-    const description = arm.description as ArmDescription;
+    const description = describe(arm);
     const holder = this.document.getElementById("stage") as HTMLElement;
     this.shown = { arm, description, view: new ArmView(holder, arm, description.reach?.radius || 1) };
     for (const { panel } of this.panels.values()) panel.take(this.shown);
     this.chooser.show(description.name);
+    this.files.take(this.shown);
     this.saveSvg.hidden = !arm.planar;
     const { q, goal } = this.store.get();
     this.valid = { arm: source, q, goal };
@@ -171,17 +181,6 @@ export class Page {
       return link;
     });
     (this.document.getElementById("sections") as HTMLElement).replaceChildren(...links);
-  }
-
-  private openFile(name: string, text: string): void {
-    try {
-      const arm = this.core.arm(name, { [name]: text });
-      const { json } = arm;
-      arm.release();
-      this.store.set({ arm: { json }, q: null, goal: null });
-    } catch (error) {
-      this.chooser.refuse((error as Error).message);
-    }
   }
 
   private async readAddress(): Promise<void> {

@@ -1,12 +1,8 @@
 import { mostBytes } from "../core/limits.js";
+import type { PathFile } from "../scene/mesh_files.js";
 import { DhForm } from "./dh_form.js";
+import { droppedFiles, filesOf } from "./dropped.js";
 import { element } from "./element.js";
-
-/** A file that was dropped or opened: its text under its name. */
-export interface OpenedFile {
-  name: string;
-  text: string;
-}
 
 /** Why a file is not read; null if it is. */
 export function tooLarge(file: File): string | null {
@@ -18,11 +14,14 @@ export class ArmChooser {
   readonly root = element("section", { class: "chooser", "aria-label": "Arm" });
   private readonly message = element("p", { role: "alert", class: "refusal" });
   private readonly text: HTMLInputElement;
+  private readonly opened: (files: PathFile[]) => void;
 
   constructor(
     builtIn: string[],
     private readonly chosen: (text: string) => void,
-    private readonly opened: (file: OpenedFile) => void,
+    opened: (files: PathFile[]) => void,
+    typed: (json: string) => void,
+    ...below: HTMLElement[]
   ) {
     const names = element("datalist", { id: "built-in" }, ...builtIn.map((value) => element("option", { value })));
     this.text = element("input", {
@@ -32,8 +31,15 @@ export class ArmChooser {
       autocomplete: "off",
       placeholder: "panda, or RRR:3.5,3.5,2",
     });
-    const file = element("input", { type: "file", accept: ".urdf,.json,.xml", id: "arm-file" });
-    file.addEventListener("change", () => void this.take(file.files));
+    const file = element("input", { type: "file", multiple: true, id: "arm-file" });
+    const folder = element("input", { type: "file", webkitdirectory: true, id: "arm-folder" });
+    for (const input of [file, folder]) {
+      input.addEventListener("change", () => {
+        const files = filesOf(input.files);
+        input.value = ""; // the same file can be opened again after an edit
+        if (files.length > 0) opened(files);
+      });
+    }
     const form = element(
       "form",
       {
@@ -44,15 +50,22 @@ export class ArmChooser {
       },
       element("label", { for: "arm-text" }, "Arm: a name, or joints with lengths"),
       element("span", { class: "pair" }, this.text, element("button", {}, "Show")),
-      element("label", { for: "arm-file" }, "or a file: URDF or JSON"),
+      element("label", { for: "arm-file" }, "or a file: URDF, with its meshes, or JSON"),
       file,
       names,
     );
     this.text.addEventListener("input", () => {
       if (builtIn.includes(this.text.value)) this.chosen(this.text.value);
     });
-    const table = new DhForm((text) => this.opened({ name: "dh_table.json", text }));
-    this.root.append(form, table.root, this.message);
+    const whole = element(
+      "details",
+      {},
+      element("summary", {}, "or a folder"),
+      element("label", { for: "arm-folder" }, "A folder with a URDF and its meshes; it can be dropped on the page too"),
+      folder,
+    );
+    this.root.append(form, whole, new DhForm(typed).root, this.message, ...below);
+    this.opened = opened;
   }
 
   /** Takes files that are dropped on `target`. */
@@ -60,7 +73,10 @@ export class ArmChooser {
     target.addEventListener("dragover", (event) => event.preventDefault());
     target.addEventListener("drop", (event) => {
       event.preventDefault();
-      void this.take(event.dataTransfer?.files ?? null);
+      if (!event.dataTransfer) return;
+      void droppedFiles(event.dataTransfer).then((files) => {
+        if (files.length > 0) this.opened(files);
+      });
     });
   }
 
@@ -71,13 +87,5 @@ export class ArmChooser {
 
   refuse(reason: string): void {
     this.message.textContent = reason;
-  }
-
-  private async take(files: FileList | null): Promise<void> {
-    const file = files?.[0];
-    if (!file) return;
-    const refusal = tooLarge(file);
-    if (refusal !== null) return this.refuse(refusal);
-    this.opened({ name: file.name, text: await file.text() });
   }
 }

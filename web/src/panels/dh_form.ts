@@ -2,13 +2,13 @@ import { armOfDhTable, DhFault, type DhColumn, type DhRow, type DhTable } from "
 import { saveFile } from "../share/save_file.js";
 import { element } from "./element.js";
 
-const columns: [DhColumn, string, string][] = [
-  ["a", "a", "a, metres"],
-  ["alpha", "α", "alpha"],
-  ["d", "d", "d, metres"],
-  ["theta", "θ", "theta, offset"],
-  ["lower", "lower", "lower limit"],
-  ["upper", "upper", "upper limit"],
+const columns: [DhColumn, string][] = [
+  ["a", "a, metres"],
+  ["alpha", "alpha"],
+  ["d", "d, metres"],
+  ["theta", "theta, offset"],
+  ["lower", "lower limit"],
+  ["upper", "upper limit"],
 ];
 const conventions = [
   ["standard", "standard: Rz(θ) Tz(d) Tx(a) Rx(α)"],
@@ -17,7 +17,7 @@ const conventions = [
 const mostRows = 50;
 
 interface Row {
-  root: HTMLTableRowElement;
+  root: HTMLElement;
   type: HTMLSelectElement;
   cells: Map<DhColumn, HTMLInputElement>;
 }
@@ -41,15 +41,14 @@ export class DhForm {
     element("option", { value: "degrees" }, "degrees"),
     element("option", { value: "radians" }, "radians"),
   );
-  private readonly body = element("tbody");
+  private readonly body = element("div", { role: "group", "aria-label": "DH table" });
   private readonly fault = element("p", { role: "alert", class: "refusal", id: "dh-fault" });
   private rows: Row[] = [];
 
   /** `made` gets the arm as JSON. */
   constructor(made: (json: string) => void) {
     const save = (json: string): void => saveFile("arm.json", new Blob([json], { type: "application/json" }));
-    const head = ["", "type", ...columns.map(([, title]) => title), ""];
-    const titles = head.map((text) => (text === "" ? element("td") : element("th", { scope: "col" }, text)));
+    const titles = ["", "type", "a, m", "α", "d, m", "θ"].map((text) => element("span", {}, text));
     const add = element("button", { type: "button", onclick: () => this.add().type.focus() }, "Add a joint");
     const keep = element("button", { type: "button", onclick: () => this.give(save) }, "Save as JSON");
     const form = element(
@@ -63,17 +62,9 @@ export class DhForm {
       element("p", { class: "pair" }, element("label", { for: "dh-name" }, "Name"), this.name),
       element("fieldset", {}, element("legend", {}, "Convention"), ...this.convention.map(({ label }) => label)),
       element("p", { class: "pair" }, element("label", { for: "dh-unit" }, "Angles in"), this.unit),
-      element(
-        "div",
-        { class: "wide dh", tabindex: 0, role: "region", "aria-label": "DH table" },
-        element(
-          "table",
-          {},
-          element("caption", {}, "Lengths in metres; angles also as pi/2; no limit: empty"),
-          element("thead", {}, element("tr", {}, ...titles)),
-          this.body,
-        ),
-      ),
+      element("p", { class: "quiet" }, "Angles also as pi/2. Limits may be empty: there are none."),
+      element("div", { class: "dh quiet", "aria-hidden": "true" }, ...titles),
+      this.body,
       this.fault,
       element("p", { class: "pair" }, add, element("button", {}, "Show the arm"), keep),
     );
@@ -95,8 +86,19 @@ export class DhForm {
       }),
     );
     const remove = element("button", { type: "button" }, "×");
-    const inputs = [type, ...cells.values(), remove].map((part) => element("td", {}, part));
-    const row: Row = { root: element("tr", {}, element("th", { scope: "row" }), ...inputs), type, cells };
+    const note = element("span", { class: "quiet", "aria-hidden": "true" }, "limits");
+    const inputs = [...cells.values()];
+    const root = element(
+      "div",
+      { class: "dh" },
+      element("span"),
+      type,
+      ...inputs.slice(0, 4),
+      note,
+      ...inputs.slice(4),
+      remove,
+    );
+    const row: Row = { root, type, cells };
     remove.addEventListener("click", () => {
       const at = this.rows.indexOf(row);
       this.rows.splice(at, 1);
@@ -117,7 +119,7 @@ export class DhForm {
     this.rows.forEach(({ root, type, cells }, i) => {
       (root.firstChild as HTMLElement).textContent = String(i + 1);
       type.setAttribute("aria-label", `row ${i + 1}, type`);
-      for (const [column, , label] of columns) cells.get(column)?.setAttribute("aria-label", `row ${i + 1}, ${label}`);
+      for (const [column, label] of columns) cells.get(column)?.setAttribute("aria-label", `row ${i + 1}, ${label}`);
       root.querySelector("button")?.setAttribute("aria-label", `remove row ${i + 1}`);
     });
   }

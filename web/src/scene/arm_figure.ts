@@ -32,6 +32,7 @@ const jointColours = { revolute: 0xf4f6f8, prismatic: 0xe9d8b4, helical: 0xd9c9e
  * for a prismatic one. */
 export class ArmFigure extends Group {
   private readonly tubes: Mesh[] = [];
+  private covered: boolean[] = [];
   private readonly bends: Mesh[] = [];
   private readonly symbols: Mesh[] = [];
 
@@ -63,10 +64,24 @@ export class ArmFigure extends Group {
       this.part(this.symbols, kind === "prismatic" ? slide : barrel, material(jointColours[kind]));
   }
 
+  /** Hides the shapes of links that have meshes: link 0 is the base, link i moves with joint i. */
+  cover(links: ReadonlySet<number>): void {
+    const both = (joint: number): boolean => links.has(joint) && links.has(joint + 1);
+    this.symbols.forEach((symbol, i) => (symbol.visible = !both(i)));
+    // Tube 2 i is of link i, tube 2 i + 1 along the axis from link i to link i + 1; a bend ends each.
+    const hidden = (i: number): boolean => (i % 2 === 0 ? links.has(i / 2) : both((i - 1) / 2));
+    this.covered = this.tubes.map((_, i) => hidden(i));
+    this.bends.forEach((bend, i) => (bend.visible = !(hidden(i) && (i + 1 === this.bends.length || hidden(i + 1)))));
+    this.tubes.forEach((tube, i) => (tube.visible &&= !this.covered[i]));
+  }
+
   /** Shows the arm at a configuration. */
   place(skeleton: Skeleton): void {
     const line = [skeleton.base, ...skeleton.joints.flatMap((joint) => [joint.enter, joint.leave]), skeleton.tool];
-    this.tubes.forEach((tube, i) => stretch(tube, line[i] as Vector3, line[i + 1] as Vector3));
+    this.tubes.forEach((tube, i) => {
+      stretch(tube, line[i] as Vector3, line[i + 1] as Vector3);
+      if (this.covered[i]) tube.visible = false;
+    });
     this.bends.forEach((bend, i) => bend.position.copy(line[i + 1] as Vector3));
     this.symbols.forEach((symbol, i) => {
       const joint = skeleton.joints[i] as SkeletonJoint;
