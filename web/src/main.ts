@@ -1,3 +1,4 @@
+import "uplot/dist/uPlot.min.css";
 import { Page } from "./page/page.js";
 
 const first = document.getElementById("first") as HTMLElement;

@@ -144,10 +144,12 @@ test("a line is planned, proved and played, with its branches", async () => {
   await page.getByRole("button", { name: "Plan the line" }).click();
   await page.getByText("reached").first().waitFor();
   const file = `x,y,z,qw,qx,qy,qz\n${poses.replace(";", "\n")}\n`;
-  const native = json<{ deviation_bound: number; branches: unknown[]; duration: number }>(
-    ["line", "ur5", "--through=poses.csv", "--branches", "--rate=100"],
-    { "poses.csv": file },
-  );
+  interface Line {
+    deviation_bound: number;
+    branches: { status: string; reason: string; path_parameter: number; limit_margin: number }[];
+    duration: number;
+  }
+  const native = json<Line>(["line", "ur5", "--through=poses.csv", "--branches", "--rate=100"], { "poses.csv": file });
   const proved = await page.locator("table", { hasText: "Deviation" }).locator("tbody tr").first().textContent();
   const bound = Number(
     /([\d.]+)e−(\d+) m$/
@@ -158,8 +160,34 @@ test("a line is planned, proved and played, with its branches", async () => {
   expect(bound).toBeGreaterThan(0.3 * native.deviation_bound);
   expect(bound).toBeLessThan(3 * native.deviation_bound + 1e-12);
   expect(await page.getByRole("button", { name: /^Branch \d/ }).count()).toBe(native.branches.length);
-  await page.getByRole("button", { name: /^Branch 2/ }).click();
+  const rows = page.getByLabel("Branches").locator("li");
+  for (const [i, branch] of native.branches.entries()) {
+    const text = (await rows.nth(i).textContent()) ?? "";
+    if (branch.status === "reached") expect(numbers(text + ".0")[0] ?? 0).toBeGreaterThanOrEqual(1);
+    else expect(text).toContain(`after ${(100 * branch.path_parameter).toFixed(0)} % of the path: ${branch.reason}`);
+  }
+  await page.getByRole("button", { name: "Branch 2", exact: true }).click();
+  await page.getByRole("button", { name: "Branch 2", exact: true, pressed: true }).waitFor();
   await page.getByText("Save motion.csv").waitFor();
+  expect(await rows.count()).toBe(native.branches.length);
+});
+
+test("joint curves stand beside their limits; a click on them goes to that time", async () => {
+  const poses = "-0.5,0.2,0.3,0,1,0,0;-0.5,-0.2,0.3,0,1,0,0";
+  const page = await opened(`#arm=ur5&unit=rad&section=motion&waypoints=${poses}`);
+  await page.getByRole("button", { name: "Plan the line" }).click();
+  const curves = page.getByLabel("Joint curves beside their limits");
+  await curves.getByRole("img").nth(5).waitFor();
+  expect(await curves.getByRole("img").first().getAttribute("aria-label")).toContain("limits −6.28 to 6.28");
+  const bar = page.getByLabel("Time, seconds");
+  const end = Number(await bar.getAttribute("max"));
+  await curves.getByRole("img").first().locator(".u-over").click();
+  const time = Number(await bar.inputValue());
+  expect(time).toBeGreaterThan(0.4 * end);
+  expect(time).toBeLessThan(0.6 * end);
+  await page.getByLabel("Quantity of the joint curves").selectOption("velocity");
+  await expect.poll(() => curves.getByRole("img").first().getAttribute("aria-label")).toContain("rad/s");
+  expect(await curves.getByRole("img").first().getAttribute("aria-label")).toContain("−1.00 to 1.00, assumed");
 });
 
 test("the saved page opens from a disk, without a network, and computes", async () => {

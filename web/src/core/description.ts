@@ -4,9 +4,11 @@ import type { Arm } from "./arm.js";
 export interface JointDescription {
   name: string;
   type: "revolute" | "prismatic" | "helical";
-  limits: { lower: number | null; upper: number | null; velocity: number | null };
+  limits: { lower: number | null; upper: number | null; velocity: number | null; acceleration: number | null };
   /** Of a joint that follows another. */
   mimic?: object;
+  /** What motions are planned within where a limit is not known. */
+  assumed?: { velocity?: number; acceleration?: number };
 }
 
 export interface ArmDescription {

@@ -7,7 +7,7 @@ import { poseNumbers } from "../panels/pose.js";
 import { blue, trail } from "../scene/marks.js";
 import { middle, type ArmDescription } from "../core/description.js";
 import type { SectionPanel, Services, Shown } from "./section.js";
-import { readTrajectory } from "./trajectory.js";
+import { readTrajectory } from "../core/trajectory.js";
 
 /** What `beeline move` and `beeline line --method inverse-jacobian` print. */
 interface Outcome {

@@ -2,13 +2,15 @@ import { Matrix4, Vector3, type Group } from "three";
 import { answer } from "../core/command.js";
 import { element } from "../panels/element.js";
 import { tooLarge } from "../panels/arm_chooser.js";
-import { branchList, fileSaver, planReport, waypointList, type LineAnswer } from "../panels/motion_report.js";
+import { branchMap, type Branch } from "../panels/branch_map.js";
+import { JointCurves } from "../panels/joint_curves.js";
+import { fileSaver, planReport, waypointList, type LineAnswer } from "../panels/motion_report.js";
 import { Player } from "../panels/player.js";
 import { poseNumbers } from "../panels/pose.js";
 import { blue, trail } from "../scene/marks.js";
 import type { PageState } from "../state/page_state.js";
 import type { SectionPanel, Services, Shown } from "./section.js";
-import { readTrajectory, type Motion } from "./trajectory.js";
+import { readTrajectory, type Motion } from "../core/trajectory.js";
 
 const rate = 100; // samples a second of a planned motion
 
@@ -18,18 +20,22 @@ export class MotionSection implements SectionPanel {
   private readonly waypoints = element("div");
   private readonly report = element("div", { role: "status" });
   private readonly branches = element("div");
-  private readonly plot = element("figure");
+  private readonly curves = new JointCurves((time) => this.player.seek(time));
   private readonly files = element("p", { class: "pair" });
   private readonly progress = element("progress", { max: 1, value: 0, hidden: true, "aria-label": "Planning" });
   private readonly stop = element("button", { type: "button", hidden: true }, "Cancel");
   private readonly player: Player;
   private shown: Shown | null = null;
   private path: Group | null = null;
+  private motion: Motion | null = null;
   private turn = 0;
 
   constructor(private readonly services: Services) {
     const { store } = services;
-    this.player = new Player((q) => this.place(q));
+    this.player = new Player((q, time) => {
+      this.place(q);
+      this.curves.point(time);
+    });
     this.stop.addEventListener("click", () => services.cancel());
     const add = element("button", { type: "button", onclick: () => this.addWaypoint() }, "Add the tool's pose");
     const clear = element("button", { type: "button", onclick: () => store.set({ waypoints: [] }) }, "Remove all");
@@ -57,7 +63,7 @@ export class MotionSection implements SectionPanel {
       this.report,
       this.player.root,
       this.files,
-      this.plot,
+      this.curves.root,
       this.branches,
       element("h2", {}, "A motion from a file"),
       element("p", { class: "quiet" }, "It is checked against the waypoints above, and against the joint limits."),
@@ -74,6 +80,7 @@ export class MotionSection implements SectionPanel {
   update(q: number[], changed: ReadonlySet<keyof PageState>): void {
     const { waypoints } = this.services.store.get();
     if (changed.has("q")) this.player.pause();
+    if (changed.has("degrees")) this.showCurves();
     this.place(q);
     this.waypoints.replaceChildren(
       waypointList(waypoints, (index) => {
@@ -96,9 +103,11 @@ export class MotionSection implements SectionPanel {
     ++this.turn;
     if (!this.stop.hidden) this.services.cancel(); // what is planned is not wanted any more
     this.progress.hidden = this.stop.hidden = true;
+    this.motion = null;
     this.player.take(null);
+    this.showCurves();
     this.path?.removeFromParent();
-    for (const part of [this.report, this.branches, this.plot, this.files]) part.replaceChildren();
+    for (const part of [this.report, this.branches, this.files]) part.replaceChildren();
   }
 
   private addWaypoint(): void {
@@ -114,23 +123,27 @@ export class MotionSection implements SectionPanel {
     return ["x,y,z,qw,qx,qy,qz", ...rows, ""].join("\n");
   }
 
-  /** Plans the line; `start`: the joint values at the first pose, null: those that are best for all of it. */
-  private async plan(start: number[] | null): Promise<void> {
-    if (this.services.store.get().waypoints.length < 2) {
+  /** Plans the line; `start`: the joint values at the first pose, of one of the branches, null: those that are best for
+   * all of it. */
+  private async plan(start: number[] | null, branches: Branch[] = []): Promise<void> {
+    const lines = this.services.store.get().waypoints.length - 1;
+    if (lines < 1) {
       this.report.textContent = "A line needs two waypoints.";
       return;
     }
     this.clear();
     const turn = this.turn;
     const from = start ? [`--from=${start.join(",")}`] : ["--branches"];
-    const args = ["line", "arm.json", "--through=poses.csv", ...from, "--out=motion.csv", "--plot=plot.svg", "--json"];
+    const args = ["line", "arm.json", "--through=poses.csv", ...from, "--out=motion.csv", "--json"];
     await this.during(async (report) => {
       const result = await this.services.command([...args, `--rate=${rate}`], { "poses.csv": this.poses() }, report);
       if (turn !== this.turn) return;
       const line = answer<LineAnswer>(result);
       this.report.replaceChildren(planReport(line));
-      if (line.branches) this.branches.replaceChildren(branchList(line.branches, (q) => void this.plan(q)));
       this.showFiles(result.files);
+      const all = line.branches ?? branches;
+      const current = (this.motion as Motion | null)?.rows[0] ?? null;
+      if (all.length > 0) this.branches.replaceChildren(branchMap(all, lines, current, (q) => void this.plan(q, all)));
     });
   }
 
@@ -165,16 +178,16 @@ export class MotionSection implements SectionPanel {
       this.show(readTrajectory(csv, this.shown?.arm.dof ?? 0));
       this.files.replaceChildren(fileSaver("motion.csv", csv, "text/csv"));
     }
-    const plot = files["plot.svg"];
-    if (plot === undefined) return;
-    const address = URL.createObjectURL(new Blob([plot], { type: "image/svg+xml" }));
-    const image = element("img", { src: address, alt: "Joints and tool over time beside their limits" });
-    image.addEventListener("load", () => URL.revokeObjectURL(address));
-    this.plot.replaceChildren(image);
+  }
+
+  private showCurves(): void {
+    this.curves.take(this.motion, this.shown?.description.joints ?? [], this.services.store.get().degrees);
   }
 
   private show(motion: Motion): void {
     const { arm, view } = this.shown as Shown;
+    this.motion = motion;
+    this.showCurves();
     const points = motion.rows.map((q) => {
       const tool = new Matrix4().fromArray(Array.from(arm.forward(q).at(-1) as Float64Array));
       return new Vector3().setFromMatrixPosition(tool);
@@ -183,7 +196,8 @@ export class MotionSection implements SectionPanel {
     this.path = trail(points, blue);
     view.stage.scene.add(this.path);
     this.player.take(motion);
-    if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.player.play();
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) this.player.seek(0);
+    else this.player.play();
   }
 
   /** Shows progress and a button to cancel while `work` runs, and the reason where it is refused. */

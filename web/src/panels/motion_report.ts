@@ -1,4 +1,5 @@
 import { saveFile } from "../share/save_file.js";
+import type { Branch } from "./branch_map.js";
 import { element, shown, table } from "./element.js";
 
 /** What the page shows of the answer of `beeline line` and `beeline check`. */
@@ -15,16 +16,6 @@ export interface LineAnswer {
   limit_margin?: number | null;
   inverse_condition?: number | null;
   branches?: Branch[];
-}
-
-/** One way to follow the path, from one solution of inverse kinematics at its first pose. */
-export interface Branch {
-  start: number[];
-  status: string;
-  path_parameter: number;
-  limit_margin: number;
-  inverse_condition: number;
-  reason: string;
 }
 
 function small(value: number | null | undefined, unit: string): string {
@@ -66,24 +57,6 @@ export function planReport(answer: LineAnswer): HTMLElement {
     );
   }
   return element("div", { class: "numbers" }, ...parts);
-}
-
-/** The branches, with a button for each that follows the whole path. */
-export function branchList(branches: Branch[], chosen: (start: number[]) => void): HTMLElement {
-  const items = branches.map((branch, i) => {
-    const whole = branch.status === "reached";
-    const share = `${shown(100 * branch.path_parameter, 0)} % of the path`;
-    const margin = `margin to joint limits ${shown(100 * branch.limit_margin, 0)} %`;
-    const text = whole ? `all of the path, ${margin}` : `${share}: ${branch.reason}`;
-    const bar = element("meter", { min: 0, max: 1, value: branch.path_parameter, "aria-label": share });
-    const button = element(
-      "button",
-      { type: "button", disabled: !whole, onclick: () => chosen(branch.start) },
-      `Branch ${i + 1}`,
-    );
-    return element("li", {}, button, " ", bar, " ", text);
-  });
-  return element("section", { "aria-label": "Branches" }, element("h2", {}, "Branches"), element("ol", {}, ...items));
 }
 
 /** The waypoints, each with a button that removes it. */

@@ -1,4 +1,4 @@
-import { at, type Motion } from "../page/trajectory.js";
+import { at, type Motion } from "../core/trajectory.js";
 import { element } from "./element.js";
 
 /** Plays a motion: a time bar, play and pause. */
@@ -10,7 +10,7 @@ export class Player {
   private motion: Motion | null = null;
   private playing = false;
 
-  constructor(private readonly place: (q: number[]) => void) {
+  constructor(private readonly place: (q: number[], time: number) => void) {
     this.bar.addEventListener("input", () => {
       this.pause();
       this.show();
@@ -45,6 +45,13 @@ export class Player {
     step();
   }
 
+  /** Stops and shows a time. */
+  seek(time: number): void {
+    this.pause();
+    this.bar.value = String(time);
+    this.show();
+  }
+
   pause(): void {
     this.playing = false;
     this.button.textContent = "Play";
@@ -54,6 +61,6 @@ export class Player {
     if (!this.motion) return;
     const time = Number(this.bar.value);
     this.clock.textContent = `${time.toFixed(2)} s`;
-    this.place(at(this.motion, time));
+    this.place(at(this.motion, time), time);
   }
 }

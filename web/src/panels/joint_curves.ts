@@ -1,0 +1,169 @@
+import type uPlot from "uplot";
+import type { JointDescription } from "../core/description.js";
+import type { Motion } from "../core/trajectory.js";
+import { element, shown } from "./element.js";
+import { unitOf } from "./units.js";
+
+const quantities = ["position", "velocity", "acceleration"] as const;
+type Quantity = (typeof quantities)[number];
+const perTime: Record<Quantity, string> = { position: "", velocity: "/s", acceleration: "/s²" };
+const height = 110;
+
+/** The limits of a joint's quantity in the page's unit; null: none. */
+interface Range {
+  lower: number | null;
+  upper: number | null;
+  assumed: boolean;
+}
+
+function rangeOf({ limits, assumed }: JointDescription, quantity: Quantity, factor: number): Range {
+  const scaled = (value: number | null): number | null => (value === null ? null : value * factor);
+  if (quantity === "position") return { lower: scaled(limits.lower), upper: scaled(limits.upper), assumed: false };
+  const known = limits[quantity];
+  const most = scaled(known ?? assumed?.[quantity] ?? null);
+  return { lower: most === null ? null : -most, upper: most, assumed: known === null && most !== null };
+}
+
+function rowsOf(motion: Motion, quantity: Quantity): number[][] | null {
+  if (quantity === "position") return motion.rows;
+  return quantity === "velocity" ? motion.velocities : motion.accelerations;
+}
+
+/** Curves of each joint over time beside its limits, one chart a joint. A click goes to that time. */
+export class JointCurves {
+  readonly root = element("figure", { class: "curves", "aria-label": "Joint curves beside their limits" });
+  private readonly charts = element("div");
+  private readonly choice = element("select", { "aria-label": "Quantity of the joint curves" });
+  private plots: uPlot[] = [];
+  private motion: Motion | null = null;
+  private joints: JointDescription[] = [];
+  private degrees = true;
+  private time = 0;
+
+  constructor(private readonly chosen: (time: number) => void) {
+    this.root.append(element("figcaption", { class: "pair" }, "Joints over time ", this.choice), this.charts);
+    this.choice.addEventListener("change", () => void this.draw());
+    new ResizeObserver(() => {
+      for (const plot of this.plots) plot.setSize({ width: this.width(), height });
+    }).observe(this.root);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => void this.draw());
+    this.take(null, [], true);
+  }
+
+  /** Shows a motion, or none. */
+  take(motion: Motion | null, joints: JointDescription[], degrees: boolean): void {
+    [this.motion, this.joints, this.degrees] = [motion, joints, degrees];
+    this.root.hidden = motion === null;
+    const { value } = this.choice;
+    const there = quantities.filter((quantity) => motion && rowsOf(motion, quantity));
+    this.choice.replaceChildren(...there.map((quantity) => element("option", { value: quantity }, quantity)));
+    this.choice.value = there.includes(value as Quantity) ? value : "position";
+    void this.draw();
+  }
+
+  /** Marks a time. */
+  point(time: number): void {
+    this.time = time;
+    for (const plot of this.plots) plot.redraw(false);
+  }
+
+  private width(): number {
+    return Math.max(200, this.charts.clientWidth);
+  }
+
+  private async draw(): Promise<void> {
+    const { motion, joints } = this;
+    const quantity = this.choice.value as Quantity;
+    const { default: Plot } = await import("uplot");
+    if (motion !== this.motion || quantity !== this.choice.value) return;
+    for (const plot of this.plots) plot.destroy();
+    this.plots = [];
+    this.charts.replaceChildren();
+    const rows = motion && rowsOf(motion, quantity);
+    if (!motion || !rows) return;
+    joints.forEach((joint, k) => {
+      const unit = unitOf(joint.type, this.degrees);
+      const values = rows.map((row) => (row[k] as number) * unit.factor);
+      const range = rangeOf(joint, quantity, unit.factor);
+      const holder = element("div", {
+        role: "img",
+        "aria-label": description(joint.name, values, range, unit.name + perTime[quantity]),
+      });
+      const title = element("p", { class: "quiet" }, caption(joint.name, range, unit.name + perTime[quantity]));
+      this.charts.append(title, holder);
+      this.plots.push(new Plot(this.options(range), [motion.times, values], holder));
+    });
+  }
+
+  private options(range: Range): uPlot.Options {
+    const style = getComputedStyle(document.documentElement);
+    const colour = (name: string): string => style.getPropertyValue(name).trim();
+    const axis = { stroke: colour("--quiet"), grid: { stroke: colour("--line"), width: 1 }, ticks: { show: false } };
+    return {
+      width: this.width(),
+      height,
+      legend: { show: false },
+      cursor: { y: false, points: { show: false }, drag: { x: false, y: false }, sync: { key: "joints" } },
+      scales: { x: { time: false }, y: { range: (_, low, high) => around(low, high, range) } },
+      axes: [
+        { ...axis, size: 24, values: (_, times) => times.map((time) => `${time} s`) },
+        { ...axis, size: 52 },
+      ],
+      series: [{}, { stroke: colour("--accent"), width: 2, points: { show: false } }],
+      hooks: {
+        draw: [(plot) => this.marks(plot, range, colour("--alarm"), colour("--text"))],
+        ready: [
+          (plot) => {
+            plot.over.addEventListener("click", () => {
+              const { left } = plot.cursor;
+              if (left !== undefined && left >= 0) this.chosen(plot.posToVal(left, "x"));
+            });
+          },
+        ],
+      },
+    };
+  }
+
+  /** Draws the limits, dashed, and the time of the player. */
+  private marks(plot: uPlot, { lower, upper }: Range, alarm: string, text: string): void {
+    const { ctx, bbox } = plot;
+    const line = (x1: number, y1: number, x2: number, y2: number, colour: string, dash: number[]): void => {
+      ctx.save();
+      ctx.strokeStyle = colour;
+      ctx.lineWidth = devicePixelRatio;
+      ctx.setLineDash(dash.map((length) => length * devicePixelRatio));
+      ctx.beginPath();
+      ctx.moveTo(x1, y1);
+      ctx.lineTo(x2, y2);
+      ctx.stroke();
+      ctx.restore();
+    };
+    for (const limit of [lower, upper]) {
+      if (limit === null) continue;
+      const y = plot.valToPos(limit, "y", true);
+      line(bbox.left, y, bbox.left + bbox.width, y, alarm, [6, 4]);
+    }
+    const x = plot.valToPos(this.time, "x", true);
+    if (x >= bbox.left && x <= bbox.left + bbox.width) line(x, bbox.top, x, bbox.top + bbox.height, text, []);
+  }
+}
+
+/** A range of the axis that shows the curve and its limits. */
+function around(low: number, high: number, { lower, upper }: Range): [number, number] {
+  const begin = Math.min(low, lower ?? low);
+  const end = Math.max(high, upper ?? high);
+  const margin = 0.06 * (end - begin) || 1;
+  return [begin - margin, end + margin];
+}
+
+function caption(name: string, { lower, upper, assumed }: Range, unit: string): string {
+  const bound = (value: number | null): string => (value === null ? "no limit" : shown(value, 2));
+  const limits = lower === null && upper === null ? "no limits" : `limits ${bound(lower)} to ${bound(upper)}`;
+  return `${name}, ${unit}; ${limits}${assumed ? ", assumed" : ""}`;
+}
+
+function description(name: string, values: number[], range: Range, unit: string): string {
+  const low = values.reduce((a, b) => Math.min(a, b), Infinity);
+  const high = values.reduce((a, b) => Math.max(a, b), -Infinity);
+  return `${caption(name, range, unit)}; from ${shown(low, 2)} to ${shown(high, 2)}`;
+}
