@@ -22,7 +22,7 @@ help:
 	@echo "make bench     Beeline beside other solvers on the same poses: tables, build/bench/results.json"
 	@echo "make bench-web    the page's functions in WebAssembly beside native ones"
 	@echo "make docs      the documentation, in build/docs/html"
-	@echo "make wheel     the Python module for CPython 3.10 to 3.13, in build-wheel/dist, tried in each that is here"
+	@echo "make wheel     the Python module with the page for CPython 3.10 to 3.13, in build-wheel/dist, tried in each that is here"
 	@echo "make test      builds and runs every test but the next"
 	@echo "make test-peers   comparisons with Pinocchio, Ruckig, toppra: packages from PyPI"
 	@echo "make test-web  the WebAssembly module beside the command, the page in a browser"
@@ -72,7 +72,7 @@ test:
 	@cmake --build --preset release --parallel $(JOBS)
 	@ctest --preset release --parallel $(JOBS) --label-exclude peers
 
-wheel:
+wheel: web
 	@scripts/install_packages.sh build python
 	@scripts/wheel.sh build-wheel/dist
 

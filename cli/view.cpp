@@ -68,6 +68,7 @@ Answer view(const ViewArguments& arguments) {
     warn("--host " + arguments.host + ": others on the network can see the arm and move it");
   }
   catch_interrupt();
+  catch_termination();
   PageServer server(std::move(session), page_folder(arguments.folder), arguments.host);
   const bool six = arguments.host.find(':') != std::string::npos;  // an IPv6 address
   const std::string host = six ? "[" + arguments.host + "]" : arguments.host;
@@ -94,9 +95,9 @@ Verb view_verb() {
       .summary = "Show an arm in the browser, and a running program's joint values live",
       .description =
           "Serves the page on this computer and opens it with the arm, and with a trajectory to "
-          "play. Prints the address, and ends at Ctrl-C. A program that is running posts joint "
-          "values, in radians and metres, to api/joints; the page follows. Requests of other sites "
-          "are refused.",
+          "play. Prints the address; Ctrl-C and SIGTERM end it with exit code 0. A program that is "
+          "running posts joint values, in radians and metres, to api/joints; the page follows. "
+          "Requests of other sites are refused.",
       .arguments = {arguments.arm.argument(),
                     {.name = "FILE",
                      .help = "A trajectory to play, .csv or .json.",

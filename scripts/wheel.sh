@@ -6,6 +6,10 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=$1
 max_bytes=6000000
+if [[ ! -f build/web/saved.html ]]; then
+  echo "$0: the wheel carries the page: make web" >&2
+  exit 1
+fi
 
 scripts/venv.sh .venv-wheel python/requirements.txt
 python=.venv-wheel/bin/python

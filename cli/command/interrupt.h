@@ -4,4 +4,7 @@
 /// that a computation can end with what it has found. A second one ends the process.
 void catch_interrupt();
 
+/// The same for SIGTERM, with which init systems and containers end a server.
+void catch_termination();
+
 bool interrupted();

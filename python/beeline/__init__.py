@@ -10,9 +10,10 @@ import copyreg as _copyreg
 from . import _core, arms, plot, poses
 from ._core import *  # noqa: F403
 from ._core import __version__
+from ._page import Page, view
 from ._pictures import animate, draw, figure
 
-__all__ = ["__version__", "animate", "arms", "draw", "figure", "plot", "poses"]
+__all__ = ["Page", "__version__", "animate", "arms", "draw", "figure", "plot", "poses", "view"]
 __all__ += _core.__all__
 
 for _name in __all__:

@@ -1,4 +1,4 @@
-"""Tries an installed wheel: kinematics, inverse kinematics, a line, the command, the licences of what it holds; prints
+"""Tries an installed wheel: kinematics, inverse kinematics, a line, the page, the command, the licences of what it holds; prints
 the time of its import."""
 
 import importlib.metadata
@@ -28,6 +28,10 @@ assert found and numpy.allclose(beeline.forward_kinematics(arm, found.q), pose, 
 many = beeline.batch_inverse(arm, numpy.tile(pose, (100, 1, 1)))
 motion = beeline.move_in_lines(arm, q, [pose])
 assert motion and len(motion.trajectory) > 10, motion
+
+from beeline._page_document import document_of  # what beeline.view() opens
+
+assert 'id="saved-core-module">' in document_of(arm, None, motion.trajectory)
 
 for command in ([sys.executable, "-I", "-m", "beeline"], [sys.prefix + "/bin/beeline"]):
     printed = subprocess.check_output([*command, "--help"], text=True)

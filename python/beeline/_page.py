@@ -1,0 +1,126 @@
+"""The page of an arm as one HTML document: `view()`, in a notebook or in the browser."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._core import Arm, Error, Trajectory
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+__all__ = ["Page", "view"]
+
+
+class Page:
+    """The page of an arm: one HTML document with page, core and arm inside, which needs no server and no network.
+
+    Attributes
+    ----------
+    html : str
+        The document, about 4 MB.
+    height : int
+        Of the frame in a notebook, pixels.
+    """
+
+    def __init__(self, html: str, height: int = 640) -> None:
+        self.html = html
+        self.height = height
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the document to a file, which browsers open from a disk.
+
+        Parameters
+        ----------
+        path : str | os.PathLike[str]
+            A .html file.
+
+        Raises
+        ------
+        beeline.Error
+            For another ending, and for a file that cannot be written.
+        """
+        if not os.fspath(path).lower().endswith((".html", ".htm")):
+            raise Error(f"{path}: a page is written to a .html file")
+        try:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(self.html)
+        except OSError as error:
+            raise Error(f"{path}: {error.strerror}") from None
+
+    def _repr_html_(self) -> str:
+        import html
+
+        frame = f'width="100%" height="{self.height}" style="border: 0" title="Beeline: an arm to hold"'
+        return f'<iframe srcdoc="{html.escape(self.html)}" {frame}></iframe>'
+
+    def __repr__(self) -> str:
+        return f"<beeline.Page, {len(self.html)} characters of HTML>"
+
+
+def view(arm: Arm, q: ArrayLike | None = None, trajectory: Any = None) -> Page:
+    """Shows an arm in the page that `beeline view` serves: sliders, the tool dragged by hand, control, lines.
+
+    In a notebook the page is displayed where the result is the value of the cell. Elsewhere the browser opens it,
+    from a file in the folder for temporary files.
+
+    Parameters
+    ----------
+    arm : Arm
+        The arm.
+    q : array_like, default None
+        Configuration (n,) that the page begins with. Default: `display_configuration(arm)`.
+    trajectory : Trajectory, or a result that has a `trajectory`, default None
+        A motion to play.
+
+    Returns
+    -------
+    Page
+        Notebooks show it, `save()` writes it.
+
+    Raises
+    ------
+    beeline.Error
+        For `q` of another shape or not finite; for `trajectory` whose joints are not those of the arm; where the page
+        is not built: wheels carry it, in a checkout `make web` builds it.
+    """
+    from ._page_document import document_of  # here, as few programs need what it imports
+
+    values = None if q is None else _configuration(arm, q)
+    trajectory = getattr(trajectory, "trajectory", trajectory)
+    if trajectory is not None and not isinstance(trajectory, Trajectory):
+        raise TypeError("trajectory must be a Trajectory or a result that has one")
+    page = Page(document_of(arm, values, trajectory and trajectory.matched_to(arm)))
+    if not _in_notebook():
+        _open_browser(page)
+    return page
+
+
+def _configuration(arm: Arm, q: ArrayLike) -> list[float]:
+    values = np.asarray(q, dtype=float)
+    if values.shape != (arm.dof,):
+        raise Error(f"q has the shape {values.shape}; expected ({arm.dof},)")
+    if not np.isfinite(values).all():
+        raise Error("q must be finite")
+    return [float(value) for value in values]
+
+
+def _in_notebook() -> bool:
+    ipython = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython else None
+    return getattr(shell, "kernel", None) is not None
+
+
+def _open_browser(page: Page) -> None:
+    import tempfile
+    import webbrowser  # which loads modules of the network
+    from pathlib import Path
+
+    with tempfile.NamedTemporaryFile("w", encoding="utf-8", prefix="beeline-", suffix=".html", delete=False) as file:
+        file.write(page.html)
+    if not webbrowser.open(Path(file.name).as_uri()):
+        print(f"beeline.view: there is no browser; the page is {file.name}", file=sys.stderr)

@@ -1,0 +1,132 @@
+"""beeline.view(): one document with page, core and arm, in a notebook or in the browser."""
+
+import re
+import sys
+import types
+import webbrowser
+import zlib
+from base64 import urlsafe_b64decode
+from pathlib import Path
+from urllib.parse import parse_qs
+
+import numpy as np
+import pytest
+
+import beeline
+from beeline import _page_document
+
+UR5 = beeline.arms.ur5()
+Q = [0.5, -1.0, 1.0, 0.25, 1.0, 1 / 3]
+
+built = pytest.mark.skipif(
+    not (Path(__file__).resolve().parents[2] / "build" / "web" / "saved.html").is_file(),
+    reason="the page is not built: make web",
+)
+
+
+@pytest.fixture(autouse=True)
+def opened(monkeypatch, tmp_path):
+    """The addresses that a browser opens, in place of one."""
+    addresses = []
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    monkeypatch.setattr(webbrowser, "open", lambda address: addresses.append(address) or True)
+    return addresses
+
+
+def part(page, name):
+    return re.search(f'<script type="text/plain" id="saved-{name}">([^<]*)</script>', page.html)[1]
+
+
+def inflated(text):
+    return zlib.decompress(urlsafe_b64decode(text + "=" * (-len(text) % 4)), wbits=-15)
+
+
+@built
+def test_the_document_holds_the_core_and_the_arm(opened):
+    page = beeline.view(UR5, Q)
+    assert inflated(part(page, "core-module"))[:4] == inflated(part(page, "command-module"))[:4] == b"\0asm"
+    assert b"onmessage" in inflated(part(page, "worker"))
+    assert "data-file=\"assets" not in page.html and part(page, "trajectory") == ""
+    state = {key: value for key, [value] in parse_qs(part(page, "state")).items()}
+    assert beeline.Arm.from_json(inflated(state["json"]).decode()).to_json() == UR5.to_json()
+    assert [float(value) for value in state["q"].split(",")] == Q
+    assert "section" not in state
+
+
+@built
+def test_outside_of_a_notebook_the_browser_opens_it(opened):
+    page = beeline.view(UR5)
+    [address] = opened
+    assert address.startswith("file:///") and address.endswith(".html")
+    assert Path(address[7:]).read_text(encoding="utf-8") == page.html
+
+
+@built
+def test_without_a_browser_it_names_the_file(monkeypatch, capsys, tmp_path):
+    monkeypatch.setattr(webbrowser, "open", lambda address: False)
+    beeline.view(UR5)
+    [file] = tmp_path.glob("*.html")
+    assert capsys.readouterr().err == f"beeline.view: there is no browser; the page is {file}\n"
+
+
+@built
+def test_a_notebook_shows_it_and_no_browser_opens(monkeypatch, opened):
+    shell = types.SimpleNamespace(kernel=object())
+    monkeypatch.setitem(sys.modules, "IPython", types.SimpleNamespace(get_ipython=lambda: shell))
+    shown = beeline.view(UR5)._repr_html_()
+    assert opened == []
+    assert shown.startswith('<iframe srcdoc="&lt;!doctype html&gt;') and shown.count('"') == 10
+    assert 'title="' in shown  # for screen readers
+
+
+@built
+def test_a_motion_is_inside_and_exact():
+    move = beeline.control_joints(UR5, np.zeros(6), Q)
+    page = beeline.view(UR5, trajectory=move)
+    assert parse_qs(part(page, "state"))["section"] == ["motion"]
+    rows = inflated(part(page, "trajectory")).decode().splitlines()
+    assert rows[0].split(",")[:2] == ["t", UR5.joint_names[0]]
+    assert [float(value) for value in rows[-1].split(",")[1:7]] == list(move.trajectory.positions[-1])
+
+
+@built
+def test_it_is_saved(tmp_path):
+    page = beeline.view(UR5, Q)
+    page.save(tmp_path / "arm.html")
+    assert (tmp_path / "arm.html").read_text(encoding="utf-8") == page.html
+    with pytest.raises(beeline.Error, match=r"arm\.txt: a page is written to a \.html file"):
+        page.save(tmp_path / "arm.txt")
+    with pytest.raises(beeline.Error, match="no/arm.html: No such file"):
+        page.save(tmp_path / "no" / "arm.html")
+
+
+@built
+def test_the_archive_of_the_wheel_holds_the_same(root, tmp_path, monkeypatch):
+    sys.path.insert(0, str(root / "python"))
+    try:
+        import page_archive
+    finally:
+        sys.path.pop(0)
+    want = _page_document._files()
+    page_archive.main(root / "build" / "web", tmp_path / "page.tar.xz")
+    monkeypatch.setattr(_page_document, "__file__", str(tmp_path / "_page_document.py"))
+    assert _page_document._files() == want
+
+
+def test_what_the_arm_does_not_have_is_refused():
+    with pytest.raises(beeline.Error, match=r"q has the shape \(2,\); expected \(6,\)"):
+        beeline.view(UR5, [1, 2])
+    with pytest.raises(beeline.Error, match="q must be finite"):
+        beeline.view(UR5, [np.nan] * 6)
+    with pytest.raises(beeline.Error, match="does not fit arm ur5"):
+        beeline.view(UR5, trajectory=beeline.Trajectory(["a"], [0, 1], [[0], [1]]))
+    with pytest.raises(TypeError, match="trajectory must be"):
+        beeline.view(UR5, trajectory=[Q])
+
+
+def test_without_the_page_the_error_names_make_web(monkeypatch, tmp_path):
+    _page_document._empty_document.cache_clear()
+    monkeypatch.setattr(_page_document, "__file__", str(tmp_path / "a" / "b" / "c.py"))
+    with pytest.raises(beeline.Error, match="^the page is not built: `make web` builds it in a checkout of Beeline, .*$"):
+        beeline.view(UR5)
+    _page_document._empty_document.cache_clear()
