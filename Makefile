@@ -86,7 +86,7 @@ test-peers:
 
 test-all: test test-peers test-web wheel
 
-# Node's packages are those of package-lock.json.
+# Node's packages are those of package-lock.json; Node itself that of the system or of scripts/node_path.sh.
 web:
 	@scripts/install_packages.sh build web
 	@scripts/web_sources.sh build-web-core/sources
@@ -95,7 +95,7 @@ web:
 	@scripts/web.sh build-web-core/web build/web
 
 test-web: build web
-	@cd web && BEELINE=$(CURDIR)/build/beeline npm test --silent
+	@PATH="$$(scripts/node_path.sh)" && cd web && BEELINE=$(CURDIR)/build/beeline npm test --silent
 
 asan:
 	@scripts/install_packages.sh build test python
@@ -124,4 +124,4 @@ install: build
 	@cmake --install build --prefix $(PREFIX)
 
 clean:
-	@rm -rf build build-dev build-asan build-tsan build-libcxx build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-python .venv-wheel
+	@rm -rf build build-dev build-asan build-tsan build-libcxx build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-node .venv-python .venv-wheel

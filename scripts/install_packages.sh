@@ -11,7 +11,7 @@ peers=(ffmpeg)
 python=(python3 python3-dev python3-venv)
 bench=(libbenchmark-dev liborocos-kdl-dev python3 python3-venv valgrind)
 docs=(doxygen rsync)
-web=(emscripten dpkg-dev chromium)
+web=(emscripten dpkg-dev chromium python3 python3-venv)
 lint=(clang-format-14 clang-tidy-14 clang-14 libc++-14-dev libc++abi-14-dev shellcheck python3)
 
 wanted=()

@@ -4,10 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-if ! node -e 'process.exit(Number(process.versions.node.split(".")[0]) >= 20 ? 0 : 1)' || ! command -v npm >/dev/null; then
-  echo "The page's tests and tools need Node.js 20.19 or later, with npm" >&2
-  exit 1
-fi
+PATH=$(scripts/node_path.sh)
 if [[ ! web/package-lock.json -ot web/node_modules/.package-lock.json ]]; then
   (cd web && npm ci --silent)
 fi

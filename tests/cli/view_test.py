@@ -127,6 +127,30 @@ def test_the_session_holds_the_arm_and_the_trajectory(build, folder, beeline):
     assert session["trajectory"].startswith("t,joint1")
 
 
+def test_a_trajectory_as_json_is_played_too(build, folder, beeline):
+    move = ["move", "ur5", "--from", "0,-1,1,0,1,0", "--to", "0.5,-1,1,0,1,0"]
+    assert beeline(*move, "--out", "move.json").code == 0
+    server = Server(build, folder, "move.json", "--port", str(free_port()))
+    header, *rows = json.loads(server.ask("GET", "/api/session")[1])["trajectory"].splitlines()
+    server.stop()
+    written = json.loads((folder / "move.json").read_text())
+    names = written.get("joint_trajectory", written)["joint_names"]
+    points = written.get("joint_trajectory", written)["points"]
+    assert header.split(",")[: 1 + len(names)] == ["t", *names]
+    assert [float(value) for value in rows[-1].split(",")[1:7]] == points[-1]["positions"]
+    assert len(rows) == len(points)
+
+
+@pytest.mark.parametrize("signal_", [signal.SIGINT, signal.SIGTERM], ids=lambda value: value.name)
+def test_a_signal_ends_it_with_exit_code_0(server, signal_):
+    page = Events(server)
+    assert server.post([0] * 6) == 204
+    server.process.send_signal(signal_)
+    assert server.process.wait(timeout=20) == 0
+    assert server.process.stderr.read() == ""
+    page.close()
+
+
 def test_joint_values_reach_every_page_the_latest_at_once(server):
     pages = [Events(server) for _ in range(8)]
     for i in range(1, 61):
