@@ -55,7 +55,7 @@ bench-web: web
 	@scripts/install_packages.sh build bench
 	@cmake --preset release -DBEELINE_BENCH=ON $(strict) >/dev/null
 	@cmake --build --preset release --parallel $(JOBS) --target beeline bench_web
-	@cd web && BEELINE=$(CURDIR)/build/beeline BENCH_NATIVE=$(CURDIR)/build/bench/bench_web npm run bench --silent
+	@PATH="$$(scripts/node_path.sh)" && cd web && BEELINE=$(CURDIR)/build/beeline BENCH_NATIVE=$(CURDIR)/build/bench/bench_web npm run bench --silent
 
 docs:
 	@scripts/install_packages.sh build docs python
