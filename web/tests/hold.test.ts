@@ -151,11 +151,11 @@ test("a picture that the graphics card loses is announced and comes back", async
     "window.lost = document.querySelector('#stage canvas').getContext('webgl2').getExtension('WEBGL_lose_context')",
   );
   await page.evaluate("window.lost.loseContext()");
-  await page.getByRole("status").getByText("The picture is lost").waitFor();
+  await page.getByRole("status").getByText("lost the picture").waitFor();
   await field(page, 0).fill("20");
   await field(page, 0).press("Enter");
   await page.evaluate("window.lost.restoreContext()");
-  await page.getByText("The picture is lost").waitFor({ state: "detached" });
+  await page.getByText("lost the picture").waitFor({ state: "detached" });
   const colours = await page.evaluate(
     "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => { const c = document.querySelector('#stage canvas');" +
       "const d = document.createElement('canvas'); d.width = c.width; d.height = c.height; const g = d.getContext('2d'); g.drawImage(c, 0, 0);" +

@@ -1,9 +1,13 @@
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { Euler, Matrix4, Quaternion, Vector3 } from "three";
 import type { Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
 import { open, visit, type Complaints, type Visit } from "./browser.js";
 import { binaryStl, collada, obj, textStl, urdf } from "./meshes.js";
-import { json } from "./native.js";
+import { json, run } from "./native.js";
 
 let there: Visit;
 let watched: Complaints | null = null;
@@ -108,6 +112,23 @@ test("without meshes a URDF is drawn with shapes, and one line says what is miss
   await page.getByRole("alert").getByText("drop it with them").waitFor();
 });
 
+test("a gripper has two ends: the page asks for the tip, and shows the arm as the native command has it", async () => {
+  const page = await opened("#unit=rad");
+  const gripper = urdf.replaceAll("tool0", "palm");
+  await drop(page, { ...everything, "arm.urdf": gripper });
+  const refusal = run(["show", "arm.urdf"], { "arm.urdf": gripper }).stderr;
+  await page.getByRole("alert").waitFor();
+  expect(refusal).toContain((await page.getByRole("alert").textContent())?.split("--tip")[0]);
+  await page.getByLabel("Tip").selectOption("finger");
+  await page.getByRole("button", { name: "End there" }).click();
+  await line(page).getByText("5 meshes.").waitFor();
+  const { dof } = json<{ dof: number }>(["show", "arm.urdf", "--tip", "finger"], { "arm.urdf": gripper });
+  expect(await page.locator(".joints .joint").count()).toBe(dof);
+  await page.locator("#arm-text").fill("panda");
+  await expect.poll(() => page.getByLabel("Tip").count()).toBe(1);
+  await expect.poll(() => page.getByLabel("Tip").isVisible()).toBe(false);
+});
+
 test("several files are chosen by keyboard as well", async () => {
   const page = await opened();
   const files = Object.entries(everything).map(([name, content]) => ({
@@ -117,6 +138,46 @@ test("several files are chosen by keyboard as well", async () => {
   }));
   await page.setInputFiles("#arm-file", files);
   await line(page).getByText("5 meshes.").waitFor();
+});
+
+test("a folder with a URDF is chosen; meshes of one name are told apart by their folders", async () => {
+  const page = await opened();
+  const folder = mkdtempSync(join(tmpdir(), "beeline-urdf-"));
+  const put = (path: string, content: Buffer | string): void => {
+    mkdirSync(join(folder, "t", path, ".."), { recursive: true });
+    writeFileSync(join(folder, "t", path), content);
+  };
+  put("package.xml", "<package/>");
+  put("urdf/arm.urdf", urdf);
+  put("meshes/base.stl", binaryStl());
+  put("other/base.stl", "not this one");
+  await page.getByText("or a folder", { exact: true }).click();
+  await page.setInputFiles("#arm-folder", join(folder, "t"));
+  await line(page).getByText("1 mesh. Missing: upper.dae, fore.obj, gone.stl, sensor.STL.").waitFor();
+  await line(page).getByText("base.stl is not shown: it is no STL file, or cut off.").waitFor();
+  await page.getByText("Frame of the mesh").click();
+  expect(await page.locator(".chooser li").textContent()).toContain("base.stl on base");
+  rmSync(folder, { recursive: true });
+});
+
+test.each([
+  { width: 1200, height: 900 },
+  { width: 360, height: 740 },
+])("forms and lists that are opened are accessible and no wider than the screen, %o", async (size) => {
+  const visited = await open(there, "", size);
+  watched = visited.complaints;
+  page = visited.page;
+  await drop(page, everything);
+  await line(page).getByText("5 meshes.").waitFor();
+  for (const summary of await page.locator("summary:visible").all()) await summary.click();
+  await page.getByRole("button", { name: "Show the arm" }).click();
+  await page.getByRole("alert").getByText("convention").waitFor();
+  await page.evaluate(readFileSync(createRequire(import.meta.url).resolve("axe-core"), "utf8"));
+  const found = await page.evaluate(
+    "axe.run().then((all) => all.violations.map((one) => one.id + ': ' + one.nodes.map((n) => n.html).join(' ').slice(0, 300)))",
+  );
+  expect(found).toEqual([]);
+  expect(await page.evaluate("document.documentElement.scrollWidth")).toBeLessThanOrEqual(size.width);
 });
 
 const broken = collada().subarray(0, 900);

@@ -2,6 +2,7 @@ import type { Core } from "../core/core.js";
 import type { ArmChooser } from "../panels/arm_chooser.js";
 import { tooLarge } from "../panels/arm_chooser.js";
 import type { MeshList } from "../panels/mesh_list.js";
+import { TipChooser, tipsOf } from "../panels/tip_chooser.js";
 import { baseName, isMeshFile, visualMeshes, type PathFile } from "../scene/mesh_files.js";
 import type { PageState } from "../state/page_state.js";
 import type { Store } from "../state/store.js";
@@ -18,13 +19,17 @@ interface OpenedUrdf {
 export class ArmFiles {
   private urdf: OpenedUrdf | null = null;
   private shown: Shown | null = null;
+  private readonly tips = new TipChooser((tip) => this.again(tip));
+  private again: (tip: string) => void = () => undefined;
 
   constructor(
     private readonly core: Core,
     private readonly store: Store<PageState>,
     private readonly chooser: ArmChooser,
     private readonly list: MeshList,
-  ) {}
+  ) {
+    chooser.root.append(this.tips.root);
+  }
 
   /** Takes an arm's file, with the meshes of a URDF; or more meshes of the URDF that is shown. */
   async open(files: PathFile[]): Promise<void> {
@@ -45,16 +50,25 @@ export class ArmFiles {
     this.shown = shown;
     this.list.clear();
     if (this.urdf?.json === shown.arm.json) void this.showMeshes();
+    else this.tips.ask([]);
   }
 
-  openText(name: string, text: string): void {
+  /** Shows the arm of a text: JSON, or a URDF with its meshes whose chain ends at `tip`. Where the chain cannot end
+   * without a choice, it is asked for. */
+  openText(name: string, text: string, meshes: PathFile[] = [], tip = ""): void {
+    const isUrdf = /\.urdf$/i.test(name);
+    if (tip === "") this.tips.ask([]);
     try {
-      const arm = this.core.arm(name, { [name]: text });
+      const arm = this.core.arm(name, { [name]: text }, { tip });
       const { json } = arm;
       arm.release();
+      this.urdf = isUrdf ? { json, text, files: meshes } : null;
       this.store.set({ arm: { json }, q: null, goal: null });
     } catch (error) {
       this.chooser.refuse((error as Error).message);
+      if (!isUrdf || tip !== "") return;
+      this.tips.ask(tipsOf(text));
+      this.again = (chosen) => this.openText(name, text, meshes, chosen);
     }
   }
 
@@ -63,16 +77,7 @@ export class ArmFiles {
     if (refusal !== null) return this.chooser.refuse(refusal);
     const text = await file.text();
     const name = baseName(path);
-    if (/\.urdf$/i.test(name)) {
-      try {
-        const arm = this.core.arm(name, { [name]: text });
-        this.urdf = { json: arm.json, text, files: meshes };
-        arm.release();
-      } catch {
-        // openText() says why
-      }
-    }
-    this.openText(name, text);
+    this.openText(name, text, meshes);
   }
 
   private async addMeshes(meshes: PathFile[]): Promise<void> {
@@ -97,7 +102,10 @@ export class ArmFiles {
       const meshes = await RobotMeshes.read(urdf.text, ["", ...joints.map(({ link = "" }) => link)], urdf.files);
       if (shown !== this.shown) return void meshes.dispose();
       shown.view.showMeshes(meshes, () => this.list.moved());
-      this.list.say([`${meshes.meshes.length} meshes.`, missing(meshes.missing), ...meshes.faults].join(" ").trim());
+      const count = meshes.meshes.length;
+      this.list.say(
+        [`${count} ${count === 1 ? "mesh" : "meshes"}.`, missing(meshes.missing), ...meshes.faults].join(" ").trim(),
+      );
       this.list.show(meshes.meshes);
     } catch (error) {
       if (shown === this.shown) this.list.say(`The meshes cannot be shown: ${(error as Error).message}`);

@@ -17,7 +17,7 @@ import { Store } from "../state/store.js";
 import { ArmFiles } from "./arm_files.js";
 import { ArmView } from "./arm_view.js";
 import { Control } from "./control.js";
-import { describe } from "../core/description.js";
+import { describe, type ArmDescription } from "../core/description.js";
 import { Hold } from "./hold.js";
 import { LessonsSection } from "./lessons.js";
 import { MotionSection } from "./motion.js";
@@ -149,7 +149,7 @@ export class Page {
     this.shown?.arm.release();
     const description = describe(arm);
     const holder = this.document.getElementById("stage") as HTMLElement;
-    this.shown = { arm, description, view: new ArmView(holder, arm, description.reach?.radius || 1) };
+    this.shown = { arm, description, view: new ArmView(holder, arm, sizeOf(arm, description)) };
     for (const { panel } of this.panels.values()) panel.take(this.shown);
     this.chooser.show(description.name);
     this.files.take(this.shown);
@@ -199,4 +199,10 @@ export class Page {
       location.href.replace(/#.*|$/, () => hash),
     );
   }
+}
+
+/** How much of the world the picture shows, metres: the reach, or where it has no bound the arm as it is shown first. */
+function sizeOf(arm: Arm, { reach }: ArmDescription): number {
+  const far = arm.forward(arm.displayConfiguration()).map((pose) => Math.hypot(...pose.subarray(12, 15)));
+  return reach?.radius || Math.max(...far) || 1;
 }

@@ -62,7 +62,7 @@ export class DhForm {
       element("p", { class: "pair" }, element("label", { for: "dh-name" }, "Name"), this.name),
       element("fieldset", {}, element("legend", {}, "Convention"), ...this.convention.map(({ label }) => label)),
       element("p", { class: "pair" }, element("label", { for: "dh-unit" }, "Angles in"), this.unit),
-      element("p", { class: "quiet" }, "Angles also as pi/2. Limits may be empty: there are none."),
+      element("p", { class: "quiet" }, "Angles can be typed as pi/2 too. An empty limit is none."),
       element("div", { class: "dh quiet", "aria-hidden": "true" }, ...titles),
       this.body,
       this.fault,
@@ -82,7 +82,8 @@ export class DhForm {
     const cells = new Map(
       columns.map(([column]) => {
         const value = column === "lower" || column === "upper" ? "" : "0";
-        return [column, element("input", { value, inputmode: "text", autocomplete: "off", size: 6 })] as const;
+        const placeholder = value === "" ? column : "";
+        return [column, element("input", { value, placeholder, autocomplete: "off", size: 6 })] as const;
       }),
     );
     const remove = element("button", { type: "button" }, "×");

@@ -26,7 +26,7 @@ export class MeshList {
 
   show(meshes: { file: string; link: string; frame: Object3D }[]): void {
     this.root.hidden = meshes.length === 0;
-    this.summary.textContent = `Frames of the ${meshes.length} meshes`;
+    this.summary.textContent = meshes.length === 1 ? "Frame of the mesh" : `Frames of the ${meshes.length} meshes`;
     const items = meshes.map(() => element("li"));
     this.list.replaceChildren(...items);
     this.refresh = () =>

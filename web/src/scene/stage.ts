@@ -21,8 +21,7 @@ interface Theme {
 const light: Theme = { background: 0xf7f8fa, grid: 0xdde2e8, gridCentre: 0xb8c2cc };
 const dark: Theme = { background: 0x14181d, grid: 0x2a323b, gridCentre: 0x45515e };
 
-const lostPicture =
-  "The picture is lost: the graphics card was reset. It comes back by itself as soon as the browser has it again.";
+const lostPicture = "The graphics card has lost the picture. It comes back as soon as the browser can restore it.";
 const noPicture = "This browser has no WebGL, so there is no picture. The numbers beside it are computed all the same.";
 
 /** What stands in the place of the picture. */
@@ -134,10 +133,12 @@ export class Stage {
 
   private readonly lose = (event: Event): void => {
     event.preventDefault(); // otherwise the browser does not restore it
+    this.canvas.style.visibility = "hidden";
     this.holder.append(this.lost);
   };
 
   private readonly restore = (): void => {
+    this.canvas.style.visibility = "";
     this.lost.remove();
     this.changed();
   };
