@@ -1,5 +1,5 @@
 import type { JointDescription } from "../core/description.js";
-import { element } from "./element.js";
+import { element, shown } from "./element.js";
 import { unitOf, type Unit } from "./units.js";
 
 /** How far a slider reaches from 0 where the joint has no limit, radians or metres. A number can be typed beyond. */
@@ -31,8 +31,8 @@ export class JointsPanel {
         return element(
           "div",
           { class: "joint" },
-          element("label", { for: id }, joint.name),
-          row.slider,
+          element("label", { for: id }, ...breakable(joint.name)),
+          element("div", { class: "range" }, row.slider, ends(joint, row.unit)),
           row.number,
           element("span", { class: "unit", "aria-hidden": "true" }, row.unit.name),
         );
@@ -77,6 +77,19 @@ export class JointsPanel {
     number.addEventListener("change", () => take(number));
     return { slider, number, unit };
   }
+}
+
+/** A name that can be broken behind its underscores. */
+function breakable(name: string): (Node | string)[] {
+  return name.split(/(?<=_)/).flatMap((part, i) => (i > 0 ? [element("wbr"), part] : [part]));
+}
+
+/** The limits below the ends of a slider; screen readers have them from the slider. */
+function ends({ limits, type }: JointDescription, { factor, name }: Unit): HTMLElement {
+  const digits = name === "°" ? 0 : type === "prismatic" ? 3 : 2;
+  const text = (limit: number | null): string => (limit === null ? "" : shown(limit * factor, digits));
+  const texts = [limits.lower, limits.upper].map((limit) => element("span", {}, text(limit)));
+  return element("div", { class: "ends", "aria-hidden": "true" }, ...texts);
 }
 
 /** Says which joints have no limits, or one only. */
