@@ -14,15 +14,56 @@ export async function sessionOf(document: Document): Promise<Session | null> {
   return answer.ok ? ((await answer.json()) as Session) : null;
 }
 
-/** Calls `moved` with the joint values that a program posts, and `connected` when the server comes and goes. The
- * browser connects again by itself. */
-export function follow(moved: (q: number[]) => void, connected: (now: boolean) => void): () => void {
-  const events = new EventSource("api/events");
-  events.addEventListener("joints", (event: MessageEvent<string>) => {
-    const { q } = JSON.parse(event.data) as { q: number[] };
-    moved(q);
-  });
-  events.addEventListener("open", () => connected(true));
-  events.addEventListener("error", () => connected(false));
-  return () => events.close();
+const shortestDelay = 1; // s, doubled after each refusal
+const longestDelay = 16;
+
+/** Why the browser gave up on the stream of joint values. EventSource does not say it, so this asks once more. */
+async function refusal(): Promise<string> {
+  const abort = new AbortController();
+  try {
+    const { ok, status } = await fetch("api/events", { signal: abort.signal });
+    return ok ? "the stream ended" : `the server answers ${status}`;
+  } catch {
+    return "the server does not answer";
+  } finally {
+    abort.abort(); // the answer may be a stream without end
+  }
+}
+
+/** Calls `moved` with the joint values that a program posts, and `says` with the state of the connection. After a lost
+ * connection the browser connects again by itself; after an answer other than 200, such as that of a proxy during a
+ * restart, it gives up for ever, and this tries again after a delay. */
+export function follow(moved: (q: number[]) => void, says: (text: string) => void): () => void {
+  let events: EventSource;
+  let timer = 0;
+  let delay = shortestDelay;
+  let ended = false;
+  const retry = async (): Promise<void> => {
+    const seconds = delay;
+    delay = Math.min(2 * delay, longestDelay);
+    timer = window.setTimeout(connect, 1000 * seconds);
+    const reason = await refusal();
+    if (!ended && events.readyState === EventSource.CLOSED) says(`${reason}, next try in ${seconds} s`);
+  };
+  const connect = (): void => {
+    events = new EventSource("api/events");
+    events.addEventListener("joints", (event: MessageEvent<string>) => {
+      const { q } = JSON.parse(event.data) as { q: number[] };
+      moved(q);
+    });
+    events.addEventListener("open", () => {
+      delay = shortestDelay;
+      says("live");
+    });
+    events.addEventListener("error", () => {
+      if (events.readyState === EventSource.CLOSED) void retry();
+      else says("connecting again");
+    });
+  };
+  connect();
+  return () => {
+    ended = true;
+    clearTimeout(timer);
+    events.close();
+  };
 }

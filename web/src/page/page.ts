@@ -112,7 +112,7 @@ export class Page {
       (q) => {
         if (q.length === this.shown?.arm.dof) this.store.set({ q });
       },
-      (now) => (light.textContent = now ? "live" : "connecting again"),
+      (text) => (light.textContent = text),
     );
   }
 

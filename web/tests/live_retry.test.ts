@@ -1,0 +1,65 @@
+import { readFile } from "node:fs/promises";
+import { createServer, type Server, type ServerResponse } from "node:http";
+import type { AddressInfo } from "node:net";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { visit, type Visit } from "./browser.js";
+
+const root = fileURLToPath(new URL("../../build/web", import.meta.url));
+const types: Record<string, string> = { html: "text/html", js: "text/javascript" };
+
+/** A server like `beeline view` behind a proxy, which answers `status` for the stream of joint values. */
+const proxy = { status: 503, refused: 0, streams: new Set<ServerResponse>() };
+let there: Visit;
+let server: Server;
+beforeAll(async () => {
+  there = await visit();
+  server = createServer((request, response) => {
+    const { pathname } = new URL(request.url ?? "/", "http://page");
+    if (pathname === "/api/session")
+      return void response.end(
+        '{"arm": "{\\"name\\": \\"mine\\", \\"joint_string\\": \\"RRR:1,1,1\\"}", "trajectory": null}',
+      );
+    if (pathname === "/api/events") {
+      response.writeHead(proxy.status, { "Content-Type": "text/event-stream" });
+      if (proxy.status !== 200) return void (++proxy.refused, response.end());
+      response.write(": open\n\n");
+      proxy.streams.add(response);
+      return void response.on("close", () => proxy.streams.delete(response));
+    }
+    const path = pathname === "/" ? "/index.html" : pathname;
+    void readFile(join(root, path)).then((bytes) => {
+      response.setHeader("Content-Type", types[path.split(".").at(-1) ?? ""] ?? "application/octet-stream");
+      response.end(path === "/index.html" ? `${bytes}`.replace("<body", '<body data-session="api/session"') : bytes);
+    });
+  });
+  await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
+});
+afterAll(async () => {
+  await there.close();
+  server.closeAllConnections();
+  server.close();
+});
+
+test("the page says why the stream is refused, and follows once it is not", async () => {
+  const page = await there.browser.newPage();
+  const errors: string[] = [];
+  page.on("pageerror", (error) => errors.push(error.message));
+  await page.goto(`http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
+  await page.getByText("the server answers 503, next try in 1 s").waitFor();
+  await page.getByText("the server answers 503, next try in 2 s").waitFor();
+  proxy.status = 200;
+  await page.getByText("live", { exact: true }).waitFor();
+  await expect.poll(() => proxy.streams.size, { timeout: 20_000 }).toBe(1);
+  for (const stream of proxy.streams) stream.write('event: joints\ndata: {"q": [0.5, 0, 0]}\n\n');
+  const shown = async (): Promise<number> => Number(await page.locator("#joint-0").inputValue());
+  await expect.poll(shown, { timeout: 20_000 }).toBeCloseTo(90 / Math.PI, 1);
+
+  proxy.status = 502;
+  for (const stream of proxy.streams) stream.destroy(); // the browser connects again, which is refused
+  await page.getByText("the server answers 502, next try in 1 s").waitFor();
+  proxy.status = 200;
+  await page.getByText("live", { exact: true }).waitFor();
+  expect(errors).toEqual([]);
+});
