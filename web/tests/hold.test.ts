@@ -164,6 +164,14 @@ test("a picture that the graphics card loses is announced and comes back", async
   expect(colours).toBeGreaterThan(20);
 });
 
+test("without WebAssembly the page says so", async () => {
+  const context = await there.browser.newContext();
+  page = await context.newPage();
+  await page.addInitScript("delete globalThis.WebAssembly");
+  await page.goto(there.address);
+  await page.getByRole("alert").getByText("has no WebAssembly").waitFor();
+});
+
 test("on a phone the buttons stand below the picture", async () => {
   const page = await opened("#arm=rrr", { width: 360, height: 740 });
   const [stage, tools] = await Promise.all(["#stage", "#tools"].map((part) => page.locator(part).boundingBox()));

@@ -129,6 +129,24 @@ test("a gripper has two ends: the page asks for the tip, and shows the arm as th
   await expect.poll(() => page.getByLabel("Tip").isVisible()).toBe(false);
 });
 
+test("a saved page shows meshes too, from a disk and without a network", async () => {
+  const page = await opened("#arm=rrr");
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("button", { name: "Save page" }).click(),
+  ]);
+  const folder = mkdtempSync(join(tmpdir(), "beeline-saved-"));
+  await download.saveAs(join(folder, "beeline.html"));
+  const context = await there.browser.newContext({ offline: true });
+  const saved = await context.newPage();
+  await saved.goto(`file://${folder}/beeline.html`);
+  await saved.waitForSelector("#first", { state: "detached" });
+  await drop(saved, everything);
+  await line(saved).getByText("5 meshes.").waitFor();
+  await context.close();
+  rmSync(folder, { recursive: true });
+});
+
 test("several files are chosen by keyboard as well", async () => {
   const page = await opened();
   const files = Object.entries(everything).map(([name, content]) => ({

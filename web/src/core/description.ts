@@ -15,7 +15,7 @@ export interface ArmDescription {
   name: string;
   /** Those with a coordinate, in its order: without joints that mimic others. */
   joints: JointDescription[];
-  reach?: { radius: number | null };
+  reach?: { centre?: number[]; radius: number | null };
 }
 
 /** What the page uses of the description of an arm. */

@@ -21,13 +21,14 @@ export class ArmView {
   private moved: () => void = () => undefined;
   private dragged: (pose: number[]) => void = () => undefined;
 
-  /** `size`: the arm's reach, metres. */
+  /** `size`: the arm's reach, `height`: that of its middle, metres. */
   constructor(
     holder: HTMLElement,
     private readonly arm: Arm,
     readonly size: number,
+    height: number,
   ) {
-    this.stage = new Stage(holder, arm.planar, size);
+    this.stage = new Stage(holder, arm.planar, size, height);
     const kinds = this.skeleton(new Array<number>(arm.dof).fill(0)).joints.map((joint) => joint.kind);
     this.figure = new ArmFigure(kinds, size);
     this.frames = Array.from({ length: arm.links + 1 }, () => triad(0.16 * size));

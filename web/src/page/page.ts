@@ -149,7 +149,11 @@ export class Page {
     this.shown?.arm.release();
     const description = describe(arm);
     const holder = this.document.getElementById("stage") as HTMLElement;
-    this.shown = { arm, description, view: new ArmView(holder, arm, sizeOf(arm, description)) };
+    this.shown = {
+      arm,
+      description,
+      view: new ArmView(holder, arm, sizeOf(arm, description), description.reach?.centre?.[2] ?? 0),
+    };
     for (const { panel } of this.panels.values()) panel.take(this.shown);
     this.chooser.show(description.name);
     this.files.take(this.shown);
@@ -204,5 +208,5 @@ export class Page {
 /** How much of the world the picture shows, metres: the reach, or where it has no bound the arm as it is shown first. */
 function sizeOf(arm: Arm, { reach }: ArmDescription): number {
   const far = arm.forward(arm.displayConfiguration()).map((pose) => Math.hypot(...pose.subarray(12, 15)));
-  return reach?.radius || Math.max(...far) || 1;
+  return reach?.radius || 1.3 * Math.max(...far) || 1;
 }

@@ -55,12 +55,13 @@ export class Stage {
   private readonly darkness = matchMedia("(prefers-color-scheme: dark)");
   private readonly resize: ResizeObserver;
 
-  /** `flat`: seen from above without perspective, for planar arms. `size`: of what is seen, metres. Without
+  /** `flat`: seen from above without perspective, for planar arms. `size`: of what is seen, `height`: of its middle, metres. Without
    * WebGL there is a sentence instead of the picture. */
   constructor(
     private readonly holder: HTMLElement,
     private readonly flat: boolean,
     private readonly size: number,
+    private readonly height: number,
   ) {
     this.renderer = rendererOrNull();
     this.renderer?.setPixelRatio(Math.min(devicePixelRatio, 2));
@@ -107,7 +108,7 @@ export class Stage {
     const far = this.size;
     if (this.flat) this.camera.position.set(0, 0, far);
     else this.camera.position.set(1.5 * far, -1.9 * far, 1.3 * far);
-    this.controls.target.set(0, 0, this.flat ? 0 : far / 4);
+    this.controls.target.set(0, 0, this.flat ? 0 : Math.max(far / 4, this.height));
     this.controls.update();
     this.changed();
   }
