@@ -174,7 +174,7 @@ test("a folder with a URDF is chosen; meshes of one name are told apart by their
   await line(page).getByText("1 mesh. Missing: upper.dae, fore.obj, gone.stl, sensor.STL.").waitFor();
   await line(page).getByText("base.stl is not shown: it is no STL file, or cut off.").waitFor();
   await page.getByText("Frame of the mesh").click();
-  expect(await page.locator(".chooser li").textContent()).toContain("base.stl on base");
+  await page.locator(".chooser li", { hasText: "base.stl on base" }).waitFor();
   rmSync(folder, { recursive: true });
 });
 
