@@ -2,7 +2,9 @@ import { initialState, sections, type ArmSource, type PageState, type Section } 
 import { compressed, decompressed } from "./compression.js";
 
 const frames = ["base", "tool", "space"] as const;
-const longest = 200_000; // characters of an address that are looked at
+const gains = ["gain", "ki", "kd"] as const;
+/** Characters of an address that are read; a longer one is not written either. */
+export const longestAddress = 200_000;
 const mostJoints = 1000;
 
 function numbers(text: string | null): number[] | null {
@@ -41,7 +43,7 @@ export async function addressOf(state: PageState): Promise<string> {
   if (state.showSolutions) words.set("solutions", "1");
   if (state.showEllipsoid) words.set("ellipsoid", "1");
   if (state.goal) words.set("goal", list(state.goal));
-  if (state.gain !== initialState.gain) words.set("gain", String(state.gain));
+  for (const gain of gains) if (state[gain] !== initialState[gain]) words.set(gain, String(state[gain]));
   if (state.waypoints.length > 0) words.set("waypoints", state.waypoints.map(list).join(";"));
   if (state.lesson !== "") words.set("lesson", state.lesson);
   return words.toString().replaceAll("%2C", ",").replaceAll("%3B", ";");
@@ -49,10 +51,13 @@ export async function addressOf(state: PageState): Promise<string> {
 
 /** The state of an address. What cannot be read has its initial value. */
 export async function stateOf(hash: string): Promise<PageState> {
-  const words = new URLSearchParams(hash.replace(/^#/, "").slice(0, longest));
+  const words = new URLSearchParams(hash.replace(/^#/, "").slice(0, longestAddress));
   const section = words.get("section") as Section;
   const frame = words.get("frame") as (typeof frames)[number];
-  const gain = Number(words.get("gain") ?? initialState.gain);
+  const gainOf = (name: (typeof gains)[number]): number => {
+    const value = Number(words.get(name) || NaN);
+    return Number.isFinite(value) ? value : initialState[name];
+  };
   return {
     arm: await sourceOf(words).catch(() => ({ json: "" })), // which is refused with a reason
     q: numbers(words.get("q")),
@@ -63,7 +68,9 @@ export async function stateOf(hash: string): Promise<PageState> {
     showSolutions: words.get("solutions") === "1",
     showEllipsoid: words.get("ellipsoid") === "1",
     goal: numbers(words.get("goal")),
-    gain: Number.isFinite(gain) ? gain : initialState.gain,
+    gain: gainOf("gain"),
+    ki: gainOf("ki"),
+    kd: gainOf("kd"),
     waypoints: poses(words.get("waypoints")),
     lesson: words.get("lesson") ?? "",
   };

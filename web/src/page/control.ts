@@ -2,8 +2,11 @@ import { Matrix4, Vector3, type Group } from "three";
 import type { Arm } from "../core/arm.js";
 import { answer } from "../core/command.js";
 import type { Files } from "../core/types.js";
+import { stepResponse } from "../core/step_response.js";
 import { element, shown } from "../panels/element.js";
+import { GainsPanel } from "../panels/gains.js";
 import { poseNumbers } from "../panels/pose.js";
+import { StepChart } from "../panels/step_chart.js";
 import { blue, trail } from "../scene/marks.js";
 import { middle, type ArmDescription } from "../core/description.js";
 import type { SectionPanel, Services, Shown } from "./section.js";
@@ -26,23 +29,26 @@ interface Run {
 }
 
 const steps = 2000; // of a controller that crawls
+const responseSteps = 400;
 const amber = 0xd95f02;
 
 /** Joint-space and Cartesian control side by side, to the same goal: Figures 1.7 and 1.9 of the chapter. */
 export class Control implements SectionPanel {
   readonly root = element("div", { class: "panel" });
-  private readonly gain = element("input", { type: "range", id: "gain", min: 0.02, max: 1.9, step: 0.02 });
-  private readonly gainText = element("output", { for: "gain" });
+  private readonly gains = new GainsPanel((key, value) =>
+    this.services.store.set({ [key === "kp" ? "gain" : key]: value }),
+  );
+  private readonly chart = new StepChart();
   private readonly results = element("div", { role: "status" });
   private readonly go = element("button", { type: "button", onclick: () => void this.run() }, "Go to the goal");
   private trails: Group[] = [];
+  private open = false;
   private shown: Shown | null = null;
   private playing = 0;
   private turn = 0;
 
   constructor(private readonly services: Services) {
     const { store } = services;
-    this.gain.addEventListener("input", () => store.set({ gain: Number(this.gain.value) }));
     const goal = element("button", { type: "button" }, "Make this the goal");
     goal.addEventListener("click", () => store.set({ goal: store.get().q }));
     this.root.append(
@@ -59,10 +65,15 @@ export class Control implements SectionPanel {
         { class: "quiet" },
         "Hold the arm where it shall go, make that the goal, hold it elsewhere, and go.",
       ),
-      element("label", { for: "gain" }, "Gain Kp ", this.gainText),
-      this.gain,
       element("p", { class: "pair" }, goal, this.go),
       this.results,
+      this.gains.root,
+      element(
+        "p",
+        { class: "quiet" },
+        "Both controllers use Kp. Ki and Kd act in joint space: a sum of the errors, and their change.",
+      ),
+      this.chart.root,
     );
   }
 
@@ -75,17 +86,36 @@ export class Control implements SectionPanel {
   }
 
   update(q: number[]): void {
-    const { gain, goal, showFrames } = this.services.store.get();
-    this.gain.value = String(gain);
-    const words = gain < 0.05 ? " (crawls)" : gain > 1 ? " (the joints overshoot)" : "";
-    this.gainText.textContent = gain.toFixed(2) + words;
+    const { goal, showFrames } = this.services.store.get();
     if (!this.shown) return;
-    this.shown.view.show(q, this.shown.arm.forward(q), showFrames);
-    this.shown.view.showGhosts(this.withGoal(goal));
+    const { arm, view } = this.shown;
+    if (!this.open) for (const group of this.trails) view.stage.scene.add(group);
+    this.open = true;
+    view.show(q, arm.forward(q), showFrames);
+    view.showGhosts(this.withGoal(goal));
+    this.showResponse(q);
   }
 
   leave(): void {
-    this.clear();
+    this.open = false;
+    ++this.playing;
+    for (const group of this.trails) group.removeFromParent();
+    this.shown?.view.showGhosts([]);
+  }
+
+  private showResponse(q: number[]): void {
+    const { goal, gain, ki, kd, degrees } = this.services.store.get();
+    this.gains.show({ kp: gain, ki, kd });
+    if (!this.shown) return;
+    const { arm, description } = this.shown;
+    const to = this.fits(goal) ? goal : this.aside(q, description);
+    if (to.every((value, k) => value === q[k])) return this.chart.refuse("The arm is at the goal: hold it elsewhere.");
+    try {
+      const response = stepResponse(arm, { kp: gain, ki, kd }, q, to, responseSteps);
+      this.chart.show(response, description.joints, degrees);
+    } catch (error) {
+      this.chart.refuse((error as Error).message);
+    }
   }
 
   /** A list whose second configuration, the first ghost, is the goal. */
@@ -102,11 +132,10 @@ export class Control implements SectionPanel {
     ++this.turn;
     for (const group of this.trails) group.removeFromParent();
     this.trails = [];
-    this.shown?.view.showGhosts([]);
   }
 
   private async run(): Promise<void> {
-    const { q, goal, gain } = this.services.store.get();
+    const { q, goal, gain, ki, kd } = this.services.store.get();
     if (!this.shown || !this.fits(q)) return;
     const { arm, view, description } = this.shown;
     this.clear();
@@ -120,7 +149,7 @@ export class Control implements SectionPanel {
       {
         title: "Joint space",
         colour: amber,
-        args: ["move", "arm.json", from, `--to=${to.join(",")}`, ...common],
+        args: ["move", "arm.json", from, `--to=${to.join(",")}`, `--ki=${ki}`, `--kd=${kd}`, ...common],
         files: {},
       },
       {
@@ -153,6 +182,7 @@ export class Control implements SectionPanel {
       line.textContent = `${run.title}: ${outcome.status}, ${count} steps${over}. ${outcome.reason}`;
       const group = trail(points, run.colour);
       this.trails.push(group);
+      if (!this.open) return;
       view.stage.scene.add(group);
       await this.play(rows);
     } catch (error) {

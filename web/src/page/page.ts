@@ -1,5 +1,5 @@
 import factory from "beeline-module/core.js";
-import { addressOf, stateOf } from "../address/address.js";
+import { addressOf, longestAddress, stateOf } from "../address/address.js";
 import { CoreWorker } from "../core/client.js";
 import type { Arm } from "../core/arm.js";
 import { Core } from "../core/core.js";
@@ -39,6 +39,7 @@ export class Page {
   /** What of the state belongs to the arm that is shown. */
   private valid: Pick<PageState, "arm" | "q" | "goal"> | null = null;
   private writing = 0;
+  private readonly tooLong = element("p", { role: "status", class: "refusal" });
 
   private constructor(
     private readonly document: Document,
@@ -65,7 +66,7 @@ export class Page {
       ["lessons", { title: "Lessons", panel: new LessonsSection(this.services, joints, (text) => core.arm(text)) }],
     ]);
     const side = document.getElementById("side") as HTMLElement;
-    side.replaceChildren(chooser.root, ...[...this.panels.values()].map(({ panel }) => panel.root));
+    side.replaceChildren(chooser.root, this.tooLong, ...[...this.panels.values()].map(({ panel }) => panel.root));
     (document.getElementById("tools") as HTMLElement).replaceChildren(
       ...toolbar(store, () => this.shown?.view ?? null, this.saveSvg),
     );
@@ -196,6 +197,11 @@ export class Page {
     await new Promise((resolve) => setTimeout(resolve, 250)); // browsers limit how often it may change
     if (turn !== this.writing) return;
     const hash = `#${await addressOf(this.store.get())}`;
+    const written = hash.length <= longestAddress;
+    this.tooLong.textContent = written
+      ? ""
+      : "This is too long for a link: the address stays as it was. Use Save page.";
+    if (!written) return;
     // In full, as the frame of a notebook (about:srcdoc) takes other addresses for those of the notebook.
     history.replaceState(
       null,

@@ -20,7 +20,10 @@ export interface PageState {
   showEllipsoid: boolean;
   /** The goal of the control section, as a configuration; null: a quarter of the range away. */
   goal: number[] | null;
+  /** Gains of the controllers, per step; ki and kd of joint-space control only. */
   gain: number;
+  ki: number;
+  kd: number;
   /** Poses of a line: x y z qw qx qy qz. */
   waypoints: number[][];
   lesson: string;
@@ -37,6 +40,8 @@ export const initialState: PageState = {
   showEllipsoid: false,
   goal: null,
   gain: 0.1,
+  ki: 0,
+  kd: 0,
   waypoints: [],
   lesson: "",
 };
