@@ -4,6 +4,7 @@
 #include <future>
 
 #include <beeline/error.h>
+#include <beeline/read/internal/file.h>
 #include <beeline/record/trajectory_file.h>
 
 #include "arm_argument.h"
@@ -11,6 +12,8 @@
 #include "command/streams.h"
 #include "input_files.h"
 #include "page_server.h"
+#include "result_files.h"
+#include "saved_page.h"
 #include "verbs.h"
 
 #include <fcntl.h>
@@ -25,7 +28,7 @@ constexpr const char* loopback = "127.0.0.1";
 struct ViewArguments {
   ArmArgument arm;
   UnitArgument unit;
-  std::string file;
+  std::string file, save;
   std::string folder, host = loopback;
   int port = 8642;
   bool no_browser = false;
@@ -58,11 +61,25 @@ void open_browser(const std::string& address) {
   _exit(1);
 }
 
+Answer save_page(const std::string& path, const PageSession& session, const std::string& folder) {
+  internal::write_file(path, saved_page(folder, session.arm, session.trajectory));
+  return {.text = "page    " + path + "\n", .document = Json{{"page", path}}};
+}
+
 Answer view(const ViewArguments& arguments) {
+  if (!arguments.save.empty()) {
+    if (!arguments.save.ends_with(".html")) {
+      throw Error("--save " + arguments.save + ": a page is written to a .html file");
+    }
+    refuse_overwriting(arguments.save, {arguments.file});
+  }
   PageSession session{arguments.arm.read(arguments.unit)};
   if (!arguments.file.empty()) {
     session.trajectory =
         trajectory_text(read_recording(arguments.file, session.arm), TrajectoryFormat::csv);
+  }
+  if (!arguments.save.empty()) {
+    return save_page(arguments.save, session, page_folder(arguments.folder));
   }
   if (arguments.host != loopback) {
     warn("--host " + arguments.host + ": others on the network can see the arm and move it");
@@ -114,6 +131,12 @@ Verb view_verb() {
                            .help = "The address to listen on; others than 127.0.0.1 let the "
                                    "network in.",
                            .target = &arguments.host},
+                          {.name = "--save",
+                           .value = "FILE.html",
+                           .help = "Serve nothing: write page, arm and trajectory as one HTML "
+                                   "file, which opens from a disk without a network.",
+                           .target = &arguments.save,
+                           .completes = Completes::file},
                           {.name = "--no-browser",
                            .help = "Do not open a browser.",
                            .target = &arguments.no_browser},

@@ -1,12 +1,15 @@
 """view: the server of the page, from loopback."""
 
+import base64
 import http.client
 import json
+import re
 import signal
 import socket
 import subprocess
 import threading
 import time
+import zlib
 
 import pytest
 
@@ -246,6 +249,38 @@ def test_it_restarts_on_the_same_port_and_takes_the_next_where_it_is_taken(build
     assert str(again.port) == port
     assert again.post([0] * 6) == 204
     assert again.stop() == 0
+
+
+def element(text, name):
+    """What a saved page's element holds, inflated."""
+    held = re.search(f'id="saved-{name}">([^<]*)</script>', text)[1]
+    return zlib.decompress(base64.urlsafe_b64decode(held + "=" * (-len(held) % 4)), wbits=-15)
+
+
+def test_the_page_is_saved_as_one_file(beeline, folder):
+    core = bytes(range(256)) * 600  # more than a block of the stream
+    (folder / "page" / "core.wasm").write_bytes(core)
+    script = '<script type="text/plain" id="saved-{}"{}></script>'
+    elements = [script.format("state", ""), script.format("trajectory", ""),
+                script.format("core-module", ' data-file="core.wasm"'), "x.split(' data-file=\"')"]
+    (folder / "page" / "saved.html").write_text("\n".join(elements))
+    move = ["move", "ur5", "--from", "0,-1,1,0,1,0", "--to", "0.5,-1,1,0,1,0", "--out", "move.csv"]
+    assert beeline(*move).code == 0
+    answer = beeline("view", "ur5", "move.csv", "--page", "page", "--save", "ur5.html", "--json")
+    assert answer.code == 0 and json.loads(answer.out)["page"] == "ur5.html"
+    text = (folder / "ur5.html").read_text()
+    assert element(text, "core-module") == core and "data-file=\"core" not in text and text.endswith(elements[-1])
+    assert element(text, "trajectory").decode() == (folder / "move.csv").read_text()
+    words = dict(word.split("=") for word in re.search('id="saved-state">([^<]*)<', text)[1].split("&"))
+    assert words["section"] == "motion"
+    arm = words["json"]
+    assert json.loads(zlib.decompress(base64.urlsafe_b64decode(arm + "=" * (-len(arm) % 4)), wbits=-15))["name"] == "ur5"
+
+
+def test_what_cannot_be_saved_is_refused(refused, folder):
+    refused(2, "view", "ur5", "--page", "page", "--save", "ur5.pdf", says=["--save", ".html"])
+    refused(2, "view", "ur5", "--page", "page", "--save", "ur5.html", says=["saved.html", "make web"])
+    refused(3, "view", "ur5", "no.csv", "--page", "page", "--save", "ur5.html", says=["no.csv"])
 
 
 def test_it_refuses_a_folder_without_the_page_and_a_wrong_trajectory(refused, written, tmp_path):

@@ -1,0 +1,81 @@
+#include "saved_page.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+#include <beeline/error.h>
+#include <beeline/read/arm_json.h>
+#include <beeline/read/internal/file.h>
+
+using namespace beeline;
+
+namespace {
+
+/// A stream of RFC 1951 whose blocks are stored: the page inflates what it holds.
+std::string stored(std::string_view content) {
+  constexpr std::size_t longest_block = 0xffff;
+  std::string stream;
+  do {
+    const std::string_view block = content.substr(0, longest_block);
+    content.remove_prefix(block.size());
+    stream += content.empty() ? '\1' : '\0';
+    for (const std::size_t size : {block.size(), ~block.size()}) {
+      stream += static_cast<char>(size & 0xff);
+      stream += static_cast<char>(size >> 8 & 0xff);
+    }
+    stream += block;
+  } while (!content.empty());
+  return stream;
+}
+
+/// base64 of RFC 4648 for addresses, - and _ for + and /, without padding.
+std::string base64(const std::string& bytes) {
+  constexpr const char* letters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+  std::string text;
+  text.reserve(bytes.size() * 4 / 3 + 3);
+  std::uint32_t held = 0;
+  int bits = 0;
+  for (const char byte : bytes) {
+    held = held << 8 | static_cast<unsigned char>(byte);
+    for (bits += 8; bits >= 6; bits -= 6) text += letters[held >> (bits - 6) & 63];
+  }
+  if (bits > 0) text += letters[held << (6 - bits) & 63];
+  return text;
+}
+
+void fill(std::string& document, const std::string& name, const std::string& text) {
+  const std::string begin = "<script type=\"text/plain\" id=\"saved-" + name + "\">";
+  const std::size_t at = document.find(begin + "</script>");
+  if (at == std::string::npos) throw Error("saved.html of the page has no element for " + name);
+  document.insert(at + begin.size(), text);
+}
+
+}  // namespace
+
+std::string saved_page(const std::string& folder, const Arm& arm, const std::string& trajectory) {
+  const std::filesystem::path saved = std::filesystem::path(folder) / "saved.html";
+  if (!std::filesystem::is_regular_file(saved)) {
+    throw Error("the page in " + folder + " is of another version: no saved.html; run make web");
+  }
+  const std::string text = internal::read_file(saved.string());
+  const std::string_view marker = " data-file=\"", end = "\"></script>";
+  std::string document;
+  std::size_t from = 0;
+  for (std::size_t at = text.find(marker); at != std::string::npos;
+       at = text.find(marker, at + 1)) {
+    const std::size_t name = at + marker.size(), quote = text.find('"', name);
+    const bool is_part = quote != std::string::npos && text.compare(quote, end.size(), end) == 0;
+    if (!is_part) continue;  // the page's own code
+    const std::string file = text.substr(name, quote - name);
+    document += text.substr(from, at - from) + ">";
+    document += base64(stored(internal::read_file((saved.parent_path() / file).string())));
+    from = quote + 2;
+  }
+  document += text.substr(from);
+  const std::string section = trajectory.empty() ? "" : "&section=motion";
+  fill(document, "state", "json=" + base64(stored(arm_to_json(arm))) + section);
+  if (!trajectory.empty()) fill(document, "trajectory", base64(stored(trajectory)));
+  return document;
+}
