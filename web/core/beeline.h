@@ -67,4 +67,20 @@ int beeline_pid_goal(int pid, const double* goal);
 /// Adds one step to q.
 int beeline_pid_step(int pid, double* q);
 int beeline_pid_release(int pid);
+
+/// Returns the handle of a trajectory read from the text of a file, .csv or .json, its columns in
+/// the order of the arm's joints.
+int beeline_trajectory(int arm, const char* name, const char* text);
+/// Returns the number of samples.
+int beeline_trajectory_size(int trajectory);
+/// Returns 1 for positions alone, 2 with velocities, 3 with accelerations too.
+int beeline_trajectory_columns(int trajectory);
+/// Writes of each sample the time, the positions, and the velocities and accelerations where the
+/// file has them.
+int beeline_trajectory_values(int trajectory, double* numbers);
+/// Writes the joint values at a time of the motion that the columns mean.
+int beeline_trajectory_sample(int trajectory, double time, double* q);
+/// Returns the content of a file with this name, .csv or .json, or null. Valid until the next call.
+const char* beeline_trajectory_text(int trajectory, const char* name);
+int beeline_trajectory_release(int trajectory);
 }

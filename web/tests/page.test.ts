@@ -172,6 +172,68 @@ test("a line is planned, proved and played, with its branches", async () => {
   expect(await rows.count()).toBe(native.branches.length);
 });
 
+test("a motion recorded by hand is played, retimed, and saved as CSV and JSON that the command reads", async () => {
+  const page = await opened("#arm=ur5&unit=rad&q=0.1,-1.2,1.5,-0.4,0.8,0.2&section=motion");
+  await page.getByRole("button", { name: "Record", exact: true }).click();
+  await page.getByRole("link", { name: "Hold" }).click();
+  const light = page.getByRole("button", { name: "Recording: stop" });
+  const slider = page.getByLabel("joint1, rad, slider");
+  for (let i = 0; i < 20; ++i) await slider.press("ArrowRight");
+  const end = Number(await page.locator("#joint-0").inputValue());
+  await light.click();
+  const saved = async (name: string): Promise<string> => {
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      page.getByRole("button", { name: `Save ${name}` }).click(),
+    ]);
+    return readFileSync(await download.path(), "utf8");
+  };
+  const csv = await saved("motion.csv");
+  const rows = csv.trim().split("\n");
+  expect(rows[0]).toBe("t,joint1,joint2,joint3,joint4,joint5,joint6");
+  expect(rows.length).toBeGreaterThan(10);
+  expect(rows[1]?.split(",").slice(1).map(Number)).toEqual([0.1, -1.2, 1.5, -0.4, 0.8, 0.2]);
+  expect(Math.abs(Number(rows.at(-1)?.split(",")[1]) - end)).toBeLessThan(1e-4);
+  const recorded = json<{ samples: number }>(["replay", "ur5", "motion.json"], {
+    "motion.json": await saved("motion.json"),
+  });
+  expect(recorded.samples).toBe(rows.length - 1);
+  await page.getByRole("button", { name: "Retime within the limits" }).click();
+  await page.getByText("reached").waitFor();
+  const native = json<{ duration: number }>(["retime", "ur5", "motion.csv"], { "motion.csv": csv });
+  await expect
+    .poll(async () => Number(await page.getByLabel("Time, seconds").getAttribute("max")))
+    .toBeCloseTo(native.duration, 6);
+});
+
+test("a JSON trajectory is played; wrong files are refused with their rows", async () => {
+  const page = await opened("#arm=rrr&unit=rad&section=motion");
+  const load = page.getByLabel("A trajectory, CSV or JSON");
+  const give = (name: string, text: string) =>
+    load.setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+  const point = (time: string, q: number[]) =>
+    `{"positions": [${q.join(",")}], "time_from_start": {"sec": ${time}, "nanosec": 0}}`;
+  const names = '["joint1", "joint2", "joint3"]';
+  await give(
+    "a.json",
+    `{"joint_names": ${names}, "points": [${point("0", [0, 0, 0])}, ${point("2", [0.1, 0.2, 0.3])}]}`,
+  );
+  await expect.poll(() => page.getByLabel("Time, seconds").getAttribute("max")).toBe("2");
+  for (const [text, reason] of [
+    ["t,joint1,joint2,joint3\n1,0,0,0\n0,0,0,0\n", "times must increase"],
+    ["t,joint1,joint2,joint3\n0,0,0,0\n1,nan,0,0\n", "must be finite"],
+    ["t,joint1,joint2,joint3\n0,0,0,0\n1,0,0\n", "this row has 3 items"],
+    ["t,joint1,joint2\n0,0,0\n1,0,0\n", "it lacks joint3"],
+    ["nonsense", "seconds, increasing"],
+  ] as const) {
+    await give("b.csv", text);
+    await page.getByText(reason).waitFor();
+    expect(await page.getByRole("button", { name: "Save motion.csv" }).count()).toBe(0);
+  }
+  await give("c.csv", "t,joint1,joint2,joint3\n5,0,0,0\n6,0.5,0,0\n");
+  await expect.poll(() => page.getByLabel("Time, seconds").getAttribute("min")).toBe("5");
+});
+
 test("joint curves stand beside their limits; a click on them goes to that time", async () => {
   const poses = "-0.5,0.2,0.3,0,1,0,0;-0.5,-0.2,0.3,0,1,0,0";
   const page = await opened(`#arm=ur5&unit=rad&section=motion&waypoints=${poses}`);

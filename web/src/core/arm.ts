@@ -1,4 +1,5 @@
-import { readText, writeText, type CoreModule } from "./module.js";
+import { checked, readText, writeText, type CoreModule } from "./module.js";
+import { Trajectory } from "./trajectory.js";
 import {
   CoreError,
   type ChainEnds,
@@ -13,11 +14,6 @@ import {
 const frames: Frame[] = ["base", "tool", "space"];
 const kinds: JointKind[] = ["revolute", "prismatic", "helical"];
 const mostSolutions = 64;
-
-function checked(module: CoreModule, value: number): number {
-  if (value < 0) throw new CoreError(readText(module, module._beeline_error()));
-  return value;
-}
 
 /** An arm in the core's memory. Release it when it is not needed any more. */
 export class Arm {
@@ -142,6 +138,12 @@ export class Arm {
       this.module._beeline_pid_release(pid);
     }
     return rows;
+  }
+
+  /** A trajectory of this arm, from the text of a file; joints are matched by name. */
+  trajectory(name: string, text: string): Trajectory {
+    if (this.released) throw new CoreError("the arm was released");
+    return new Trajectory(this.module, this.handle, this.dof, name, text);
   }
 
   private check(q: ArrayLike<number>): void {

@@ -1,3 +1,5 @@
+import { CoreError } from "./types.js";
+
 /** What each of Emscripten's modules has of what we use. */
 export interface Module {
   HEAPU8: Uint8Array;
@@ -43,6 +45,13 @@ export interface CoreModule extends Module {
   _beeline_pid_goal(pid: number, goal: number): number;
   _beeline_pid_step(pid: number, q: number): number;
   _beeline_pid_release(pid: number): number;
+  _beeline_trajectory(arm: number, name: number, text: number): number;
+  _beeline_trajectory_size(trajectory: number): number;
+  _beeline_trajectory_columns(trajectory: number): number;
+  _beeline_trajectory_values(trajectory: number, numbers: number): number;
+  _beeline_trajectory_sample(trajectory: number, time: number, q: number): number;
+  _beeline_trajectory_text(trajectory: number, name: number): number;
+  _beeline_trajectory_release(trajectory: number): number;
 }
 
 export interface FileSystem {
@@ -67,4 +76,10 @@ export function writeText(module: Module, text: string): number {
 export function readText(module: Module, pointer: number): string {
   const end = module.HEAPU8.indexOf(0, pointer);
   return new TextDecoder().decode(module.HEAPU8.slice(pointer, end));
+}
+
+/** The value that a function of the core has returned. Throws CoreError with the core's message where it is negative. */
+export function checked(module: CoreModule, value: number): number {
+  if (value < 0) throw new CoreError(readText(module, module._beeline_error()));
+  return value;
 }

@@ -1,45 +1,80 @@
-/** Joint values at increasing times; the velocities and accelerations where the file has them. */
-export interface Motion {
-  times: number[];
-  rows: number[][];
-  velocities: number[][] | null;
-  accelerations: number[][] | null;
-}
+import { checked, readText, writeText, type CoreModule } from "./module.js";
 
-/** A trajectory as the core writes it: CSV, the time in front of the `dof` coordinates, behind them none or all of the
- * velocities, then of the accelerations. Throws an Error for other files. */
-export function readTrajectory(text: string, dof: number): Motion {
-  const [header = "", ...lines] = text.split(/\r?\n/).filter((line) => line !== "" && !line.startsWith("#"));
-  const columns = header.split(",").length;
-  const parts = [1, 2, 3].find((count) => columns === 1 + count * dof);
-  if (parts === undefined) throw new Error(`the file has ${columns} columns; the time and ${dof} joints are expected`);
-  const number = (text: string): number => (text.trim() === "" ? NaN : Number(text));
-  const numbers = lines.map((line) => line.split(",").map(number));
-  const bad = numbers.findIndex((row) => row.length !== columns || !row.every(Number.isFinite));
-  if (bad >= 0) throw new Error(`row ${bad + 1} of the file is not a row of ${columns} numbers`);
-  if (numbers.length === 0) throw new Error("the file has no rows");
-  const late = numbers.findIndex(([time = 0], i) => i > 0 && time <= (numbers[i - 1]?.[0] ?? 0));
-  if (late > 0) throw new Error(`the time in row ${late + 1} of the file is not after that in the row before`);
-  const part = (k: number): number[][] => numbers.map((row) => row.slice(1 + k * dof, 1 + (k + 1) * dof));
-  return {
-    times: numbers.map((row) => row[0] as number),
-    rows: part(0),
-    velocities: parts > 1 ? part(1) : null,
-    accelerations: parts > 2 ? part(2) : null,
-  };
-}
+export type Quantity = "position" | "velocity" | "acceleration";
+export const quantities: Quantity[] = ["position", "velocity", "acceleration"];
 
-/** The joint values at a time, linear between the rows: for pictures. */
-export function at({ times, rows }: Pick<Motion, "times" | "rows">, time: number): number[] {
-  let low = 0;
-  let high = times.length - 1;
-  while (high - low > 1) {
-    const middle = (low + high) >> 1;
-    if ((times[middle] as number) <= time) low = middle;
-    else high = middle;
+/** A trajectory in the core's memory, of one arm. Release it when it is not needed any more. */
+export class Trajectory {
+  readonly size: number;
+  /** Seconds, increasing. */
+  readonly times: Float64Array;
+  /** Position, and what the file has besides. */
+  readonly quantities: Quantity[];
+  private readonly handle: number;
+  private readonly values: Float64Array;
+  private readonly stride: number;
+
+  /** From the text of a file, .csv or .json by its name. Throws CoreError with the core's message. */
+  constructor(
+    private readonly module: CoreModule,
+    arm: number,
+    private readonly dof: number,
+    name: string,
+    text: string,
+  ) {
+    const texts = [writeText(module, name), writeText(module, text)] as const;
+    const handle = module._beeline_trajectory(arm, ...texts);
+    for (const pointer of texts) module._free(pointer);
+    this.handle = checked(module, handle);
+    this.size = checked(module, module._beeline_trajectory_size(this.handle));
+    this.quantities = quantities.slice(0, checked(module, module._beeline_trajectory_columns(this.handle)));
+    this.stride = 1 + dof * this.quantities.length;
+    this.values = this.numbers(this.size * this.stride, (buffer) =>
+      module._beeline_trajectory_values(this.handle, buffer),
+    );
+    this.times = Float64Array.from({ length: this.size }, (_, i) => this.values[i * this.stride] as number);
   }
-  const [begin, end] = [times[low] as number, times[high] as number];
-  const share = end > begin ? Math.min(1, Math.max(0, (time - begin) / (end - begin))) : 1;
-  const after = rows[high] as number[];
-  return (rows[low] as number[]).map((value, k) => value + share * ((after[k] as number) - value));
+
+  /** The joint values of a sample. */
+  row(index: number): number[] {
+    const begin = index * this.stride + 1;
+    return Array.from(this.values.subarray(begin, begin + this.dof));
+  }
+
+  /** A quantity of a joint at all samples. */
+  column(quantity: Quantity, joint: number): Float64Array {
+    const offset = 1 + this.dof * this.quantities.indexOf(quantity) + joint;
+    return Float64Array.from({ length: this.size }, (_, i) => this.values[i * this.stride + offset] as number);
+  }
+
+  /** The joint values at a time of the motion that the columns mean: polynomials between the samples. */
+  at(time: number): number[] {
+    return Array.from(
+      this.numbers(this.dof, (buffer) => this.module._beeline_trajectory_sample(this.handle, time, buffer)),
+    );
+  }
+
+  /** The content of a file with this name, .csv or .json. */
+  text(name: string): string {
+    const pointer = writeText(this.module, name);
+    const content = this.module._beeline_trajectory_text(this.handle, pointer);
+    this.module._free(pointer);
+    checked(this.module, content === 0 ? -1 : 0);
+    return readText(this.module, content);
+  }
+
+  release(): void {
+    checked(this.module, this.module._beeline_trajectory_release(this.handle));
+  }
+
+  private numbers(count: number, write: (buffer: number) => number): Float64Array {
+    const buffer = this.module._beeline_allocate(count);
+    if (buffer === 0) throw new Error("the core has no more memory");
+    try {
+      checked(this.module, write(buffer));
+      return this.module.HEAPF64.slice(buffer / 8, buffer / 8 + count);
+    } finally {
+      this.module._beeline_release(buffer);
+    }
+  }
 }

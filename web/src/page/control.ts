@@ -10,7 +10,6 @@ import { StepChart } from "../panels/step_chart.js";
 import { blue, trail } from "../scene/marks.js";
 import { middle, type ArmDescription } from "../core/description.js";
 import type { SectionPanel, Services, Shown } from "./section.js";
-import { readTrajectory } from "../core/trajectory.js";
 
 /** What `beeline move` and `beeline line --method inverse-jacobian` print. */
 interface Outcome {
@@ -175,7 +174,7 @@ export class Control implements SectionPanel {
       if (turn !== this.turn) return;
       const outcome = answer<Outcome>(result);
       const written = result.files["run.csv"];
-      const rows = written === undefined ? [] : readTrajectory(written, arm.dof).rows;
+      const rows = written === undefined ? [] : rowsOf(arm, written);
       const points = rows.map((row) => new Vector3().setFromMatrixPosition(this.tool(arm, row)));
       const count = Math.max(0, points.length - 1);
       const over = outcome.overshoot ? `, overshoot ${shown(outcome.overshoot)}` : "";
@@ -223,4 +222,12 @@ export class Control implements SectionPanel {
       return value + Math.sign(far - value) * Math.min(Math.abs(far - value) / 3, 0.7);
     });
   }
+}
+
+/** The joint values of a trajectory that the command has written. */
+function rowsOf(arm: Arm, csv: string): number[][] {
+  const motion = arm.trajectory("motion.csv", csv);
+  const rows = Array.from({ length: motion.size }, (_, i) => motion.row(i));
+  motion.release();
+  return rows;
 }

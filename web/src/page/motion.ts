@@ -1,5 +1,6 @@
 import { Matrix4, Vector3, type Group } from "three";
 import { answer } from "../core/command.js";
+import type { Trajectory } from "../core/trajectory.js";
 import { element } from "../panels/element.js";
 import { tooLarge } from "../panels/arm_chooser.js";
 import { branchMap, type Branch } from "../panels/branch_map.js";
@@ -7,12 +8,13 @@ import { JointCurves } from "../panels/joint_curves.js";
 import { fileSaver, planReport, waypointList, type LineAnswer } from "../panels/motion_report.js";
 import { Player } from "../panels/player.js";
 import { poseNumbers } from "../panels/pose.js";
+import { Recorder, type Recorded } from "../panels/recorder.js";
 import { blue, trail } from "../scene/marks.js";
 import type { PageState } from "../state/page_state.js";
 import type { SectionPanel, Services, Shown } from "./section.js";
-import { readTrajectory, type Motion } from "../core/trajectory.js";
 
 const rate = 100; // samples a second of a planned motion
+const mostPoints = 2000; // of the path of the tool in the picture
 
 /** Waypoints, a line through them that is planned and proved in the page, its branches, and the motion to play. */
 export class MotionSection implements SectionPanel {
@@ -27,14 +29,25 @@ export class MotionSection implements SectionPanel {
   private readonly player: Player;
   private shown: Shown | null = null;
   private path: Group | null = null;
-  private motion: Motion | null = null;
+  private motion: Trajectory | null = null;
   private turn = 0;
+  private readonly recorder: Recorder;
+  /** Stands beside the picture in all sections. */
+  readonly light: HTMLElement;
 
   constructor(private readonly services: Services) {
     const { store } = services;
     this.player = new Player((q, time) => {
       this.place(q);
       this.curves.point(time);
+    });
+    this.recorder = new Recorder(
+      () => store.get().q,
+      (samples) => this.openRecorded(samples),
+    );
+    this.light = this.recorder.light;
+    store.subscribe(({ q }, changed) => {
+      if (changed.has("q") && q) this.recorder.take(q);
     });
     this.stop.addEventListener("click", () => services.cancel());
     const add = element("button", { type: "button", onclick: () => this.addWaypoint() }, "Add the tool's pose");
@@ -65,15 +78,21 @@ export class MotionSection implements SectionPanel {
       this.files,
       this.curves.root,
       this.branches,
-      element("h2", {}, "A motion from a file"),
-      element("p", { class: "quiet" }, "It is checked against the waypoints above, and against the joint limits."),
-      load,
+      element("h2", {}, "A motion by hand or from a file"),
+      element(
+        "p",
+        { class: "quiet" },
+        "While it records, sliders, the tool dragged by hand or a program move the arm. A motion is checked against the " +
+          "joint limits and, where there are waypoints above, against the line through them.",
+      ),
+      element("p", { class: "pair" }, this.recorder.button, load),
     );
   }
 
   take(shown: Shown): void {
     this.shown = shown;
     this.path = null;
+    this.recorder.drop();
     this.clear();
   }
 
@@ -103,8 +122,9 @@ export class MotionSection implements SectionPanel {
     ++this.turn;
     if (!this.stop.hidden) this.services.cancel(); // what is planned is not wanted any more
     this.progress.hidden = this.stop.hidden = true;
-    this.motion = null;
     this.player.take(null);
+    this.motion?.release();
+    this.motion = null;
     this.showCurves();
     this.path?.removeFromParent();
     for (const part of [this.report, this.branches, this.files]) part.replaceChildren();
@@ -140,9 +160,10 @@ export class MotionSection implements SectionPanel {
       if (turn !== this.turn) return;
       const line = answer<LineAnswer>(result);
       this.report.replaceChildren(planReport(line));
-      this.showFiles(result.files);
+      const csv = result.files["motion.csv"];
+      if (csv !== undefined) this.show("motion.csv", csv);
       const all = line.branches ?? branches;
-      const current = (this.motion as Motion | null)?.rows[0] ?? null;
+      const current = (this.motion as Trajectory | null)?.row(0) ?? null;
       if (all.length > 0) this.branches.replaceChildren(branchMap(all, lines, current, (q) => void this.plan(q, all)));
     });
   }
@@ -152,43 +173,62 @@ export class MotionSection implements SectionPanel {
     void this.check(file.endsWith(".json") ? "motion.json" : "motion.csv", text);
   }
 
+  private openRecorded(samples: Recorded[]): void {
+    const names = this.shown?.description.joints.map(({ name }) => name) ?? [];
+    const rows = samples.map(({ time, q }) => [time, ...q].join(","));
+    this.services.store.set({ section: "motion" });
+    void this.check("motion.csv", [["t", ...names].join(","), ...rows, ""].join("\n"));
+  }
+
   private async check(name: string, text: string): Promise<void> {
     this.clear();
     const turn = this.turn;
     await this.during(async (report) => {
-      const { waypoints } = this.services.store.get();
-      const files = { [name]: text, "poses.csv": this.poses() };
-      const check = ["check", "arm.json", name, "--through=poses.csv", "--json"];
-      if (name === "motion.csv") this.showFiles({ "motion.csv": text });
-      if (waypoints.length === 0) {
-        this.report.textContent =
-          name === "motion.csv"
-            ? "Played as it is; with waypoints above it is checked against the line through them."
-            : "A JSON file is checked against the line through waypoints above; there are none. CSV files are played.";
-        return;
-      }
-      const result = await this.services.command(check, files, report);
+      this.show(name, text);
+      const through = this.services.store.get().waypoints.length > 0;
+      const verb = through ? ["check", "arm.json", name, "--through=poses.csv"] : ["replay", "arm.json", name];
+      const result = await this.services.command(
+        [...verb, "--json"],
+        { [name]: text, "poses.csv": this.poses() },
+        report,
+      );
       if (turn === this.turn) this.report.replaceChildren(planReport(answer<LineAnswer>(result)));
     });
   }
 
-  private showFiles(files: Record<string, string>): void {
-    const csv = files["motion.csv"];
-    if (csv !== undefined) {
-      this.show(readTrajectory(csv, this.shown?.arm.dof ?? 0));
-      this.files.replaceChildren(fileSaver("motion.csv", csv, "text/csv"));
-    }
+  /** Gives the motion new times, the shortest within the joint limits. */
+  private async retime(): Promise<void> {
+    const text = this.motion?.text("motion.csv");
+    if (text === undefined) return;
+    this.clear();
+    const turn = this.turn;
+    await this.during(async (report) => {
+      const args = ["retime", "arm.json", "motion.csv", "--out=retimed.csv", "--json"];
+      const result = await this.services.command(args, { "motion.csv": text }, report);
+      if (turn !== this.turn) return;
+      this.report.replaceChildren(planReport(answer<LineAnswer>(result)));
+      const csv = result.files["retimed.csv"];
+      this.show("motion.csv", csv ?? text);
+    });
   }
 
   private showCurves(): void {
     this.curves.take(this.motion, this.shown?.description.joints ?? [], this.services.store.get().degrees);
   }
 
-  private show(motion: Motion): void {
+  private show(name: string, text: string): void {
     const { arm, view } = this.shown as Shown;
+    const motion = arm.trajectory(name, text);
     this.motion = motion;
     this.showCurves();
-    const points = motion.rows.map((q) => {
+    this.files.replaceChildren(
+      fileSaver("motion.csv", () => motion.text("motion.csv"), "text/csv"),
+      fileSaver("motion.json", () => motion.text("motion.json"), "application/json"),
+      element("button", { type: "button", onclick: () => void this.retime() }, "Retime within the limits"),
+    );
+    const count = Math.min(mostPoints, motion.size);
+    const points = Array.from({ length: count }, (_, i) => {
+      const q = motion.row(Math.round((i * (motion.size - 1)) / Math.max(1, count - 1)));
       const tool = new Matrix4().fromArray(Array.from(arm.forward(q).at(-1) as Float64Array));
       return new Vector3().setFromMatrixPosition(tool);
     });
@@ -196,7 +236,7 @@ export class MotionSection implements SectionPanel {
     this.path = trail(points, blue);
     view.stage.scene.add(this.path);
     this.player.take(motion);
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) this.player.seek(0);
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) this.player.seek(motion.times[0] ?? 0);
     else this.player.play();
   }
 

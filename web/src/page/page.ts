@@ -69,6 +69,7 @@ export class Page {
     side.replaceChildren(chooser.root, this.tooLong, ...[...this.panels.values()].map(({ panel }) => panel.root));
     (document.getElementById("tools") as HTMLElement).replaceChildren(
       ...toolbar(store, () => this.shown?.view ?? null, this.saveSvg),
+      this.motion.light,
     );
     this.showSections();
     store.subscribe((_, changed) => this.changed(changed));

@@ -1,11 +1,9 @@
 import type uPlot from "uplot";
 import type { JointDescription } from "../core/description.js";
-import type { Motion } from "../core/trajectory.js";
+import type { Quantity, Trajectory } from "../core/trajectory.js";
 import { element, shown } from "./element.js";
 import { unitOf } from "./units.js";
 
-const quantities = ["position", "velocity", "acceleration"] as const;
-type Quantity = (typeof quantities)[number];
 const perTime: Record<Quantity, string> = { position: "", velocity: "/s", acceleration: "/s²" };
 const height = 110;
 
@@ -24,18 +22,13 @@ function rangeOf({ limits, assumed }: JointDescription, quantity: Quantity, fact
   return { lower: most === null ? null : -most, upper: most, assumed: known === null && most !== null };
 }
 
-function rowsOf(motion: Motion, quantity: Quantity): number[][] | null {
-  if (quantity === "position") return motion.rows;
-  return quantity === "velocity" ? motion.velocities : motion.accelerations;
-}
-
 /** Curves of each joint over time beside its limits, one chart a joint. A click goes to that time. */
 export class JointCurves {
   readonly root = element("figure", { class: "curves", "aria-label": "Joint curves beside their limits" });
   private readonly charts = element("div");
   private readonly choice = element("select", { "aria-label": "Quantity of the joint curves" });
   private plots: uPlot[] = [];
-  private motion: Motion | null = null;
+  private motion: Trajectory | null = null;
   private joints: JointDescription[] = [];
   private degrees = true;
   private time = 0;
@@ -51,11 +44,11 @@ export class JointCurves {
   }
 
   /** Shows a motion, or none. */
-  take(motion: Motion | null, joints: JointDescription[], degrees: boolean): void {
+  take(motion: Trajectory | null, joints: JointDescription[], degrees: boolean): void {
     [this.motion, this.joints, this.degrees] = [motion, joints, degrees];
     this.root.hidden = motion === null;
     const { value } = this.choice;
-    const there = quantities.filter((quantity) => motion && rowsOf(motion, quantity));
+    const there = motion?.quantities ?? [];
     this.choice.replaceChildren(...there.map((quantity) => element("option", { value: quantity }, quantity)));
     this.choice.value = there.includes(value as Quantity) ? value : "position";
     void this.draw();
@@ -79,11 +72,10 @@ export class JointCurves {
     for (const plot of this.plots) plot.destroy();
     this.plots = [];
     this.charts.replaceChildren();
-    const rows = motion && rowsOf(motion, quantity);
-    if (!motion || !rows) return;
+    if (!motion) return;
     joints.forEach((joint, k) => {
       const unit = unitOf(joint.type, this.degrees);
-      const values = rows.map((row) => (row[k] as number) * unit.factor);
+      const values = motion.column(quantity, k).map((value) => value * unit.factor);
       const range = rangeOf(joint, quantity, unit.factor);
       const holder = element("div", {
         role: "img",
@@ -162,7 +154,7 @@ function caption(name: string, { lower, upper, assumed }: Range, unit: string): 
   return `${name}, ${unit}; ${limits}${assumed ? ", assumed" : ""}`;
 }
 
-function description(name: string, values: number[], range: Range, unit: string): string {
+function description(name: string, values: Float64Array, range: Range, unit: string): string {
   const low = values.reduce((a, b) => Math.min(a, b), Infinity);
   const high = values.reduce((a, b) => Math.max(a, b), -Infinity);
   return `${caption(name, range, unit)}; from ${shown(low, 2)} to ${shown(high, 2)}`;

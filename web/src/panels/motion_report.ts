@@ -70,8 +70,8 @@ export function waypointList(poses: number[][], removed: (index: number) => void
   return element("ol", { class: "waypoints" }, ...items);
 }
 
-/** A button that saves a text as a file. */
-export function fileSaver(name: string, text: string, type: string): HTMLElement {
-  const save = (): void => saveFile(name, new Blob([text], { type }));
+/** A button that saves a text, made when it is pressed, as a file. */
+export function fileSaver(name: string, text: () => string, type: string): HTMLElement {
+  const save = (): void => saveFile(name, new Blob([text()], { type }));
   return element("button", { type: "button", onclick: save }, `Save ${name}`);
 }

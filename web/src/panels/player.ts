@@ -1,4 +1,4 @@
-import { at, type Motion } from "../core/trajectory.js";
+import type { Trajectory } from "../core/trajectory.js";
 import { element } from "./element.js";
 
 /** Plays a motion: a time bar, play and pause. */
@@ -7,42 +7,41 @@ export class Player {
   private readonly bar = element("input", { type: "range", min: 0, step: "any", "aria-label": "Time, seconds" });
   private readonly button = element("button", { type: "button" }, "Play");
   private readonly clock = element("output");
-  private motion: Motion | null = null;
-  private playing = false;
+  private motion: Trajectory | null = null;
+  private frame: number | null = null;
 
   constructor(private readonly place: (q: number[], time: number) => void) {
     this.bar.addEventListener("input", () => {
       this.pause();
       this.show();
     });
-    this.button.addEventListener("click", () => (this.playing ? this.pause() : this.play()));
+    this.button.addEventListener("click", () => (this.frame === null ? this.play() : this.pause()));
     this.root.append(this.button, this.bar, this.clock);
   }
 
-  take(motion: Motion | null): void {
+  take(motion: Trajectory | null): void {
     this.pause();
     this.motion = motion;
     this.root.hidden = motion === null;
+    this.bar.min = this.bar.value = String(motion?.times[0] ?? 0);
     this.bar.max = String(motion?.times.at(-1) ?? 0);
-    this.bar.value = "0";
   }
 
   play(): void {
     if (!this.motion) return;
+    this.pause();
     const end = Number(this.bar.max);
-    if (Number(this.bar.value) >= end) this.bar.value = "0";
+    if (Number(this.bar.value) >= end) this.bar.value = this.bar.min;
     const begin = performance.now() - 1000 * Number(this.bar.value);
-    this.playing = true;
     this.button.textContent = "Pause";
     const step = (): void => {
-      if (!this.playing) return;
       const time = Math.min(end, (performance.now() - begin) / 1000);
       this.bar.value = String(time);
       this.show();
       if (time >= end) this.pause();
-      else requestAnimationFrame(step);
+      else this.frame = requestAnimationFrame(step);
     };
-    step();
+    this.frame = requestAnimationFrame(step);
   }
 
   /** Stops and shows a time. */
@@ -53,7 +52,8 @@ export class Player {
   }
 
   pause(): void {
-    this.playing = false;
+    if (this.frame !== null) cancelAnimationFrame(this.frame);
+    this.frame = null;
     this.button.textContent = "Play";
   }
 
@@ -61,6 +61,6 @@ export class Player {
     if (!this.motion) return;
     const time = Number(this.bar.value);
     this.clock.textContent = `${time.toFixed(2)} s`;
-    this.place(at(this.motion, time), time);
+    this.place(this.motion.at(time), time);
   }
 }
