@@ -172,6 +172,24 @@ test("a line is planned, proved and played, with its branches", async () => {
   expect(await rows.count()).toBe(native.branches.length);
 });
 
+test("waypoints come from a file of poses; a wrong row is named", async () => {
+  const page = await opened("#arm=rrr&section=motion");
+  await page.getByText("or from a file of poses").click();
+  const load = page.getByLabel("Waypoints from a file");
+  const give = (text: string) =>
+    load.setInputFiles({ name: "poses.csv", mimeType: "text/csv", buffer: Buffer.from(text) });
+  await give("x,y,theta\n4.5,5.2,0\n5.6,2\n");
+  await page.getByRole("button", { name: "Plan the line" }).click();
+  await page.getByText("poses.csv:3").waitFor();
+  const text = "x,y,theta\n4.5,5.2,0\n5.6,2,-1.3\n";
+  await give(text);
+  await page.getByRole("button", { name: "Plan the line" }).click();
+  await page.getByRole("button", { name: "Branch 1", exact: true, pressed: true }).waitFor();
+  const native = json<{ duration: number }>(["line", "rrr", "--through=p.csv", "--rate=100"], { "p.csv": text });
+  const end = Number(await page.getByLabel("Time, seconds").getAttribute("max"));
+  expect(Math.abs(end - native.duration)).toBeLessThan(1e-6);
+});
+
 test("a motion recorded by hand is played, retimed, and saved as CSV and JSON that the command reads", async () => {
   const page = await opened("#arm=ur5&unit=rad&q=0.1,-1.2,1.5,-0.4,0.8,0.2&section=motion");
   await page.getByRole("button", { name: "Record", exact: true }).click();

@@ -5,10 +5,11 @@ import { element } from "../panels/element.js";
 import { tooLarge } from "../panels/arm_chooser.js";
 import { branchMap, type Branch } from "../panels/branch_map.js";
 import { JointCurves } from "../panels/joint_curves.js";
-import { fileSaver, planReport, waypointList, type LineAnswer } from "../panels/motion_report.js";
+import { fileSaver, planReport, type LineAnswer } from "../panels/motion_report.js";
 import { Player } from "../panels/player.js";
 import { poseNumbers } from "../panels/pose.js";
 import { Recorder, type Recorded } from "../panels/recorder.js";
+import { WaypointsPanel } from "../panels/waypoints.js";
 import { blue, trail } from "../scene/marks.js";
 import type { PageState } from "../state/page_state.js";
 import type { SectionPanel, Services, Shown } from "./section.js";
@@ -19,7 +20,7 @@ const mostPoints = 2000; // of the path of the tool in the picture
 /** Waypoints, a line through them that is planned and proved in the page, its branches, and the motion to play. */
 export class MotionSection implements SectionPanel {
   readonly root = element("div", { class: "panel" });
-  private readonly waypoints = element("div");
+  private readonly waypoints: WaypointsPanel;
   private readonly report = element("div", { role: "status" });
   private readonly branches = element("div");
   private readonly curves = new JointCurves((time) => this.player.seek(time));
@@ -50,8 +51,10 @@ export class MotionSection implements SectionPanel {
       if (changed.has("q") && q) this.recorder.take(q);
     });
     this.stop.addEventListener("click", () => services.cancel());
-    const add = element("button", { type: "button", onclick: () => this.addWaypoint() }, "Add the tool's pose");
-    const clear = element("button", { type: "button", onclick: () => store.set({ waypoints: [] }) }, "Remove all");
+    this.waypoints = new WaypointsPanel(
+      () => this.toolPose(),
+      (waypoints) => store.set({ waypoints }),
+    );
     const plan = element("button", { type: "button", onclick: () => void this.plan(null) }, "Plan the line");
     const load = element("input", { type: "file", accept: ".csv,.json", "aria-label": "A trajectory, CSV or JSON" });
     load.addEventListener("change", () => {
@@ -69,8 +72,7 @@ export class MotionSection implements SectionPanel {
         { class: "quiet" },
         "Drag the tool to a pose, add it, drag on. The line through all of them is planned.",
       ),
-      element("p", { class: "pair" }, add, clear),
-      this.waypoints,
+      this.waypoints.root,
       element("p", { class: "pair" }, plan, this.stop),
       this.progress,
       this.report,
@@ -92,20 +94,17 @@ export class MotionSection implements SectionPanel {
   take(shown: Shown): void {
     this.shown = shown;
     this.path = null;
+    this.waypoints.dropFile();
     this.recorder.drop();
     this.clear();
   }
 
   update(q: number[], changed: ReadonlySet<keyof PageState>): void {
-    const { waypoints } = this.services.store.get();
     if (changed.has("q")) this.player.pause();
     if (changed.has("degrees")) this.showCurves();
     this.place(q);
-    this.waypoints.replaceChildren(
-      waypointList(waypoints, (index) => {
-        this.services.store.set({ waypoints: waypoints.filter((_, i) => i !== index) });
-      }),
-    );
+    this.waypoints.show(this.services.store.get().waypoints);
+    if (this.path && this.path.parent === null) this.shown?.view.stage.scene.add(this.path); // after another section
   }
 
   leave(): void {
@@ -130,33 +129,27 @@ export class MotionSection implements SectionPanel {
     for (const part of [this.report, this.branches, this.files]) part.replaceChildren();
   }
 
-  private addWaypoint(): void {
-    const { q, waypoints } = this.services.store.get();
-    if (!this.shown || !q) return;
+  private toolPose(): number[] | null {
+    const { q } = this.services.store.get();
+    if (!this.shown || !q) return null;
     const { position, quaternion } = poseNumbers(this.shown.arm.forward(q).at(-1) as Float64Array);
-    this.services.store.set({ waypoints: [...waypoints, [...position, ...quaternion]] });
-  }
-
-  /** The waypoints as the file of poses that commands read. */
-  private poses(): string {
-    const rows = this.services.store.get().waypoints.map((pose) => pose.join(","));
-    return ["x,y,z,qw,qx,qy,qz", ...rows, ""].join("\n");
+    return [...position, ...quaternion];
   }
 
   /** Plans the line; `start`: the joint values at the first pose, of one of the branches, null: those that are best for
    * all of it. */
   private async plan(start: number[] | null, branches: Branch[] = []): Promise<void> {
-    const lines = this.services.store.get().waypoints.length - 1;
-    if (lines < 1) {
+    if (!this.waypoints.enough) {
       this.report.textContent = "A line needs two waypoints.";
       return;
     }
     this.clear();
     const turn = this.turn;
     const from = start ? [`--from=${start.join(",")}`] : ["--branches"];
-    const args = ["line", "arm.json", "--through=poses.csv", ...from, "--out=motion.csv", "--json"];
+    const poses = this.waypoints.asFile;
+    const args = ["line", "arm.json", `--through=${poses.name}`, ...from, "--out=motion.csv", "--json"];
     await this.during(async (report) => {
-      const result = await this.services.command([...args, `--rate=${rate}`], { "poses.csv": this.poses() }, report);
+      const result = await this.services.command([...args, `--rate=${rate}`], { [poses.name]: poses.text }, report);
       if (turn !== this.turn) return;
       const line = answer<LineAnswer>(result);
       this.report.replaceChildren(planReport(line));
@@ -164,7 +157,10 @@ export class MotionSection implements SectionPanel {
       if (csv !== undefined) this.show("motion.csv", csv);
       const all = line.branches ?? branches;
       const current = (this.motion as Trajectory | null)?.row(0) ?? null;
-      if (all.length > 0) this.branches.replaceChildren(branchMap(all, lines, current, (q) => void this.plan(q, all)));
+      if (all.length > 0)
+        this.branches.replaceChildren(
+          branchMap(all, Math.max(1, line.waypoints - 1), current, (q) => void this.plan(q, all)),
+        );
     });
   }
 
@@ -185,11 +181,11 @@ export class MotionSection implements SectionPanel {
     const turn = this.turn;
     await this.during(async (report) => {
       this.show(name, text);
-      const through = this.services.store.get().waypoints.length > 0;
-      const verb = through ? ["check", "arm.json", name, "--through=poses.csv"] : ["replay", "arm.json", name];
+      const poses = this.waypoints.empty ? null : this.waypoints.asFile;
+      const verb = poses ? ["check", "arm.json", name, `--through=${poses.name}`] : ["replay", "arm.json", name];
       const result = await this.services.command(
         [...verb, "--json"],
-        { [name]: text, "poses.csv": this.poses() },
+        { [name]: text, ...(poses && { [poses.name]: poses.text }) },
         report,
       );
       if (turn === this.turn) this.report.replaceChildren(planReport(answer<LineAnswer>(result)));

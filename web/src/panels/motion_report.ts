@@ -8,6 +8,7 @@ export interface LineAnswer {
   reason: string;
   duration?: number;
   samples?: number;
+  waypoints: number;
   deviation_bound?: number | null;
   deviation_measured?: number | null;
   orientation_bound?: number | null;
@@ -57,17 +58,6 @@ export function planReport(answer: LineAnswer): HTMLElement {
     );
   }
   return element("div", { class: "numbers" }, ...parts);
-}
-
-/** The waypoints, each with a button that removes it. */
-export function waypointList(poses: number[][], removed: (index: number) => void): HTMLElement {
-  const items = poses.map((pose, i) => {
-    const [x = 0, y = 0, z = 0] = pose;
-    const label = `Remove waypoint ${i + 1}`;
-    const remove = element("button", { type: "button", "aria-label": label, onclick: () => removed(i) }, "×");
-    return element("li", {}, `${shown(x, 3)}, ${shown(y, 3)}, ${shown(z, 3)} m `, remove);
-  });
-  return element("ol", { class: "waypoints" }, ...items);
 }
 
 /** A button that saves a text, made when it is pressed, as a file. */
