@@ -19,12 +19,7 @@ __all__ = ["Page", "view"]
 class Page:
     """The page of an arm: one HTML document with page, core and arm inside, which needs no server and no network.
 
-    Attributes
-    ----------
-    html : str
-        The document, about 4 MB.
-    height : int
-        Of the frame in a notebook, pixels.
+    `html` is the document, about 4 MB; `height` that of the frame in a notebook, pixels.
     """
 
     def __init__(self, html: str, height: int = 640) -> None:
