@@ -12,7 +12,9 @@ project = "Beeline"
 copyright = "the authors of Beeline"
 html_title = "Beeline"
 default_role = "code"  # of docstrings
-exclude_patterns = ["sphinx", "doxygen", "sessions", "requirements.txt", "examples/*.ipynb", "examples/*.py"]
+exclude_patterns = [
+    "sphinx", "doxygen", "sessions", "requirements.txt", "embedded_page.md", "examples/*.ipynb", "examples/*.py",
+]
 smartquotes = False  # "--" is part of options
 
 extensions = [

@@ -23,6 +23,7 @@ cp docs/sphinx/GALLERY_HEADER.rst "$source/examples/"
 "$python" -B docs/sphinx/python_reference.py . "$source/docs/doxygen/xml" "$source/docs/python"
 "$python" -B docs/sphinx/command_line.py "$build/beeline" "$source/docs/command_line"
 "$python" -B docs/sphinx/sessions.py "$build" "$source/docs" "$source/docs/sessions"
+"$python" -B docs/sphinx/embedded_page.py build/web "$folder/html/page.html" "$source/docs/embedded_page.md"
 
 "$python" -B -m sphinx --quiet --fresh-env --fail-on-warning --keep-going "$source/docs" "$folder/html"
 "$python" -B docs/sphinx/links.py "$folder/html" >"$folder/external_links.txt"
