@@ -1,6 +1,5 @@
 import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
 import type { Page } from "playwright-core";
-import { readTrajectory } from "../src/core/trajectory.js";
 import { stepResponse } from "../src/core/step_response.js";
 import { open, visit, type Complaints, type Visit } from "./browser.js";
 import { json, loadCore, random, run } from "./native.js";
@@ -36,7 +35,9 @@ test.each([
   const given = Object.entries(gains).map(([name, value]) => `--${name}=${value}`);
   const args = ["move", "rrr", `--from=${from.join(",")}`, `--to=${to.join(",")}`, ...given, "--out=run.csv"];
   const { overshoot, steps } = json<{ overshoot: number; steps: number }>(args);
-  const { rows } = readTrajectory(run(args).files["run.csv"] ?? "", 3);
+  const motion = arm.trajectory("run.csv", run(args).files["run.csv"] ?? "");
+  const rows = motion.rows();
+  motion.release();
   expect(rows.length).toBe(steps + 1);
   const response = stepResponse(arm, gains, from, to, steps);
   expect(response.overshoot).toBeCloseTo(overshoot, 12);

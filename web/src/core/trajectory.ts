@@ -41,6 +41,11 @@ export class Trajectory {
     return Array.from(this.values.subarray(begin, begin + this.dof));
   }
 
+  /** The joint values of all samples. */
+  rows(): number[][] {
+    return Array.from({ length: this.size }, (_, i) => this.row(i));
+  }
+
   /** A quantity of a joint at all samples. */
   column(quantity: Quantity, joint: number): Float64Array {
     const offset = 1 + this.dof * this.quantities.indexOf(quantity) + joint;

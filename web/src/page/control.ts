@@ -227,7 +227,7 @@ export class Control implements SectionPanel {
 /** The joint values of a trajectory that the command has written. */
 function rowsOf(arm: Arm, csv: string): number[][] {
   const motion = arm.trajectory("motion.csv", csv);
-  const rows = Array.from({ length: motion.size }, (_, i) => motion.row(i));
+  const rows = motion.rows();
   motion.release();
   return rows;
 }

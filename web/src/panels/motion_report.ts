@@ -6,7 +6,7 @@ import { element, shown, table } from "./element.js";
 export interface LineAnswer {
   status: string;
   reason: string;
-  duration?: number;
+  duration?: number | null;
   samples?: number;
   waypoints: number;
   deviation_bound?: number | null;
@@ -26,7 +26,7 @@ function small(value: number | null | undefined, unit: string): string {
 
 /** Status, reason, deviation measured and proved, use of the limits. */
 export function planReport(answer: LineAnswer): HTMLElement {
-  const time = answer.duration === undefined ? "" : `, ${shown(answer.duration, 2)} s`;
+  const time = answer.duration == null ? "" : `, ${shown(answer.duration, 2)} s`;
   const parts: HTMLElement[] = [element("p", {}, element("strong", {}, answer.status), `${time}. ${answer.reason}`)];
   if (answer.deviation_bound !== undefined && answer.deviation_bound !== null) {
     parts.push(
