@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import errno
 import os
 import sys
 from typing import TYPE_CHECKING, Any
@@ -27,7 +29,7 @@ class Page:
         self.height = height
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the document to a file, which browsers open from a disk.
+        """Writes the document to a file, which browsers open from a disk. An existing file is replaced as a whole.
 
         Parameters
         ----------
@@ -42,8 +44,7 @@ class Page:
         if not os.fspath(path).lower().endswith((".html", ".htm")):
             raise Error(f"{path}: a page is written to a .html file")
         try:
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(self.html)
+            _replace(os.path.realpath(path), self.html)  # the file that a link names, not the link
         except OSError as error:
             raise Error(f"{path}: {error.strerror}") from None
 
@@ -82,6 +83,8 @@ def view(arm: Arm, q: ArrayLike | None = None, trajectory: Any = None) -> Page:
     beeline.Error
         For `q` of another shape or not finite; for `trajectory` whose joints are not those of the arm; where the page
         is not built: wheels carry it, in a checkout `make web` builds it.
+    TypeError
+        For `trajectory` that is none and has none.
     """
     from ._page_document import document_of  # here, as few programs need what it imports
 
@@ -93,6 +96,21 @@ def view(arm: Arm, q: ArrayLike | None = None, trajectory: Any = None) -> Page:
     if not _in_notebook():
         _open_browser(page)
     return page
+
+
+def _replace(path: str, text: str) -> None:
+    """Writes a file beside the path, then renames it: a reader finds the old content or the new one."""
+    if os.path.exists(path) and not os.access(path, os.W_OK):  # which a rename would ignore
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+    beside = f"{path}.{os.getpid()}.new"
+    try:
+        with open(beside, "w", encoding="utf-8") as file:
+            file.write(text)
+        os.replace(beside, path)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.unlink(beside)
+        raise
 
 
 def _configuration(arm: Arm, q: ArrayLike) -> list[float]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import lzma
 import re
 import tarfile
 import tempfile
@@ -60,7 +59,7 @@ def _files() -> dict[str, bytes]:
     here = Path(__file__).resolve().parent
     archive = here / "page.tar.xz"
     if archive.is_file():
-        with tarfile.open(fileobj=lzma.open(archive), mode="r|") as tar:
+        with tarfile.open(archive, "r:xz") as tar:
             contents = ((member.name, tar.extractfile(member)) for member in tar)
             return {name: file.read() for name, file in contents if file is not None}
     folder = here.parents[1] / "build" / "web"

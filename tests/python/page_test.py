@@ -94,6 +94,11 @@ def test_it_is_saved(tmp_path):
     page = beeline.view(UR5, Q)
     page.save(tmp_path / "arm.html")
     assert (tmp_path / "arm.html").read_text(encoding="utf-8") == page.html
+    (tmp_path / "link.html").symlink_to("arm.html")
+    page.html += "<!-- again -->"
+    page.save(tmp_path / "link.html")  # replaces what the link names, and leaves nothing beside it
+    assert (tmp_path / "arm.html").read_text(encoding="utf-8") == page.html
+    assert {file.name for file in tmp_path.glob("arm*")} == {"arm.html"} and (tmp_path / "link.html").is_symlink()
     with pytest.raises(beeline.Error, match=r"arm\.txt: a page is written to a \.html file"):
         page.save(tmp_path / "arm.txt")
     with pytest.raises(beeline.Error, match="no/arm.html: No such file"):
