@@ -20,10 +20,11 @@ using namespace beeline;
 
 namespace {
 
-constexpr std::size_t longest_joints = 64 * 1024;  // bytes of a POST
-constexpr int threads = 64;                        // each open page takes one
-constexpr int most_pages = 48;                     // the other threads answer programs
+constexpr std::size_t max_body = 64 * 1024;  // bytes of a POST
+constexpr int threads = 64;                  // each open page takes one
+constexpr int max_pages = 48;                // the other threads answer programs
 constexpr int ports = 10;
+constexpr double largest = 1e100;  // joint value, radians or metres
 constexpr std::chrono::seconds heartbeat{1};
 constexpr std::chrono::milliseconds look{50};  // how often a stream looks whether its page is open
 
@@ -64,7 +65,7 @@ PageServer::PageServer(PageSession session, const std::string& folder, std::stri
       host_(std::move(host)),
       server_(std::make_unique<httplib::Server>()) {
   server_->new_task_queue = [] { return new httplib::ThreadPool(threads); };
-  server_->set_payload_max_length(longest_joints);
+  server_->set_payload_max_length(max_body);
   server_->set_read_timeout(std::chrono::seconds(5));
   server_->set_write_timeout(std::chrono::seconds(5));
   server_->set_tcp_nodelay(true);
@@ -116,7 +117,9 @@ void PageServer::route() {
                                 {"Cache-Control", "no-store"}});
   server_->set_pre_routing_handler([this](const Request& request, Response& response) {
     if (comes_from_here(request)) return Routing::Unhandled;
-    refuse(response, 403, "requests of other sites are refused");
+    refuse(response, 403,
+           "requests of other sites are refused: Host must be localhost, an IP address or that of "
+           "--host, with the server's port, and Origin the same site");
     return Routing::Handled;
   });
   server_->Get("/api/session", [this](const Request&, Response& response) { session(response); });
@@ -166,8 +169,10 @@ void PageServer::take_joints(const std::string& text) {
   const std::size_t dof = static_cast<std::size_t>(session_.arm.dof());
   const std::vector<double> q = document.numbers(document.need(document.root(), "q"), dof);
   const internal::Json* const time = document.find(document.root(), "time");
-  for (const double value : q) {
-    if (!(std::abs(value) <= 1e100)) throw Error("joint values must be finite");
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    if (std::abs(q[i]) <= largest) continue;
+    throw Error(fmt::format("joints: q[{}] is {}; expected a value from -{} to {}", i, q[i], largest,
+                            largest));
   }
   const Json values(
       Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(q.data(), session_.arm.dof())));
@@ -199,10 +204,10 @@ void PageServer::events(httplib::Response& response) {
     bool greeted = false;
     std::uint64_t seen = 0;
   };
-  if (pages_ >= most_pages) {
-    return refuse(response, 503, fmt::format("{} pages are open already", most_pages));
+  if (++pages_ > max_pages) {
+    --pages_;
+    return refuse(response, 503, fmt::format("{} pages are open already", max_pages));
   }
-  ++pages_;
   const std::shared_ptr<Page> page(new Page, [this](Page* closed) {
     delete closed;
     --pages_;

@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <future>
+#include <set>
+#include <string>
 
 #include <beeline/error.h>
 #include <beeline/read/internal/file.h>
@@ -55,6 +57,7 @@ std::string page_folder(const std::string& given) {
 void open_browser(const std::string& address) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
   if (fork() != 0) return;
+  setsid();  // Ctrl-C ends the command, and not a browser that this starts
   const int nowhere = open("/dev/null", O_RDWR);  // who reads our stdout must see its end
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
   execlp("xdg-open", "xdg-open", address.c_str(), nullptr);
@@ -81,7 +84,8 @@ Answer view(const ViewArguments& arguments) {
   if (!arguments.save.empty()) {
     return save_page(arguments.save, session, page_folder(arguments.folder));
   }
-  if (arguments.host != loopback) {
+  const std::set<std::string> loopbacks{loopback, "localhost", "::1"};
+  if (!loopbacks.contains(arguments.host)) {
     warn("--host " + arguments.host + ": others on the network can see the arm and move it");
   }
   catch_interrupt();
@@ -100,6 +104,7 @@ Answer view(const ViewArguments& arguments) {
   // Again, where the interrupt comes before the server answers requests.
   do server.stop();
   while (!ended());
+  serving.get();  // throws what ended it
   return {.text_on_stderr = true};
 }
 
