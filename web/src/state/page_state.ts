@@ -6,7 +6,8 @@ export type Section = (typeof sections)[number];
  * `beeline show --out` writes. */
 export type ArmSource = { text: string } | { json: string };
 
-/** Everything that the page shows. The address holds all of it, so that a link shows the same. */
+/** What a link to the page holds: the address has all of it. The camera, meshes, trajectories and waypoints of a file are
+ * not part of it. */
 export interface PageState {
   arm: ArmSource;
   /** Radians and metres; null: one that shows the arm well. */
