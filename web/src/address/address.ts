@@ -5,17 +5,17 @@ const frames = ["base", "tool", "space"] as const;
 const gains = ["gain", "ki", "kd"] as const;
 /** Characters of an address that are read; a longer one is not written either. */
 export const longestAddress = 200_000;
-const mostJoints = 1000;
+const maxJoints = 1000;
 
 function numbers(text: string | null): number[] | null {
   if (text === null || text === "") return null;
-  const values = text.split(",", mostJoints + 1).map((item) => (item.trim() === "" ? NaN : Number(item)));
-  return values.length <= mostJoints && values.every(Number.isFinite) ? values : null;
+  const values = text.split(",", maxJoints + 1).map((item) => (item.trim() === "" ? NaN : Number(item)));
+  return values.length <= maxJoints && values.every(Number.isFinite) ? values : null;
 }
 
 /** Poses of seven numbers with semicolons between; none where one is not. */
 function poses(text: string | null): number[][] {
-  const rows = text === null || text === "" ? [] : text.split(";", mostJoints).map(numbers);
+  const rows = text === null || text === "" ? [] : text.split(";").map(numbers);
   return rows.every((row) => row?.length === 7) ? (rows as number[][]) : [];
 }
 

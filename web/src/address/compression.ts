@@ -1,4 +1,4 @@
-import { mostBytes } from "../core/limits.js";
+import { maxBytes } from "../core/limits.js";
 
 async function through(stream: ReadableWritablePair<Uint8Array, BufferSource>, bytes: Uint8Array): Promise<Uint8Array> {
   const reader = new Blob([bytes as BufferSource]).stream().pipeThrough(stream).getReader();
@@ -6,7 +6,10 @@ async function through(stream: ReadableWritablePair<Uint8Array, BufferSource>, b
   let size = 0;
   for (let part = await reader.read(); !part.done; part = await reader.read()) {
     size += part.value.length;
-    if (size > mostBytes) throw new Error("the text is too long");
+    if (size > maxBytes) {
+      void reader.cancel();
+      throw new Error(`the packed text has more than ${maxBytes} bytes`);
+    }
     parts.push(part.value);
   }
   const all = new Uint8Array(size);

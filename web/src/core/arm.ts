@@ -13,7 +13,7 @@ import {
 
 const frames: Frame[] = ["base", "tool", "space"];
 const kinds: JointKind[] = ["revolute", "prismatic", "helical"];
-const mostSolutions = 64;
+const maxSolutions = 64;
 
 /** An arm in the core's memory. Release it when it is not needed any more. */
 export class Arm {
@@ -45,16 +45,27 @@ export class Arm {
     const handle = module._beeline_arm(first, content, second, third);
     for (const pointer of [...texts, content]) module._free(pointer);
     this.handle = checked(module, handle);
-    this.json = readText(module, module._beeline_arm_json(handle));
-    this.description = JSON.parse(readText(module, module._beeline_arm_description(handle))) as object;
-    this.dof = module._beeline_arm_dof(handle);
-    this.links = module._beeline_arm_links(handle);
-    this.planar = module._beeline_arm_planar(handle) === 1;
-    this.q = module._beeline_allocate(this.dof);
-    this.other = module._beeline_allocate(Math.max(16, this.dof));
-    const most = Math.max(16 * (this.links + 1), mostSolutions * this.dof, 6 + 13 * this.links);
-    this.result = module._beeline_allocate(most);
-    if (this.q === 0 || this.other === 0 || this.result === 0) throw new CoreError("the core has no more memory");
+    const buffers: number[] = [];
+    const allocate = (count: number): number => {
+      const buffer = module._beeline_allocate(count);
+      if (buffer === 0) throw new CoreError(`the core has no memory for ${count} numbers`);
+      buffers.push(buffer);
+      return buffer;
+    };
+    try {
+      this.json = this.text(module._beeline_arm_json(handle));
+      this.description = JSON.parse(this.text(module._beeline_arm_description(handle))) as object;
+      this.dof = module._beeline_arm_dof(handle);
+      this.links = module._beeline_arm_links(handle);
+      this.planar = module._beeline_arm_planar(handle) === 1;
+      this.q = allocate(this.dof);
+      this.other = allocate(Math.max(16, this.dof));
+      this.result = allocate(Math.max(16 * (this.links + 1), maxSolutions * this.dof, 6 + 13 * this.links));
+    } catch (error) {
+      for (const buffer of buffers) module._beeline_release(buffer);
+      module._beeline_arm_release(handle);
+      throw error;
+    }
   }
 
   /** Afterwards the arm refuses to compute. */
@@ -115,7 +126,7 @@ export class Arm {
     if (pose.length !== 16) throw new CoreError(`a pose has 16 numbers, not ${pose.length}`);
     this.put(seed);
     this.module.HEAPF64.set(pose, this.other / 8);
-    const capacity = options.all === true ? mostSolutions : 1;
+    const capacity = options.all === true ? maxSolutions : 1;
     const ignore = options.ignoreLimits === true ? 1 : 0;
     const found = this.module._beeline_inverse(this.handle, this.other, this.q, ignore, capacity, this.result);
     return Array.from({ length: checked(this.module, found) }, (_, i) => this.take(this.dof * i, this.dof));
@@ -144,6 +155,12 @@ export class Arm {
   trajectory(name: string, text: string): Trajectory {
     if (this.released) throw new CoreError("the arm was released");
     return new Trajectory(this.module, this.handle, this.dof, name, text);
+  }
+
+  /** A text of the core, which returns null where it fails. */
+  private text(pointer: number): string {
+    checked(this.module, pointer === 0 ? -1 : 0);
+    return readText(this.module, pointer);
   }
 
   private check(q: ArrayLike<number>): void {

@@ -58,7 +58,7 @@ export class CoreWorker {
     const begin: WorkerStart = { module };
     worker.postMessage(begin);
     worker.onmessage = (event: MessageEvent<WorkerReply>) => this.receive(event.data);
-    worker.onerror = (event) => this.cancel(`the core ended: ${event.message}`);
+    worker.onerror = (event) => this.cancel(`the core ended: ${event.message || "its worker cannot be loaded"}`);
     return worker;
   }
 

@@ -66,7 +66,6 @@ export async function command(
   const module = await instantiateCommand(factory, wasm, stdout.put, stderr.put);
   prepare(module, files);
   const code = call(module, args);
-  // eslint-disable-next-line no-control-regex
   const reasons = stderr
     .text()
     .replace(/\r *\d+ %/g, "")

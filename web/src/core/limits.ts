@@ -1,2 +1,2 @@
 /** Bytes of the largest file or packed text that the page reads. */
-export const mostBytes = 20_000_000;
+export const maxBytes = 20_000_000;

@@ -20,7 +20,7 @@ export function missingFeature(): string | null {
   const missing = features.filter(([, bytes]) => !WebAssembly.validate(new Uint8Array(bytes)));
   if (missing.length === 0) return null;
   const names = missing.map(([name]) => name).join(" and ");
-  return `This browser's WebAssembly has no ${names}; Firefox 100, Chrome 95, Safari 15.2 and later have.`;
+  return `This browser's WebAssembly has no ${names}; Firefox 100, Chrome 95, Safari 16.4 and later have.`;
 }
 
 /** Compiles the module once; instantiate() makes instances of it. */

@@ -64,10 +64,12 @@ export interface FileSystem {
   readFile(path: string, options: { encoding: "utf8" }): string;
 }
 
-/** Copies a text into the module's memory, with a zero byte behind it; free it with _free(). */
+/** Copies a text into the module's memory, with a zero byte behind it; free it with _free(). Throws CoreError where there
+ * is no memory for it. */
 export function writeText(module: Module, text: string): number {
   const bytes = new TextEncoder().encode(text);
   const pointer = module._malloc(bytes.length + 1);
+  if (pointer === 0) throw new CoreError(`the core has no memory for a text of ${bytes.length} bytes`);
   module.HEAPU8.set(bytes, pointer);
   module.HEAPU8[pointer + bytes.length] = 0;
   return pointer;

@@ -26,12 +26,17 @@ export class Trajectory {
     const handle = module._beeline_trajectory(arm, ...texts);
     for (const pointer of texts) module._free(pointer);
     this.handle = checked(module, handle);
-    this.size = checked(module, module._beeline_trajectory_size(this.handle));
-    this.quantities = quantities.slice(0, checked(module, module._beeline_trajectory_columns(this.handle)));
-    this.stride = 1 + dof * this.quantities.length;
-    this.values = this.numbers(this.size * this.stride, (buffer) =>
-      module._beeline_trajectory_values(this.handle, buffer),
-    );
+    try {
+      this.size = checked(module, module._beeline_trajectory_size(this.handle));
+      this.quantities = quantities.slice(0, checked(module, module._beeline_trajectory_columns(this.handle)));
+      this.stride = 1 + dof * this.quantities.length;
+      this.values = this.numbers(this.size * this.stride, (buffer) =>
+        module._beeline_trajectory_values(this.handle, buffer),
+      );
+    } catch (error) {
+      module._beeline_trajectory_release(this.handle);
+      throw error;
+    }
     this.times = Float64Array.from({ length: this.size }, (_, i) => this.values[i * this.stride] as number);
   }
 

@@ -11,7 +11,8 @@ export async function sessionOf(document: Document): Promise<Session | null> {
   const { session } = document.body.dataset;
   if (session === undefined) return null;
   const answer = await fetch(session);
-  return answer.ok ? ((await answer.json()) as Session) : null;
+  if (!answer.ok) throw new Error(`The arm cannot be loaded: ${answer.status} for ${answer.url}`);
+  return (await answer.json()) as Session;
 }
 
 const shortestDelay = 1; // s, doubled after each refusal

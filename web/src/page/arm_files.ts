@@ -19,6 +19,7 @@ interface OpenedUrdf {
 export class ArmFiles {
   private urdf: OpenedUrdf | null = null;
   private shown: Shown | null = null;
+  private reading = 0;
   private readonly tips = new TipChooser((tip) => this.again(tip));
   private again: (tip: string) => void = () => undefined;
 
@@ -31,8 +32,15 @@ export class ArmFiles {
     chooser.root.append(this.tips.root);
   }
 
-  /** Takes an arm's file, with the meshes of a URDF; or more meshes of the URDF that is shown. */
-  async open(files: PathFile[]): Promise<void> {
+  /** Takes an arm's file, with the meshes of a URDF; or more meshes of the URDF that is shown. Says why a file cannot be
+   * read. */
+  open(files: PathFile[]): void {
+    this.openAll(files).catch((error: unknown) =>
+      this.chooser.refuse(`A file cannot be read: ${(error as Error).message}`),
+    );
+  }
+
+  private async openAll(files: PathFile[]): Promise<void> {
     const meshes = files.filter(({ path }) => isMeshFile(path));
     const usable = meshes.filter(({ file }) => tooLarge(file) === null);
     const arms = armFiles(files, meshes.length > 0);
@@ -48,6 +56,7 @@ export class ArmFiles {
   /** The page shows another arm: with its meshes, if it is that of the URDF. */
   take(shown: Shown): void {
     this.shown = shown;
+    ++this.reading;
     this.list.clear();
     if (this.urdf?.json === shown.arm.json) void this.showMeshes();
     else this.tips.ask([]);
@@ -89,6 +98,7 @@ export class ArmFiles {
 
   private async showMeshes(): Promise<void> {
     const { urdf, shown } = this;
+    const reading = ++this.reading; // of several answers the last one's is shown
     if (!urdf || !shown) return;
     const wanted = visualMeshes(urdf.text);
     if (wanted.length === 0) return;
@@ -100,7 +110,7 @@ export class ArmFiles {
       const { RobotMeshes } = await import("../scene/robot_meshes.js");
       const { joints } = JSON.parse(shown.arm.json) as { joints: { link?: string }[] };
       const meshes = await RobotMeshes.read(urdf.text, ["", ...joints.map(({ link = "" }) => link)], urdf.files);
-      if (shown !== this.shown) return void meshes.dispose();
+      if (reading !== this.reading) return void meshes.dispose();
       shown.view.showMeshes(meshes, () => this.list.moved());
       const count = meshes.meshes.length;
       this.list.say(
@@ -108,7 +118,7 @@ export class ArmFiles {
       );
       this.list.show(meshes.meshes);
     } catch (error) {
-      if (shown === this.shown) this.list.say(`The meshes cannot be shown: ${(error as Error).message}`);
+      if (reading === this.reading) this.list.say(`The meshes cannot be shown: ${(error as Error).message}`);
     }
   }
 }

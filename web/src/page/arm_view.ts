@@ -7,7 +7,7 @@ import { Stage } from "../scene/stage.js";
 import { ToolHandle } from "../scene/tool_handle.js";
 
 const ghostColour = 0xb07a2a;
-const mostGhosts = 16;
+const maxGhosts = 16;
 
 /** The picture of one arm: itself, its frames, the handle at its tool, its other solutions as ghosts. */
 export class ArmView {
@@ -71,7 +71,7 @@ export class ArmView {
 
   /** Shows other configurations, transparent. */
   showGhosts(configurations: number[][]): void {
-    const others = configurations.slice(1, 1 + mostGhosts);
+    const others = configurations.slice(1, 1 + maxGhosts);
     while (this.ghosts.length > others.length) this.ghosts.pop()?.dispose();
     others.forEach((q, i) => {
       const ghost = (this.ghosts[i] ??= this.newGhost());

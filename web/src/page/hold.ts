@@ -30,6 +30,8 @@ export class Hold implements SectionPanel {
   private ellipsoid: VelocityEllipsoid | null = null;
   private shown: Shown | null = null;
   private asked = 0;
+  /** The joint velocities of the self-motion's last step. */
+  private selfDirection: number[] = [];
   private answered: Promise<unknown> = Promise.resolve();
 
   constructor(
@@ -57,6 +59,7 @@ export class Hold implements SectionPanel {
 
   take(shown: Shown): void {
     this.shown = shown;
+    this.selfDirection = [];
     this.columns?.dispose();
     this.ellipsoid?.dispose();
     this.columns = this.ellipsoid = null;
@@ -157,10 +160,14 @@ export class Hold implements SectionPanel {
     if (!this.shown || !q) return;
     const { arm } = this.shown;
     const pose = arm.forward(q).at(-1) as Float64Array;
-    const direction = selfMotion(arm.jacobian(q, "base"), arm.dof);
-    if (!direction) return;
+    const found = selfMotion(arm.jacobian(q, "base"), arm.dof);
+    if (!found) return;
+    // Both signs are right: the one that goes on as before.
+    const along = found.reduce((sum, value, k) => sum + value * (this.selfDirection[k] ?? 0), 0);
+    const direction = along < 0 ? found.map((value) => -value) : found;
+    this.selfDirection = direction;
     const moved = q.map((value, k) => value + distance * (direction[k] ?? 0));
-    const [found] = arm.inverse(pose, moved);
-    if (found) this.services.store.set({ q: Array.from(found) });
+    const [reached] = arm.inverse(pose, moved);
+    if (reached) this.services.store.set({ q: Array.from(reached) });
   }
 }

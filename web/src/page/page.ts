@@ -31,6 +31,7 @@ const armFile = "arm.json";
 /** The page: its state, the arm that it shows, and a panel for each section. */
 export class Page {
   private readonly panels: Map<Section, { title: string; panel: SectionPanel }>;
+  private readonly links: Map<Section, HTMLElement>;
   private readonly services: Services;
   private readonly motion: MotionSection;
   private readonly files: ArmFiles;
@@ -39,6 +40,7 @@ export class Page {
   /** What of the state belongs to the arm that is shown. */
   private valid: Pick<PageState, "arm" | "q" | "goal"> | null = null;
   private writing = 0;
+  private reading = 0;
   private readonly tooLong = element("p", { role: "status", class: "refusal" });
 
   private constructor(
@@ -68,12 +70,19 @@ export class Page {
     const side = document.getElementById("side") as HTMLElement;
     side.replaceChildren(chooser.root, this.tooLong, ...[...this.panels.values()].map(({ panel }) => panel.root));
     (document.getElementById("tools") as HTMLElement).replaceChildren(
-      ...toolbar(store, () => this.shown?.view ?? null, this.saveSvg),
+      ...toolbar(
+        store,
+        () => this.shown?.view ?? null,
+        this.saveSvg,
+        (reason) => chooser.refuse(reason),
+      ),
       this.motion.light,
     );
+    this.links = new Map([...this.panels].map(([name, { title }]) => [name, this.link(name, title)]));
+    (document.getElementById("sections") as HTMLElement).replaceChildren(...this.links.values());
     this.showSections();
     store.subscribe((_, changed) => this.changed(changed));
-    document.defaultView?.addEventListener("hashchange", () => void this.readAddress());
+    document.defaultView?.addEventListener("hashchange", ({ newURL }) => void this.readAddress(new URL(newURL).hash));
   }
 
   /** Loads the core, reads the address and shows it. */
@@ -92,7 +101,7 @@ export class Page {
     const chooser = new ArmChooser(
       core.builtInNames(),
       (text) => store.set({ arm: { text }, q: null, goal: null }),
-      (files) => void page?.files.open(files),
+      (files) => page?.files.open(files),
       (json) => page?.files.openText("dh_table.json", json),
       meshes.line,
       meshes.root,
@@ -127,7 +136,9 @@ export class Page {
   private changed(changed: ReadonlySet<keyof PageState>): void {
     if (changed.has("section")) this.showSections();
     const { arm } = this.store.get();
-    if (arm === this.valid?.arm) this.update(changed);
+    // A panel that was hidden has missed the changes since.
+    const missed = changed.has("section") ? (Object.keys(initialState) as (keyof PageState)[]) : [];
+    if (arm === this.valid?.arm) this.update(new Set([...changed, ...missed]));
     else if (changed.has("arm")) this.takeArm(arm);
     void this.writeAddress();
   }
@@ -175,22 +186,29 @@ export class Page {
 
   private showSections(): void {
     const { section } = this.store.get();
-    const links = [...this.panels].map(([name, { title, panel }]) => {
+    for (const [name, { panel }] of this.panels) {
       if (name !== section && !panel.root.hidden) panel.leave();
       panel.root.hidden = name !== section;
-      const current: Record<string, string> = name === section ? { "aria-current": "page" } : {};
-      const link = element("a", { href: `#section=${name}`, ...current }, title);
-      link.addEventListener("click", (event) => {
-        event.preventDefault();
-        this.store.set({ section: name });
-      });
-      return link;
-    });
-    (this.document.getElementById("sections") as HTMLElement).replaceChildren(...links);
+      const link = this.links.get(name); // kept, as it may have the focus
+      if (name === section) link?.setAttribute("aria-current", "page");
+      else link?.removeAttribute("aria-current");
+    }
   }
 
-  private async readAddress(): Promise<void> {
-    this.store.set(await stateOf(location.hash));
+  private link(name: Section, title: string): HTMLElement {
+    const link = element("a", { href: `#section=${name}` }, title);
+    link.addEventListener("click", (event) => {
+      event.preventDefault();
+      this.store.set({ section: name });
+    });
+    return link;
+  }
+
+  private async readAddress(hash: string): Promise<void> {
+    const turn = ++this.reading;
+    ++this.writing; // what is about to be written is older
+    const state = await stateOf(hash);
+    if (turn === this.reading) this.store.set(state);
   }
 
   private async writeAddress(): Promise<void> {
@@ -198,6 +216,7 @@ export class Page {
     await new Promise((resolve) => setTimeout(resolve, 250)); // browsers limit how often it may change
     if (turn !== this.writing) return;
     const hash = `#${await addressOf(this.store.get())}`;
+    if (turn !== this.writing) return;
     const written = hash.length <= longestAddress;
     this.tooLong.textContent = written
       ? ""

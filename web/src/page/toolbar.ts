@@ -8,8 +8,14 @@ import type { ArmView } from "./arm_view.js";
 
 type Switch = "degrees" | "showFrames" | "showSolutions" | "showEllipsoid";
 
-/** The buttons of the picture; `saveSvg` is one more of them. */
-export function toolbar(store: Store<PageState>, view: () => ArmView | null, saveSvg: HTMLElement): HTMLElement[] {
+/** The buttons of the picture; `saveSvg` is one more of them. `refuse` gets the reason where something is not saved. */
+export function toolbar(
+  store: Store<PageState>,
+  view: () => ArmView | null,
+  saveSvg: HTMLElement,
+  refuse: (reason: string) => void,
+): HTMLElement[] {
+  const report = (error: unknown): void => refuse(`The page is not saved: ${(error as Error).message}`);
   const pressed = (on: boolean): Record<string, string> => ({ "aria-pressed": String(on) });
   const toggle = (text: string, key: Switch): HTMLElement => {
     const button = element("button", { type: "button", ...pressed(store.get()[key]) }, text);
@@ -38,7 +44,7 @@ export function toolbar(store: Store<PageState>, view: () => ArmView | null, sav
     home,
     save,
     saveSvg,
-    element("button", { type: "button", onclick: () => void savePage(store) }, "Save page"),
+    element("button", { type: "button", onclick: () => void savePage(store).catch(report) }, "Save page"),
   ];
 }
 

@@ -1,4 +1,4 @@
-import { mostBytes } from "../core/limits.js";
+import { maxBytes } from "../core/limits.js";
 import type { PathFile } from "../scene/mesh_files.js";
 import { DhForm } from "./dh_form.js";
 import { droppedFiles, filesOf } from "./dropped.js";
@@ -6,7 +6,7 @@ import { element } from "./element.js";
 
 /** Why a file is not read; null if it is. */
 export function tooLarge(file: File): string | null {
-  return file.size <= mostBytes ? null : `${file.name} has ${file.size} bytes; at most ${mostBytes} are read`;
+  return file.size <= maxBytes ? null : `${file.name} has ${file.size} bytes; at most ${maxBytes} are read`;
 }
 
 /** Chooses the arm: a built-in one, a joint string, or a file (URDF or JSON), also one dropped on the page. */
@@ -74,9 +74,12 @@ export class ArmChooser {
     target.addEventListener("drop", (event) => {
       event.preventDefault();
       if (!event.dataTransfer) return;
-      void droppedFiles(event.dataTransfer).then((files) => {
-        if (files.length > 0) this.opened(files);
-      });
+      droppedFiles(event.dataTransfer).then(
+        (files) => {
+          if (files.length > 0) this.opened(files);
+        },
+        (error: unknown) => this.refuse(`What was dropped cannot be read: ${(error as Error).message}`),
+      );
     });
   }
 

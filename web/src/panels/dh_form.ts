@@ -14,7 +14,7 @@ const conventions = [
   ["standard", "standard: Rz(θ) Tz(d) Tx(a) Rx(α)"],
   ["modified", "modified: Tx(a) Rx(α) Rz(θ) Tz(d)"],
 ] as const;
-const mostRows = 50;
+const maxRows = 50;
 
 interface Row {
   root: HTMLElement;
@@ -107,10 +107,10 @@ export class DhForm {
       this.number();
       (this.rows[at] ?? this.rows[at - 1] ?? this.add()).type.focus();
     });
-    if (this.rows.length < mostRows) {
+    if (this.rows.length < maxRows) {
       this.rows.push(row);
       this.body.append(row.root);
-    } else this.fault.textContent = `The form has ${mostRows} rows at most; a file may have more.`;
+    } else this.fault.textContent = `The form has ${maxRows} rows at most; a file may have more.`;
     this.number();
     return row;
   }

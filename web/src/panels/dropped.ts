@@ -1,6 +1,6 @@
 import type { PathFile } from "../scene/mesh_files.js";
 
-const mostFiles = 2000; // of dropped folders
+const maxFiles = 2000; // of dropped folders
 
 function fileOf(entry: FileSystemFileEntry): Promise<File> {
   return new Promise((resolve, reject) => entry.file(resolve, reject));
@@ -11,7 +11,7 @@ function someEntries(reader: FileSystemDirectoryReader): Promise<FileSystemEntry
 }
 
 async function collect(entry: FileSystemEntry, into: PathFile[]): Promise<void> {
-  if (into.length >= mostFiles) return;
+  if (into.length >= maxFiles) return;
   if (entry.isFile) into.push({ path: entry.fullPath, file: await fileOf(entry as FileSystemFileEntry) });
   if (!entry.isDirectory) return;
   const reader = (entry as FileSystemDirectoryEntry).createReader();

@@ -35,9 +35,9 @@ export class JacobianPanel {
       table("Jacobian: m/s and rad/s of the tool, per rad/s or m/s of each joint", names, rows, cells),
     );
     const smallest = near.singularValues.at(-1) ?? 0;
-    const share = near.condition > 0 && Number.isFinite(near.condition) ? 1 / near.condition : 0;
+    const inverseCondition = near.condition > 0 && Number.isFinite(near.condition) ? 1 / near.condition : 0;
     this.measure.textContent =
       `Manipulability ${shown(near.manipulability)}; smallest singular value ${shown(smallest)}` +
-      (share < 0.02 ? ". Near a singularity: some tool velocities need very fast joints." : ".");
+      (inverseCondition < 0.02 ? ". Near a singularity: some tool velocities need very fast joints." : ".");
   }
 }

@@ -90,11 +90,6 @@ export class ArmFigure extends Group {
     });
   }
 
-  /** Which joint's symbol is a mesh; -1 for another mesh. */
-  jointOf(mesh: unknown): number {
-    return this.symbols.findIndex((symbol) => symbol === mesh);
-  }
-
   override dispose(): this {
     for (const mesh of [...this.tubes, ...this.bends, ...this.symbols]) {
       mesh.geometry.dispose();
@@ -117,11 +112,11 @@ export class ArmFigure extends Group {
 
 /** Lays a cylinder of unit height from a to b. */
 function stretch(mesh: Mesh, a: Vector3, b: Vector3): void {
-  const way = b.clone().sub(a);
-  const length = way.length();
+  const segment = b.clone().sub(a);
+  const length = segment.length();
   mesh.visible = length > 1e-12;
   if (!mesh.visible) return;
-  mesh.position.copy(a).addScaledVector(way, 0.5);
-  mesh.quaternion.copy(new Quaternion().setFromUnitVectors(along, way.divideScalar(length)));
+  mesh.position.copy(a).addScaledVector(segment, 0.5);
+  mesh.quaternion.copy(new Quaternion().setFromUnitVectors(along, segment.divideScalar(length)));
   mesh.scale.set(1, length, 1);
 }

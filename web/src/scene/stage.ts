@@ -52,6 +52,7 @@ export class Stage {
   private grid: GridHelper | null = null;
   private pointed: Object3D | null = null;
   private waiting = false;
+  private disposed = false;
   private readonly darkness = matchMedia("(prefers-color-scheme: dark)");
   private readonly resize: ResizeObserver;
 
@@ -93,6 +94,7 @@ export class Stage {
     this.waiting = true;
     requestAnimationFrame(() => {
       this.waiting = false;
+      if (this.disposed) return; // three draws into a lost context with errors
       this.renderer?.render(this.scene, this.camera);
       this.writePoint();
     });
@@ -122,6 +124,7 @@ export class Stage {
   }
 
   dispose(): void {
+    this.disposed = true;
     this.resize.disconnect();
     this.canvas.removeEventListener("webglcontextlost", this.lose);
     this.darkness.removeEventListener("change", this.paint);

@@ -15,7 +15,7 @@ export async function savedTrajectory(): Promise<string | null> {
   return text === null ? null : new TextDecoder().decode(await decompressed(text));
 }
 
-async function fileAt(address: string): Promise<Response> {
+async function fetched(address: string): Promise<Response> {
   const answer = await fetch(address);
   if (!answer.ok) throw new Error(`${answer.url}: ${answer.status}`);
   return answer;
@@ -23,11 +23,11 @@ async function fileAt(address: string): Promise<Response> {
 
 /** saved.html with the files of the parts in its elements. */
 async function documentWithParts(): Promise<string> {
-  const text = await (await fileAt("saved.html")).text();
+  const text = await (await fetched("saved.html")).text();
   const [begin = "", ...parts] = text.split(/ data-file="(?=[^"]+"><\/script>)/);
   const filled = parts.map(async (part) => {
     const name = part.slice(0, part.indexOf('"'));
-    const bytes = new Uint8Array(await (await fileAt(name)).arrayBuffer());
+    const bytes = new Uint8Array(await (await fetched(name)).arrayBuffer());
     return `>${await compressed(bytes)}${part.slice(name.length + 2)}`;
   });
   return [begin, ...(await Promise.all(filled))].join("");
