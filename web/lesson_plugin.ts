@@ -2,8 +2,8 @@ import { Marked } from "marked";
 import temml from "temml";
 import type { Plugin } from "vite";
 
-/** Turns a lesson into HTML: Markdown, with equations between $ or $$ as MathML, and exercises, ```check NAME```, as
- * elements that the page fills. */
+/** Turns a lesson into HTML: Markdown, with equations between $ or $$ as MathML, and exercises, ```check NAME```, and
+ * figures, ```figure NAME```, as elements that the page fills. */
 export function lessonHtml(text: string): string {
   const equations: string[] = [];
   const hold = (tex: string, displayMode: boolean): string => {
@@ -13,7 +13,7 @@ export function lessonHtml(text: string): string {
   const held = text
     .replace(/\$\$([^$]+)\$\$/g, (_, tex: string) => hold(tex, true))
     .replace(/\$([^$]+)\$/g, (_, tex: string) => hold(tex, false))
-    .replace(/```check (\S+)\s*```/g, (_, name: string) => `<div data-check="${name}"></div>`);
+    .replace(/```(check|figure) (\S+)\s*```/g, (_, kind: string, name: string) => `<div data-${kind}="${name}"></div>`);
   const html = new Marked().parse(held, { async: false });
   return html.replace(/§(\d+)§/g, (_, index: string) => equations[Number(index)] ?? "");
 }

@@ -5,7 +5,7 @@ import { checkConstantJacobian, checkFormulas, checkReach } from "../src/lessons
 import { readFormula } from "../src/lessons/formula.js";
 import { lessons } from "../src/lessons/lessons.js";
 import { open, visit, type Visit } from "./browser.js";
-import { loadCore, random } from "./native.js";
+import { json, loadCore, random } from "./native.js";
 
 const next = random(Number(process.env["BEELINE_SEED"] ?? 20240229));
 const core = await loadCore();
@@ -114,4 +114,36 @@ test("an exercise is checked in the page", async () => {
   await page.getByLabel("θ =").fill("q1");
   await page.getByRole("button", { name: "Check" }).click();
   await page.getByText("Right: all three agree").waitFor();
+});
+
+test("a lesson opens with its figure: control in both spaces follows the gain, as the command line computes it", async () => {
+  const { page, complaints } = await open(there, "#arm=ur5&section=lessons");
+  await page.getByRole("link", { name: "9 Both side by side" }).click();
+  await expect.poll(() => page.locator("#arm-text").inputValue()).toBe("rrr");
+  const says = page.getByRole("status").filter({ hasText: "Orange" });
+  await page.getByText(/within 2 % of the way after 38 steps\..*Cartesian space: reached after \d+ steps/).waitFor();
+  const slider = page.getByLabel("Gain Kp");
+  await slider.focus();
+  for (let i = 0; i < 10; ++i) await page.keyboard.press("ArrowRight");
+  await page.getByText(/within 2 % of the way after 18 steps\..*Cartesian space: reached after \d+ steps/).waitFor();
+  const goal = [1.73, -1.2, -0.53];
+  const { pose } = json<{ pose: { matrix: number[][] } }>(["fk", "rrr", `--q=${goal.join(",")}`]);
+  const angle = goal.reduce((sum, value) => sum + value, 0);
+  const csv = `x,y,theta\n${pose.matrix[0]?.[3]},${pose.matrix[1]?.[3]},${angle}\n`;
+  const line = ["line", "rrr", "--from=0,1,0.5", "--through=goal.csv", "--method=inverse-jacobian", "--gain=0.2"];
+  const { steps } = json<{ steps: number }>(line, { "goal.csv": csv });
+  expect(await says.textContent()).toContain(`reached after ${steps} steps`);
+
+  await page.getByRole("link", { name: "6 Joint-space control" }).click();
+  await page.getByRole("heading", { name: "Joint-space motion control" }).waitFor();
+  await page.getByRole("button", { name: "Check" }).click();
+  await page.getByText("Not yet: 18 steps are needed.").waitFor();
+  await page.getByLabel("Gain Kp").fill("0.5");
+  await page.getByRole("button", { name: "Check" }).click();
+  await page.getByText("Right: 6 steps, and no overshoot.").waitFor();
+
+  await page.getByRole("link", { name: "7 The Jacobian" }).click();
+  await page.getByText("joint 1: (−5.50, 3.50) m/s").waitFor(); // as in Figure 1.8
+  expect(complaints).toEqual({ errors: [], requests: [] });
+  await page.context().close();
 });

@@ -1,10 +1,20 @@
 import type { Arm } from "../core/arm.js";
+import type { StepResponse } from "../core/step_response.js";
 import { readFormula } from "./formula.js";
 
 /** What a check answers: whether the exercise is solved, and a sentence. */
 export interface Verdict {
   solved: boolean;
   says: string;
+}
+
+/** Whether a gain of joint-space control is quick, without overshoot. */
+export function checkGain({ settled, overshoot }: StepResponse, most: number): Verdict {
+  if (overshoot > 1e-9)
+    return { solved: false, says: `Not yet: the joints overshoot by ${(100 * overshoot).toFixed(0)} %.` };
+  if (settled === null || settled > most)
+    return { solved: false, says: `Not yet: ${settled === null ? "far too many" : settled} steps are needed.` };
+  return { solved: true, says: `Right: ${settled} steps, and no overshoot.` };
 }
 
 const trials = 20;

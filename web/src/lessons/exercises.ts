@@ -1,6 +1,7 @@
 import { element } from "../panels/element.js";
 import type { Services, Shown } from "../page/section.js";
-import { checkConstantJacobian, checkFormulas, checkReach, type Verdict } from "./checks.js";
+import { stepResponse } from "../core/step_response.js";
+import { checkConstantJacobian, checkGain, checkFormulas, checkReach, type Verdict } from "./checks.js";
 
 /** What an exercise needs of the page. */
 export interface ExerciseContext {
@@ -31,11 +32,12 @@ function exercise(text: string, ...children: HTMLElement[]): HTMLElement {
   );
 }
 
-function reach({ services, shown }: ExerciseContext): HTMLElement {
+function reach(context: ExerciseContext): HTMLElement {
   const goal = { x: 2, y: 6, degrees: 45 };
   const answer = verdict();
   const check = (): void => {
-    const { q } = services.store.get();
+    const { shown } = context; // now, not when the lesson was opened
+    const { q } = context.services.store.get();
     const fits = q && shown.arm.planar && q.length === shown.arm.dof;
     if (!fits) return answer.show({ solved: false, says: "Set the arm rrr first." });
     answer.show(checkReach(shown.arm.forward(q).at(-1) as Float64Array, goal));
@@ -87,9 +89,42 @@ function constantJacobian({ arm }: ExerciseContext): HTMLElement {
   );
 }
 
+function gain(context: ExerciseContext): HTMLElement {
+  const most = 10;
+  const answer = verdict();
+  const check = (): void => {
+    const { arm } = context.shown;
+    const kp = context.services.store.get().gain;
+    try {
+      const rest = new Array<number>(arm.dof).fill(0);
+      answer.show(
+        checkGain(
+          stepResponse(
+            arm,
+            { kp },
+            rest,
+            rest.map(() => 1),
+            400,
+          ),
+          most,
+        ),
+      );
+    } catch (error) {
+      answer.show({ solved: false, says: (error as Error).message });
+    }
+  };
+  const wanted = `Find a gain with which less than 2 % of the way is left after ${most} steps, and no joint overshoots.`;
+  return exercise(
+    wanted,
+    element("p", {}, element("button", { type: "button", onclick: check }, "Check")),
+    answer.root,
+  );
+}
+
 /** The exercises by the names that the lessons use. */
 export const exercises: Record<string, (context: ExerciseContext) => HTMLElement> = {
   reach,
+  gain,
   rp: (context) =>
     formulas(
       context,
