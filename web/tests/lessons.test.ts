@@ -130,7 +130,7 @@ test("a lesson opens with its figure: control in both spaces follows the gain, a
   const { pose } = json<{ pose: { matrix: number[][] } }>(["fk", "rrr", `--q=${goal.join(",")}`]);
   const angle = goal.reduce((sum, value) => sum + value, 0);
   const csv = `x,y,theta\n${pose.matrix[0]?.[3]},${pose.matrix[1]?.[3]},${angle}\n`;
-  const line = ["line", "rrr", "--from=0,1,0.5", "--through=goal.csv", "--method=inverse-jacobian", "--gain=0.2"];
+  const line = ["line", "rrr", "--from=-0.5,0.9,-0.4", "--through=goal.csv", "--method=inverse-jacobian", "--gain=0.2"];
   const { steps } = json<{ steps: number }>(line, { "goal.csv": csv });
   expect(await says.textContent()).toContain(`reached after ${steps} steps`);
 

@@ -37,7 +37,7 @@ export const lessons: Lesson[] = [
   {
     id: "joint-control",
     title: "6 Joint-space control",
-    scene: "#arm=rrr&q=0,1,0.5&goal=1.73,-1.2,-0.53",
+    scene: "#arm=rrr&q=-0.5,0.9,-0.4&goal=1.73,-1.2,-0.53",
     load: () => import("./text/6_joint_control.md"),
   },
   {
@@ -49,13 +49,13 @@ export const lessons: Lesson[] = [
   {
     id: "cartesian",
     title: "8 Cartesian control",
-    scene: "#arm=rrr&q=0,1,0.5&goal=1.73,-1.2,-0.53",
+    scene: "#arm=rrr&q=-0.5,0.9,-0.4&goal=1.73,-1.2,-0.53",
     load: () => import("./text/8_cartesian_control.md"),
   },
   {
     id: "comparison",
     title: "9 Both side by side",
-    scene: "#arm=rrr&q=0,1,0.5&goal=1.73,-1.2,-0.53",
+    scene: "#arm=rrr&q=-0.5,0.9,-0.4&goal=1.73,-1.2,-0.53",
     load: () => import("./text/9_comparison.md"),
   },
 ];

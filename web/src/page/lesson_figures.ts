@@ -89,7 +89,7 @@ class ControlFigure implements LessonFigure {
     this.drawn = key;
     const turn = ++this.turn;
     if (goal === null || goal.length !== shown.arm.dof) {
-      this.says.textContent = "This arm has no goal yet: set one in the section Control.";
+      this.says.textContent = "There is no goal yet: choose the lesson in the list again, which sets its arm and goal.";
       return;
     }
     shown.view.showGhosts([goal, goal]);
