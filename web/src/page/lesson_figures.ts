@@ -1,7 +1,6 @@
 import { Matrix4, Vector3, type Group } from "three";
 import { answer } from "../core/command.js";
 import { stepResponse } from "../core/step_response.js";
-import { readTrajectory } from "../core/trajectory.js";
 import { element, shown as text } from "../panels/element.js";
 import { poseNumbers } from "../panels/pose.js";
 import { Arrows, blue, trail } from "../scene/marks.js";
@@ -120,6 +119,12 @@ class ControlFigure implements LessonFigure {
     shown.view.stage.changed();
   }
 
+  private drawFile(shown: Shown, csv: string): void {
+    const motion = shown.arm.trajectory("run.csv", csv);
+    this.draw(shown, blue, motion.rows());
+    motion.release();
+  }
+
   private jointSpace(shown: Shown, q: number[], goal: number[], kp: number): void {
     this.draw(shown, amber, [q, ...shown.arm.pid({ kp }, q, goal, steps)]);
     const { settled, overshoot } = stepResponse(shown.arm, { kp }, q, goal, steps);
@@ -145,7 +150,7 @@ class ControlFigure implements LessonFigure {
       if (turn !== this.turn) return;
       const { status, steps: count, reason } = answer<{ status: string; steps?: number; reason: string }>(result);
       const csv = result.files["run.csv"];
-      if (csv !== undefined) this.draw(shown, blue, readTrajectory(csv, shown.arm.dof).rows);
+      if (csv !== undefined) this.drawFile(shown, csv);
       this.says.textContent = `${before}Blue, Cartesian space: ${status}${count === undefined ? "" : ` after ${count} steps`}. ${reason}`;
     } catch (error) {
       if (turn === this.turn) this.says.textContent = before + (error as Error).message;
