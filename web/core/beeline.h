@@ -62,8 +62,6 @@ int beeline_inverse(int arm, const double* pose, const double* seed, int ignore_
 
 /// Returns the handle of a PID controller in joint space for `dof` coordinates that begins at q.
 int beeline_pid(int dof, double kp, double ki, double kd, const double* q, const double* goal);
-/// Changes the goal and keeps the state.
-int beeline_pid_goal(int pid, const double* goal);
 /// Adds one step to q.
 int beeline_pid_step(int pid, double* q);
 int beeline_pid_release(int pid);

@@ -32,14 +32,6 @@ int beeline_pid(int dof, double kp, double ki, double kd, const double* q, const
   });
 }
 
-int beeline_pid_goal(int pid, const double* goal) {
-  return guarded([&] {
-    Controller& controller = controllers().at(pid);
-    controller.pid.set_goal(joint_values(goal, controller.dof));
-    return 0;
-  });
-}
-
 int beeline_pid_step(int pid, double* q) {
   return guarded([&] {
     Controller& controller = controllers().at(pid);

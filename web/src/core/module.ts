@@ -42,7 +42,6 @@ export interface CoreModule extends Module {
     solutions: number,
   ): number;
   _beeline_pid(dof: number, kp: number, ki: number, kd: number, q: number, goal: number): number;
-  _beeline_pid_goal(pid: number, goal: number): number;
   _beeline_pid_step(pid: number, q: number): number;
   _beeline_pid_release(pid: number): number;
   _beeline_trajectory(arm: number, name: number, text: number): number;

@@ -1,4 +1,4 @@
-import { Group, LoadingManager, Material, Mesh, Texture, type Object3D } from "three";
+import { Group, LoadingManager, Texture, type Material, type Mesh, type Object3D } from "three";
 import URDFLoader, { type URDFRobot } from "urdf-loader";
 import { baseName, fileAt, visualMeshes, type PathFile } from "./mesh_files.js";
 import { putAt } from "./marks.js";
@@ -40,7 +40,12 @@ export class RobotMeshes extends Group {
       if (found) bytes.set(name, await found.file.arrayBuffer());
       else made.missing.push(baseName(name));
     }
-    made.build(urdf, links, bytes, files);
+    try {
+      made.build(urdf, links, bytes, files);
+    } catch (error) {
+      made.dispose();
+      throw error;
+    }
     return made;
   }
 
@@ -56,9 +61,9 @@ export class RobotMeshes extends Group {
 
   override dispose(): this {
     this.traverse((part) => {
-      if (!(part instanceof Mesh)) return;
-      part.geometry.dispose();
-      for (const material of [part.material].flat() as Material[]) {
+      const { geometry, material: materials } = part as Partial<Mesh>; // of lines and points too
+      geometry?.dispose();
+      for (const material of [materials ?? []].flat() as Material[]) {
         for (const value of Object.values(material)) if (value instanceof Texture) value.dispose();
         material.dispose();
       }

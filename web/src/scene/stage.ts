@@ -56,8 +56,8 @@ export class Stage {
   private readonly darkness = matchMedia("(prefers-color-scheme: dark)");
   private readonly resize: ResizeObserver;
 
-  /** `flat`: seen from above without perspective, for planar arms. `size`: of what is seen, `height`: of its middle, metres. Without
-   * WebGL there is a sentence instead of the picture. */
+  /** `flat`: seen from above without perspective, for planar arms. `size`: of what is seen, `height`: of its middle,
+   * metres. Without WebGL there is a sentence instead of the picture. */
   constructor(
     private readonly holder: HTMLElement,
     private readonly flat: boolean,

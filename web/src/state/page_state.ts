@@ -19,7 +19,7 @@ export interface PageState {
   showFrames: boolean;
   showSolutions: boolean;
   showEllipsoid: boolean;
-  /** The goal of the control section, as a configuration; null: a quarter of the range away. */
+  /** The goal of the control section, as a configuration; null: each joint a third of the way to its farther limit. */
   goal: number[] | null;
   /** Gains of the controllers, per step; ki and kd of joint-space control only. */
   gain: number;
