@@ -75,7 +75,7 @@ export class PosePanel {
     return i >= 3 && this.degrees ? 180 / Math.PI : 1;
   }
 
-  /** Writes the tool's pose into the fields, but for that in which one types. */
+  /** Writes the pose of the tool into the fields, except the one that has the focus. */
   private write(): void {
     this.fields.forEach((field, i) => {
       const angle = i >= 3 && this.degrees;

@@ -1,6 +1,6 @@
 type Listener<T> = (state: Readonly<T>, changed: ReadonlySet<keyof T>) => void;
 
-/** A state that tells its listeners which members have changed. */
+/** A state that reports to its listeners which members have changed. */
 export class Store<T extends object> {
   private state: T;
   private readonly listeners = new Set<Listener<T>>();
