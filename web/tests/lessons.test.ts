@@ -147,3 +147,23 @@ test("a lesson opens with its figure: control in both spaces follows the gain, a
   expect(complaints).toEqual({ errors: [], requests: [] });
   await page.context().close();
 });
+
+test("a link inside a lesson leaves the waypoints and the units as they are", async () => {
+  const { page } = await open(
+    there,
+    "#arm=rrr&unit=rad&section=lessons&lesson=rrr&waypoints=1,2,0,1,0,0,0;2,1,0,1,0,0,0",
+  );
+  await page.getByRole("link", { name: "in two ways" }).click();
+  await expect.poll(() => page.url()).toContain("q=");
+  const words = new URL(page.url().replace("#", "?")).searchParams;
+  expect(words.get("waypoints")).toBe("1,2,0,1,0,0,0;2,1,0,1,0,0,0");
+  expect(words.get("unit")).toBe("rad");
+  expect(words.get("section")).toBe("lessons");
+});
+
+test("a link to a lesson alone shows its figure", async () => {
+  const { page } = await open(there, "#section=lessons&lesson=comparison");
+  await page.getByText("3 Forward kinematics").waitFor();
+  expect(await page.locator("#arm-text").inputValue()).toBe("rrr");
+  expect(await page.getByText("There is no goal yet").count()).toBe(0);
+});

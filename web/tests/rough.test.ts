@@ -132,11 +132,11 @@ test.each(["RRR:1e-6,1e-6,1e-6", "RRR:1e3,1e3,1e3", "RRR:0,0,0", "RP", "PPP"])("
 });
 
 test.each([
-  ["wrong.csv", "a,b\n1,2\n", "columns"],
-  ["cell.csv", "time,q1,q2,q3\n0,1,,2\n", "row 1"],
-  ["back.csv", "time,q1,q2,q3\n1,1,1,2\n0,1,1,2\n", "time"],
-  ["none.json", "{", "A JSON file is checked"],
-  ["other.csv", "time,q1,q2,q3,q4\n0,1,1,1,1\n", "columns"],
+  ["wrong.csv", "a,b\n1,2\n", 'column "t" is missing'],
+  ["cell.csv", "t,joint1,joint2,joint3\n0,1,,2\n", "motion.csv:2"],
+  ["back.csv", "t,joint1,joint2,joint3\n1,1,1,2\n0,1,1,2\n", "times must increase"],
+  ["none.json", "{", "motion.json"],
+  ["other.csv", "t,joint1,joint2,joint3,joint4\n0,1,1,1,1\n1,1,1,1,1\n", "does not fit"],
   ["large.csv", "1,".repeat(10_500_000), "at most"],
 ])("the trajectory %s is refused with a reason", async (name, text, reason) => {
   const page = await opened("#arm=rrr&section=motion");

@@ -75,3 +75,29 @@ export async function stateOf(hash: string): Promise<PageState> {
     lesson: words.get("lesson") ?? "",
   };
 }
+
+/** The words of an address and what of the state each is. */
+const named: [string, keyof PageState][] = [
+  ["arm", "arm"],
+  ["json", "arm"],
+  ["q", "q"],
+  ["section", "section"],
+  ["unit", "degrees"],
+  ["frame", "frame"],
+  ["frames", "showFrames"],
+  ["solutions", "showSolutions"],
+  ["ellipsoid", "showEllipsoid"],
+  ["goal", "goal"],
+  ["gain", "gain"],
+  ["ki", "ki"],
+  ["kd", "kd"],
+  ["waypoints", "waypoints"],
+  ["lesson", "lesson"],
+];
+
+/** What an address holds of the state, and nothing else. */
+export async function partOf(hash: string): Promise<Partial<PageState>> {
+  const words = new URLSearchParams(hash.replace(/^#/, "").slice(0, longestAddress));
+  const state = await stateOf(hash);
+  return Object.fromEntries(named.filter(([word]) => words.has(word)).map(([, key]) => [key, state[key]]));
+}

@@ -196,7 +196,6 @@ export class Control implements SectionPanel {
   /** Shows the rows in two seconds, then the arm where it began. */
   private async play(rows: number[][]): Promise<void> {
     const turn = ++this.playing;
-    const { q } = this.services.store.get();
     const duration = matchMedia("(prefers-reduced-motion: reduce)").matches ? 0 : 2000;
     const begin = performance.now();
     while (turn === this.playing) {
@@ -206,6 +205,7 @@ export class Control implements SectionPanel {
       if (share === 1) break;
       await new Promise((resolve) => requestAnimationFrame(resolve));
     }
+    const { q } = this.services.store.get();
     if (q && turn === this.playing) this.place(q);
   }
 

@@ -2,7 +2,7 @@ import { exercises, type ExerciseContext } from "../lessons/exercises.js";
 import { lessons, type Lesson } from "../lessons/lessons.js";
 import { element } from "../panels/element.js";
 import type { JointsPanel } from "../panels/joints.js";
-import { stateOf } from "../address/address.js";
+import { partOf, stateOf } from "../address/address.js";
 import type { PageState } from "../state/page_state.js";
 import { lessonFigures, type LessonFigure } from "./lesson_figures.js";
 import type { SectionPanel, Services, Shown } from "./section.js";
@@ -109,9 +109,8 @@ export class LessonsSection implements SectionPanel {
     const address = link?.getAttribute("href") ?? "";
     if (!address.startsWith("#")) return;
     event.preventDefault();
-    const state = await stateOf(address);
-    const { lesson, degrees } = this.services.store.get();
-    const section = address.includes("section=") ? state.section : "lessons";
-    this.services.store.set({ ...state, section, lesson, degrees });
+    const part = await partOf(address);
+    const another = part.arm ? { q: null, goal: null } : {}; // of the arm before
+    this.services.store.set({ ...another, ...part, section: part.section ?? "lessons" });
   }
 }

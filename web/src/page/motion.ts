@@ -104,6 +104,7 @@ export class MotionSection implements SectionPanel {
     if (changed.has("degrees")) this.showCurves();
     this.place(q);
     this.waypoints.show(this.services.store.get().waypoints);
+    if (changed.has("waypoints")) this.branches.replaceChildren(); // they are of the path before
     if (this.path && this.path.parent === null) this.shown?.view.stage.scene.add(this.path); // after another section
   }
 

@@ -1,5 +1,5 @@
 import factory from "beeline-module/core.js";
-import { addressOf, longestAddress, stateOf } from "../address/address.js";
+import { addressOf, longestAddress, partOf, stateOf } from "../address/address.js";
 import { CoreWorker } from "../core/client.js";
 import type { Arm } from "../core/arm.js";
 import { Core } from "../core/core.js";
@@ -8,6 +8,7 @@ import type { CoreModule } from "../core/module.js";
 import { ArmChooser } from "../panels/arm_chooser.js";
 import { element } from "../panels/element.js";
 import { MeshList } from "../panels/mesh_list.js";
+import { lessons } from "../lessons/lessons.js";
 import { JointsPanel } from "../panels/joints.js";
 import { follow, sessionOf } from "../live/live.js";
 import { initialState, type ArmSource, type PageState, type Section } from "../state/page_state.js";
@@ -27,6 +28,14 @@ import { toolbar } from "./toolbar.js";
 
 /** The arm's file in the folder of a command. */
 const armFile = "arm.json";
+
+/** The state of an address; a lesson begins with its figure where the address has no arm. */
+async function stateAt(hash: string): Promise<PageState> {
+  const state = await stateOf(hash);
+  const scene = lessons.find(({ id }) => id === state.lesson)?.scene;
+  if (scene === undefined || state.section !== "lessons") return state;
+  return { ...state, ...(await partOf(scene)), ...(await partOf(hash)) };
+}
 
 /** The page: its state, the arm that it shows, and a panel for each section. */
 export class Page {
@@ -92,7 +101,7 @@ export class Page {
       (await bytesOf("core-module")) as BufferSource,
     );
     const worker = new CoreWorker(startWorker, async () => compile((await bytesOf("command-module")) as BufferSource));
-    const state = await stateOf(location.hash === "" ? savedAddress() : location.hash);
+    const state = await stateAt(location.hash === "" ? savedAddress() : location.hash);
     const session = await sessionOf(document);
     if (session && location.hash === "") state.arm = { json: session.arm };
     const store = new Store(state);
@@ -207,7 +216,7 @@ export class Page {
   private async readAddress(hash: string): Promise<void> {
     const turn = ++this.reading;
     ++this.writing; // what is about to be written is older
-    const state = await stateOf(hash);
+    const state = await stateAt(hash);
     if (turn === this.reading) this.store.set(state);
   }
 
