@@ -171,8 +171,8 @@ void PageServer::take_joints(const std::string& text) {
   const internal::Json* const time = document.find(document.root(), "time");
   for (std::size_t i = 0; i < q.size(); ++i) {
     if (std::abs(q[i]) <= largest) continue;
-    throw Error(fmt::format("joints: q[{}] is {}; expected a value from -{} to {}", i, q[i], largest,
-                            largest));
+    throw Error(fmt::format("joints: q[{}] is {}; expected a value from -{} to {}", i, q[i],
+                            largest, largest));
   }
   const Json values(
       Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(q.data(), session_.arm.dof())));

@@ -8,9 +8,9 @@
 
 #include <beeline/error.h>
 
-#include <numpy/arrayobject.h>
-
 #include "interruption.h"
+
+#include <numpy/arrayobject.h>
 
 namespace beeline::python {
 namespace {
