@@ -25,7 +25,7 @@ export class MotionSection implements SectionPanel {
   private readonly branches = element("div");
   private readonly curves = new JointCurves((time) => this.player.seek(time));
   private readonly files = element("p", { class: "pair" });
-  private readonly progress = element("progress", { max: 1, value: 0, hidden: true, "aria-label": "Planning" });
+  private readonly progress = element("progress", { max: 1, value: 0, hidden: true, "aria-label": "Progress" });
   private readonly stop = element("button", { type: "button", hidden: true }, "Cancel");
   private readonly player: Player;
   private shown: Shown | null = null;
@@ -59,10 +59,7 @@ export class MotionSection implements SectionPanel {
     const load = element("input", { type: "file", accept: ".csv,.json", "aria-label": "A trajectory, CSV or JSON" });
     load.addEventListener("change", () => {
       const file = load.files?.[0];
-      if (!file) return;
-      const refusal = tooLarge(file);
-      if (refusal !== null) this.report.textContent = refusal;
-      else void file.text().then((text) => this.open(file.name, text));
+      if (file) void this.read(file);
       load.value = ""; // the same file can be opened again after an edit
     });
     this.root.append(
@@ -165,9 +162,25 @@ export class MotionSection implements SectionPanel {
     });
   }
 
+  private async read(file: File): Promise<void> {
+    this.clear();
+    const turn = this.turn;
+    const refusal = tooLarge(file);
+    if (refusal !== null) {
+      this.report.textContent = refusal;
+      return;
+    }
+    try {
+      const text = await file.text();
+      if (turn === this.turn) this.open(file.name, text); // else another file was chosen
+    } catch (error) {
+      this.report.textContent = `${file.name}: ${(error as Error).message}`;
+    }
+  }
+
   /** Shows and checks a trajectory that somebody opened. */
   open(file: string, text: string): void {
-    void this.check(file.endsWith(".json") ? "motion.json" : "motion.csv", text);
+    void this.check(file.toLowerCase().endsWith(".json") ? "motion.json" : "motion.csv", text);
   }
 
   private openRecorded(samples: Recorded[]): void {
@@ -181,6 +194,8 @@ export class MotionSection implements SectionPanel {
     this.clear();
     const turn = this.turn;
     await this.during(async (report) => {
+      await new Promise((resolve) => setTimeout(resolve)); // the progress is drawn before a long file is read
+      if (turn !== this.turn) return;
       this.show(name, text);
       const poses = this.waypoints.empty ? null : this.waypoints.asFile;
       const verb = poses ? ["check", "arm.json", name, `--through=${poses.name}`] : ["replay", "arm.json", name];
@@ -200,12 +215,13 @@ export class MotionSection implements SectionPanel {
     this.clear();
     const turn = this.turn;
     await this.during(async (report) => {
+      this.show("motion.csv", text); // stays where retiming is refused
       const args = ["retime", "arm.json", "motion.csv", "--out=retimed.csv", "--json"];
       const result = await this.services.command(args, { "motion.csv": text }, report);
       if (turn !== this.turn) return;
       this.report.replaceChildren(planReport(answer<LineAnswer>(result)));
       const csv = result.files["retimed.csv"];
-      this.show("motion.csv", csv ?? text);
+      if (csv !== undefined) this.show("motion.csv", csv);
     });
   }
 
@@ -216,6 +232,8 @@ export class MotionSection implements SectionPanel {
   private show(name: string, text: string): void {
     const { arm, view } = this.shown as Shown;
     const motion = arm.trajectory(name, text);
+    this.player.take(null);
+    this.motion?.release();
     this.motion = motion;
     this.showCurves();
     this.files.replaceChildren(

@@ -69,8 +69,12 @@ export class WaypointsPanel {
   private async read(file: File): Promise<void> {
     this.message.textContent = tooLarge(file) ?? "";
     if (this.message.textContent !== "") return;
-    const text = await file.text();
-    const ending = file.name.endsWith(".json") ? "json" : "csv";
+    const text = await file.text().catch((error: Error) => error);
+    if (text instanceof Error) {
+      this.message.textContent = `${file.name}: ${text.message}`;
+      return;
+    }
+    const ending = file.name.toLowerCase().endsWith(".json") ? "json" : "csv";
     this.file = { name: `poses.${ending}`, text };
     this.changed([]);
     this.show([]);
