@@ -55,15 +55,11 @@ export class Control implements SectionPanel {
       element(
         "p",
         {},
-        "Both controllers go to the goal by steps in proportion to what is missing. One measures it in the joints, so " +
+        "Both controllers go to the goal by steps in proportion to the error. One measures it in the joints, so " +
           "the tool's path is curved. The other measures it at the tool, through the inverse Jacobian, so the path is a " +
           "straight line. Each dot is a step: the dots lie close together where the arm is slow.",
       ),
-      element(
-        "p",
-        { class: "quiet" },
-        "Hold the arm where it shall go, make that the goal, hold it elsewhere, and go.",
-      ),
+      element("p", { class: "quiet" }, "Move the arm to a pose and make it the goal; then move it elsewhere and go."),
       element("p", { class: "pair" }, goal, this.go),
       this.results,
       this.gains.root,
