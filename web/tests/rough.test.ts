@@ -165,3 +165,22 @@ test.each([
   await expect.poll(() => page.getByRole("alert").textContent()).not.toBe("");
   expect(await joints(page)).toBe(3);
 });
+
+test("a pose beyond all numbers is refused, and of two arms dropped the later is shown", async () => {
+  const page = await opened("#arm=ur5");
+  const x = page.getByLabel("Pose of the tool").getByLabel("x", { exact: true });
+  await x.fill("1e308");
+  await x.press("Enter");
+  await page.getByText("above 1e100 m").waitFor();
+  await page.evaluate(`
+    const drop = (name, text) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([text], name));
+      document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+    };
+    drop("first.json", " ".repeat(15_000_000) + "{}");
+    drop("later.json", "[]");`);
+  await page.getByText("later.json").first().waitFor();
+  await page.waitForTimeout(1000);
+  expect(await page.getByText("first.json").count()).toBe(0);
+});

@@ -84,9 +84,9 @@ export class ArmFiles {
   private async openArm({ path, file }: PathFile, meshes: PathFile[]): Promise<void> {
     const refusal = tooLarge(file);
     if (refusal !== null) return this.chooser.refuse(refusal);
+    const reading = ++this.reading; // of two files the later is shown
     const text = await file.text();
-    const name = baseName(path);
-    this.openText(name, text, meshes);
+    if (reading === this.reading) this.openText(baseName(path), text, meshes);
   }
 
   private async addMeshes(meshes: PathFile[]): Promise<void> {

@@ -121,7 +121,12 @@ export class Hold implements SectionPanel {
   private reach(pose: number[]): void {
     const { q } = this.services.store.get();
     if (!this.shown || !q) return;
-    const [found] = this.shown.arm.inverse(pose, q);
+    let found: Float64Array | undefined;
+    try {
+      [found] = this.shown.arm.inverse(pose, q);
+    } catch (error) {
+      return this.refuse((error as Error).message); // for numbers beyond those of any arm
+    }
     if (found) this.services.store.set({ q: Array.from(found) });
     else void this.ask(pose, q, ({ reason }) => this.refuse(reason));
   }
