@@ -97,16 +97,17 @@ class FaultSearch {
 
   /// How much the rounding of times to doubles may change a derivative of a coordinate that moves
   /// at `velocity`, at most a fraction of the limit: a time that is off by dt moves the position by
-  /// velocity * dt. It matters after a dwell of hours.
+  /// velocity * dt. It matters after a dwell of hours; between samples of some microseconds jerk is
+  /// then known to its limit at best.
   double time_rounding(std::size_t k, int order, double velocity, double limit) const {
-    constexpr double factors[] = {2, 20, 300};  // of the polynomials of one interval, at most
-    constexpr double largest = 1e-4;            // of the limit
+    constexpr double factors[] = {2, 20, 300};     // of the polynomials of one interval, at most
+    constexpr double largest[] = {1e-4, 1e-4, 1};  // of the limit
     const std::size_t end = std::min(k + static_cast<std::size_t>(order), t_.size() - 1);
     double shortest = Limits::none;
     for (std::size_t j = k; j < end; ++j) shortest = std::min(shortest, t_[j + 1] - t_[j]);
     const double dt = std::numeric_limits<double>::epsilon() * std::abs(t_[end]);
     const double change = factors[order - 1] * velocity * dt / std::pow(shortest, order);
-    return std::min(change, largest * limit);
+    return std::min(change, largest[order - 1] * limit);
   }
 
   /// `known` is the joint's own limit, infinite where `limit` is assumed.

@@ -7,6 +7,7 @@
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/planning/branch.h>
 #include <beeline/planning/internal/layered_graph.h>
+#include <beeline/planning/internal/self_motion_graph.h>
 #include <beeline/planning/internal/track_branch.h>
 
 namespace beeline {
@@ -18,6 +19,11 @@ namespace {
 // Approximate numbers of solutions per pose in the layered graph. Each is tried if the one before
 // fails. The cost grows with the square; 16 suffice for most paths.
 constexpr int grids[] = {16, 64, 256};
+
+/// Whether redundancy is resolved by search_self_motion_graph().
+bool has_self_motion_curves(const Arm& arm, const Task& task) {
+  return arm.dof() == task.size() + 1;
+}
 
 /// Returns the branch from one solution for the path's beginning, or the reason why there is none.
 Branch from_first_solution(const Arm& arm, const ToolPath& path, const BranchOptions& options) {
@@ -32,32 +38,38 @@ Branch from_first_solution(const Arm& arm, const ToolPath& path, const BranchOpt
   return branch;
 }
 
-/// Whether a finer grid may succeed after this one failed. The finest is only useful for one
-/// redundant joint, since its solutions are then close together, and if the path does not leave the
-/// workspace.
-bool refine(const Arm& arm, const ToolPath& path, const BranchOptions& options, int grid,
-            const std::optional<Branch>& best) {
-  if (grid < grids[1] || !best) return grid < grids[1];
-  if (arm.dof() > options.task.size() + 1) return false;
-  Branch explained = *best;
-  explain(arm, path, options, explained);
-  return explained.status != MotionStatus::unreachable;
+/// Searches a graph for knots, finer ones for finer grids.
+KnotSequence search_graph(const Arm& arm, const std::optional<Configuration>& start,
+                          const ToolPath& path, const BranchOptions& options, std::size_t grid) {
+  if (has_self_motion_curves(arm, options.task)) {
+    const double coarseness = 1 / static_cast<double>(1 << grid);
+    return search_self_motion_graph(arm, path,
+                                    {.task = options.task,
+                                     .start = start,
+                                     .spacing = 0.06 * coarseness,
+                                     .step = 0.15 * coarseness,
+                                     .budget = options.budget});
+  }
+  return search_layered_graph(
+      arm, path,
+      {.task = options.task, .start = start, .grid = grids[grid], .budget = options.budget});
 }
 
-/// Returns the branch that reaches farthest among those guided by layered graphs; nothing if the
-/// graphs are empty.
-std::optional<Branch> track_layered_graphs(const Arm& arm,
-                                           const std::optional<Configuration>& start,
-                                           const ToolPath& path, const BranchOptions& options,
-                                           BudgetMeter& budget) {
+/// Whether a finer grid may succeed after this one failed. With one redundant joint: if the graph
+/// was complete, or a step of Newton's method may have been too long. With more: once.
+bool refine(const Arm& arm, const BranchOptions& options, std::size_t grid, bool complete) {
+  return has_self_motion_curves(arm, options.task) ? complete : grid < 1;
+}
+
+/// Returns the branch that reaches farthest among those guided by graphs; nothing if the graphs are
+/// empty.
+std::optional<Branch> track_graphs(const Arm& arm, const std::optional<Configuration>& start,
+                                   const ToolPath& path, const BranchOptions& options,
+                                   BudgetMeter& budget) {
   std::optional<Branch> best;
   for (std::size_t i = 0; i < std::size(grids); ++i) {
-    const int grid = grids[i];
-    const std::vector<Knot> knots =
-        search_layered_graph(
-            arm, path,
-            {.task = options.task, .start = start, .grid = grid, .budget = options.budget})
-            .knots;
+    const KnotSequence found = search_graph(arm, start, path, options, i);
+    const std::vector<Knot>& knots = found.knots;
     if (!knots.empty()) {
       const KnotSpline spline(knots, path);
       BranchOptions guided = options;
@@ -68,7 +80,7 @@ std::optional<Branch> track_layered_graphs(const Arm& arm,
       if (branch) break;
     }
     const bool finest = i + 1 == std::size(grids) || grids[i + 1] > options.max_grid;
-    if (finest || budget.ended() || !refine(arm, path, options, grid, best)) break;
+    if (finest || budget.ended() || !refine(arm, options, i, found.complete)) break;
   }
   return best;
 }
@@ -82,7 +94,7 @@ Branch best_branch(const Arm& arm, const std::optional<Configuration>& start, co
     const std::vector<Branch> branches = track_branches(arm, path, options);
     return branches.empty() ? from_first_solution(arm, path, options) : branches.front();
   }
-  std::optional<Branch> planned = track_layered_graphs(arm, start, path, options, budget);
+  std::optional<Branch> planned = track_graphs(arm, start, path, options, budget);
   if (planned && (*planned || budget.ended())) return *planned;
   if (!planned && !start) return from_first_solution(arm, path, options);
   // If solutions are too rare for a layered graph, redundancy is resolved step by step.

@@ -44,8 +44,9 @@ struct BranchOptions {
   Task task;                           ///< default: spatial, all six rows
   Deviation tolerance = {1e-4, 1e-4};  ///< metres and radians, above 0, between samples too
   std::size_t max_samples = 200'000;   ///< of one branch; beyond it, too_many_samples
-  /// For redundant arms: max approximate number of solutions per pose in the layered graph. Grids
-  /// of 16, 64 and 256 are tried in turn, 16 always.
+  /// For redundant arms: max approximate number of solutions per pose in the graph of
+  /// configurations. Grids of 16, 64 and 256 are tried in turn, 16 always; with one redundant joint
+  /// each halves the distances between nodes.
   int max_grid = 256;
   /// The branches whose reason for ending is determined, which takes milliseconds for each.
   enum class Reasons { all, best, none } reasons = Reasons::best;
@@ -56,14 +57,20 @@ struct BranchOptions {
 };
 
 /// Plans the arm's motion along a path, without times, from `start` or, without a start, from the
-/// best configuration for the path's beginning. An arm that is redundant for the task follows the
-/// shortest path through a layered graph of configurations (Ferrentino & Chiacchio 2020), on grids
-/// that are refined until a motion is complete. Any other arm follows the best of all branches. If
-/// none is complete, returns the one that reaches farthest, with its reason. Where the budget ends
-/// the search, returns the best so far with the budget's status. Throws Error for a path without
-/// segments or without a span for each, a task that its segments do not allow, tolerances that are
-/// not above zero, and a start that does not fit the arm or whose tool is not at the path's
-/// beginning.
+/// best configuration for the path's beginning.
+///
+/// - An arm that is redundant for the task follows the best path through a graph of configurations
+///   (Ferrentino & Chiacchio 2020), which is refined until a motion is complete. With one redundant
+///   joint the graph has the curves of self-motion that a motion can reach, traced along the path,
+///   and the smallest margin to the joint limits over the whole path is maximised first, up to a
+///   fifth: see internal/self_motion_graph.h for the programme.
+/// - Any other arm follows the best of all branches.
+///
+/// If none is complete, returns the one that reaches farthest, with its reason. Where the budget
+/// ends the search, returns the best so far with the budget's status. Throws Error for a path
+/// without segments or without a span for each, a task that its segments do not allow, tolerances
+/// that are not above zero, and a start that does not fit the arm or whose tool is not at the
+/// path's beginning.
 Branch plan_path(const Arm& arm, const std::optional<Configuration>& start, const ToolPath& path,
                  const BranchOptions& options);
 

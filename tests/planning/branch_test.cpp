@@ -27,8 +27,8 @@ TEST(PlanPath, MovesAlongLimits) {
   }
 }
 
-// Along the path the redundant joint is close to its limits.
-TEST(PlanPath, FindsAMotionThatNeedsAFineGrid) {
+// Along the path the redundant joint is close to its limits: of 256 values of it few are feasible.
+TEST(PlanPath, FindsANarrowPassage) {
   const Arm arm = built_in("iiwa14");
   Random random(20240229);
   Line line;
@@ -36,9 +36,6 @@ TEST(PlanPath, FindsAMotionThatNeedsAFineGrid) {
   const ToolPath path = lines_through(std::vector{line.from, line.to});
   const BranchOptions options{.task = Task::spatial()};
   EXPECT_EQ(plan_path(arm, {}, path, options).status, MotionStatus::reached);
-  BranchOptions coarse = options;
-  coarse.max_grid = 100;  // grids of 16 and 64
-  EXPECT_EQ(plan_path(arm, {}, path, coarse).status, MotionStatus::outside_limits);
 }
 
 TEST(PlanPath, AlwaysSaysWhyAndWhere) {

@@ -6,9 +6,7 @@
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/inverse/numerical/representative.h>
-#include <beeline/path/joint_path.h>
 #include <beeline/planning/internal/layered_graph.h>
-#include <beeline/planning/internal/null_space.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline::internal {
@@ -24,13 +22,6 @@ constexpr std::size_t max_removed_edges = 60;
 // Number of layers of one segment: the minimum suffices for a cubic spline, the maximum bounds the
 // time.
 constexpr double min_layers = 4, max_layers = 400;
-// The weight w of c(q), see the header. A joint in the inner half of its range costs less than
-// 0.006 s^2 per layer, which is less than a step of 0.1 s; a joint at a limit costs 0.15 s^2.
-constexpr double limit_weight = 0.003;  // seconds squared
-constexpr double limit_offset = 0.02;
-// Caps seconds per radian or metre, so that their squares are finite for any velocity limit.
-constexpr double max_pace = 1e100;
-
 /// A pose of the path and its solutions.
 struct Layer {
   double s = 0;
@@ -46,26 +37,12 @@ struct Edge {
   bool operator==(const Edge&) const = default;
 };
 
-/// The length of the tool's path along a segment, by chords, rotations included; metres.
-double size_of(const Segment& segment) {
-  constexpr int chords = 8;
-  double size = 0;
-  Pose before = pose_at(segment, 0);
-  for (int i = 1; i <= chords; ++i) {
-    const Pose here = pose_at(segment, static_cast<double>(i) / chords);
-    const Twist chord = pose_difference(here, before);
-    size += chord.head<3>().norm() + metres_per_radian * chord.tail<3>().norm();
-    before = here;
-  }
-  return size;
-}
-
 /// Returns layers without solutions. Segments at rest in the rows of the task have no layers.
 std::vector<Layer> empty_layers(const ToolPath& path, const Task& task, double spacing) {
   std::vector<Layer> layers{{0, pose_at(path, 0), {}, {}, {}}};
   for (std::size_t w = 0; w < path.segments.size(); ++w) {
     if (stands_still(path.segments[w], task)) continue;
-    const double wanted = std::ceil(size_of(path.segments[w]) / spacing);
+    const double wanted = std::ceil(weighted_length(path.segments[w]) / spacing);
     const int count = static_cast<int>(std::min(std::max(min_layers, wanted), max_layers));
     for (int i = 1; i <= count; ++i) {
       const double s = static_cast<double>(i) / count;
@@ -75,40 +52,9 @@ std::vector<Layer> empty_layers(const ToolPath& path, const Task& task, double s
   return layers;
 }
 
-/// The costs of nodes and edges, seconds squared.
-struct Costs {
-  Eigen::VectorXd pace;  ///< 1 / v_k: seconds per radian or metre
-  Bounds bounds;
-
-  explicit Costs(const Arm& arm) : pace(arm.dof()), bounds(bounds_of(arm)) {
-    for (int k = 0; k < arm.dof(); ++k) {
-      pace[k] = std::min(1 / velocity_limit_of(arm.limits(k)), max_pace);
-    }
-  }
-  double node(const Configuration& q) const {
-    double sum = 0;
-    for (Eigen::Index k = 0; k < q.size(); ++k) {
-      const double margin = std::max(0.0, limit_margin(q[k], bounds.lower[k], bounds.upper[k]));
-      sum += limit_weight / (margin + limit_offset);
-    }
-    return sum;
-  }
-  double edge(const Configuration& a, const Configuration& b) const {
-    return (b - a).cwiseProduct(pace).squaredNorm();
-  }
-};
-
-/// The configuration nearest to `guess` with the tool at `pose`, by damped least squares.
-std::optional<Configuration> solved_near(const Arm& arm, const Pose& pose, const Task& task,
-                                         const Bounds& bounds, const Configuration& guess) {
-  const NumericalResult found = levenberg_marquardt(arm, pose, task, bounds, guess,
-                                                    {.tolerance = 1e-9, .max_iterations = 20});
-  return found.converged ? std::optional(found.q) : std::nullopt;
-}
-
 /// Fills in the solutions of the layers, and removes the first layer that has none and all after
 /// it.
-void solve(std::vector<Layer>& layers, const Arm& arm, const Costs& costs,
+void solve(std::vector<Layer>& layers, const Arm& arm, const KnotCosts& costs,
            const LayeredGraphOptions& options, BudgetMeter& budget) {
   InverseSolver solver(arm, {.task = options.task,
                              .all = true,
@@ -141,7 +87,7 @@ void solve(std::vector<Layer>& layers, const Arm& arm, const Costs& costs,
 }
 
 /// Computes the shortest paths to the solutions of one layer; returns whether any can be reached.
-bool relax(const Layer& before, Layer& layer, std::size_t r, const Costs& costs,
+bool relax(const Layer& before, Layer& layer, std::size_t r, const KnotCosts& costs,
            const std::vector<Edge>& removed, BudgetMeter& budget) {
   bool reached = false;
   for (std::size_t j = 0; j < layer.solutions.size(); ++j) {
@@ -151,7 +97,7 @@ bool relax(const Layer& before, Layer& layer, std::size_t r, const Costs& costs,
       if (!(before.cost[i] < layer.cost[j])) continue;
       const Configuration& p = before.solutions[i];
       if ((q - p).lpNorm<Eigen::Infinity>() > longest_edge) continue;
-      const double cost = before.cost[i] + costs.edge(p, q);
+      const double cost = before.cost[i] + costs.edge(q - p);
       if (!(cost < layer.cost[j])) continue;
       const Edge edge{r, static_cast<int>(i), static_cast<int>(j)};
       if (std::find(removed.begin(), removed.end(), edge) != removed.end()) continue;
@@ -166,8 +112,8 @@ bool relax(const Layer& before, Layer& layer, std::size_t r, const Costs& costs,
 }
 
 /// Does the same for all layers from `first` on; returns the number of layers that can be reached.
-std::size_t relax(std::vector<Layer>& layers, const Costs& costs, const std::vector<Edge>& removed,
-                  std::size_t first, BudgetMeter& budget) {
+std::size_t relax(std::vector<Layer>& layers, const KnotCosts& costs,
+                  const std::vector<Edge>& removed, std::size_t first, BudgetMeter& budget) {
   for (std::size_t r = first; r < layers.size(); ++r) {
     Layer& layer = layers[r];
     layer.cost.assign(layer.solutions.size(), Limits::none);
@@ -206,43 +152,12 @@ bool is_continuous(const Arm& arm, const ToolPath& path, const Task& task, const
   return q && (*q - middle).lpNorm<Eigen::Infinity>() < fraction * length + offset;
 }
 
-/// Smooths the knots in the null space: moves each towards the line between its neighbours and away
-/// from the joint limits, then restores the tool's pose by damped least squares.
-void smooth(const Arm& arm, const ToolPath& path, const Task& task, const Costs& costs,
-            const std::vector<Layer>& layers, bool keep_first, BudgetMeter& budget,
-            std::vector<Knot>& knots) {
-  // Gauss-Seidel passes with relaxation 1/2. 12 passes remove the alternating steps of the grid;
-  // oscillations over many knots remain, which take little time. The push away from the limits is
-  // small relative to the steps of the grid.
-  constexpr int passes = 12;
-  constexpr double relaxation = 0.5, push = 0.02;
-  constexpr double largest_move = 0.3;  // of a joint; a larger one leads to another branch
-  std::vector<double> spans;
-  for (const Knot& knot : knots) spans.push_back(span_to(path, knot.s));
-  for (int pass = 0; pass < passes; ++pass) {
-    for (std::size_t r = keep_first ? 1 : 0; r < knots.size(); ++r) {
-      if (budget.ended()) return;
-      const Configuration& q = knots[r].q;
-      const Configuration& before = knots[r == 0 ? 0 : r - 1].q;
-      const Configuration& after = knots[std::min(r + 1, knots.size() - 1)].q;
-      const bool end = r == 0 || r + 1 == knots.size();
-      const double t = end ? 0.5 : (spans[r] - spans[r - 1]) / (spans[r + 1] - spans[r - 1]);
-      Configuration wanted = q + relaxation * (before + t * (after - before) - q);
-      for (Eigen::Index k = 0; k < q.size(); ++k) {
-        wanted[k] += push * push_from_limits(q[k], costs.bounds.lower[k], costs.bounds.upper[k]);
-      }
-      const auto found = solved_near(arm, layers[r].pose, task, costs.bounds, wanted);
-      if (found && (*found - q).lpNorm<Eigen::Infinity>() < largest_move) knots[r].q = *found;
-    }
-  }
-}
-
 }  // namespace
 
 KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
                                   const LayeredGraphOptions& options) {
   BudgetMeter budget(options.budget);
-  const Costs costs(arm);
+  const KnotCosts costs(arm);
   std::vector<Layer> layers = empty_layers(path, options.task, options.spacing);
   const std::size_t wanted = layers.size();
   solve(layers, arm, costs, options, budget);
@@ -270,39 +185,10 @@ KnotSequence search_layered_graph(const Arm& arm, const ToolPath& path,
     first = r;
   }
   if (result.knots.size() > 1) {
-    smooth(arm, path, options.task, costs, layers, options.start.has_value(), budget, result.knots);
+    smooth_knots(arm, path, {.task = options.task, .keep_first = options.start.has_value()}, budget,
+                 result.knots);
   }
   return result;
-}
-
-KnotSpline::KnotSpline(const std::vector<Knot>& knots, const ToolPath& path)
-    : path_(path), first_(knots.front().q) {
-  std::vector<double> spans;
-  std::vector<Configuration> q;
-  const auto end_part = [&] {
-    if (spans.size() > 1) parts_.push_back(joint_spline(q, spans));
-    spans = {spans.back()};
-    q = {q.back()};
-  };
-  for (const Knot& knot : knots) {
-    const double span = span_to(path, knot.s);
-    if (!spans.empty() && !(span > spans.back())) continue;
-    spans.push_back(span);
-    q.push_back(knot.q);
-    if (corner_at(path, knot.s)) end_part();
-  }
-  end_part();
-}
-
-Configuration KnotSpline::at(double s) const {
-  if (parts_.empty()) return first_;
-  const double span = span_to(path_, s);
-  const auto begins_after = [](double x, const JointPath& part) { return x < part.s.front(); };
-  const auto part = std::upper_bound(parts_.begin() + 1, parts_.end(), span, begins_after) - 1;
-  const auto next = std::upper_bound(part->s.begin() + 1, part->s.end() - 1, span);
-  const auto k = static_cast<std::size_t>(next - part->s.begin()) - 1;
-  const double t = (span - part->s[k]) / (part->s[k + 1] - part->s[k]);
-  return path_point(*part, k, std::clamp(t, 0.0, 1.0)).q;
 }
 
 }  // namespace beeline::internal

@@ -26,6 +26,9 @@ constexpr double first_step = 1.0 / 32;
 constexpr double longest_step = 1.0 / 4;
 constexpr double shortest_step = 1e-7;
 
+// A first step as short as this does not follow the guide where it cannot.
+constexpr double last_guided_step = 1e-4;
+
 constexpr double max_joint_rotation = 0.5;  // of one joint in one step, radians
 constexpr double side_step = 0.01;          // radians or metres, from a singular start
 // The step length aims at this fraction of the tolerance. Closer to 1, more steps fail and are
@@ -138,7 +141,8 @@ TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task&
     const StepEnd last{q, s_a, tracker.ends};
     auto next = tracker.step(last, s);
     const double factor = tracker.length_factor();
-    if (!next && tracked.samples.size() == 1) next = tracker.step_aside(last, s);
+    const bool guided = options.guide && s - s_a > last_guided_step;
+    if (!next && !guided && tracked.samples.size() == 1) next = tracker.step_aside(last, s);
     length = std::min((s - s_a) * factor, longest_step);
     if (!next) continue;
     const Pose middle = forward_kinematics(arm, (q + next->q) / 2);

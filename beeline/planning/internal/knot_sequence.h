@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <beeline/internal/budget_meter.h>
+#include <beeline/inverse/numerical/bounds.h>
+#include <beeline/path/joint_path.h>
+#include <beeline/path/tool_path.h>
+
+namespace beeline::internal {
+
+/// A configuration at a path parameter s: whole segments, with a fraction of the next.
+struct Knot {
+  double s = 0;
+  Configuration q;
+};
+
+struct KnotSequence {
+  std::vector<Knot> knots;  ///< one per layer, as far as the path can be reached
+  bool complete = false;
+};
+
+/// The costs of knots and of the steps between them, seconds squared:
+///     c(q) = w sum_k 1 / (margin of joint k to its limits + 0.02),
+///     d(p, q) = sum_k ((q_k - p_k) / v_k)^2   with the velocity limits v_k.
+struct KnotCosts {
+  Eigen::VectorXd pace;  ///< 1 / v_k: seconds per radian or metre
+  Bounds bounds;
+
+  explicit KnotCosts(const Arm& arm);
+  double node(const ConfigurationRef& q) const;
+  double edge(const ConfigurationRef& step) const;  ///< of a step q - p
+};
+
+/// The configuration nearest to `guess` with the tool at `pose`, by damped least squares.
+std::optional<Configuration> solved_near(const Arm& arm, const Pose& pose, const Task& task,
+                                         const Bounds& bounds, const Configuration& guess);
+
+/// The length of the tool's path along a segment, by chords, rotations included; metres.
+double weighted_length(const Segment& segment);
+
+struct SmoothingOptions {
+  Task task;
+  /// Each knot keeps this margin to the joint limits (see limit_margin()), or its own if smaller.
+  double margin = 0;
+  bool keep_first = false;  ///< the first knot stays
+};
+
+/// Smooths the knots in the null space: moves each towards the line between its neighbours and away
+/// from the joint limits, then restores the tool's pose by damped least squares within the margin.
+void smooth_knots(const Arm& arm, const ToolPath& path, const SmoothingOptions& options,
+                  BudgetMeter& budget, std::vector<Knot>& knots);
+
+/// Interpolates knots, as a guide for track_segment(): cubic splines in span_to() (joint_spline()),
+/// from corner to corner of the path.
+class KnotSpline {
+ public:
+  KnotSpline(const std::vector<Knot>& knots, const ToolPath& path);
+  Configuration at(double s) const;
+
+ private:
+  ToolPath path_;
+  Configuration first_;
+  std::vector<JointPath> parts_;
+};
+
+}  // namespace beeline::internal

@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <cmath>
+
+#include <beeline/certificate/internal/path_checks.h>
+#include <beeline/planning/internal/knot_sequence.h>
+#include <beeline/planning/internal/self_motion_starts.h>
+#include <beeline/planning/internal/self_motion_sweep.h>
+
+namespace beeline::internal {
+namespace {
+
+using Node = RedundantConfiguration;
+
+// Number of layers of one segment, before any step is halved: the minimum suffices for a cubic
+// spline, the maximum bounds the time.
+constexpr double min_per_segment = 4, max_per_segment = 400;
+// The shortest step between layers as a fraction of the regular one: where no curve continues, and
+// where one is lost.
+constexpr double min_step = 1e-4, min_lost_step = 1.0 / 16;
+
+Bounds without(const std::vector<bool>& cyclic, Bounds bounds) {
+  for (std::size_t k = 0; k < cyclic.size(); ++k) {
+    if (!cyclic[k]) continue;
+    bounds.lower[static_cast<Eigen::Index>(k)] = -Limits::none;
+    bounds.upper[static_cast<Eigen::Index>(k)] = Limits::none;
+  }
+  return bounds;
+}
+
+}  // namespace
+
+SelfMotionLayer::SelfMotionLayer(double at, std::vector<SelfMotionCurve> of,
+                                 const SelfMotion& motion)
+    : s(at), curves(std::move(of)) {
+  for (const SelfMotionCurve& curve : curves) {
+    first.push_back(margin.size());
+    for (const Node& q : curve.nodes) margin.push_back(motion.margin(q));
+  }
+  continuation.assign(margin.size(), {nowhere, 0});
+}
+
+const Node& SelfMotionLayer::node(std::size_t i) const {
+  const auto c = std::upper_bound(first.begin(), first.end(), i) - first.begin() - 1;
+  const auto curve = static_cast<std::size_t>(c);
+  return curves[curve].nodes[i - first[curve]];
+}
+
+SelfMotionSweep::SelfMotionSweep(const Arm& arm, const ToolPath& path, const SweepOptions& options,
+                                 BudgetMeter& budget)
+    : arm_(arm),
+      path_(path),
+      options_(options),
+      motion_(arm, options.task, without(options.cyclic, bounds_of(arm)), options.cyclic,
+              options.step),
+      budget_(budget) {}
+
+bool SelfMotionSweep::run() {
+  add_first();
+  if (layers_.empty()) return false;
+  for (std::size_t w = 0; w < path_.segments.size(); ++w) {
+    if (stands_still(path_.segments[w], options_.task)) continue;
+    const double wanted = std::ceil(weighted_length(path_.segments[w]) / options_.spacing);
+    if (!add_segment(w, 1 / std::clamp(wanted, min_per_segment, max_per_segment))) return false;
+  }
+  return true;
+}
+
+void SelfMotionSweep::add_first() {
+  const Pose pose = pose_at(path_, 0);
+  std::vector<SelfMotionCurve> curves;
+  if (options_.start) {
+    curves = {SelfMotionCurve{{Node(*options_.start)}}};
+  } else {
+    curves = curves_through(motion_, pose,
+                            self_motion_starts(arm_, options_.task, pose, motion_, budget_))
+                 .curves;
+  }
+  if (!curves.empty()) layers_.emplace_back(0, std::move(curves), motion_);
+}
+
+bool SelfMotionSweep::add_segment(std::size_t w, double regular) {
+  double s = 0, step = regular;
+  while (s < 1) {
+    if (budget_.ended()) return false;
+    const double left = 1 - s;
+    const double next = left <= 1.0001 * step ? 1 : s + (left < 2 * step ? left / 2 : step);
+    const Pose pose = pose_at(path_.segments[w], next);
+    const Continued continued = continued_to(pose);
+    const bool none = continued.q.empty();
+    const double shortest = regular * (none ? min_step : min_lost_step);
+    if ((none || continued.lost) && next - s > shortest) {
+      step = (next - s) / 2;
+      continue;
+    }
+    if (none) return false;
+    add(static_cast<double>(w) + next, pose, continued);
+    s = next;
+    step = std::min(2 * step, regular);
+  }
+  return true;
+}
+
+/// The continuations of the last layer's nodes at a pose.
+SelfMotionSweep::Continued SelfMotionSweep::continued_to(const Pose& pose) {
+  Continued continued;
+  for (std::size_t c = 0; c < layers_.back().curves.size() && !budget_.ended(); ++c) {
+    continue_curve(pose, c, continued);
+  }
+  return continued;
+}
+
+void SelfMotionSweep::continue_curve(const Pose& pose, std::size_t c, Continued& continued) {
+  constexpr double farthest = 0.5;  // of a joint; a larger move may lead to another branch
+  const SelfMotionLayer& last = layers_.back();
+  const std::vector<Node>& nodes = last.curves[c].nodes;
+  const std::size_t before = continued.q.size();
+  std::optional<Node> nearest;  // to the limits, of those outside
+  std::size_t nearest_node = 0;
+  double largest = -Limits::none;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    Node q = nodes[i];
+    if (budget_.ended() || !motion_.solve(pose, q)) continue;
+    if ((q - nodes[i]).lpNorm<Eigen::Infinity>() > farthest) continue;
+    const double margin = motion_.margin(q);
+    if (margin >= 0) {
+      continued.q.push_back(q);
+      continued.node.push_back(last.first[c] + i);
+    } else if (margin > largest) {
+      nearest = q;
+      nearest_node = last.first[c] + i;
+      largest = margin;
+    }
+  }
+  if (continued.q.size() > before) return;
+  if (!nearest) {
+    continued.lost = true;
+    return;
+  }
+  if (const auto q = motion_.move_inside(pose, *nearest, options_.step)) {
+    continued.q.push_back(*q);
+    continued.node.push_back(nearest_node);
+  }
+}
+
+void SelfMotionSweep::add(double s, const Pose& pose, const Continued& continued) {
+  SelfMotionCurves found = curves_through(motion_, pose, continued.q);
+  for (std::size_t i = 0; i < continued.node.size(); ++i) {
+    layers_.back().continuation[continued.node[i]] = found.places[i];
+  }
+  layers_.emplace_back(s, std::move(found.curves), motion_);
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,65 @@
+#include <beeline/certificate/verify.h>
+#include <beeline/planning/internal/self_motion_graph.h>
+
+#include <tests/planning/motion_promises.h>
+
+namespace beeline {
+namespace {
+
+using namespace testing;
+
+class RedundantLines : public ::testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Arms, RedundantLines, ::testing::Values("panda", "iiwa14"),
+                         [](const auto& arm) { return std::string(arm.param); });
+
+std::vector<Pose> random_poses(Random& random, const Pose& first) {
+  std::vector<Pose> poses{first};
+  for (int left = random.integer(1, 4); left > 0; --left) {
+    Pose next = poses.back();
+    next.translation() += random.direction() * random.uniform(0.05, 0.5);
+    next.linear() = so3_exp(random.direction() * random.uniform(0, 1.2)) * next.linear();
+    poses.push_back(next);
+  }
+  return poses;
+}
+
+// A motion from a given configuration shows that the lines are feasible, so without it one is found
+// too, and both are proved.
+TEST_P(RedundantLines, AreFoundWithoutTheStart) {
+  const Arm arm = built_in(GetParam());
+  Random random;
+  int feasible = 0;
+  for (int i = 0; i < cases(40); ++i) {
+    const Configuration q = random.configuration(arm);
+    const std::vector<Pose> poses = random_poses(random, forward_kinematics(arm, q));
+    const PathMotion given = move_in_lines(arm, q, std::span(poses).subspan(1));
+    if (!given) continue;
+    ++feasible;
+    EXPECT_EQ(verify(arm, given.trajectory, poses).reason, "");
+    const PathMotion found = move_in_lines(arm, poses);
+    ASSERT_EQ(found.status, MotionStatus::reached) << found.reason;
+    EXPECT_EQ(verify(arm, found.trajectory, poses).reason, "");
+  }
+  EXPECT_GE(feasible, cases(40) / 8);
+}
+
+// The knots keep the margin to the limits that the header states, if a motion with it is known.
+TEST_P(RedundantLines, KeepAMarginThatIsPossible) {
+  const Arm arm = built_in(GetParam());
+  Random random;
+  for (int i = 0; i < cases(40); ++i) {
+    const Configuration q = inner_configuration(random, arm);
+    const std::vector<Pose> poses = random_poses(random, forward_kinematics(arm, q));
+    const ToolPath path = lines_through(poses);
+    const BranchOptions options{.task = Task::spatial()};
+    const Branch given = plan_path(arm, q, path, options);
+    if (!given) continue;
+    const Branch best = plan_path(arm, {}, path, options);
+    ASSERT_TRUE(best) << best.reason;
+    EXPECT_GE(best.limit_margin, 0.7 * std::min(given.limit_margin, 0.25));
+  }
+}
+
+}  // namespace
+}  // namespace beeline
