@@ -3,8 +3,8 @@
 /// Includes all public headers of Beeline. A program links with what it calls: beeline::core has
 /// poses, arms, kinematics, inverse kinematics, trajectories, paths, timing, certificates, planning
 /// and control; beeline::read the readers and writers of files, beeline::batch many rows at once,
-/// beeline::draw pictures, beeline::formula
-/// formulas in symbols; beeline::beeline is all of them.
+/// beeline::draw pictures, beeline::formula formulas in symbols, beeline::doctor the diagnosis of
+/// models; beeline::beeline is all of them.
 
 #include <beeline/batch/batch.h>
 #include <beeline/budget.h>
@@ -19,6 +19,7 @@
 #include <beeline/control/replay.h>
 #include <beeline/control/servo.h>
 #include <beeline/control/tracker.h>
+#include <beeline/doctor/comparison.h>
 #include <beeline/draw/animation.h>
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>

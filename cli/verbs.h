@@ -24,4 +24,5 @@ Verb export_verb();
 Verb draw_verb();
 Verb figure_verb();
 Verb formula_verb();
+Verb doctor_verb();
 Verb view_verb();

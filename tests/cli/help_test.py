@@ -6,7 +6,7 @@ import subprocess
 import pytest
 
 VERBS = ["arms", "show", "fk", "jacobian", "ik", "batch", "batch fk", "batch jacobian", "batch ik",
-         "move", "line", "check", "retime", "replay", "diff", "export", "draw", "figure", "formula", "completion", "man",
+         "move", "line", "check", "retime", "replay", "diff", "export", "draw", "figure", "formula", "doctor", "completion", "man",
          "help"]
 
 

@@ -5,21 +5,12 @@
 
 #include <beeline/model/arm.h>
 #include <beeline/model/dh.h>
+#include <beeline/model/internal/dh_row.h>
 
 namespace beeline::internal {
 
-/// The largest length of an arm, in metres, at most 1: of its offsets, base, tool, and of the
-/// moments and pitches of its screws. Lengths below zero_length times it are taken as zero.
-double length_unit(const Arm& arm);
-constexpr double zero_length = 1e-12;
-
-/// Returns the Denavit-Hartenberg row that gives the joint, or nothing if none does within
-/// `tolerance` (rad; lengths zero_length, both times `unit`, see length_unit()).
-std::optional<DhRow> dh_row(const Joint& joint, DhConvention convention, double tolerance,
-                            double unit = 1);
-
-/// The same for a planar link: a rotation `theta` about z, the joint (R about z or P along x), and
-/// a translation `a` along x.
+/// Returns the planar link that gives the joint, as dh_row() does: a rotation `theta` about z, the
+/// joint (R about z or P along x), and a translation `a` along x.
 std::optional<DhRow> planar_row(const Joint& joint, double tolerance, double unit = 1);
 
 /// A rotation about an axis of the current frame: 0, 1, 2 for x, y, z.

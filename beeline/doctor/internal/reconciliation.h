@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <beeline/doctor/comparison.h>
+
+namespace beeline::internal {
+
+/// An explanation of arm B by arm A: B(gain * q + offset) = mount * arm(q) * tcp for every q.
+struct Reconciliation {
+  Arm arm;  ///< A with other numbers
+  Pose mount = Pose::Identity(), tcp = Pose::Identity();
+  Configuration gain, offset;  ///< one for each joint
+  std::vector<ModelDifference> differences = {};
+
+  explicit Reconciliation(const Arm& a)
+      : arm(a), gain(Configuration::Ones(a.dof())), offset(Configuration::Zero(a.dof())) {}
+};
+
+/// The largest deviation of the explanation from B at `count` random configurations.
+Deviation deviation(const Reconciliation& explanation, const Arm& b, int count);
+
+/// Whether a deviation is rounding, of two arms whose numbers differ by up to `tolerance`.
+bool negligible(const Deviation& deviation, const Arm& b, double tolerance);
+
+/// The arm without limits and with a coordinate for each joint.
+Arm bare(const Arm& arm);
+
+/// `joint 3 (elbow)`.
+std::string joint_text(const Arm& arm, std::size_t joint);
+
+/// Whether two poses are equal within the tolerance (m, rad).
+bool same_pose(const Pose& a, const Pose& b, double tolerance);
+
+/// The pose without the digits that rounding leaves: lengths to 1e-9 m; roll, pitch and yaw that
+/// are a multiple of 15 degrees within `tolerance` (rad) made exactly that.
+Pose without_rounding(const Pose& pose, double tolerance);
+
+/// A pose as options take it: `0,0,0.3`, or with roll, pitch and yaw `0,0,0.3,0,0,1.5708`.
+std::string pose_argument(const Pose& pose);
+
+// The differences, worded alike in all explanations.
+ModelDifference mount_difference(const Pose& mount);
+ModelDifference tool_difference(const Pose& tcp);
+ModelDifference offset_difference(const Arm& a, std::size_t joint, double offset);
+ModelDifference sign_difference(std::size_t joint);
+ModelDifference length_difference(std::size_t joint, const std::string& parameter, double in_a,
+                                  double in_b);
+ModelDifference angle_parameter_difference(std::size_t joint, const std::string& parameter,
+                                           double in_a, double in_b);
+
+/// Compares base and tool of two arms whose links are explained already, and adds what differs.
+void add_end_differences(const Arm& a, const Arm& b, double tolerance, Reconciliation& explanation);
+
+}  // namespace beeline::internal

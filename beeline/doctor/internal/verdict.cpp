@@ -1,0 +1,160 @@
+#include <algorithm>
+
+#include <beeline/doctor/internal/reconciliation.h>
+#include <beeline/doctor/internal/verdict.h>
+
+namespace beeline::internal {
+namespace {
+
+/// Whether the difference is one of description: the arm may be the same machine.
+bool of_description(const ModelDifference& difference) {
+  switch (difference.kind) {
+    case DifferenceKind::length:
+    case DifferenceKind::axis:
+    case DifferenceKind::joint_kind:
+    case DifferenceKind::joint_count:
+      return false;
+    case DifferenceKind::angle:
+    case DifferenceKind::orientation:
+      return difference.joint < 0;
+    case DifferenceKind::unit:
+      return difference.what.find("times") == std::string::npos;
+    default:
+      return true;
+  }
+}
+
+/// A phrase that names the difference: `d of joint 1`, `the mount`.
+std::string subject(const Arm& a, const ModelDifference& difference) {
+  const std::string joint =
+      difference.joint < 0 ? "" : joint_text(a, static_cast<std::size_t>(difference.joint));
+  switch (difference.kind) {
+    case DifferenceKind::mount:
+      return "the mount";
+    case DifferenceKind::tool:
+      return "the tool";
+    case DifferenceKind::joint_offset:
+      return "the zero of " + joint;
+    case DifferenceKind::joint_sign:
+      return "the sign of " + joint;
+    case DifferenceKind::limit:
+      return "the " + difference.parameter + " of " + joint;
+    case DifferenceKind::convention:
+      return "the DH convention";
+    case DifferenceKind::unit:
+      return "the unit";
+    case DifferenceKind::columns:
+      return "the columns";
+    case DifferenceKind::joint_order:
+      return "the order of joints";
+    case DifferenceKind::joint_kind:
+      return "the type of " + joint;
+    case DifferenceKind::joint_count:
+      return "the number of joints";
+    default:
+      break;
+  }
+  const std::string parameter = difference.parameter.substr(0, difference.parameter.find(" to "));
+  const std::string what = parameter.substr(0, parameter.find(','));
+  return (what.empty() ? name(difference.kind) : what) + (joint.empty() ? "" : " of " + joint);
+}
+
+std::string subjects(const Arm& a, const std::vector<ModelDifference>& differences) {
+  constexpr std::size_t most = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, differences.size()); ++i) {
+    const bool last = i + 1 == differences.size();
+    text += (i == 0 ? "" : last ? " and " : ", ") + subject(a, differences[i]);
+  }
+  const std::size_t rest = differences.size() - std::min(most, differences.size());
+  return rest == 0 ? text : text + " and " + std::to_string(rest) + " more";
+}
+
+std::string differ(const std::vector<ModelDifference>& differences) {
+  return differences.size() == 1 ? " differs" : " differ";
+}
+
+}  // namespace
+
+void judge(const Arm& a, const Arm& b, ArmComparison& comparison) {
+  const std::vector<ModelDifference>& found = comparison.differences;
+  const auto dimensions = std::count_if(
+      found.begin(), found.end(), [](const ModelDifference& d) { return !of_description(d); });
+  const auto joints = static_cast<std::ptrdiff_t>(std::max(a.joints().size(), b.joints().size()));
+  if (!comparison.explained) {
+    comparison.status = ModelComparison::different;
+    comparison.verdict = "two different arms: no explanation was found";
+  } else if (found.empty()) {
+    comparison.status = ModelComparison::same;
+    comparison.verdict = "the same arm: equal poses of the tool at every configuration";
+  } else if (dimensions == 0) {
+    comparison.status = ModelComparison::reconciled;
+    comparison.verdict =
+        "the same arm, described differently: " + subjects(a, found) + differ(found);
+  } else if (2 * dimensions <= joints) {
+    comparison.status = ModelComparison::different;
+    comparison.verdict = "not the same: " + subjects(a, found) + differ(found);
+  } else {
+    comparison.status = ModelComparison::different;
+    const auto first = std::find_if(found.begin(), found.end(), [](const ModelDifference& d) {
+      return !of_description(d) && d.joint >= 0;
+    });
+    comparison.verdict = "two different arms: " + std::to_string(dimensions) +
+                         " dimensions differ" +
+                         (first == found.end() ? "" : ", the first is " + subject(a, *first));
+  }
+  if (comparison.others.empty()) return;
+  comparison.verdict += (found.empty() ? "; " : "; beside it ") + subjects(a, comparison.others) +
+                        differ(comparison.others);
+}
+
+}  // namespace beeline::internal
+
+namespace beeline {
+
+std::string name(DifferenceKind kind) {
+  switch (kind) {
+    case DifferenceKind::convention:
+      return "convention";
+    case DifferenceKind::unit:
+      return "unit";
+    case DifferenceKind::columns:
+      return "columns";
+    case DifferenceKind::joint_order:
+      return "joint_order";
+    case DifferenceKind::joint_count:
+      return "joint_count";
+    case DifferenceKind::joint_kind:
+      return "joint_kind";
+    case DifferenceKind::mount:
+      return "mount";
+    case DifferenceKind::tool:
+      return "tool";
+    case DifferenceKind::joint_offset:
+      return "joint_offset";
+    case DifferenceKind::joint_sign:
+      return "joint_sign";
+    case DifferenceKind::length:
+      return "length";
+    case DifferenceKind::angle:
+      return "angle";
+    case DifferenceKind::axis:
+      return "axis";
+    case DifferenceKind::orientation:
+      return "orientation";
+    case DifferenceKind::mimic:
+      return "mimic";
+    case DifferenceKind::name:
+      return "name";
+    case DifferenceKind::limit:
+      return "limit";
+  }
+  return "";
+}
+
+std::string name(ModelComparison status) {
+  constexpr const char* names[] = {"same", "reconciled", "different"};
+  return names[static_cast<int>(status)];
+}
+
+}  // namespace beeline

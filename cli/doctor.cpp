@@ -1,0 +1,212 @@
+#include <algorithm>
+#include <fmt/format.h>
+
+#include <beeline/doctor/comparison.h>
+#include <beeline/error.h>
+#include <beeline/read/arm.h>
+
+#include "arm_argument.h"
+#include "command/streams.h"
+#include "format.h"
+#include "verbs.h"
+
+using namespace beeline;
+
+namespace {
+
+struct DoctorArguments {
+  ArmArgument arm;
+  std::string other, other_base, other_tip;
+  ComparisonOptions comparison;
+  UnitArgument unit;
+  bool json = false;
+};
+
+/// One line of a report: where, what, and what to do about it.
+struct ReportLine {
+  std::string place, what, remedy;
+};
+
+/// The lines in aligned columns, indented; a remedy that does not fit stands below.
+std::string aligned(const std::vector<ReportLine>& lines) {
+  constexpr std::size_t widest = 62;
+  std::size_t place = 0, what = 0;
+  for (const ReportLine& line : lines) {
+    place = std::max(place, line.place.size());
+    if (line.what.size() <= widest) what = std::max(what, line.what.size());
+  }
+  std::string text;
+  for (const ReportLine& line : lines) {
+    text += fmt::format("  {:<{}}  {}", line.place, place, line.what);
+    if (!line.remedy.empty()) {
+      const bool fits = line.what.size() <= what;
+      text +=
+          fits ? std::string(what - line.what.size() + 2, ' ') : "\n" + std::string(place + 6, ' ');
+      text += line.remedy;
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string place_of(const Arm& arm, const ModelDifference& difference) {
+  if (difference.joint < 0) return name(difference.kind);
+  const std::string number = fmt::format("joint {}", difference.joint + 1);
+  const std::string& joint = arm.joints()[static_cast<std::size_t>(difference.joint)].name;
+  return "joint" + number.substr(6) == joint ? number : fmt::format("{} {}", number, joint);
+}
+
+/// A pose as --mount and --tcp take it, in the unit of the output.
+std::string pose_list(const Pose& pose, const UnitArgument& unit) {
+  std::string text = shown(pose, false, unit);
+  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  const std::string unrotated = ",0,0,0";
+  return text.ends_with(unrotated) ? text.substr(0, text.size() - unrotated.size()) : text;
+}
+
+std::vector<ReportLine> report_lines(const Arm& arm,
+                                     const std::vector<ModelDifference>& differences,
+                                     const UnitArgument& unit) {
+  std::vector<ReportLine> lines;
+  for (const ModelDifference& difference : differences) {
+    std::string remedy = difference.remedy;
+    if (difference.pose) {
+      remedy = remedy.substr(0, remedy.find(' ') + 1) + pose_list(*difference.pose, unit);
+    }
+    std::string place = place_of(arm, difference);
+    std::replace(place.begin(), place.end(), '_', difference.joint < 0 ? ' ' : '_');
+    lines.push_back({place, difference.what, remedy});
+  }
+  return lines;
+}
+
+std::string comparison_text(const DoctorArguments& arguments, const Arm& a, const Arm& b,
+                            const ArmComparison& comparison) {
+  const UnitArgument& unit = arguments.unit;
+  std::string text = comparison.verdict + "\n";
+  text +=
+      fmt::format("  A  {}: {}, B  {}: {}\n", arguments.arm.text,
+                  counted(static_cast<std::int64_t>(a.joints().size()), "joint"), arguments.other,
+                  counted(static_cast<std::int64_t>(b.joints().size()), "joint"));
+  const auto add = [&](const std::string& heading, const std::vector<ModelDifference>& found) {
+    if (!found.empty()) text += "\n" + heading + "\n" + aligned(report_lines(a, found, unit));
+  };
+  add("what makes A equal to B", comparison.differences);
+  add("or, in as few steps", comparison.alternative);
+  add("beside it", comparison.others);
+  const auto deviation = [&unit](const Deviation& apart) {
+    return fmt::format("{} m, {} {}", shown(apart.position), shown(unit.shown(apart.orientation)),
+                       unit.name());
+  };
+  text += fmt::format("\ntool apart at {} random configurations\n", comparison.configurations);
+  std::vector<ReportLine> lines;
+  if (a.joints().size() == b.joints().size()) {
+    lines.push_back({"as they are", deviation(comparison.before), ""});
+  }
+  if (comparison.explained && !comparison.differences.empty()) {
+    lines.push_back({"with these changes", deviation(comparison.residual), ""});
+  }
+  if (lines.empty()) lines.push_back({"not comparable", "the numbers of joints differ", ""});
+  return text + aligned(lines);
+}
+
+Json json_differences(const Arm& a, const std::vector<ModelDifference>& differences,
+                      const UnitArgument& unit) {
+  Json list = Json::list();
+  for (const ModelDifference& difference : differences) {
+    Json json{{"kind", name(difference.kind)}};
+    if (difference.joint >= 0) {
+      json.add("joint", difference.joint + 1);
+      json.add("joint_name", a.joints()[static_cast<std::size_t>(difference.joint)].name);
+    }
+    if (!difference.parameter.empty()) json.add("parameter", difference.parameter);
+    if (difference.a) json.add("a", *difference.a);
+    if (difference.b) json.add("b", *difference.b);
+    if (difference.pose) json.add("pose", json_pose(*difference.pose, false, unit));
+    json.add("what", difference.what);
+    if (!difference.remedy.empty()) json.add("remedy", difference.remedy);
+    list.append(json);
+  }
+  return list;
+}
+
+Json json_deviation(const Deviation& deviation, const UnitArgument& unit) {
+  return {{"position", deviation.position}, {"orientation", unit.shown(deviation.orientation)}};
+}
+
+Answer compare(const DoctorArguments& arguments) {
+  const UnitArgument& unit = arguments.unit;
+  const Arm a = arguments.arm.read(unit);
+  ArmArgument other;
+  other.text = arguments.other;
+  other.base = arguments.other_base;
+  other.tip = arguments.other_tip;
+  const Arm b = other.read(unit);
+  const ArmComparison comparison = compare_arms(a, b, arguments.comparison);
+  return {.text = comparison_text(arguments, a, b, comparison),
+          .document = {{"status", name(comparison.status)},
+                       {"explained", comparison.explained},
+                       {"verdict", comparison.verdict},
+                       {"differences", json_differences(a, comparison.differences, unit)},
+                       {"alternative", json_differences(a, comparison.alternative, unit)},
+                       {"others", json_differences(a, comparison.others, unit)},
+                       {"gain", comparison.gain},
+                       {"offset", comparison.offset},
+                       {"before", json_deviation(comparison.before, unit)},
+                       {"residual", json_deviation(comparison.residual, unit)},
+                       {"configurations", comparison.configurations}},
+          .yes = static_cast<bool>(comparison),
+          .reason = "A and B are not described alike"};
+}
+
+}  // namespace
+
+Verb doctor_verb() {
+  static DoctorArguments arguments;
+  Positional first = arguments.arm.argument();
+  first.name = "A";
+  return {.name = "doctor",
+          .summary = "Diagnose a model: what two descriptions of an arm have different",
+          .description =
+              "Compares two descriptions of an arm: are they the same, and if not, what is "
+              "different? The sequence of the joints' axes in space determines an arm up to its "
+              "base, its tool, and the zeros and signs of its joints; so a difference is named as "
+              "what it is: the DH convention, the mount, the tool, the offset or the sign of a "
+              "joint, a unit, one dimension of a link, a missing joint, a limit. The explanation "
+              "with the fewest differences is printed, with what to write; nothing is claimed that "
+              "forward kinematics at random configurations does not confirm. Exit code 0: the two "
+              "move alike as they are, and have equal limits; 1: they differ.",
+          .arguments = {first,
+                        {.name = "B",
+                         .help = "The other description of the arm: a built-in arm, a joint string "
+                                 "or a file.",
+                         .target = &arguments.other,
+                         .completes = Completes::arm}},
+          .options = joined(
+              {arguments.unit.options(),
+               {{.name = "--tolerance",
+                 .value = "E",
+                 .help = "Smaller differences are rounding, metres and radians.",
+                 .target = &arguments.comparison.tolerance,
+                 .range = {.lowest = 0, .highest = 0.1, .excludes_lowest = true}},
+                {.name = "--configurations",
+                 .value = "N",
+                 .help = "Number of random configurations at which the tool's poses are compared.",
+                 .target = &arguments.comparison.configurations,
+                 .range = {.lowest = 1, .highest = 1e6}},
+                {.name = "--other-base",
+                 .value = "LINK",
+                 .help = "--base of B; the other options of arms apply to A.",
+                 .target = &arguments.other_base},
+                {.name = "--other-tip",
+                 .value = "LINK",
+                 .help = "--tip of B.",
+                 .target = &arguments.other_tip}},
+               arguments.arm.options()}),
+          .examples = {{"Two tables of a UR5 in circulation: which number differs?",
+                        "beeline doctor ur5 ur5e || true"},
+                       {"A tool and a mount, found and then confirmed (exit code 0)",
+                        "beeline doctor panda panda --json"}},
+          .json = &arguments.json,
+          .run = [] { return compare(arguments); }};
+}
