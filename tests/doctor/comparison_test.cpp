@@ -87,8 +87,12 @@ TEST(Comparison, AnArmInAnotherDescriptionIsReconciled) {
     EXPECT_EQ(comparison.status, ModelComparison::reconciled)
         << "trial " << trial << ' ' << described(comparison);
     EXPECT_LT(comparison.residual.position, 1e-4);
-    // A table of another convention may by chance need fewer offsets.
-    if (comparison.differences.front().kind == DifferenceKind::convention) continue;
+    // The table read in another way may by chance need mount and tool alone: that is true, too.
+    const ModelDifference& first = comparison.differences.front();
+    if (first.joint < 0 && first.kind != DifferenceKind::mount &&
+        first.kind != DifferenceKind::tool) {
+      continue;
+    }
     EXPECT_LT(claimed_deviation(random, a, b, comparison), 1e-4) << "trial " << trial;
   }
 }
