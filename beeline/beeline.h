@@ -20,6 +20,7 @@
 #include <beeline/control/servo.h>
 #include <beeline/control/tracker.h>
 #include <beeline/doctor/comparison.h>
+#include <beeline/doctor/diagnosis.h>
 #include <beeline/draw/animation.h>
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/canvas.h>

@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <beeline/doctor/comparison.h>
+#include <beeline/doctor/diagnosis.h>
 #include <beeline/error.h>
 #include <beeline/read/arm.h>
+#include <beeline/read/urdf.h>
 
 #include "arm_argument.h"
 #include "command/streams.h"
@@ -134,7 +136,38 @@ Json json_deviation(const Deviation& deviation, const UnitArgument& unit) {
   return {{"position", deviation.position}, {"orientation", unit.shown(deviation.orientation)}};
 }
 
+/// The findings in one model.
+Answer diagnose_one(const DoctorArguments& arguments) {
+  const ArmArgument& arm = arguments.arm;
+  (void)arm.read(arguments.unit);  // warns of what was selected
+  ChainEnds ends{.base = arm.base, .tip = arm.tip};
+  if (!arm.group.empty()) ends = group_ends(read_srdf(arm.srdf), arm.group, arm.text);
+  const Diagnosis diagnosis = diagnose(arm.text, ends);
+  const auto count = static_cast<std::int64_t>(diagnosis.findings.size());
+  const std::string verdict =
+      diagnosis ? "nothing suspicious" : counted(count, "suspicious number");
+  std::string text = arm.text + ": " + verdict + "\n";
+  Json list = Json::list();
+  std::size_t width = 0;
+  for (const Finding& finding : diagnosis.findings) width = std::max(width, finding.place.size());
+  for (const Finding& finding : diagnosis.findings) {
+    text += fmt::format("\n  {:<{}}  {}\n", finding.place, width, finding.what);
+    if (!finding.cost.empty()) text += fmt::format("  {:<{}}  cost: {}\n", "", width, finding.cost);
+    text += fmt::format("  {:<{}}  {}\n", "", width, finding.remedy);
+    Json json{{"kind", name(finding.kind)}, {"place", finding.place}, {"what", finding.what}};
+    if (finding.joint >= 0) json.add("joint", finding.joint + 1);
+    if (!finding.cost.empty()) json.add("cost", finding.cost);
+    json.add("remedy", finding.remedy);
+    list.append(json);
+  }
+  return {.text = text,
+          .document = {{"status", diagnosis ? "clear" : "suspicious"}, {"findings", list}},
+          .yes = static_cast<bool>(diagnosis),
+          .reason = arm.text + " has " + verdict};
+}
+
 Answer compare(const DoctorArguments& arguments) {
+  if (arguments.other.empty()) return diagnose_one(arguments);
   const UnitArgument& unit = arguments.unit;
   const Arm a = arguments.arm.read(unit);
   ArmArgument other;
@@ -165,48 +198,57 @@ Verb doctor_verb() {
   static DoctorArguments arguments;
   Positional first = arguments.arm.argument();
   first.name = "A";
-  return {.name = "doctor",
-          .summary = "Diagnose a model: what two descriptions of an arm have different",
-          .description =
-              "Compares two descriptions of an arm: are they the same, and if not, what is "
-              "different? The sequence of the joints' axes in space determines an arm up to its "
-              "base, its tool, and the zeros and signs of its joints; so a difference is named as "
-              "what it is: the DH convention, the mount, the tool, the offset or the sign of a "
-              "joint, a unit, one dimension of a link, a missing joint, a limit. The explanation "
-              "with the fewest differences is printed, with what to write; nothing is claimed that "
-              "forward kinematics at random configurations does not confirm. Exit code 0: the two "
-              "move alike as they are, and have equal limits; 1: they differ.",
-          .arguments = {first,
-                        {.name = "B",
-                         .help = "The other description of the arm: a built-in arm, a joint string "
-                                 "or a file.",
-                         .target = &arguments.other,
-                         .completes = Completes::arm}},
-          .options = joined(
-              {arguments.unit.options(),
-               {{.name = "--tolerance",
-                 .value = "E",
-                 .help = "Smaller differences are rounding, metres and radians.",
-                 .target = &arguments.comparison.tolerance,
-                 .range = {.lowest = 0, .highest = 0.1, .excludes_lowest = true}},
-                {.name = "--configurations",
-                 .value = "N",
-                 .help = "Number of random configurations at which the tool's poses are compared.",
-                 .target = &arguments.comparison.configurations,
-                 .range = {.lowest = 1, .highest = 1e6}},
-                {.name = "--other-base",
-                 .value = "LINK",
-                 .help = "--base of B; the other options of arms apply to A.",
-                 .target = &arguments.other_base},
-                {.name = "--other-tip",
-                 .value = "LINK",
-                 .help = "--tip of B.",
-                 .target = &arguments.other_tip}},
-               arguments.arm.options()}),
-          .examples = {{"Two tables of a UR5 in circulation: which number differs?",
-                        "beeline doctor ur5 ur5e || true"},
-                       {"A tool and a mount, found and then confirmed (exit code 0)",
-                        "beeline doctor panda panda --json"}},
-          .json = &arguments.json,
-          .run = [] { return compare(arguments); }};
+  return {
+      .name = "doctor",
+      .summary = "Diagnose a model: suspicious numbers, or what two descriptions have different",
+      .description =
+          "With one model, looks for numbers that are likely mistakes: millimetres, degrees, "
+          "right angles written with few digits and axes that nearly have a closed form of "
+          "inverse kinematics (with the method that is lost), joints that move alike, a missing "
+          "<axis>, limits without a range. What may be meant is not reported.\n\n"
+          "With two, compares two descriptions of an arm: are they the same, and if not, what is "
+          "different? The sequence of the joints' axes in space determines an arm up to its "
+          "base, its tool, and the zeros and signs of its joints; so a difference is named as "
+          "what it is: the DH convention, the mount, the tool, the offset or the sign of a "
+          "joint, a unit, one dimension of a link, a missing joint, a limit. The explanation "
+          "with the fewest differences is printed, with what to write; nothing is claimed that "
+          "forward kinematics at random configurations does not confirm. Exit code 0: nothing is "
+          "suspicious, or the two move alike as they are and have equal limits; 1 otherwise.",
+      .arguments = {first,
+                    {.name = "B",
+                     .help = "The other description of the arm: a built-in arm, a joint string "
+                             "or a file.",
+                     .target = &arguments.other,
+                     .completes = Completes::arm,
+                     .required = false}},
+      .options = joined(
+          {arguments.unit.options(),
+           {{.name = "--tolerance",
+             .value = "E",
+             .help = "Smaller differences are rounding, metres and radians.",
+             .target = &arguments.comparison.tolerance,
+             .range = {.lowest = 0, .highest = 0.1, .excludes_lowest = true}},
+            {.name = "--configurations",
+             .value = "N",
+             .help = "Number of random configurations at which the tool's poses are compared.",
+             .target = &arguments.comparison.configurations,
+             .range = {.lowest = 1, .highest = 1e6}},
+            {.name = "--other-base",
+             .value = "LINK",
+             .help = "--base of B; the other options of arms apply to A.",
+             .target = &arguments.other_base},
+            {.name = "--other-tip",
+             .value = "LINK",
+             .help = "--tip of B.",
+             .target = &arguments.other_tip}},
+           arguments.arm.options()}),
+      .examples = {{"Is anything suspicious in a model? (exit code 0: nothing)",
+                    "beeline doctor panda"},
+                   {"Two arms that are easily confused: which numbers differ?",
+                    "beeline doctor ur5 ur5e || true"},
+                   {"A file that was changed by hand, compared with what it was",
+                    "beeline show ur5 --out mine.json\n"
+                    "beeline doctor ur5 mine.json --mount 0,0,0.5 || true"}},
+      .json = &arguments.json,
+      .run = [] { return compare(arguments); }};
 }

@@ -1,4 +1,4 @@
-"""doctor: two descriptions of an arm, and what is different."""
+"""doctor: suspicious numbers of one model; what two descriptions of an arm have different."""
 
 import json
 import math
@@ -81,3 +81,54 @@ def test_bad_input(refused, written):
     refused(2, "doctor", "ur5", "ur55", says=['"ur5"'])
     refused(3, "doctor", "ur5", "missing.json", says=["missing.json"])
     refused(2, "doctor", "ur5", "ur5", "--tolerance", "0", says=["--tolerance"])
+
+
+URDF = """<robot name="r"><link name="a"/><link name="b"/><link name="c"/>
+<joint name="j1" type="revolute"><parent link="a"/><child link="b"/>
+<origin xyz="0 0 {height}" rpy="{roll} 0 0"/>{axis}<limit lower="{lower}" upper="{upper}" velocity="2"/></joint>
+<joint name="j2" type="revolute"><parent link="b"/><child link="c"/>
+<origin xyz="0.3 0 0" rpy="0 0 0"/><axis xyz="0 1 0"/><limit lower="-2" upper="2" velocity="2"/></joint></robot>"""
+RIGHT = {"height": "0.3", "roll": "0", "axis": '<axis xyz="0 0 1"/>', "lower": "-2", "upper": "2"}
+
+
+def test_a_right_model_is_silent(beeline, written):
+    written("r.urdf", URDF.format(**RIGHT))
+    answer = beeline("doctor", "r.urdf", "--json")
+    assert answer.code == 0 and answer.err == ""
+    assert answer.json["status"] == "clear" and answer.json["findings"] == []
+
+
+@pytest.mark.parametrize("wrong, kind, says", [
+    ({"height": "300"}, "length_unit", "millimetres"),
+    ({"roll": "1.5708"}, "rounded_angle", "pi/2 with 5 digits"),
+    ({"roll": "90"}, "angle_unit", "degrees"),
+    ({"axis": ""}, "missing_axis", "1 0 0"),
+    ({"axis": '<axis xyz="0 0 2"/>'}, "axis_length", "length 2"),
+    ({"lower": "-170", "upper": "170"}, "angle_unit", "degrees"),
+    ({"lower": "0", "upper": "0"}, "no_range", "no motion"),
+])
+def test_a_wrong_number_is_found(beeline, written, wrong, kind, says):
+    written("r.urdf", URDF.format(**RIGHT | wrong))
+    answer = beeline("doctor", "r.urdf", "--json")
+    assert answer.code == 1
+    (finding,) = answer.json["findings"]
+    assert finding["kind"] == kind and says in finding["what"]
+    assert "j1" in finding["place"] or finding["joint"] == 1
+
+
+def test_degrees_in_a_table(beeline, written):
+    written("t.json", table(changed(alpha={0: 90})))
+    findings = beeline("doctor", "t.json", "--json").json["findings"]
+    assert ("angle_unit", 1) in [(f["kind"], f.get("joint")) for f in findings]
+
+
+def test_the_lost_method_is_named(beeline, written):
+    written("t.json", table(changed(alpha={0: 1.5708, 3: 1.5708, 4: -1.5708}, d={4: 0.09465})))
+    answer = beeline("doctor", "t.json")
+    assert answer.code == 1
+    assert "pi/2 with 5 digits" in answer.out and "write 1.5707963267948966" in answer.out
+
+
+def test_swapped_limits_are_refused_where_the_file_is_read(refused, written):
+    written("r.urdf", URDF.format(**RIGHT | {"lower": "2", "upper": "-2"}))
+    refused(3, "doctor", "r.urdf", says=["j1", "lower limit 2 exceeds upper limit -2"])

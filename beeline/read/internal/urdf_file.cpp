@@ -14,12 +14,12 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-Pose read_origin(const XmlElements& elements, const XMLElement& joint) {
-  const XMLElement* origin = joint.FirstChildElement("origin");
-  if (origin == nullptr) return Pose::Identity();
-  const Vector3 rpy = elements.vector(*origin, "rpy", Vector3::Zero());
-  return make_pose(elements.vector(*origin, "xyz", Vector3::Zero()),
-                   rotation(RollPitchYaw{rpy.x(), rpy.y(), rpy.z()}));
+void read_origin(const XmlElements& elements, const XMLElement& element, UrdfFile::Joint& joint) {
+  const XMLElement* origin = element.FirstChildElement("origin");
+  if (origin == nullptr) return;
+  joint.rpy = elements.vector(*origin, "rpy", Vector3::Zero());
+  joint.origin = make_pose(elements.vector(*origin, "xyz", Vector3::Zero()),
+                           rotation(RollPitchYaw{joint.rpy.x(), joint.rpy.y(), joint.rpy.z()}));
 }
 
 /// A missing <limit> means no limit, although the format requires one; a missing lower or upper is
@@ -57,7 +57,7 @@ UrdfFile::Joint read_joint(const XmlElements& elements, const XMLElement& elemen
   joint.line = element.GetLineNum();
   joint.parent = read_end(elements, element, "parent");
   joint.child = read_end(elements, element, "child");
-  joint.origin = read_origin(elements, element);
+  read_origin(elements, element, joint);
   if (!has_one_dof(joint)) return joint;  // many files give a fixed joint an axis of zeros
   if (const XMLElement* axis = element.FirstChildElement("axis")) {
     joint.axis = elements.vector(*axis, "xyz", Vector3::UnitX());

@@ -19,6 +19,7 @@ struct UrdfFile {
   struct Joint {
     std::string name, type, parent, child;
     Pose origin = Pose::Identity();   ///< parent_T_child at q = 0
+    Vector3 rpy = Vector3::Zero();    ///< of the origin, as written: rad
     Vector3 axis = Vector3::UnitX();  ///< in the child's frame, of any length
     Limits limits;                    ///< a continuous joint has no position limits
     std::optional<beeline::Mimic> mimic;

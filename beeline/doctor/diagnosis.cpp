@@ -1,0 +1,29 @@
+#include <beeline/doctor/diagnosis.h>
+#include <beeline/doctor/internal/findings.h>
+
+namespace beeline {
+
+Diagnosis diagnose(const Arm& arm) {
+  Diagnosis diagnosis;
+  internal::find_units(arm, diagnosis.findings);
+  internal::find_axes(arm, diagnosis.findings);
+  internal::find_limits(arm, diagnosis.findings);
+  return diagnosis;
+}
+
+Diagnosis diagnose(const std::string& text, const ChainEnds& ends) {
+  const Arm arm = read_arm(text, ends);
+  Diagnosis diagnosis;
+  internal::find_in_file(text, arm, diagnosis.findings);
+  for (Finding& finding : diagnose(arm).findings) diagnosis.findings.push_back(std::move(finding));
+  return diagnosis;
+}
+
+std::string name(FindingKind kind) {
+  constexpr const char* names[] = {"length_unit",    "angle_unit",      "rounded_angle",
+                                   "nearly_special", "coincident_axes", "missing_axis",
+                                   "axis_length",    "no_range",        "unknown_velocity"};
+  return names[static_cast<int>(kind)];
+}
+
+}  // namespace beeline

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include <beeline/doctor/diagnosis.h>
+
+namespace beeline::internal {
+
+// Each appends what it finds suspicious.
+void find_units(const Arm& arm, std::vector<Finding>& found);
+void find_limits(const Arm& arm, std::vector<Finding>& found);
+void find_axes(const Arm& arm, std::vector<Finding>& found);
+
+/// From the text of a file, URDF or JSON, for the joints of the arm.
+void find_in_file(const std::string& path, const Arm& arm, std::vector<Finding>& found);
+
+/// `joints 2, 4, 5`, or `joint 3 (elbow)` for one.
+std::string joints_text(const Arm& arm, const std::vector<std::size_t>& joints);
+
+}  // namespace beeline::internal

@@ -1,0 +1,89 @@
+#include <gtest/gtest.h>
+
+#include <beeline/doctor/diagnosis.h>
+#include <beeline/model/catalog.h>
+
+#include <tests/doctor/random_table.h>
+
+namespace beeline {
+namespace {
+
+using testing::arm_of_rows;
+using testing::random_rows;
+
+std::vector<FindingKind> kinds(const Diagnosis& diagnosis) {
+  std::vector<FindingKind> found;
+  for (const Finding& finding : diagnosis.findings) found.push_back(finding.kind);
+  return found;
+}
+
+TEST(Diagnosis, NothingIsSuspiciousInBuiltInArms) {
+  for (const std::string& name : built_in_names()) {
+    EXPECT_TRUE(diagnose(built_in(name))) << name;
+    EXPECT_TRUE(diagnose(name)) << name;
+  }
+}
+
+TEST(Diagnosis, NothingIsSuspiciousInRandomTables) {
+  testing::Random random;
+  for (int trial = 0; trial < testing::cases(300); ++trial) {
+    const Arm arm = arm_of_rows(random_rows(random, random.integer(2, 8)), DhConvention::standard);
+    const Diagnosis diagnosis = diagnose(arm);
+    EXPECT_TRUE(diagnosis) << "trial " << trial << ' ' << diagnosis.findings.front().what;
+  }
+}
+
+/// A right angle with few digits in one row of a random table.
+TEST(Diagnosis, ARoundedRightAngleIsFoundAtItsJoint) {
+  testing::Random random;
+  constexpr double angles[] = {1.57, -1.571, 1.5708, -1.57079, 1.570796};
+  for (int trial = 0; trial < testing::cases(300); ++trial) {
+    const int joints = random.integer(2, 8), joint = random.integer(0, joints - 1);
+    std::vector<DhRow> rows = random_rows(random, joints);
+    rows[joint].alpha = angles[random.integer(0, 4)];
+    const Diagnosis diagnosis = diagnose(arm_of_rows(rows, DhConvention::modified));
+    ASSERT_EQ(kinds(diagnosis), std::vector{FindingKind::rounded_angle}) << "trial " << trial;
+    EXPECT_EQ(diagnosis.findings.front().joint, joint);
+  }
+}
+
+TEST(Diagnosis, TheMethodThatNearlySpecialAxesCostIsNamed) {
+  const Arm ur5 = built_in("ur5");
+  std::vector<Joint> joints = ur5.joints();
+  joints[2].offset = joints[2].offset * Eigen::AngleAxisd(1e-4, Vector3::UnitX());
+  const Diagnosis diagnosis = diagnose(Arm("tilted", joints, ur5.tool()));
+  ASSERT_EQ(kinds(diagnosis), std::vector{FindingKind::nearly_special});
+  EXPECT_NE(diagnosis.findings.front().cost.find("three parallel axes"), std::string::npos)
+      << diagnosis.findings.front().cost;
+}
+
+TEST(Diagnosis, LimitsAndLengthsInOtherUnitsAreFound) {
+  std::vector<Joint> joints = built_in("panda").joints();
+  for (Joint& joint : joints) {
+    joint.limits.lower *= 180 / std::numbers::pi;
+    joint.limits.upper *= 180 / std::numbers::pi;
+  }
+  EXPECT_EQ(kinds(diagnose(Arm("degrees", joints))), std::vector{FindingKind::angle_unit});
+  joints = built_in("panda").joints();
+  for (Joint& joint : joints) joint.limits.velocity *= 180 / std::numbers::pi;
+  EXPECT_EQ(kinds(diagnose(Arm("degrees", joints))), std::vector{FindingKind::angle_unit});
+  joints = built_in("panda").joints();
+  for (Joint& joint : joints) joint.offset.translation() *= 1000;
+  EXPECT_EQ(kinds(diagnose(Arm("millimetres", joints))), std::vector{FindingKind::length_unit});
+}
+
+TEST(Diagnosis, AJointThatIsThereTwiceOrCannotMoveIsFound) {
+  testing::Random random;
+  std::vector<DhRow> rows = random_rows(random, 5);
+  rows[2] = {};
+  const Diagnosis twice = diagnose(arm_of_rows(rows, DhConvention::standard));
+  EXPECT_EQ(kinds(twice), std::vector{FindingKind::coincident_axes});
+  std::vector<Joint> joints = built_in("ur5").joints();
+  joints[3].limits.lower = joints[3].limits.upper = 0;
+  const Diagnosis fixed = diagnose(Arm("fixed", joints));
+  ASSERT_EQ(kinds(fixed), std::vector{FindingKind::no_range});
+  EXPECT_EQ(fixed.findings.front().joint, 3);
+}
+
+}  // namespace
+}  // namespace beeline
