@@ -73,6 +73,13 @@ Json json_moves(const LineReport& report, const UnitArgument& unit) {
   return moves;
 }
 
+/// The values as --from takes them, so that they read back exactly.
+std::string exact_values(const Configuration& q) {
+  std::string text;
+  for (const double value : q) text += (text.empty() ? "" : ",") + fmt::format("{}", value);
+  return text;
+}
+
 }  // namespace
 
 std::string report_text(const Arm& arm, const LineReport& report, const UnitArgument& unit,
@@ -82,7 +89,9 @@ std::string report_text(const Arm& arm, const LineReport& report, const UnitArgu
       fmt::format("{}: {}, method {}\n", name(report.status),
                   counted(static_cast<std::int64_t>(report.waypoints), noun), report.method);
   for (const NearbyPath& nearby : report.nearby) {
-    text += fmt::format("would work    {}\n", nearby.description);
+    text += fmt::format("would work    {}", nearby.description);
+    if (nearby.start) text += ": --from=" + exact_values(unit.shown(arm, *nearby.start));
+    text += '\n';
   }
   if (report.status == MotionStatus::reached) {
     text += motion_text(report, unit) + (report.moves.empty() ? "" : moves_text(report, unit)) +
@@ -118,9 +127,11 @@ Json report_document(const Arm& arm, const LineReport& report, const UnitArgumen
   }
   Json nearby = Json::list();
   for (const NearbyPath& path : report.nearby) {
-    nearby.append({{"description", path.description},
-                   {"translation", Eigen::VectorXd(path.moved)},
-                   {"rotation", Eigen::VectorXd(path.turned * unit.shown(1.0))}});
+    Json one{{"description", path.description},
+             {"translation", Eigen::VectorXd(path.moved)},
+             {"rotation", Eigen::VectorXd(path.turned * unit.shown(1.0))}};
+    if (path.start) one.add("start", unit.shown(arm, *path.start));
+    nearby.append(one);
   }
   if (!report.nearby.empty()) document.add("nearby", nearby);
   if (report.branches) document.add("branches", json_branches(arm, *report.branches, unit));

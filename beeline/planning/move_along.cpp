@@ -223,29 +223,65 @@ void retry_inside_limits(const Arm& arm, const std::optional<Configuration>& sta
   if (!budget.complete()) set_ended(budget.ending(), motion);
 }
 
-PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
-                const Task& task, const PathMotionOptions& options) {
-  BudgetMeter budget(options.budget);
-  BranchOptions planning{.task = task,
-                         .tolerance = part_of_tolerance(options, planned_fraction),
-                         .max_samples = static_cast<std::size_t>(options.max_samples),
-                         .budget = budget.part(0, 1)};
+/// Plans, times and proves a motion, or returns the reason why there is none.
+PathMotion planned_motion(const Arm& arm, const std::optional<Configuration>& start,
+                          const Route& route, const BranchOptions& planning,
+                          const PathMotionOptions& options, BudgetMeter& budget) {
   const Branch plan = plan_path(arm, start, route.path, planning);
-  PathMotion motion = timed(arm, route, plan, task, few_samples, options, budget);
+  PathMotion motion = timed(arm, route, plan, planning.task, few_samples, options, budget);
   if (plan && motion.status == MotionStatus::outside_limits) {
     retry_inside_limits(arm, start, route, planning, options, budget, motion);
   }
+  motion.path_parameter = plan.path_parameter;
+  return motion;
+}
+
+/// Searches for nearby paths and another start with which the motion is planned, timed and proved
+/// with the same options.
+std::vector<NearbyPath> suggestions(const Arm& arm, const std::optional<Configuration>& start,
+                                    const Route& route, const BranchOptions& planning,
+                                    const PathMotionOptions& options, BudgetMeter& budget) {
+  std::vector<NearbyPath> found;
+  const auto add_if_possible = [&](NearbyPath nearby, const std::optional<Configuration>& from) {
+    Route moved = route;
+    moved.path = nearby.path;
+    if (planned_motion(arm, from, moved, planning, options, budget)) {
+      found.push_back(std::move(nearby));
+    }
+  };
+  if (start) {
+    const Branch free = plan_path(arm, std::nullopt, route.path, planning);
+    if (free) {
+      add_if_possible({.path = route.path,
+                       .start = free.start,
+                       .description = "from another configuration at the start"},
+                      free.start);
+    }
+  }
+  for (const bool rotate : {false, true}) {
+    auto nearby = nearby_path(arm, start, route.path, planning, rotate);
+    if (nearby) add_if_possible(std::move(*nearby), start);
+  }
+  return found;
+}
+
+PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
+                const Task& task, const PathMotionOptions& options) {
+  BudgetMeter budget(options.budget);
+  const BranchOptions planning{.task = task,
+                               .tolerance = part_of_tolerance(options, planned_fraction),
+                               .max_samples = static_cast<std::size_t>(options.max_samples),
+                               .budget = budget.part(0, 1)};
+  PathMotion motion = planned_motion(arm, start, route, planning, options, budget);
   if (motion) return motion;
   PathMotion failure;
   failure.status = motion.status;
   failure.reason = motion.reason;
-  failure.path_parameter = plan.path_parameter;
+  failure.path_parameter = motion.path_parameter;
   const bool quick = arm.dof() <= task.size() + 1;  // a plan takes long with more redundancy
-  if (!options.suggest || !quick || plan || !budget.complete()) return failure;
-  for (const bool rotate : {false, true}) {
-    auto nearby = nearby_path(arm, start, route.path, planning, rotate);
-    if (nearby) failure.nearby.push_back(std::move(*nearby));
-  }
+  const bool planned = motion.path_parameter == static_cast<double>(route.path.segments.size());
+  if (!options.suggest || !quick || planned || !budget.complete()) return failure;
+  failure.nearby = suggestions(arm, start, route, planning, options, budget);
   if (!budget.complete()) failure.reason += "; " + ended_by(budget.ending()) + " for paths near it";
   return failure;
 }

@@ -2,15 +2,20 @@
 
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/planning/internal/self_motion_graph.h>
 #include <beeline/planning/nearby_path.h>
 
 namespace beeline {
 namespace {
 
-// Sizes of the changes that are tried; each is twice the one before.
-constexpr double min_translation = 1e-3, max_translation = 0.26;  // metres
-constexpr double min_rotation = 1e-2, max_rotation = 0.64;        // radians
-constexpr int bisections = 5;  // to 1/64 of the size that was found
+// Sizes of the changes that are tried; each is four times the one before.
+constexpr double min_translation = 4e-3, max_translation = 0.256;  // metres
+constexpr double min_rotation = 1e-2, max_rotation = 0.64;         // radians
+constexpr double ratio = 4;
+constexpr int bisections = 5;  // to 3/128 of the size that was found
+// Max work of the search, in units of Budget: it bounds the time of a negative answer.
+constexpr std::int64_t max_work = 150'000;
 
 /// A translation in world axes and a rotation in tool axes, applied to poses and segments.
 struct Change {
@@ -46,10 +51,35 @@ ToolPath changed(const ToolPath& path, bool keep_first_pose, const Vector3& step
   return result;
 }
 
-std::string described(const Vector3& step, int axis, bool rotate) {
-  const std::string letter = (step[axis] < 0 ? "-" : "") + std::string(1, "xyz"[axis]);
-  if (rotate) return "with the tool turned by " + angle(step.norm()) + " about its " + letter;
-  return "moved by " + number(step.norm()) + " m along " + letter;
+/// "-z", or "(0.707107, 0, -0.707107)".
+std::string direction_text(const Vector3& unit) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(unit[axis]) == 1) return (unit[axis] < 0 ? "-" : "") + std::string(1, "xyz"[axis]);
+  }
+  return "(" + number(unit.x()) + ", " + number(unit.y()) + ", " + number(unit.z()) + ")";
+}
+
+std::string described(const Vector3& unit, double size, bool rotate) {
+  const std::string direction = direction_text(unit);
+  if (!rotate) return "moved by " + number(size) + " m along " + direction;
+  const bool axis = unit.cwiseAbs().maxCoeff() == 1;
+  return "with the tool turned by " + angle(size) + " about its " + (axis ? "" : "axis ") +
+         direction;
+}
+
+/// The axes of the world or the tool, to both sides, and the directions half-way between two and
+/// three of them, for a planar arm those that it can move in.
+std::vector<Vector3> directions(bool planar, bool rotate) {
+  std::vector<Vector3> units;
+  for (int axes = 1; axes <= 3; ++axes) {
+    for (int i = 0; i < 27; ++i) {
+      const Vector3 v(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+      if (v.squaredNorm() != axes) continue;
+      if (planar && (rotate ? v.head<2>().squaredNorm() : std::abs(v.z())) > 0) continue;
+      units.push_back(axes == 1 ? v : Vector3(v.normalized()));
+    }
+  }
+  return units;
 }
 
 /// plan_path() along changed paths.
@@ -59,22 +89,55 @@ struct Trial {
   const ToolPath& path;
   bool rotate;
   BranchOptions exact;
-  BranchOptions coarse;  ///< for the search; its result is planned again
+  BranchOptions coarse;   ///< for the search; its result is planned again
+  InverseSolver* solver;  ///< of one solution within the limits
+  Configuration middle;   ///< its seed
 
-  bool works(const Vector3& step, const BranchOptions& options) const {
-    const ToolPath other = changed(path, start.has_value(), step, rotate);
-    return static_cast<bool>(plan_path(arm, start, other, options));
+  ToolPath at(const Vector3& step) const { return changed(path, start.has_value(), step, rotate); }
+
+  bool works(const Vector3& step) const {
+    return static_cast<bool>(plan_path(arm, start, at(step), exact));
   }
 
-  /// Returns the smallest step along `unit` with which planning succeeds, given that it succeeds
-  /// with `size` and fails with half of it.
-  Vector3 refined(const Vector3& unit, double size) const {
-    double fails = size / 2, succeeds = size;
+  double smallest() const { return rotate ? min_rotation : min_translation; }
+
+  /// Whether inverse kinematics finds a configuration for the end of each segment.
+  bool ends_are_reachable(const Vector3& step) const {
+    const ToolPath changed_path = at(step);
+    Eigen::MatrixXd solution(arm.dof(), 1);
+    for (std::size_t i = changed_path.segments.size(); i > 0; --i) {
+      const Pose end = pose_at(changed_path.segments[i - 1], 1);
+      if (solver->solve(end, middle, solution) == 0) return false;
+    }
+    return true;
+  }
+
+  /// A quick test, on a coarse graph or with a coarse tolerance.
+  bool may_work(const Vector3& step) const {
+    if (!ends_are_reachable(step)) return false;
+    if (arm.dof() == exact.task.size() + 1) {
+      return internal::has_self_motion_path(arm, at(step),
+                                            {.task = exact.task,
+                                             .start = start,
+                                             .spacing = 0.12,
+                                             .step = 0.3,
+                                             .budget = exact.budget});
+    }
+    return static_cast<bool>(plan_path(arm, start, at(step), coarse));
+  }
+
+  /// Whether planning succeeds with a step; the quick test first.
+  bool tried(const Vector3& step) const { return may_work(step) && works(step); }
+
+  /// Reduces the size of a step along `unit`, with which planning succeeds, by bisection down to
+  /// `fails`.
+  double refined(const Vector3& unit, double fails, double size) const {
+    double succeeds = size;
     for (int i = 0; i < bisections; ++i) {
       const double middle = (fails + succeeds) / 2;
-      (works(middle * unit, coarse) ? succeeds : fails) = middle;
+      (may_work(middle * unit) ? succeeds : fails) = middle;
     }
-    return works(succeeds * unit, exact) ? succeeds * unit : size * unit;
+    return works(succeeds * unit) ? succeeds : size;
   }
 };
 
@@ -84,40 +147,46 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
                                       const ToolPath& path, const BranchOptions& options,
                                       bool rotate) {
   internal::check_task(arm, path, options.task);
-  // Other segments would no longer join the first one smoothly.
-  if (start && !internal::all_lines(path)) return {};
-  Trial trial{arm, start, path, rotate, options, options};
+  const bool line_first = std::holds_alternative<Line>(path.segments.front());
+  const bool ends_at_corner = internal::all_lines(path) || corner_at(path, 1);
+  if (start && !(line_first && ends_at_corner)) return {};
+  InverseSolver solver(arm, {.task = options.task, .grid = 16, .max_restarts = 32});
+  Trial trial{arm, start, path, rotate, options, options, &solver, middle_configuration(arm)};
   trial.exact.reasons = BranchOptions::Reasons::none;
-  internal::BudgetMeter budget(options.budget);
+  Budget all = options.budget;
+  if (!all.max_work || *all.max_work > max_work) all.max_work = max_work;
+  internal::BudgetMeter budget(all);
   trial.exact.budget = budget.part();
-  trial.exact.max_grid = 64;
+  trial.exact.max_grid = 16;
   trial.coarse = trial.exact;
   trial.coarse.tolerance = {10 * options.tolerance.position, 10 * options.tolerance.orientation};
   const double largest = rotate ? max_rotation : max_translation;
   const int sizes =
-      1 + static_cast<int>(std::log2(largest / (rotate ? min_rotation : min_translation)));
-  const int directions = arm.planar() ? (rotate ? 2 : 4) : 6;
-  int tried = 0;
-  for (double size = rotate ? min_rotation : min_translation; size <= largest; size *= 2) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (arm.planar() && rotate != (axis == 2)) continue;
-      for (const double sign : {1.0, -1.0}) {
-        if (budget.ended()) return {};
-        budget.report(static_cast<double>(tried++) / (sizes * directions));
-        const Vector3 unit = sign * Vector3::Unit(axis);
-        if (!trial.works(size * unit, trial.coarse) || !trial.works(size * unit, trial.exact)) {
-          continue;
-        }
-        const Vector3 step = trial.refined(unit, size);
-        NearbyPath found;
-        (rotate ? found.turned : found.moved) = step;
-        found.path = changed(path, start.has_value(), step, rotate);
-        found.description = described(step, axis, rotate);
-        return found;
-      }
+      1 + static_cast<int>(std::log(largest / trial.smallest()) / std::log(ratio) + 1e-6);
+  const std::vector<Vector3> units = directions(arm.planar(), rotate);
+  const double trials = static_cast<double>(units.size()) * sizes;
+  // Each direction that also succeeds with the smallest size so far reduces it further.
+  constexpr double shorter = 0.9;
+  double size = trial.smallest(), fails = 0;
+  std::optional<Vector3> best;
+  for (int n = 0; n < sizes; ++n) {
+    for (std::size_t i = 0; i < units.size() && !budget.ended(); ++i) {
+      budget.report((n * static_cast<double>(units.size()) + static_cast<double>(i)) / trials);
+      const double wanted = best ? shorter * size : size;
+      if (!trial.tried(wanted * units[i])) continue;
+      best = units[i];
+      size = trial.refined(units[i], fails, wanted);
     }
+    if (best) break;
+    fails = size;
+    size *= ratio;
   }
-  return {};
+  if (!best) return {};
+  NearbyPath found;
+  (rotate ? found.turned : found.moved) = size * *best;
+  found.path = trial.at(size * *best);
+  found.description = described(*best, size, rotate);
+  return found;
 }
 
 }  // namespace beeline

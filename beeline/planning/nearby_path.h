@@ -8,21 +8,24 @@
 
 namespace beeline {
 
-/// A rigidly moved path that the arm can follow where it cannot follow the original one.
+/// A rigidly moved path that the arm can follow where it cannot follow the original one, or the
+/// original path from another start.
 struct NearbyPath {
   Vector3 moved = Vector3::Zero();   ///< translation of the path, metres, in world axes; or
   Vector3 turned = Vector3::Zero();  ///< rotation vector of all its poses, radians, in tool axes
   ToolPath path;
+  std::optional<Configuration> start = std::nullopt;  ///< in place of the one that was given
   std::string description;  ///< "moved by 0.012 m along -z", "with the tool turned by ..."
 };
 
-/// Searches for the shortest translation along one of the world's axes, or, if `rotate`, the
-/// smallest rotation of the tool about one of its own axes, with which plan_path() succeeds. Sizes
-/// double from 1 mm to 0.26 m, or from 0.01 to 0.64 rad; the first that succeeds is refined by
-/// bisection. Paths of planar arms move in the plane. With a start, the path's first pose is kept
-/// and its first line leads to the moved path; paths with other segments than lines then have no
-/// result. Where the budget ends the search, the result is empty or not refined. Throws Error as
-/// plan_path() does.
+/// Searches for the shortest translation along one of the world's axes or half-way between some of
+/// them, or, if `rotate`, the smallest such rotation of the tool about its own axes, with which
+/// plan_path() succeeds. Sizes quadruple from 4 mm to 0.256 m, or from 0.01 to 0.64 rad; those
+/// of the directions that succeed first are refined by bisection. Each is first searched coarsely,
+/// within a limit of work. Paths of planar arms move in the plane. With a start, the path's first
+/// pose is kept and its first line leads to the moved path; a path whose first segment is no line,
+/// or continues smoothly, then has no result. Where the budget ends the search, the result is empty
+/// or not refined. Throws Error as plan_path() does.
 std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Configuration>& start,
                                       const ToolPath& path, const BranchOptions& options,
                                       bool rotate);

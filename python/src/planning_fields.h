@@ -110,6 +110,8 @@ struct Fields<NearbyPath> {
         field("turned", &NearbyPath::turned,
               "Rotation vector of all its poses, rad, in tool axes, (3,)."),
         field("path", &NearbyPath::path, "The moved path."),
+        field("start", &NearbyPath::start,
+              "Joint values in place of the start that was given, or None."),
         field("description", &NearbyPath::description, "Such as `moved by 0.012 m along -z`."));
   }
 };

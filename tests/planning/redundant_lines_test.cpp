@@ -1,5 +1,4 @@
 #include <beeline/certificate/verify.h>
-#include <beeline/planning/internal/self_motion_graph.h>
 
 #include <tests/planning/motion_promises.h>
 
@@ -59,6 +58,35 @@ TEST_P(RedundantLines, KeepAMarginThatIsPossible) {
     ASSERT_TRUE(best) << best.reason;
     EXPECT_GE(best.limit_margin, 0.7 * std::min(given.limit_margin, 0.25));
   }
+}
+
+// What is suggested works, with the same options and to the same proof.
+TEST_P(RedundantLines, SuggestionsWork) {
+  const Arm arm = built_in(GetParam());
+  Random random;
+  int suggested = 0;
+  const PathMotionOptions options{.tolerance = 2e-5,
+                                  .profile = Profile::trapezoidal,
+                                  .interpolation = Interpolation::cubic,
+                                  .suggest = true};
+  for (int i = 0; i < cases(12); ++i) {
+    const Configuration q = random.configuration(arm);
+    const std::vector<Pose> poses = random_poses(random, forward_kinematics(arm, q));
+    const std::optional<Configuration> start = i % 2 == 0 ? std::optional(q) : std::nullopt;
+    const Route route = route_of(lines_through(poses), PathKind::line);
+    const PathMotion refused = move_along(arm, start, route, options);
+    if (refused) continue;
+    for (const NearbyPath& nearby : refused.nearby) {
+      ++suggested;
+      const Route moved = route_of(nearby.path, PathKind::line);
+      const PathMotion motion =
+          move_along(arm, nearby.start ? nearby.start : start, moved, options);
+      ASSERT_EQ(motion.status, MotionStatus::reached) << nearby.description << motion.reason;
+      EXPECT_LE(motion.deviation.bound.position, options.tolerance);
+      EXPECT_EQ(motion.trajectory.interpolation(), Interpolation::cubic);
+    }
+  }
+  EXPECT_GE(suggested, cases(12) / 6);
 }
 
 }  // namespace

@@ -243,4 +243,17 @@ KnotSequence search_self_motion_graph(const Arm& arm, const ToolPath& path,
       .value_or(KnotSequence{});
 }
 
+bool has_self_motion_path(const Arm& arm, const ToolPath& path,
+                          const SelfMotionGraphOptions& options) {
+  BudgetMeter budget(options.budget);
+  return SelfMotionSweep(arm, path,
+                         {.task = options.task,
+                          .start = options.start,
+                          .cyclic = cyclic_coordinates(arm, !options.start),
+                          .spacing = options.spacing,
+                          .step = options.step},
+                         budget)
+      .run();
+}
+
 }  // namespace beeline::internal

@@ -33,4 +33,9 @@ struct SelfMotionGraphOptions {
 KnotSequence search_self_motion_graph(const Arm& arm, const ToolPath& path,
                                       const SelfMotionGraphOptions& options);
 
+/// Whether the layers of the graph reach the path's end: a quick test for a motion, which it does
+/// not prove. False where the budget ends it.
+bool has_self_motion_path(const Arm& arm, const ToolPath& path,
+                          const SelfMotionGraphOptions& options);
+
 }  // namespace beeline::internal

@@ -148,6 +148,7 @@ void SelfMotionSweep::add(double s, const Pose& pose, const Continued& continued
     layers_.back().continuation[continued.node[i]] = found.places[i];
   }
   layers_.emplace_back(s, std::move(found.curves), motion_);
+  budget_.ended(static_cast<std::int64_t>(layers_.back().size()));
 }
 
 }  // namespace beeline::internal
