@@ -142,6 +142,23 @@ std::vector<ModelDifference> alternative_to(const Candidate& best,
   return {};
 }
 
+/// Marks two lengths or two angles that stand in each other's places.
+void mark_exchanged(std::vector<ModelDifference>& differences, double tolerance) {
+  const auto exchanged = [&](const ModelDifference& x, const ModelDifference& y) {
+    return x.kind == y.kind &&
+           (x.kind == DifferenceKind::length || x.kind == DifferenceKind::angle) && x.a && x.b &&
+           y.a && y.b && std::abs(*x.a - *y.b) <= tolerance && std::abs(*x.b - *y.a) <= tolerance;
+  };
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    for (std::size_t j = i + 1; j < differences.size(); ++j) {
+      ModelDifference &x = differences[i], &y = differences[j];
+      if (!exchanged(x, y)) continue;
+      x.remedy = "exchanged with " + y.parameter + " of joint " + std::to_string(y.joint + 1);
+      y.remedy = "exchanged with " + x.parameter + " of joint " + std::to_string(x.joint + 1);
+    }
+  }
+}
+
 /// Takes over the explanation.
 void report(const Candidate& best, const Arm& a, ArmComparison& result) {
   const Reconciliation& explanation = best.explanation;
@@ -180,6 +197,7 @@ ArmComparison compare_arms(const Arm& a, const Arm& b, const ComparisonOptions& 
   if (!search.candidates().empty()) {
     const Candidate& best = search.candidates().front();
     report(best, a, result);
+    mark_exchanged(result.differences, options.tolerance);
     result.alternative = alternative_to(best, search.candidates());
   } else {
     result.gain = result.offset = Configuration::Zero(static_cast<Eigen::Index>(a.joints().size()));

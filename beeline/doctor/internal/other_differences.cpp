@@ -86,6 +86,12 @@ void add_limits(const Arm& a, const Arm& b, std::size_t i, double gain, double o
   }
 }
 
+bool without_position_limits(const Arm& arm) {
+  return std::none_of(arm.joints().begin(), arm.joints().end(), [](const Joint& joint) {
+    return std::isfinite(joint.limits.lower) || std::isfinite(joint.limits.upper);
+  });
+}
+
 /// The names of B in the order of A, where it has the same names in another order.
 void add_names(const Arm& a, const Arm& b, std::vector<ModelDifference>& found) {
   std::vector<std::string> names_a, names_b;
@@ -144,11 +150,20 @@ std::vector<ModelDifference> other_differences(const Arm& a, const Arm& b,
                                                const ArmComparison& comparison, double tolerance) {
   std::vector<ModelDifference> found;
   if (a.joints().size() != b.joints().size()) return found;
+  const bool none_in_a = without_position_limits(a), none_in_b = without_position_limits(b);
+  if (none_in_a != none_in_b) {
+    found.push_back(
+        {.kind = DifferenceKind::limit,
+         .parameter = "position limits",
+         .what = std::string("no joint has position limits in ") + (none_in_a ? "A" : "B")});
+  }
   for (std::size_t i = 0; i < a.joints().size(); ++i) {
     const auto k = static_cast<Eigen::Index>(i);
     add_mimic(a, b, i, comparison, tolerance, found);
     if (kind(a.joints()[i]) != kind(b.joints()[i])) continue;
-    add_limits(a, b, i, comparison.gain[k], comparison.offset[k], found);
+    if (none_in_a == none_in_b) {
+      add_limits(a, b, i, comparison.gain[k], comparison.offset[k], found);
+    }
   }
   add_names(a, b, found);
   return found;

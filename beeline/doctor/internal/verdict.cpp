@@ -38,19 +38,26 @@ std::string subject(const Arm& a, const ModelDifference& difference) {
     case DifferenceKind::joint_sign:
       return "the sign of " + joint;
     case DifferenceKind::limit:
-      return "the " + difference.parameter + " of " + joint;
+      return "the " + difference.parameter + (joint.empty() ? "" : " of " + joint);
     case DifferenceKind::convention:
       return "the DH convention";
     case DifferenceKind::unit:
       return "the unit";
     case DifferenceKind::columns:
-      return "the columns";
+      return "the order of columns";
     case DifferenceKind::joint_order:
       return "the order of joints";
     case DifferenceKind::joint_kind:
       return "the type of " + joint;
     case DifferenceKind::joint_count:
       return "the number of joints";
+    case DifferenceKind::orientation:
+      return joint.empty() ? "the reading of orientations" : "the frame of " + joint;
+    case DifferenceKind::angle:
+      if (joint.empty()) return "the sign of alpha";
+      break;
+    case DifferenceKind::name:
+      return "the order of names";
     default:
       break;
   }
@@ -68,6 +75,16 @@ std::string subjects(const Arm& a, const std::vector<ModelDifference>& differenc
   }
   const std::size_t rest = differences.size() - std::min(most, differences.size());
   return rest == 0 ? text : text + " and " + std::to_string(rest) + " more";
+}
+
+/// `; 12 limits differ`, of one or two their names.
+std::string others_text(const Arm& a, const std::vector<ModelDifference>& others) {
+  const bool limits = std::all_of(others.begin(), others.end(), [](const ModelDifference& each) {
+    return each.kind == DifferenceKind::limit;
+  });
+  if (limits && others.size() > 2) return std::to_string(others.size()) + " limits differ";
+  return subjects(a, others) +
+         (others.size() == 1 && others[0].joint >= 0 ? " differs" : " differ");
 }
 
 std::string differ(const std::vector<ModelDifference>& differences) {
@@ -104,8 +121,7 @@ void judge(const Arm& a, const Arm& b, ArmComparison& comparison) {
                          (first == found.end() ? "" : ", the first is " + subject(a, *first));
   }
   if (comparison.others.empty()) return;
-  comparison.verdict += (found.empty() ? "; " : "; beside it ") + subjects(a, comparison.others) +
-                        differ(comparison.others);
+  comparison.verdict += "; " + others_text(a, comparison.others);
 }
 
 }  // namespace beeline::internal
