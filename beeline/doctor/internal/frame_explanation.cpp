@@ -3,6 +3,7 @@
 
 #include <beeline/doctor/internal/frame_explanation.h>
 #include <beeline/doctor/internal/number_relation.h>
+#include <beeline/pose/orientation.h>
 
 namespace beeline::internal {
 namespace {
@@ -48,13 +49,17 @@ ModelDifference kind_difference(const Joint& a, const Joint& b, std::size_t join
 ModelDifference orientation_difference(const Joint& a, const Joint& b, std::size_t joint) {
   const Rotation between = a.offset.linear().transpose() * b.offset.linear();
   const std::string relation = rotation_relation(a.offset.linear(), b.offset.linear());
+  const auto rpy_text = [](const Rotation& rotation) {
+    const RollPitchYaw rpy = roll_pitch_yaw(rotation);
+    return vector_text({rpy.roll, rpy.pitch, rpy.yaw});
+  };
   return {.kind = DifferenceKind::orientation,
           .joint = static_cast<int>(joint),
           .parameter = "orientation",
           .a = 0,
           .b = so3_log(between).norm(),
-          .what = "frame rotated by " + beeline::angle(so3_log(between).norm()) +
-                  (relation.empty() ? "" : " (" + relation + ")")};
+          .what = "rpy " + rpy_text(a.offset.linear()) + " in A, " + rpy_text(b.offset.linear()) +
+                  " in B" + (relation.empty() ? "" : " (" + relation + ")")};
 }
 
 /// The value of the joint at which a motion of its frame is that of the joint; nothing if none is.

@@ -109,13 +109,17 @@ MistakenRotation mistaken_rotation(const Rotation& right, int k, bool second) {
       return {"a quaternion with qw first read as with qw last",
               rotation_from_quaternion(q.qz, q.qw, q.qx, q.qy)};
     }
+    case 6:
+      return {"roll and pitch exchanged", about(2, y) * about(1, r) * about(0, p)};
     default:
       return {"pitch and yaw exchanged", about(2, p) * about(1, y) * about(0, r)};
   }
 }
 
 std::string rotation_relation(const Rotation& in_a, const Rotation& in_b) {
-  constexpr double tolerance = 1e-5;
+  constexpr double tolerance = 1e-3;  // of numbers that may be rounded degrees
+  if (in_b.isIdentity(tolerance)) return "left out in B";
+  if (in_a.isIdentity(tolerance)) return "left out in A";
   for (int k = 0; k < mistaken_rotations; ++k) {
     for (const bool second : {false, true}) {
       const MistakenRotation of_a = mistaken_rotation(in_a, k, second);

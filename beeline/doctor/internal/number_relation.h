@@ -25,7 +25,7 @@ struct MistakenRotation {
   std::string mistake;
   Rotation rotation;
 };
-constexpr int mistaken_rotations = 7;
+constexpr int mistaken_rotations = 8;
 /// Mistake number `k`, from 0 to mistaken_rotations - 1. The numbers are not unique: `second` takes
 /// the other roll, pitch and yaw of the rotation.
 MistakenRotation mistaken_rotation(const Rotation& right, int k, bool second);

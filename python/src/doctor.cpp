@@ -1,0 +1,56 @@
+#include "bindings.h"
+#include "doctor_fields.h"
+#include "interruption.h"
+
+namespace beeline::python {
+namespace {
+
+Diagnosis diagnosis_of(nb::handle model, nb::handle base, nb::handle tip) {
+  const ChainEnds ends{Value<std::optional<std::string>>::from(base, "base").value_or(""),
+                       Value<std::optional<std::string>>::from(tip, "tip").value_or("")};
+  const Arm* arm = nullptr;
+  if (nb::try_cast<const Arm*>(model, arm) && arm) {
+    const LockRelease release;
+    return diagnose(*arm);
+  }
+  const std::string text = path_from(model, "model");
+  const LockRelease release;
+  return diagnose(text, ends);
+}
+
+}  // namespace
+
+void bind_doctor(nb::module_& m) {
+  bind_record<Finding>(m);
+  bind_record<Diagnosis>(m);
+  bind_record<ModelDifference>(m);
+  bind_record<ArmComparison>(m);
+
+  Signature one("diagnose", "Diagnosis",
+                "Looks for numbers of a model that are likely mistakes: units, rounded right "
+                "angles, axes that nearly have a closed form of inverse kinematics, joints that "
+                "move alike, limits. Of a file also what its text alone shows: a missing <axis>, "
+                "an axis not of unit length.");
+  one.takes("model", std::string("Arm | ") + path_like, "An arm, or what `Arm.load` takes.")
+      .keywords()
+      .takes("base", "str | None", "Of a URDF file: link that the chain begins at.", "None")
+      .takes("tip", "str | None", "Link that it ends at.", "None");
+  define(m, &diagnosis_of, one, nb::arg("model"), nb::kw_only(), nb::arg("base") = nb::none(),
+         nb::arg("tip") = nb::none());
+
+  Signature two("compare_arms", "ArmComparison",
+                "Finds what two descriptions of one arm have different: convention, units, mount, "
+                "tool, offsets and signs of joints, dimensions of links, limits. Verified by "
+                "forward kinematics at random configurations.");
+  two.takes("a", "Arm", "One arm.").takes("b", "Arm", "The other.").options<ComparisonOptions>();
+  define(
+      m,
+      [](const Arm& a, const Arm& b, const nb::kwargs& keywords) {
+        const auto asked = options<ComparisonOptions>(keywords);
+        const LockRelease release;
+        return compare_arms(a, b, asked);
+      },
+      two, nb::arg("a"), nb::arg("b"), nb::arg("keywords"));
+}
+
+}  // namespace beeline::python
