@@ -6,6 +6,8 @@
 #include <beeline/inverse/numerical/multi_start.h>
 #include <beeline/inverse/numerical/posture_index.h>
 #include <beeline/inverse/numerical/representative.h>
+#include <beeline/inverse/numerical/singular_configuration.h>
+#include <beeline/inverse/numerical/singular_gauss_newton.h>
 #include <beeline/pose/angle.h>
 
 namespace beeline::internal {
@@ -17,6 +19,12 @@ constexpr int steps_per_check = 16;
 // Max restarts after a lane has stagnated within the tolerance, in search of one that converges to
 // rounding. Bounds the time that a nearly singular pose takes.
 constexpr int restarts_for_fine = 256;
+// A lane that ends with an error below this, radians or units of length, has stagnated next to a
+// solution or a minimum just above zero; few of the latter should take time.
+constexpr double next_to_a_solution = 1e-3;
+constexpr int max_continued = 16;
+constexpr int restarts_before = 64;  // nearly all poses elsewhere are solved by then
+constexpr int slow_convergence = 3;  // steps at a singularity for each step elsewhere
 
 /// Outcomes of a lane, worst first.
 enum class Grade { none, not_converged, coarse, converged };
@@ -135,14 +143,43 @@ class Run {
     return postures_.contains(problem_.arm, result_.solutions, found_, q);
   }
 
+  /// Continues a lane that has stagnated next to a solution, as lanes do near singularities, from
+  /// q_. Writes the solution into q_ and returns whether there is one.
+  bool continues(double cost) {
+    if (!(cost < next_to_a_solution * next_to_a_solution) ||
+        result_.restarts < std::min(restarts_before, options_.max_restarts) ||
+        continued_ == max_continued || ended()) {
+      return false;
+    }
+    ++continued_;
+    const NumericalOptions options{.tolerance = options_.tolerance,
+                                   .max_iterations = slow_convergence * options_.max_iterations,
+                                   .budget = options_.budget};
+    NumericalResult run;
+    run.q = Eigen::Map<const Configuration>(q_.data(), start_.size());
+    for (const auto solver : {singular_configuration, singular_gauss_newton}) {
+      run = solver(problem_.arm, world_T_tool_, problem_.task, problem_.bounds, run.q, options);
+      result_.iterations += run.iterations;
+      if (run.converged) break;
+    }
+    if (!run.converged) return false;
+    std::copy(run.q.begin(), run.q.end(), q_.begin());
+    continued_error_ = run.error;
+    return true;
+  }
+
   void collect(int lane) {
     held_ &= ~(1u << lane);
     lane_configuration(problem_, lanes_, lane, q_.data());
-    const double cost = lanes_.cost.lane[lane], away = wrap_to_start();
-    const bool converged = (lanes_.converged >> lane & 1) != 0;
-    const Grade grade = !converged                         ? Grade::not_converged
-                        : (lanes_.coarse >> lane & 1) != 0 ? Grade::coarse
-                                                           : Grade::converged;
+    const double cost = lanes_.cost.lane[lane];
+    const bool lane_converged = (lanes_.converged >> lane & 1) != 0;
+    const bool continued = !lane_converged && continues(cost);
+    const bool converged = lane_converged || continued;
+    const double away = wrap_to_start();
+    const bool coarse = continued || (lanes_.coarse >> lane & 1) != 0;
+    const Grade grade = !converged ? Grade::not_converged
+                        : coarse   ? Grade::coarse
+                                   : Grade::converged;
     const Eigen::Map<const Configuration> q(q_.data(), start_.size());
     result_.iterations += std::max(0, static_cast<int>(lanes_.iterations.lane[lane]));
     // Converged lanes are compared by their distance from the start, others by their error.
@@ -154,7 +191,7 @@ class Run {
       grade_ = grade;
       rank_ = rank;
       result_.nearest.q = q;
-      result_.nearest.error = lane_deviation(problem_, lanes_, lane);
+      result_.nearest.error = continued ? continued_error_ : lane_deviation(problem_, lanes_, lane);
       result_.nearest.iterations = static_cast<int>(lanes_.iterations.lane[lane]);
       result_.nearest.converged = converged;
       if (converged && !options_.all) {
@@ -186,7 +223,9 @@ class Run {
   Grade grade_ = Grade::none;  ///< of result_.nearest
   double rank_ = 0;
   int last_restart_ = 0;
-  PostureIndex postures_;  ///< of result_.solutions
+  int continued_ = 0;          ///< number of lanes that were continued
+  Deviation continued_error_;  ///< of the last of them
+  PostureIndex postures_;      ///< of result_.solutions
 };
 
 }  // namespace
