@@ -230,14 +230,21 @@ Verb batch_jacobian() {
 
 Verb batch_ik() {
   static BatchArguments arguments;
-  Verb verb =
-      common(arguments, "ik", poses_help,
-             joined({arguments.inverse.choice_options(), arguments.inverse.search_options()}),
-             inverse_work);
+  const Option status{.name = "--status",
+                      .help =
+                          "Add the columns status (0 solved, 1 unreachable, "
+                          "2 orientation_unreachable, 3 outside_limits, 4 not_found, "
+                          "5 time_limit) and residual, m or rad, as in ik --json. Poses "
+                          "without a solution then take longer.",
+                      .target = &arguments.status};
+  Verb verb = common(
+      arguments, "ik", poses_help,
+      joined({arguments.inverse.choice_options(), arguments.inverse.search_options(), {status}}),
+      inverse_work);
   verb.summary = "Inverse kinematics: a configuration for each pose";
   verb.description =
-      "Writes the joint values of one solution in each row of the output, nan if there is none; "
-      "then the exit code is 1.";
+      "Writes the joint values of one solution in each row of the output, that of beeline ik; nan "
+      "if there is none; then the exit code is 1.";
   verb.examples = {{"Two poses of the planar arm, solutions in degrees",
                     "printf 'x,y,theta\\n4,3,0\\n4.5,5.2,30\\n' > poses.csv\n"
                     "beeline batch ik rrr --in poses.csv --degrees --out q.csv"},

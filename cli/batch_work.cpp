@@ -208,6 +208,7 @@ BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
   Eigen::MatrixXd any(arm.dof(), 1);
   InverseSolver(arm, options).solve(forward_kinematics(arm, seed), seed, any);
   BatchWork work{.forms = {}, .columns = arm.joint_names(), .max_rows = 4096, .step = {}};
+  if (arguments.status) work.columns.insert(work.columns.end(), {"status", "residual"});
   for (const auto& form : pose_forms()) {
     const bool in_plane = form == pose_forms()[0] || form == pose_forms()[4];
     if (!in_plane || arm.planar()) work.forms.push_back(form);
@@ -215,19 +216,33 @@ BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
   work.forms.push_back(matrix_columns());
   const WrittenPose world_T_work = arguments.inverse.work.read(arm, arguments.unit);
   work.step = [&arguments, &arm, options, seed, world_T_work, forms = work.forms,
-               goals = Eigen::MatrixXd()](std::size_t form, RowBlock& block,
-                                          Eigen::MatrixXd& results, BatchCounts& counts,
-                                          BadRows& bad) mutable {
+               width = work.columns.size(), goals = Eigen::MatrixXd(),
+               outcomes = std::vector<InverseOutcome>()](
+                  std::size_t form, RowBlock& block, Eigen::MatrixXd& results, BatchCounts& counts,
+                  BadRows& bad) mutable {
     read_goals(arguments, arm, world_T_work, forms[form], block, goals, counts, bad);
-    results.resize(arm.dof(), block.count());
-    const BatchResult result =
-        batch_inverse(arm, goals.leftCols(block.count()), seed, results, options,
-                      {.threads = arguments.threads, .budget = arguments.budget.next()});
+    const auto world_T_tool = goals.leftCols(block.count());
+    const BatchOptions batch{.threads = arguments.threads, .budget = arguments.budget.next()};
+    results.resize(static_cast<Eigen::Index>(width), block.count());
+    const auto q = results.topRows(arm.dof());
+    BatchResult result;
+    if (arguments.status) {
+      result = batch_inverse(arm, world_T_tool, seed, q, outcomes, options, batch);
+      for (Eigen::Index i = 0; i < block.count(); ++i) {
+        const InverseOutcome& outcome = outcomes[static_cast<std::size_t>(i)];
+        results.col(i).tail<2>() << static_cast<double>(outcome.status), outcome.residual;
+      }
+    } else {
+      result = batch_inverse(arm, world_T_tool, seed, q, options, batch);
+    }
     counts.ending = result.ending;
     if (counts.ending != Ending::complete) return;
     counts.solved += result.solved;
     if (!arguments.unit.degrees) return;
-    for (auto q : results.colwise()) q = arguments.unit.shown(arm, Configuration(q));
+    for (Eigen::Index i = 0; i < block.count(); ++i) {
+      results.col(i).head(arm.dof()) =
+          arguments.unit.shown(arm, Configuration(results.col(i).head(arm.dof())));
+    }
   };
   return work;
 }

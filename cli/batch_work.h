@@ -19,6 +19,7 @@ struct BatchArguments {
   InverseArgument inverse;        ///< of ik
   BudgetArgument budget;
   int threads = 0;
+  bool status = false;  ///< of ik: the columns `status` and `residual`
   bool single = false, skip_bad = false, json = false;
 
   std::string source() const { return in == "-" ? "stdin" : in; }

@@ -261,9 +261,23 @@ BEELINE_BATCH(double)
 BEELINE_BATCH(float)
 #undef BEELINE_BATCH
 
-BatchResult batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
+namespace {
+
+/// Computes a solution of one pose into a column; NaN where there is none. Returns whether there is
+/// one.
+bool solve_column(InverseSolver& solver, const Pose& world_T_tool, const ConfigurationRef& seed,
+                  Eigen::Ref<Eigen::MatrixXd> q, InverseOutcome* outcome) {
+  if (outcome == nullptr) return solver.solve(world_T_tool, seed, q) != 0;
+  const InverseResult result = solver.solve(world_T_tool, seed);
+  *outcome = {result.status, result.residual};
+  if (result) q = result.solutions.front();
+  return result.status == InverseStatus::solved;
+}
+
+BatchResult solve_columns(const Arm& arm, ConstColumnsRef<double> world_T_tool,
                           ConstColumnsRef<double> seeds, ColumnsRef<double> q,
-                          const InverseOptions& inverse, const BatchOptions& options) {
+                          InverseOutcome* outcomes, const InverseOptions& inverse,
+                          const BatchOptions& options) {
   const Eigen::Index count = world_T_tool.cols();
   check_rows(arm, "world_T_tool", world_T_tool, size(options.layout));
   check_shape(arm, "q", q, arm.dof(), count);
@@ -281,7 +295,6 @@ BatchResult batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   in_parallel(count, block, options.threads, [&](Eigen::Index first, Eigen::Index last) {
     InverseSolver& solver = solvers.local();
-    Eigen::MatrixXd solution(arm.dof(), 1);
     for (Eigen::Index i = first; i < last; ++i) {
       if (counts.budget().ended()) {
         q.middleCols(i, last - i).setConstant(unknown);
@@ -290,14 +303,40 @@ BatchResult batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
       const auto seed = seeds.col(seeds.cols() == 1 ? 0 : i);
       const double* pose = world_T_tool.data() + i * world_T_tool.outerStride();
       const bool finite = world_T_tool.col(i).allFinite() && seed.allFinite();
-      int found = finite ? solver.solve(pose_of(pose, options.layout), seed, solution) : 0;
-      if (!counts.budget().complete()) found = 0;  // not the one of a whole search
-      if (found == 0) solution.setConstant(unknown);
-      q.col(i) = solution;
-      if (found != 0 || counts.budget().complete()) counts.add(1, found);
+      bool found = finite && solve_column(solver, pose_of(pose, options.layout), seed,
+                                          q.middleCols(i, 1), outcomes ? outcomes + i : nullptr);
+      if (!counts.budget().complete()) found = false;  // not the one of a whole search
+      if (!found) q.col(i).setConstant(unknown);
+      if (found || counts.budget().complete()) counts.add(1, found);
     }
   });
   return counts.result();
+}
+
+}  // namespace
+
+BatchResult batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
+                          ConstColumnsRef<double> seeds, ColumnsRef<double> q,
+                          const InverseOptions& inverse, const BatchOptions& options) {
+  return solve_columns(arm, world_T_tool, seeds, q, nullptr, inverse, options);
+}
+
+BatchResult batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
+                          ConstColumnsRef<double> seeds, ColumnsRef<double> q,
+                          std::vector<InverseOutcome>& outcomes, const InverseOptions& inverse,
+                          const BatchOptions& options) {
+  outcomes.assign(static_cast<std::size_t>(world_T_tool.cols()),
+                  {InverseStatus::cancelled, std::numeric_limits<double>::quiet_NaN()});
+  const BatchResult result =
+      solve_columns(arm, world_T_tool, seeds, q, outcomes.data(), inverse, options);
+  if (result.ending != Ending::complete) {
+    for (InverseOutcome& outcome : outcomes) {
+      if (std::isnan(outcome.residual)) {
+        outcome.status = internal::status_of<InverseStatus>(result.ending);
+      }
+    }
+  }
+  return result;
 }
 
 }  // namespace beeline

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <beeline/budget.h>
 #include <beeline/error.h>
 #include <beeline/inverse/inverse_kinematics.h>
@@ -66,9 +68,24 @@ BatchResult batch_manipulability(const Arm& arm, ConstColumnsRef<Real> q, Column
 
 /// Computes one solution for each pose: `world_T_tool` is size(layout) x N, `q` dof x N, `seeds`
 /// dof x N, or dof x 1 for all. Where no solution is found the column of q is NaN. `inverse.all`
-/// and `inverse.every_turn` are ignored; `inverse.budget` is that of each pose.
+/// and `inverse.every_turn` are ignored; `inverse.budget` is that of each pose. The solutions are
+/// those of inverse_kinematics().
 BatchResult batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
                           ConstColumnsRef<double> seeds, ColumnsRef<double> q,
                           const InverseOptions& inverse = {}, const BatchOptions& options = {});
+
+/// The status and the residual of an InverseResult.
+struct InverseOutcome {
+  InverseStatus status = InverseStatus::not_found;
+  double residual = 0;  ///< metres or radians, see InverseResult
+};
+
+/// The same, with the outcome of each pose; those that the batch did not come to have the status of
+/// its budget and a residual of NaN. A pose without a solution takes longer, as
+/// inverse_kinematics() finds out why.
+BatchResult batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
+                          ConstColumnsRef<double> seeds, ColumnsRef<double> q,
+                          std::vector<InverseOutcome>& outcomes, const InverseOptions& inverse = {},
+                          const BatchOptions& options = {});
 
 }  // namespace beeline

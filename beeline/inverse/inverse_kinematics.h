@@ -93,8 +93,9 @@ struct InverseResult {
   /// requested or the best one: then some may be missing, or a better one.
   std::vector<Configuration> solutions;
   bool complete = false;  ///< with `all`: these are all solutions, which are finitely many
-  /// Solved by a closed form at a singular configuration: each solution represents infinitely many,
-  /// connected by self-motions, and is the nearest of them to the seed.
+  /// Solved at a singular configuration: a solution is one of infinitely many, connected by
+  /// self-motions; by a closed form the nearest of them to the seed. With `all`, every solution is
+  /// examined; otherwise only a closed form reports it.
   bool singular = false;
   /// Metres or radians, the larger of both. solved: the largest error of a solution.
   /// unreachable: the least position error. orientation_unreachable: the nearest miss's angle.

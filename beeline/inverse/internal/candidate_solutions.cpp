@@ -3,8 +3,23 @@
 #include <beeline/inverse/internal/candidate_solutions.h>
 #include <beeline/inverse/internal/solution_set.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
+#include <beeline/inverse/numerical/representative.h>
+#include <beeline/math/six_row_svd.h>
 
 namespace beeline::internal {
+
+namespace {
+
+/// Whether solutions far from q in the joints may differ from it by rounding in the pose, so that
+/// one of them may be within limits. Only where the arm has finitely many solutions.
+bool next_to_a_singularity(const Request& request, const Configuration& q) {
+  if (request.arm.dof() > request.task.size()) return false;
+  constexpr double near = 1e-5;  // least singular value, as a fraction of the largest
+  const SixRowSvd svd = six_row_svd(task_jacobian(request.arm, q, request.task));
+  return svd.singular_values[q.size() - 1] < near * svd.singular_values[0];
+}
+
+}  // namespace
 
 void CandidateSolutions::add(Configuration q, bool continuum) {
   if (!q.allFinite()) {
@@ -29,6 +44,11 @@ void CandidateSolutions::add(Configuration q, bool continuum) {
     q = corrected.q;
   }
   evidence().consider(request_, q);
+  // One within limits is a solution, whatever is next to it.
+  const bool outside =
+      excess(request_.bounds,
+             nearest_representative(request_.arm, q, request_.seed, request_.bounds)) > 0;
+  if (outside && !continuum && next_to_a_singularity(request_, q)) evidence().doubtful = true;
   add_solution(request_, q, found_.result, &known_);
 }
 

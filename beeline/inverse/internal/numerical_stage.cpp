@@ -68,11 +68,13 @@ void search_without_limits(SolverState& state, const Request& request, StageResu
 
 bool search_fast_path(SolverState& state, const Pose& goal, const ConfigurationRef& seed,
                       BudgetMeter& budget, Eigen::Ref<Eigen::MatrixXd> solutions) {
+  // Solves nearly all poses that have a solution. For the others the numerical stage begins anew.
+  constexpr int few_restarts = 64;
   const PreparedSearch& prepared = search_within_limits(state);
   multi_start(prepared.problem, prepared.seeds, goal, seed,
               {.tolerance = state.options.tolerance,
                .max_iterations = state.options.max_iterations,
-               .max_restarts = state.options.max_restarts,
+               .max_restarts = std::min(state.options.max_restarts, few_restarts),
                .random_seed = state.options.random_seed,
                .budget = &budget},
               state.buffers, state.search);

@@ -9,6 +9,8 @@
 #include <beeline/inverse/internal/redundant_joint.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/jacobian.h>
+#include <beeline/math/six_row_svd.h>
 #include <beeline/pose/angle.h>
 
 namespace beeline::internal {
@@ -41,7 +43,23 @@ bool recovers_configurations(const PieperSolver& form, const Arm& arm) {
   return true;
 }
 
+/// Whether an arm of six joints can move with the tool at rest from every configuration, as with
+/// the elbow of a shoulder-elbow-wrist arm locked. Its poses have no solution or infinitely many.
+bool moves_with_tool_at_rest(const Arm& arm) {
+  if (arm.dof() != 6) return false;
+  constexpr double rounding = 1e-12;
+  Splitmix random(1);
+  Configuration q(6);
+  for (int trial = 0; trial < 3; ++trial) {
+    for (double& value : q) value = 2 * random.next() - 1;
+    const SixRowSvd svd = six_row_svd(jacobian(arm, q));
+    if (svd.singular_values[5] > rounding * svd.singular_values[0]) return false;
+  }
+  return true;
+}
+
 bool applies_pieper(SolverState& state) {
+  if (moves_with_tool_at_rest(state.arm)) return false;
   std::optional<PieperSolver> form = PieperSolver::make(state.arm, state.task);
   const std::optional<int>& lock = state.options.lock;
   if (!form || (lock && form->locked() != lock)) return false;
@@ -81,17 +99,19 @@ void solve_locked(SolverState& state, const Request& request, CandidateSolutions
     }
     return;
   }
-  LeastOutside outside;
-  const LockedBranch branch =
-      request.options.redundancy == Redundancy::any
-          ? first_within(form, request.goal, range, grid, loop, request.budget, outside)
-          : best_within(form, request.goal, range, grid, request.options.redundancy, loop,
-                        request.budget);
   Configuration q(dof);
-  if (branch.lane >= 0) {
+  const auto add = [&](const LockedBranch& branch) {
+    if (branch.lane < 0) return false;
     form.configuration(branch.found, branch.lane, branch.value, q);
-    return candidates.add(q, (branch.found.continuum >> branch.lane & 1) != 0);
+    candidates.add(q, (branch.found.continuum >> branch.lane & 1) != 0);
+    return true;
+  };
+  if (request.options.redundancy != Redundancy::any) {
+    add(best_within(form, request.goal, range, grid, request.options.redundancy, loop,
+                    request.budget));
   }
+  LeastOutside outside;
+  if (add(first_within(form, request.goal, range, grid, loop, request.budget, outside))) return;
   for (int i = 0; i < outside.count; ++i) {
     candidates.add(Eigen::Map<const Configuration>(outside.q[i], dof), false);
   }
@@ -134,7 +154,8 @@ std::optional<int> solve_redundant(SolverState& state, const Pose& goal,
   LeastOutside outside;
   const LockedBranch branch =
       first_within(form, goal, range, std::min(few, state.options.grid), loop, budget, outside);
-  if (branch.lane >= 0 && (branch.found.continuum >> branch.lane & 1) == 0) {
+  if (branch.lane >= 0) {
+    if ((branch.found.continuum >> branch.lane & 1) != 0) return std::nullopt;
     form.configuration(branch.found, branch.lane, branch.value, solutions.col(0));
     return 1;
   }

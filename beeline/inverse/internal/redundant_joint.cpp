@@ -72,10 +72,17 @@ int nearest_lane(const PieperRequest& loop, const PieperBranches& found) {
 }
 
 bool nearly_found(const PieperSolver& form, const PieperBranches& found) {
-  // Virtual joints may be zero only where other lanes are at the boundary of the workspace.
-  if (form.has_virtual_joints() && found.found != 0) return false;
   if (found.weak != 0) return true;
   const double near = 1e-6 * std::max(1.0, form.size());
+  if (form.has_virtual_joints()) {
+    // Virtual joints may be zero only where other lanes are at the boundary of the workspace. Where
+    // the axis of one is nearly parallel to others, its value is lost with the digits of the lane.
+    const double badly_determined = 1e-3 * near;
+    for (unsigned rest = found.found; rest != 0; rest &= rest - 1) {
+      if (found.residual[std::countr_zero(rest)] > badly_determined) return true;
+    }
+    if (found.found != 0) return false;
+  }
   if (found.found == 0xff) return false;  // no lane is left
   for (int lane = 0; lane < 8; ++lane) {
     if ((found.found >> lane & 1) == 0 && found.residual[lane] < near) return true;

@@ -1,9 +1,16 @@
+#include <Eigen/SVD>
+#include <algorithm>
+#include <utility>
+
 #include <beeline/inverse/internal/diagnosis.h>
 #include <beeline/inverse/internal/joint_lock.h>
 #include <beeline/inverse/internal/redundancy.h>
 #include <beeline/inverse/internal/solution_set.h>
 #include <beeline/inverse/internal/solve.h>
+#include <beeline/inverse/internal/solve_fast_path.h>
 #include <beeline/inverse/internal/stages.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
+#include <beeline/math/six_row_svd.h>
 
 namespace beeline::internal {
 namespace {
@@ -35,6 +42,43 @@ InverseResult solve_with_lock(SolverState& state, const Pose& world_T_tool,
   return result;
 }
 
+/// Whether the arm can move from the solution q with the tool at rest: a step along the direction
+/// in which the tool does not move leads to another solution.
+bool has_self_motion(const Request& request, const Configuration& q) {
+  constexpr double rounding = 1e-8;  // of the singular values of a solution
+  constexpr double length = 0.1;     // of the step, radians or metres
+  const Eigen::MatrixXd j = task_jacobian(request.arm, q, request.task);
+  const SixRowSvd svd = six_row_svd(j);
+  if (svd.singular_values[q.size() - 1] > rounding * svd.singular_values[0]) return false;
+  const Eigen::JacobiSVD<Eigen::MatrixXd> full(j, Eigen::ComputeFullV);
+  const Configuration moved = q + length * full.matrixV().rightCols<1>();
+  const NumericalResult back =
+      levenberg_marquardt(request.arm, request.goal, request.task, no_bounds(request.arm), moved,
+                          {.tolerance = request.tolerance});
+  return back.converged && (back.q - q).norm() > length / 2;
+}
+
+/// Adds the solution that Redundancy::any gives, than which the optimum is to be no worse.
+void add_any_solution(SolverState& state, const Request& request, InverseResult& result) {
+  const Redundancy requested = std::exchange(state.options.redundancy, Redundancy::any);
+  Configuration q(request.arm.dof());
+  const std::optional<int> count =
+      solve_fast_path(state, request.goal, request.seed, request.budget, q);
+  state.options.redundancy = requested;
+  if (count == 1 && within(request.bounds, q) && error_at(request, q) <= request.tolerance) {
+    result.solutions.push_back(q);
+  }
+}
+
+/// Whether the last search came so near that the searches of diagnose() may find a solution, which
+/// every caller is to get.
+bool nearly_solved(const SolverState& state) {
+  constexpr double near = 1e-3;  // metres and radians
+  const NumericalResult& nearest = state.search.nearest;
+  return state.search.iterations > 0 &&
+         std::max(nearest.error.position, nearest.error.orientation) < near;
+}
+
 /// The status and reason of solutions that the budget ended the search for; not of the only one
 /// that is requested.
 void set_ended(const Request& request, bool optimised, InverseResult& result) {
@@ -62,19 +106,30 @@ InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configur
                                        world_T_tool, wrapped, budget);
   state.search.iterations = 0;
   auto [result, unconstrained] = run_stages(state, request);
-  if (result.solutions.empty() && diagnosis == Diagnosis::wanted) {
+  if (result.solutions.empty() && (diagnosis == Diagnosis::wanted || nearly_solved(state))) {
     diagnose(state, request, unconstrained, result);
   }
   if (result.solutions.empty()) return result;
   const bool redundant = request.arm.dof() > request.task.size() && !request.options.all;
   const bool optimised = redundant && request.options.redundancy != Redundancy::any;
-  if (optimised) optimise_redundancy(request, result);
+  if (optimised) {
+    add_any_solution(state, request, result);
+    optimise_redundancy(request, result);
+  }
+  const bool finitely_many = request.arm.dof() <= request.task.size();
+  const bool nearest = result.singular;
+  if (request.options.all && finitely_many && !result.singular) {
+    result.singular =
+        std::any_of(result.solutions.begin(), result.solutions.end(),
+                    [&request](const Configuration& q) { return has_self_motion(request, q); });
+  }
   result.complete = request.options.all && unconstrained.complete && !result.singular;
   finish(request, result);
   if (result.singular) {
     result.reason = "singular: arm " + request.arm.name() +
-                    " can move with the tool at rest, so there are infinitely many solutions; " +
-                    "in those given the joints concerned are nearest to the seed";
+                    " can move with the tool at rest, so there are infinitely many solutions" +
+                    (nearest ? "; in those given the joints concerned are nearest to the seed"
+                             : ", of which those given are some");
   }
   set_ended(request, optimised, result);
   return result;

@@ -2,7 +2,6 @@
 
 #include <beeline/inverse/internal/analytic_family.h>
 #include <beeline/inverse/internal/numerical_stage.h>
-#include <beeline/inverse/internal/solution_set.h>
 #include <beeline/inverse/internal/solve_fast_path.h>
 #include <beeline/kinematics/forward.h>
 
@@ -28,20 +27,22 @@ std::optional<int> solve_fast_path(SolverState& state, const Pose& goal,
 std::optional<InverseResult> one_solution_fast(SolverState& state, const Pose& world_T_tool,
                                                const ConfigurationRef& seed, BudgetMeter& budget) {
   const InverseOptions& options = state.options;
-  const bool finitely_many = state.arm.dof() == state.task.size() && !options.lock;
-  if (options.all || !finitely_many || !state.family) return {};
+  if (options.all) return {};
   check_configuration(state.arm, seed);
   const Pose goal = checked_pose(world_T_tool);
   Configuration q(state.arm.dof());
+  state.search.iterations = state.search.restarts = 0;
   if (solve_fast_path(state, goal, seed, budget, q) != 1) return {};
   const Deviation error = task_deviation(state.task, goal, forward_kinematics(state.arm, q));
   const double residual = std::max(error.position, error.orientation);
-  if (!(residual <= needs_no_correction(options.tolerance))) return {};
+  if (!(residual <= options.tolerance)) return {};
   InverseResult result;
   result.status = InverseStatus::solved;
   result.solutions.push_back(std::move(q));
   result.residual = residual;
-  result.method = method_name(state);
+  result.iterations = state.search.iterations;
+  result.restarts = state.search.restarts;
+  result.method = result.iterations > 0 ? "numerical" : method_name(state);
   return result;
 }
 

@@ -14,8 +14,8 @@ std::optional<int> solve_fast_path(SolverState& state, const Pose& goal,
                                    const ConfigurationRef& seed, BudgetMeter& budget,
                                    const Eigen::Ref<Eigen::MatrixXd>& solutions);
 
-/// The solution nearest to the seed, where solve() would examine all by a closed form and correct
-/// none; checked by forward kinematics. Nothing if solve() is needed.
+/// The same for one solution, checked by forward kinematics, as a result. Nothing if solve() is
+/// needed.
 std::optional<InverseResult> one_solution_fast(SolverState& state, const Pose& world_T_tool,
                                                const ConfigurationRef& seed, BudgetMeter& budget);
 

@@ -11,7 +11,7 @@ namespace beeline::internal {
 ///   dq = sum over i of clamp(u_i . e / sigma_i, +-0.3 rad) v_i,
 /// over the directions whose error u_i . e exceeds the tolerance, subject to the bounds. Steps are
 /// taken whether or not they reduce |e|: at a solution where the Jacobian loses rank, Gauss-Newton
-/// halves the distance in most steps only. A step takes about ten times as long as one of
+/// halves the distance, but not in every step. A step takes about ten times as long as one of
 /// levenberg_marquardt(). Returns the configuration of least error that was met. Throws as it does.
 NumericalResult singular_gauss_newton(const Arm& arm, const Pose& world_T_tool, const Task& task,
                                       const Bounds& bounds, const Configuration& start,

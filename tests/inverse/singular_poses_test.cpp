@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include <beeline/model/catalog.h>
+
+#include <tests/inverse/answer.h>
+
+// Poses of configurations at and next to singularities and limits: the pose has a solution within
+// limits by construction, so an answer without one is a fault.
+
+namespace beeline {
+namespace {
+
+using std::numbers::pi;
+using testing::Random;
+
+/// Returns 0, or 1e-15 to 1e-5 with random sign.
+double small_deviation(Random& random) {
+  const int power = random.integer(-16, -5);
+  return power == -16 ? 0 : std::pow(10.0, power) * (random.integer(0, 1) ? 1 : -1);
+}
+
+/// Returns a configuration within limits in which each value is, with this probability, next to a
+/// multiple of a right angle; if `at_limits`, half of the others are at a limit.
+Configuration special(const Arm& arm, double probability, bool at_limits, Random& random) {
+  Configuration q = random.configuration(arm);
+  for (int k = 0; k < arm.dof(); ++k) {
+    const Limits& limits = arm.limits(k);
+    if (random.uniform(0, 1) < probability) {
+      const bool slides = kind(arm.joint_of(k)) == JointKind::prismatic;
+      const double value = slides ? 0 : pi / 2 * random.integer(-2, 2);
+      if (value < limits.lower || value > limits.upper) continue;
+      q[k] = std::clamp(value + small_deviation(random), limits.lower, limits.upper);
+    } else if (at_limits && random.integer(0, 1) && std::isfinite(limits.lower)) {
+      q[k] = random.integer(0, 1) ? limits.lower : limits.upper;
+    }
+  }
+  return q;
+}
+
+void expect_answer(InverseSolver& solver, const Arm& arm, const Configuration& q, int& unanswered) {
+  const Pose pose = forward_kinematics(arm, q);
+  const InverseResult result = solver.solve(pose);
+  Eigen::MatrixXd column(arm.dof(), 1);
+  const int count = solver.solve(pose, middle_configuration(arm), column);
+  ASSERT_EQ(count == 1, static_cast<bool>(result)) << arm.name() << ' ' << q.transpose();
+  if (!result) {
+    ++unanswered;
+    EXPECT_NE(result.status, InverseStatus::unreachable) << result.reason;
+    EXPECT_NE(result.status, InverseStatus::orientation_unreachable) << result.reason;
+    EXPECT_FALSE(result.reason.starts_with("every solution")) << result.reason << q.transpose();
+    return;
+  }
+  EXPECT_EQ(column.col(0), result.solutions[0]) << arm.name();
+  EXPECT_TRUE(within(internal::bounds_of(arm), result.solutions[0])) << arm.name();
+  const Deviation error =
+      task_deviation(default_task(arm), pose, forward_kinematics(arm, result.solutions[0]));
+  EXPECT_LE(testing::largest(error), 1e-10) << arm.name();
+}
+
+TEST(SingularPoses, AreAnswered) {
+  Random random;
+  int unanswered = 0, asked = 0;
+  for (const std::string& name : built_in_names()) {
+    const Arm arm = built_in(name);
+    InverseSolver solver(arm);
+    for (int i = 0; i < testing::cases(400); ++i, ++asked) {
+      const double probability = random.uniform(0, 1);
+      expect_answer(solver, arm, special(arm, probability, i % 2 == 1, random), unanswered);
+    }
+  }
+  EXPECT_LE(unanswered, 1 + asked / 10000);
+}
+
+/// Locks the elbow of an arm whose shoulder and wrist are spherical: the other six joints move with
+/// the tool at rest from every configuration.
+TEST(SingularPoses, AreAnsweredWithALockedElbow) {
+  Random random;
+  const Arm arm = built_in("iiwa14");
+  InverseSolver solver(arm, {.lock = 3});
+  for (int i = 0; i < testing::cases(300); ++i) {
+    const Configuration q = special(arm, 0.3, i % 2 == 1, random);
+    Configuration seed = middle_configuration(arm);
+    seed[3] = q[3];
+    const Pose pose = forward_kinematics(arm, q);
+    const InverseResult result = solver.solve(pose, seed);
+    testing::expect_solved(arm, pose, Task::spatial(), result);
+    if (result) EXPECT_EQ(result.solutions[0][3], q[3]);
+  }
+}
+
+/// `nearest` and `centred` are optima, so `any` is no better.
+TEST(SingularPoses, TheBestRedundantSolutionIsNoWorseThanAny) {
+  Random random;
+  for (const char* name : {"panda", "iiwa14"}) {
+    const Arm arm = built_in(name);
+    for (int i = 0; i < testing::cases(60); ++i) {
+      const Pose pose = forward_kinematics(arm, special(arm, 0.3, i % 2 == 1, random));
+      const Configuration seed = random.configuration(arm);
+      const auto solved = [&](Redundancy redundancy) {
+        return inverse_kinematics(arm, pose, {.seed = seed, .redundancy = redundancy});
+      };
+      const InverseResult any = solved(Redundancy::any);
+      const InverseResult nearest = solved(Redundancy::nearest);
+      const InverseResult centred = solved(Redundancy::centred);
+      if (!any) continue;
+      ASSERT_TRUE(nearest && centred) << name << nearest.reason << centred.reason;
+      const auto margin = [&arm](const Configuration& q) {
+        double least = 1;
+        for (int k = 0; k < arm.dof(); ++k) {
+          const Limits& limits = arm.limits(k);
+          least = std::min({least, (q[k] - limits.lower) / (limits.upper - limits.lower),
+                            (limits.upper - q[k]) / (limits.upper - limits.lower)});
+        }
+        return least;
+      };
+      EXPECT_LE((nearest.solutions[0] - seed).norm(), (any.solutions[0] - seed).norm() + 1e-9);
+      EXPECT_GE(margin(centred.solutions[0]), margin(any.solutions[0]) - 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace beeline
