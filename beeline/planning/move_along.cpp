@@ -200,14 +200,16 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
 }
 
 /// Plans and times again with other options, because a smooth motion of a joint along its limit may
-/// exceed it between samples. Replaces `motion` by the first that does not.
+/// exceed it between samples. Replaces `motion` by the first that does not and is proved, or by one
+/// that is not proved at the rate.
 void retry_inside_limits(const Arm& arm, const std::optional<Configuration>& start,
                          const Route& route, const BranchOptions& planning,
                          const PathMotionOptions& options, BudgetMeter& budget,
                          PathMotion& motion) {
   // Inset of the limits, radians or metres, and fraction of the tolerance, smallest change first.
   // The steps of a plan are proportional to the square root of its tolerance.
-  constexpr std::pair<double, double> attempts[] = {{0, 1}, {1e-3, 1}, {1e-2, 1}, {1e-3, 1.0 / 64}};
+  constexpr std::pair<double, double> attempts[] = {
+      {0, 1}, {1e-4, 1}, {3e-4, 1}, {1e-3, 1}, {1e-2, 1}, {1e-4, 1.0 / 64}, {1e-3, 1.0 / 64}};
   for (const auto& [inset, fraction] : attempts) {
     if (budget.ended()) return set_ended(budget.ending(), motion);
     BranchOptions again = planning;
@@ -216,9 +218,10 @@ void retry_inside_limits(const Arm& arm, const std::optional<Configuration>& sta
     Branch plan = plan_path(with_inset_limits(arm, start, inset), start, route.path, again);
     if (plan) measure(arm, planning.task, budget, plan);
     PathMotion inside = timed(arm, route, plan, planning.task, many_samples, options, budget);
-    if (!inside) continue;
-    motion = std::move(inside);
-    return;
+    // Within the limits, but not proved at the rate: the reason names what the user can change.
+    const bool proof_fails = inside.status == MotionStatus::not_proved && options.rate > 0;
+    if (inside || (plan && proof_fails)) motion = std::move(inside);
+    if (motion) return;
   }
   if (!budget.complete()) set_ended(budget.ending(), motion);
 }
@@ -280,7 +283,8 @@ PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const
   failure.path_parameter = motion.path_parameter;
   const bool quick = arm.dof() <= task.size() + 1;  // a plan takes long with more redundancy
   const bool planned = motion.path_parameter == static_cast<double>(route.path.segments.size());
-  if (!options.suggest || !quick || planned || !budget.complete()) return failure;
+  const bool off_path = !planned || motion.status == MotionStatus::outside_limits;
+  if (!options.suggest || !quick || !off_path || !budget.complete()) return failure;
   failure.nearby = suggestions(arm, start, route, planning, options, budget);
   if (!budget.complete()) failure.reason += "; " + ended_by(budget.ending()) + " for paths near it";
   return failure;

@@ -15,7 +15,7 @@ constexpr double min_rotation = 1e-2, max_rotation = 0.64;         // radians
 constexpr double ratio = 4;
 constexpr int bisections = 5;  // to 3/128 of the size that was found
 // Max work of the search, in units of Budget: it bounds the time of a negative answer.
-constexpr std::int64_t max_work = 150'000;
+constexpr std::int64_t max_work = 100'000;
 
 /// A translation in world axes and a rotation in tool axes, applied to poses and segments.
 struct Change {

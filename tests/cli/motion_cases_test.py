@@ -47,3 +47,25 @@ def test_a_spline_is_checked_as_it_was_made(beeline):
     assert made.code == 0, made.err
     checked = beeline("check", "rrr", "s.csv", *path)
     assert checked.code == 0, checked.err
+
+
+def test_a_motion_next_to_a_limit_is_refused_for_its_rate_only(beeline):
+    line = ("line", "panda", "--through", CASES / "3_112_p.csv", "--tolerance", "1e-6", "--blend",
+            "0.05", "--from=0.03016255434593962,0.09511285887957799,-2.1829910366531307,"
+            "-2.6082674295077295,-2.2807543932705037,2.699197592308826,0.49841229319967484")
+    refused = beeline(*line, "--rate", "50", "--json")
+    assert refused.code == 1 and refused.json["status"] == "not_proved"
+    assert "or a rate of 100" in refused.json["reason"]
+    answer = beeline(*line, "--rate", "100", "--out", "m.csv")
+    assert answer.code == 0, answer.err
+
+
+def test_another_start_is_suggested_where_it_works(beeline):
+    line = ("line", XARM, "--through", CASES / "3_91_p.csv", "--tolerance", "1e-6", "--profile",
+            "trapezoidal", "--json")
+    refused = beeline(*line, "--from=-3.8492889627284392,1.038235133016312,-4.038304936755049,"
+                      "3.67508263932233,-2.8586993992031875,0.9838679142478723,2.583656615621238")
+    assert refused.code == 1 and refused.json["status"] == "outside_limits"
+    start = next(nearby["start"] for nearby in refused.json["nearby"] if "start" in nearby)
+    answer = beeline(*line, "--from=" + ",".join(map(repr, start)))
+    assert answer.code == 0, answer.err
