@@ -86,7 +86,8 @@ TEST(SingularPoses, AreAnsweredWithALockedElbow) {
     const Pose pose = forward_kinematics(arm, q);
     const InverseResult result = solver.solve(pose, seed);
     testing::expect_solved(arm, pose, Task::spatial(), result);
-    if (result) EXPECT_EQ(result.solutions[0][3], q[3]);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result.solutions[0][3], q[3]);
   }
 }
 
