@@ -70,7 +70,7 @@ def test_an_unknown_component_is_refused(prefix, tmp_path):
         text=True,
     )
     assert done.returncode != 0
-    assert "beeline has no component 'legs': core, batch, read, formula, draw" in done.stderr
+    assert "beeline has no component 'legs': core, batch, read, formula, doctor, draw" in done.stderr
 
 
 def test_every_public_header_is_installed(prefix, root):

@@ -8,6 +8,7 @@
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/inverse/numerical/singular_configuration.h>
 #include <beeline/inverse/numerical/singular_gauss_newton.h>
+#include <beeline/kinematics/forward.h>
 #include <beeline/pose/angle.h>
 
 namespace beeline::internal {
@@ -50,7 +51,7 @@ class Run {
     q_.resize(problem_.coordinates.size());
     result_.iterations = result_.restarts = 0;
     result_.nearest.converged = false;
-    if (!options_.all && converges_nearby()) {
+    if (!options_.all && (converges_nearby() || converges_from_start())) {
       result_.solutions.resize(1);
       result_.solutions[0] = result_.nearest.q;
       return;
@@ -97,6 +98,21 @@ class Run {
     result_.nearest.converged = true;
     result_.iterations = result_.nearest.iterations = near_.iterations;
     return true;
+  }
+
+  /// Tries the branch of a start near the pose, before lanes find another.
+  bool converges_from_start() {
+    constexpr double near = 0.1;  // radians, or units of length
+    const Deviation off =
+        task_deviation(problem_.task, world_T_tool_, forward_kinematics(problem_.arm, start_));
+    if (!(off.position < near * problem_.length && off.orientation < near)) return false;
+    result_.nearest =
+        levenberg_marquardt(problem_.arm, world_T_tool_, problem_.task, problem_.bounds, start_,
+                            {.tolerance = options_.tolerance,
+                             .max_iterations = options_.max_iterations,
+                             .budget = options_.budget});
+    result_.iterations = result_.nearest.iterations;
+    return result_.nearest.converged;
   }
 
   /// Starts a new run in every empty lane, as long as there are restarts.

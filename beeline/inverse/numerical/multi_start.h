@@ -43,13 +43,14 @@ struct PreparedSearch {
 PreparedSearch prepared_search(const Arm& arm, const Task& task, const Bounds& bounds,
                                std::uint64_t random_seed);
 
-/// Searches for a solution from several starts. First runs gauss_newton() from `start`, which may
-/// be near the pose. Then runs run_lanes(): one lane from `start`, seven from the seeds nearest to
-/// the pose; a lane that ends without converging starts again from a random configuration. Ends
-/// when a lane converges. If several converge in the same step, the solution is the one nearest to
-/// `start`. It is given as its representative nearest to `start`. The same seed table and
-/// random_seed give the same result if no time limit ends it. `result` is overwritten. Throws Error
-/// for a start or a pose that is not finite or does not fit, and for an option out of range.
+/// Searches for a solution from several starts. First runs gauss_newton() from `start`, and
+/// levenberg_marquardt() if the start is near the pose. Then runs run_lanes(): one lane from
+/// `start`, seven from the seeds nearest to the pose; a lane that ends without converging starts
+/// again from a random configuration. Ends when a lane converges. If several converge in the same
+/// step, the solution is the one nearest to `start`. It is given as its representative nearest to
+/// `start`. The same seed table and random_seed give the same result if no time limit ends it.
+/// `result` is overwritten. Throws Error for a start or a pose that is not finite or does not fit,
+/// and for an option out of range.
 void multi_start(const NumericalProblem& problem, const SeedTable& seeds, const Pose& world_T_tool,
                  const ConfigurationRef& start, const MultiStartOptions& options,
                  MultiStartBuffers& buffers, SearchResult& result);
