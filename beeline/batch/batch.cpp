@@ -2,6 +2,7 @@
 #include <atomic>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <beeline/batch/batch.h>
@@ -274,8 +275,8 @@ bool solve_column(InverseSolver& solver, const Pose& world_T_tool, const Configu
   return result.status == InverseStatus::solved;
 }
 
-BatchResult solve_columns(const Arm& arm, ConstColumnsRef<double> world_T_tool,
-                          ConstColumnsRef<double> seeds, ColumnsRef<double> q,
+BatchResult solve_columns(const Arm& arm, const ConstColumnsRef<double>& world_T_tool,
+                          const ConstColumnsRef<double>& seeds, ColumnsRef<double> q,
                           InverseOutcome* outcomes, const InverseOptions& inverse,
                           const BatchOptions& options) {
   const Eigen::Index count = world_T_tool.cols();
@@ -315,20 +316,20 @@ BatchResult solve_columns(const Arm& arm, ConstColumnsRef<double> world_T_tool,
 
 }  // namespace
 
-BatchResult batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
-                          ConstColumnsRef<double> seeds, ColumnsRef<double> q,
+BatchResult batch_inverse(const Arm& arm, const ConstColumnsRef<double>& world_T_tool,
+                          const ConstColumnsRef<double>& seeds, ColumnsRef<double> q,
                           const InverseOptions& inverse, const BatchOptions& options) {
-  return solve_columns(arm, world_T_tool, seeds, q, nullptr, inverse, options);
+  return solve_columns(arm, world_T_tool, seeds, std::move(q), nullptr, inverse, options);
 }
 
-BatchResult batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
-                          ConstColumnsRef<double> seeds, ColumnsRef<double> q,
+BatchResult batch_inverse(const Arm& arm, const ConstColumnsRef<double>& world_T_tool,
+                          const ConstColumnsRef<double>& seeds, ColumnsRef<double> q,
                           std::vector<InverseOutcome>& outcomes, const InverseOptions& inverse,
                           const BatchOptions& options) {
   outcomes.assign(static_cast<std::size_t>(world_T_tool.cols()),
                   {InverseStatus::cancelled, std::numeric_limits<double>::quiet_NaN()});
   const BatchResult result =
-      solve_columns(arm, world_T_tool, seeds, q, outcomes.data(), inverse, options);
+      solve_columns(arm, world_T_tool, seeds, std::move(q), outcomes.data(), inverse, options);
   if (result.ending != Ending::complete) {
     for (InverseOutcome& outcome : outcomes) {
       if (std::isnan(outcome.residual)) {

@@ -70,8 +70,8 @@ BatchResult batch_manipulability(const Arm& arm, ConstColumnsRef<Real> q, Column
 /// dof x N, or dof x 1 for all. Where no solution is found the column of q is NaN. `inverse.all`
 /// and `inverse.every_turn` are ignored; `inverse.budget` is that of each pose. The solutions are
 /// those of inverse_kinematics().
-BatchResult batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
-                          ConstColumnsRef<double> seeds, ColumnsRef<double> q,
+BatchResult batch_inverse(const Arm& arm, const ConstColumnsRef<double>& world_T_tool,
+                          const ConstColumnsRef<double>& seeds, ColumnsRef<double> q,
                           const InverseOptions& inverse = {}, const BatchOptions& options = {});
 
 /// The status and the residual of an InverseResult.
@@ -83,8 +83,8 @@ struct InverseOutcome {
 /// The same, with the outcome of each pose; those that the batch did not come to have the status of
 /// its budget and a residual of NaN. A pose without a solution takes longer, as
 /// inverse_kinematics() finds out why.
-BatchResult batch_inverse(const Arm& arm, ConstColumnsRef<double> world_T_tool,
-                          ConstColumnsRef<double> seeds, ColumnsRef<double> q,
+BatchResult batch_inverse(const Arm& arm, const ConstColumnsRef<double>& world_T_tool,
+                          const ConstColumnsRef<double>& seeds, ColumnsRef<double> q,
                           std::vector<InverseOutcome>& outcomes, const InverseOptions& inverse = {},
                           const BatchOptions& options = {});
 

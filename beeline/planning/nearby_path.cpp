@@ -73,7 +73,8 @@ std::vector<Vector3> directions(bool planar, bool rotate) {
   std::vector<Vector3> units;
   for (int axes = 1; axes <= 3; ++axes) {
     for (int i = 0; i < 27; ++i) {
-      const Vector3 v(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+      const int y = i / 3 % 3, z = i / 9;
+      const Vector3 v(i % 3 - 1, y - 1, z - 1);
       if (v.squaredNorm() != axes) continue;
       if (planar && (rotate ? v.head<2>().squaredNorm() : std::abs(v.z())) > 0) continue;
       units.push_back(axes == 1 ? v : Vector3(v.normalized()));
