@@ -16,7 +16,7 @@ enum class FindingKind {
   rounded_angle,    ///< a right angle written with few digits
   nearly_special,   ///< axes that are nearly, not exactly, parallel, perpendicular or concurrent
   coincident_axes,  ///< two neighbouring joints that move alike
-  missing_axis,     ///< a joint of a URDF file without <axis>
+  missing_axis,     ///< a joint of a URDF file without axis element
   axis_length,      ///< an axis that is not of unit length
   no_range,         ///< limits that leave no or nearly no range
   unknown_velocity  ///< a velocity limit that is missing where other joints have one
@@ -44,8 +44,9 @@ struct Diagnosis {
 /// alike, limits. Says nothing of what may be meant.
 Diagnosis diagnose(const Arm& arm);
 
-/// The same of an arm as read_arm() takes it, with what its file alone shows: a missing <axis>, an
-/// axis not of unit length, angles in degrees. Throws Error and FileError as read_arm() does.
+/// The same of an arm as read_arm() takes it, with what its file alone shows: a missing axis
+/// element, an axis not of unit length, angles in degrees. Throws Error and FileError as read_arm()
+/// does.
 Diagnosis diagnose(const std::string& text, const ChainEnds& ends = {});
 
 }  // namespace beeline
