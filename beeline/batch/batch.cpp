@@ -2,7 +2,6 @@
 #include <atomic>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <beeline/batch/batch.h>
@@ -276,7 +275,7 @@ bool solve_column(InverseSolver& solver, const Pose& world_T_tool, const Configu
 }
 
 BatchResult solve_columns(const Arm& arm, const ConstColumnsRef<double>& world_T_tool,
-                          const ConstColumnsRef<double>& seeds, ColumnsRef<double> q,
+                          const ConstColumnsRef<double>& seeds, ColumnsRef<double>& q,
                           InverseOutcome* outcomes, const InverseOptions& inverse,
                           const BatchOptions& options) {
   const Eigen::Index count = world_T_tool.cols();
@@ -319,7 +318,7 @@ BatchResult solve_columns(const Arm& arm, const ConstColumnsRef<double>& world_T
 BatchResult batch_inverse(const Arm& arm, const ConstColumnsRef<double>& world_T_tool,
                           const ConstColumnsRef<double>& seeds, ColumnsRef<double> q,
                           const InverseOptions& inverse, const BatchOptions& options) {
-  return solve_columns(arm, world_T_tool, seeds, std::move(q), nullptr, inverse, options);
+  return solve_columns(arm, world_T_tool, seeds, q, nullptr, inverse, options);
 }
 
 BatchResult batch_inverse(const Arm& arm, const ConstColumnsRef<double>& world_T_tool,
@@ -329,7 +328,7 @@ BatchResult batch_inverse(const Arm& arm, const ConstColumnsRef<double>& world_T
   outcomes.assign(static_cast<std::size_t>(world_T_tool.cols()),
                   {InverseStatus::cancelled, std::numeric_limits<double>::quiet_NaN()});
   const BatchResult result =
-      solve_columns(arm, world_T_tool, seeds, std::move(q), outcomes.data(), inverse, options);
+      solve_columns(arm, world_T_tool, seeds, q, outcomes.data(), inverse, options);
   if (result.ending != Ending::complete) {
     for (InverseOutcome& outcome : outcomes) {
       if (std::isnan(outcome.residual)) {
