@@ -45,14 +45,22 @@ Residual residual_of(const UnitArgument& unit, const Arm& arm, const InverseResu
   }
 }
 
+/// Which of the solutions that exist are given; empty if that is not known.
+std::string completeness(const Arm& arm, const InverseResult& result) {
+  if (result.complete) return ", all that exist,";
+  if (!result.grid || result.solutions.empty()) return {};
+  return fmt::format(", all that exist at {} of {} of {},", result.grid->complete.size(),
+                     counted(static_cast<std::int64_t>(result.grid->values.size()), "value"),
+                     arm.joint_of(result.grid->joint).name);
+}
+
 std::string ik_text(const Arm& arm, const InverseResult& result, const UnitArgument& unit) {
   const bool solved = result.status == InverseStatus::solved;
   const Residual residual = residual_of(unit, arm, result);
   std::string text =
       fmt::format("{}: {}{} by {}, residual {}{}\n", name(result.status),
                   counted(static_cast<std::int64_t>(result.solutions.size()), "solution"),
-                  result.complete ? ", all that exist," : "", result.method, shown(residual.value),
-                  residual.unit);
+                  completeness(arm, result), result.method, shown(residual.value), residual.unit);
   for (const Configuration& q : result.solutions) {
     text += fmt::format("  {}\n", shown(unit.shown(arm, q)));
   }
@@ -62,6 +70,18 @@ std::string ik_text(const Arm& arm, const InverseResult& result, const UnitArgum
                         shown(result.nearest->world_T_tool, arm.planar(), unit));
   }
   return text;
+}
+
+Json grid_document(const Arm& arm, const SolutionGrid& grid, const UnitArgument& unit) {
+  Json document{{"joint", arm.joint_of(grid.joint).name}};
+  const auto values = [&](const std::vector<double>& all) {
+    Json shown = Json::list();
+    for (const double value : all) shown.append(unit.shown(arm, grid.joint, value));
+    return shown;
+  };
+  document.add("values", values(grid.values));
+  document.add("complete", values(grid.complete));
+  return document;
 }
 
 Json nearest_document(const Arm& arm, const NearestMiss& nearest, const UnitArgument& unit) {
@@ -81,10 +101,13 @@ Json ik_document(const Arm& arm, const InverseResult& result, const UnitArgument
   for (const Configuration& q : result.solutions) solutions.append(unit.shown(arm, q));
   Json nearest;
   if (result.nearest) nearest = nearest_document(arm, *result.nearest, unit);
+  Json grid;
+  if (result.grid) grid = grid_document(arm, *result.grid, unit);
   return {{"status", name(result.status)},
           {"solutions", solutions},
           {"singular", result.singular},
           {"complete", result.complete},
+          {"grid", grid},
           {"residual", residual_of(unit, arm, result).value},
           {"reason", result.reason},
           {"nearest", nearest},

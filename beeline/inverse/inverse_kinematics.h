@@ -41,6 +41,7 @@ struct InverseOptions {
   InverseMethod method = InverseMethod::automatic;  ///< a closed form where there is one
   /// All solutions instead of one. Closed form: all that exist; of a redundant arm, all on a grid
   /// of values of the redundant joint. Numerical: those found in all restarts, some may be missing.
+  /// Arms of seven revolute joints without a closed form have one with a joint locked, for this.
   bool all = false;
   bool every_turn = false;     ///< with `all`: also solutions that differ by multiples of 2 pi
   bool ignore_limits = false;  ///< ignore the joint limits
@@ -87,12 +88,21 @@ struct NearestMiss {
   double excess = 0;  ///< outside_limits: how far it is outside, radians or metres
 };
 
+/// The values of the redundant joint at which all solutions were sought.
+struct SolutionGrid {
+  int joint = 0;                 ///< the coordinate, from 0 to dof - 1
+  std::vector<double> values;    ///< ascending, radians or metres
+  std::vector<double> complete;  ///< those of the values at which no solution is missing
+};
+
 struct InverseResult {
   InverseStatus status = InverseStatus::not_found;
   /// By distance from the seed. Empty unless solved, or ended by the budget where all solutions are
   /// requested or the best one: then some may be missing, or a better one.
   std::vector<Configuration> solutions;
   bool complete = false;  ///< with `all`: these are all solutions, which are finitely many
+  /// With `all`, for a redundant arm that has a closed form once one joint is locked.
+  std::optional<SolutionGrid> grid;
   /// Solved at a singular configuration: a solution is one of infinitely many, connected by
   /// self-motions; by a closed form the nearest of them to the seed. With `all`, every solution is
   /// examined; otherwise only a closed form reports it.

@@ -268,6 +268,7 @@ void bind_solver(nb::module_& m) {
 
 void bind_inverse(nb::module_& m) {
   bind_record<NearestMiss>(m);
+  bind_record<SolutionGrid>(m);
   nb::class_<InverseResult> result = bind_record<InverseResult>(m);
   result.def_prop_ro(
       "q",

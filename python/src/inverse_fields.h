@@ -86,6 +86,19 @@ struct Fields<NearestMiss> {
 };
 
 template <>
+struct Fields<SolutionGrid> {
+  static constexpr const char* name = "SolutionGrid";
+  static constexpr const char* doc =
+      "The values of the redundant joint at which all solutions were sought.";
+  static constexpr auto all() {
+    return std::tuple(field("joint", &SolutionGrid::joint, "The coordinate, from 0 to n - 1."),
+                      field("values", &SolutionGrid::values, "Ascending, radians or metres."),
+                      field("complete", &SolutionGrid::complete,
+                            "Those of the values at which no solution is missing."));
+  }
+};
+
+template <>
 struct Fields<InverseResult> {
   static constexpr const char* name = "InverseResult";
   static constexpr const char* doc = "Solutions of inverse kinematics, or why there are none.";
@@ -101,6 +114,8 @@ struct Fields<InverseResult> {
               "By distance from the seed, (S, n). Empty unless solved, or ended by the budget."),
         field("complete", &InverseResult::complete,
               "With `all`: these are all solutions, which are finitely many."),
+        field("grid", &InverseResult::grid,
+              "With `all`, for a redundant arm that has a closed form once one joint is locked."),
         field("singular", &InverseResult::singular,
               "Solved by a closed form at a singular configuration: each solution represents "
               "infinitely many, and is the nearest of them to the seed."),

@@ -42,10 +42,20 @@ def test_solutions_come_by_their_distance_from_the_seed(ik, pose_at):
 
 
 def test_the_json_documents_keys_and_their_order(beeline):
-    keys = ["status", "solutions", "singular", "complete", "residual", "reason", "nearest", "method",
-            "iterations", "restarts", "units"]
+    keys = ["status", "solutions", "singular", "complete", "grid", "residual", "reason", "nearest",
+            "method", "iterations", "restarts", "units"]
     for pose in ("4,5,0", "8,8,0"):
         assert list(beeline("ik", "rrr", "--pose", pose, "--json").json) == keys
+
+
+def test_all_solutions_of_a_redundant_arm_say_at_which_values_of_a_joint(ik, pose_at):
+    answer = ik("panda", pose_at("panda", Q["panda"]), "--all", "--grid", "9", "--degrees")
+    grid = answer["grid"]
+    assert grid["joint"] == "joint7" and len(grid["values"]) == 9 and not answer["complete"]
+    assert set(grid["complete"]) <= set(grid["values"])
+    assert max(grid["values"]) == pytest.approx(math.degrees(2.8973))
+    for q in answer["solutions"]:
+        assert min(abs(q[6] - value) for value in grid["values"]) < 1e-6
 
 
 def test_unreachable_says_by_how_much_and_where_the_arm_comes_nearest(ik, matrix):

@@ -33,6 +33,14 @@ def test_solutions_reach_the_pose(arm, rng):
         assert pickle.loads(pickle.dumps(result)) == result == copy.deepcopy(result)
 
 
+def test_all_solutions_of_a_redundant_arm_on_a_grid(rng):
+    arm = beeline.Arm.load("panda")
+    _, (pose,) = reachable(arm, rng, 1)
+    grid = beeline.inverse_kinematics(arm, pose, all=True, grid=11).grid
+    assert grid.joint == 6 and len(grid.values) == 11 and set(grid.complete) <= set(grid.values)
+    assert beeline.inverse_kinematics(arm, pose).grid is None
+
+
 def test_all_solutions(arm, rng):
     for q, pose in zip(*reachable(arm, rng, 5)):
         result = beeline.inverse_kinematics(arm, pose, all=True, seed=q)

@@ -133,6 +133,7 @@ RevoluteLinks revolute_links(const Chain& chain) {
 Elimination make_elimination(const Chain& chain, int index) {
   const auto [start, role] = split(index);
   Elimination e;
+  e.index = index;
   e.reversed = index % 2 == 1;
   const auto joint = [&](int position) { return e.reversed ? 5 - position : position; };
   e.hidden = joint(start + role[0]);

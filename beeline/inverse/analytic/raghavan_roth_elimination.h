@@ -27,6 +27,7 @@ RevoluteLinks revolute_links(const Chain& chain);
 /// `first` and `second` (dialytic elimination). Their determinant, a trigonometric polynomial of
 /// the hidden angle, vanishes at the solutions.
 struct Elimination {
+  int index = 0;                          ///< of make_elimination()
   int hidden = 0, first = 0, second = 0;  ///< joints a, b, c in some order
   int u = 0, v = 0;                       ///< joints of the right side
   int last = 0;                           ///< joint d, computed at the end

@@ -17,6 +17,7 @@ using SixAngles = Eigen::Matrix<double, 6, 1>;
 constexpr int trials_of_all = 24;        // for each elimination
 constexpr int trials_of_selected = 100;  // for each of the selected
 constexpr int trials_together = 300;     // for the selected together: reliable() is 1 % of these
+constexpr int trials_of_similar = 32;    // for the eliminations chosen for a similar arm
 constexpr int max_selected = 4;
 
 /// The product of all links, from frame 0 to the last.
@@ -92,15 +93,20 @@ void compare(const RevoluteLinks& links, int count, Sampler& sampler, std::vecto
   std::sort(trials.begin(), trials.end(), better);
 }
 
+/// Sets the degree of the elimination's determinant, by a random configuration.
+void set_degree(const Sample& sample, Elimination& elimination) {
+  EliminationCandidates candidates;
+  elimination_candidates(elimination, sample.closure, candidates);
+  if (candidates.noise > EliminationCandidates::max_noise) elimination.degree = 12;
+}
+
 /// All eliminations, with the degrees of their determinants.
 std::vector<Trial> all_eliminations(const Chain& chain, Sampler& sampler) {
   std::vector<Trial> trials(elimination_count);
-  for (int i = 0; i < elimination_count; ++i) trials[i].elimination = make_elimination(chain, i);
   const Sample sample = sampler.next();
-  for (Trial& trial : trials) {
-    EliminationCandidates candidates;
-    elimination_candidates(trial.elimination, sample.closure, candidates);
-    if (candidates.noise > EliminationCandidates::max_noise) trial.elimination.degree = 12;
+  for (int i = 0; i < elimination_count; ++i) {
+    trials[i].elimination = make_elimination(chain, i);
+    set_degree(sample, trials[i].elimination);
   }
   return trials;
 }
@@ -128,6 +134,19 @@ void solve_all(const RevoluteLinks& links, const std::vector<Elimination>& elimi
   }
 }
 
+/// The number of random configurations that solve_all() does not find.
+int missed_by_all(const RevoluteLinks& links, const std::vector<Elimination>& eliminations,
+                  int count, Sampler& sampler) {
+  int missed = 0;
+  for (int k = 0; k < count; ++k) {
+    const Sample sample = sampler.next();
+    RaghavanRothSolutions solutions;
+    solve_all(links, eliminations, sample.goal, sample.closure, solutions);
+    if (!find_solution(sample.q.data(), solutions)) ++missed;
+  }
+  return missed;
+}
+
 void check(const Chain& chain) {
   if (chain.links.size() != 6) {
     throw Error("general six-axis inverse kinematics: the arm has " +
@@ -143,13 +162,16 @@ void check(const Chain& chain) {
 
 }  // namespace
 
-RaghavanRothSolver::RaghavanRothSolver(const Chain& chain) {
+void RaghavanRothSolver::set_links(const Chain& chain) {
   check(chain);
   links_ = revolute_links(chain);
   base_inverse_ = chain.base.inverse();
   tool_inverse_ = chain.tool.inverse();
   last_T_first_at_zero_ = links_transform(chain, SixAngles::Zero()).inverse();
+}
 
+RaghavanRothSolver::RaghavanRothSolver(const Chain& chain) {
+  set_links(chain);
   Sampler sampler(chain, last_T_first_at_zero_, links_.unit);
   std::vector<Trial> trials = all_eliminations(chain, sampler);
   compare(links_, trials_of_all, sampler, trials);
@@ -159,14 +181,20 @@ RaghavanRothSolver::RaghavanRothSolver(const Chain& chain) {
     trial.elimination.double_zeros = 2 * trial.double_zeros > trials_of_all + trials_of_selected;
     eliminations_.push_back(trial.elimination);
   }
-  int missed = 0;
-  for (int k = 0; k < trials_together; ++k) {
-    const Sample sample = sampler.next();
-    RaghavanRothSolutions solutions;
-    solve_all(links_, eliminations_, sample.goal, sample.closure, solutions);
-    if (!find_solution(sample.q.data(), solutions)) ++missed;
-  }
+  const int missed = missed_by_all(links_, eliminations_, trials_together, sampler);
   reliable_ = 100 * missed <= trials_together;
+}
+
+RaghavanRothSolver::RaghavanRothSolver(const Chain& chain, const RaghavanRothSolver& similar) {
+  set_links(chain);
+  Sampler sampler(chain, last_T_first_at_zero_, links_.unit);
+  const Sample sample = sampler.next();
+  for (const Elimination& chosen : similar.eliminations_) {
+    Elimination& elimination = eliminations_.emplace_back(make_elimination(chain, chosen.index));
+    elimination.double_zeros = chosen.double_zeros;
+    set_degree(sample, elimination);
+  }
+  reliable_ = missed_by_all(links_, eliminations_, trials_of_similar, sampler) == 0;
 }
 
 RaghavanRothSolver::Result RaghavanRothSolver::solve(

@@ -17,6 +17,9 @@ class RaghavanRothSolver {
   /// Throws Error unless the chain has six revolute links, link i with coordinate i.
   explicit RaghavanRothSolver(const Chain& chain);
 
+  /// The same, with the eliminations chosen for an arm of similar geometry, in a tenth of the time.
+  RaghavanRothSolver(const Chain& chain, const RaghavanRothSolver& similar);
+
   /// Whether at least 99 % of the random configurations were found; some of them may be singular.
   bool reliable() const { return reliable_; }
 
@@ -33,6 +36,8 @@ class RaghavanRothSolver {
                Eigen::Ref<Eigen::Matrix<double, 6, Eigen::Dynamic>> q) const;
 
  private:
+  void set_links(const Chain& chain);
+
   Pose base_inverse_, tool_inverse_;
   Pose last_T_first_at_zero_;  ///< the inverse of the product of all links at q = 0
   RevoluteLinks links_;

@@ -1,4 +1,5 @@
 #include <beeline/inverse/internal/analytic_families.h>
+#include <beeline/inverse/internal/locked_joint_family.h>
 #include <beeline/inverse/internal/pieper_family.h>
 #include <beeline/inverse/internal/planar_family.h>
 #include <beeline/inverse/internal/raghavan_roth_family.h>
@@ -10,6 +11,7 @@ namespace {
 constexpr const AnalyticFamily* families[] = {
     &planar_family,
     &pieper_family,
+    &locked_joint_family,
     &raghavan_roth_family,
 };
 

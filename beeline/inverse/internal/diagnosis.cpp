@@ -176,7 +176,8 @@ bool accept_if_solution(const Request& request, const Configuration& q, InverseR
 
 /// Runs all stages again without joint limits, for all solutions, and calls accept_if_solution()
 /// with the one that exceeds the limits least.
-bool solve_without_limits(const Request& request, InverseResult& result) {
+bool solve_without_limits(const SolverState& limited, const Request& request,
+                          InverseResult& result) {
   if (!any_finite(request.bounds) || request.options.method != InverseMethod::automatic) {
     return false;
   }
@@ -185,6 +186,8 @@ bool solve_without_limits(const Request& request, InverseResult& result) {
   options.every_turn = false;
   options.task = request.task;
   options.seed.reset();
+  // Solutions on a grid of a redundant joint prove nothing; a search takes less time.
+  if (!limited.family && request.arm.dof() > 6) options.method = InverseMethod::numerical;
   SolverState state = make_solver_state(request.arm, options);
   Configuration seed = request.seed;
   wrap_unlimited_angles(state.arm, state.bounds, farthest_seed, seed);
@@ -257,7 +260,7 @@ void diagnose(SolverState& state, const Request& request, const UnconstrainedRes
     return set_outside_limits(request, *evidence.least_outside, all_examined, result);
   }
   const std::optional<Configuration> nearest = nearest_configuration(state, request, result);
-  if (!nearest || (!proved && solve_without_limits(request, result))) return;
+  if (!nearest || (!proved && solve_without_limits(state, request, result))) return;
   if (!request.budget.complete() && !proved) return set_ended(request, *nearest, result);
   set_nearest(request, evidence, proved, *nearest, result);
 }

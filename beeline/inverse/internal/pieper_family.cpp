@@ -82,20 +82,28 @@ void add_branches(const PieperSolver& form, const PieperBranches& found, double 
   }
 }
 
-void solve_locked(SolverState& state, const Request& request, CandidateSolutions& candidates) {
+void solve_locked(SolverState& state, const Request& request, StageResult& found) {
+  CandidateSolutions candidates(request, found);
   const PieperSolver& form = *state.pieper;
   PieperRequest loop =
       form.request(request.seed, request.bounds.lower, request.bounds.upper, request.tolerance);
-  const LockedRange range = locked_range(request.arm, request.bounds, request.seed, form);
+  const LockedRange range =
+      locked_range(request.arm, request.bounds, request.seed, *form.locked(), form.size());
   const int dof = request.arm.dof();
   candidates.evidence().complete = false;
   const int grid = request.options.grid;
   if (request.options.all) {
-    for (const double value : grid_values(range, grid)) {
+    SolutionGrid& solved = found.result.grid.emplace();
+    solved.joint = *form.locked();
+    solved.values = grid_values(range, grid);
+    for (const double value : solved.values) {
       if (request.budget.ended()) break;
-      PieperBranches found;
-      form.branches(request.goal, value, loop, found);
-      add_branches(form, found, value, dof, candidates);
+      PieperBranches branches;
+      form.branches(request.goal, value, loop, branches);
+      add_branches(form, branches, value, dof, candidates);
+      if (branches.continuum == 0 && !nearly_found(form, branches)) {
+        solved.complete.push_back(value);
+      }
     }
     return;
   }
@@ -134,10 +142,10 @@ void solve_branches(SolverState& state, const Request& request, CandidateSolutio
 }
 
 void solve_pieper(SolverState& state, const Request& request, StageResult& found) {
-  CandidateSolutions candidates(request, found);
   if (state.pieper->locked()) {
-    solve_locked(state, request, candidates);
+    solve_locked(state, request, found);
   } else {
+    CandidateSolutions candidates(request, found);
     solve_branches(state, request, candidates);
   }
 }
@@ -150,7 +158,8 @@ std::optional<int> solve_redundant(SolverState& state, const Pose& goal,
                                    BudgetMeter& budget, Eigen::Ref<Eigen::MatrixXd> solutions) {
   constexpr int few = 9;  // the seed's, and two rounds of steps: see first_within()
   const PieperSolver& form = *state.pieper;
-  const LockedRange range = locked_range(state.arm, state.bounds, seed, form);
+  const LockedRange range =
+      locked_range(state.arm, state.bounds, seed, *form.locked(), form.size());
   LeastOutside outside;
   const LockedBranch branch =
       first_within(form, goal, range, std::min(few, state.options.grid), loop, budget, outside);

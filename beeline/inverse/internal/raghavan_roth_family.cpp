@@ -15,10 +15,10 @@ bool applies_raghavan_roth(SolverState& state) {
       std::all_of(arm.joints().begin(), arm.joints().end(),
                   [](const Joint& joint) { return kind(joint) == JointKind::revolute; });
   if (!six_revolute || state.options.lock) return false;
-  RaghavanRothSolver solver(arm.chain());
-  if (!solver.reliable()) return false;
-  state.raghavan_roth = std::move(solver);
-  return true;
+  if (state.similar) state.raghavan_roth.emplace(arm.chain(), *state.similar);
+  if (!state.similar || !state.raghavan_roth->reliable()) state.raghavan_roth.emplace(arm.chain());
+  if (!state.raghavan_roth->reliable()) state.raghavan_roth.reset();
+  return state.raghavan_roth.has_value();
 }
 
 std::string raghavan_roth_name(const SolverState&) { return "general six joints"; }

@@ -42,10 +42,10 @@ double cost(const PieperRequest& loop, const PieperBranches& found, int lane,
 }  // namespace
 
 LockedRange locked_range(const Arm& arm, const Bounds& bounds, const ConfigurationRef& seed,
-                         const PieperSolver& form) {
-  const int k = form.locked().value();
+                         int coordinate, double size) {
+  const int k = coordinate;
   const bool slides = kind(arm.joint_of(k)) == JointKind::prismatic;
-  const double far = slides ? form.size() : std::numbers::pi;
+  const double far = slides ? size : std::numbers::pi;
   LockedRange range{bounds.lower[k], bounds.upper[k], seed[k]};
   const bool open = !std::isfinite(range.lower) && !std::isfinite(range.upper);
   if (open) {

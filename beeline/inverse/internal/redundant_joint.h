@@ -7,16 +7,15 @@
 
 namespace beeline::internal {
 
-/// The range of the coordinate that a PieperSolver takes as given, the redundant joint: its limits
-/// or, without limits, one revolution (for a prismatic joint, the arm's size to both sides) about
-/// the seed.
+/// The range of a coordinate that is locked, the redundant joint: its limits or, without limits,
+/// one revolution (for a prismatic joint, `size` to both sides) about the seed.
 struct LockedRange {
   double lower = 0, upper = 0;
   double seed = 0;
   bool limited = false;  ///< whether both ends are limits
 };
 LockedRange locked_range(const Arm& arm, const Bounds& bounds, const ConfigurationRef& seed,
-                         const PieperSolver& form);
+                         int coordinate, double size);
 
 /// One branch, with the locked coordinate's value.
 struct LockedBranch {

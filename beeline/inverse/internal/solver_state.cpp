@@ -5,13 +5,16 @@
 
 namespace beeline::internal {
 
-SolverState make_solver_state(const Arm& arm, const InverseOptions& options) {
+SolverState make_solver_state(const Arm& arm, const InverseOptions& options,
+                              const RaghavanRothSolver* similar) {
   check_options(arm, options);
   const Configuration middle = middle_configuration(arm);
   SolverState state{arm, options, options.task.value_or(default_task(arm)),
                     options.ignore_limits ? no_bounds(arm) : bounds_of(arm), middle};
   if (options.seed) check_configuration(arm, *options.seed);
+  state.similar = similar;
   select_family(state);
+  state.similar = nullptr;
   if (options.method == InverseMethod::closed_form && !options.lock && !state.family) {
     throw Error("arm " + arm.name() + " has no closed form for the task " + name(state.task) +
                 "; method numerical solves it");

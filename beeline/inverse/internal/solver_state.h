@@ -11,6 +11,14 @@
 namespace beeline::internal {
 
 struct AnalyticFamily;
+struct SolverState;
+
+/// An arm with its redundant joint locked at the values of a grid, for all solutions there.
+struct LockedJointGrid {
+  int coordinate = 0;                ///< of the redundant joint
+  std::vector<double> values;        ///< ascending; empty until the first request
+  std::vector<SolverState> solvers;  ///< of the remaining joints, one for each value
+};
 
 /// The private state of InverseSolver: what the stages need to know of an arm, computed once, and
 /// their buffers.
@@ -28,6 +36,8 @@ struct SolverState {
   std::optional<PieperSolver> pieper = std::nullopt;
   bool pieper_verified = true;  ///< whether it recovered random configurations of the arm
   std::optional<RaghavanRothSolver> raghavan_roth = std::nullopt;
+  const RaghavanRothSolver* similar = nullptr;  ///< of another arm; only while a family is selected
+  std::optional<LockedJointGrid> locked_grid = std::nullopt;
   std::optional<PreparedSearch> within_limits = std::nullopt;
   std::optional<PreparedSearch> without_limits = std::nullopt;
   /// The coordinate of a longer arm that is locked in this one.
@@ -39,7 +49,9 @@ struct SolverState {
 };
 
 /// Throws Error for options that are not valid, or a closed form that the arm does not have.
-SolverState make_solver_state(const Arm& arm, const InverseOptions& options);
+/// `similar`: the solver of an arm of similar geometry, or null; takes less time.
+SolverState make_solver_state(const Arm& arm, const InverseOptions& options,
+                              const RaghavanRothSolver* similar = nullptr);
 
 /// Sets state.within_limits and returns it.
 const PreparedSearch& search_within_limits(SolverState& state);

@@ -204,7 +204,7 @@ TEST(LockedJoint, GridValuesReachFromLimitToLimit) {
   const Arm arm = built_in("panda");
   const auto form = PieperSolver::make(arm, Task::spatial());
   const Configuration far = Configuration::Constant(7, 9);
-  const LockedRange range = locked_range(arm, bounds_of(arm), far, *form);
+  const LockedRange range = locked_range(arm, bounds_of(arm), far, *form->locked(), form->size());
   EXPECT_EQ(range.lower, arm.limits(6).lower);
   EXPECT_EQ(range.upper, arm.limits(6).upper);
   EXPECT_EQ(range.seed, range.upper);
@@ -212,7 +212,7 @@ TEST(LockedJoint, GridValuesReachFromLimitToLimit) {
   ASSERT_EQ(values.size(), 5U);
   EXPECT_EQ(values.front(), range.lower);
   EXPECT_EQ(values.back(), range.upper);
-  const LockedRange open = locked_range(arm, no_bounds(arm), far, *form);
+  const LockedRange open = locked_range(arm, no_bounds(arm), far, *form->locked(), form->size());
   EXPECT_NEAR(open.lower, 9 - 3.14159265, 1e-6);
   EXPECT_NEAR(open.upper, 9 + 3.14159265, 1e-6);
 }
