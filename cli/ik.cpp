@@ -54,6 +54,15 @@ std::string completeness(const Arm& arm, const InverseResult& result) {
                      arm.joint_of(result.grid->joint).name);
 }
 
+/// InverseResult::deviation with angles in the unit of the output.
+Eigen::VectorXd deviation_values(const Arm& arm, Eigen::VectorXd deviation,
+                                 const UnitArgument& unit) {
+  for (Eigen::Index k = arm.planar() ? 2 : 3; k < deviation.size(); ++k) {
+    deviation[k] = unit.shown(deviation[k]);
+  }
+  return deviation;
+}
+
 std::string ik_text(const Arm& arm, const InverseResult& result, const UnitArgument& unit) {
   const bool solved = result.status == InverseStatus::solved;
   const Residual residual = residual_of(unit, arm, result);
@@ -63,6 +72,11 @@ std::string ik_text(const Arm& arm, const InverseResult& result, const UnitArgum
                   completeness(arm, result), result.method, shown(residual.value), residual.unit);
   for (const Configuration& q : result.solutions) {
     text += fmt::format("  {}\n", shown(unit.shown(arm, q)));
+  }
+  if (result.deviation) {
+    text += fmt::format("  deviation of the tool from the pose ({}): {}\n",
+                        arm.planar() ? "x, y, theta" : "x, y, z, roll, pitch, yaw",
+                        shown(deviation_values(arm, *result.deviation, unit)));
   }
   if (result.singular && solved) text += fmt::format("  {}\n", result.reason);
   if (result.nearest) {
@@ -101,13 +115,15 @@ Json ik_document(const Arm& arm, const InverseResult& result, const UnitArgument
   for (const Configuration& q : result.solutions) solutions.append(unit.shown(arm, q));
   Json nearest;
   if (result.nearest) nearest = nearest_document(arm, *result.nearest, unit);
-  Json grid;
+  Json deviation, grid;
+  if (result.deviation) deviation = deviation_values(arm, *result.deviation, unit);
   if (result.grid) grid = grid_document(arm, *result.grid, unit);
   return {{"status", name(result.status)},
           {"solutions", solutions},
           {"singular", result.singular},
           {"complete", result.complete},
           {"grid", grid},
+          {"deviation", deviation},
           {"residual", residual_of(unit, arm, result).value},
           {"reason", result.reason},
           {"nearest", nearest},

@@ -1,6 +1,7 @@
 #include "inverse_argument.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include <beeline/error.h>
 #include <beeline/read/internal/numbers.h>
@@ -31,6 +32,23 @@ void apply_lock(const std::string& lock, const Arm& arm, const UnitArgument& uni
     warn_of_angle("--lock", (*options.seed)[k], unit);
 }
 
+/// --pose-tolerance, with angles in radians.
+Eigen::VectorXd pose_tolerance_of(const std::string& text, const Arm& arm,
+                                  const UnitArgument& unit) {
+  std::vector<double> values = internal::parse_numbers(text, "--pose-tolerance");
+  const std::size_t lengths = arm.planar() ? 2 : 3;
+  for (std::size_t k = lengths; k < values.size() && unit.degrees; ++k) {
+    values[k] *= std::numbers::pi / 180;
+  }
+  return Eigen::Map<Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// --weights: one number for each coordinate.
+Eigen::VectorXd weights_of(const std::string& text) {
+  std::vector<double> values = internal::parse_numbers(text, "--weights");
+  return Eigen::Map<Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
 }  // namespace
 
 std::vector<Option> InverseArgument::choice_options() {
@@ -55,6 +73,18 @@ std::vector<Option> InverseArgument::choice_options() {
                  "the seed; or the most centred between the position limits.",
          .target = &redundancy,
          .choices = {name(Redundancy::any), name(Redundancy::nearest), name(Redundancy::centred)}},
+        {.name = "--pose-tolerance",
+         .value = "X,Y,Z,ROLL,PITCH,YAW",
+         .help = "How far the tool may deviate, in the axes of the pose, where the pose itself has "
+                 "no solution; planar arms: X,Y,THETA.",
+         .target = &pose_tolerance,
+         .phrases = {"pose_tolerance is", "pose_tolerance has"}},
+        {.name = "--weights",
+         .value = "W,W,...",
+         .help = "Weight of each joint in distances from the seed, 1e-6 to 1e6: a small one moves "
+                 "more readily.",
+         .target = &weights,
+         .phrases = {"weights are", "a weight is"}},
         {.name = "--grid",
          .value = "N",
          .help = "Number of values of the redundant joint at which solutions are first sought.",
@@ -98,6 +128,10 @@ InverseOptions InverseArgument::read(const Arm& arm, const ArmArgument& argument
   options.method = inverse_method_named(method);
   options.redundancy = redundancy_named(redundancy);
   if (!seed.empty()) options.seed = argument.configuration(arm, seed, "--seed", unit);
+  if (!pose_tolerance.empty()) {
+    options.pose_tolerance = pose_tolerance_of(pose_tolerance, arm, unit);
+  }
+  if (!weights.empty()) options.weights = weights_of(weights);
   if (!lock.empty()) apply_lock(lock, arm, unit, options);
   return options;
 }

@@ -10,15 +10,14 @@
 struct InverseArgument {
   TaskArgument task = {};
   WorkArgument work = {};
-  std::string seed = {}, lock = {};
+  std::string seed = {}, lock = {}, pose_tolerance = {}, weights = {};
   std::string method = name(beeline::InverseMethod::automatic);
   std::string redundancy = name(beeline::Redundancy::any);
   beeline::InverseOptions values = {};
   BudgetArgument budget = {};
 
   /// The options that select solutions: --work, --seed, --task, --ignore-limits, --lock,
-  /// --redundancy,
-  /// --grid.
+  /// --redundancy, --pose-tolerance, --weights, --grid.
   std::vector<Option> choice_options();
   /// The options of the search: --method to --random-seed.
   std::vector<Option> search_options();

@@ -48,6 +48,14 @@ struct InverseOptions {
   /// A coordinate, from 0 to dof - 1, that keeps the seed's value; default: none.
   std::optional<int> lock = std::nullopt;
   Redundancy redundancy = Redundancy::any;  ///< for a redundant arm and one solution
+  /// How far the tool may deviate from the pose if that itself has no solution within limits, in
+  /// the pose's axes: x, y, z (m) and roll, pitch, yaw (rad) as in URDF; x, y, theta for a planar
+  /// arm. Each 0 or more, angles at most pi. One solution is given, of locally least deviation (the
+  /// sum of squares, relative to these): see InverseResult::deviation. Default: none.
+  std::optional<Eigen::VectorXd> pose_tolerance = std::nullopt;
+  /// Weight of each coordinate in distances from the seed, sqrt(sum w_k (q_k - seed_k)^2), above 0;
+  /// default: 1 each. Redundancy::nearest with a posture of rest as the seed prefers that posture.
+  std::optional<Eigen::VectorXd> weights = std::nullopt;
   int grid = 32;  ///< number of values of the redundant joint tried first, 2 to 10000
   /// Max error of a solution, metres and radians, above 0. Raised to the rounding error of forward
   /// kinematics, about 1e-14 of the arm's size, where that is larger (a reach above 1e4 m).
@@ -90,9 +98,9 @@ struct NearestMiss {
 
 /// The values of the redundant joint at which all solutions were sought.
 struct SolutionGrid {
-  int joint = 0;                 ///< the coordinate, from 0 to dof - 1
-  std::vector<double> values;    ///< ascending, radians or metres
-  std::vector<double> complete;  ///< those of the values at which no solution is missing
+  int joint = 0;                      ///< the coordinate, from 0 to dof - 1
+  std::vector<double> values = {};    ///< ascending, radians or metres
+  std::vector<double> complete = {};  ///< those of the values at which no solution is missing
 };
 
 struct InverseResult {
@@ -112,6 +120,9 @@ struct InverseResult {
   /// outside_limits: the nearest miss's excess. Otherwise: that of solutions, or of the nearest
   /// miss.
   double residual = 0;
+  /// With options.pose_tolerance, of the solution: the tool's deviation from the pose, in the order
+  /// of that option, and within it. `residual` is then what exceeds this deviation.
+  std::optional<Eigen::VectorXd> deviation;
   std::optional<NearestMiss> nearest;  ///< if there are no solutions
   std::string reason;                  ///< one sentence; empty when solved and not singular
   std::string method;                  ///< such as "closed form: three axes meet (joints 4, 5, 6)"
@@ -130,7 +141,8 @@ std::ostream& operator<<(std::ostream& out, const InverseResult& result);
 /// value nearest to the seed within limits (nearest to zero if a joint without limits has a seed
 /// beyond 1e3 rad); prismatic and helical joints, and joints with a mimic joint of another ratio
 /// than a whole one, are not wrapped. Distances from the seed are Euclidean; radians and metres
-/// weigh alike. Throws Error when the pose, the seed or an option is not valid.
+/// weigh alike unless options.weights differ. Throws Error when the pose, the seed or an option is
+/// not valid.
 InverseResult inverse_kinematics(const Arm& arm, const Pose& world_T_tool,
                                  const InverseOptions& options = {});
 

@@ -52,6 +52,14 @@ struct Fields<InverseOptions> {
         field("redundancy", &InverseOptions::redundancy,
               "Of infinitely many solutions, `any`: the first that is found; `nearest` to the "
               "seed; `centred`: the least margin of a joint to its limits is largest."),
+        field(
+            "pose_tolerance", &InverseOptions::pose_tolerance,
+            "How far the tool may deviate from the pose where that has no solution, in the pose's "
+            "axes: x, y, z (m), roll, pitch, yaw (rad), or x, y, theta for a planar arm. One "
+            "solution is given, of locally least deviation."),
+        field("weights", &InverseOptions::weights,
+              "Weight of each coordinate in distances from the seed, (n,), 1e-6 to 1e6; default: 1 "
+              "each."),
         field("grid", &InverseOptions::grid,
               "Number of values of the redundant joint tried first, 2 to 10000."),
         field("tolerance", &InverseOptions::tolerance,
@@ -123,6 +131,9 @@ struct Fields<InverseResult> {
               "Metres or radians, the larger of both. solved: the largest error of a solution. "
               "unreachable: the least position error. orientation_unreachable: the nearest miss's "
               "angle. outside_limits: its excess."),
+        field("deviation", &InverseResult::deviation,
+              "With `pose_tolerance`, of the solution: the tool's deviation from the pose, in the "
+              "order of that option; `residual` is what exceeds it."),
         field("nearest", &InverseResult::nearest, "The nearest miss, if there are no solutions."),
         field("reason", &InverseResult::reason,
               "One sentence; empty when solved and not singular."),

@@ -42,7 +42,7 @@ def test_solutions_come_by_their_distance_from_the_seed(ik, pose_at):
 
 
 def test_the_json_documents_keys_and_their_order(beeline):
-    keys = ["status", "solutions", "singular", "complete", "grid", "residual", "reason", "nearest",
+    keys = ["status", "solutions", "singular", "complete", "grid", "deviation", "residual", "reason", "nearest",
             "method", "iterations", "restarts", "units"]
     for pose in ("4,5,0", "8,8,0"):
         assert list(beeline("ik", "rrr", "--pose", pose, "--json").json) == keys
@@ -56,6 +56,24 @@ def test_all_solutions_of_a_redundant_arm_say_at_which_values_of_a_joint(ik, pos
     assert max(grid["values"]) == pytest.approx(math.degrees(2.8973))
     for q in answer["solutions"]:
         assert min(abs(q[6] - value) for value in grid["values"]) < 1e-6
+
+
+def test_a_tolerance_of_the_pose_reports_the_deviation(ik):
+    tolerance = ["--pose-tolerance", "0.1,0.1,60", "--degrees"]
+    answer = ik("rrr", "6.4,6.4,0", *tolerance)
+    assert answer["status"] == "solved" and answer["residual"] < 1e-9
+    x, y, theta = answer["deviation"]
+    assert max(abs(x), abs(y)) <= 0.1 and 40 < theta <= 60
+    assert ik("rrr", "4,5,0", *tolerance)["deviation"] is None
+    refused = ik("rrr", "8,8,0", *tolerance)
+    assert refused["status"] == "unreachable" and "pose_tolerance" in refused["reason"]
+
+
+def test_weights_order_the_solutions(ik, pose_at):
+    seed, weights = joints("0.5,-0.8,0.9,0.1,1,0.3"), [100, 1, 1, 1, 0.01, 1]
+    answer = ik("ur5", pose_at("ur5", Q["ur5"]), "--all", "--seed", text(seed), "--weights", text(weights))
+    far = [sum(w * (a - b) ** 2 for w, a, b in zip(weights, q, seed)) for q in answer["solutions"]]
+    assert len(far) == 8 and far == sorted(far)
 
 
 def test_unreachable_says_by_how_much_and_where_the_arm_comes_nearest(ik, matrix):

@@ -8,6 +8,7 @@ namespace beeline::internal {
 struct PieperRequest {
   double world_T_tool[12];  ///< the goal, three rows of four
   double seed[6];           ///< branches are measured from it; free joints take its values
+  double weight[6];         ///< of the joints in `distance`
   double lower[6], upper[6];
   bool wraps[6];        ///< whether multiples of 2 pi may be added
   double max_residual;  ///< branches with a larger residual need numerical refinement
@@ -21,7 +22,7 @@ struct PieperBranches {
   double residual[8];   ///< error of the loop-closure equation, metres plus radians; in a lane
                         ///< without a solution that of the nearest real part
   double excess[8];     ///< sum of the limit violations
-  double distance[8];   ///< squared distance from the seed
+  double distance[8];   ///< squared distance from the seed, weighted
   unsigned found = 0;   ///< lanes with a solution, to rounding
   unsigned within = 0;  ///< those of them within limits
   unsigned continuum = 0;  ///< those that represent a continuum of solutions

@@ -186,7 +186,7 @@ HWY_INLINE void to_coordinates(const PieperLoop& loop, const PieperRequest& requ
     const LaneMask inside = abs(on_limit - q) <= Lanes(rounding);
     q = choose(inside, on_limit, q);
     excess = excess + abs(on_limit - q);
-    distance = fma(q - seed, q - seed, distance);
+    distance = fma(Lanes(request.weight[k]) * (q - seed), q - seed, distance);
     q.store(branches.q[k]);
   }
   distance.store(branches.distance);

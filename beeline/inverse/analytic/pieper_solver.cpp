@@ -133,8 +133,9 @@ std::optional<PieperSolver> PieperSolver::make(const Arm& arm, const Task& task)
   return std::nullopt;
 }
 
-PieperRequest PieperSolver::request(const ConfigurationRef& seed, const Configuration& lower,
-                                    const Configuration& upper, double tolerance) const {
+PieperRequest PieperSolver::request(const ConfigurationRef& seed, const Configuration& weights,
+                                    const Configuration& lower, const Configuration& upper,
+                                    double tolerance) const {
   PieperRequest request{};
   // About a thousand times the rounding of one pass: random configurations away from singularities
   // stay below it, and a branch above it costs a refinement.
@@ -147,11 +148,13 @@ PieperRequest PieperSolver::request(const ConfigurationRef& seed, const Configur
     request.wraps[k] = !(i < 3 && loop_.prismatic[i]);
     if (own == virtual_joint) {
       request.seed[k] = 0;
+      request.weight[k] = 1;
       request.lower[k] = free_[k] ? -full_circle : 0;
       request.upper[k] = free_[k] ? full_circle : 0;
       continue;
     }
     request.seed[k] = seed[own];
+    request.weight[k] = weights[own];
     request.lower[k] = lower[own];
     request.upper[k] = upper[own];
   }

@@ -40,10 +40,11 @@ class PieperSolver {
   /// The extent of the loop, metres: lengths are rounded relative to it.
   double size() const { return loop_.size; }
 
-  /// Returns a request with everything except the goal. Limits and seed are those of the arm's
-  /// coordinates; max_residual is the rounding of the solver or, where less, `tolerance`.
-  PieperRequest request(const ConfigurationRef& seed, const Configuration& lower,
-                        const Configuration& upper, double tolerance = 1e-10) const;
+  /// Returns a request with everything except the goal. Seed, weights and limits are those of the
+  /// arm's coordinates; max_residual is the rounding of the solver or, where less, `tolerance`.
+  PieperRequest request(const ConfigurationRef& seed, const Configuration& weights,
+                        const Configuration& lower, const Configuration& upper,
+                        double tolerance = 1e-10) const;
 
   /// Computes the branches at a goal, a rigid motion, with the locked coordinate at `locked_value`.
   void branches(const Pose& world_T_tool, double locked_value, PieperRequest& request,

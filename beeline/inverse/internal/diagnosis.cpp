@@ -191,8 +191,7 @@ bool solve_without_limits(const SolverState& limited, const Request& request,
   SolverState state = make_solver_state(request.arm, options);
   Configuration seed = request.seed;
   wrap_unlimited_angles(state.arm, state.bounds, farthest_seed, seed);
-  const Request unlimited = make_request(state.arm, state.options, state.task, state.bounds,
-                                         request.goal, seed, request.budget);
+  const Request unlimited = make_request(state, request.goal, seed, request.budget);
   StageResult found = run_stages(state, unlimited);
   if (found.result.solutions.empty()) return false;
   finish(unlimited, found.result);

@@ -80,6 +80,8 @@ void prepare(SolverState& state) {
   options.all = true;
   options.every_turn = false;
   options.seed.reset();
+  options.weights.reset();
+  options.pose_tolerance.reset();
   options.method = InverseMethod::automatic;
   options.max_restarts = std::min(options.max_restarts, few_restarts);
   options.task = state.task;
@@ -104,8 +106,7 @@ void solve_locked_joint(SolverState& state, const Request& request, StageResult&
   const Configuration seed = without(request.seed, grid.coordinate);
   for (std::size_t i = 0; i < grid.values.size() && !request.budget.ended(); ++i) {
     SolverState& solver = grid.solvers[i];
-    const Request locked = make_request(solver.arm, solver.options, solver.task, solver.bounds,
-                                        request.goal, seed, request.budget);
+    const Request locked = make_request(solver, request.goal, seed, request.budget);
     const StageResult there = run_stages(solver, locked);
     for (const Configuration& q : there.result.solutions) {
       candidates.add(with(q, grid.coordinate, grid.values[i]), false);

@@ -24,7 +24,7 @@ bool recovers_configurations(const PieperSolver& form, const Arm& arm) {
   constexpr int trials = 16;
   const Configuration zero = Configuration::Zero(arm.dof());
   const Bounds open = no_bounds(arm);
-  PieperRequest loop = form.request(zero, open.lower, open.upper);
+  PieperRequest loop = form.request(zero, Configuration::Ones(arm.dof()), open.lower, open.upper);
   Splitmix random(1);
   for (int trial = 0; trial < trials; ++trial) {
     Configuration q(arm.dof()), recovered(arm.dof());
@@ -85,10 +85,11 @@ void add_branches(const PieperSolver& form, const PieperBranches& found, double 
 void solve_locked(SolverState& state, const Request& request, StageResult& found) {
   CandidateSolutions candidates(request, found);
   const PieperSolver& form = *state.pieper;
-  PieperRequest loop =
-      form.request(request.seed, request.bounds.lower, request.bounds.upper, request.tolerance);
-  const LockedRange range =
+  PieperRequest loop = form.request(request.seed, request.weights, request.bounds.lower,
+                                    request.bounds.upper, request.tolerance);
+  LockedRange range =
       locked_range(request.arm, request.bounds, request.seed, *form.locked(), form.size());
+  range.weight = request.weights[*form.locked()];
   const int dof = request.arm.dof();
   candidates.evidence().complete = false;
   const int grid = request.options.grid;
@@ -130,8 +131,8 @@ void solve_locked(SolverState& state, const Request& request, StageResult& found
 
 void solve_branches(SolverState& state, const Request& request, CandidateSolutions& candidates) {
   const PieperSolver& form = *state.pieper;
-  PieperRequest loop =
-      form.request(request.seed, request.bounds.lower, request.bounds.upper, request.tolerance);
+  PieperRequest loop = form.request(request.seed, request.weights, request.bounds.lower,
+                                    request.bounds.upper, request.tolerance);
   PieperBranches found;
   form.branches(request.goal, 0, loop, found);
   add_branches(form, found, 0, request.arm.dof(), candidates);
@@ -243,7 +244,7 @@ std::optional<int> solve_pieper_fast(SolverState& state, const Pose& goal,
   // Solutions and distances would depend on the values chosen for free joints.
   if (form.has_free_joints() || !state.pieper_verified) return std::nullopt;
   PieperRequest loop =
-      form.request(seed, state.bounds.lower, state.bounds.upper, options.tolerance);
+      form.request(seed, state.weights, state.bounds.lower, state.bounds.upper, options.tolerance);
   double value = 0;  // of a locked joint
   if (options.lock) {
     check_lock(state, seed);

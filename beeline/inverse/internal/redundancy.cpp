@@ -16,10 +16,10 @@ struct Cost {
   Configuration slope, curvature;
 };
 
-/// Half the squared distance.
-Cost distance_from_seed(const Request& request, const Configuration& q) {
-  const Configuration away = q - request.seed;
-  return {away.squaredNorm() / 2, away, Configuration::Ones(q.size())};
+/// Half the squared distance from the seed.
+Cost squared_distance(const Request& request, const Configuration& q) {
+  const double distance = distance_from_seed(request, q);
+  return {distance * distance / 2, request.weights.cwiseProduct(q - request.seed), request.weights};
 }
 
 /// The sum of x_k^8, where x_k in [-1, 1] is the position of coordinate k in its range: a smooth
@@ -40,7 +40,7 @@ Cost nearness_to_limits(const Request& request, const Configuration& q) {
 }
 
 Cost cost_at(const Request& request, const Configuration& q) {
-  return request.options.redundancy == Redundancy::nearest ? distance_from_seed(request, q)
+  return request.options.redundancy == Redundancy::nearest ? squared_distance(request, q)
                                                            : nearness_to_limits(request, q);
 }
 
@@ -74,12 +74,22 @@ Configuration null_space_step(const Request& request, const Configuration& q, co
 
 /// The objective to be minimised: the distance from the seed, or minus the smallest margin.
 double objective(const Request& request, const Configuration& q) {
-  if (request.options.redundancy == Redundancy::nearest) return (q - request.seed).norm();
+  if (request.options.redundancy == Redundancy::nearest) return distance_from_seed(request, q);
   double margin = 1;
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     margin = std::min(margin, limit_margin(q[k], request.bounds.lower[k], request.bounds.upper[k]));
   }
   return -margin;
+}
+
+/// The scale of a Newton step: the Hessian of the cost lacks the curvature of the self-motion. It
+/// is estimated from how much of the last step, which was scaled by `applied`, is left (the secant
+/// method).
+double first_scale(const Configuration& last, double applied, const Configuration& step) {
+  constexpr double least = 0.01, most = 100;
+  if (last.isZero()) return 1;
+  const double curvature = (1 - step.dot(last) / last.squaredNorm()) / applied;
+  return curvature > 0 ? std::clamp(1 / curvature, least, most) : 1;
 }
 
 }  // namespace
@@ -103,10 +113,13 @@ Configuration optimised(const Request& request, const Configuration& q) {
   Cost cost = cost_at(request, best);
   constexpr int rounds = 100;          // Newton's method takes far fewer steps, except along bounds
   constexpr double negligible = 1e-8;  // radians or metres: the cost is flat to rounding there
+  Configuration last = Configuration::Zero(q.size());  // the step before
+  double applied = 1;                                  // its scale
   for (int round = 0; round < rounds; ++round) {
     const Configuration step = null_space_step(request, best, cost);
     bool moved = false;
-    for (double scale = 1; !moved && scale * step.norm() > negligible; scale /= 2) {
+    for (double scale = first_scale(last, applied, step);
+         !moved && scale * step.norm() > negligible; scale /= 2) {
       const Configuration next =
           (best + scale * step).cwiseMax(request.bounds.lower).cwiseMin(request.bounds.upper);
       const NumericalResult back =
@@ -116,6 +129,8 @@ Configuration optimised(const Request& request, const Configuration& q) {
       const Cost there = cost_at(request, back.q);
       if (!(there.value < cost.value) || error_at(request, back.q) > request.tolerance) continue;
       moved = true;
+      last = step;
+      applied = scale;
       best = back.q;
       cost = there;
     }

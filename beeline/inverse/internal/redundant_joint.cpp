@@ -30,13 +30,29 @@ void insert(const PieperSolver& form, const LockedBranch& branch, int lane, Leas
 double cost(const PieperRequest& loop, const PieperBranches& found, int lane,
             const LockedRange& range, double value, Redundancy redundancy) {
   if (redundancy == Redundancy::nearest) {
-    return found.distance[lane] + (value - range.seed) * (value - range.seed);
+    return found.distance[lane] + range.weight * (value - range.seed) * (value - range.seed);
   }
   double margin = range.limited ? limit_margin(value, range.lower, range.upper) : 1;
   for (std::size_t k = 0; k < 6; ++k) {
     margin = std::min(margin, limit_margin(found.q[k][lane], loop.lower[k], loop.upper[k]));
   }
   return -margin;
+}
+
+/// The indices of the local minima of a series, the lowest first, three at most: branches end at
+/// limits, so the global optimum need not be next to the lowest value. More take longer.
+std::vector<std::size_t> lowest_minima(const std::vector<double>& costs) {
+  constexpr std::size_t most = 3;
+  std::vector<std::size_t> minima;
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const bool falls = i == 0 || costs[i] <= costs[i - 1];
+    const bool rises = i + 1 == costs.size() || costs[i] <= costs[i + 1];
+    if (falls && rises && std::isfinite(costs[i])) minima.push_back(i);
+  }
+  std::sort(minima.begin(), minima.end(),
+            [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
+  if (minima.size() > most) minima.resize(most);
+  return minima;
 }
 
 }  // namespace
@@ -155,19 +171,15 @@ LockedBranch best_within(const PieperSolver& form, const Pose& goal, const Locke
     }
     return lowest;
   };
-  const std::vector<double> values = grid_values(range, grid);
-  std::vector<std::pair<double, double>> ranked;  // cost, value
-  for (const double value : values) ranked.emplace_back(cost_at(value), value);
-  ranked.emplace_back(cost_at(range.seed), range.seed);
-  std::sort(ranked.begin(), ranked.end());
-  const double step = (range.upper - range.lower) / (grid - 1);
-  // Branches end at limits, so the global optimum need not be next to the best value of the grid.
-  // Refining more values takes longer.
-  constexpr std::size_t refined_count = 3;
-  for (std::size_t i = 0; i < std::min(refined_count, ranked.size()); ++i) {
-    constexpr int max_rounds = 40;  // 0.618^40 = 4e-9 of two steps of the grid
-    const double a = std::max(range.lower, ranked[i].second - step);
-    const double b = std::min(range.upper, ranked[i].second + step);
+  std::vector<double> values = grid_values(range, grid);
+  values.push_back(range.seed);
+  std::sort(values.begin(), values.end());
+  std::vector<double> costs;
+  for (const double value : values) costs.push_back(cost_at(value));
+  for (const std::size_t i : lowest_minima(costs)) {
+    constexpr int max_rounds = 40;  // 0.618^40 = 4e-9 of the interval
+    const double a = i == 0 ? range.lower : values[i - 1];
+    const double b = i + 1 == values.size() ? range.upper : values[i + 1];
     golden_section(a, b, max_rounds, cost_at);  // cost_at() keeps the best
   }
   return best;

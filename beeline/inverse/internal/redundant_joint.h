@@ -12,6 +12,7 @@ namespace beeline::internal {
 struct LockedRange {
   double lower = 0, upper = 0;
   double seed = 0;
+  double weight = 1;     ///< of the coordinate, in distances
   bool limited = false;  ///< whether both ends are limits
 };
 LockedRange locked_range(const Arm& arm, const Bounds& bounds, const ConfigurationRef& seed,

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <beeline/error.h>
 #include <beeline/inverse/internal/request.h>
+#include <beeline/inverse/internal/solver_state.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/pose/angle.h>
 
@@ -23,6 +25,35 @@ void check_count(const char* what, int value, int minimum) {
   if (value >= minimum) return;
   throw Error(std::string(what) + " is " + std::to_string(value) + "; it must be " +
               std::to_string(minimum) + " or more");
+}
+
+void check_weights(const Arm& arm, const Eigen::VectorXd& weights) {
+  if (weights.size() != arm.dof()) {
+    throw Error("weights are " + std::to_string(weights.size()) + " numbers; arm " + arm.name() +
+                " has " + std::to_string(arm.dof()) + " coordinates");
+  }
+  for (const double weight : weights) {
+    if (weight >= 1e-6 && weight <= 1e6) continue;
+    throw Error("a weight is " + number(weight) + "; each must be from 1e-6 to 1e6");
+  }
+}
+
+void check_pose_tolerance(const Arm& arm, const Eigen::VectorXd& tolerance) {
+  const Eigen::Index lengths = arm.planar() ? 2 : 3, size = arm.planar() ? 3 : 6;
+  const std::string meaning =
+      arm.planar() ? "x, y (m), theta (rad)" : "x, y, z (m), roll, pitch, yaw (rad)";
+  if (tolerance.size() != size) {
+    throw Error("pose_tolerance is " + std::to_string(tolerance.size()) + " numbers; arm " +
+                arm.name() + " needs " + std::to_string(size) + ": " + meaning);
+  }
+  constexpr double farthest = 1e3;  // metres
+  for (Eigen::Index k = 0; k < size; ++k) {
+    const double most = k < lengths ? farthest : std::numbers::pi;
+    // As pi in degrees may be rounded.
+    if (tolerance[k] >= 0 && tolerance[k] <= most * (1 + 1e-9)) continue;
+    throw Error("pose_tolerance has " + number(tolerance[k]) + "; lengths are 0 to " +
+                number(farthest) + " m and angles 0 to pi: " + meaning);
+  }
 }
 
 }  // namespace
@@ -45,17 +76,29 @@ void check_options(const Arm& arm, const InverseOptions& options) {
                 " has 0 to " + std::to_string(arm.dof() - 1));
   }
   if (options.lock && arm.dof() == 1) throw Error("lock leaves arm " + arm.name() + " no joint");
+  if (options.weights) check_weights(arm, *options.weights);
+  if (options.pose_tolerance) check_pose_tolerance(arm, *options.pose_tolerance);
   if (options.every_turn && !options.all) throw Error("every_turn needs the option all");
 }
 
-Request make_request(const Arm& arm, const InverseOptions& options, const Task& task,
-                     const Bounds& bounds, const Pose& world_T_tool, const Configuration& seed,
+Request make_request(const SolverState& state, const Pose& world_T_tool, const Configuration& seed,
                      BudgetMeter& budget) {
-  Request request{arm,  options, checked_pose(world_T_tool), task,
-                  seed, bounds,  options.tolerance,          budget};
-  check_configuration(arm, request.seed);
-  request.tolerance = std::max(options.tolerance, rounding_of(arm, request.goal));
-  return request;
+  const Pose goal = checked_pose(world_T_tool);
+  check_configuration(state.arm, seed);
+  return {.arm = state.arm,
+          .options = state.options,
+          .goal = goal,
+          .task = state.task,
+          .seed = seed,
+          .bounds = state.bounds,
+          .weights = state.weights,
+          .tolerance = std::max(state.options.tolerance, rounding_of(state.arm, goal)),
+          .budget = budget};
+}
+
+double distance_from_seed(const Request& request, const Configuration& q) {
+  const Configuration away = q - request.seed;
+  return std::sqrt(request.weights.dot(away.cwiseAbs2()));
 }
 
 void wrap_unlimited_angles(const Arm& arm, const Bounds& bounds, double beyond, Configuration& q) {

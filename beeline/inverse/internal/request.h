@@ -6,6 +6,8 @@
 
 namespace beeline::internal {
 
+struct SolverState;
+
 /// One request for inverse kinematics, checked and with its defaults filled in.
 struct Request {
   const Arm& arm;
@@ -13,7 +15,8 @@ struct Request {
   Pose goal;
   Task task;
   Configuration seed;
-  Bounds bounds;  ///< the joint limits, or none where they are ignored
+  Bounds bounds;                 ///< the joint limits, or none where they are ignored
+  const Configuration& weights;  ///< of the coordinates, in distances
   double tolerance;
   BudgetMeter& budget;
 };
@@ -22,9 +25,11 @@ struct Request {
 void check_options(const Arm& arm, const InverseOptions& options);
 
 /// Requires checked options. Throws Error when pose or seed are not valid.
-Request make_request(const Arm& arm, const InverseOptions& options, const Task& task,
-                     const Bounds& bounds, const Pose& world_T_tool, const Configuration& seed,
+Request make_request(const SolverState& state, const Pose& world_T_tool, const Configuration& seed,
                      BudgetMeter& budget);
+
+/// The weighted distance of q from the seed.
+double distance_from_seed(const Request& request, const Configuration& q);
 
 /// Replaces the angles of joints without limits that are more than `beyond` from zero, radians, by
 /// their representatives in (-pi, pi]: sums of many turns lose digits.

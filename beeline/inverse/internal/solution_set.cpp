@@ -54,7 +54,8 @@ void finish(const Request& request, InverseResult& result) {
   }
   std::sort(result.solutions.begin(), result.solutions.end(),
             [&request](const Configuration& a, const Configuration& b) {
-              const double to_a = (a - request.seed).norm(), to_b = (b - request.seed).norm();
+              const double to_a = distance_from_seed(request, a);
+              const double to_b = distance_from_seed(request, b);
               if (to_a != to_b) return to_a < to_b;
               return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
             });

@@ -4,6 +4,7 @@
 
 #include <beeline/inverse/internal/diagnosis.h>
 #include <beeline/inverse/internal/joint_lock.h>
+#include <beeline/inverse/internal/pose_tolerance.h>
 #include <beeline/inverse/internal/redundancy.h>
 #include <beeline/inverse/internal/solution_set.h>
 #include <beeline/inverse/internal/solve.h>
@@ -28,6 +29,7 @@ InverseResult solve_with_lock(SolverState& state, const Pose& world_T_tool,
     options.lock.reset();
     options.seed.reset();
     options.task = state.task;
+    if (options.weights) options.weights = without(*options.weights, k);
     state.locked = {make_solver_state(with_locked(state.arm, k, value), options)};
     state.locked.front().removed_coordinate = k;
     state.locked_value = value;
@@ -79,6 +81,13 @@ bool nearly_solved(const SolverState& state) {
          std::max(nearest.error.position, nearest.error.orientation) < near;
 }
 
+/// Whether solve_fast_path() has searched for a solution with many restarts. Those that are left
+/// find few more, and take longer than a solution within options.pose_tolerance.
+bool searched_fast(const SolverState& state) {
+  const bool finitely_many = state.arm.dof() <= state.task.size();
+  return !state.options.all && !(state.family && finitely_many);
+}
+
 /// The status and reason of solutions that the budget ended the search for; not of the only one
 /// that is requested.
 void set_ended(const Request& request, bool optimised, InverseResult& result) {
@@ -102,14 +111,24 @@ InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configur
   check_configuration(state.arm, seed);
   Configuration wrapped = seed;
   wrap_unlimited_angles(state.arm, state.bounds, farthest_seed, wrapped);
-  const Request request = make_request(state.arm, state.options, state.task, state.bounds,
-                                       world_T_tool, wrapped, budget);
+  const Request request = make_request(state, world_T_tool, wrapped, budget);
   state.search.iterations = 0;
+  const bool tolerant = state.options.pose_tolerance.has_value();
+  const bool searched = searched_fast(state);
+  if (tolerant && searched) {
+    if (auto near = solve_within_tolerance(state, request)) return *near;
+  }
   auto [result, unconstrained] = run_stages(state, request);
+  if (tolerant && !searched && result.solutions.empty()) {
+    if (auto near = solve_within_tolerance(state, request)) return *near;
+  }
   if (result.solutions.empty() && (diagnosis == Diagnosis::wanted || nearly_solved(state))) {
     diagnose(state, request, unconstrained, result);
   }
-  if (result.solutions.empty()) return result;
+  if (result.solutions.empty()) {
+    if (state.options.pose_tolerance) result.reason += "; nor was one found within pose_tolerance";
+    return result;
+  }
   const bool redundant = request.arm.dof() > request.task.size() && !request.options.all;
   const bool optimised = redundant && request.options.redundancy != Redundancy::any;
   if (optimised) {

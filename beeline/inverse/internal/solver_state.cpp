@@ -9,8 +9,12 @@ SolverState make_solver_state(const Arm& arm, const InverseOptions& options,
                               const RaghavanRothSolver* similar) {
   check_options(arm, options);
   const Configuration middle = middle_configuration(arm);
-  SolverState state{arm, options, options.task.value_or(default_task(arm)),
-                    options.ignore_limits ? no_bounds(arm) : bounds_of(arm), middle};
+  SolverState state{arm,
+                    options,
+                    options.task.value_or(default_task(arm)),
+                    options.ignore_limits ? no_bounds(arm) : bounds_of(arm),
+                    middle,
+                    options.weights.value_or(Configuration::Ones(arm.dof()))};
   if (options.seed) check_configuration(arm, *options.seed);
   state.similar = similar;
   select_family(state);

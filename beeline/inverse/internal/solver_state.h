@@ -15,9 +15,9 @@ struct SolverState;
 
 /// An arm with its redundant joint locked at the values of a grid, for all solutions there.
 struct LockedJointGrid {
-  int coordinate = 0;                ///< of the redundant joint
-  std::vector<double> values;        ///< ascending; empty until the first request
-  std::vector<SolverState> solvers;  ///< of the remaining joints, one for each value
+  int coordinate = 0;                     ///< of the redundant joint
+  std::vector<double> values = {};        ///< ascending; empty until the first request
+  std::vector<SolverState> solvers = {};  ///< of the remaining joints, one for each value
 };
 
 /// The private state of InverseSolver: what the stages need to know of an arm, computed once, and
@@ -26,8 +26,9 @@ struct SolverState {
   Arm arm;
   InverseOptions options;
   Task task;
-  Bounds bounds;         ///< the joint limits, or none where they are ignored
-  Configuration middle;  ///< the default seed
+  Bounds bounds;          ///< the joint limits, or none where they are ignored
+  Configuration middle;   ///< the default seed
+  Configuration weights;  ///< options.weights, or ones
   /// The family of closed forms that covers the arm and the task, or null.
   const AnalyticFamily* family = nullptr;
   /// A family that is tried where the numerical stage fails, or null.
@@ -44,6 +45,7 @@ struct SolverState {
   std::optional<int> removed_coordinate = std::nullopt;
   std::vector<SolverState> locked = {};  ///< empty, or the solver of the arm with options.lock ...
   double locked_value = 0;               ///< ... at this value
+  std::vector<SolverState> tolerant = {};  ///< empty, or the solver for options.pose_tolerance
   MultiStartBuffers buffers = {};
   SearchResult search = {};
 };
