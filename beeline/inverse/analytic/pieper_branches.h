@@ -8,7 +8,7 @@ namespace beeline::internal {
 struct PieperRequest {
   double world_T_tool[12];  ///< the goal, three rows of four
   double seed[6];           ///< branches are measured from it; free joints take its values
-  double weight[6];         ///< of the joints in `distance`
+  double weight[6] = {1, 1, 1, 1, 1, 1};  ///< of the joints in `distance`
   double lower[6], upper[6];
   bool wraps[6];        ///< whether multiples of 2 pi may be added
   double max_residual;  ///< branches with a larger residual need numerical refinement

@@ -218,6 +218,7 @@ TEST(PieperBranches, ReportLimitsAndDistanceFromTheSeed) {
       }
       for (int k = 0; k < 6; ++k) {
         question.seed[k] = random.uniform(-8, 8);
+        question.weight[k] = random.uniform(0.1, 2);
         question.lower[k] = random.uniform(-6, 0);
         question.upper[k] = random.uniform(0, 6);
         question.wraps[k] = kind(arm.joint_of(k)) == JointKind::revolute;
@@ -233,7 +234,7 @@ TEST(PieperBranches, ReportLimitsAndDistanceFromTheSeed) {
         double distance = 0, excess = 0;
         for (int k = 0; k < 6; ++k) {
           q[k] = branches.q[k][lane];
-          distance += (q[k] - question.seed[k]) * (q[k] - question.seed[k]);
+          distance += question.weight[k] * std::pow(q[k] - question.seed[k], 2);
           excess += std::max({question.lower[k] - q[k], q[k] - question.upper[k], 0.0});
           const bool inside = q[k] >= question.lower[k] && q[k] <= question.upper[k];
           if (!question.wraps[k]) continue;
