@@ -42,6 +42,14 @@ void check_options(const PathMotionOptions& options) {
   }
 }
 
+void check_stops(const Route& route) {
+  const auto stops =
+      static_cast<std::size_t>(std::count(route.stops.begin(), route.stops.end(), true));
+  if (stops <= max_stops) return;
+  throw Error("the path has " + std::to_string(stops) + " stops; a motion has at most " +
+              std::to_string(max_stops) + ": plan it in parts, or blend the lines");
+}
+
 Deviation part_of_tolerance(const PathMotionOptions& options, double fraction) {
   return {fraction * options.tolerance, fraction * options.orientation_tolerance};
 }
@@ -298,6 +306,7 @@ PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start,
   check_options(options);
   const Task task = options.task.value_or(default_task(arm));
   check_route(arm, route, task);
+  check_stops(route);
   if (!start) return move(arm, start, route, task, options);
   const Configuration from = checked_start(arm, *start);
   const Deviation off = task_deviation(task, pose_at(route.path, 0), forward_kinematics(arm, from));

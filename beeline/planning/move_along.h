@@ -58,6 +58,9 @@ struct PathMotion {
 /// Prints the status with its reason, or with the duration and the proved deviation.
 std::ostream& operator<<(std::ostream& out, const PathMotion& motion);
 
+/// Max stops of a path, each of which costs some milliseconds and 100 kB.
+constexpr std::size_t max_stops = 5000;
+
 /// Moves the tool along a path, at rest where the route stops. A waypoint is a segment's end.
 ///
 /// - Samples are within joint limits, and off the path by about a hundredth of the tolerance at
@@ -70,7 +73,8 @@ std::ostream& operator<<(std::ostream& out, const PathMotion& motion);
 ///   are assumed (motion_limits()).
 ///
 /// Throws Error for a start outside the limits or with the tool elsewhere, an option out of range,
-/// a route without segments, and a task that its segments do not allow.
+/// a route without segments or with more than max_stops stops, and a task that its segments do not
+/// allow.
 PathMotion move_along(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
                       const PathMotionOptions& options = {});
 

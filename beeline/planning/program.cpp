@@ -9,6 +9,7 @@
 #include <beeline/planning/branch.h>
 #include <beeline/planning/internal/program_parts.h>
 #include <beeline/planning/internal/program_trajectory.h>
+#include <beeline/planning/internal/self_motion_starts.h>
 #include <beeline/planning/program.h>
 #include <beeline/trajectory/internal/tool_speed.h>
 
@@ -44,6 +45,7 @@ std::vector<Configuration> configurations_for(const Arm& arm, const Task& task, 
       .seed = from, .task = task, .all = true, .every_turn = !redundant, .budget = budget};
   std::vector<Configuration> found;
   if (redundant) {
+    options.method = method_for_few_poses(arm, task);
     options.grid = coarse_grid;
     options.max_restarts = 4 * coarse_grid;
     found = inverse_kinematics(

@@ -44,6 +44,9 @@ struct Move {
   std::string place = {};  ///< where the move is written, for messages: pick.csv:5
 };
 
+/// Max moves of a program, which is planned as a whole in memory: some 10 s and 1 GB for this many.
+constexpr std::size_t max_moves = 5000;
+
 /// The moves of an arm in order, such as those of a whole pick.
 struct Program {
   std::vector<Move> moves;

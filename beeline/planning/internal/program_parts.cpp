@@ -15,6 +15,12 @@ constexpr double max_dwell = 1e6;  // seconds
   throw Error(move_name(program, i) + ": " + reason);
 }
 
+void check_count(const Program& program) {
+  if (program.moves.size() <= max_moves) return;
+  throw Error("the program has " + std::to_string(program.moves.size()) + " moves; at most " +
+              std::to_string(max_moves) + " are accepted: split it");
+}
+
 void check_numbers(const Move& move) {
   if (move.speed && !(*move.speed >= slowest_tool && std::isfinite(*move.speed))) {
     throw Error("speed must be at least " + number(slowest_tool) + " m/s, not " +
@@ -145,6 +151,7 @@ void check_move(const Arm& arm, const Program& program, std::size_t i) {
 
 void check_program(const Arm& arm, const Program& program) {
   if (program.moves.empty()) throw Error("a program needs moves");
+  check_count(program);
   for (std::size_t i = 0; i < program.moves.size(); ++i) {
     try {
       check_move(arm, program, i);

@@ -41,14 +41,16 @@ std::vector<Configuration> random_solutions(const Arm& arm, const Task& task, co
 std::vector<Configuration> unlimited_solutions(const Arm& arm, const Task& task, const Pose& pose,
                                                BudgetMeter& budget) {
   constexpr int grid = 64;
-  std::vector<Configuration> solutions = inverse_kinematics(arm, pose,
-                                                            {.task = task,
-                                                             .all = true,
-                                                             .ignore_limits = true,
-                                                             .grid = grid,
-                                                             .max_restarts = grid,
-                                                             .budget = budget.part()})
-                                             .solutions;
+  std::vector<Configuration> solutions =
+      inverse_kinematics(arm, pose,
+                         {.task = task,
+                          .method = method_for_few_poses(arm, task),
+                          .all = true,
+                          .ignore_limits = true,
+                          .grid = grid,
+                          .max_restarts = grid,
+                          .budget = budget.part()})
+          .solutions;
   const auto more = random_solutions(arm, task, pose, budget);
   solutions.insert(solutions.end(), more.begin(), more.end());
   return solutions;
@@ -81,6 +83,11 @@ void add_inside(const Arm& arm, const Pose& pose, const SelfMotion& unlimited,
 }
 
 }  // namespace
+
+InverseMethod method_for_few_poses(const Arm& arm, const Task& task) {
+  const bool numerical = InverseSolver(arm, {.task = task}).method() == "numerical";
+  return numerical && arm.dof() > task.size() ? InverseMethod::numerical : InverseMethod::automatic;
+}
 
 std::vector<Node> self_motion_starts(const Arm& arm, const Task& task, const Pose& pose,
                                      SelfMotion& motion, BudgetMeter& budget) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <beeline/internal/budget_meter.h>
+#include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/planning/internal/self_motion.h>
 
 namespace beeline::internal {
@@ -14,5 +15,9 @@ namespace beeline::internal {
 std::vector<RedundantConfiguration> self_motion_starts(const Arm& arm, const Task& task,
                                                        const Pose& pose, SelfMotion& motion,
                                                        BudgetMeter& budget);
+
+/// The method that takes the least time for all solutions of a few poses: numerical for an arm that
+/// has a closed form only with a joint locked, which takes a tenth of a second to prepare.
+InverseMethod method_for_few_poses(const Arm& arm, const Task& task);
 
 }  // namespace beeline::internal

@@ -1,0 +1,147 @@
+"""Hostile arguments and files for the command: valid ones, mutated at random."""
+
+import pathlib
+import random
+import re
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+NUMBER = re.compile(rb"-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
+NUMBERS = """0 -0 1 -1 1e-300 -1e-12 1e-9 0.5 1e3 1e6 -1e6 1e9 1e12 1e100 -1e154 1e300 1.7976931348623157e308 1e309 -1e999 nan NaN
+inf -inf Infinity 4294967296 9223372036854775808 -9223372036854775809 0x10 1e 1,5 １２ 3.14159265358979323846264338327950288""".split()
+WORDS = ["", " ", "'", '"', "--", "-", "\x1b[31m", "é", "\u202e", "a" * 3000, "R" * 3000, "panda", "..", "/", "%s%n", "\n", "\t", "=", "{}", "[]",
+         "[" * 2000, "null", "../../etc/passwd"]
+
+WAYPOINTS = b"x,y,z,roll,pitch,yaw\n0.4,0.2,0.3,3.1,0,0\n0.4,-0.2,0.3,3.1,0,0\n0.3,-0.2,0.4,3.1,0,0\n"
+PLANAR = b"x,y,theta\n4,4,0\n5,3,0\n4,3,0.2\n"
+PROGRAM = b'motion,x,y,z,roll,pitch,yaw,speed,blend,dwell,relative\njoint,0.4,0.2,0.3,3.1,0,0,,,,\nline,0.4,-0.2,0.3,3.1,0,0,0.2,0.01,,\n' \
+          b"via,0.35,-0.1,0.35,3.1,0,0,,,,\narc,0.4,0,0.4,3.1,0,0,,,0.5,\nline,0,0,-0.05,0,0,0,,,,previous\n"
+PLANAR_MOTION = b"t,joint1,joint2,joint3\n0,0.1,0.5,-0.4\n0.5,0.2,0.6,-0.5\n1,0.3,0.7,-0.6\n1.5,0.3,0.7,-0.6\n"
+PANDA_MOTION = b"t," + b",".join(b"joint%d" % k for k in range(1, 8)) + b"," + b",".join(b"joint%d_vel" % k for k in range(1, 8)) + \
+    b"\n" + b"\n".join(b"%g,0,%g,0,-1.5,0,1.5,0.7,0,0.1,0,0,0,0,0" % (0.1 * i, 0.01 * i) for i in range(30)) + b"\n"
+JSON_MOTION = b'{"joint_names": ["joint1", "joint2", "joint3"], "points": [{"positions": [0.1, 0.5, -0.4], "time_from_start": {"sec": 0, "nanosec": 0}},' \
+    b' {"positions": [0.2, 0.6, -0.5], "time_from_start": {"sec": 1, "nanosec": 500000000}}]}'
+YAML_LIMITS = b"joint_limits:\n  joint1:\n    has_velocity_limits: true\n    max_velocity: 1.5\n    has_acceleration_limits: true\n    max_acceleration: 3\n" \
+    b"  joint2:\n    has_position_limits: true\n    min_position: -1\n    max_position: 1\n"
+JSON_LIMITS = b'{"joint1": {"lower": -2, "upper": 2, "velocity": 1.5}, "joint2": {"jerk": 50}}'
+SRDF = b'<robot name="r"><group name="arm"><chain base_link="base" tip_link="tool"/></group>' \
+    b'<group_state name="home" group="arm"><joint name="shoulder" value="0.3"/></group_state></robot>'
+JOINTS = b"joint1,joint2,joint3\n0.1,0.2,0.3\n0.4,0.5,0.6\n"
+NPY = b"\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }".ljust(127) + b"\n" + b"\0" * 48
+
+FILES = {
+    "robot.urdf": (ROOT / "docs/howto/robot.urdf").read_bytes(),
+    "gen3.json": (ROOT / "tests/inverse/arms/gen3.json").read_bytes(),
+    "px150.json": (ROOT / "tests/inverse/arms/px150.json").read_bytes(),
+    "ur5.json": (ROOT / "docs/howto/typed_ur5.json").read_bytes(),
+    "poses.csv": WAYPOINTS, "planar.csv": PLANAR, "program.csv": PROGRAM, "rrr.csv": PLANAR_MOTION, "panda.csv": PANDA_MOTION,
+    "rrr.json": JSON_MOTION, "limits.yaml": YAML_LIMITS, "limits.json": JSON_LIMITS, "arm.srdf": SRDF, "joints.csv": JOINTS, "joints.npy": NPY,
+}
+
+POSE, PLANAR_POSE = "0.4,0.2,0.3,3.1,0,0", "4,4,0.1"
+COMMANDS = [line.split() for line in f"""
+show robot.urdf
+show gen3.json --json
+show RRRP:1,2,0.5,1
+fk px150.json --q 0.1,0.2,0.3,0.4,0.5 --all
+fk rrr --q 0.1,0.2,0.3 --json
+jacobian ur5.json --q 0,1,1,0,1,0 --frame tool
+ik gen3.json --pose {POSE} --all
+ik ur5 --pose {POSE} --seed 0,1,1,0,1,0 --json
+ik panda --pose {POSE} --redundancy centred --grid 20 --lock joint3=0.2
+ik px150.json --pose {POSE} --pose-tolerance 0.01,0.01,0.01,0.1,0.1,3 --max-restarts 100 --max-iterations 50
+ik RRPRH:1,1,0.1,1,0.1p0.02 --pose {PLANAR_POSE} --task position --tolerance 1e-8 --random-seed 3
+batch fk rrr joints.csv --out out.csv
+batch ik panda poses.csv --out out.csv --status
+batch jacobian rrr joints.npy --out out.npy
+move rrr --from 0.1,0.2,0.3 --to 0.5,0.1,0.9 --gain 2 --out out.csv
+line rrr --through planar.csv --out out.csv --draw out.svg
+line panda --through poses.csv --out out.json --blend 0.02 --rate 100
+line ur5 --through program.csv --out out.csv --profile trapezoidal --max-samples 5000
+line px150.json --through poses.csv --task 111110:tool --tolerance 0.001 --max-samples 3000
+line gen3.json --through poses.csv --path spline --tool-speed 0.2 --branches
+check rrr rrr.csv --through planar.csv --speed 0.5
+check panda panda.csv --through poses.csv --tolerance 0.01
+retime panda panda.csv --out out.csv --velocity 1 --acceleration 2 --jerk 50
+retime rrr rrr.json --out out.csv --rate 50 --profile quintic
+replay rrr rrr.csv --out out.csv --speed-at 0:0.5 --rate 100
+diff rrr rrr.csv rrr.json
+export rrr rrr.csv --as urscript
+draw robot.urdf --out out.svg --q 0.1,0.2
+draw panda panda.csv --out out.svg
+figure 1.6 --out out.svg
+formula rrr --as latex
+doctor robot.urdf
+doctor gen3.json px150.json
+show robot.urdf --srdf arm.srdf --group arm
+fk rrr --q 0.1,0.2,0.3 --limits limits.yaml
+fk rrr --q 0.1,0.2,0.3 --limits limits.json --tcp 0.1,0,0 --mount 1,2,0.5 --velocity 1
+arms --json
+completion bash
+""".strip().splitlines()]
+OPTIONS = """--json --degrees --all --tcp --mount --work --limits --velocity --acceleration --jerk --speed --task --rate --blend --path --profile --out
+--tolerance --max-samples --max-iterations --max-restarts --grid --time-limit --max-work --seed --from --tool-speed --plot --help --weights --every-turn
+--ignore-limits --pose-tolerance --threads --settle --max-steps --gain --method --redundancy --base --tip --q --pose --degrees""".split()
+
+
+def mutated_bytes(rng, data):
+    """The text with some numbers, bytes or passages changed."""
+    for _ in range(rng.choice([1, 1, 1, 2, 5])):
+        choice = rng.randrange(10)
+        at = rng.randrange(len(data) + 1)
+        numbers = list(NUMBER.finditer(data))
+        if choice <= 4 and numbers:
+            one = rng.choice(numbers)
+            data = data[:one.start()] + rng.choice(NUMBERS).encode() + data[one.end():]
+        elif choice == 5:
+            data = data[:at]
+        elif choice == 6:
+            data = data[:at] + rng.choice(WORDS).encode() + data[at:]
+        elif choice == 7:
+            data = data[:at] + bytes(rng.randrange(256) for _ in range(rng.randrange(1, 9))) + data[at + rng.randrange(9):]
+        elif choice == 8:
+            end = min(len(data), at + rng.randrange(1, 400))
+            data = data[:at] + data[at:end] * rng.choice([2, 3, 20, 300]) + data[end:]
+        elif b"\n" in data:
+            lines = data.split(b"\n")
+            rng.shuffle(lines)
+            data = b"\n".join(lines)
+    return data[:3_000_000]
+
+
+def mutated_argument(rng, argument):
+    choice = rng.randrange(6)
+    if choice <= 2:
+        numbers = list(NUMBER.finditer(argument.encode()))
+        if numbers and argument not in FILES:
+            one = rng.choice(numbers)
+            data = argument.encode()
+            return (data[:one.start()] + rng.choice(NUMBERS).encode() + data[one.end():]).decode()
+        return rng.choice(NUMBERS)
+    if choice == 3:
+        return rng.choice(WORDS)
+    if choice == 4:
+        return rng.choice([*FILES, "/", ".", "/dev/null", "/dev/full", "missing.csv", "panda", "rrr", "RRR", "out.csv"])
+    return argument + rng.choice([",1", ",", "0", "=", ":", "e400", " "])
+
+
+def command(rng):
+    """One hostile command line, and its files."""
+    line = list(rng.choice(COMMANDS))
+    files = {}
+    for name in FILES:
+        if name in line and rng.random() < 0.7:
+            files[name] = mutated_bytes(rng, FILES[name])
+    for _ in range(rng.choice([0, 0, 1, 1, 2])):
+        choice = rng.randrange(4)
+        at = rng.randrange(1, len(line)) if len(line) > 1 else 0
+        if choice <= 1 and line:
+            line[at] = mutated_argument(rng, line[at])
+        elif choice == 2:
+            line += [rng.choice(OPTIONS)] + ([rng.choice([*NUMBERS, *WORDS, *FILES, POSE, "any"])] if rng.random() < 0.7 else [])
+        else:
+            del line[at:at + 1]
+    return [argument.replace("\0", "") for argument in line], files
+
+
+def generator(seed):
+    return random.Random(seed)
