@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <beeline/error.h>
+#include <beeline/internal/utf8.h>
 
 namespace beeline {
 namespace {
@@ -49,12 +50,6 @@ std::string located(std::string_view path, int line, std::string_view message) {
   return text.append(": ").append(message);
 }
 
-std::string one_line(std::string text) {
-  const auto control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-  std::replace_if(text.begin(), text.end(), control, ' ');
-  return text;
-}
-
 /// The first `bytes` bytes, fewer where they would end within a UTF-8 character.
 std::string_view front(std::string_view text, std::size_t bytes) {
   if (text.size() <= bytes) return text;
@@ -64,7 +59,7 @@ std::string_view front(std::string_view text, std::size_t bytes) {
 
 }  // namespace
 
-Error::Error(std::string message) : std::runtime_error(one_line(std::move(message))) {}
+Error::Error(std::string message) : std::runtime_error(internal::one_line(message)) {}
 
 FileError::FileError(std::string_view path, int line, std::string_view message)
     : Error(located(path, line, message)) {}

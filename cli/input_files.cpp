@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <beeline/error.h>
+#include <beeline/model/internal/ranges.h>
+#include <beeline/path/internal/checked_poses.h>
 #include <beeline/record/trajectory_file.h>
 
 #include "command/streams.h"
@@ -12,9 +14,19 @@ using namespace beeline;
 
 namespace {
 
-/// Refuses values whose squares overflow.
-void check_size(const std::string& path, const Arm& arm, const std::vector<Configuration>& column) {
-  constexpr double largest = 1e100;
+constexpr double max_time = 1e10;  // seconds: times since 1970 are accepted
+
+void check_times(const std::string& path, const std::vector<double>& times) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (std::abs(times[i]) <= max_time) continue;
+    throw FileError(path, 0,
+                    fmt::format("sample {}: the time {} s is outside -{} to {} s", i + 1,
+                                number(times[i]), number(max_time), number(max_time)));
+  }
+}
+
+void check_size(const std::string& path, const Arm& arm, const std::vector<Configuration>& column,
+                double largest) {
   for (std::size_t i = 0; i < column.size(); ++i) {
     for (int k = 0; k < arm.dof(); ++k) {
       if (std::abs(column[i][k]) <= largest) continue;
@@ -35,9 +47,10 @@ Trajectory checked_for_arm(const std::string& path, const Arm& arm, const Trajec
   } catch (const Error& error) {
     throw FileError(path, 0, error.what());
   }
-  check_size(path, arm, trajectory.positions);
-  check_size(path, arm, trajectory.velocities);
-  check_size(path, arm, trajectory.accelerations);
+  check_times(path, trajectory.times);
+  check_size(path, arm, trajectory.positions, internal::max_position_limit);
+  check_size(path, arm, trajectory.velocities, internal::max_rate);
+  check_size(path, arm, trajectory.accelerations, internal::max_rate);
   return trajectory;
 }
 
@@ -52,6 +65,11 @@ PoseList waypoints_from(const std::string& text, const std::string& path, const 
   PoseList list = poses_from_csv(text, path, unit.angle_unit(), triple_of(arm));
   if (!list.has_header)
     warn(path + " has no header; its columns are read as " + listed(list.columns));
+  if (list.poses.size() > internal::max_poses) {
+    throw FileError(path, list.lines[internal::max_poses],
+                    fmt::format("has {} poses; a path has at most {}: divide it", list.poses.size(),
+                                internal::max_poses));
+  }
   warn_of_angle("--through " + path, list.max_angle, unit);
   for (std::size_t i = 0; i < list.poses.size(); ++i) {
     try {

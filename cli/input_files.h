@@ -7,7 +7,7 @@
 #include "pose_argument.h"
 
 /// The trajectory of a file with its joints in the arm's order. Throws FileError if it does not fit
-/// the arm or has a value above 1e100, whose square overflows.
+/// the arm or has a value or a time that is out of range.
 beeline::Trajectory checked_for_arm(const std::string& path, const beeline::Arm& arm,
                                     const beeline::Trajectory& recorded);
 

@@ -107,6 +107,12 @@ Answer compare_gains(const MoveArguments& arguments, const Arm& arm, const Confi
   if (!arguments.files.out.empty() || !arguments.files.plot.empty()) {
     throw Error("several gains make one picture, --draw; --out and --plot are for one gain");
   }
+  constexpr double max_total = 1e7;  // steps of all gains, which the picture keeps in memory
+  if (static_cast<double>(gains.size()) * arguments.simulation.max_steps > max_total) {
+    throw Error(fmt::format("--max-steps of {} gains must be at most {}, not {}", gains.size(),
+                            static_cast<int>(max_total / static_cast<double>(gains.size())),
+                            arguments.simulation.max_steps));
+  }
   std::vector<GainMotion> motions;
   for (const double gain : gains) {
     SimulationOptions simulation = arguments.simulation;

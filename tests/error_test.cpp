@@ -15,6 +15,13 @@ TEST(Error, IsOneLineForAnyQuotedText) {
                "unknown link \"x y\" (known: base )");
 }
 
+TEST(Error, IsShortAndUtf8ForAnyBytes) {
+  EXPECT_STREQ(Error("a\xff\xc3(\xc3\xa9\xed\xa0\x80").what(), "a??(\xc3\xa9???");
+  const std::string said = FileError("a.csv", 1, std::string(100'000, 'x')).what();
+  EXPECT_LT(said.size(), 1000u);
+  EXPECT_TRUE(said.ends_with("x..."));
+}
+
 TEST(FileError, BeginsWithPathAndLineAsCompilersDo) {
   EXPECT_STREQ(FileError("a.urdf", 12, "bad").what(), "a.urdf:12: bad");
   EXPECT_STREQ(FileError("a.urdf", 0, "bad").what(), "a.urdf: bad");

@@ -7,50 +7,12 @@
 
 #include <beeline/error.h>
 #include <beeline/model/arm.h>
+#include <beeline/model/internal/ranges.h>
 
 namespace beeline {
 namespace {
 
-constexpr double farthest = 1e100;  // metres; beyond, squares overflow
-constexpr double rounding = 1e-9;   // of a screw's unit length and of parallel axes
-
-void check_limits(const Limits& limits, const std::string& what) {
-  if (std::isnan(limits.lower) || std::isnan(limits.upper)) {
-    throw Error(what + " has a position limit that is NaN");
-  }
-  if (limits.lower > limits.upper) {
-    throw Error(what + ": lower limit " + number(limits.lower) + " exceeds upper limit " +
-                number(limits.upper));
-  }
-  if (limits.lower == Limits::none || limits.upper == -Limits::none) {
-    throw Error(what + " has limits " + number(limits.lower) + " to " + number(limits.upper) +
-                "; no finite value lies between them");
-  }
-  const std::pair<const char*, double> rates[] = {
-      {"velocity", limits.velocity}, {"acceleration", limits.acceleration}, {"jerk", limits.jerk}};
-  for (const auto& [quantity, rate] : rates) {
-    if (rate >= Limits::min_rate) continue;
-    throw Error(what + ": " + quantity + " limit " + number(rate) + " is below " +
-                number(Limits::min_rate) + "; omit it if there is no limit");
-  }
-}
-
-void check_joint(Joint& joint, std::size_t index) {
-  const std::string what =
-      "joint " + std::to_string(index + 1) + (joint.name.empty() ? "" : " (" + joint.name + ")");
-  if (joint.name.empty()) throw Error(what + " has no name");
-  joint.offset = checked_pose(joint.offset, what + ": the offset");
-  if (!joint.screw.allFinite()) throw Error(what + " has a screw that is not finite");
-  if (joint.screw.cwiseAbs().maxCoeff() > farthest) {
-    throw Error(what + " has a screw with a number above 1e100; no arm is that large");
-  }
-  const double rotation = joint.screw.tail<3>().norm();
-  const double unit = rotation == 0 ? joint.screw.head<3>().norm() : rotation;
-  if (std::abs(unit - 1) > rounding) {
-    throw Error(what + " has a screw of length " + number(unit) + "; it must be 1");
-  }
-  check_limits(joint.limits, what);
-}
+constexpr double rounding = 1e-9;  // of parallel axes
 
 std::size_t leader_of(const std::vector<Joint>& joints,
                       const std::unordered_map<std::string, std::size_t>& index, std::size_t i) {
@@ -87,10 +49,7 @@ std::vector<Arm::Drive> resolve_drives(const std::vector<Joint>& joints,
       const Mimic& mimic = *joints[joint].mimic;
       drives[joint] = {leader.coordinate, mimic.multiplier * leader.ratio,
                        mimic.multiplier * leader.shift + mimic.offset};
-      if (!std::isfinite(drives[joint].ratio) || !std::isfinite(drives[joint].shift)) {
-        throw Error("joint " + joints[joint].name +
-                    ": its mimic multiplier or offset is not finite");
-      }
+      internal::check_drive(drives[joint], joints[joint].name);
       known[joint] = true;
     }
   }
@@ -172,13 +131,13 @@ Arm::Reach reach_ball(const Arm& arm) {
 
 Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Pose& base)
     : name_(std::move(name)), joints_(std::move(joints)) {
-  if (joints_.empty()) throw Error("arm " + name_ + " has no joints; it needs at least one");
-  base_ = checked_pose(base, "the base");
-  tool_ = checked_pose(tool, "the tool");
+  internal::check_count(joints_.size(), name_);
+  base_ = internal::checked_placement(base, "the base");
+  tool_ = internal::checked_placement(tool, "the tool");
   std::unordered_map<std::string, std::size_t> index;
   std::vector<int> coordinate_of(joints_.size(), -1);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    check_joint(joints_[i], i);
+    internal::check_joint(joints_[i], i);
     if (!index.emplace(joints_[i].name, i).second) {
       throw Error("two joints are called " + joints_[i].name + "; each needs its own name");
     }
@@ -193,7 +152,7 @@ Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Po
     const std::string what = "mimic joint " + joints_[i].name;
     Limits& leader = limits_[drives_[i].coordinate];
     tighten(leader, joints_[i].limits, drives_[i], what);
-    check_limits(leader, what + " with its leader");
+    internal::check_limits(leader, what + " with its leader");
   }
   chain_ = chain_of(*this);
   chain_angles_ = angles_of(chain_);

@@ -17,9 +17,6 @@ struct ChainEnds {
   std::string tip = {};   ///< name of a link; empty: the leaf that read_urdf() selects
 };
 
-/// Readers refuse descriptions with more joints.
-constexpr std::size_t max_joints = 10000;
-
 /// Returns the arm that `text` names: a built-in arm (`panda`, in any case), a joint string with
 /// link lengths
 /// (`RRR:3.5,3.5,2`), or a file, whose format is given by its ending (`.urdf`, `.json`). `ends` is

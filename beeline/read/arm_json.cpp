@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <beeline/error.h>
+#include <beeline/model/internal/ranges.h>
 #include <beeline/read/arm.h>
 #include <beeline/read/arm_json.h>
 #include <beeline/read/internal/file.h>
@@ -77,9 +78,9 @@ Arm arm_from_json(std::string_view text, const std::string& path) {
   const Json* tool = document.find(root, "tool");
   const std::string& name = document.text(document.need(root, "name"));
   std::vector<Joint> joints = joints_of(document);
-  if (joints.size() > max_joints) {
+  if (joints.size() > internal::max_joints) {
     document.refuse(root, "has " + std::to_string(joints.size()) + " joints; at most " +
-                              std::to_string(max_joints) + " are accepted");
+                              std::to_string(internal::max_joints) + " are accepted");
   }
   const Pose base_pose = base == nullptr ? Pose::Identity() : pose_from_json(document, *base);
   const Pose tool_pose = tool == nullptr ? Pose::Identity() : pose_from_json(document, *tool);

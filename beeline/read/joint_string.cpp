@@ -4,7 +4,7 @@
 #include <beeline/error.h>
 #include <beeline/model/catalog.h>
 #include <beeline/model/composite.h>
-#include <beeline/read/arm.h>
+#include <beeline/model/internal/ranges.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/numbers.h>
 #include <beeline/read/joint_string.h>
@@ -89,9 +89,9 @@ Arm arm_from_joint_string(std::string_view text) {
   const std::size_t colon = text.find(':');
   const std::string_view letters = text.substr(0, colon);
   if (letters.empty()) throw Error("a joint string begins with its letters, as in RRR:3.5,3.5,2");
-  if (letters.size() > max_joints) {
+  if (letters.size() > internal::max_joints) {
     throw Error("joint string " + printable(letters) + " has " + std::to_string(letters.size()) +
-                " letters; at most " + std::to_string(max_joints) + " are accepted");
+                " letters; at most " + std::to_string(internal::max_joints) + " are accepted");
   }
   std::vector<Item> items;
   if (colon == std::string_view::npos) {

@@ -22,7 +22,7 @@ namespace beeline {
 bool is_joint_string(std::string_view text);
 
 /// Returns the arm, whose name is the joint string. Throws Error for an unknown letter, a wrong
-/// number of items, an item that cannot be parsed, or more than `max_joints` letters.
+/// number of items, an item that cannot be parsed, or more than 100 letters.
 Arm arm_from_joint_string(std::string_view text);
 
 }  // namespace beeline

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include <beeline/error.h>
+#include <beeline/model/internal/ranges.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/urdf_file.h>
@@ -104,10 +105,13 @@ Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnd
     joints.push_back(chain_joint(file, place, fixed));
     fixed = Pose::Identity();
   }
-  if (joints.empty() || joints.size() > max_joints) {
-    throw FileError(path, 0,
-                    "has " + std::string(joints.empty() ? "no" : "more than 10000") +
-                        " moving joints between its base and its tip");
+  if (joints.empty() || joints.size() > internal::max_joints) {
+    throw FileError(
+        path, 0,
+        "has " +
+            std::string(joints.empty() ? "no"
+                                       : "more than " + std::to_string(internal::max_joints)) +
+            " moving joints between its base and its tip");
   }
   free_followers(joints);
   try {

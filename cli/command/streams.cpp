@@ -7,6 +7,7 @@
 #include <string>
 
 #include <beeline/error.h>
+#include <beeline/internal/utf8.h>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -30,7 +31,9 @@ void write_stderr(std::string_view text) {
   std::fflush(stderr);
 }
 
-void print_error(std::string_view text) { write_stderr("beeline: " + std::string(text) + "\n"); }
+void print_error(std::string_view text) {
+  write_stderr("beeline: " + beeline::internal::one_line(text) + "\n");
+}
 
 void warn(std::string_view text) { print_error("warning: " + std::string(text)); }
 

@@ -9,7 +9,7 @@
 /// ignores SIGPIPE, so that writing to a closed pipe fails instead of ending the process.
 void prepare_streams();
 
-/// Prints the line `beeline: TEXT` on stderr.
+/// Prints the line `beeline: TEXT` on stderr, made one line of UTF-8 by internal::one_line().
 void print_error(std::string_view text);
 
 /// Prints the line `beeline: warning: TEXT` on stderr.

@@ -214,7 +214,7 @@ def test_latex_compiles_by_itself(beeline, tmp_path, arm):
 
 
 def test_a_formula_that_is_too_large_is_refused_and_its_code_is_not(beeline, refused):
-    long_arm = "R" * 2000
+    long_arm = "S" * 33
     line = refused(2, "formula", long_arm, says=["too large", "--as python", "--of links"])
     assert len(line) < 500
     code = beeline("formula", long_arm, "--as", "c", "--of", "forward,jacobian")

@@ -107,19 +107,19 @@ TEST(Mimic, WithoutALeaderOrInACircleIsRefusedNamingTheCulprit) {
                  "through its leaders");
 }
 
-TEST(Mimic, WithNumbersThatAreNotFiniteIsRefusedAlsoWhenTheyArise) {
+TEST(Mimic, WithNumbersOutOfRangeIsRefusedAlsoWhenTheyArise) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_REFUSED(Arm("arm", {turning_joint("a"), follower("b", {"a", nan, 0})}),
-                 "joint b: its mimic multiplier or offset");
+                 "joint b: its mimic multiplier nan or offset nan is outside");
   EXPECT_REFUSED(Arm("arm", {turning_joint("a"), follower("b", {"a", 1, -Limits::none})}),
-                 "joint b: its mimic multiplier or offset");
-  EXPECT_REFUSED(Arm("arm", {turning_joint("a"), follower("b", {"a", 1e200, 0}),
-                             follower("c", {"b", 1e200, 0})}),
-                 "joint c: its mimic multiplier or offset is not finite");
+                 "joint b: its mimic multiplier 1 or offset -inf is outside");
+  EXPECT_REFUSED(Arm("arm", {turning_joint("a"), follower("b", {"a", 1e5, 0}),
+                             follower("c", {"b", 1e5, 0})}),
+                 "joint c: its mimic multiplier 1e+10 or offset 0 is outside -1e+06 to 1e+06");
 }
 
-TEST(Mimic, ALongChainOfLeadersIsResolvedInLinearTime) {
-  constexpr int count = 20000;
+TEST(Mimic, ALongChainOfLeadersIsResolved) {
+  constexpr int count = 98;
   std::vector<Joint> joints;
   for (int i = 0; i < count; ++i) {
     joints.push_back(follower("j" + std::to_string(i), {"j" + std::to_string(i + 1), -1, 1}));

@@ -161,10 +161,10 @@ TEST(ArmJson, MistakesInJointsAreNamed) {
   EXPECT_REFUSED(parse_arm(with_joint(R"({"name": "j", "type": "helical", "pitch": 0})")),
                  "joints[1].pitch is a pitch of 0 to rounding; such a joint is revolute");
   EXPECT_REFUSED(parse_arm(with_joint(R"({"name": "j", "type": "helical", "pitch": 1e300})")),
-                 "joints[1].pitch is a pitch above 1e+100 m/rad");
+                 "joints[1].pitch is a pitch above 1e+06 m/rad");
   EXPECT_REFUSED(
       parse_arm(with_joint(R"({"name": "j", "type": "helical", "screw": [0,0,1e300,0,0,1]})")),
-      "joints[1].screw has a pitch above 1e+100 m/rad");
+      "joints[1].screw has a pitch above 1e+06 m/rad");
   EXPECT_REFUSED(parse_arm(with_joint(R"({"name": "j", "type": "prismatic", "point": [0,0,0]})")),
                  "has a point; a prismatic joint has an axis only");
   EXPECT_REFUSED(
@@ -221,8 +221,8 @@ TEST(ArmJson, MistakesInTheWholeAreNamed) {
                  "base.xyz");
   EXPECT_REFUSED(parse_arm("{\"name\": \"a\",\n\"joints\": [}"), "a.json:2: is not JSON");
   std::string many = R"({"name": "a", "dh": {"convention": "standard", "rows": [{})";
-  for (int i = 0; i < 10000; ++i) many += ",{}";
-  EXPECT_REFUSED(parse_arm(many + "]}}"), "has 10001 joints; at most 10000 are accepted");
+  for (int i = 0; i < 100; ++i) many += ",{}";
+  EXPECT_REFUSED(parse_arm(many + "]}}"), "has 101 joints; at most 100 are accepted");
 }
 
 TEST(ArmJson, DhTablesMustSayTheirConvention) {

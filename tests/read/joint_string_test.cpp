@@ -119,13 +119,12 @@ TEST(JointString, MistakesAreNamed) {
   EXPECT_REFUSED(arm_from_joint_string(":1"), "begins with its letters");
 }
 
-TEST(JointString, AThousandLettersWorkAndTooManyAreRefused) {
-  const Arm arm = arm_from_joint_string(std::string(1000, 'R'));
-  EXPECT_EQ(arm.dof(), 1000);
-  EXPECT_EQ(forward_kinematics(arm, Configuration::Zero(1000)).translation(), Vector3(1000, 0, 0));
-  EXPECT_EQ(arm_from_joint_string(std::string(max_joints, 'P')).dof(), 10000);
-  EXPECT_REFUSED(arm_from_joint_string(std::string(max_joints + 1, 'R')),
-                 "has 10001 letters; at most 10000 are accepted");
+TEST(JointString, AHundredLettersWorkAndMoreAreRefused) {
+  const Arm arm = arm_from_joint_string(std::string(100, 'R'));
+  EXPECT_EQ(arm.dof(), 100);
+  EXPECT_EQ(forward_kinematics(arm, Configuration::Zero(100)).translation(), Vector3(100, 0, 0));
+  EXPECT_REFUSED(arm_from_joint_string(std::string(101, 'R')),
+                 "has 101 letters; at most 100 are accepted");
   EXPECT_REFUSED(arm_from_joint_string(std::string(std::size_t{1} << 20, 'S') + ":1"), "at most");
 }
 

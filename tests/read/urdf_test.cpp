@@ -217,8 +217,8 @@ TEST(Urdf, LongChainsAreReadAndEndlessOnesRefused) {
         link("l" + std::to_string(i)) + joint("j" + std::to_string(i), "revolute",
                                               "l" + std::to_string(i - 1), "l" + std::to_string(i));
   }
-  EXPECT_EQ(parse_urdf(robot(text), {.base = "", .tip = "l1000"}).dof(), 1000);
-  EXPECT_REFUSED(parse_urdf(robot(text)), "has more than 10000 moving joints");
+  EXPECT_EQ(parse_urdf(robot(text), {.base = "", .tip = "l100"}).dof(), 100);
+  EXPECT_REFUSED(parse_urdf(robot(text)), "has more than 100 moving joints");
 }
 
 TEST(Urdf, IsReadFromAFile) {

@@ -3,6 +3,7 @@
 #include <beeline/error.h>
 #include <beeline/model/composite.h>
 #include <beeline/model/dh.h>
+#include <beeline/model/internal/ranges.h>
 #include <beeline/read/internal/joint_from_json.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/pose_json.h>
@@ -104,21 +105,19 @@ std::vector<Joint> composite_from_json(const JsonDocument& document, const Json&
   return composite_joint(letter, name_from_json(document, document.need(json, "name")));
 }
 
-constexpr double max_pitch = 1e100;  // metres per radian; beyond, squares overflow
-
 Joint single_from_json(const JsonDocument& document, const Json& json) {
   Joint joint;
   const Json& type = document.need(json, "type");
   joint.name = name_from_json(document, document.need(json, "name"));
   joint.screw = screw_from_json(document, json, document.text(type));
   if (const Json* screw = document.find(json, "screw")) {
-    if (std::abs(joint.screw.head<3>().dot(joint.screw.tail<3>())) > max_pitch) {
-      document.refuse(*screw, "has a pitch above " + number(max_pitch) + " m/rad");
+    if (std::abs(joint.screw.head<3>().dot(joint.screw.tail<3>())) > max_length) {
+      document.refuse(*screw, "has a pitch above " + number(max_length) + " m/rad");
     }
   }
   if (const Json* pitch = document.find(json, "pitch")) {
-    if (std::abs(document.number(*pitch)) > max_pitch) {
-      document.refuse(*pitch, "is a pitch above " + number(max_pitch) + " m/rad");
+    if (std::abs(document.number(*pitch)) > max_length) {
+      document.refuse(*pitch, "is a pitch above " + number(max_length) + " m/rad");
     }
     if (kind(joint) == JointKind::revolute) {
       document.refuse(*pitch, "is a pitch of 0 to rounding; such a joint is revolute");

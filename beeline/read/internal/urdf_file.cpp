@@ -23,12 +23,16 @@ void read_origin(const XmlElements& elements, const XMLElement& element, UrdfFil
 }
 
 /// A missing <limit> means no limit, although the format requires one; a missing lower or upper is
-/// 0, as the format defines. Many files write velocity="0" for an unknown velocity limit.
+/// 0, as the format defines. Many files write velocity="0" for an unknown velocity limit. Gazebo
+/// writes -1e16 and 1e16 for no limit, the defaults of SDFormat (joint, axis, limit).
 Limits read_limits(const XmlElements& elements, const XMLElement& limit, bool continuous) {
   Limits limits;
   if (!continuous) {
-    limits.lower = elements.number_or(limit, "lower", 0);
-    limits.upper = elements.number_or(limit, "upper", 0);
+    constexpr double none = 1e16;
+    const double lower = elements.number_or(limit, "lower", 0);
+    const double upper = elements.number_or(limit, "upper", 0);
+    if (lower != -none) limits.lower = lower;
+    if (upper != none) limits.upper = upper;
   }
   const double velocity = elements.number_or(limit, "velocity", 0);
   if (velocity != 0) limits.velocity = velocity;

@@ -52,7 +52,7 @@ TEST(TrackBranches, GivesOneForEachSolutionOfTheFirstPoseTheBestFirst) {
 TEST(TrackBranches, ComesToAnEndWithoutLimitsAndWithFarOnes) {
   const double none = Limits::none;
   for (const auto& [lower, upper] :
-       {std::pair{-none, none}, {-3.0, none}, {-none, 3.0}, {-1e9, 1e9}, {20.0, none}}) {
+       {std::pair{-none, none}, {-3.0, none}, {-none, 3.0}, {-1e6, 1e6}, {20.0, none}}) {
     const Arm arm = with_limits("ur5", lower, upper);
     const double turns = lower > 0 ? 8 * pi : 0;
     const Configuration q =

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace beeline::internal {
+
+/// Returns the number of bytes of the UTF-8 character at the front of `text`, which is not empty; 0
+/// if there is none. Unicode 15, table 3-7: no overlong forms, no surrogates, nothing beyond
+/// U+10FFFF.
+std::size_t utf8_length(std::string_view text);
+
+/// Whether a byte is an ASCII control character.
+bool is_control(char c);
+
+/// Returns `text` as one line of UTF-8 of about `max_bytes` at most: a control character becomes a
+/// space, a byte that is not UTF-8 a question mark, and what is cut off `...`.
+std::string one_line(std::string_view text, std::size_t max_bytes = 900);
+
+}  // namespace beeline::internal
