@@ -25,6 +25,7 @@ YAML_LIMITS = b"joint_limits:\n  joint1:\n    has_velocity_limits: true\n    max
 JSON_LIMITS = b'{"joint1": {"lower": -2, "upper": 2, "velocity": 1.5}, "joint2": {"jerk": 50}}'
 SRDF = b'<robot name="r"><group name="arm"><chain base_link="base" tip_link="tool"/></group>' \
     b'<group_state name="home" group="arm"><joint name="shoulder" value="0.3"/></group_state></robot>'
+DH = b'{"name": "d", "dh": {"convention": "modified", "rows": [{"d": 0.3}, {"a": 0.4, "alpha": 1.5707963267948966}]}}'
 JOINTS = b"joint1,joint2,joint3\n0.1,0.2,0.3\n0.4,0.5,0.6\n"
 NPY = b"\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }".ljust(127) + b"\n" + b"\0" * 48
 
@@ -34,13 +35,14 @@ FILES = {
     "px150.json": (ROOT / "tests/inverse/arms/px150.json").read_bytes(),
     "ur5.json": (ROOT / "docs/howto/typed_ur5.json").read_bytes(),
     "poses.csv": WAYPOINTS, "planar.csv": PLANAR, "program.csv": PROGRAM, "rrr.csv": PLANAR_MOTION, "panda.csv": PANDA_MOTION,
-    "rrr.json": JSON_MOTION, "limits.yaml": YAML_LIMITS, "limits.json": JSON_LIMITS, "arm.srdf": SRDF, "joints.csv": JOINTS, "joints.npy": NPY,
+    "rrr.json": JSON_MOTION, "limits.yaml": YAML_LIMITS, "limits.json": JSON_LIMITS, "arm.srdf": SRDF, "joints.csv": JOINTS, "joints.npy": NPY, "dh.json": DH,
 }
 
 POSE, PLANAR_POSE = "0.4,0.2,0.3,3.1,0,0", "4,4,0.1"
 COMMANDS = [line.split() for line in f"""
 show robot.urdf
 show gen3.json --json
+fk dh.json --q 0.1,0.2
 show RRRP:1,2,0.5,1
 fk px150.json --q 0.1,0.2,0.3,0.4,0.5 --all
 fk rrr --q 0.1,0.2,0.3 --json
@@ -105,7 +107,7 @@ def mutated_bytes(rng, data):
             lines = data.split(b"\n")
             rng.shuffle(lines)
             data = b"\n".join(lines)
-    return data[:3_000_000]
+    return rng.choice([b""] + [data] * 40 + [data + b"9" * 3_000_000, data + b"\0" * 1000])[:4_000_000]
 
 
 def mutated_argument(rng, argument):
@@ -120,7 +122,7 @@ def mutated_argument(rng, argument):
     if choice == 3:
         return rng.choice(WORDS)
     if choice == 4:
-        return rng.choice([*FILES, "/", ".", "/dev/null", "/dev/full", "missing.csv", "panda", "rrr", "RRR", "out.csv"])
+        return rng.choice([*FILES, "/", ".", "folder", "pipe", "/dev/null", "/dev/zero", "/dev/full", "missing.csv", "R" * 100, "panda", "rrr", "RRR", "out.csv"])
     return argument + rng.choice([",1", ",", "0", "=", ":", "e400", " "])
 
 

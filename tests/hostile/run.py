@@ -8,6 +8,7 @@ line that begins with "beeline: ", besides warnings. What fails is kept in FOLDE
 """
 
 import argparse
+import contextlib
 import os
 import pathlib
 import resource
@@ -15,26 +16,54 @@ import shlex
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import inputs
 
-CPU, MEMORY, LONGEST = 15, 1_000_000, 4000  # seconds, kB, characters of a line
+CPU, MEMORY, LONGEST = 15, 1_000_000, 1000  # seconds, kB, bytes of a line
+
+
+@contextlib.contextmanager
+def fed(pipe):
+    """A FIFO into which somebody writes poses, again for each reader."""
+    os.mkfifo(pipe)
+    ended = threading.Event()
+
+    def feed():
+        while not ended.is_set():
+            try:
+                with open(pipe, "wb") as end:
+                    end.write(inputs.PLANAR)
+            except BrokenPipeError:
+                pass
+            time.sleep(0.05)
+
+    writer = threading.Thread(target=feed)
+    writer.start()
+    yield
+    ended.set()
+    reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)  # ends the writer's open()
+    writer.join()
+    os.close(reader)
 
 
 def run(command, arguments, files, stream, folder):
     """Runs one command line in the folder; returns what is wrong, or None."""
     for name, data in {**inputs.FILES, **files}.items():
         (folder / name).write_bytes(data)
+    (folder / "folder").mkdir()
     out, err = folder / ".out", folder / ".err"
     line = shlex.join([command, *arguments])
     redirections = {"closed out": f"{line} >&- 2>.err", "closed err": f"{line} >.out 2>&-", "full": f"{line} >/dev/full 2>.err"}
     with open(out, "wb") as stdout, open(err, "wb") as stderr:
-        process = subprocess.Popen(
-            ["/bin/sh", "-c", "exec " + redirections[stream]] if stream in redirections else [command, *arguments],
-            cwd=folder, stdin=subprocess.DEVNULL, stdout=stdout, stderr=stderr,
-            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (CPU, CPU + 5)))
-        _, status, usage = os.wait4(process.pid, 0)
+        with fed(folder / "pipe") if "pipe" in arguments else contextlib.nullcontext():
+            process = subprocess.Popen(
+                ["/bin/sh", "-c", "exec " + redirections[stream]] if stream in redirections else [command, *arguments],
+                cwd=folder, stdin=subprocess.DEVNULL, stdout=stdout, stderr=stderr,
+                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (CPU, CPU + 5)))
+            _, status, usage = os.wait4(process.pid, 0)
     if os.WIFSIGNALED(status):
         return f"signal {os.WTERMSIG(status)} after {usage.ru_utime + usage.ru_stime:.1f} s"
     code = os.WEXITSTATUS(status)
@@ -47,7 +76,7 @@ def run(command, arguments, files, stream, folder):
         lines = text.decode().splitlines()
     except UnicodeDecodeError:
         return "stderr is not UTF-8"
-    if any(len(each) > LONGEST for each in lines):
+    if any(len(each.encode()) >= LONGEST for each in lines):
         return f"a line of {max(map(len, lines))} characters on stderr"
     if code in (2, 3) and not stream:
         errors = [each for each in lines if each.startswith("beeline: ") and not each.startswith("beeline: warning: ")]

@@ -113,9 +113,9 @@ TEST(Mimic, WithNumbersOutOfRangeIsRefusedAlsoWhenTheyArise) {
                  "joint b: its mimic multiplier nan or offset nan is outside");
   EXPECT_REFUSED(Arm("arm", {turning_joint("a"), follower("b", {"a", 1, -Limits::none})}),
                  "joint b: its mimic multiplier 1 or offset -inf is outside");
-  EXPECT_REFUSED(Arm("arm", {turning_joint("a"), follower("b", {"a", 1e5, 0}),
-                             follower("c", {"b", 1e5, 0})}),
-                 "joint c: its mimic multiplier 1e+10 or offset 0 is outside -1e+06 to 1e+06");
+  EXPECT_REFUSED(
+      Arm("arm", {turning_joint("a"), follower("b", {"a", 1e5, 0}), follower("c", {"b", 1e5, 0})}),
+      "joint c: its mimic multiplier 1e+10 or offset 0 is outside -1e+06 to 1e+06");
 }
 
 TEST(Mimic, ALongChainOfLeadersIsResolved) {

@@ -22,7 +22,7 @@ beeline.retime(arm, beeline.Trajectory(arm.joint_names, range(len(q)), q))""",
     "move_along": """
 tool = beeline.forward_kinematics(arm, arm.middle)
 up = np.array(tool); up[2, 3] += 0.1
-beeline.move_in_lines(arm, None, [tool, up] * 10000, max_samples=2**31 - 1)""",
+beeline.move_in_lines(arm, None, [tool, up] * 2500, max_samples=2**31 - 1)""",
     "control_joints": """
 beeline.control_joints(arm, arm.middle, arm.middle + 0.1, kp=1e-9, max_steps=10**7)""",
     "batch_inverse": """
@@ -55,7 +55,7 @@ DAEMONS = WORK | {
     "with progress": """
 tool = beeline.forward_kinematics(arm, arm.middle)
 up = np.array(tool); up[2, 3] += 0.1
-beeline.move_in_lines(arm, None, [tool, up] * 10000, max_samples=2**31 - 1, progress=lambda done: time.sleep(1e-3))""",
+beeline.move_in_lines(arm, None, [tool, up] * 2500, max_samples=2**31 - 1, progress=lambda done: time.sleep(1e-3))""",
     "a solver": """
 solver = beeline.InverseSolver(arm)
 tool = beeline.forward_kinematics(arm, arm.middle)
@@ -118,7 +118,7 @@ def test_an_exception_of_the_progress_callback_ends_the_work():
             raise Stop
 
     with pytest.raises(Stop):
-        beeline.move_in_lines(PANDA, None, [tool, up] * 10000, max_samples=2**31 - 1, progress=stop)
+        beeline.move_in_lines(PANDA, None, [tool, up] * 2500, max_samples=2**31 - 1, progress=stop)
     assert len(seen) == 3 and 0 <= min(seen) and max(seen) < 1
 
 
