@@ -41,7 +41,8 @@ struct InverseOptions {
   InverseMethod method = InverseMethod::automatic;  ///< a closed form where there is one
   /// All solutions instead of one. Closed form: all that exist; of a redundant arm, all on a grid
   /// of values of the redundant joint. Numerical: those found in all restarts, some may be missing.
-  /// Arms of seven revolute joints without a closed form have one with a joint locked, for this.
+  /// Arms of seven revolute joints without a closed form have one with a joint locked, for this and
+  /// a `grid` up to 256.
   bool all = false;
   bool every_turn = false;     ///< with `all`: also solutions that differ by multiples of 2 pi
   bool ignore_limits = false;  ///< ignore the joint limits

@@ -45,25 +45,26 @@ int redundant_joint(const Arm& arm) {
 bool applies_locked_joint(SolverState& state) {
   const Arm& arm = state.arm;
   const InverseOptions& options = state.options;
-  const bool wanted = options.all || options.method == InverseMethod::closed_form;
+  constexpr int finest = 256;  // a value takes some milliseconds to prepare
+  const bool wanted =
+      options.grid <= finest && (options.all || options.method == InverseMethod::closed_form);
   const bool seven_revolute =
       arm.dof() == 7 && arm.joints().size() == 7 && state.task.size() == 6 &&
       std::all_of(arm.joints().begin(), arm.joints().end(),
                   [](const Joint& joint) { return kind(joint) == JointKind::revolute; });
   if (!wanted || !seven_revolute || options.lock) return false;
-  state.locked_grid = LockedJointGrid{.coordinate = redundant_joint(arm)};
+  state.grid_coordinate = redundant_joint(arm);
   return true;
 }
 
 std::string locked_joint_name(const SolverState& state) {
-  return "general six joints with joint " + std::to_string(state.locked_grid->coordinate + 1) +
-         " locked";
+  return "general six joints with joint " + std::to_string(state.grid_coordinate + 1) + " locked";
 }
 
 /// The grid over the joint's range, of which one revolution suffices. It does not depend on the
 /// seed, so that the solvers serve every request.
 std::vector<double> values_of(const SolverState& state) {
-  const int k = state.locked_grid->coordinate;
+  const int k = state.grid_coordinate;
   LockedRange range = locked_range(state.arm, state.bounds, Configuration::Zero(7), k, 0);
   const double middle = (range.lower + range.upper) / 2;
   range.lower = std::max(range.lower, middle - std::numbers::pi);
@@ -71,11 +72,10 @@ std::vector<double> values_of(const SolverState& state) {
   return grid_values(range, state.options.grid);
 }
 
-/// Prepares the solvers of the remaining joints. The middle value comes first: geometry at the ends
-/// of a range is more often special.
-void prepare(SolverState& state) {
+/// Prepares the solvers of the remaining joints, unless the budget ends it. The middle value comes
+/// first: geometry at the ends of a range is more often special.
+void prepare(SolverState& state, BudgetMeter& budget) {
   constexpr int few_restarts = 32;  // of a value without a closed form, or with a doubtful one
-  LockedJointGrid& grid = *state.locked_grid;
   InverseOptions options = state.options;
   options.all = true;
   options.every_turn = false;
@@ -87,32 +87,33 @@ void prepare(SolverState& state) {
   options.task = state.task;
   const std::vector<double> values = values_of(state);
   const SolverState middle = make_solver_state(
-      with_locked(state.arm, grid.coordinate, values[values.size() / 2]), options);
+      with_locked(state.arm, state.grid_coordinate, values[values.size() / 2]), options);
   const RaghavanRothSolver* similar = middle.raghavan_roth ? &*middle.raghavan_roth : nullptr;
+  state.grid_solvers.clear();
   for (const double value : values) {
-    grid.solvers.push_back(
-        make_solver_state(with_locked(state.arm, grid.coordinate, value), options, similar));
+    if (budget.ended()) return;
+    state.grid_solvers.push_back(
+        make_solver_state(with_locked(state.arm, state.grid_coordinate, value), options, similar));
   }
-  grid.values = values;
+  state.grid_values = values;
 }
 
 void solve_locked_joint(SolverState& state, const Request& request, StageResult& found) {
-  if (state.locked_grid->values.empty()) prepare(state);
-  LockedJointGrid& grid = *state.locked_grid;
-  SolutionGrid& solved = found.result.grid.emplace(SolutionGrid{.joint = grid.coordinate});
-  solved.values = grid.values;
+  if (state.grid_values.empty()) prepare(state, request.budget);
+  SolutionGrid& solved = found.result.grid.emplace(SolutionGrid{.joint = state.grid_coordinate});
+  solved.values = state.grid_values;
   CandidateSolutions candidates(request, found);
   candidates.evidence().complete = false;
-  const Configuration seed = without(request.seed, grid.coordinate);
-  for (std::size_t i = 0; i < grid.values.size() && !request.budget.ended(); ++i) {
-    SolverState& solver = grid.solvers[i];
+  const Configuration seed = without(request.seed, state.grid_coordinate);
+  for (std::size_t i = 0; i < state.grid_values.size() && !request.budget.ended(); ++i) {
+    SolverState& solver = state.grid_solvers[i];
     const Request locked = make_request(solver, request.goal, seed, request.budget);
     const StageResult there = run_stages(solver, locked);
     for (const Configuration& q : there.result.solutions) {
-      candidates.add(with(q, grid.coordinate, grid.values[i]), false);
+      candidates.add(with(q, state.grid_coordinate, state.grid_values[i]), false);
     }
     if (there.unconstrained.complete && !there.unconstrained.continuum) {
-      solved.complete.push_back(grid.values[i]);
+      solved.complete.push_back(state.grid_values[i]);
     }
   }
 }

@@ -11,14 +11,6 @@
 namespace beeline::internal {
 
 struct AnalyticFamily;
-struct SolverState;
-
-/// An arm with its redundant joint locked at the values of a grid, for all solutions there.
-struct LockedJointGrid {
-  int coordinate = 0;                     ///< of the redundant joint
-  std::vector<double> values = {};        ///< ascending; empty until the first request
-  std::vector<SolverState> solvers = {};  ///< of the remaining joints, one for each value
-};
 
 /// The private state of InverseSolver: what the stages need to know of an arm, computed once, and
 /// their buffers.
@@ -38,7 +30,11 @@ struct SolverState {
   bool pieper_verified = true;  ///< whether it recovered random configurations of the arm
   std::optional<RaghavanRothSolver> raghavan_roth = std::nullopt;
   const RaghavanRothSolver* similar = nullptr;  ///< of another arm; only while a family is selected
-  std::optional<LockedJointGrid> locked_grid = std::nullopt;
+  /// The coordinate that is locked at the values of a grid; the values, ascending, none until the
+  /// first request; and the solvers of the remaining joints, one for each value.
+  int grid_coordinate = 0;
+  std::vector<double> grid_values = {};
+  std::vector<SolverState> grid_solvers = {};
   std::optional<PreparedSearch> within_limits = std::nullopt;
   std::optional<PreparedSearch> without_limits = std::nullopt;
   /// The coordinate of a longer arm that is locked in this one.
