@@ -130,9 +130,9 @@ TEST(ForwardKinematics, DoesNotDependOnTheLinkFrames) {
   }
 }
 
-TEST(ForwardKinematics, SumsAPlanarChainOfUpToAThousandJoints) {
+TEST(ForwardKinematics, SumsAPlanarChainOfUpToAHundredJoints) {
   testing::Random random;
-  for (const int joints : {1, 2, 3, 10, 100, 1000}) {
+  for (const int joints : {1, 2, 3, 10, 30, 100}) {
     std::vector<Joint> chain;
     Configuration q(joints);
     long double x = 0, y = 0, heading = 0;

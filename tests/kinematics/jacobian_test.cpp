@@ -182,9 +182,9 @@ TEST(PlanarJacobian, RefusesAnArmThatIsNotPlanar) {
   EXPECT_REFUSED(planar_jacobian(built_in("ur5"), Configuration::Zero(6)), "arm ur5 is not planar");
 }
 
-TEST(Jacobian, OfAPlanarChainOfUpToAThousandJointsIsTheSumOfTheLaterLinks) {
+TEST(Jacobian, OfAPlanarChainOfUpToAHundredJointsIsTheSumOfTheLaterLinks) {
   testing::Random random;
-  for (const int joints : {1, 10, 100, 1000}) {
+  for (const int joints : {1, 10, 30, 100}) {
     std::vector<Joint> chain;
     Configuration q(joints);
     std::vector<double> length(static_cast<std::size_t>(joints));

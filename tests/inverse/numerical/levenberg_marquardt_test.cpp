@@ -153,9 +153,9 @@ TEST(Descend, ConvergesFastAtRegularSolutions) {
   }
 }
 
-TEST(Descend, WorksFrom1To1000JointsAndOnEveryScale) {
+TEST(Descend, WorksFrom1To100JointsAndOnEveryScale) {
   testing::Random random;
-  for (const int dof : {1, 2, 30, 100, 1000}) {
+  for (const int dof : {1, 2, 10, 30, 100}) {
     for (const double size : {1e-3, 1.0, 1e4}) {
       const Arm arm =
           random_arm(std::string(static_cast<std::size_t>(dof), 'R'), size / dof, random);
