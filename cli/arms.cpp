@@ -1,5 +1,7 @@
+#include <cmath>
 #include <fmt/format.h>
 
+#include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/model/catalog.h>
 
 #include "verbs.h"
@@ -14,18 +16,30 @@ std::string joint_letters(const Arm& arm) {
   return letters;
 }
 
+/// The method that finds all solutions of its inverse kinematics.
+std::string inverse_method(const Arm& arm) { return InverseSolver(arm, {.all = true}).method(); }
+
 Answer list_arms() {
-  Answer answer;
+  constexpr const char* row = "{:<13} {:<19} {:<25} {:<8} {:>9}  {}\n";
+  Answer answer{.text = fmt::format(row, "name", "maker", "model", "joints", "reach (m)",
+                                    "inverse kinematics")};
   Json arms = Json::list();
-  for (const std::string& name : built_in_names()) {
-    const Arm arm = built_in(name);
-    const std::string letters = joint_letters(arm), summary = built_in_summary(name);
-    answer.text += fmt::format("{:<9} {:<8} {}\n", name, letters, summary);
-    arms.append({{"name", name},
+  for (const BuiltInArm& about : built_in_arms()) {
+    const Arm arm = built_in(about.name);
+    const std::string letters = joint_letters(arm), method = inverse_method(arm);
+    const double reach = arm.reach().radius;
+    answer.text += fmt::format(row, about.name, about.maker, about.model, letters,
+                               std::isfinite(reach) ? fmt::format("{:.2f}", reach) : "-", method);
+    arms.append({{"name", about.name},
+                 {"maker", about.maker},
+                 {"model", about.model},
                  {"joints", letters},
                  {"dof", arm.dof()},
                  {"planar", arm.planar()},
-                 {"summary", summary}});
+                 {"method", method},
+                 {"reach", reach},
+                 {"source", about.source},
+                 {"note", about.note}});
   }
   answer.document = {{"arms", arms}};
   return answer;
@@ -38,8 +52,10 @@ Verb arms_verb() {
   return {.name = "arms",
           .summary = "List the built-in arms",
           .description =
-              "Prints the name of each built-in arm, the kinds of its joints (R revolute, P "
-              "prismatic) from the base to the tool, and what it is.",
+              "Prints the name of each built-in arm, its maker and model, the kinds of its "
+              "joints (R revolute, P prismatic) from the base to the flange, the method of its "
+              "inverse kinematics, and the radius of a ball that the flange cannot leave. --json "
+              "adds the document that the numbers are from. `beeline show NAME` prints one arm.",
           .examples = {{"The list, and the first arm's joints as a table",
                         "beeline arms\nbeeline show rrr"}},
           .json = &json,

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <beeline/error.h>
+#include <beeline/model/catalog.h>
 #include <beeline/read/arm_json.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/urdf.h>
@@ -68,6 +69,19 @@ void add_srdf(const ShowArguments& arguments, const Arm& arm, Answer& answer) {
   answer.document.add("states", states);
 }
 
+/// Adds what a built-in arm is and where its numbers come from.
+void add_source(const std::string& name, Answer& answer) {
+  for (const BuiltInArm& about : built_in_arms()) {
+    if (about.name != name) continue;
+    answer.text += fmt::format("\n{} {}\nsource: {}\n", about.maker, about.model, about.source);
+    if (!about.note.empty()) answer.text += fmt::format("note: {}\n", about.note);
+    answer.document.add(Json{{"maker", about.maker},
+                             {"model", about.model},
+                             {"source", about.source},
+                             {"note", about.note}});
+  }
+}
+
 Answer show(const ShowArguments& arguments) {
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   if (!arguments.out.empty()) {
@@ -80,6 +94,7 @@ Answer show(const ShowArguments& arguments) {
   }
   Answer answer{.text = arm_table(arm, arguments.unit.degrees),
                 .document = arm_document(arm, arguments.unit.degrees)};
+  add_source(arguments.arm.text, answer);
   if (!arguments.arm.srdf.empty()) add_srdf(arguments, arm, answer);
   return answer;
 }
@@ -96,8 +111,9 @@ Verb show_verb() {
           "position limits (lower, upper) and its limits of velocity, acceleration and jerk; "
           "the frames of all links and of the tool at zero joint values; and a ball that the "
           "tool cannot leave. Limits that are not known are assumed in motions; they are marked "
-          "with an a, and with --json null, with the assumed ones in `assumed`. With --srdf also "
-          "its groups and named states.",
+          "with an a, and with --json null, with the assumed ones in `assumed`. Of a built-in arm "
+          "also its maker and the document that the numbers are from; with --srdf the groups and "
+          "named states.",
       .arguments = {arguments.arm.argument()},
       .options = joined({arguments.unit.options(),
                          {{.name = "--out",

@@ -8,6 +8,7 @@
 #include <beeline/control/internal/velocity_bounds.h>
 #include <beeline/control/tracker.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/model/internal/ranges.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
@@ -34,13 +35,15 @@ Task checked_task(const Arm& arm, const TrackerOptions& options) {
   return options.task.value_or(default_task(arm));
 }
 
-/// The arm with assumed limits of velocity and acceleration in the place of unknown ones.
+/// The arm with assumed limits of velocity and acceleration in the place of unknown ones. What is
+/// assumed beside a known velocity near the end of its range stays within the range too.
 Arm with_motion_limits(const Arm& arm) {
   std::map<std::string, LimitOverrides> limits;
   for (int k = 0; k < arm.dof(); ++k) {
     const Limits motion = motion_limits(arm.limits(k));
-    limits[arm.joint_of(k).name] = {.velocity = motion.velocity,
-                                    .acceleration = motion.acceleration};
+    limits[arm.joint_of(k).name] = {
+        .velocity = motion.velocity,
+        .acceleration = std::min(motion.acceleration, internal::max_rate)};
   }
   return with_limits(arm, limits);
 }

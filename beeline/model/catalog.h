@@ -9,23 +9,23 @@
 
 namespace beeline {
 
-/// The names of the built-in arms. The arms of Dellaert, *Serial Link Manipulators*:
-///   rrr      planar, links of 3.5, 3.5 and 2 m (section 1.5)
-///   rp       planar, a link of 1 m and a prismatic joint along it (exercise of section 1.3)
-///   gantry   planar, two prismatic joints at right angles (exercise of section 1.7)
-/// and industrial arms, whose sources catalog.cpp cites:
-///   puma560, ur5, ur5e, scara (RRRP), stanford (RRPRRR)   standard DH
-///   panda, iiwa14                                          modified DH
+/// What a built-in arm is, and where its numbers come from.
+struct BuiltInArm {
+  std::string name;    ///< of built_in()
+  std::string maker;   ///< who makes or has described it
+  std::string model;   ///< the maker's name of it
+  std::string source;  ///< the document that its lengths and limits are taken from
+  std::string note;  ///< zero, signs and couplings that differ from the controller's; may be empty
+};
+
+/// The built-in arms by name: those of Dellaert, *Serial Link Manipulators* (rrr, section 1.5; rp,
+/// exercise of section 1.3; gantry, exercise of section 1.7), and arms on the market. Each is a
+/// file of beeline/model/arms/, which read_arm_json() reads too.
+const std::vector<BuiltInArm>& built_in_arms();
 std::vector<std::string> built_in_names();
 
-/// A description of the arm in one line. Throws Error for an unknown name.
-std::string built_in_summary(std::string_view name);
-
-/// Returns the built-in arm. Throws Error for an unknown name, suggesting the nearest one.
+/// Returns the built-in arm; its tool is the flange. Joint limits are those that the source gives.
+/// Throws Error for an unknown name, suggesting the nearest one.
 Arm built_in(std::string_view name);
-
-/// A planar link (section 1.4 of the chapter): `joint`, rotated by `angle` (rad) about z, then
-/// `length` metres along x to the link frame.
-Joint planar_link(Joint joint, double length, double angle = 0);
 
 }  // namespace beeline

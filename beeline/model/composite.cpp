@@ -1,5 +1,6 @@
 #include <beeline/error.h>
 #include <beeline/model/composite.h>
+#include <beeline/pose/orientation.h>
 
 namespace beeline {
 namespace {
@@ -75,6 +76,11 @@ std::vector<Joint> composite_joint(char letter, const std::string& name, double 
   std::vector<std::string> letters;
   for (const JointType& type : joint_types()) letters.emplace_back(1, type.letter);
   throw unknown_name("joint type", std::string(1, letter), letters);
+}
+
+Joint planar_link(Joint joint, double length, double angle) {
+  joint.offset = Eigen::AngleAxisd(angle, Vector3::UnitZ()) * joint.offset;
+  return with_link_frame(std::move(joint), make_pose({length, 0, 0}));
 }
 
 }  // namespace beeline

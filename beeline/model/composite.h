@@ -32,4 +32,8 @@ const std::vector<JointType>& joint_types();
 /// and `name_slide_x` for a translation. Throws Error for another letter.
 std::vector<Joint> composite_joint(char letter, const std::string& name, double pitch = 0);
 
+/// A planar link (section 1.4 of the chapter): `joint`, rotated by `angle` (rad) about z, then
+/// `length` metres along x to the link frame.
+Joint planar_link(Joint joint, double length, double angle = 0);
+
 }  // namespace beeline

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numbers>
 
 #include <beeline/error.h>
 #include <beeline/model/internal/ranges.h>
@@ -30,7 +31,7 @@ std::vector<Joint> joints_from_list(const JsonDocument& document, const Json& li
 }
 
 std::vector<Joint> joints_from_dh(const JsonDocument& document, const Json& dh) {
-  document.check_keys(dh, {"convention", "rows"});
+  document.check_keys(dh, {"convention", "degrees", "rows"});
   const Json* convention = document.find(dh, "convention");
   const std::string text = convention == nullptr ? "" : document.text(*convention);
   if (text != "standard" && text != "modified") {
@@ -39,9 +40,14 @@ std::vector<Joint> joints_from_dh(const JsonDocument& document, const Json& dh) 
                                                       : "must be ") +
                         "standard or modified, because the numbers do not determine which");
   }
+  const Json* degrees = document.find(dh, "degrees");
+  const bool in_degrees = degrees != nullptr && document.truth(*degrees);
+  const double angle_unit = in_degrees ? std::numbers::pi / 180 : 1;
   std::vector<Joint> joints;
   for (const Json& row : document.items(document.need(dh, "rows"))) {
-    joints.push_back(dh_joint_from_json(document, row, text, joints.size() + 1));
+    joints.push_back(dh_joint_from_json(
+        document, row, text == "modified" ? DhConvention::modified : DhConvention::standard,
+        angle_unit, joints.size() + 1));
   }
   return joints;
 }
@@ -73,7 +79,11 @@ std::vector<Joint> joints_of(const JsonDocument& document) {
 Arm arm_from_json(std::string_view text, const std::string& path) {
   const JsonDocument document(text, path);
   const Json& root = document.root();
-  document.check_keys(root, {"name", "base", "tool", "joints", "joint_string", "dh"});
+  document.check_keys(root, {"name", "maker", "model", "source", "note", "base", "tool", "joints",
+                             "joint_string", "dh"});
+  for (const char* key : {"maker", "model", "source", "note"}) {
+    if (const Json* found = document.find(root, key)) document.text(*found);
+  }
   const Json* base = document.find(root, "base");
   const Json* tool = document.find(root, "tool");
   const std::string& name = document.text(document.need(root, "name"));

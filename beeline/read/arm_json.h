@@ -9,14 +9,16 @@
 namespace beeline {
 
 /// Arms as JSON; docs/arm.schema.json is the complete grammar. Metres, radians, seconds.
-///     {"name": "my arm", "base": POSE, "tool": POSE,     base and tool are optional
+///     {"name": "my arm", "base": POSE, "tool": POSE,     base and tool are optional,
+///      "maker", "model", "source", "note",                and so are these texts
 ///      "joints": [{"name", "type", "origin": POSE, "axis", "point", "pitch" or "screw",
 ///                  "limits": {"lower", "upper", "velocity", "acceleration", "jerk"},
 ///                  "mimic": {"joint", "multiplier", "offset"}, "link"}, ...]}
 /// or, instead of "joints", one of
 ///      "joint_string": "RRP:1,0.5,0.2"
-///      "dh": {"convention": "standard" or "modified",
+///      "dh": {"convention": "standard" or "modified", "degrees": true or false,
 ///             "rows": [{"name", "type", "a", "alpha", "d", "theta", "limits"}, ...]}
+/// "degrees": alpha, theta and the limits of revolute rows are in degrees, as in makers' tables.
 /// Throws FileError for anything else; it names the line and the value: `joints[2].limits.lower`.
 Arm read_arm_json(const std::string& path);
 /// The same from a text; `path` names it in messages.

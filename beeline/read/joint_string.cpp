@@ -2,7 +2,6 @@
 #include <numbers>
 
 #include <beeline/error.h>
-#include <beeline/model/catalog.h>
 #include <beeline/model/composite.h>
 #include <beeline/model/internal/ranges.h>
 #include <beeline/read/internal/name.h>

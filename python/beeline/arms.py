@@ -1,60 +1,30 @@
-"""The built-in arms: those of Dellaert, *Serial Link Manipulators*, and industrial ones."""
+"""The built-in arms: those of Dellaert, *Serial Link Manipulators*, and arms on the market.
 
-from ._core import Arm, built_in_names
+Each is a function without arguments, as `beeline.arms.panda()`. `names()` lists them, and
+`beeline.built_in_arms()` says what each is and where its numbers come from."""
 
-__all__ = ["gantry", "iiwa14", "names", "panda", "puma560", "rp", "rrr", "scara", "stanford", "ur5", "ur5e"]
+from collections.abc import Callable
+
+from ._core import Arm, built_in_arms
+
+__all__ = ["names"]
 
 
 def names() -> list[str]:
     """Returns the names of the built-in arms."""
-    return built_in_names()
+    return [arm.name for arm in built_in_arms()]
 
 
-def rrr() -> Arm:
-    """Planar, links of 3.5, 3.5 and 2 m (section 1.5 of the chapter)."""
-    return Arm.load("rrr")
+def __getattr__(name: str) -> Callable[[], Arm]:
+    if name not in names():
+        raise AttributeError(f"no built-in arm {name!r}; there are {', '.join(names())}")
+
+    def arm() -> Arm:
+        return Arm.load(name)
+
+    arm.__name__ = name
+    return arm
 
 
-def rp() -> Arm:
-    """Planar, a link of 1 m and a prismatic joint along it (exercise of section 1.3)."""
-    return Arm.load("rp")
-
-
-def gantry() -> Arm:
-    """Planar, two prismatic joints at right angles (exercise of section 1.7)."""
-    return Arm.load("gantry")
-
-
-def puma560() -> Arm:
-    """Unimation PUMA 560, six joints, without pedestal."""
-    return Arm.load("puma560")
-
-
-def ur5() -> Arm:
-    """Universal Robots UR5, six joints."""
-    return Arm.load("ur5")
-
-
-def ur5e() -> Arm:
-    """Universal Robots UR5e, six joints."""
-    return Arm.load("ur5e")
-
-
-def scara() -> Arm:
-    """SCARA, RRRP."""
-    return Arm.load("scara")
-
-
-def stanford() -> Arm:
-    """Stanford arm, RRPRRR."""
-    return Arm.load("stanford")
-
-
-def panda() -> Arm:
-    """Franka Emika Panda, seven joints, its flange as the tool."""
-    return Arm.load("panda")
-
-
-def iiwa14() -> Arm:
-    """KUKA LBR iiwa 14, seven joints."""
-    return Arm.load("iiwa14")
+def __dir__() -> list[str]:
+    return [*__all__, *names()]

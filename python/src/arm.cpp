@@ -1,4 +1,3 @@
-#include <beeline/model/catalog.h>
 #include <beeline/read/arm.h>
 #include <beeline/read/arm_json.h>
 #include <beeline/read/internal/name.h>
@@ -309,6 +308,7 @@ void bind_arms(nb::module_& m) {
   bind_record<Mimic>(m);
   bind_record<Joint>(m);
   bind_record<DhRow>(m);
+  bind_record<BuiltInArm>(m);
   nb::class_<Arm> arm(
       m, "Arm",
       "A serial chain: a base, joints 1 to n, a tool. Immutable. Joint i connects link i-1 to link "
@@ -329,8 +329,8 @@ void bind_arms(nb::module_& m) {
   bind_equality(arm, [](const Arm& a, const Arm& b) { return arm_to_json(a) == arm_to_json(b); });
   arm.def("__hash__", [](const Arm& self) { return std::hash<std::string>()(arm_to_json(self)); });
   m.def(
-      "built_in_names", [] { return Value<std::vector<std::string>>::to(built_in_names()); },
-      nb::sig("def built_in_names() -> list[str]"), "The names of the built-in arms.");
+      "built_in_arms", [] { return Value<std::vector<BuiltInArm>>::to(built_in_arms()); },
+      nb::sig("def built_in_arms() -> list[BuiltInArm]"), "The built-in arms, by name.");
 }
 
 }  // namespace beeline::python

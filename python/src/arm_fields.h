@@ -1,6 +1,7 @@
 #pragma once
 
 #include <beeline/model/arm.h>
+#include <beeline/model/catalog.h>
 #include <beeline/model/dh.h>
 
 #include "record.h"
@@ -20,6 +21,20 @@ template <>
 inline std::string spelling(DhConvention convention) {
   return convention == DhConvention::standard ? "standard" : "modified";
 }
+
+template <>
+struct Fields<BuiltInArm> {
+  static constexpr const char* name = "BuiltInArm";
+  static constexpr const char* doc = "What a built-in arm is, and where its numbers come from.";
+  static constexpr auto all() {
+    return std::tuple(
+        field("name", &BuiltInArm::name, "Of `beeline.arms` and `Arm.load`."),
+        field("maker", &BuiltInArm::maker, "Who makes or has described it."),
+        field("model", &BuiltInArm::model, "The maker's name of it."),
+        field("source", &BuiltInArm::source, "The document of its lengths and limits."),
+        field("note", &BuiltInArm::note, "Zero, signs and couplings; may be empty."));
+  }
+};
 
 template <>
 struct Fields<Limits> {

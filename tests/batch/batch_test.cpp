@@ -10,6 +10,7 @@
 
 #include <tests/random_arm.h>
 #include <tests/refusal.h>
+#include <tests/typical_arms.h>
 
 namespace beeline {
 namespace {
@@ -37,7 +38,7 @@ Arm nearly_square(double off) {
 /// Built-in arms, and random arms from one joint to more joints than a register has lanes.
 std::vector<Arm> arms(testing::Random& random) {
   std::vector<Arm> all;
-  for (const std::string& name : built_in_names()) all.push_back(built_in(name));
+  for (const std::string& name : testing::typical_arms) all.push_back(built_in(name));
   for (const int joints : {1, 2, 3, 4, 6, 7, 8, 9, 17}) {
     for (const int mimics : {0, 3}) all.push_back(testing::random_arm(random, joints, mimics));
   }

@@ -10,6 +10,7 @@
 
 #include <tests/allocations.h>
 #include <tests/random.h>
+#include <tests/typical_arms.h>
 
 namespace beeline {
 namespace {
@@ -19,7 +20,7 @@ TEST(Servo, DoesNotAllocate) {
   GTEST_SKIP() << "allocations cannot be counted here";
 #endif
   testing::Random random;
-  for (const std::string& name : built_in_names()) {
+  for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
     Servo servo(arm);
     Eigen::VectorXd v(arm.dof());
@@ -42,7 +43,7 @@ TEST(Tracker, DoesNotAllocate) {
   GTEST_SKIP() << "allocations cannot be counted here";
 #endif
   testing::Random random;
-  for (const std::string& name : built_in_names()) {
+  for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
     Tracker tracker(arm, random.configuration(arm), {.command_period = 2e-3});
     for (int i = 0; i < 200; ++i) {

@@ -7,6 +7,7 @@
 
 #include <tests/doctor/random_table.h>
 #include <tests/refusal.h>
+#include <tests/typical_arms.h>
 
 namespace beeline {
 namespace {
@@ -48,7 +49,7 @@ std::string described(const ArmComparison& comparison) {
 }
 
 TEST(Comparison, BuiltInArmsAreTheSameAsThemselves) {
-  for (const std::string& name : built_in_names()) {
+  for (const std::string& name : testing::typical_arms) {
     const ArmComparison comparison = compare_arms(built_in(name), built_in(name));
     EXPECT_TRUE(comparison) << name << ": " << described(comparison);
     EXPECT_EQ(comparison.status, ModelComparison::same);
@@ -58,7 +59,7 @@ TEST(Comparison, BuiltInArmsAreTheSameAsThemselves) {
 }
 
 TEST(Comparison, BuiltInArmsDiffer) {
-  const std::vector<std::string> names = built_in_names();
+  const std::vector<std::string> names = testing::typical_arms;
   for (const std::string& a : names) {
     for (const std::string& b : names) {
       if (a == b) continue;

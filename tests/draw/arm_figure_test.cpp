@@ -10,6 +10,7 @@
 #include <beeline/model/catalog.h>
 
 #include <tests/random_arm.h>
+#include <tests/typical_arms.h>
 
 namespace beeline {
 using namespace internal;
@@ -30,7 +31,7 @@ double inverse_condition(const Arm& arm, const Configuration& q) {
 }
 
 TEST(DisplayConfiguration, OfEveryBuiltInArmIsNotSingularAndAboveTheGround) {
-  for (const std::string& name : built_in_names()) {
+  for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
     const Configuration q = display_configuration(arm);
     EXPECT_TRUE(limit_violations(arm, q).empty()) << name;
@@ -55,7 +56,7 @@ TEST(DisplayConfiguration, IsTheMiddleOfTheLimitsWhereThatIsGood) {
 }
 
 TEST(Frames, AtOnePlaceHaveOneLabelAndOtherLengths) {
-  for (const std::string& name : built_in_names()) {
+  for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
     const Configuration q = display_configuration(arm);
     Scene scene;

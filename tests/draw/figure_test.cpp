@@ -15,6 +15,7 @@
 #include <tests/draw/page.h>
 #include <tests/random_arm.h>
 #include <tests/refusal.h>
+#include <tests/typical_arms.h>
 
 namespace beeline {
 using namespace internal;
@@ -50,7 +51,7 @@ std::vector<PaperPoint> places(const Figure& figure, const Colour& colour) {
 
 TEST(Compose, ClipsNothingOfBuiltInArms) {
   Random random;
-  for (const std::string& name : built_in_names()) {
+  for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
     for (int trial = 0; trial < 8; ++trial) {
       const Configuration q = random.configuration(arm);

@@ -7,6 +7,7 @@
 #include <beeline/model/catalog.h>
 
 #include <tests/random_arm.h>
+#include <tests/typical_arms.h>
 
 namespace beeline {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 double largest(const Eigen::MatrixXd& matrix) { return matrix.cwiseAbs().maxCoeff(); }
 
 class BuiltInFormula : public ::testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Arms, BuiltInFormula, ::testing::ValuesIn(built_in_names()));
+INSTANTIATE_TEST_SUITE_P(Arms, BuiltInFormula, ::testing::ValuesIn(testing::typical_arms));
 
 TEST_P(BuiltInFormula, ForwardKinematicsEqualsTheArms) {
   const Arm arm = built_in(GetParam());

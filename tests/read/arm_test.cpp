@@ -35,8 +35,7 @@ TEST(ReadArm, BuiltInNamesAreFoundInAnyCase) {
 }
 
 TEST(ReadArm, UnknownNamesGetTheNearestOne) {
-  EXPECT_REFUSED(read_arm("pnda"),
-                 "unknown arm \"pnda\"; did you mean \"panda\"? (known: rrr, rp,");
+  EXPECT_REFUSED(read_arm("pnda"), "unknown arm \"pnda\"; did you mean \"panda\"? (known: cr5, ");
   EXPECT_REFUSED(read_arm("pnda"),
                  "or give a joint string such as RRR:3.5,3.5,2, or a .urdf or .json file");
   EXPECT_REFUSED(read_arm(""), "unknown arm \"\"");

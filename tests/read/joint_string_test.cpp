@@ -19,7 +19,7 @@ void expect_same_joints(const Arm& a, const Arm& b) {
   for (std::size_t i = 0; i < a.joints().size(); ++i) {
     EXPECT_EQ(a.joints()[i].name, b.joints()[i].name);
     EXPECT_EQ(a.joints()[i].screw, b.joints()[i].screw) << i;
-    EXPECT_EQ(a.joints()[i].offset.matrix(), b.joints()[i].offset.matrix()) << i;
+    EXPECT_LT((a.joints()[i].offset.matrix() - b.joints()[i].offset.matrix()).norm(), 1e-15) << i;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <tests/allocations.h>
 #include <tests/random.h>
 #include <tests/refusal.h>
+#include <tests/typical_arms.h>
 
 namespace beeline {
 namespace {
@@ -71,7 +72,7 @@ void expect_limits_kept(const Arm& arm, const PointToPoint& motion) {
 template <class Check>
 void for_random_motions(int count, Check check) {
   testing::Random random;
-  for (const std::string& name : built_in_names()) {
+  for (const std::string& name : testing::typical_arms) {
     for (int i = 0; i < count; ++i) {
       const Arm arm = random_arm_limits(random, name);
       const Configuration from = random.configuration(arm);

@@ -184,13 +184,13 @@ std::vector<Joint> joints_from_json(const JsonDocument& document, const Json& js
   return joints;
 }
 
-Joint dh_joint_from_json(const JsonDocument& document, const Json& json,
-                         const std::string& convention, std::size_t number) {
+Joint dh_joint_from_json(const JsonDocument& document, const Json& json, DhConvention convention,
+                         double angle_unit, std::size_t number) {
   document.check_keys(json, {"name", "type", "a", "alpha", "d", "theta", "limits"});
   DhRow row{.a = number_or(document, json, "a", 0),
-            .alpha = number_or(document, json, "alpha", 0),
+            .alpha = number_or(document, json, "alpha", 0) * angle_unit,
             .d = number_or(document, json, "d", 0),
-            .theta = number_or(document, json, "theta", 0)};
+            .theta = number_or(document, json, "theta", 0) * angle_unit};
   if (const Json* type = document.find(json, "type")) {
     const std::string& text = document.text(*type);
     if (text != "revolute" && text != "prismatic") {
@@ -198,12 +198,17 @@ Joint dh_joint_from_json(const JsonDocument& document, const Json& json,
     }
     if (text == "prismatic") row.kind = JointKind::prismatic;
   }
-  Joint joint =
-      dh_joint(row, convention == "modified" ? DhConvention::modified : DhConvention::standard);
+  Joint joint = dh_joint(row, convention);
   const Json* name = document.find(json, "name");
   joint.name = name == nullptr ? "joint" + std::to_string(number) : name_from_json(document, *name);
   if (const Json* limits = document.find(json, "limits")) {
     joint.limits = limits_from_json(document, *limits);
+    if (row.kind == JointKind::revolute) {
+      for (double* value : {&joint.limits.lower, &joint.limits.upper, &joint.limits.velocity,
+                            &joint.limits.acceleration, &joint.limits.jerk}) {
+        *value *= angle_unit;
+      }
+    }
   }
   return joint;
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <beeline/model/joint.h>
+#include <beeline/model/dh.h>
 #include <beeline/read/internal/json.h>
 
 namespace beeline::internal {
@@ -15,9 +15,9 @@ LimitOverrides limit_overrides_from_json(const JsonDocument& document, const Jso
 /// Throws FileError that names the value.
 std::vector<Joint> joints_from_json(const JsonDocument& document, const Json& json);
 
-/// Reads one item of the "rows" of a DH table; `number` counts rows from 1 and names a row that has
-/// no name.
-Joint dh_joint_from_json(const JsonDocument& document, const Json& json,
-                         const std::string& convention, std::size_t number);
+/// Reads one item of the "rows" of a DH table, whose angles are in units of `angle_unit` radians;
+/// `number` counts rows from 1 and names a row that has no name.
+Joint dh_joint_from_json(const JsonDocument& document, const Json& json, DhConvention convention,
+                         double angle_unit, std::size_t number);
 
 }  // namespace beeline::internal

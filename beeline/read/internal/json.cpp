@@ -61,6 +61,8 @@ std::string JsonDocument::place_of(const Json& json) const {
 
 double JsonDocument::number(const Json& json) const { return get<double>(*this, json, "a number"); }
 
+bool JsonDocument::truth(const Json& json) const { return get<bool>(*this, json, "true or false"); }
+
 const std::string& JsonDocument::text(const Json& json) const {
   return get<std::string>(*this, json, "text");
 }

@@ -41,6 +41,7 @@ class JsonDocument {
 
   // Each returns the value when it has this type, and refuses it otherwise.
   double number(const Json& json) const;
+  bool truth(const Json& json) const;
   const std::string& text(const Json& json) const;
   const Json::Items& items(const Json& json) const;
   const Json::Members& members(const Json& json) const;

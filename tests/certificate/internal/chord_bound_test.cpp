@@ -11,6 +11,7 @@
 #include <tests/random.h>
 #include <tests/random_arm.h>
 #include <tests/refusal.h>
+#include <tests/typical_arms.h>
 
 namespace beeline::internal {
 namespace {
@@ -72,7 +73,7 @@ TEST(ChordBound, HoldsForArmsOfAllJointsWithAxesAnywhere) {
 
 TEST(ChordBound, HoldsForBuiltInArmsAndIsNotWasteful) {
   testing::Random random;
-  for (const std::string& name : built_in_names()) {
+  for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
     std::vector<double> tightness;
     for (int i = 0; i < 500; ++i) expect_bound(random, arm, tightness);

@@ -10,6 +10,7 @@
 
 #include <tests/random_arm.h>
 #include <tests/refusal.h>
+#include <tests/typical_arms.h>
 
 namespace beeline {
 using namespace internal;
@@ -73,7 +74,7 @@ TEST(Skeleton, EntersAndLeavesOnTheAxes) {
 
 TEST(Skeleton, DrawsLinksThatKeepTheirLength) {
   Random random;
-  for (const std::string& name : built_in_names()) {
+  for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
     const auto lengths = [&] {
       const Skeleton bones = skeleton(arm, random.configuration(arm));

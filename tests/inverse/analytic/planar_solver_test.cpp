@@ -7,6 +7,7 @@
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
+#include <beeline/model/composite.h>
 #include <beeline/pose/angle.h>
 #include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>

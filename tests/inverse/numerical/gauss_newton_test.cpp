@@ -8,6 +8,7 @@
 #include <hwy/targets.h>
 
 #include <tests/random_arm.h>
+#include <tests/typical_arms.h>
 
 namespace beeline {
 namespace {
@@ -42,7 +43,7 @@ Configuration nearby(const Configuration& q, double size, testing::Random& rando
 
 TEST(DescentNear, TracksEveryBuiltInArm) {
   testing::Random random;
-  for (const std::string& name : built_in_names()) {
+  for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
     const NumericalProblem problem = numerical_problem(arm, Task::spatial(), bounds_of(arm));
     GaussNewtonState near;
@@ -62,7 +63,7 @@ TEST(DescentNear, TracksEveryBuiltInArm) {
 
 TEST(DescentNear, PolishesToRoundingLevel) {
   testing::Random random;
-  for (const std::string& name : built_in_names()) {
+  for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
     const NumericalProblem problem = numerical_problem(arm, Task::spatial(), no_bounds(arm));
     GaussNewtonState near;

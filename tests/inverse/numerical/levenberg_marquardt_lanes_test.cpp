@@ -14,6 +14,7 @@
 #include <tests/inverse/answer.h>
 #include <tests/inverse/numerical/lane_starts.h>
 #include <tests/random_arm.h>
+#include <tests/typical_arms.h>
 
 namespace beeline {
 namespace {
@@ -27,7 +28,7 @@ using testing::starts_near;
 /// Built-in arms, and others with joints of all kinds, some of which follow others.
 std::vector<Arm> arms(testing::Random& random) {
   std::vector<Arm> all;
-  for (const std::string& name : built_in_names()) all.push_back(built_in(name));
+  for (const std::string& name : testing::typical_arms) all.push_back(built_in(name));
   for (int joints = 1; joints <= 12; ++joints) {
     all.push_back(testing::random_arm(random, joints, joints % 2 == 0 ? 3 : 0));
   }
@@ -63,7 +64,7 @@ TEST(DescentLanes, WhatArrivesIsThereByTheForwardKinematics) {
 
 TEST(DescentLanes, ComesToRoundingLevelAndToWhereDescendComes) {
   testing::Random random;
-  for (const std::string& name : built_in_names()) {
+  for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
     const NumericalProblem problem = numerical_problem(arm, default_task(arm), bounds_of(arm));
     LevenbergMarquardtLanes lanes;

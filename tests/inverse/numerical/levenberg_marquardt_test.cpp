@@ -8,6 +8,7 @@
 
 #include <tests/inverse/answer.h>
 #include <tests/random.h>
+#include <tests/typical_arms.h>
 
 namespace beeline {
 namespace {
@@ -39,7 +40,7 @@ Arm random_arm(const std::string& letters, double size, testing::Random& random)
 
 TEST(Descend, ComesBackToRoundingLevelFromNearby) {
   testing::Random random;
-  for (const std::string& name : built_in_names()) {
+  for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
     int hits = 0;
     for (int i = 0; i < 200; ++i) {
@@ -62,7 +63,7 @@ TEST(Descend, ComesBackToRoundingLevelFromNearby) {
 
 TEST(Descend, NeverLeavesTheBoundsNorTheFinite) {
   testing::Random random;
-  for (const std::string& name : built_in_names()) {
+  for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
     const Bounds bounds = bounds_of(arm);
     for (int i = 0; i < 200; ++i) {

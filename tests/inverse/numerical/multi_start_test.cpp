@@ -8,6 +8,7 @@
 #include <beeline/pose/orientation.h>
 
 #include <tests/random_arm.h>
+#include <tests/typical_arms.h>
 
 namespace beeline {
 namespace {
@@ -44,7 +45,7 @@ void expect_solved(const Solver& solver, const Pose& pose, double tolerance) {
 
 TEST(MultiStart, SolvesWhatIsWithinLimitsToRoundingLevel) {
   testing::Random random;
-  for (const std::string& name : built_in_names()) {
+  for (const std::string& name : testing::typical_arms) {
     const Arm arm = built_in(name);
     Solver solve(arm, default_task(arm), bounds_of(arm));
     const Configuration start = middle_configuration(arm);

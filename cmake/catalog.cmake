@@ -1,0 +1,135 @@
+# Writes the C++ source of the built-in arms, one function for each file of beeline/model/arms/. The core reads no JSON:
+# the numbers are compiled in. tests/read/catalog_test.cpp compares each arm with what read_arm_json() makes of its file.
+# As a script: cmake -D FOLDER=beeline/model/arms -D OUTPUT=catalog_entries.cpp -P catalog.cmake
+cmake_minimum_required(VERSION 3.25)
+
+# get(variable default member...): the value of `json` at these members, or the default.
+function(get variable default)
+  string(JSON value ERROR_VARIABLE error GET "${json}" ${ARGN})
+  if(error)
+    set(value "${default}")
+  endif()
+  set(${variable} "${value}" PARENT_SCOPE)
+endfunction()
+
+# vector(variable default member...): `{x, y, z}`.
+function(vector variable default)
+  get(found "" ${ARGN})
+  set(value "${default}")
+  if(found)
+    set(numbers)
+    foreach(i RANGE 2)
+      string(JSON number GET "${found}" ${i})
+      list(APPEND numbers ${number})
+    endforeach()
+    list(JOIN numbers ", " value)
+  endif()
+  set(${variable} "{${value}}" PARENT_SCOPE)
+endfunction()
+
+function(pose variable)
+  vector(xyz "0, 0, 0" ${ARGN} xyz)
+  vector(rpy "0, 0, 0" ${ARGN} rpy)
+  set(${variable} "make_pose(${xyz}, rotation(RollPitchYaw${rpy}))" PARENT_SCOPE)
+endfunction()
+
+# limits(variable unit member...): `{.lower = -170 * degree, ...}` of the joint at these members.
+function(limits variable unit)
+  set(fields)
+  foreach(key lower upper velocity acceleration jerk)
+    get(value "" ${ARGN} limits ${key})
+    if(NOT value STREQUAL "")
+      list(APPEND fields ".${key} = ${value}${unit}")
+    endif()
+  endforeach()
+  list(JOIN fields ", " fields)
+  set(${variable} "{${fields}}" PARENT_SCOPE)
+endfunction()
+
+function(dh_joint variable number)
+  get(convention "" dh convention)
+  get(degrees OFF dh degrees)
+  math(EXPR default_name "${number} + 1")
+  get(name "joint${default_name}" dh rows ${number} name)
+  get(type "revolute" dh rows ${number} type)
+  set(unit)
+  if(degrees)
+    set(unit " * degree")
+  endif()
+  set(fields)
+  foreach(key a alpha d theta)
+    get(value 0 dh rows ${number} ${key})
+    if(key MATCHES "alpha|theta")
+      string(APPEND value "${unit}")
+    endif()
+    list(APPEND fields ".${key} = ${value}")
+  endforeach()
+  list(APPEND fields ".kind = JointKind::${type}")
+  list(JOIN fields ", " fields)
+  if(type STREQUAL "prismatic")
+    set(unit)
+  endif()
+  limits(limits "${unit}" dh rows ${number})
+  set(${variable} "dh_joint(\"${name}\", DhConvention::${convention}, {${fields}}, ${limits})" PARENT_SCOPE)
+endfunction()
+
+function(free_joint variable number)
+  get(name "" joints ${number} name)
+  get(type "" joints ${number} type)
+  pose(offset joints ${number} origin)
+  vector(axis "0, 0, 1" joints ${number} axis)
+  vector(point "0, 0, 0" joints ${number} point)
+  limits(limits "" joints ${number})
+  if(type STREQUAL "prismatic")
+    set(screw "translation_screw(${axis})")
+  else()
+    set(screw "rotation_screw(${axis}, ${point})")
+  endif()
+  set(${variable} "joint(\"${name}\", ${offset}, ${screw}, ${limits})" PARENT_SCOPE)
+endfunction()
+
+file(GLOB files ${FOLDER}/*.json)
+foreach(file IN LISTS files)
+  file(READ ${file} json)
+  set(about)
+  foreach(key name maker model source note)
+    get(text "" ${key})
+    string(APPEND about "R\"~(${text})~\", ")
+  endforeach()
+
+  set(kind dh_joint)
+  string(JSON count ERROR_VARIABLE error LENGTH "${json}" dh rows)
+  if(error)
+    set(kind free_joint)
+    string(JSON count LENGTH "${json}" joints)
+  endif()
+  set(joints)
+  math(EXPR last "${count} - 1")
+  foreach(number RANGE ${last})
+    cmake_language(CALL ${kind} joint ${number})
+    string(APPEND joints "         ${joint},\n")
+  endforeach()
+  pose(tool tool)
+  pose(base base)
+  get(name "" name)
+  string(APPEND entries "    {{${about}},
+     [] {
+       const std::vector<Joint> joints{
+${joints}       };
+       return Arm(\"${name}\", joints, ${tool}, ${base});
+     }},\n")
+endforeach()
+
+file(WRITE ${OUTPUT} "// Written by cmake/catalog.cmake.
+#include <beeline/model/internal/catalog_entry.h>
+
+namespace beeline::internal {
+
+std::span<const CatalogEntry> catalog_entries() {
+  static const CatalogEntry entries[] = {
+${entries}  };
+  return entries;
+}
+
+}  // namespace beeline::internal
+")
