@@ -14,7 +14,7 @@ endif
 module := -DBEELINE_PYTHON=ON -DPython_EXECUTABLE=$(CURDIR)/.venv-python/bin/python
 
 .NOTPARALLEL:
-.PHONY: help build demo bench bench-web docs wheel test test-peers test-web test-all web asan tsan lint format install clean
+.PHONY: help build demo bench bench-web docs wheel test test-peers test-web test-all web asan tsan arm lint format install clean
 
 help:
 	@echo "make build     the command, in build/beeline"
@@ -30,6 +30,7 @@ help:
 	@echo "make web       the page, computed in the browser, in build/web"
 	@echo "make asan      make test under the address and undefined behaviour sanitizers"
 	@echo "make tsan      the tests of batch/ under the thread sanitizer"
+	@echo "make arm       the command for 64-bit ARM, in build-arm, its tests under qemu, beside the native command"
 	@echo "make lint      formatting, static analysis, the house's rules"
 	@echo "make format    formats the sources"
 	@echo "make install   installs the command and the library; PREFIX=$(PREFIX)"
@@ -110,6 +111,13 @@ tsan:
 	@cmake --build --preset tsan --parallel $(JOBS)
 	@ctest --preset tsan
 
+arm: build
+	@scripts/install_packages.sh build test arm
+	@scripts/arm_sysroot.sh build-arm/sysroot
+	@cmake --preset arm $(strict)
+	@cmake --build --preset arm --parallel $(JOBS)
+	@ctest --preset arm --parallel $(JOBS)
+
 lint:
 	@scripts/install_packages.sh build test lint python
 	@scripts/venv.sh .venv-python tests/python/requirements.txt
@@ -124,4 +132,4 @@ install: build
 	@cmake --install build --prefix $(PREFIX)
 
 clean:
-	@rm -rf build build-dev build-asan build-tsan build-libcxx build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-node .venv-python .venv-wheel
+	@rm -rf build build-dev build-asan build-tsan build-arm build-libcxx build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-node .venv-python .venv-wheel

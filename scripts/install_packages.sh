@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of the named groups that are not there yet.
-# Usage: install_packages.sh build|test|python|peers|bench|lint|docs|web...
+# Usage: install_packages.sh build|test|python|peers|bench|lint|docs|web|arm...
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config
@@ -12,6 +12,7 @@ python=(python3 python3-dev python3-venv)
 bench=(libbenchmark-dev liborocos-kdl-dev python3 python3-venv valgrind)
 docs=(doxygen rsync)
 web=(emscripten dpkg-dev chromium python3 python3-venv)
+arm=(g++-aarch64-linux-gnu qemu-user)
 lint=(clang-format-14 clang-tidy-14 clang-14 libc++-14-dev libc++abi-14-dev shellcheck python3)
 
 wanted=()
@@ -24,8 +25,9 @@ for group in "$@"; do
     python) wanted+=("${python[@]}") ;;
     lint) wanted+=("${lint[@]}") ;;
     web) wanted+=("${web[@]}") ;;
+    arm) wanted+=("${arm[@]}") ;;
     docs) wanted+=("${docs[@]}") ;;
-    *) echo "$0: no group '$group': build, test, python, peers, bench, lint, docs, web" >&2; exit 2 ;;
+    *) echo "$0: no group '$group': build, test, python, peers, bench, lint, docs, web, arm" >&2; exit 2 ;;
   esac
 done
 

@@ -10,11 +10,11 @@
 
 namespace beeline::testing {
 
-/// The number of random cases of a test that takes long: n; under a sanitizer a tenth, at least
-/// one. The sanitizers look for invalid operations, which few cases show as well as many, and take
-/// up to 100 times as long for each.
+/// The number of random cases of a test that takes long: n; under a sanitizer or an emulator a
+/// tenth, at least one. The sanitizers look for invalid operations, which few cases show as well as
+/// many, and take up to 100 times as long for each; the emulator takes about 20 times as long.
 constexpr int cases(int n) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(BEELINE_EMULATED)
   return n < 10 ? 1 : n / 10;
 #else
   return n;

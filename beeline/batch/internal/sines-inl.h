@@ -26,7 +26,7 @@ template <class Real>
 struct SineCoefficients;
 
 #undef BEELINE_BATCH_FUSED
-#if HWY_TARGET <= HWY_AVX2
+#if HWY_NATIVE_FMA
 #define BEELINE_BATCH_FUSED 1  // k pi[0] is not rounded: two words are enough
 #else
 #define BEELINE_BATCH_FUSED 0
