@@ -83,7 +83,7 @@ def test_inverse_kinematics(both, rows, q, tmp_path, seed, arm):
     reached, _ = rows("fk", arm, "q.npy", "--layout", "pose")
     random = np.random.default_rng(seed)
     moved = reached.copy()  # many of these are out of reach or have solutions outside the limits alone
-    translation = 2 if reached.shape[1] == 3 else 3
+    translation = 2 if both("show", arm)[0]["planar"] else 3
     moved[:, :translation] += random.uniform(-1, 1, (ROWS, translation)) * np.abs(reached).max()
     poses = np.vstack([reached, moved])
     np.save(tmp_path / "poses.npy", poses)
