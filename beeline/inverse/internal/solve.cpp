@@ -50,6 +50,12 @@ bool has_self_motion(const Request& request, const Configuration& q) {
   constexpr double rounding = 1e-8;  // of the singular values of a solution
   constexpr double length = 0.1;     // of the step, radians or metres
   const Eigen::MatrixXd j = task_jacobian(request.arm, q, request.task);
+  if (j.rows() == 6 && j.cols() == 6) {
+    // The least singular value is at least |det| / norm^5; the determinant takes a tenth of the
+    // time.
+    const double determinant = Eigen::Matrix<double, 6, 6>(j).determinant();
+    if (std::abs(determinant) > rounding * std::pow(j.squaredNorm(), 3)) return false;
+  }
   const SixRowSvd svd = six_row_svd(j);
   if (svd.singular_values[q.size() - 1] > rounding * svd.singular_values[0]) return false;
   const Eigen::JacobiSVD<Eigen::MatrixXd> full(j, Eigen::ComputeFullV);

@@ -31,6 +31,9 @@ double nearest_angle_within(double angle, double reference, double lower, double
 }
 
 bool is_periodic(const Arm& arm, int k) {
+  if (static_cast<std::size_t>(arm.dof()) == arm.joints().size()) {  // no mimic joints
+    return kind(arm.joints()[static_cast<std::size_t>(k)]) == JointKind::revolute;
+  }
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
     const Arm::Drive& drive = arm.drives()[i];
     if (drive.coordinate != k || drive.ratio == 0) continue;
