@@ -44,6 +44,13 @@ std::size_t name_distance(std::string_view name, std::string_view choice) {
   return begins && a.size() > 1 ? 1 : 2 * edit_distance(a, b);
 }
 
+/// The number of characters with which both begin, ignoring case.
+std::size_t common_beginning(std::string_view a, std::string_view b) {
+  const auto same = [](char x, char y) { return lower(x) == lower(y); };
+  return static_cast<std::size_t>(
+      std::mismatch(a.begin(), a.end(), b.begin(), b.end(), same).first - a.begin());
+}
+
 std::string located(std::string_view path, int line, std::string_view message) {
   std::string text(path);
   if (line > 0) text += ":" + std::to_string(line);
@@ -71,11 +78,13 @@ Error unknown_name(std::string_view what, std::string_view name,
   std::string text = "unknown " + std::string(what) + " \"" + shown + "\"";
   const std::string* nearest = nullptr;
   // With more edits than a third of the characters it is another word.
-  std::size_t least = 2 * ((without_dashes(shown).size() + 1) / 3) + 1;
+  std::size_t least = 2 * ((without_dashes(shown).size() + 1) / 3) + 1, longest = 0;
   for (const std::string& choice : choices) {
     const std::size_t distance = name_distance(shown, choice);
-    if (distance < least) {
+    const std::size_t beginning = common_beginning(shown, choice);
+    if (distance < least || (nearest != nullptr && distance == least && beginning > longest)) {
       least = distance;
+      longest = beginning;
       nearest = &choice;
     }
   }

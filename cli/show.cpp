@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
 
 #include <beeline/error.h>
@@ -69,10 +71,13 @@ void add_srdf(const ShowArguments& arguments, const Arm& arm, Answer& answer) {
   answer.document.add("states", states);
 }
 
-/// Adds what a built-in arm is and where its numbers come from.
+/// Adds what a built-in arm is and where its numbers come from. It may be named in any case.
 void add_source(const std::string& name, Answer& answer) {
+  const auto same = [](unsigned char a, unsigned char b) {
+    return std::tolower(a) == std::tolower(b);
+  };
   for (const BuiltInArm& about : built_in_arms()) {
-    if (about.name != name) continue;
+    if (!std::ranges::equal(about.name, name, same)) continue;
     answer.text += fmt::format("\n{} {}\nsource: {}\n", about.maker, about.model, about.source);
     if (!about.note.empty()) answer.text += fmt::format("note: {}\n", about.note);
     answer.document.add(Json{{"maker", about.maker},

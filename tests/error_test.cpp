@@ -28,6 +28,11 @@ TEST(FileError, BeginsWithPathAndLineAsCompilersDo) {
   EXPECT_THROW(throw FileError("a", 1, "b"), Error);
 }
 
+TEST(UnknownName, OfEquallyNearOnesSuggestsTheOneThatBeginsAlike) {
+  const std::string said = unknown_name("arm", "ur55", {"ur15", "ur5", "ur5e"}).what();
+  EXPECT_EQ(said, "unknown arm \"ur55\"; did you mean \"ur5\"? (known: ur15, ur5, ur5e)");
+}
+
 TEST(UnknownName, SuggestsTheNearestIgnoringCaseAndListsAll) {
   const std::vector<std::string> arms{"rrr", "puma560", "ur5", "ur5e", "panda"};
   const auto says = [&](std::string_view name) {
