@@ -4,6 +4,7 @@
 
 PREFIX ?= /usr/local
 JOBS   ?= $(shell nproc)
+MINUTES ?= 1
 
 # A warning fails a run that nobody watches.
 ifdef CI
@@ -14,7 +15,7 @@ endif
 module := -DBEELINE_PYTHON=ON -DPython_EXECUTABLE=$(CURDIR)/.venv-python/bin/python
 
 .NOTPARALLEL:
-.PHONY: help build demo bench bench-web docs wheel test test-peers test-web test-all web asan tsan arm lint format install clean
+.PHONY: help build demo bench bench-web docs wheel test test-peers test-web test-all web asan tsan arm fuzz lint format install clean
 
 help:
 	@echo "make build     the command, in build/beeline"
@@ -31,6 +32,7 @@ help:
 	@echo "make asan      make test under the address and undefined behaviour sanitizers"
 	@echo "make tsan      the tests of batch/ under the thread sanitizer"
 	@echo "make arm       the command for 64-bit ARM, in build-arm, its tests under qemu, beside the native command"
+	@echo "make fuzz      MINUTES=1: libFuzzer on every reader and on whole answers, so long for each"
 	@echo "make lint      formatting, static analysis, the house's rules"
 	@echo "make format    formats the sources"
 	@echo "make install   installs the command and the library; PREFIX=$(PREFIX)"
@@ -105,6 +107,12 @@ asan:
 	@cmake --build --preset asan --parallel $(JOBS)
 	@ctest --preset asan --parallel $(JOBS)
 
+fuzz:
+	@scripts/install_packages.sh build fuzz
+	@cmake --preset fuzz >/dev/null
+	@cmake --build --preset fuzz --parallel $(JOBS)
+	@scripts/fuzz.sh build-fuzz $(MINUTES) $(JOBS)
+
 tsan:
 	@scripts/install_packages.sh build test
 	@cmake --preset tsan
@@ -132,4 +140,4 @@ install: build
 	@cmake --install build --prefix $(PREFIX)
 
 clean:
-	@rm -rf build build-dev build-asan build-tsan build-arm build-libcxx build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-node .venv-python .venv-wheel
+	@rm -rf build build-dev build-asan build-tsan build-arm build-fuzz build-libcxx build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-node .venv-python .venv-wheel

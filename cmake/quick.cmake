@@ -27,9 +27,9 @@ beeline_optimise(beeline_precompiled -O2)
 # instruction set. These have no precompiled header either: with it, GCC takes the -O level from the
 # header.
 function(beeline_group target)
-  set(kernel_options)
+  set(kernel_options ${BEELINE_KERNEL_OPTIONS})
   if(CMAKE_CXX_FLAGS_RELEASE MATCHES "-O3")
-    set(kernel_options $<$<CONFIG:Release>:-O3>)  # behind the -O2 of beeline_optimise
+    list(APPEND kernel_options $<$<CONFIG:Release>:-O3>)  # behind the -O2 of beeline_optimise
   endif()
   get_target_property(sources ${target} SOURCES)
   get_target_property(folder ${target} SOURCE_DIR)

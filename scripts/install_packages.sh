@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of the named groups that are not there yet.
-# Usage: install_packages.sh build|test|python|peers|bench|lint|docs|web|arm...
+# Usage: install_packages.sh build|test|python|peers|bench|lint|docs|web|arm|fuzz...
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config
@@ -11,6 +11,7 @@ peers=(ffmpeg)
 python=(python3 python3-dev python3-venv)
 bench=(libbenchmark-dev liborocos-kdl-dev python3 python3-venv valgrind)
 docs=(doxygen rsync)
+fuzz=(clang-14 libclang-rt-14-dev)
 web=(emscripten dpkg-dev chromium python3 python3-venv)
 arm=(g++-aarch64-linux-gnu qemu-user)
 lint=(clang-format-14 clang-tidy-14 clang-14 libc++-14-dev libc++abi-14-dev shellcheck python3)
@@ -27,7 +28,8 @@ for group in "$@"; do
     web) wanted+=("${web[@]}") ;;
     arm) wanted+=("${arm[@]}") ;;
     docs) wanted+=("${docs[@]}") ;;
-    *) echo "$0: no group '$group': build, test, python, peers, bench, lint, docs, web, arm" >&2; exit 2 ;;
+    fuzz) wanted+=("${fuzz[@]}") ;;
+    *) echo "$0: no group '$group': build, test, python, peers, bench, lint, docs, web, arm, fuzz" >&2; exit 2 ;;
   esac
 done
 

@@ -53,7 +53,7 @@ def sources():
         path = ROOT / place
         found = [path] if path.is_file() else sorted(path.rglob("*"))
         yield from (file for file in found if file.is_file() and file.suffix in ENDINGS
-                    and "__pycache__" not in file.parts and file != Path(__file__).resolve()
+                    and not {"__pycache__", "corpus"} & set(file.parts) and file != Path(__file__).resolve()
                     and file.relative_to(ROOT).as_posix() not in FORMER_NAMES)
 
 

@@ -106,7 +106,7 @@ Arm arm_from_joint_string(std::string_view text) {
     parts.back() = planar_link(std::move(parts.back()), items[i].length);
     for (Joint& part : parts) joints.push_back(std::move(part));
   }
-  return {printable(text), std::move(joints)};
+  return {std::string(text.substr(0, 1000)), std::move(joints)};  // as long as a name may be
 }
 
 }  // namespace beeline
