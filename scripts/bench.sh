@@ -4,7 +4,8 @@
 # Then looks for solutions that Beeline missed and for wrong ones, and compares with
 # bench/baseline.json; fails where it finds any or Beeline lost. BENCH_COUNT (poses an arm),
 # BENCH_PASSES (rounds), BENCH_REPETITIONS, BENCH_CORE, BENCH_ARMS, BENCH_COMPLETE (poses an arm),
-# BENCH_HONEST (poses in all), BENCH_SPLINES and BENCH_STEPS (of the servo) change what is run;
+# BENCH_HONEST (poses in all), BENCH_MARKET (poses an arm of ssik's), BENCH_SPLINES and BENCH_STEPS (of the servo) change
+# what is run;
 # BENCH_FOLDER replaces build/bench.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -91,6 +92,9 @@ section "Formulas: forward kinematics and Jacobian"
 
 section "Calls from Python, microseconds"
 PYTHONPATH=build/python "$python" -B bench/python/calls.py "$folder" || status=1
+
+section "Inverse kinematics of the arms that ssik brings along, called from Python"
+PYTHONPATH=build/python "$python" -B bench/inverse/market.py --poses "${BENCH_MARKET:-100}" || status=1
 
 section "Against bench/baseline.json"
 python3 -B bench/baseline.py check "$results" "$folder/instructions.json" bench/baseline.json ||
