@@ -66,7 +66,7 @@ std::string_view front(std::string_view text, std::size_t bytes) {
 
 }  // namespace
 
-Error::Error(std::string message) : std::runtime_error(internal::one_line(message)) {}
+Error::Error(const std::string& message) : std::runtime_error(internal::one_line(message)) {}
 
 FileError::FileError(std::string_view path, int line, std::string_view message)
     : Error(located(path, line, message)) {}

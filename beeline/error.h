@@ -14,7 +14,7 @@ namespace beeline {
 /// A negative answer ("unreachable") is not an Error: results carry a status and a reason for it.
 class Error : public std::runtime_error {
  public:
-  explicit Error(std::string message);
+  explicit Error(const std::string& message);
 };
 
 /// Invalid input in a file. The message begins with `path:line: `, or with `path: ` where the line
