@@ -77,7 +77,7 @@ void add_source(const std::string& name, Answer& answer) {
     return std::tolower(a) == std::tolower(b);
   };
   for (const BuiltInArm& about : built_in_arms()) {
-    if (!std::ranges::equal(about.name, name, same)) continue;
+    if (!std::equal(about.name.begin(), about.name.end(), name.begin(), name.end(), same)) continue;
     answer.text += fmt::format("\n{} {}\nsource: {}\n", about.maker, about.model, about.source);
     if (!about.note.empty()) answer.text += fmt::format("note: {}\n", about.note);
     answer.document.add(Json{{"maker", about.maker},
