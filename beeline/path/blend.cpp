@@ -9,8 +9,10 @@
 namespace beeline {
 namespace {
 
-constexpr double nothing = 1e-12;      // metres or radians that count as zero
-constexpr double min_fraction = 1e-9;  // of a line: shorter remainders are left out
+constexpr double nothing = 1e-12;  // metres or radians that count as zero
+// The part of a line that its two blends leave straight, at least. In a part much shorter than its
+// neighbours the rounding of the joint values would look like jerk, and slow the motion down.
+constexpr double straight = 1.0 / 16;
 
 /// Both lines at a corner: translation and rotation vector per metre of their span.
 struct Sides {
@@ -150,19 +152,18 @@ BlendedPath blended_lines(std::span<const Pose> given, std::span<const Deviation
   BlendedPath blended;
   std::vector<double> radius(lines + 1, 0);  // of the blend between the lines i - 1 and i
   for (std::size_t i = 1; i < lines; ++i) {
-    const double before = std::max(span[i - 1] / 2, span[i - 1] - wanted[i - 1]);
-    const double after = std::max(span[i] / 2, span[i] - wanted[i + 1]);
+    const double before_span = (1 - straight) * span[i - 1], after_span = (1 - straight) * span[i];
+    const double before = std::max(before_span / 2, before_span - wanted[i - 1]);
+    const double after = std::max(after_span / 2, after_span - wanted[i + 1]);
     radius[i] = std::min({wanted[i], before, after});
     blended.blends.push_back(scaled(ones[i - 1], radius[i]));
     blended.blends.back().shortened = radius[i] < wanted[i];
   }
   for (std::size_t i = 0; i < lines; ++i) {
     const double from = radius[i] / span[i], to = 1 - radius[i + 1] / span[i];
-    if (to - from > min_fraction) {
-      blended.path.segments.emplace_back(
-          Line{interpolate(poses[i], poses[i + 1], from), interpolate(poses[i], poses[i + 1], to)});
-      blended.path.spans.push_back((to - from) * span[i]);
-    }
+    blended.path.segments.emplace_back(
+        Line{interpolate(poses[i], poses[i + 1], from), interpolate(poses[i], poses[i + 1], to)});
+    blended.path.spans.push_back((to - from) * span[i]);
     if (radius[i + 1] > 0) {
       blended.path.segments.emplace_back(
           blend_segment(poses[i + 1], {direction[i], direction[i + 1]}, radius[i + 1]));

@@ -134,9 +134,13 @@ describe.each(names)("%s", (name) => {
           expect(found.residual).toBeLessThan(1e-10);
           for (const solution of expected.solutions) {
             const at = arm.manipulability(solution).condition;
-            const bound = Math.max(tolerance, 1e-12 * at);
+            // The arm with its redundant joint locked can be next to a singularity where the whole arm is not.
+            const bound = arm.dof > 6 ? 1e-2 : Math.max(tolerance, 1e-12 * at);
             const distances = found.solutions.map((other) => largestDifference(sameTurn(other, solution), solution));
             expect(Math.min(...distances)).toBeLessThan(bound);
+          }
+          for (const solution of found.solutions) {
+            expect(largestDifference(arm.forward(solution).at(-1) ?? [], columnMajor(pose.matrix))).toBeLessThan(1e-9);
           }
         }
         const hot = arm.inverse(arm.forward(q).at(-1) ?? [], q);
@@ -247,7 +251,8 @@ test("arms come in by every way, and go out as the command line writes them", ()
     const arm = core.arm(name, files);
     expect(outcome.code, outcome.stderr).toBe(0);
     expect(arm.json).toBe(outcome.files["out.json"]);
-    const { units: _, ...document } = json<{ units?: unknown }>(["show", name], files);
+    const document = json<Record<string, unknown>>(["show", name], files);
+    for (const key of ["units", "maker", "model", "source", "note"]) delete document[key];
     expect(arm.description).toEqual(document);
     const again = core.arm("again.json", { "again.json": arm.json });
     expect(again.json).toBe(arm.json);
