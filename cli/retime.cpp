@@ -140,7 +140,8 @@ std::vector<Option> timing_options(RetimeArguments& arguments) {
            .range = tool_speeds},
           {.name = "--max-samples",
            .value = "N",
-           .help = "Give up if --rate makes more samples.",
+           .help = "Give up if --rate makes more samples, or the file has more and more than "
+                   "200000. 1000000 take about a minute and 2.5 GB.",
            .target = &arguments.retime.max_samples,
            .range = {2, 10'000'000}},
           {.name = "--rate",

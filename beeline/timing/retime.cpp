@@ -83,6 +83,13 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   const Trajectory trajectory = matched_to(arm, recorded);
   check_moves(trajectory);
   timed.trajectory.joint_names = arm.joint_names();
+  const int most = std::max(options.max_samples, default_max_samples);
+  if (trajectory.size() > static_cast<std::size_t>(most)) {
+    timed.reason = "the trajectory has " + std::to_string(trajectory.size()) +
+                   " samples, more than max_samples, " + std::to_string(most);
+    timed.trajectory = {};
+    return timed;
+  }
   const bool linear = options.interpolation == Interpolation::linear;
   internal::BudgetMeter budget(options.budget);
   const std::vector<std::vector<Configuration>> parts = parts_between_stops(trajectory);

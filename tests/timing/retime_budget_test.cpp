@@ -87,5 +87,20 @@ TEST(RetimeBudget, SamplesAreThoseOfTheWholeMotionOrNone) {
   EXPECT_GT(ended, 10);
 }
 
+TEST(RetimeBudget, LongTrajectoriesNeedMaxSamples) {
+  const Arm arm = built_in("rrr");
+  Trajectory trajectory{arm.joint_names(), {}, {}, {}, {}};
+  const int count = default_max_samples + 1;
+  for (int k = 0; k < count; ++k) {
+    trajectory.times.push_back(k);
+    trajectory.positions.push_back(Configuration::Constant(3, 1e-6 * k));
+  }
+  const Retimed refused = retime(arm, trajectory);
+  EXPECT_EQ(refused.reason, "the trajectory has 200001 samples, more than max_samples, 200000");
+  EXPECT_EQ(refused.trajectory.size(), 0u);
+  const Retimed begun = retime(arm, trajectory, {.max_samples = count, .budget = {.max_work = 1}});
+  EXPECT_EQ(begun.ending, Ending::work_limit);
+}
+
 }  // namespace
 }  // namespace beeline
