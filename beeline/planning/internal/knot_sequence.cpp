@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <beeline/certificate/internal/path_checks.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/planning/internal/knot_sequence.h>
 #include <beeline/planning/internal/null_space.h>
@@ -56,6 +57,27 @@ double weighted_length(const Segment& segment) {
   return size;
 }
 
+std::vector<double> layer_parameters(const ToolPath& path, const Task& task, double spacing) {
+  // Layers of one segment: the minimum suffices for a cubic spline, the maximum bounds the time.
+  constexpr double min_layers = 4, max_layers = 400;
+  const double nearest = spacing / 8;
+  std::vector<double> parameters;
+  double since = 0;  // the length behind the last layer
+  for (std::size_t w = 0; w < path.segments.size(); ++w) {
+    if (stands_still(path.segments[w], task)) continue;
+    const double begin = static_cast<double>(w), length = weighted_length(path.segments[w]);
+    const bool last = w + 1 == path.segments.size() || corner_at(path, begin + 1) ||
+                      stands_still(path.segments[w + 1], task);
+    since += length;
+    if (!last && since < nearest) continue;
+    const double wanted = std::clamp(std::ceil(length / spacing), min_layers, max_layers);
+    const double count = std::min(wanted, std::max(1.0, std::floor(since / nearest)));
+    for (double i = 1; i <= count; ++i) parameters.push_back(begin + i / count);
+    since = 0;
+  }
+  return parameters;
+}
+
 namespace {
 
 /// The bounds moved inwards by a margin, or by that of q if it is smaller.
@@ -109,7 +131,8 @@ void smooth_knots(const Arm& arm, const ToolPath& path, const SmoothingOptions& 
 }
 
 KnotSpline::KnotSpline(const std::vector<Knot>& knots, const ToolPath& path)
-    : path_(path), first_(knots.front().q) {
+    : path_(path), spans_{0}, first_(knots.front().q) {
+  for (const double span : path.spans) spans_.push_back(spans_.back() + span);
   std::vector<double> spans;
   std::vector<Configuration> q;
   const auto end_part = [&] {
@@ -118,7 +141,7 @@ KnotSpline::KnotSpline(const std::vector<Knot>& knots, const ToolPath& path)
     q = {q.back()};
   };
   for (const Knot& knot : knots) {
-    const double span = span_to(path, knot.s);
+    const double span = span_at(knot.s);
     if (!spans.empty() && !(span > spans.back())) continue;
     spans.push_back(span);
     q.push_back(knot.q);
@@ -127,9 +150,15 @@ KnotSpline::KnotSpline(const std::vector<Knot>& knots, const ToolPath& path)
   end_part();
 }
 
+/// span_to() without the sum over all segments.
+double KnotSpline::span_at(double s) const {
+  const std::size_t i = segment_at(path_, s);
+  return spans_[i] + (s - static_cast<double>(i)) * path_.spans[i];
+}
+
 Configuration KnotSpline::at(double s) const {
   if (parts_.empty()) return first_;
-  const double span = span_to(path_, s);
+  const double span = span_at(s);
   const auto begins_after = [](double x, const JointPath& part) { return x < part.s.front(); };
   const auto part = std::upper_bound(parts_.begin() + 1, parts_.end(), span, begins_after) - 1;
   const auto next = std::upper_bound(part->s.begin() + 1, part->s.end() - 1, span);

@@ -37,8 +37,15 @@ struct KnotCosts {
 std::optional<Configuration> solved_near(const Arm& arm, const Pose& pose, const Task& task,
                                          const Bounds& bounds, const Configuration& guess);
 
-/// The length of the tool's path along a segment, by chords, rotations included; metres.
+/// The length of the tool's path along a segment, by chords, rotations included by
+/// metres_per_radian; metres.
 double weighted_length(const Segment& segment);
+
+/// The path parameters of a graph's layers after the first, at 0: at most `spacing` apart (metres,
+/// rotations included, by metres_per_radian) and at least four for each segment, but not nearer to
+/// each other than an eighth of the spacing where segments are short and their joints no corners.
+/// Segments that stand still for the task have none.
+std::vector<double> layer_parameters(const ToolPath& path, const Task& task, double spacing);
 
 struct SmoothingOptions {
   Task task;
@@ -60,7 +67,10 @@ class KnotSpline {
   Configuration at(double s) const;
 
  private:
+  double span_at(double s) const;
+
   ToolPath path_;
+  std::vector<double> spans_;  ///< to the beginning of each segment
   Configuration first_;
   std::vector<JointPath> parts_;
 };

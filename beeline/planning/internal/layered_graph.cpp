@@ -19,9 +19,7 @@ constexpr double longest_edge = 1.2;
 // Max edges that the test at the midpoint may remove; each costs a relaxation of the layers after
 // it. It bounds the time; the path found by then is used.
 constexpr std::size_t max_removed_edges = 60;
-// Number of layers of one segment: the minimum suffices for a cubic spline, the maximum bounds the
-// time.
-constexpr double min_layers = 4, max_layers = 400;
+
 /// A pose of the path and its solutions.
 struct Layer {
   double s = 0;
@@ -37,17 +35,11 @@ struct Edge {
   bool operator==(const Edge&) const = default;
 };
 
-/// Returns layers without solutions. Segments at rest in the rows of the task have no layers.
+/// Returns layers without solutions.
 std::vector<Layer> empty_layers(const ToolPath& path, const Task& task, double spacing) {
   std::vector<Layer> layers{{0, pose_at(path, 0), {}, {}, {}}};
-  for (std::size_t w = 0; w < path.segments.size(); ++w) {
-    if (stands_still(path.segments[w], task)) continue;
-    const double wanted = std::ceil(weighted_length(path.segments[w]) / spacing);
-    const int count = static_cast<int>(std::min(std::max(min_layers, wanted), max_layers));
-    for (int i = 1; i <= count; ++i) {
-      const double s = static_cast<double>(i) / count;
-      layers.push_back({static_cast<double>(w) + s, pose_at(path.segments[w], s), {}, {}, {}});
-    }
+  for (const double s : layer_parameters(path, task, spacing)) {
+    layers.push_back({s, pose_at(path, s), {}, {}, {}});
   }
   return layers;
 }

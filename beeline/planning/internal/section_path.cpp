@@ -85,16 +85,19 @@ bool SectionPath::add_samples(const Deviation& tolerance, BudgetMeter& budget) {
         const double a = samples_.path_parameters[k - 1], b = samples_.path_parameters[k];
         place = at(0.5 * (a + b), b);
       }
-      // Near a singularity the solution may be on another branch: only one near both is taken.
+      // Near a singularity the solution may be on another branch: only one near both is taken. The
+      // spline is a better guess than the middle, except where it oscillates.
       const Configuration middle = (samples_.samples[k - 1] + samples_.samples[k]) / 2;
       constexpr double excursion = 0.5;   // of a path that turns back between them
       constexpr double min_chord = 1e-9;  // both in radians or metres
-      const double farthest = excursion + (samples_.samples[k] - samples_.samples[k - 1]).norm();
-      const auto near = [&](const Configuration& q) { return (q - middle).norm() <= farthest; };
+      const double chord = (samples_.samples[k] - samples_.samples[k - 1]).norm();
       const Configuration guess = path_point(joint_path_, k - 1, 0.5).q;
       const NumericalResult exact =
           levenberg_marquardt(arm_, pose_at(path_.segments[place.index], place.fraction), task_,
-                              bounds_, near(guess) ? guess : middle);
+                              bounds_, (guess - middle).norm() <= chord ? guess : middle);
+      const auto near = [&](const Configuration& q) {
+        return (q - middle).norm() <= excursion + chord;
+      };
       const auto apart = [&](const Configuration& q) { return (exact.q - q).norm() > min_chord; };
       if (exact.converged && near(exact.q) && apart(samples_.samples[k - 1]) &&
           apart(samples_.samples[k])) {

@@ -11,9 +11,6 @@ namespace {
 
 using Node = RedundantConfiguration;
 
-// Number of layers of one segment, before any step is halved: the minimum suffices for a cubic
-// spline, the maximum bounds the time.
-constexpr double min_per_segment = 4, max_per_segment = 400;
 // The shortest step between layers as a fraction of the regular one: where no curve continues, and
 // where one is lost.
 constexpr double min_step = 1e-4, min_lost_step = 1.0 / 16;
@@ -57,10 +54,16 @@ SelfMotionSweep::SelfMotionSweep(const Arm& arm, const ToolPath& path, const Swe
 bool SelfMotionSweep::run() {
   add_first();
   if (layers_.empty()) return false;
-  for (std::size_t w = 0; w < path_.segments.size(); ++w) {
-    if (stands_still(path_.segments[w], options_.task)) continue;
-    const double wanted = std::ceil(weighted_length(path_.segments[w]) / options_.spacing);
-    if (!add_segment(w, 1 / std::clamp(wanted, min_per_segment, max_per_segment))) return false;
+  const std::vector<double> wanted = layer_parameters(path_, options_.task, options_.spacing);
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    // Of a segment, all at once: where a step is halved, those behind it move.
+    const double regular = wanted[k] - layers_.back().s;
+    const auto follows = [&](double s) {
+      return segment_at(path_, s) == segment_at(path_, wanted[k]) &&
+             std::abs(s - wanted[k] - regular) < 1e-9;
+    };
+    while (k + 1 < wanted.size() && follows(wanted[k + 1])) ++k;
+    if (!add_up_to(wanted[k], regular)) return false;
   }
   return true;
 }
@@ -78,13 +81,15 @@ void SelfMotionSweep::add_first() {
   if (!curves.empty()) layers_.emplace_back(0, std::move(curves), motion_);
 }
 
-bool SelfMotionSweep::add_segment(std::size_t w, double regular) {
-  double s = 0, step = regular;
-  while (s < 1) {
+/// Adds layers up to path parameter `end`, at this distance or, where that is too far, at less;
+/// returns whether they reach it.
+bool SelfMotionSweep::add_up_to(double end, double regular) {
+  double s = layers_.back().s, step = regular;
+  while (s < end) {
     if (budget_.ended()) return false;
-    const double left = 1 - s;
-    const double next = left <= 1.0001 * step ? 1 : s + (left < 2 * step ? left / 2 : step);
-    const Pose pose = pose_at(path_.segments[w], next);
+    const double left = end - s;
+    const double next = left <= 1.0001 * step ? end : s + (left < 2 * step ? left / 2 : step);
+    const Pose pose = pose_at(path_, next);
     const Continued continued = continued_to(pose);
     const bool none = continued.q.empty();
     const double shortest = regular * (none ? min_step : min_lost_step);
@@ -93,7 +98,7 @@ bool SelfMotionSweep::add_segment(std::size_t w, double regular) {
       continue;
     }
     if (none) return false;
-    add(static_cast<double>(w) + next, pose, continued);
+    add(next, pose, continued);
     s = next;
     step = std::min(2 * step, regular);
   }

@@ -65,7 +65,7 @@ class SelfMotionSweep {
   };
 
   void add_first();
-  bool add_segment(std::size_t w, double regular);
+  bool add_up_to(double end, double regular);
   Continued continued_to(const Pose& pose);
   void continue_curve(const Pose& pose, std::size_t c, Continued& continued);
   void add(double s, const Pose& pose, const Continued& continued);

@@ -5,6 +5,7 @@
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/certificate/internal/path_step.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/planning/internal/knot_sequence.h>
 #include <beeline/planning/internal/null_space.h>
 #include <beeline/planning/internal/track_segment.h>
 
@@ -18,11 +19,12 @@ constexpr double sample_tolerance = 1e-11;
 // rounding of a configuration typed with nine digits.
 constexpr double start_tolerance = 1e-8;
 
-// Lengths of a step as fractions of the segment. The first is a guess, corrected after one step.
+// Lengths of a step as fractions of the segment. The first is a guess, corrected after one step; in
+// a short segment it is longer, up to first_span of the arm's reach.
 // The longest ensures samples inside the segment. If the shortest fails, the arm would have to
 // jump: the bound is proportional to the square of the step, so a continuous motion allows 1e-5 and
 // more.
-constexpr double first_step = 1.0 / 32;
+constexpr double first_step = 1.0 / 32, first_span = 0.01;
 constexpr double longest_step = 1.0 / 4;
 constexpr double shortest_step = 1e-7;
 
@@ -130,7 +132,8 @@ TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task&
   check_start(at_start, exact);
   PathDeviation& deviation = tracked.deviation;
   deviation.sampled = at_start;
-  double length = first_step;
+  double length = std::clamp(first_span * unit_of_length(arm) / weighted_length(segment),
+                             first_step, longest_step);
   while (!tracked.complete() && length >= shortest_step &&
          tracked.samples.size() < options.max_samples && !ended(options.budget)) {
     const double s_a = tracked.fractions.back(), left = 1 - s_a;
