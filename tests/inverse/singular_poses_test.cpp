@@ -74,6 +74,23 @@ TEST(SingularPoses, AreAnswered) {
   EXPECT_LE(unanswered, 1 + asked / 10000);
 }
 
+// Seven joints with the upper arm stretched: next to this singularity the error has valleys, in
+// which searches stagnate.
+TEST(SingularPoses, AreAnsweredWithAStretchedArm) {
+  Random random;
+  int unanswered = 0, asked = 0;
+  for (const char* name : {"gen3", "iiwa14", "iiwa7"}) {
+    const Arm arm = built_in(name);
+    InverseSolver solver(arm);
+    for (int i = 0; i < testing::cases(300); ++i, ++asked) {
+      Configuration q = random.configuration(arm);
+      q.segment<3>(2).setZero();
+      expect_answer(solver, arm, q, unanswered);
+    }
+  }
+  EXPECT_LE(unanswered, 1 + asked / 1000);
+}
+
 /// Locks the elbow of an arm whose shoulder and wrist are spherical: the other six joints move with
 /// the tool at rest from every configuration.
 TEST(SingularPoses, AreAnsweredWithALockedElbow) {

@@ -75,6 +75,7 @@ bool search_fast_path(SolverState& state, const Pose& goal, const ConfigurationR
               {.tolerance = state.options.tolerance,
                .max_iterations = state.options.max_iterations,
                .max_restarts = std::min(state.options.max_restarts, few_restarts),
+               .continue_nearest = false,
                .random_seed = state.options.random_seed,
                .budget = &budget},
               state.buffers, state.search);

@@ -26,6 +26,9 @@ constexpr double next_to_a_solution = 1e-3;
 constexpr int max_continued = 16;
 constexpr int restarts_before = 64;  // nearly all poses elsewhere are solved by then
 constexpr int slow_convergence = 3;  // steps at a singularity for each step elsewhere
+// Where two singularities meet, lanes stagnate farther away: the nearest of all are continued last.
+constexpr double near_a_solution = 1e-2;
+constexpr std::size_t max_nearest = 16;
 
 /// Outcomes of a lane, worst first.
 enum class Grade { none, not_converged, coarse, converged };
@@ -72,6 +75,7 @@ class Run {
     for (int lane = 0; lane < solver_lane_count; ++lane) {
       if (holds(lane)) collect(lane);  // not ended
     }
+    if (found_ == 0 && options_.continue_nearest) continue_nearest();
     result_.solutions.resize(found_);
   }
 
@@ -159,6 +163,44 @@ class Run {
     return postures_.contains(problem_.arm, result_.solutions, found_, q);
   }
 
+  /// A lane that has stagnated, with its error squared.
+  struct Stagnated {
+    double cost;
+    Configuration q;
+    bool operator<(const Stagnated& other) const { return cost < other.cost; }
+  };
+
+  /// Keeps the lane in q_, if it is one of those of least error.
+  void keep(double cost) {
+    if (!options_.continue_nearest || !(cost < near_a_solution * near_a_solution)) return;
+    if (stagnated_.size() == max_nearest) {
+      if (!(cost < stagnated_.front().cost)) return;
+      std::pop_heap(stagnated_.begin(), stagnated_.end());
+      stagnated_.pop_back();
+    }
+    stagnated_.push_back({cost, Eigen::Map<const Configuration>(q_.data(), start_.size())});
+    std::push_heap(stagnated_.begin(), stagnated_.end());
+  }
+
+  /// Continues the lanes of least error until one converges.
+  void continue_nearest() {
+    std::sort_heap(stagnated_.begin(), stagnated_.end());
+    for (const Stagnated& lane : stagnated_) {
+      if (ended()) return;
+      std::copy(lane.q.begin(), lane.q.end(), q_.begin());
+      if (!converges_at_singularity()) continue;
+      wrap_to_start();
+      result_.solutions.resize(1);
+      result_.solutions[0] = Eigen::Map<const Configuration>(q_.data(), start_.size());
+      result_.nearest.q = result_.solutions[0];
+      result_.nearest.error = continued_error_;
+      result_.nearest.converged = true;
+      found_ = 1;
+      if (options_.found) options_.found(result_.solutions[0]);
+      return;
+    }
+  }
+
   /// Continues a lane that has stagnated next to a solution, as lanes do near singularities, from
   /// q_. Writes the solution into q_ and returns whether there is one.
   bool continues(double cost) {
@@ -168,6 +210,11 @@ class Run {
       return false;
     }
     ++continued_;
+    return converges_at_singularity();
+  }
+
+  /// The same, for any lane.
+  bool converges_at_singularity() {
     const NumericalOptions options{.tolerance = options_.tolerance,
                                    .max_iterations = slow_convergence * options_.max_iterations,
                                    .budget = options_.budget};
@@ -190,6 +237,7 @@ class Run {
     const double cost = lanes_.cost.lane[lane];
     const bool lane_converged = (lanes_.converged >> lane & 1) != 0;
     const bool continued = !lane_converged && continues(cost);
+    if (!lane_converged && !continued) keep(cost);
     const bool converged = lane_converged || continued;
     const double away = wrap_to_start();
     const bool coarse = continued || (lanes_.coarse >> lane & 1) != 0;
@@ -239,9 +287,10 @@ class Run {
   Grade grade_ = Grade::none;  ///< of result_.nearest
   double rank_ = 0;
   int last_restart_ = 0;
-  int continued_ = 0;          ///< number of lanes that were continued
-  Deviation continued_error_;  ///< of the last of them
-  PostureIndex postures_;      ///< of result_.solutions
+  int continued_ = 0;                 ///< number of lanes that were continued at once
+  Deviation continued_error_;         ///< of the last of them
+  std::vector<Stagnated> stagnated_;  ///< the lanes of least error, a heap
+  PostureIndex postures_;             ///< of result_.solutions
 };
 
 }  // namespace

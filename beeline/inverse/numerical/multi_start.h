@@ -10,10 +10,11 @@
 namespace beeline::internal {
 
 struct MultiStartOptions {
-  double tolerance = 1e-9;   ///< of position and orientation error, metres and radians
-  int max_iterations = 100;  ///< max steps from one start
-  int max_restarts = 1000;   ///< max starts after the first
-  bool all = false;          ///< use all restarts, and collect the distinct solutions
+  double tolerance = 1e-9;       ///< of position and orientation error, metres and radians
+  int max_iterations = 100;      ///< max steps from one start
+  int max_restarts = 1000;       ///< max starts after the first
+  bool all = false;              ///< use all restarts, and collect the distinct solutions
+  bool continue_nearest = true;  ///< without a solution, continue the runs of least error
   std::uint64_t random_seed = 1;
   /// Asked every few steps; default: none. When it ends, the result holds what was found so far.
   BudgetMeter* budget = nullptr;
@@ -47,7 +48,9 @@ PreparedSearch prepared_search(const Arm& arm, const Task& task, const Bounds& b
 /// levenberg_marquardt() if the start is near the pose. Then runs run_lanes(): one lane from
 /// `start`, seven from the seeds nearest to the pose; a lane that ends without converging starts
 /// again from a random configuration. Ends when a lane converges. If several converge in the same
-/// step, the solution is the one nearest to `start`. It is given as its representative nearest to
+/// step, the solution is the one nearest to `start`. Lanes that have stagnated next to a solution
+/// are continued by singular_configuration() and singular_gauss_newton(): some at once, and if no
+/// lane converges those of least error. It is given as its representative nearest to
 /// `start`. The same seed table and random_seed give the same result if no time limit ends it.
 /// `result` is overwritten. Throws Error for a start or a pose that is not finite or does not fit,
 /// and for an option out of range.

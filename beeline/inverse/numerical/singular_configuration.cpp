@@ -23,11 +23,11 @@ Jacobian jacobian_change(const NumericalGoal& goal, const Configuration& q, int 
   return (above.columns - below.columns) / (2 * h);
 }
 
-/// Newton's step, in the units of the goal.
+/// Newton's step, in the units of the goal. Singular values below this fraction of the largest
+/// count as lost.
 Eigen::VectorXd newton_step(const NumericalGoal& goal, const Configuration& q,
-                            const LinearModel& at) {
+                            const LinearModel& at, double nearly_lost) {
   const Eigen::Index n = q.size();
-  constexpr double nearly_lost = 0.02;  // a singular value, as a fraction of the largest
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(at.columns,
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::VectorXd& sigma = svd.singularValues();
@@ -54,17 +54,14 @@ Eigen::VectorXd newton_step(const NumericalGoal& goal, const Configuration& q,
   return Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(a).solve(b);
 }
 
-}  // namespace
-
-NumericalResult singular_configuration(const Arm& arm, const Pose& world_T_tool, const Task& task,
-                                       const Bounds& bounds, const Configuration& start,
-                                       const NumericalOptions& options) {
+/// Newton's method with one choice of what counts as lost.
+NumericalResult run_newton(const NumericalGoal& goal, const Configuration& start,
+                           double nearly_lost, const NumericalOptions& options) {
   constexpr int max_steps = 12;  // a start that needs more is not near
   constexpr double longest = 0.5;
-  check_configuration(arm, start);
-  const NumericalGoal goal = numerical_goal(arm, world_T_tool, task, bounds, options);
+  const Bounds& bounds = goal.bounds;
   LinearModel at;
-  at.columns.resize(6, arm.dof());
+  at.columns.resize(6, start.size());
   NumericalResult run;
   Configuration q = start.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
   for (double least = Limits::none;; ++run.iterations) {
@@ -80,11 +77,32 @@ NumericalResult singular_configuration(const Arm& arm, const Pose& world_T_tool,
         !std::isfinite(at.cost) || ended(options.budget)) {
       return run;
     }
-    Eigen::VectorXd step = newton_step(goal, q, at);
+    Eigen::VectorXd step = newton_step(goal, q, at, nearly_lost);
     if (!step.allFinite()) return run;
     if (step.norm() > longest) step *= longest / step.norm();
     q = (q + goal.units.cwiseProduct(step)).cwiseMax(bounds.lower).cwiseMin(bounds.upper);
   }
+}
+
+}  // namespace
+
+NumericalResult singular_configuration(const Arm& arm, const Pose& world_T_tool, const Task& task,
+                                       const Bounds& bounds, const Configuration& start,
+                                       const NumericalOptions& options) {
+  check_configuration(arm, start);
+  const NumericalGoal goal = numerical_goal(arm, world_T_tool, task, bounds, options);
+  NumericalResult best;
+  int iterations = 0;
+  // A small singular value may be of a second singularity nearby, which the solution has not.
+  for (const double nearly_lost : {0.02, 0.002}) {
+    NumericalResult run = run_newton(goal, start, nearly_lost, options);
+    iterations += run.iterations;
+    const auto size = [](const Deviation& e) { return std::max(e.position, e.orientation); };
+    if (best.q.size() == 0 || size(run.error) < size(best.error)) best = std::move(run);
+    if (best.converged || ended(options.budget, 0)) break;
+  }
+  best.iterations = iterations;
+  return best;
 }
 
 }  // namespace beeline::internal
