@@ -223,10 +223,10 @@ def test_a_tolerance_that_is_not_positive_is_refused(beeline, made):
 
 @pytest.mark.parametrize("arm", ["ur5", "panda", "rrr"])
 @pytest.mark.parametrize("path", [["--path", "screw"], ["--path", "arc"], ["--path", "spline"], ["--blend", "0.02"]])
-@pytest.mark.parametrize("rate", [[], ["--rate", "2000"]])
+@pytest.mark.parametrize("rate", [[], ["--rate", "500"]])
 def test_every_kind_of_path_is_checked_as_it_was_made(beeline, made, checked, arm, path, rate):
     if arm == "rrr" and rate:
-        rate = ["--rate", "1000"]
+        rate = ["--rate", "100"]
     through, rows = made(arm, "--from", STARTS[arm], "--profile", "quintic", *path, *rate)
     # the first pose of the file is that of the arm, and counts once
     answer = beeline("check", arm, "move.csv", "--through", through, "--json", *path, "--plot", "check.svg")
