@@ -128,20 +128,49 @@ void set_ended(Ending ending, PathMotion& motion) {
                   how_to_continue(ending);
 }
 
+RetimeOptions timing_options(const PathMotionOptions& options) {
+  return {.profile = options.profile,
+          .interpolation = options.interpolation,
+          .tool_speed = options.tool_speed,
+          .rate = options.rate,
+          .max_samples = options.max_samples};
+}
+
+/// Whether the motion is proved as it is timed now.
+bool is_proved(const Arm& arm, const Route& route, const Task& task,
+               const PathMotionOptions& options, BudgetMeter& budget, PlanTiming& timing) {
+  if (timing.status != MotionStatus::reached) return false;
+  TimedPlan timed = timing.sample();
+  if (budget.ended() || timing.status != MotionStatus::reached) return false;
+  PathMotion tried;
+  tried.status = MotionStatus::reached;
+  tried.trajectory = std::move(timed.trajectory);
+  tried.path_parameters = std::move(timed.path_parameters);
+  prove(arm, route, task, options, budget, tried);
+  return tried && budget.complete();
+}
+
 /// The lowest of the usual rates above the one asked for at which the motion is proved; 0: none.
 double proved_rate(const Arm& arm, const Route& route, const Task& task,
                    const PathMotionOptions& options, BudgetMeter& budget, PlanTiming& timing) {
   for (const double rate : {50, 100, 125, 250, 500, 1000, 2000, 4000, 8000}) {
     if (!(rate > options.rate)) continue;
     timing.set_rate(rate);
-    TimedPlan timed = timing.sample();
+    if (is_proved(arm, route, task, options, budget, timing)) return rate;
     if (budget.ended() || timing.status != MotionStatus::reached) break;
-    PathMotion tried;
-    tried.status = MotionStatus::reached;
-    tried.trajectory = std::move(timed.trajectory);
-    tried.path_parameters = std::move(timed.path_parameters);
-    prove(arm, route, task, options, budget, tried);
-    if (tried && budget.complete()) return rate;
+  }
+  return 0;
+}
+
+/// The largest of some speed scales with which the motion is proved at the rate asked for; 0: none.
+double proved_speed(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
+                    std::size_t samples, const PathMotionOptions& options, BudgetMeter& budget) {
+  for (const double scale : {0.5, 0.2, 0.1, 0.05, 0.02, 0.01}) {
+    const Arm slower = with_speed_scale(arm, scale);
+    PlanTiming timing(slower, route, plan, task, part_of_tolerance(options, interpolated_fraction),
+                      samples, timing_options(options), budget);
+    if (is_proved(slower, route, task, options, budget, timing)) return scale;
+    if (budget.ended() || timing.status != MotionStatus::reached) break;
   }
   return 0;
 }
@@ -158,13 +187,7 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
   motion.limit_margin = plan.limit_margin;
   motion.inverse_condition = plan.inverse_condition;
   PlanTiming timing(arm, route, plan, task, part_of_tolerance(options, interpolated_fraction),
-                    samples,
-                    {.profile = options.profile,
-                     .interpolation = options.interpolation,
-                     .tool_speed = options.tool_speed,
-                     .rate = options.rate,
-                     .max_samples = options.max_samples},
-                    budget);
+                    samples, timing_options(options), budget);
   motion.status = timing.status;
   motion.reason = timing.reason;
   if (!motion) return motion;
@@ -201,7 +224,9 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
   if (motion.status == MotionStatus::not_proved && options.rate > 0) {
     motion.reason = "at " + number(options.rate) + " samples per second " + motion.reason;
     const double rate = proved_rate(arm, route, task, options, budget, timing);
-    motion.reason += rate > 0 ? ", or a rate of " + number(rate) : " or a lower speed";
+    if (rate > 0) motion.reason += ", or a rate of " + number(rate);
+    const double speed = proved_speed(arm, route, plan, task, samples, options, budget);
+    if (speed > 0) motion.reason += ", or " + number(speed) + " times the speed";
   }
   if (!budget.complete()) set_ended(budget.ending(), motion);
   return motion;

@@ -55,9 +55,10 @@ def test_a_motion_next_to_a_limit_is_refused_for_its_rate_only(beeline):
             "-2.6082674295077295,-2.2807543932705037,2.699197592308826,0.49841229319967484")
     refused = beeline(*line, "--rate", "50", "--json")
     assert refused.code == 1 and refused.json["status"] == "not_proved"
-    assert "or a rate of 100" in refused.json["reason"]
-    answer = beeline(*line, "--rate", "100", "--out", "m.csv")
-    assert answer.code == 0, answer.err
+    assert "or a rate of 100, or 0.5 times the speed" in refused.json["reason"]
+    for options in (("--rate", "100"), ("--rate", "50", "--speed", "0.5")):
+        answer = beeline(*line, *options, "--out", "m.csv")
+        assert answer.code == 0, answer.err
 
 
 def test_another_start_is_suggested_where_it_works(beeline):
