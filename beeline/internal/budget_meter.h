@@ -13,6 +13,7 @@ class BudgetMeter {
  public:
   /// Starts the clock. Keeps a reference to the budget. Throws Error for a limit below zero.
   explicit BudgetMeter(const Budget& budget);
+  explicit BudgetMeter(Budget&&) = delete;  // it would be gone
   BudgetMeter(const BudgetMeter&) = delete;
   BudgetMeter& operator=(const BudgetMeter&) = delete;
 

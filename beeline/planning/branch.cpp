@@ -66,15 +66,19 @@ bool refine(const Arm& arm, const BranchOptions& options, std::size_t grid, bool
 std::optional<Branch> track_graphs(const Arm& arm, const std::optional<Configuration>& start,
                                    const ToolPath& path, const BranchOptions& options,
                                    BudgetMeter& budget) {
+  constexpr double share = 0.8;  // of the graph in the progress
+  BranchOptions graph = options;
+  graph.budget = budget.part(0, share);
   std::optional<Branch> best;
   for (std::size_t i = 0; i < std::size(grids); ++i) {
-    const KnotSequence found = search_graph(arm, start, path, options, i);
+    const KnotSequence found = search_graph(arm, start, path, graph, i);
     const std::vector<Knot>& knots = found.knots;
     if (!knots.empty()) {
       const KnotSpline spline(knots, path);
       BranchOptions guided = options;
       guided.reasons = BranchOptions::Reasons::none;
       guided.guide = [&spline](double s) { return spline.at(s); };
+      guided.budget = budget.part(share, 1);
       const Branch branch = track_branch(arm, knots.front().q, path, guided);
       if (!best || branch.path_parameter > best->path_parameter) best = branch;
       if (branch) break;

@@ -23,6 +23,8 @@ namespace {
 constexpr double planned_fraction = 0.9;        // of the tolerance; timing may use the remainder
 constexpr double interpolated_fraction = 0.01;  // the same, for the joint path between samples
 
+constexpr double planning_share = 0.5;  // of the progress
+
 // Samples of each segment of the plan that the joint path passes through: with few it is smooth,
 // with many it stays near the plan, as next to limits.
 constexpr std::size_t few_samples = 32, many_samples = 128;
@@ -178,7 +180,9 @@ double proved_speed(const Arm& arm, const Route& route, const Branch& plan, cons
 /// Returns a branch as a motion with times and its proof, or the reason why there is none. Without
 /// a rate, takes samples closer together where the motion is not proved.
 PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const Task& task,
-                 std::size_t samples, const PathMotionOptions& options, BudgetMeter& budget) {
+                 std::size_t samples, const PathMotionOptions& options, BudgetMeter& whole) {
+  const Budget share = whole.part(planning_share, 1);
+  BudgetMeter budget(share);
   PathMotion motion;
   motion.status = plan.status;
   motion.reason = plan.reason;
@@ -307,7 +311,7 @@ PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const
   const BranchOptions planning{.task = task,
                                .tolerance = part_of_tolerance(options, planned_fraction),
                                .max_samples = static_cast<std::size_t>(options.max_samples),
-                               .budget = budget.part(0, 1)};
+                               .budget = budget.part(0, planning_share)};
   PathMotion motion = planned_motion(arm, start, route, planning, options, budget);
   if (motion) return motion;
   PathMotion failure;

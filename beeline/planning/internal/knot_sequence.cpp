@@ -127,6 +127,7 @@ void smooth_knots(const Arm& arm, const ToolPath& path, const SmoothingOptions& 
       const auto found = solved_near(arm, poses[r], options.task, bounds[r], wanted);
       if (found && (*found - q).lpNorm<Eigen::Infinity>() < largest_move) knots[r].q = *found;
     }
+    budget.report((pass + 1.0) / passes);
   }
 }
 

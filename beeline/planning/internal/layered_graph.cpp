@@ -75,6 +75,8 @@ void solve(std::vector<Layer>& layers, const Arm& arm, const KnotCosts& costs,
       layers.resize(r);
       break;
     }
+    constexpr double share = 0.9;  // of the progress
+    budget.report(share * static_cast<double>(r + 1) / static_cast<double>(layers.size()));
   }
 }
 

@@ -14,6 +14,7 @@ using Place = SelfMotionLayer::Place;
 
 constexpr std::size_t nowhere = SelfMotionLayer::nowhere;
 constexpr double revolution = 2 * std::numbers::pi;
+constexpr double sweep_share = 0.8;  // of the progress; the rest is that of smooth_knots()
 // Largest change of one joint over an edge, radians or metres.
 constexpr double largest_change = 1.2;
 
@@ -213,7 +214,8 @@ std::optional<KnotSequence> search(const Arm& arm, const ToolPath& path,
                          .start = options.start,
                          .cyclic = cyclic,
                          .spacing = options.spacing,
-                         .step = options.step},
+                         .step = options.step,
+                         .share = sweep_share},
                         budget);
   KnotSequence result;
   result.complete = sweep.run();
@@ -225,8 +227,10 @@ std::optional<KnotSequence> search(const Arm& arm, const ToolPath& path,
   result.knots = knots_through(best.nodes(), sweep, arm, path, options);
   result.complete = result.complete && result.knots.size() == layers.size();
   if (!options.start && !shift_into_limits(arm, cyclic, result.knots)) return {};
-  smooth_knots(arm, path, {options.task, best.required_margin(), options.start.has_value()}, budget,
-               result.knots);
+  const Budget rest = budget.part(sweep_share, 1);
+  BudgetMeter smoothing(rest);
+  smooth_knots(arm, path, {options.task, best.required_margin(), options.start.has_value()},
+               smoothing, result.knots);
   return result;
 }
 

@@ -64,6 +64,8 @@ bool SelfMotionSweep::run() {
     };
     while (k + 1 < wanted.size() && follows(wanted[k + 1])) ++k;
     if (!add_up_to(wanted[k], regular)) return false;
+    budget_.report(options_.share * static_cast<double>(k + 1) /
+                   static_cast<double>(wanted.size()));
   }
   return true;
 }

@@ -32,6 +32,7 @@ struct SweepOptions {
   std::vector<bool> cyclic = {};  ///< coordinates that are taken for angles without limits
   double spacing = 0;             ///< of the layers, metres; rotations count by metres_per_radian
   double step = 0;                ///< of the nodes along a self-motion, radians or metres
+  double share = 1;               ///< of the sweep in the progress that the meter reports
 };
 
 /// Computes all configurations within the limits that a motion along a path can reach, for an arm

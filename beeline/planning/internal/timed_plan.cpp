@@ -57,6 +57,7 @@ PlanTiming::PlanTiming(const Arm& arm, const Route& route, const Branch& plan, c
       return;
     }
     section = std::move(next);
+    budget_.report(0.5 * static_cast<double>(i + 1) / static_cast<double>(plan.segments.size()));
     if (budget_.ended()) break;
   }
 }
@@ -111,8 +112,10 @@ void PlanTiming::add(BranchSection samples, const Deviation& tolerance, std::siz
 TimedPlan PlanTiming::sample() {
   TimedPlan plan{at_rest(arm_, start_), {start_parameter_}};
   keep_columns(plan.trajectory, options_.interpolation);
+  double sampled_sections = 0;
   for (Section& section : sections_) {
     if (budget_.ended()) break;
+    budget_.report(0.5 + 0.5 * sampled_sections++ / static_cast<double>(sections_.size()));
     const SectionOptions options{
         .interpolation = options_.interpolation,
         .keep_jerk = keeps_jerk(options_.profile.value_or(default_profile)),

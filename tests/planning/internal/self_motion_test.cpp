@@ -60,7 +60,8 @@ TEST(SelfMotionSweep, FirstLayerHasAllSelfMotions) {
     for (int i = 0; i < cases(20); ++i) {
       const Pose from = forward_kinematics(arm, random.configuration(arm));
       const ToolPath path = lines_through(std::vector{from, nearby_pose(random, arm, from)});
-      BudgetMeter budget(Budget{});
+      const Budget unlimited;
+      BudgetMeter budget(unlimited);
       SelfMotionSweep sweep(arm, path,
                             {.task = Task::spatial(),
                              .cyclic = std::vector<bool>(7, false),
