@@ -59,6 +59,18 @@ double samples_left(const RetimeOptions& options, const Retimed& timed) {
   return static_cast<double>(options.max_samples) - static_cast<double>(before);
 }
 
+/// Why the trajectory has too many samples; empty if it has not. Throws Error for a max_samples
+/// below 2.
+std::string too_long(const Trajectory& trajectory, const RetimeOptions& options) {
+  if (options.max_samples < 2) {
+    throw Error("max_samples must be at least 2, not " + std::to_string(options.max_samples));
+  }
+  const int most = std::max(options.max_samples, default_max_samples);
+  if (trajectory.size() <= static_cast<std::size_t>(most)) return {};
+  return "the trajectory has " + std::to_string(trajectory.size()) +
+         " samples, more than max_samples, " + std::to_string(most);
+}
+
 }  // namespace
 
 void check_moves(const Trajectory& trajectory) {
@@ -77,19 +89,11 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   Retimed timed;
   timed.profile = options.profile.value_or(default_profile);
   internal::check_options(options.tool_speed, options.rate);
-  if (options.max_samples < 2) {
-    throw Error("max_samples must be at least 2, not " + std::to_string(options.max_samples));
-  }
   const Trajectory trajectory = matched_to(arm, recorded);
   check_moves(trajectory);
+  timed.reason = too_long(trajectory, options);
+  if (!timed) return timed;
   timed.trajectory.joint_names = arm.joint_names();
-  const int most = std::max(options.max_samples, default_max_samples);
-  if (trajectory.size() > static_cast<std::size_t>(most)) {
-    timed.reason = "the trajectory has " + std::to_string(trajectory.size()) +
-                   " samples, more than max_samples, " + std::to_string(most);
-    timed.trajectory = {};
-    return timed;
-  }
   const bool linear = options.interpolation == Interpolation::linear;
   internal::BudgetMeter budget(options.budget);
   const std::vector<std::vector<Configuration>> parts = parts_between_stops(trajectory);
