@@ -234,12 +234,14 @@ std::optional<std::size_t> node_near(const SelfMotion& motion, const SelfMotionC
 }
 
 SelfMotionCurves curves_through(SelfMotion& motion, const Pose& pose,
-                                const std::vector<Node>& solutions) {
+                                const std::vector<Node>& solutions, BudgetMeter& budget) {
   constexpr std::size_t beside = 4;  // nodes to either side of the last place that are tried first
   const double near = 0.2 * motion.step();
+  constexpr std::size_t compared_nodes = 128;  // take as long as a unit of work
   SelfMotionCurves found;
   for (const Node& q : solutions) {
     std::optional<SelfMotionCurves::Place> place;
+    std::size_t compared = 0;
     if (!found.places.empty()) {
       const auto [c, i] = found.places.back();
       const std::size_t count = found.curves[c].nodes.size();
@@ -249,6 +251,7 @@ SelfMotionCurves curves_through(SelfMotion& motion, const Pose& pose,
     }
     for (std::size_t c = 0; c < found.curves.size() && !place; ++c) {
       if (const auto node = node_near(motion, found.curves[c], q, near)) place = {c, *node};
+      compared += found.curves[c].nodes.size();
     }
     if (!place) {
       found.curves.push_back(motion.curve_through(pose, q));
@@ -256,6 +259,7 @@ SelfMotionCurves curves_through(SelfMotion& motion, const Pose& pose,
       place = {found.curves.size() - 1, node.value_or(0)};
     }
     found.places.push_back(*place);
+    if (budget.ended(static_cast<std::int64_t>(compared / compared_nodes))) break;
   }
   return found;
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include <beeline/internal/budget_meter.h>
 #include <beeline/inverse/numerical/gauss_newton.h>
 #include <beeline/kinematics/task.h>
 
@@ -76,7 +77,8 @@ class SelfMotion {
 std::optional<std::size_t> node_near(const SelfMotion& motion, const SelfMotionCurve& curve,
                                      const RedundantConfiguration& q, double tolerance);
 
-/// The curves through configurations at the pose, each once.
+/// The curves through configurations at the pose, each once. Where the budget ends, some of the
+/// first configurations have places.
 struct SelfMotionCurves {
   std::vector<SelfMotionCurve> curves;
   struct Place {
@@ -85,6 +87,7 @@ struct SelfMotionCurves {
   std::vector<Place> places;  ///< the node nearest to each configuration
 };
 SelfMotionCurves curves_through(SelfMotion& motion, const Pose& pose,
-                                const std::vector<RedundantConfiguration>& solutions);
+                                const std::vector<RedundantConfiguration>& solutions,
+                                BudgetMeter& budget);
 
 }  // namespace beeline::internal

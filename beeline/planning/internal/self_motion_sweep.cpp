@@ -76,9 +76,10 @@ void SelfMotionSweep::add_first() {
   if (options_.start) {
     curves = {SelfMotionCurve{{Node(*options_.start)}}};
   } else {
-    curves = curves_through(motion_, pose,
-                            self_motion_starts(arm_, options_.task, pose, motion_, budget_))
-                 .curves;
+    curves =
+        curves_through(motion_, pose,
+                       self_motion_starts(arm_, options_.task, pose, motion_, budget_), budget_)
+            .curves;
   }
   if (!curves.empty()) layers_.emplace_back(0, std::move(curves), motion_);
 }
@@ -150,8 +151,8 @@ void SelfMotionSweep::continue_curve(const Pose& pose, std::size_t c, Continued&
 }
 
 void SelfMotionSweep::add(double s, const Pose& pose, const Continued& continued) {
-  SelfMotionCurves found = curves_through(motion_, pose, continued.q);
-  for (std::size_t i = 0; i < continued.node.size(); ++i) {
+  SelfMotionCurves found = curves_through(motion_, pose, continued.q, budget_);
+  for (std::size_t i = 0; i < found.places.size(); ++i) {
     layers_.back().continuation[continued.node[i]] = found.places[i];
   }
   layers_.emplace_back(s, std::move(found.curves), motion_);
