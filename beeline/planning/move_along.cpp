@@ -313,7 +313,10 @@ PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const
                                .max_samples = static_cast<std::size_t>(options.max_samples),
                                .budget = budget.part(0, planning_share)};
   PathMotion motion = planned_motion(arm, start, route, planning, options, budget);
-  if (motion) return motion;
+  if (motion) {
+    budget.report(1);
+    return motion;
+  }
   PathMotion failure;
   failure.status = motion.status;
   failure.reason = motion.reason;
