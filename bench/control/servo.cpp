@@ -114,7 +114,9 @@ void print_slowest(const char* name, long count) {
     }
   }
   std::sort(times.begin(), times.end());
-  const auto at = [&](double part) { return times[part * static_cast<double>(times.size() - 1)]; };
+  const auto at = [&](double part) {
+    return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
+  };
   std::printf(
       "%s, %ld steps, microseconds: median %.2f, 99.9 %% %.2f, 99.9999 %% %.2f, worst %.2f; "
       "worst of a single pass %.0f\n",

@@ -54,7 +54,7 @@ Timing timing_of(std::vector<double> passes, std::vector<double> calls) {
   std::sort(passes.begin(), passes.end());
   std::sort(calls.begin(), calls.end());
   const auto at = [&calls](double share) {
-    return calls[share * static_cast<double>(calls.size() - 1)];
+    return calls[static_cast<std::size_t>(share * static_cast<double>(calls.size() - 1))];
   };
   return {.mean = passes[passes.size() / 2],
           .median = at(0.5),

@@ -163,7 +163,7 @@ void judge_refusal(const Arm& arm, const Line& line, const PathMotion& motion, i
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
-  return values[share * static_cast<double>(values.size() - 1)];
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
 double mean(const std::vector<double>& values) {

@@ -146,7 +146,7 @@ HWY_INLINE void solve_middle(const PieperLoop& loop, const RigidMotion* k,
 HWY_INLINE void solve_joints(const PieperLoop& loop, const RigidMotion* k,
                              const PieperEquations& equations, const CosSine* preferred,
                              CosSine* joint, LaneStatus& status) {
-  status.continuum = status.twin = Lanes(1) < Lanes(0);
+  status.continuum = status.twin = status.far = Lanes(1) < Lanes(0);
   solve_pieper_equations(loop, equations, preferred, joint[2], joint[0], status);
   solve_middle(loop, k, equations, preferred[1], joint, status);
   LanePose whole = after(space(k[0]), joint[0], loop.prismatic[0]);
@@ -162,7 +162,7 @@ HWY_INLINE void solve_joints(const PieperLoop& loop, const RigidMotion* k,
 }
 
 /// Joint angles to coordinates: adds the multiple of 2 pi that is nearest to the seed within
-/// limits.
+/// limits; where none is within them, that which exceeds them least.
 HWY_INLINE void to_coordinates(const PieperLoop& loop, const PieperRequest& request,
                                const CosSine* joint, PieperBranches& branches) {
   Lanes distance(0), excess(0);
@@ -181,6 +181,8 @@ HWY_INLINE void to_coordinates(const PieperLoop& loop, const PieperRequest& requ
       // Where no multiple is within limits, `lowest` is `highest` + 1, and is taken.
       const Lanes revolutions = max(min(round((seed - q) * Lanes(1 / two_pi)), highest), lowest);
       q = fma(revolutions, Lanes(two_pi), q);
+      const Lanes below = q - Lanes(two_pi);
+      q = choose((q > upper) & (lower - below < q - upper), below, q);
     }
     const Lanes on_limit = min(max(q, lower), upper);
     const LaneMask inside = abs(on_limit - q) <= Lanes(rounding);
@@ -222,6 +224,7 @@ void pieper_branches_kernel(const PieperLoop& loop, const PieperRequest& request
   branches.found = bits(status.found);
   branches.continuum = bits(status.continuum & status.found);
   branches.weak = bits(status.weak & !status.found);
+  branches.far = bits(status.far & !status.found);
   branches.twin = bits(status.twin & status.found);
   status.residual.store(branches.residual);
   to_coordinates(loop, request, joint, branches);

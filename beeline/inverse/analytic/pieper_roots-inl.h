@@ -31,6 +31,7 @@ struct LaneStatus {
   LaneMask continuum;  ///< some joint was free
   LaneMask twin;       ///< another lane has nearly the same solution
   LaneMask weak;       ///< joint e is badly determined
+  LaneMask far;        ///< an equation has no solution, by much more than rounding
   Lanes residual;      ///< error of the loop-closure equation, metres plus radians
 };
 
@@ -204,6 +205,11 @@ HWY_INLINE LaneMask solve_one(Lanes nx, Lanes ny, Lanes k, bool prismatic, const
   const LaneMask found =
       solve_rotation(nx, ny, k, sign, unit, preferred, unknown, free, status.twin);
   status.continuum = status.continuum | free;
+  // Coefficients of a thousandth of their scale have lost three of sixteen digits.
+  constexpr double beyond = 1e-5, small = 1e-3;
+  const Lanes nn = fma(nx, nx, ny * ny);
+  status.far = status.far |
+               ((fma(k, k, -nn) > Lanes(beyond) * nn) & (nn > Lanes(small * small * unit * unit)));
   return found;
 }
 

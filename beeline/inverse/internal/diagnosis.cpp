@@ -230,7 +230,8 @@ void set_nearest(const Request& request, const UnconstrainedResult& evidence, bo
   }
   // The accuracy of nearest_orientation().
   constexpr double clear = 1e-3;  // radians
-  const bool searched = result.restarts >= max_starts && error.orientation > clear;
+  const bool searched =
+      (result.restarts >= max_starts || evidence.range_examined) && error.orientation > clear;
   const bool examined = evidence.complete && error.orientation > at_the_edge;
   const bool in_position = error.position <= request.tolerance;
   if (evidence.violation || (in_position && (searched || examined))) {

@@ -43,6 +43,19 @@ void solve_from(const Request& request, const Configuration& start, InverseResul
   if (run.converged) add_solution(request, run.q, result);
 }
 
+/// Steps the lanes that are started until one converges. Returns that lane, or -1.
+int first_to_converge(SolverState& state, const NumericalProblem& problem, const Pose& goal,
+                      double tolerance) {
+  LevenbergMarquardtLanes& lanes = state.buffers.lanes;
+  const int max_iterations = state.options.max_iterations;
+  while (lanes.active != 0 && lanes.converged == 0) {
+    run_lanes(problem, goal,
+              {.tolerance = tolerance, .max_iterations = max_iterations, .first_is_enough = true},
+              max_iterations, lanes);
+  }
+  return lanes.converged != 0 ? std::countr_zero(lanes.converged) : -1;
+}
+
 /// Searches without limits for a posture that has another representative within them, or from which
 /// Levenberg-Marquardt converges to a solution within them.
 void search_without_limits(SolverState& state, const Request& request, StageResult& found) {
@@ -55,12 +68,23 @@ void search_without_limits(SolverState& state, const Request& request, StageResu
   search(state, request, *state.without_limits,
          std::min(request.options.max_restarts, max_restarts_without_limits), true, found.result);
   const std::vector<Configuration> postures = state.search.solutions;
-  for (const Configuration& q : postures) {
+  const NumericalProblem& problem = search_within_limits(state).problem;
+  for (const Configuration& q : postures) found.unconstrained.consider(request, q);
+  for (std::size_t first = 0; first < postures.size(); first += solver_lane_count) {
     if (!found.result.solutions.empty() || request.budget.ended()) break;
-    found.unconstrained.consider(request, q);
-    const Configuration nearest =
-        nearest_representative(request.arm, q, request.seed, request.bounds);
-    solve_from(request, nearest, found.result);
+    LevenbergMarquardtLanes& lanes = state.buffers.lanes;
+    lanes.active = lanes.converged = 0;
+    const std::size_t end = std::min(first + solver_lane_count, postures.size());
+    for (std::size_t i = first; i < end; ++i) {
+      const Configuration nearest =
+          nearest_representative(request.arm, postures[i], request.seed, request.bounds);
+      start_lane(problem, nearest.data(), static_cast<int>(i - first), lanes);
+    }
+    const int lane = first_to_converge(state, problem, request.goal, request.tolerance);
+    if (lane < 0) continue;
+    Configuration q(request.arm.dof());
+    lane_configuration(problem, lanes, lane, q.data());
+    add_solution(request, q, found.result);
   }
 }
 
@@ -90,16 +114,9 @@ bool solve_from_outside(SolverState& state, const Pose& goal, const LeastOutside
   LevenbergMarquardtLanes& lanes = state.buffers.lanes;
   lanes.active = lanes.converged = 0;
   for (int i = 0; i < outside.count; ++i) start_lane(problem, outside.q[i], i, lanes);
-  while (lanes.active != 0 && lanes.converged == 0) {
-    run_lanes(problem, goal,
-              {.tolerance = tolerance,
-               .max_iterations = state.options.max_iterations,
-               .first_is_enough = true},
-              state.options.max_iterations, lanes);
-  }
-  if (lanes.converged == 0) return false;
-  lane_configuration(problem, lanes, std::countr_zero(lanes.converged), q.data());
-  return true;
+  const int lane = first_to_converge(state, problem, goal, tolerance);
+  if (lane >= 0) lane_configuration(problem, lanes, lane, q.data());
+  return lane >= 0;
 }
 
 void solve_numerical(SolverState& state, const Request& request, StageResult& found) {

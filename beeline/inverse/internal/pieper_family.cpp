@@ -6,6 +6,7 @@
 #include <beeline/inverse/internal/candidate_solutions.h>
 #include <beeline/inverse/internal/numerical_stage.h>
 #include <beeline/inverse/internal/pieper_family.h>
+#include <beeline/inverse/internal/range_examination.h>
 #include <beeline/inverse/internal/redundant_joint.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
@@ -126,7 +127,21 @@ void solve_locked(SolverState& state, const Request& request, StageResult& found
   }
   if (outside.count > 0 && solve_from_outside(state, request.goal, outside, request.tolerance, q)) {
     candidates.add(q, false);
+    return;
   }
+  if (request.options.method != InverseMethod::automatic) return;
+  LeastOutside nearest;
+  const ExaminedRange examined =
+      examine_range(form, request.goal, range, loop, request.budget, nearest);
+  if (add(examined.branch)) return;
+  for (int i = 0; i < nearest.count; ++i) {
+    candidates.add(Eigen::Map<const Configuration>(nearest.q[i], dof), false);
+  }
+  if (nearest.count > 0 && solve_from_outside(state, request.goal, nearest, request.tolerance, q)) {
+    candidates.add(q, false);
+    return;
+  }
+  candidates.evidence().range_examined = examined.conclusive;
 }
 
 void solve_branches(SolverState& state, const Request& request, CandidateSolutions& candidates) {
@@ -174,6 +189,19 @@ std::optional<int> solve_redundant(SolverState& state, const Pose& goal,
       solve_from_outside(state, goal, outside, state.options.tolerance, solutions.col(0))) {
     return 1;
   }
+  LeastOutside nearest;
+  const ExaminedRange examined = examine_range(form, goal, range, loop, budget, nearest);
+  if (examined.branch.lane >= 0) {
+    if ((examined.branch.found.continuum >> examined.branch.lane & 1) != 0) return std::nullopt;
+    form.configuration(examined.branch.found, examined.branch.lane, examined.branch.value,
+                       solutions.col(0));
+    return 1;
+  }
+  if (nearest.count > 0 &&
+      solve_from_outside(state, goal, nearest, state.options.tolerance, solutions.col(0))) {
+    return 1;
+  }
+  if (examined.conclusive && !state.options.pose_tolerance) return 0;
   if (search_fast_path(state, goal, seed, budget, solutions)) return 1;
   return std::nullopt;
 }

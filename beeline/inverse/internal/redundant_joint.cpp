@@ -10,21 +10,6 @@
 namespace beeline::internal {
 namespace {
 
-/// Inserts a branch in the order of its excess.
-void insert(const PieperSolver& form, const LockedBranch& branch, int lane, LeastOutside& outside) {
-  constexpr int capacity = 8;
-  const double excess = branch.found.excess[lane];
-  if (outside.count == capacity && !(excess < outside.excess[capacity - 1])) return;
-  int index = outside.count < capacity ? outside.count++ : capacity - 1;
-  for (; index > 0 && outside.excess[index - 1] > excess; --index) {
-    outside.excess[index] = outside.excess[index - 1];
-    std::copy_n(outside.q[index - 1], 7, outside.q[index]);
-  }
-  outside.excess[index] = excess;
-  form.configuration(branch.found, lane, branch.value,
-                     Eigen::Map<Eigen::Matrix<double, 7, 1>>(outside.q[index]));
-}
-
 /// The objective to be minimised: the squared distance from the seed, or minus the smallest margin
 /// to a limit.
 double cost(const PieperRequest& loop, const PieperBranches& found, int lane,
@@ -56,6 +41,19 @@ std::vector<std::size_t> lowest_minima(const std::vector<double>& costs) {
 }
 
 }  // namespace
+
+void LeastOutside::insert(const PieperSolver& form, const LockedBranch& branch, int lane) {
+  const double exceeds = branch.found.excess[lane];
+  if (count == capacity && !(exceeds < excess[capacity - 1])) return;
+  int index = count < capacity ? count++ : capacity - 1;
+  for (; index > 0 && excess[index - 1] > exceeds; --index) {
+    excess[index] = excess[index - 1];
+    std::copy_n(q[index - 1], 7, q[index]);
+  }
+  excess[index] = exceeds;
+  form.configuration(branch.found, lane, branch.value,
+                     Eigen::Map<Eigen::Matrix<double, 7, 1>>(q[index]));
+}
 
 LockedRange locked_range(const Arm& arm, const Bounds& bounds, const ConfigurationRef& seed,
                          int coordinate, double size) {
@@ -118,7 +116,7 @@ LockedBranch first_within(const PieperSolver& form, const Pose& goal, const Lock
     branch.lane = nearest_lane(loop, branch.found);
     if (branch.lane >= 0) return true;
     for (unsigned rest = branch.found.found; rest != 0; rest &= rest - 1) {
-      insert(form, branch, std::countr_zero(rest), outside);
+      outside.insert(form, branch, std::countr_zero(rest));
     }
     return false;
   };

@@ -34,9 +34,13 @@ bool nearly_found(const PieperSolver& form, const PieperBranches& found);
 
 /// The branches that exceed the limits least among those examined.
 struct LeastOutside {
+  static constexpr int capacity = 8;
   int count = 0;
-  double excess[8] = {};  ///< ascending
-  double q[8][7] = {};    ///< by coordinate
+  double excess[capacity] = {};  ///< ascending
+  double q[capacity][7] = {};    ///< by coordinate
+
+  /// Inserts a lane of the branch in the order of its excess, if it is one of the least.
+  void insert(const PieperSolver& form, const LockedBranch& branch, int lane);
 };
 
 /// Tries up to `tries` values of the redundant joint until a branch is within limits: the seed's

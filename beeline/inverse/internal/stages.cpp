@@ -31,7 +31,8 @@ bool applies_numerical(const SolverState& state, const Request& request, const S
   const bool none = found.result.solutions.empty();
   const bool missing = none || (evidence.doubtful && request.options.all);
   // All solutions were examined, except that another member of a continuum may be within limits.
-  const bool proved = evidence.complete && !(evidence.continuum && none);
+  const bool proved =
+      evidence.range_examined || (evidence.complete && !(evidence.continuum && none));
   return missing && !proved && state.options.method != InverseMethod::closed_form &&
          !out_of_reach(request.arm, request.goal, request.task, request.tolerance);
 }

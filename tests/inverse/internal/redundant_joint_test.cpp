@@ -177,6 +177,31 @@ TEST(LockedJoint, TheCentredIsFartherFromLimitsThanAnyOfItsGrid) {
   }
 }
 
+// Where every branch is outside the limits throughout the range of the redundant joint, no search
+// follows.
+TEST(LockedJoint, APoseThatIsRefusedHasNoSolutionAtAnyValue) {
+  Random random;
+  int refused = 0, searched = 0;
+  for (const char* name : {"panda", "iiwa14"}) {
+    const Arm arm = built_in(name);
+    InverseSolver solver(arm);
+    Eigen::MatrixXd column(7, 1);
+    for (int i = 0; i < cases(150); ++i) {
+      Pose pose = forward_kinematics(arm, random.configuration(arm));
+      pose.linear() = random.pose().linear();
+      const Configuration seed = random.configuration(arm);
+      const InverseResult result = solver.solve(pose, seed);
+      EXPECT_EQ(solver.solve(pose, seed, column), static_cast<int>(result.solutions.size()));
+      if (result) continue;
+      ++refused;
+      searched += result.restarts > 0;
+      EXPECT_TRUE(sweep(arm, pose, seed, 1500).empty()) << name << ' ' << result.reason;
+    }
+  }
+  EXPECT_GT(refused, 0);
+  EXPECT_LE(searched, refused / 4);
+}
+
 TEST(LockedJoint, AGridHasTheSolutionsOfEachOfItsValues) {
   Random random;
   for (const char* name : {"panda", "iiwa14"}) {

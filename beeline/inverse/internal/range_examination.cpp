@@ -1,0 +1,147 @@
+#include <algorithm>
+
+#include <beeline/inverse/internal/range_examination.h>
+#include <beeline/math/minimise.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr int intervals = 64;  // of the range, to examine it
+
+/// The branches over the range of the redundant joint, lane by lane.
+class RangeExamination {
+ public:
+  RangeExamination(const PieperSolver& form, const Pose& goal, const LockedRange& range,
+                   PieperRequest& loop, BudgetMeter& budget, LeastOutside& outside)
+      : form_(form), goal_(goal), range_(range), loop_(loop), budget_(budget), outside_(outside) {}
+
+  ExaminedRange run() {
+    for (int i = 0; i <= intervals && !done(); ++i) {
+      evaluate(value(i), samples_[i]);
+      clean_ &= !samples_[i].hidden;
+    }
+    for (int lane = 0; lane < 8; ++lane) {
+      for (int i = 0; i <= intervals && !done(); ++i) {
+        if (is_minimum(lane, i)) examine_minimum(lane, i);
+        if (i < intervals && ends_near_zero(lane, i)) refine(lane, i, i + 1);
+      }
+    }
+    const bool away = outside_.count == 0 || outside_.excess[0] > near;
+    return {branch_, clean_ && away && !budget_.ended()};
+  }
+
+ private:
+  /// The cost of each lane: its excess over the limits or, without a solution, `none` plus the
+  /// residual of the loop.
+  struct Sample {
+    double cost[8];
+    bool hidden;  ///< rounding may hide a solution
+    bool found(int lane) const { return cost[lane] < none; }
+  };
+  static constexpr double none = 1e6;
+  // Branches that come nearer to the limits, and loops that are nearer to closing, radians or
+  // metres, may be solutions to rounding.
+  static constexpr double near = 1e-5;
+
+  bool done() const { return branch_.lane >= 0 || budget_.ended(); }
+
+  double value(int i) const { return range_.lower + (range_.upper - range_.lower) * i / intervals; }
+
+  void evaluate(double value, Sample& sample) {
+    branch_.value = value;
+    PieperBranches& found = branch_.found;
+    form_.branches(goal_, value, loop_, found);
+    branch_.lane = nearest_lane(loop_, found);
+    if (branch_.lane < 0 && found.within != 0) clean_ = false;  // a loop that does not close
+    found.weak &= ~found.far;
+    clean_ &= found.continuum == 0;
+    sample.hidden = nearly_found(form_, found);
+    for (int lane = 0; lane < 8; ++lane) {
+      const bool solved = (found.found >> lane & 1) != 0;
+      sample.cost[lane] = solved ? found.excess[lane] : none + found.residual[lane];
+    }
+  }
+
+  bool is_minimum(int lane, int i) const {
+    const double here = samples_[i].cost[lane];
+    return (i == 0 || here <= samples_[i - 1].cost[lane]) &&
+           (i == intervals || here < samples_[i + 1].cost[lane]);
+  }
+
+  /// Whether a local minimum at value i may reach zero nearby: one below twice the step to a
+  /// neighbour.
+  bool may_reach_zero(int lane, int i) const {
+    const bool found = samples_[i].found(lane);
+    const double here = samples_[i].cost[lane];
+    double step = 0;
+    for (const int next : {std::max(i - 1, 0), std::min(i + 1, intervals)}) {
+      if (samples_[next].found(lane) == found) {
+        step = std::max(step, samples_[next].cost[lane] - here);
+      }
+    }
+    return here - (found ? 0 : none) < 2 * step;
+  }
+
+  /// Whether a branch that ends between the values i and i + 1 may have zero excess there. Joints
+  /// move fast next to the end.
+  bool ends_near_zero(int lane, int i) const {
+    constexpr double fast = 0.5;  // radians in one interval
+    return samples_[i].found(lane) != samples_[i + 1].found(lane) &&
+           std::min(samples_[i].cost[lane], samples_[i + 1].cost[lane]) < fast;
+  }
+
+  void examine_minimum(int lane, int i) {
+    if (may_reach_zero(lane, i)) {
+      refine(lane, std::max(i - 1, 0), std::min(i + 1, intervals));
+    } else if (samples_[i].found(lane)) {
+      Sample sample{};
+      evaluate(value(i), sample);
+      outside_.insert(form_, branch_, lane);
+    }
+  }
+
+  /// Minimises the cost of a lane between the values from and to, more precisely where it is small.
+  void refine(int lane, int from, int to) {
+    constexpr int sections = 13, more = 20;
+    constexpr double small = 1e-2;         // radians or metres
+    constexpr double shorter = 0.0019201;  // 0.618^sections, of the interval
+    // Beyond the end of a branch its solutions are hidden by rounding.
+    const bool ends = samples_[from].found(lane) != samples_[to].found(lane);
+    Sample sample{};
+    const auto cost = [&](double value) {
+      if (!done()) evaluate(value, sample);
+      clean_ &= ends || sample.found(lane) || !sample.hidden;
+      return sample.cost[lane];
+    };
+    Minimum least = golden_section(value(from), value(to), sections, cost);
+    if (least.value < small || (least.value > none && least.value < none + small)) {
+      const double width = 2 * shorter * (value(to) - value(from));
+      least = golden_section(std::max(value(from), least.x - width),
+                             std::min(value(to), least.x + width), more, cost);
+    }
+    if (done()) return;
+    evaluate(least.x, sample);
+    if (done()) return;
+    if (sample.found(lane)) outside_.insert(form_, branch_, lane);
+    clean_ &= sample.found(lane) || least.value > none + near;
+  }
+
+  const PieperSolver& form_;
+  const Pose& goal_;
+  const LockedRange& range_;
+  PieperRequest& loop_;
+  BudgetMeter& budget_;
+  LeastOutside& outside_;
+  Sample samples_[intervals + 1]{};
+  LockedBranch branch_;
+  bool clean_ = true;
+};
+
+}  // namespace
+
+ExaminedRange examine_range(const PieperSolver& form, const Pose& goal, const LockedRange& range,
+                            PieperRequest& loop, BudgetMeter& budget, LeastOutside& outside) {
+  return RangeExamination(form, goal, range, loop, budget, outside).run();
+}
+
+}  // namespace beeline::internal
