@@ -2,9 +2,9 @@
 
 /// Includes all public headers of Beeline. A program links with what it calls: beeline::core has
 /// poses, arms, kinematics, inverse kinematics, trajectories, paths, timing, certificates, planning
-/// and control; beeline::read the readers and writers of files, beeline::batch many rows at once,
-/// beeline::draw pictures, beeline::formula formulas in symbols, beeline::doctor the diagnosis of
-/// models; beeline::beeline is all of them.
+/// and control; beeline::batch many rows at once, beeline::reach maps of what an arm can do,
+/// beeline::read the readers and writers of files, beeline::draw pictures, beeline::formula
+/// formulas in symbols, beeline::doctor the diagnosis of models; beeline::beeline is all of them.
 
 #include <beeline/batch/batch.h>
 #include <beeline/budget.h>
@@ -62,6 +62,8 @@
 #include <beeline/pose/se2.h>
 #include <beeline/pose/se3.h>
 #include <beeline/pose/so3.h>
+#include <beeline/reach/grid.h>
+#include <beeline/reach/reach.h>
 #include <beeline/read/arm.h>
 #include <beeline/read/arm_json.h>
 #include <beeline/read/joint_limits.h>

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <beeline/batch/batch.h>
+#include <beeline/batch/internal/copies.h>
 #include <beeline/batch/internal/kernel.h>
 #include <beeline/batch/internal/parallel.h>
 #include <beeline/internal/budget_meter.h>
@@ -12,35 +13,15 @@
 
 #include <hwy/aligned_allocator.h>
 
-#ifndef __EMSCRIPTEN__
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#endif
-
 namespace beeline {
 namespace {
-
-/// A copy of a value for each thread of in_parallel(); local() returns the caller's. WebAssembly
-/// has one thread.
-#ifdef __EMSCRIPTEN__
-template <class Value>
-class PerThread {
- public:
-  explicit PerThread(const Value& value) : value_(value) {}
-  Value& local() { return value_; }
-
- private:
-  Value value_;
-};
-#else
-template <class Value>
-using PerThread = tbb::enumerable_thread_specific<Value>;
-#endif
 
 using internal::batch_kernel;
 using internal::batch_width;
 using internal::BatchJob;
 using internal::BatchPlan;
 using internal::BatchWrite;
+using internal::Copies;
 using internal::in_parallel;
 
 constexpr Eigen::Index block = 1024;         // configurations that a thread takes at a time
@@ -289,12 +270,11 @@ BatchResult solve_columns(const Arm& arm, const ConstColumnsRef<double>& world_T
   one.every_turn = false;
   Counts counts(options.budget, count);
   one.budget.part_of = &counts.budget();
-  const InverseSolver original(arm, one);
-  PerThread<InverseSolver> solvers(original);
+  Copies<InverseSolver> solvers(InverseSolver(arm, one));
   constexpr Eigen::Index block = 32;
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   in_parallel(count, block, options.threads, [&](Eigen::Index first, Eigen::Index last) {
-    InverseSolver& solver = solvers.local();
+    const auto solver = solvers.borrow();
     for (Eigen::Index i = first; i < last; ++i) {
       if (counts.budget().ended()) {
         q.middleCols(i, last - i).setConstant(unknown);
@@ -303,7 +283,7 @@ BatchResult solve_columns(const Arm& arm, const ConstColumnsRef<double>& world_T
       const auto seed = seeds.col(seeds.cols() == 1 ? 0 : i);
       const double* pose = world_T_tool.data() + i * world_T_tool.outerStride();
       const bool finite = world_T_tool.col(i).allFinite() && seed.allFinite();
-      bool found = finite && solve_column(solver, pose_of(pose, options.layout), seed,
+      bool found = finite && solve_column(*solver, pose_of(pose, options.layout), seed,
                                           q.middleCols(i, 1), outcomes ? outcomes + i : nullptr);
       if (!counts.budget().complete()) found = false;  // not the one of a whole search
       if (!found) q.col(i).setConstant(unknown);

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace beeline::internal {
+
+/// Copies of a value for the threads of in_parallel(): each block borrows one, which is made when
+/// all others are in use.
+template <class Value>
+class Copies {
+ public:
+  using Loan = std::unique_ptr<Value, std::function<void(Value*)>>;
+
+  explicit Copies(const Value& original) : original_(original) {}
+
+  /// Returns a copy, with the state that the block before left in it; it comes back with the loan's
+  /// end, before that of this object.
+  Loan borrow() {
+    const std::lock_guard lock(mutex_);
+    if (free_.empty()) free_.push_back(std::make_unique<Value>(original_));
+    Value* copy = free_.back().release();
+    free_.pop_back();
+    return {copy, [this](Value* returned) {
+              const std::lock_guard returning(mutex_);
+              free_.emplace_back(returned);
+            }};
+  }
+
+ private:
+  const Value original_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Value>> free_;
+};
+
+}  // namespace beeline::internal

@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <beeline/reach/grid.h>
+
+namespace beeline {
+
+using std::numbers::pi;
+
+namespace {
+
+/// Throws Error unless `lower` is below `upper` along each axis, both finite.
+void check_box(const Arm& arm, const Vector3& lower, const Vector3& upper) {
+  constexpr const char* axes[] = {"x", "y", "z"};
+  for (int k = 0; k < 3; ++k) {
+    if (!std::isfinite(lower[k]) || !std::isfinite(upper[k])) {
+      throw Error("the reach of " + arm.name() + " has no bounds: give the box of the map");
+    }
+    if (lower[k] > upper[k]) {
+      throw Error(std::string("the box of the map is empty: its lower ") + axes[k] + " is " +
+                  number(lower[k]) + ", its upper one " + number(upper[k]));
+    }
+  }
+}
+
+ReachAxis axis_over(double lower, double upper, double step) {
+  // A length that is a whole number of cells to rounding has that number of cells.
+  constexpr double rounding = 1e-9;
+  const double cells = std::max(1.0, std::ceil((upper - lower) / step - rounding));
+  return {static_cast<Eigen::Index>(std::min(cells, 1e16)), lower + step / 2, step};
+}
+
+std::array<ReachAxis, 3> position_axes(const Arm& arm, const ReachGridOptions& options) {
+  const Arm::Reach& reach = arm.reach();
+  const double resolution = options.resolution.value_or(reach.radius / 20);
+  if (options.resolution && !(resolution > 0 && resolution <= 1e6)) {
+    throw Error("the resolution is " + number(resolution) + " m; it must be above 0, at most 1e6");
+  }
+  const Vector3 half = Vector3::Constant(reach.radius);
+  const Vector3 lower = options.lower.value_or(reach.centre - half);
+  const Vector3 upper = options.upper.value_or(reach.centre + half);
+  check_box(arm, lower, upper);
+  if (!(resolution > 0)) throw Error("arm " + arm.name() + " has no reach: give the resolution");
+  std::array<ReachAxis, 3> axes;
+  for (int k = 0; k < 3; ++k) axes[k] = axis_over(lower[k], upper[k], resolution);
+  if (arm.planar()) axes[2] = {1, arm.reach().centre.z(), resolution};
+  return axes;
+}
+
+/// The number of equal angles of about `spacing` in a revolution.
+Eigen::Index angles_around(double spacing, const char* what) {
+  if (!(spacing >= 0.01 && spacing <= 2 * pi + 1e-9)) {
+    throw Error(std::string("the angle between ") + what + " is " + number(spacing) +
+                " rad; it can be 0.01 to 6.2832 (0.6 to 360 degrees)");
+  }
+  return static_cast<Eigen::Index>(std::round(2 * pi / spacing));
+}
+
+}  // namespace
+
+DirectionGrid::DirectionGrid(double spacing) {
+  constexpr double finest = 0.01, coarsest = pi / 2 + 1e-9;
+  if (!(spacing >= finest && spacing <= coarsest)) {
+    throw Error("the spacing of tool directions is " + std::to_string(spacing) +
+                " rad; it can be 0.01 to 1.5708 (0.6 to 90 degrees)");
+  }
+  const auto rings = static_cast<Eigen::Index>(std::round(pi / spacing));
+  spacing_ = pi / static_cast<double>(rings);
+  first_ = {0, 1};
+  for (Eigen::Index i = 1; i < rings; ++i) {
+    const double around = 2 * pi * std::sin(static_cast<double>(i) * spacing_);
+    const double quarter = std::floor(around / (4 * spacing_) + 0.6);  // at least 1
+    first_.push_back(first_.back() + 4 * static_cast<Eigen::Index>(quarter));
+  }
+  first_.push_back(first_.back() + 1);
+}
+
+Eigen::Index DirectionGrid::ring_of(Eigen::Index k) const {
+  return std::upper_bound(first_.begin(), first_.end(), k) - first_.begin() - 1;
+}
+
+DirectionGrid::Angles DirectionGrid::angles(Eigen::Index k) const {
+  const Eigen::Index ring = ring_of(k);
+  const double step = 2 * pi / static_cast<double>(count(ring));
+  return {static_cast<double>(ring) * spacing_, static_cast<double>(k - first_[ring]) * step};
+}
+
+Vector3 DirectionGrid::direction(Eigen::Index k) const {
+  const Angles at = angles(k);
+  return {std::sin(at.polar) * std::cos(at.azimuth), std::sin(at.polar) * std::sin(at.azimuth),
+          std::cos(at.polar)};
+}
+
+double DirectionGrid::fraction(Eigen::Index k) const {
+  const Eigen::Index ring = ring_of(k);
+  const double polar = static_cast<double>(ring) * spacing_;
+  const double upper = std::max(polar - spacing_ / 2, 0.0);
+  const double lower = std::min(polar + spacing_ / 2, pi);
+  return (std::cos(upper) - std::cos(lower)) / 2 / static_cast<double>(count(ring));
+}
+
+Eigen::Index DirectionGrid::nearest(const Vector3& direction) const {
+  if (!(direction.norm() > 0)) throw Error("the direction is zero");
+  const double polar = std::atan2(std::hypot(direction.x(), direction.y()), direction.z());
+  const auto ring = static_cast<Eigen::Index>(std::round(polar / spacing_));
+  const double revolution = std::atan2(direction.y(), direction.x()) / (2 * pi);
+  const auto step =
+      static_cast<Eigen::Index>(std::round(revolution * static_cast<double>(count(ring))));
+  return first_[ring] + (step + count(ring)) % count(ring);
+}
+
+std::optional<Eigen::Index> ReachAxis::cell_of(double value) const {
+  if (!(value >= lower() && value <= upper())) return std::nullopt;
+  return std::min(static_cast<Eigen::Index>((value - lower()) / step), cells - 1);
+}
+
+ReachGrid::ReachGrid(const Arm& arm, const ReachGridOptions& options)
+    : axes_(position_axes(arm, options)), directions_(pi / 2) {
+  constexpr double default_spacing = pi / 6;
+  if (options.orientation && (options.directions || options.rolls)) {
+    throw Error("a map has one orientation, or directions and rolls, not both");
+  }
+  if (options.orientation) {
+    orientations_ = ReachOrientations::fixed;
+    Pose pose = Pose::Identity();
+    pose.linear() = *options.orientation;
+    orientation_ = checked_pose(pose, "the orientation of the map").linear();
+  } else if (arm.planar()) {
+    if (options.rolls) throw Error("a planar arm has headings, no rolls");
+    orientations_ = ReachOrientations::headings;
+    direction_count_ = angles_around(options.directions.value_or(default_spacing), "headings");
+  } else {
+    directions_ = DirectionGrid(options.directions.value_or(default_spacing));
+    direction_count_ = directions_.size();
+    if (options.rolls) {
+      orientations_ = ReachOrientations::rolls;
+      roll_count_ = angles_around(*options.rolls, "rolls");
+    }
+  }
+  double cells = static_cast<double>(direction_count_ * roll_count_);
+  for (const ReachAxis& axis : axes_) cells *= static_cast<double>(axis.cells);
+  constexpr double most = 4503599627370496;  // 2^52: cell numbers are exact as double, too
+  if (!(cells <= most)) {
+    throw Error("the map would have " + number(cells) +
+                " cells; at most 4.5e15 are possible: a coarser resolution has fewer");
+  }
+}
+
+Vector3 ReachGrid::centre(Eigen::Index p) const {
+  const Eigen::Index nz = axes_[2].cells, ny = axes_[1].cells;
+  return {axes_[0].centre(p / (ny * nz)), axes_[1].centre(p / nz % ny), axes_[2].centre(p % nz)};
+}
+
+Rotation ReachGrid::rotation(Eigen::Index d, Eigen::Index r) const {
+  if (orientations_ == ReachOrientations::fixed) return orientation_;
+  const auto about_z = [](double angle) {
+    return Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix();
+  };
+  if (orientations_ == ReachOrientations::headings) {
+    return about_z(2 * pi * static_cast<double>(d) / static_cast<double>(direction_count_));
+  }
+  const DirectionGrid::Angles at = directions_.angles(d);
+  const double roll = 2 * pi * static_cast<double>(r) / static_cast<double>(roll_count_);
+  return about_z(at.azimuth) * Eigen::AngleAxisd(at.polar, Vector3::UnitY()).toRotationMatrix() *
+         about_z(roll);
+}
+
+Pose ReachGrid::pose(Eigen::Index cell) const {
+  const Eigen::Index r = cell % rolls(), d = cell / rolls() % directions();
+  Pose pose = Pose::Identity();
+  pose.linear() = rotation(d, r);
+  pose.translation() = centre(cell / (rolls() * directions()));
+  return pose;
+}
+
+double ReachGrid::fraction(Eigen::Index d) const {
+  const bool sphere =
+      orientations_ == ReachOrientations::directions || orientations_ == ReachOrientations::rolls;
+  return sphere ? directions_.fraction(d) : 1 / static_cast<double>(direction_count_);
+}
+
+std::optional<Eigen::Index> ReachGrid::position_of(const Vector3& point) const {
+  Eigen::Index p = 0;
+  for (int k = 0; k < 3; ++k) {
+    const std::optional<Eigen::Index> i = axes_[k].cell_of(point[k]);
+    if (!i) return std::nullopt;
+    p = p * axes_[k].cells + *i;
+  }
+  return p;
+}
+
+std::optional<Eigen::Index> ReachGrid::cell_of(const Pose& world_T_tool) const {
+  const std::optional<Eigen::Index> p = position_of(world_T_tool.translation());
+  if (!p) return std::nullopt;
+  const Rotation world_R_tool = world_T_tool.linear();
+  const auto nearest_of = [](const Rotation& about_z, Eigen::Index count) {
+    const double revolution = std::atan2(about_z(1, 0), about_z(0, 0)) / (2 * pi);
+    const auto step =
+        static_cast<Eigen::Index>(std::round(revolution * static_cast<double>(count)));
+    return (step + count) % count;
+  };
+  Eigen::Index d = 0, r = 0;
+  if (orientations_ == ReachOrientations::headings) d = nearest_of(world_R_tool, directions());
+  if (orientations_ == ReachOrientations::directions || orientations_ == ReachOrientations::rolls) {
+    d = directions_.nearest(world_R_tool.col(2));
+    r = nearest_of(rotation(d, 0).transpose() * world_R_tool, rolls());
+  }
+  return (*p * directions() + d) * rolls() + r;
+}
+
+}  // namespace beeline

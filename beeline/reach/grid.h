@@ -1,0 +1,125 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <beeline/error.h>
+#include <beeline/model/arm.h>
+#include <beeline/pose/se3.h>
+
+namespace beeline {
+
+/// Directions that cover the unit sphere evenly: rings at equal steps of the polar angle, from +z
+/// to -z, each of a multiple of four directions at equal steps of the azimuth. The three axes and
+/// their opposites are among them where the spacing divides 90 degrees.
+class DirectionGrid {
+ public:
+  /// `spacing`: the angle between neighbours, rad, from 0.01 to pi/2; rounded so that the rings
+  /// fit. Throws Error for another one.
+  explicit DirectionGrid(double spacing);
+
+  Eigen::Index size() const { return first_.back(); }
+  double spacing() const { return spacing_; }
+
+  /// The polar angle (from +z) and the azimuth (from +x towards +y) of direction k, rad.
+  struct Angles {
+    double polar = 0, azimuth = 0;
+  };
+  Angles angles(Eigen::Index k) const;
+  Vector3 direction(Eigen::Index k) const;
+
+  /// The fraction of the sphere that direction k stands for. They sum to 1.
+  double fraction(Eigen::Index k) const;
+
+  /// The direction of the ring nearest in polar angle that is nearest in azimuth: within 0.75
+  /// spacings of `direction`, which need not be of unit length. Throws Error for zero.
+  Eigen::Index nearest(const Vector3& direction) const;
+
+ private:
+  Eigen::Index ring_of(Eigen::Index k) const;
+  Eigen::Index count(Eigen::Index ring) const { return first_[ring + 1] - first_[ring]; }
+
+  double spacing_ = 0;
+  std::vector<Eigen::Index> first_;  // of each ring, and the number of all
+};
+
+/// Equal cells along one coordinate: their centres are first + i step, i from 0 to cells - 1.
+struct ReachAxis {
+  Eigen::Index cells = 1;
+  double first = 0, step = 0;  ///< metres or radians
+
+  double centre(Eigen::Index i) const { return first + static_cast<double>(i) * step; }
+  double lower() const { return first - step / 2; }
+  double upper() const { return centre(cells - 1) + step / 2; }
+  /// The cell of a value, the last one for upper(); none for a value outside.
+  std::optional<Eigen::Index> cell_of(double value) const;
+};
+
+/// How the cells of a map are orientated.
+enum class ReachOrientations {
+  fixed,       ///< all as `orientation` says
+  headings,    ///< rotations about the world's z: of planar arms
+  directions,  ///< a tool direction each, with any roll about it
+  rolls,       ///< a tool direction and a roll each
+};
+
+/// What a map covers, of an arm in its world.
+struct ReachGridOptions {
+  /// Edge of the cells, m; default: a twentieth of the radius of Arm::reach().
+  std::optional<double> resolution = std::nullopt;
+  /// The corners of the box of positions, m; default: the box around Arm::reach(). The cells begin
+  /// at `lower` and cover the box.
+  std::optional<Vector3> lower = std::nullopt, upper = std::nullopt;
+  /// One orientation of the tool for all cells; default: tool directions, or headings of a planar
+  /// arm.
+  std::optional<Rotation> orientation = std::nullopt;
+  /// Angle between tool directions, or headings, rad: see DirectionGrid. Default: 30 degrees.
+  std::optional<double> directions = std::nullopt;
+  /// Angle between rolls about the tool direction, rad, 0.01 to 2 pi; default: any roll will do.
+  std::optional<double> rolls = std::nullopt;
+};
+
+/// The cells of a map: positions on a grid and, at each of them, the same orientations. Cell
+/// numbers have the layout [x][y][z][direction][roll], the roll fastest.
+class ReachGrid {
+ public:
+  /// Throws Error for an option outside its range, an orientation together with directions or
+  /// rolls, a box that is empty or without bounds, and for more than 2^52 cells.
+  explicit ReachGrid(const Arm& arm, const ReachGridOptions& options = {});
+
+  const std::array<ReachAxis, 3>& axes() const { return axes_; }  ///< x, y, z
+  ReachOrientations orientations() const { return orientations_; }
+  const Rotation& orientation() const { return orientation_; }  ///< of ReachOrientations::fixed
+  const DirectionGrid& direction_grid() const { return directions_; }
+
+  Eigen::Index positions() const { return axes_[0].cells * axes_[1].cells * axes_[2].cells; }
+  Eigen::Index directions() const { return direction_count_; }  ///< or headings; 1 if fixed
+  Eigen::Index rolls() const { return roll_count_; }
+  Eigen::Index cells() const { return positions() * directions() * rolls(); }
+
+  /// The centre of position p = (ix ny + iy) nz + iz, m, in the world.
+  Vector3 centre(Eigen::Index p) const;
+  /// The orientation of direction d with roll r:
+  /// Rz(azimuth) Ry(polar) Rz(2 pi r / rolls()), whose z axis is the direction.
+  Rotation rotation(Eigen::Index d, Eigen::Index r) const;
+  /// The pose at the centre of a cell: world_T_tool.
+  Pose pose(Eigen::Index cell) const;
+  /// The fraction of all orientations that direction d stands for.
+  double fraction(Eigen::Index d) const;
+
+  /// The position whose cell contains a point; none for a point outside.
+  std::optional<Eigen::Index> position_of(const Vector3& point) const;
+  /// The cell with the centre nearest to a pose in direction and roll, whatever the orientation
+  /// where it is fixed; none for a position outside.
+  std::optional<Eigen::Index> cell_of(const Pose& world_T_tool) const;
+
+ private:
+  std::array<ReachAxis, 3> axes_;
+  ReachOrientations orientations_ = ReachOrientations::directions;
+  Rotation orientation_ = Rotation::Identity();
+  DirectionGrid directions_;
+  Eigen::Index direction_count_ = 1, roll_count_ = 1;
+};
+
+}  // namespace beeline

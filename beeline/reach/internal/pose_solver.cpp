@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <bit>
+#include <numbers>
+
+#include <beeline/inverse/numerical/bounds.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/reach/internal/pose_solver.h>
+
+namespace beeline::internal {
+namespace {
+
+// The closed forms have up to 16 solutions. Poses that are solved numerically can have more.
+constexpr Eigen::Index most_at_once = 32;
+
+/// Returns the coordinate at whose values the arm has a closed form; none for an arm that is not
+/// redundant.
+std::optional<int> redundant_joint(const Arm& arm) {
+  if (arm.dof() <= default_task(arm).size()) return std::nullopt;
+  const Pose reached = forward_kinematics(arm, middle_configuration(arm));
+  const InverseResult result = inverse_kinematics(arm, reached, {.all = true, .grid = 2});
+  if (!result.grid) return std::nullopt;
+  return result.grid->joint;
+}
+
+/// Equal steps over the range of a joint, or over a revolution.
+std::vector<double> steps_over_range(const Limits& limits, int count) {
+  const bool bounded = limits.upper < Limits::none && limits.lower > -Limits::none;
+  const double lower = bounded ? limits.lower : -std::numbers::pi;
+  const double range = bounded ? limits.upper - limits.lower : 2 * std::numbers::pi;
+  std::vector<double> values(count);
+  for (int i = 0; i < count; ++i) values[i] = lower + range * (i + 0.5) / count;
+  return values;
+}
+
+}  // namespace
+
+PoseSolver::PoseSolver(const Arm& arm, int redundant_values)
+    : any_(arm), redundant_(redundant_joint(arm)), seed_(middle_configuration(arm)) {
+  if (redundant_) {
+    values_ = steps_over_range(arm.limits(*redundant_), redundant_values);
+    form_ = PieperSolver::make(arm, default_task(arm));
+    if (form_ && form_->locked() != redundant_) form_.reset();
+  }
+  if (form_) {
+    const Bounds bounds = bounds_of(arm);
+    loop_ = form_->request(seed_, Configuration::Ones(arm.dof()), bounds.lower, bounds.upper);
+  } else {
+    InverseSolver all(arm, {.all = true, .lock = redundant_});
+    if (all.method() != "numerical") all_.emplace(all);
+  }
+  const auto passes = static_cast<Eigen::Index>(values_.size());
+  found_.resize(arm.dof(), (passes + 1) * most_at_once);
+}
+
+bool PoseSolver::is_new(const ConfigurationRef& q, Eigen::Index first) const {
+  // Two branches merge at the boundary of the workspace.
+  constexpr double same = 1e-4;  // radians or metres
+  for (Eigen::Index i = first; i < count_; ++i) {
+    if ((found_.col(i) - q).cwiseAbs().maxCoeff() < same) return false;
+  }
+  return true;
+}
+
+void PoseSolver::add_branches(const Pose& world_T_tool, double value) {
+  PieperBranches branches;
+  form_->branches(world_T_tool, value, loop_, branches);
+  const Eigen::Index first = count_;
+  for (unsigned rest = branches.within; rest != 0; rest &= rest - 1) {
+    const int lane = std::countr_zero(rest);
+    if (!(branches.residual[lane] <= loop_.max_residual)) continue;
+    form_->configuration(branches, lane, value, found_.col(count_));
+    if (is_new(found_.col(count_), first)) ++count_;
+  }
+  branches_ = std::max(branches_, static_cast<int>(count_ - first));
+}
+
+void PoseSolver::add_all(const Pose& world_T_tool, InverseSolver& solver) {
+  const int added = solver.solve(world_T_tool, seed_, found_.middleCols(count_, most_at_once));
+  count_ += added;
+  branches_ = std::max(branches_, added);
+}
+
+void PoseSolver::solve(const Pose& world_T_tool) {
+  count_ = branches_ = 0;
+  if (all_ && !redundant_) return add_all(world_T_tool, *all_);
+  const Configuration middle = seed_;
+  for (const double value : values_) {
+    if (form_) {
+      add_branches(world_T_tool, value);
+    } else if (all_) {
+      seed_[*redundant_] = value;
+      add_all(world_T_tool, *all_);
+    }
+  }
+  seed_ = middle;
+  if (count_ == 0) add_all(world_T_tool, any_);
+}
+
+}  // namespace beeline::internal

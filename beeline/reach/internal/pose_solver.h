@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <beeline/inverse/analytic/pieper_solver.h>
+#include <beeline/inverse/inverse_kinematics.h>
+
+namespace beeline::internal {
+
+/// All solutions of poses of one arm. Not thread-safe: each thread has a copy.
+class PoseSolver {
+ public:
+  /// `redundant_values`: see ReachOptions.
+  PoseSolver(const Arm& arm, int redundant_values);
+
+  /// Finds the solutions within limits. Those of an arm without a redundant joint are complete; of
+  /// one with a redundant joint, they are those at each of its values, and there is one where they
+  /// exist only between these.
+  void solve(const Pose& world_T_tool);
+
+  /// The solutions, one in each column; angles are the equivalent ones nearest to the middle of the
+  /// limits. A reference that the next solve() invalidates.
+  auto solutions() const { return found_.leftCols(count_); }
+  int branches() const { return branches_; }  ///< see ReachCells
+
+ private:
+  void add_all(const Pose& world_T_tool, InverseSolver& solver);
+  /// Adds the branches within limits at a value of the redundant joint.
+  void add_branches(const Pose& world_T_tool, double value);
+  bool is_new(const ConfigurationRef& q, Eigen::Index first) const;
+
+  InverseSolver any_;                 ///< one solution
+  std::optional<InverseSolver> all_;  ///< all of them, where the arm has a closed form;
+  std::optional<int> redundant_;      ///< then with this coordinate locked
+  std::vector<double> values_;        ///< at each of these
+  /// The closed form of three axes that meet, which takes the value of the redundant joint.
+  std::optional<PieperSolver> form_;
+  PieperRequest loop_;
+  Configuration seed_;
+  Eigen::MatrixXd found_;
+  Eigen::Index count_ = 0;
+  int branches_ = 0;
+};
+
+}  // namespace beeline::internal

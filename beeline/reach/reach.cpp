@@ -1,0 +1,79 @@
+#include <algorithm>
+#include <atomic>
+#include <limits>
+
+#include <beeline/batch/internal/copies.h>
+#include <beeline/batch/internal/parallel.h>
+#include <beeline/internal/budget_meter.h>
+#include <beeline/reach/internal/cell_solver.h>
+#include <beeline/reach/reach.h>
+
+namespace beeline {
+namespace {
+
+void check_range(const ReachGrid& grid, Eigen::Index first, Eigen::Index last) {
+  if (first >= 0 && first <= last && last <= grid.positions()) return;
+  throw Error("positions " + std::to_string(first) + " to " + std::to_string(last) +
+              " of a map that has " + std::to_string(grid.positions()));
+}
+
+}  // namespace
+
+ReachCells reach_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index first, Eigen::Index last,
+                       const ReachOptions& options) {
+  check_range(grid, first, last);
+  if (options.redundant_values < 1 || options.redundant_values > 1000) {
+    throw Error("redundant_values is " + std::to_string(options.redundant_values) +
+                "; it can be 1 to 1000");
+  }
+  const Eigen::Index at_position = grid.directions() * grid.rolls();
+  const auto count = static_cast<std::size_t>((last - first) * at_position);
+  ReachCells cells;
+  cells.branches.resize(count);
+  cells.manipulability.resize(count);
+  cells.margin.resize(count);
+  internal::BudgetMeter budget(options.budget);
+  internal::Copies<internal::CellSolver> solvers(
+      internal::CellSolver(arm, grid, options.redundant_values));
+  std::atomic<Eigen::Index> computed = 0;
+  // About a thousand cells.
+  const Eigen::Index block = std::max<Eigen::Index>(1, 1024 / at_position);
+  internal::in_parallel(last - first, block, options.threads, [&](Eigen::Index a, Eigen::Index b) {
+    if (budget.ended((b - a) * at_position)) return;
+    solvers.borrow()->solve(first + a, first + b, first, cells);
+    computed += b - a;
+    if (budget.reports()) {
+      budget.report(static_cast<double>(computed) / static_cast<double>(last - first));
+    }
+  });
+  cells.ending = budget.ending();
+  return cells;
+}
+
+ReachPositions reach_positions(const ReachGrid& grid, const ReachCells& cells) {
+  const Eigen::Index at_position = grid.directions() * grid.rolls();
+  const std::size_t positions = cells.branches.size() / static_cast<std::size_t>(at_position);
+  constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+  ReachPositions best{std::vector<float>(positions), std::vector<std::uint8_t>(positions),
+                      std::vector<float>(positions, unknown),
+                      std::vector<float>(positions, unknown)};
+  for (std::size_t p = 0; p < positions; ++p) {
+    double fraction = 0;
+    std::size_t cell = p * static_cast<std::size_t>(at_position);
+    for (Eigen::Index d = 0; d < grid.directions(); ++d) {
+      bool reached = false;
+      for (Eigen::Index r = 0; r < grid.rolls(); ++r, ++cell) {
+        if (cells.branches[cell] == 0) continue;
+        reached = true;
+        best.branches[p] = std::max(best.branches[p], cells.branches[cell]);
+        best.manipulability[p] = std::fmax(best.manipulability[p], cells.manipulability[cell]);
+        best.margin[p] = std::fmax(best.margin[p], cells.margin[cell]);
+      }
+      if (reached) fraction += grid.fraction(d);
+    }
+    best.directions[p] = static_cast<float>(fraction);
+  }
+  return best;
+}
+
+}  // namespace beeline

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <beeline/budget.h>
+#include <beeline/error.h>
+#include <beeline/reach/grid.h>
+
+namespace beeline {
+
+struct ReachOptions {
+  /// Values of the redundant joint at which all solutions of an arm of seven joints are computed,
+  /// 1 to 1000: equal steps over its range. Where there is none, the range between them is
+  /// searched. Branches, manipulability and margin are the best of those solutions.
+  int redundant_values = 16;
+  int threads = 0;  ///< 0: one for each core. The results do not depend on it.
+  /// A unit of its work is one cell. Reports the fraction computed, from any thread.
+  Budget budget = {};
+};
+
+/// What an arm can do at the centres of cells, each with all solutions of the inverse kinematics
+/// within the joint limits, counted modulo 2 pi. One value for each cell.
+struct ReachCells {
+  /// The number of solutions, 0 for a pose that is not reached. A redundant arm: the largest number
+  /// at one value of its redundant joint; 1 where the arm has no closed form and one was found.
+  std::vector<std::uint8_t> branches;
+  /// The largest manipulability of a solution: sqrt(det(J J^T)) of the task's rows, metres and
+  /// radians (manipulability_measures()). NaN where the pose is not reached.
+  std::vector<float> manipulability;
+  /// The largest margin of a solution to the joint limits: 1 in the middle of all ranges, 0 on a
+  /// limit (limit_margin()); joints without limits do not count. NaN where the pose is not reached.
+  std::vector<float> margin;
+  Ending ending = Ending::complete;  ///< otherwise the cells are not to be used
+};
+
+/// Computes the cells of the positions from `first` to `last` (exclusive) of the grid. Where any
+/// roll will do (ReachOrientations::directions), the roll counts as reached if some value of the
+/// last joint reaches it, and the margin is that of the other joints. Throws Error for an arm with
+/// fewer joints than a pose has components, and without rolls for an arm whose last joint does not
+/// turn about the tool's z axis.
+ReachCells reach_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index first, Eigen::Index last,
+                       const ReachOptions& options = {});
+
+/// The best of all orientations at each position.
+struct ReachPositions {
+  std::vector<float> directions;       ///< fraction of the directions that are reached
+  std::vector<std::uint8_t> branches;  ///< as in ReachCells
+  std::vector<float> manipulability, margin;
+};
+
+/// Summarises cells of whole positions. A direction is reached if it is with some roll.
+ReachPositions reach_positions(const ReachGrid& grid, const ReachCells& cells);
+
+}  // namespace beeline
