@@ -62,8 +62,10 @@
 #include <beeline/pose/se2.h>
 #include <beeline/pose/se3.h>
 #include <beeline/pose/so3.h>
+#include <beeline/reach/compute_map.h>
 #include <beeline/reach/grid.h>
 #include <beeline/reach/reach.h>
+#include <beeline/reach/reach_map.h>
 #include <beeline/read/arm.h>
 #include <beeline/read/arm_json.h>
 #include <beeline/read/joint_limits.h>

@@ -25,4 +25,9 @@ Verb draw_verb();
 Verb figure_verb();
 Verb formula_verb();
 Verb doctor_verb();
+Verb reach_verb();
 Verb view_verb();
+
+/// The parts of reach.
+Verb reach_map_verb();
+Verb reach_query_verb();

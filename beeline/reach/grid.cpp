@@ -28,8 +28,14 @@ void check_box(const Arm& arm, const Vector3& lower, const Vector3& upper) {
 ReachAxis axis_over(double lower, double upper, double step) {
   // A length that is a whole number of cells to rounding has that number of cells.
   constexpr double rounding = 1e-9;
+  constexpr double most = 1e6;
   const double cells = std::max(1.0, std::ceil((upper - lower) / step - rounding));
-  return {static_cast<Eigen::Index>(std::min(cells, 1e16)), lower + step / 2, step};
+  if (!(cells <= most)) {
+    throw Error("the map would have " + number(cells) +
+                " cells along an axis; at most a million are possible: a coarser resolution or a "
+                "smaller box has fewer");
+  }
+  return {static_cast<Eigen::Index>(cells), lower, step};
 }
 
 std::array<ReachAxis, 3> position_axes(const Arm& arm, const ReachGridOptions& options) {
@@ -45,7 +51,7 @@ std::array<ReachAxis, 3> position_axes(const Arm& arm, const ReachGridOptions& o
   if (!(resolution > 0)) throw Error("arm " + arm.name() + " has no reach: give the resolution");
   std::array<ReachAxis, 3> axes;
   for (int k = 0; k < 3; ++k) axes[k] = axis_over(lower[k], upper[k], resolution);
-  if (arm.planar()) axes[2] = {1, arm.reach().centre.z(), resolution};
+  if (arm.planar()) axes[2] = {1, reach.centre.z() - resolution / 2, resolution};
   return axes;
 }
 
@@ -112,8 +118,8 @@ Eigen::Index DirectionGrid::nearest(const Vector3& direction) const {
 }
 
 std::optional<Eigen::Index> ReachAxis::cell_of(double value) const {
-  if (!(value >= lower() && value <= upper())) return std::nullopt;
-  return std::min(static_cast<Eigen::Index>((value - lower()) / step), cells - 1);
+  if (!(value >= lower && value <= upper())) return std::nullopt;
+  return std::min(static_cast<Eigen::Index>((value - lower) / step), cells - 1);
 }
 
 ReachGrid::ReachGrid(const Arm& arm, const ReachGridOptions& options)
@@ -146,6 +152,29 @@ ReachGrid::ReachGrid(const Arm& arm, const ReachGridOptions& options)
     throw Error("the map would have " + number(cells) +
                 " cells; at most 4.5e15 are possible: a coarser resolution has fewer");
   }
+}
+
+ReachGridOptions ReachGrid::options() const {
+  ReachGridOptions options{
+      .resolution = axes_[0].step, .lower = Vector3::Zero(), .upper = Vector3::Zero()};
+  for (int k = 0; k < 3; ++k) {
+    (*options.lower)[k] = axes_[k].lower;
+    (*options.upper)[k] = axes_[k].upper();
+  }
+  switch (orientations_) {
+    case ReachOrientations::fixed:
+      options.orientation = orientation_;
+      break;
+    case ReachOrientations::headings:
+      options.directions = 2 * pi / static_cast<double>(direction_count_);
+      break;
+    case ReachOrientations::rolls:
+      options.rolls = 2 * pi / static_cast<double>(roll_count_);
+      [[fallthrough]];
+    case ReachOrientations::directions:
+      options.directions = directions_.spacing();
+  }
+  return options;
 }
 
 Vector3 ReachGrid::centre(Eigen::Index p) const {

@@ -44,14 +44,13 @@ class DirectionGrid {
   std::vector<Eigen::Index> first_;  // of each ring, and the number of all
 };
 
-/// Equal cells along one coordinate: their centres are first + i step, i from 0 to cells - 1.
+/// Equal cells along one coordinate, of edge `step` from `lower` on.
 struct ReachAxis {
   Eigen::Index cells = 1;
-  double first = 0, step = 0;  ///< metres or radians
+  double lower = 0, step = 0;  ///< m
 
-  double centre(Eigen::Index i) const { return first + static_cast<double>(i) * step; }
-  double lower() const { return first - step / 2; }
-  double upper() const { return centre(cells - 1) + step / 2; }
+  double centre(Eigen::Index i) const { return lower + (static_cast<double>(i) + 0.5) * step; }
+  double upper() const { return lower + static_cast<double>(cells) * step; }
   /// The cell of a value, the last one for upper(); none for a value outside.
   std::optional<Eigen::Index> cell_of(double value) const;
 };
@@ -85,8 +84,12 @@ struct ReachGridOptions {
 class ReachGrid {
  public:
   /// Throws Error for an option outside its range, an orientation together with directions or
-  /// rolls, a box that is empty or without bounds, and for more than 2^52 cells.
+  /// rolls, a box that is empty or without bounds, more than a million cells along an axis, and
+  /// more than 2^52 in all.
   explicit ReachGrid(const Arm& arm, const ReachGridOptions& options = {});
+
+  /// Options that give the same grid of the same arm.
+  ReachGridOptions options() const;
 
   const std::array<ReachAxis, 3>& axes() const { return axes_; }  ///< x, y, z
   ReachOrientations orientations() const { return orientations_; }

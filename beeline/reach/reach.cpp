@@ -6,22 +6,26 @@
 #include <beeline/batch/internal/parallel.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/reach/internal/cell_solver.h>
+#include <beeline/reach/internal/positions.h>
 #include <beeline/reach/reach.h>
 
 namespace beeline {
-namespace {
 
-void check_range(const ReachGrid& grid, Eigen::Index first, Eigen::Index last) {
+void internal::check_positions(const ReachGrid& grid, Eigen::Index first, Eigen::Index last) {
   if (first >= 0 && first <= last && last <= grid.positions()) return;
   throw Error("positions " + std::to_string(first) + " to " + std::to_string(last) +
               " of a map that has " + std::to_string(grid.positions()));
 }
 
-}  // namespace
+void ReachCells::resize(std::size_t cells) {
+  branches.resize(cells);
+  manipulability.resize(cells);
+  margin.resize(cells);
+}
 
 ReachCells reach_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index first, Eigen::Index last,
                        const ReachOptions& options) {
-  check_range(grid, first, last);
+  internal::check_positions(grid, first, last);
   if (options.redundant_values < 1 || options.redundant_values > 1000) {
     throw Error("redundant_values is " + std::to_string(options.redundant_values) +
                 "; it can be 1 to 1000");
@@ -29,9 +33,7 @@ ReachCells reach_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index first
   const Eigen::Index at_position = grid.directions() * grid.rolls();
   const auto count = static_cast<std::size_t>((last - first) * at_position);
   ReachCells cells;
-  cells.branches.resize(count);
-  cells.manipulability.resize(count);
-  cells.margin.resize(count);
+  cells.resize(count);
   internal::BudgetMeter budget(options.budget);
   internal::Copies<internal::CellSolver> solvers(
       internal::CellSolver(arm, grid, options.redundant_values));

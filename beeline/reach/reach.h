@@ -32,6 +32,8 @@ struct ReachCells {
   /// limit (limit_margin()); joints without limits do not count. NaN where the pose is not reached.
   std::vector<float> margin;
   Ending ending = Ending::complete;  ///< otherwise the cells are not to be used
+
+  void resize(std::size_t cells);
 };
 
 /// Computes the cells of the positions from `first` to `last` (exclusive) of the grid. Where any

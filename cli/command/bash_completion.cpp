@@ -8,7 +8,7 @@ namespace {
 
 /// Finds the verb, the number of arguments behind it and the option whose value is completed, then
 /// offers words. _beeline_words sets, for a verb: its options, those with a value, the values of
-/// the option `prev`, and what its arguments are.
+/// the option `prev`, and what its arguments are: one that takes several words begins with *.
 constexpr const char* bash_functions = R"(
 _beeline() {
   local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]}
@@ -41,7 +41,10 @@ _beeline() {
     offered=$verbs
   else
     local -a kinds=($arguments)
-    offered=${kinds[position]//,/ }
+    local last=${kinds[${#kinds[@]} - 1]}
+    [[ $last != \** ]] || ((position < ${#kinds[@]})) || position=$((${#kinds[@]} - 1))
+    offered=${kinds[position]#\*}
+    offered=${offered//,/ }
     [[ $offered != "-" ]] || offered=
   fi
   COMPREPLY=()
@@ -81,7 +84,8 @@ std::string bash_case(const Leaf& leaf) {
   }
   for (const Positional& argument : leaf.verb->arguments) {
     const std::string words = bash_words(bash_offered(argument.completes, argument.choices), ",");
-    arguments += (arguments.empty() ? "" : " ") + (words.empty() ? "-" : words);
+    arguments += (arguments.empty() ? "" : " ");
+    arguments += (argument.targets == nullptr ? "" : "*") + (words.empty() ? "-" : words);
   }
   std::string text = "    '" + bash_words(leaf.words, " ") + "')\n      options='" +
                      options.substr(1) + "'\n      valued='" + valued + "'\n      arguments='" +

@@ -7,7 +7,7 @@
 namespace {
 
 /// __beeline_is WORDS: the verb that was typed is WORDS. __beeline_at N: N words were typed that
-/// are no options.
+/// are no options; __beeline_from N: at least N.
 constexpr const char* fish_functions = R"(
 function __beeline_is
     set -l tokens (commandline -opc)
@@ -19,6 +19,10 @@ end
 
 function __beeline_at
     test (count (string match -v -- '-*' (commandline -opc))) -eq $argv[1]
+end
+
+function __beeline_from
+    test (count (string match -v -- '-*' (commandline -opc))) -ge $argv[1]
 end
 )";
 
@@ -63,7 +67,9 @@ std::string fish_lines(const Leaf& leaf) {
   for (const Option& option : all_options(*leaf.verb)) text += fish_option(condition, option);
   std::size_t words = 1 + leaf.words.size();
   for (const Positional& argument : leaf.verb->arguments) {
-    text += fish_line(condition + "; and __beeline_at " + std::to_string(words++),
+    const char* typed =
+        argument.targets == nullptr ? "; and __beeline_at " : "; and __beeline_from ";
+    text += fish_line(condition + typed + std::to_string(words++),
                       fish_offer(argument.completes, argument.choices, "-f"));
   }
   return text;

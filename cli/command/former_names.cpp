@@ -22,6 +22,7 @@ std::string current_verb_name(const std::string& name) { return name == "time" ?
 
 void refuse_former_order(const Verb& verb) {
   if (verb.arguments.size() < 2 || verb.arguments.front().completes != Completes::arm) return;
+  if (verb.arguments.back().targets != nullptr) return;
   const std::string& first = *verb.arguments.front().target;
   const std::string& last = *verb.arguments.back().target;
   const auto is_trajectory = [](const std::string& text) {

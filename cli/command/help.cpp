@@ -151,7 +151,8 @@ Verb help_verb(const std::vector<Verb>& verbs) {
                      .choices = names,
                      .other_values = true},  // find_verb() explains a former name
                     {.name = "KIND",
-                     .help = "The kind of computation, for `batch`: fk, jacobian or ik.",
+                     .help = "The part of a verb that has several: fk, jacobian or ik of `batch`; "
+                             "map, merge or query of `reach`.",
                      .target = &part,
                      .required = false,
                      .choices = kinds}};

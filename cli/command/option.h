@@ -38,6 +38,8 @@ struct Positional {
   bool required = true;
   std::vector<std::string> choices = {};  ///< the accepted values; empty: any
   bool other_values = false;              ///< the choices are not all accepted values
+  /// Instead of `target`, of the last argument, which takes one word or more.
+  std::vector<std::string>* targets = nullptr;
 };
 
 /// An option of a verb. The parser, the help, the man page and the shell completions read these

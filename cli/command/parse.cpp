@@ -106,6 +106,11 @@ void set_arguments(const Verb& verb, const std::vector<CLI::Option*>& results) {
       if (argument.required) throw Error(argument.name + " is missing");
       continue;
     }
+    if (argument.targets != nullptr) {
+      *argument.targets = results[i]->results();
+      if (has(*argument.targets, "")) throw Error(argument.name + " is empty");
+      continue;
+    }
     *argument.target = results[i]->results().front();
     if (argument.target->empty()) throw Error(argument.name + " is empty");
     if (argument.choices.empty() || argument.other_values) continue;
@@ -149,7 +154,9 @@ std::vector<std::string> parse(const Verb& verb, const Words& arguments) {
   std::vector<CLI::Option*> positions;
   std::vector<Parsed> parsed;
   for (const Positional& argument : verb.arguments) {
-    positions.push_back(app.add_option(argument.name));
+    positions.push_back(argument.targets == nullptr
+                            ? app.add_option(argument.name)
+                            : app.add_option(argument.name, *argument.targets));
   }
   for (const Option& option : options) {
     const std::string names = option.name + (option.alias.empty() ? "" : "," + option.alias);

@@ -33,7 +33,8 @@ std::string usage(const Verb& verb, const std::string& command) {
   std::string text = command;
   if (!verb.verbs.empty()) return text + " VERB [options]";
   for (const Positional& argument : verb.arguments) {
-    text += argument.required ? " " + argument.name : " [" + argument.name + "]";
+    const std::string name = argument.name + (argument.targets == nullptr ? "" : "...");
+    text += argument.required ? " " + name : " [" + name + "]";
   }
   bool optional = false;
   for (const Option& option : verb.options) {

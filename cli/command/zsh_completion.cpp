@@ -54,9 +54,9 @@ std::string zsh_arguments(const Verb& verb, const std::string& indent) {
   }
   int position = 1;
   for (const Positional& argument : verb.arguments) {
-    text += next + "'" + std::to_string(position++) + (argument.required ? ":" : "::") +
-            zsh_escaped(argument.name) + ":" + zsh_action(argument.completes, argument.choices) +
-            "'";
+    const std::string place = argument.targets == nullptr ? std::to_string(position++) : "*";
+    text += next + "'" + place + (argument.required ? ":" : "::") + zsh_escaped(argument.name) +
+            ":" + zsh_action(argument.completes, argument.choices) + "'";
   }
   return text + "\n";
 }

@@ -49,7 +49,7 @@ def completed(script, tmp_path):
 
 
 def test_bash_completes(completed, written):
-    assert completed("re") == {"retime", "replay"}
+    assert completed("re") == {"reach", "retime", "replay"}
     assert completed("fk", "pa") == {"panda"}
     assert completed("fk", "panda", "--deg") == {"--degrees"}
     assert completed("retime", "panda", "--profile", "s") == {"s-curve"}
@@ -57,12 +57,13 @@ def test_bash_completes(completed, written):
     assert completed("batch", "j") == {"jacobian"}
     assert completed("batch", "ik", "ur5", "--redundancy", "") == {"any", "nearest", "centred"}
     assert completed("help", "dr") == {"draw"}
-    assert completed("help", "batch", "") == {"fk", "jacobian", "ik"}
+    assert completed("help", "batch", "") == {"fk", "jacobian", "ik", "map", "merge", "query"}
     assert completed("completion", "") == {"bash", "zsh", "fish"}
     assert completed("figure", "1.") == {f"1.{n}" for n in range(1, 10)}
     written("move.csv", "")
     assert completed("check", "panda", "mo") == {"move.csv"}
     assert completed("line", "panda", "--through", "mo") == {"move.csv"}
+    assert completed("reach", "merge", "a.h5", "b.h5", "mo") == {"move.csv"}
     assert completed("fk", "panda", "--q", "") == set()
 
 
@@ -78,7 +79,7 @@ def test_fish_completes(script, written, tmp_path):
         assert process.returncode == 0 and process.stderr == "", process.stderr
         return {row.split("\t")[0] for row in process.stdout.splitlines()}
 
-    assert complete("beeline re") == {"retime", "replay"}
+    assert complete("beeline re") == {"reach", "retime", "replay"}
     assert complete("beeline fk pa") == {"panda"}
     assert complete("beeline retime panda --profile s") == {"s-curve"}
     assert complete("beeline batch j") == {"jacobian"}

@@ -44,12 +44,12 @@ TEST(ReachGrid, APoseIsWithinHalfACellOfItsCellsCentre) {
     const ReachAxis& x = grid.axes()[0];
     for (int i = 0; i < cases(500); ++i) {
       Pose pose = random.pose(1.2 * x.upper());
-      if (grid.axes()[2].cells == 1) pose.translation().z() = grid.axes()[2].first;
+      if (grid.axes()[2].cells == 1) pose.translation().z() = grid.axes()[2].centre(0);
       const std::optional<Eigen::Index> cell = grid.cell_of(pose);
       bool inside = true;
       for (int k = 0; k < 3; ++k) {
         const double value = pose.translation()[k];
-        inside = inside && value >= grid.axes()[k].lower() && value <= grid.axes()[k].upper();
+        inside = inside && value >= grid.axes()[k].lower && value <= grid.axes()[k].upper();
       }
       ASSERT_EQ(cell.has_value(), inside);
       if (!cell) continue;
@@ -65,7 +65,7 @@ TEST(ReachGrid, TheDefaultBoxContainsTheReach) {
   EXPECT_EQ(grid.positions(), 40 * 40 * 40);
   EXPECT_EQ(grid.directions(), 54);
   for (int k = 0; k < 3; ++k) {
-    EXPECT_LE(grid.axes()[k].lower(), arm.reach().centre[k] - arm.reach().radius + 1e-12);
+    EXPECT_LE(grid.axes()[k].lower, arm.reach().centre[k] - arm.reach().radius + 1e-12);
     EXPECT_GE(grid.axes()[k].upper(), arm.reach().centre[k] + arm.reach().radius - 1e-12);
   }
 }

@@ -1,0 +1,183 @@
+#include <array>
+#include <cinttypes>
+#include <cstdio>
+#include <numbers>
+
+#include <beeline/reach/internal/map_header.h>
+#include <beeline/read/arm_json.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr const char* format_name = "beeline reach map";
+constexpr double version = 1;
+
+constexpr std::array<const char*, 4> orientation_names{"fixed", "headings", "directions", "rolls"};
+
+/// FNV-1a, 64 bits, of the arm's JSON: differs where two files are of different arms.
+std::string hash_of(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  std::array<char, 17> digits{};
+  std::snprintf(digits.data(), digits.size(), "%016" PRIx64, hash);
+  return digits.data();
+}
+
+std::vector<double> list_of(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+
+Vector3 vector_of(const std::vector<double>& list) { return {list[0], list[1], list[2]}; }
+
+void write_list(Hdf5File& file, const char* name, const std::vector<double>& values,
+                unsigned long long columns = 1) {
+  Hdf5Shape shape{values.size() / columns};
+  if (columns > 1) shape.push_back(columns);
+  file.create(name, Hdf5Type::float64, shape)
+      .write(Hdf5Shape(shape.size(), 0), shape, values.data());
+}
+
+/// The coordinates of the cells along each axis of the datasets.
+void write_coordinates(Hdf5File& file, const ReachGrid& grid) {
+  constexpr std::array<const char*, 3> names{"x", "y", "z"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::vector<double> centres;
+    const ReachAxis& axis = grid.axes()[k];
+    for (Eigen::Index i = 0; i < axis.cells; ++i) centres.push_back(axis.centre(i));
+    write_list(file, names[k], centres);
+  }
+  const auto angles = [](Eigen::Index count) {
+    std::vector<double> values;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      values.push_back(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count));
+    }
+    return values;
+  };
+  if (grid.orientations() == ReachOrientations::headings) {
+    write_list(file, "headings", angles(grid.directions()));
+  }
+  if (grid.orientations() == ReachOrientations::rolls) {
+    write_list(file, "rolls", angles(grid.rolls()));
+  }
+  if (grid.orientations() == ReachOrientations::rolls ||
+      grid.orientations() == ReachOrientations::directions) {
+    std::vector<double> directions, fractions;
+    for (Eigen::Index d = 0; d < grid.directions(); ++d) {
+      for (const double c : list_of(grid.direction_grid().direction(d))) directions.push_back(c);
+      fractions.push_back(grid.fraction(d));
+    }
+    write_list(file, "directions", directions, 3);
+    write_list(file, "fractions", fractions);
+  }
+}
+
+ReachOrientations orientations_of(const Hdf5File& file, const std::string& path) {
+  const std::string name = file.read_text("orientations");
+  for (std::size_t k = 0; k < orientation_names.size(); ++k) {
+    if (name == orientation_names[k]) return static_cast<ReachOrientations>(k);
+  }
+  throw FileError(path, 0,
+                  "has orientations \"" + name.substr(0, 40) + "\"; known are " +
+                      listed({orientation_names.begin(), orientation_names.end()}));
+}
+
+ReachGridOptions read_options(const Hdf5File& file, const std::string& path) {
+  ReachGridOptions options{.resolution = file.read_numbers("resolution", 1)[0],
+                           .lower = vector_of(file.read_numbers("lower", 3)),
+                           .upper = vector_of(file.read_numbers("upper", 3))};
+  const ReachOrientations orientations = orientations_of(file, path);
+  if (orientations == ReachOrientations::fixed) {
+    const std::vector<double> rows = file.read_numbers("orientation", 9);
+    Rotation rotation;
+    for (int k = 0; k < 9; ++k) rotation(k / 3, k % 3) = rows[static_cast<std::size_t>(k)];
+    options.orientation = rotation;
+    return options;
+  }
+  options.directions = file.read_numbers("direction_spacing", 1)[0];
+  if (orientations == ReachOrientations::rolls) {
+    options.rolls = file.read_numbers("roll_spacing", 1)[0];
+  }
+  return options;
+}
+
+}  // namespace
+
+void write_header(Hdf5File& file, const ReachMapHeader& header) {
+  const ReachGridOptions options = header.grid.options();
+  const std::string arm = arm_to_json(header.arm);
+  file.write_text("format", format_name);
+  file.write_numbers("version", {version});
+  file.write_text("arm", arm);
+  file.write_text("arm_name", header.arm.name());
+  file.write_text("arm_hash", hash_of(arm));
+  file.write_text("frame", "cells are poses world_T_tool; metres and radians");
+  file.write_text("answers", "the inverse kinematics at the centre of each cell");
+  file.write_numbers("resolution", {*options.resolution});
+  file.write_numbers("lower", list_of(*options.lower));
+  file.write_numbers("upper", list_of(*options.upper));
+  file.write_text("orientations",
+                  orientation_names[static_cast<std::size_t>(header.grid.orientations())]);
+  if (options.orientation) {
+    std::vector<double> rows;
+    for (int k = 0; k < 9; ++k) rows.push_back((*options.orientation)(k / 3, k % 3));
+    file.write_numbers("orientation", rows);
+  }
+  if (options.directions) file.write_numbers("direction_spacing", {*options.directions});
+  if (options.rolls) file.write_numbers("roll_spacing", {*options.rolls});
+  file.write_numbers("redundant_values", {static_cast<double>(header.redundant_values)});
+  write_coordinates(file, header.grid);
+}
+
+ReachMapHeader read_header(const Hdf5File& file, const std::string& path) {
+  if (file.read_text("format") != format_name) throw FileError(path, 0, "is no reach map");
+  const double number_of_version = file.read_numbers("version", 1)[0];
+  if (number_of_version != version) {
+    throw FileError(path, 0,
+                    "is a reach map of version " + number(number_of_version) +
+                        "; this program reads version " + number(version));
+  }
+  const std::string text = file.read_text("arm");
+  if (file.read_text("arm_hash") != hash_of(text)) {
+    throw FileError(path, 0, "is damaged: its arm does not have the hash arm_hash");
+  }
+  const double values = file.read_numbers("redundant_values", 1)[0];
+  if (!(values >= 1 && values <= 1000)) {
+    throw FileError(path, 0, "is damaged: redundant_values is " + number(values));
+  }
+  const Arm arm = arm_from_json(text, path);
+  try {
+    return {arm, ReachGrid(arm, read_options(file, path)), static_cast<int>(values)};
+  } catch (const FileError&) {
+    throw;
+  } catch (const Error& error) {
+    throw FileError(path, 0, error.what());
+  }
+}
+
+void check_same_map(const std::string& path, const ReachMapHeader& header,
+                    const ReachMapHeader& expected) {
+  const ReachGridOptions a = header.grid.options(), b = expected.grid.options();
+  const auto refuse = [&path](const std::string& what) {
+    throw FileError(path, 0, "is of another map: its " + what);
+  };
+  if (arm_to_json(header.arm) != arm_to_json(expected.arm)) {
+    refuse("arm is " + header.arm.name() + ", not " + expected.arm.name() +
+           (header.arm.name() == expected.arm.name() ? " as it is described now" : ""));
+  }
+  if (a.resolution != b.resolution) {
+    refuse("resolution is " + number(*a.resolution) + " m, not " + number(*b.resolution));
+  }
+  if (a.lower != b.lower || a.upper != b.upper) refuse("box is another one");
+  if (header.grid.orientations() != expected.grid.orientations() || a.directions != b.directions ||
+      a.rolls != b.rolls) {
+    refuse("orientations are others");
+  }
+  constexpr double rounding = 1e-12;
+  if (a.orientation && !a.orientation->isApprox(*b.orientation, rounding)) {
+    refuse("orientation is another one");
+  }
+  if (header.redundant_values != expected.redundant_values) {
+    refuse("redundant_values are " + std::to_string(header.redundant_values) + ", not " +
+           std::to_string(expected.redundant_values));
+  }
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <beeline/error.h>
+#include <beeline/model/arm.h>
+#include <beeline/reach/reach.h>
+
+namespace beeline {
+
+/// What a map is of.
+struct ReachMapHeader {
+  Arm arm;
+  ReachGrid grid;
+  int redundant_values = 16;  ///< see ReachOptions
+};
+
+/// A reach map in an HDF5 file, which any program that reads HDF5 reads too (docs/reach.md lists
+/// its attributes and datasets). Cells are read from the file when they are asked for. A file may
+/// hold part of a map: a shard, or one whose computation was ended. Not thread-safe.
+class ReachMap {
+ public:
+  /// Opens a file. Throws FileError for one that cannot be read or is no reach map.
+  explicit ReachMap(const std::string& path);
+  ~ReachMap();
+  ReachMap(ReachMap&&) noexcept;
+  ReachMap& operator=(ReachMap&&) noexcept;
+
+  const std::string& path() const;
+  const ReachMapHeader& header() const;
+  const Arm& arm() const { return header().arm; }
+  const ReachGrid& grid() const { return header().grid; }
+
+  /// The map is stored in slabs, ranges of positions: whether a slab is in this file.
+  const std::vector<bool>& slabs() const;
+  bool complete() const;
+
+  /// Counts over all cells in this file.
+  struct Totals {
+    std::int64_t cells = 0, reached = 0;
+    std::int64_t positions = 0, reached_positions = 0;  ///< reached in some orientation
+  };
+  Totals totals() const;
+
+  /// Reads the cells of the positions from `first` to `last`, exclusive. Throws Error for positions
+  /// outside the grid, FileError for ones that are not in this file.
+  ReachCells cells(Eigen::Index first, Eigen::Index last) const;
+
+ private:
+  struct File;
+  std::unique_ptr<File> file_;
+};
+
+}  // namespace beeline

@@ -1,0 +1,187 @@
+#include <fmt/format.h>
+#include <mutex>
+#include <numbers>
+
+#include <beeline/error.h>
+#include <beeline/internal/budget_meter.h>
+#include <beeline/reach/compute_map.h>
+#include <beeline/read/internal/numbers.h>
+
+#include "arm_argument.h"
+#include "budget_argument.h"
+#include "command/progress.h"
+#include "format.h"
+#include "pose_argument.h"
+#include "reach_totals.h"
+#include "result_files.h"
+#include "verbs.h"
+
+using namespace beeline;
+
+namespace {
+
+struct MapArguments {
+  ArmArgument arm;
+  UnitArgument unit;
+  BudgetArgument budget;
+  std::string out, lower, upper, orientation, shard;
+  std::optional<double> resolution, directions, rolls;
+  ReachOptions reach;
+  bool json = false;
+};
+
+Vector3 corner(const std::string& text, const char* option) {
+  const std::vector<double> numbers = internal::parse_numbers(text, option);
+  if (numbers.size() == 3) return {numbers[0], numbers[1], numbers[2]};
+  throw Error(fmt::format("{}: {} given, a corner has three, x,y,z", option,
+                          counted(static_cast<std::int64_t>(numbers.size()), "number")));
+}
+
+ReachGrid grid_of(const Arm& arm, const MapArguments& arguments) {
+  const UnitArgument& unit = arguments.unit;
+  const auto radians = [&unit](const std::optional<double>& angle) {
+    return angle && unit.degrees ? *angle * std::numbers::pi / 180 : angle;
+  };
+  ReachGridOptions options{.resolution = arguments.resolution,
+                           .directions = radians(arguments.directions),
+                           .rolls = radians(arguments.rolls)};
+  if (!arguments.lower.empty()) options.lower = corner(arguments.lower, "--lower");
+  if (!arguments.upper.empty()) options.upper = corner(arguments.upper, "--upper");
+  if (!arguments.orientation.empty()) {
+    options.orientation =
+        parse_pose_option(arm, "--orientation", "0,0,0," + arguments.orientation, unit)
+            .pose.linear();
+  }
+  return ReachGrid(arm, options);
+}
+
+ReachShard shard_of(const std::string& text) {
+  if (text.empty()) return {};
+  ReachShard shard;
+  int end = 0;
+  const int read = std::sscanf(text.c_str(), "%9d/%9d%n", &shard.number, &shard.count, &end);
+  if (read == 2 && static_cast<std::size_t>(end) == text.size()) return shard;
+  throw Error("--shard: \"" + text + "\" is no share of a map, such as 1/4");
+}
+
+Answer compute(MapArguments& arguments) {
+  refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.limits, arguments.arm.srdf});
+  const ReachShard shard = shard_of(arguments.shard);
+  const Arm arm = arguments.arm.read(arguments.unit);
+  const ReachGrid grid = grid_of(arm, arguments);
+  ReachMapOptions options{.reach = arguments.reach, .shard = shard};
+  options.reach.budget = arguments.budget.next();
+  Ending ending = Ending::complete;
+  {
+    Progress progress;
+    std::mutex showing;
+    options.reach.budget.progress = [&](double fraction) {
+      const std::lock_guard lock(showing);
+      progress.show(fraction);
+    };
+    ending = compute_reach_map(arm, grid, arguments.out, options);
+  }
+  if (ending == Ending::complete) return map_totals(ReachMap(arguments.out));
+  return {.text = "no map        the slabs computed so far are in " + arguments.out + ".parts\n",
+          .document = {{"status", name(ending)}, {"parts", arguments.out + ".parts"}},
+          .yes = false,
+          .reason = internal::ended_by(ending) + ": the slabs computed so far are in " +
+                    arguments.out + ".parts; the same command continues"};
+}
+
+std::vector<Option> grid_options(MapArguments& arguments) {
+  return {{.name = "--resolution",
+           .value = "M",
+           .help = "Edge of the cells, m. Default: a twentieth of the radius of the reach.",
+           .target = &arguments.resolution,
+           .range = above_zero},
+          {.name = "--lower",
+           .value = "X,Y,Z",
+           .help = "Corner of the box of positions, m, in the world, where the cells begin. "
+                   "Default: that of the box around the reach.",
+           .target = &arguments.lower,
+           .phrases = {"its lower"}},
+          {.name = "--upper",
+           .value = "X,Y,Z",
+           .help = "The opposite corner, which the cells cover.",
+           .target = &arguments.upper},
+          {.name = "--orientation",
+           .value = "R,P,Y",
+           .help = "One orientation of the tool in the world for all cells: roll,pitch,yaw or "
+                   "qw,qx,qy,qz. Default: tool directions (headings, for a planar arm).",
+           .target = &arguments.orientation,
+           .phrases = {"the orientation of the map"}},
+          {.name = "--directions",
+           .value = "ANGLE",
+           .help = "Angle between neighbouring directions of the tool's z axis, which cover the "
+                   "sphere evenly, or between headings of a planar arm. Default: 30 degrees.",
+           .target = &arguments.directions,
+           .range = above_zero,
+           .excludes = "--orientation",
+           .phrases = {"the spacing of tool directions", "the angle between headings"}},
+          {.name = "--rolls",
+           .value = "ANGLE",
+           .help = "Angle between rolls about the tool's z axis. Default: a direction is reached "
+                   "if it is with any roll.",
+           .target = &arguments.rolls,
+           .range = above_zero,
+           .excludes = "--orientation",
+           .phrases = {"the angle between rolls"}}};
+}
+
+}  // namespace
+
+Verb reach_map_verb() {
+  static MapArguments arguments;
+  return {
+      .name = "map",
+      .summary = "Compute what an arm can do at the centre of each cell of a grid",
+      .description =
+          "Solves the inverse kinematics at the centre of each cell of a grid of positions, tool "
+          "directions and rolls: the number of solutions within the limits, their largest "
+          "manipulability and their largest margin to the limits. The map is an HDF5 file, which "
+          "h5py, MATLAB and others read. It is computed in slabs, each of which is written to "
+          "the folder FILE.parts when it is complete; after an interruption the same command "
+          "continues. With --shard, several machines compute a part each, and `beeline reach "
+          "merge` joins the parts; the result is the same.",
+      .arguments = {arguments.arm.argument()},
+      .options = joined(
+          {{{.name = "--out",
+             .value = "FILE",
+             .help = "The map, an HDF5 file.",
+             .target = &arguments.out,
+             .required = true,
+             .completes = Completes::file}},
+           grid_options(arguments),
+           {{.name = "--redundant-values",
+             .value = "N",
+             .help = "Values of the redundant joint of an arm of seven joints at which all "
+                     "solutions are computed. Where there is none, the range between them is "
+                     "searched.",
+             .target = &arguments.reach.redundant_values,
+             .range = {1, 1000}},
+            {.name = "--shard",
+             .value = "K/N",
+             .help = "Compute share K of N of the map, K from 1 to N.",
+             .target = &arguments.shard,
+             .phrases = {"shard", "slabs, which is the largest number"}},
+            {.name = "--threads",
+             .value = "N",
+             .help = "Number of threads; 0: as many as the machine has. The map does not depend on "
+                     "it.",
+             .target = &arguments.reach.threads,
+             .range = {0, 1024}}},
+           arguments.unit.options(),
+           arguments.budget.options(),
+           arguments.arm.options()}),
+      .examples = {{"Positions and tool directions of an arm, 12 cm apart",
+                    "beeline reach map puma560 --resolution 0.12 --out puma560.h5"},
+                   {"Where it can point straight down",
+                    "beeline reach map puma560 --orientation 180,0,0 --degrees --out down.h5"},
+                   {"The same in two parts, which two machines may compute",
+                    "beeline reach map puma560 --resolution 0.12 --shard 1/2 --out part1.h5\n"
+                    "beeline reach map puma560 --resolution 0.12 --shard 2/2 --out part2.h5\n"
+                    "beeline reach merge part1.h5 part2.h5 --out puma560.h5"}},
+      .json = &arguments.json,
+      .run = [] { return compute(arguments); }};
+}

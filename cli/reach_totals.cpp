@@ -1,0 +1,66 @@
+#include "reach_totals.h"
+
+#include <fmt/format.h>
+
+#include "format.h"
+
+using namespace beeline;
+
+namespace {
+
+/// "64000 positions x 54 directions x 6 rolls".
+std::string cells_text(const ReachGrid& grid) {
+  std::string text = counted(grid.positions(), "position");
+  if (grid.orientations() == ReachOrientations::headings) {
+    text += " x " + counted(grid.directions(), "heading");
+  } else if (grid.orientations() != ReachOrientations::fixed) {
+    text += " x " + counted(grid.directions(), "direction");
+  }
+  if (grid.rolls() > 1) text += " x " + counted(grid.rolls(), "roll");
+  return text;
+}
+
+double percent(std::int64_t part, std::int64_t all) {
+  return all == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(all);
+}
+
+}  // namespace
+
+Answer map_totals(const ReachMap& map) {
+  const ReachMap::Totals totals = map.totals();
+  const double edge = map.grid().axes()[0].step;
+  const double cell =
+      map.grid().axes()[2].cells == 1 && map.arm().planar() ? edge * edge : edge * edge * edge;
+  const double size = static_cast<double>(totals.reached_positions) * cell;
+  const bool planar = map.arm().planar();
+  std::int64_t there = 0;
+  for (const bool slab : map.slabs()) there += slab;
+  const auto slabs = static_cast<std::int64_t>(map.slabs().size());
+  Answer answer;
+  answer.text = fmt::format("map           {}\narm           {}\ncells         {}, of {} m\n",
+                            map.path(), map.arm().name(), cells_text(map.grid()), shown(edge));
+  if (!map.complete()) {
+    answer.text += fmt::format("in this file  {} of {} slabs, {}\n", there, slabs,
+                               counted(totals.cells, "cell"));
+  }
+  answer.text += fmt::format("reached       {} of {} cells, {:.2f} %\n", totals.reached,
+                             totals.cells, percent(totals.reached, totals.cells));
+  answer.text += fmt::format("{}{} of {} positions, {:.4g} m{}\n",
+                             planar ? "area          " : "volume        ", totals.reached_positions,
+                             totals.positions, size, planar ? "2" : "3");
+  answer.document = {{"status", map.complete() ? "complete" : "incomplete"},
+                     {"map", map.path()},
+                     {"arm", map.arm().name()},
+                     {"cells", map.grid().cells()},
+                     {"positions", map.grid().positions()},
+                     {"directions", map.grid().directions()},
+                     {"rolls", map.grid().rolls()},
+                     {"resolution", edge},
+                     {"slabs", slabs},
+                     {"slabs_here", there},
+                     {"cells_here", totals.cells},
+                     {"cells_reached", totals.reached},
+                     {"positions_reached", totals.reached_positions},
+                     {planar ? "area" : "volume", size}};
+  return answer;
+}

@@ -1,0 +1,109 @@
+"""reach: maps of what an arm can do, computed in parts, joined and queried."""
+
+import json
+import math
+import signal
+import subprocess
+import time
+
+import pytest
+
+MAP = ["reach", "map", "puma560", "--resolution", "0.1", "--directions", "45", "--degrees"]
+
+
+@pytest.fixture
+def puma(beeline, tmp_path):
+    path = tmp_path / "puma.h5"
+    assert beeline(*MAP, "--out", path).code == 0
+    return path
+
+
+def test_a_map_says_what_it_is_of(beeline, puma):
+    totals = beeline("reach", "query", puma, "--json").json
+    assert totals["status"] == "complete" and totals["arm"] == "puma560"
+    assert totals["resolution"] == 0.1 and totals["cells"] == totals["cells_here"]
+    assert totals["cells"] == totals["positions"] * totals["directions"]
+    reach = json.loads(beeline("show", "puma560", "--json").out)["reach"]["radius"]
+    assert 0.5 < totals["volume"] / (4 / 3 * math.pi * reach**3) < 1
+
+
+def test_the_answer_for_a_centre_is_that_of_ik(beeline, puma, tmp_path):
+    # One orientation, so that a cell is a pose.
+    path = tmp_path / "down.h5"
+    options = ["--resolution", "0.1", "--orientation", "180,0,0", "--degrees"]
+    assert beeline("reach", "map", "puma560", *options, "--out", path).code == 0
+    reached = 0
+    for x in (0.31, 0.55, 0.9):
+        answer = beeline("reach", "query", path, "--pose", f"{x},0.1,0.2,180,0,0", "--degrees", "--json")
+        centre = ",".join(map(repr, answer.json["centre"]["translation"])) + ",180,0,0"
+        ik = beeline("ik", "puma560", "--pose", centre, "--degrees", "--all", "--json")
+        assert answer.code == ik.code
+        assert answer.json["branches"] == len(ik.json.get("solutions", []))
+        reached += answer.code == 0
+    assert 0 < reached < 3
+
+
+def test_a_pose_a_position_and_a_point_outside(beeline, puma):
+    pose = beeline("reach", "query", puma, "--pose", "0.5,0.1,0.3,180,0,0", "--degrees")
+    assert pose.code == 0 and "the pose itself reached" in pose.out
+    position = beeline("reach", "query", puma, "--pose", "0.5,0.1,0.3", "--json")
+    assert position.code == 0 and 0.5 < position.json["directions"] <= 1
+    inside = beeline("reach", "query", puma, "--pose", "0,0,0,0,0,0", "--json")
+    assert inside.code == 1 and inside.json["status"] == "not_reached"
+    outside = beeline("reach", "query", puma, "--pose", "9,0,0", "--json")
+    assert outside.code == 1 and outside.json["status"] == "outside_map"
+
+
+def test_parts_make_the_map(beeline, puma, tmp_path):
+    parts = [tmp_path / f"part{k}.h5" for k in (1, 2)]
+    for k, part in enumerate(parts, 1):
+        answer = beeline(*MAP, "--shard", f"{k}/2", "--threads", k, "--out", part, "--json")
+        assert answer.code == 0 and answer.json["status"] == "incomplete"
+    missing = beeline("reach", "merge", parts[1], "--out", tmp_path / "joined.h5")
+    assert missing.code == 2 and "`incomplete`" in missing.err and "lack" in missing.err
+    joined = beeline("reach", "merge", *parts, "--out", tmp_path / "joined.h5", "--json")
+    assert joined.code == 0 and joined.json["status"] == "complete"
+    whole = beeline("reach", "query", puma, "--json").json
+    assert joined.json["cells_reached"] == whole["cells_reached"]
+
+
+@pytest.mark.parametrize("end", [signal.SIGINT, signal.SIGKILL])
+def test_an_interrupted_map_is_continued(beeline, build, puma, tmp_path, end):
+    path = tmp_path / "map.h5"
+    command = [build / "beeline", "reach", "map", "ur5", "--resolution", "0.05", "--out", path]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        parts = tmp_path / "map.h5.parts"
+        while process.poll() is None and len(list(parts.glob("slab-*.h5"))) < 2:
+            time.sleep(0.01)
+        process.send_signal(end)
+        process.wait()
+    if end == signal.SIGINT:
+        assert process.returncode == 1
+    assert not path.exists() and len(list(parts.glob("slab-*.h5"))) >= 2
+    assert beeline(*map(str, command[1:])).code == 0
+    assert beeline(*map(str, command[1:-1]), tmp_path / "again.h5").code == 0
+    assert path.read_bytes() == (tmp_path / "again.h5").read_bytes()
+    assert not parts.exists()
+
+
+@pytest.mark.parametrize("arguments, code, message", [
+    (["map", "puma560", "--out", "/dev/full"], 3, "needs a file, not a pipe or device"),
+    (["map", "puma560", "--out", "/none/map.h5"], 3, "No such file or directory"),
+    (["map", "puma560", "--out", "OUT", "--resolution", "1e-9"], 2, "cells along an axis"),
+    (["map", "puma560", "--out", "OUT", "--lower", "1,2"], 2, "--lower: 2 numbers given"),
+    (["map", "puma560", "--out", "OUT", "--lower", "1,0,0", "--upper", "0,1,1"], 2, "its lower x is 1"),
+    (["map", "puma560", "--out", "OUT", "--directions", "30"], 2, "--directions"),
+    (["map", "puma560", "--out", "OUT", "--shard", "3/2"], 2, "--shard"),
+    (["map", "puma560", "--out", "OUT", "--shard", "half"], 2, "such as 1/4"),
+    (["map", "rrr", "--out", "OUT", "--rolls", "1"], 2, "no rolls"),
+    (["map", "px150", "--out", "OUT"], 2, "5 joints"),
+    (["query", "/etc/passwd"], 3, "not a reach map"),
+    (["query", "MAP", "--pose", "1,2"], 2, "planar"),
+    (["merge", "MAP", "--out", "MAP"], 2, "is an input as well"),
+    (["merge", "--out", "OUT"], 2, "PART is missing"),
+])
+def test_a_mistake_gets_one_line(beeline, puma, tmp_path, arguments, code, message):
+    names = {"OUT": tmp_path / "out.h5", "MAP": puma}
+    answer = beeline("reach", *[names.get(word, word) for word in arguments])
+    assert answer.code == code and message in answer.err and answer.err.count("\n") == 1
+    assert answer.out == "" and not (tmp_path / "out.h5").exists()

@@ -1,0 +1,189 @@
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+
+#include <beeline/model/catalog.h>
+#include <beeline/reach/compute_map.h>
+#include <beeline/reach/internal/slabs.h>
+
+#include "tests/degrees.h"
+#include "tests/random.h"
+#include "tests/refusal.h"
+
+namespace beeline {
+namespace {
+
+using testing::deg;
+using testing::Random;
+
+/// A folder of its own, deleted in the end.
+class ReachMapFile : public ::testing::Test {
+ protected:
+  ReachMapFile() { std::filesystem::create_directories(folder_); }
+  ~ReachMapFile() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  std::filesystem::path folder_ =
+      std::filesystem::path(::testing::TempDir()) / ("reach-" + std::to_string(::getpid()));
+};
+
+bool same(const std::vector<float>& a, const std::vector<float>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
+void expect_equal(const ReachCells& a, const ReachCells& b) {
+  EXPECT_EQ(a.branches, b.branches);
+  EXPECT_TRUE(same(a.manipulability, b.manipulability));
+  EXPECT_TRUE(same(a.margin, b.margin));
+}
+
+void expect_equal(const ReachMap& a, const ReachMap& b) {
+  expect_equal(a.cells(0, a.grid().positions()), b.cells(0, b.grid().positions()));
+}
+
+std::string content(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A map of more than one slab.
+struct Example {
+  Arm arm = built_in("ur5");
+  ReachGrid grid{arm, {.resolution = 0.2, .directions = 45 * deg, .rolls = 40 * deg}};
+};
+
+TEST(Slabs, AreRangesThatCoverThePositions) {
+  const Arm arm = built_in("puma560");
+  for (const double resolution : {0.3, 0.05, 0.02}) {
+    for (const double directions : {60 * deg, 10 * deg, 2 * deg}) {
+      const ReachGrid grid(arm, {.resolution = resolution, .directions = directions});
+      const internal::Slabs slabs(grid);
+      Eigen::Index next = 0;
+      for (Eigen::Index s = 0; s < slabs.count(); ++s) {
+        ASSERT_EQ(slabs.first(s), next);
+        next = slabs.last(s);
+        ASSERT_EQ(slabs.slab_of(slabs.first(s)), s);
+        ASSERT_EQ(slabs.slab_of(next - 1), s);
+      }
+      EXPECT_EQ(next, grid.positions());
+      EXPECT_LE((slabs.last(0) - slabs.first(0)) * grid.directions(), Eigen::Index{1} << 22);
+    }
+  }
+}
+
+TEST_F(ReachMapFile, ReadsBackWhatWasComputed) {
+  for (const char* name : {"puma560", "rrr", "panda"}) {
+    const Arm arm = built_in(name);
+    std::vector<ReachGridOptions> all{{.resolution = 0.4, .directions = 60 * deg}};
+    if (!arm.planar()) {
+      all.push_back({.resolution = 0.4, .orientation = Random().rotation()});
+      all.push_back({.resolution = 0.5, .directions = 60 * deg, .rolls = 2.0});
+    }
+    for (const ReachGridOptions& options : all) {
+      const ReachGrid grid(arm, options);
+      const ReachMapOptions few{.reach = {.redundant_values = 2}};
+      ASSERT_EQ(compute_reach_map(arm, grid, path("map.h5"), few), Ending::complete);
+      const ReachMap map(path("map.h5"));
+      EXPECT_EQ(map.arm().name(), name);
+      EXPECT_EQ(map.grid().cells(), grid.cells());
+      EXPECT_EQ(map.header().redundant_values, 2);
+      for (const Eigen::Index cell : {Eigen::Index{0}, grid.cells() / 3, grid.cells() - 1}) {
+        EXPECT_TRUE(map.grid().pose(cell).isApprox(grid.pose(cell), 1e-12));
+      }
+      const ReachCells expected = reach_cells(arm, grid, 0, grid.positions(), few.reach);
+      expect_equal(map.cells(0, grid.positions()), expected);
+      EXPECT_EQ(map.totals().reached,
+                grid.cells() - std::count(expected.branches.begin(), expected.branches.end(), 0));
+      EXPECT_FALSE(std::filesystem::exists(path("map.h5.parts")));
+    }
+  }
+}
+
+TEST_F(ReachMapFile, ShardsAndThreadsGiveTheSameDatasets) {
+  const Example example;
+  compute_reach_map(example.arm, example.grid, path("whole.h5"), {.reach = {.threads = 1}});
+  std::vector<std::string> parts;
+  for (const int number : {3, 1, 2}) {
+    parts.push_back(path("part" + std::to_string(number)));
+    compute_reach_map(example.arm, example.grid, parts.back(),
+                      {.reach = {.threads = number}, .shard = {number, 3}});
+    EXPECT_FALSE(ReachMap(parts.back()).complete());
+  }
+  EXPECT_REFUSED(merge_reach_maps({parts[0], parts[1]}, path("merged.h5")), "the parts lack");
+  EXPECT_FALSE(std::filesystem::exists(path("merged.h5")));
+  merge_reach_maps(parts, path("merged.h5"));
+  const ReachMap merged(path("merged.h5"));
+  EXPECT_TRUE(merged.complete());
+  ASSERT_GT(merged.slabs().size(), 3);
+  expect_equal(merged, ReachMap(path("whole.h5")));
+}
+
+TEST_F(ReachMapFile, ContinuesWhereItEnded) {
+  const Example example;
+  compute_reach_map(example.arm, example.grid, path("whole.h5"));
+  const std::int64_t cells = example.grid.cells();
+  ASSERT_EQ(compute_reach_map(example.arm, example.grid, path("map.h5"),
+                              {.reach = {.budget = {.max_work = cells / 2}}}),
+            Ending::work_limit);
+  EXPECT_FALSE(std::filesystem::exists(path("map.h5")));
+  // A slab that was cut off, and one with a wrong byte, are computed again.
+  std::filesystem::resize_file(path("map.h5.parts/slab-0.h5"), 3000);
+  std::string bytes = content(path("map.h5.parts/slab-1.h5"));
+  bytes[bytes.size() - 3000] ^= 1;
+  std::ofstream(path("map.h5.parts/slab-1.h5"), std::ios::binary) << bytes;
+  double began = -1;
+  ReachMapOptions rest{.reach = {.threads = 1}};
+  rest.reach.budget.progress = [&began](double fraction) {
+    if (began < 0) began = fraction;
+  };
+  ASSERT_EQ(compute_reach_map(example.arm, example.grid, path("map.h5"), rest), Ending::complete);
+  expect_equal(ReachMap(path("map.h5")), ReachMap(path("whole.h5")));
+  EXPECT_EQ(content(path("map.h5")), content(path("whole.h5")));
+}
+
+TEST_F(ReachMapFile, TheFolderOfAnotherMapIsRefused) {
+  const Example example;
+  ASSERT_EQ(compute_reach_map(example.arm, example.grid, path("map.h5"),
+                              {.reach = {.budget = {.max_work = 1}}}),
+            Ending::work_limit);
+  const ReachGrid other(example.arm, {.resolution = 0.3});
+  EXPECT_REFUSED(compute_reach_map(example.arm, other, path("map.h5")),
+                 "its resolution is 0.2 m, not 0.3");
+  const ReachMapOptions shard{.shard = {4, 3}};
+  EXPECT_REFUSED(compute_reach_map(example.arm, other, path("x.h5"), shard), "shard 4 of 3");
+  EXPECT_FALSE(std::filesystem::exists(path("x.h5.parts")));
+}
+
+// Whatever is in a file, it is read, or refused with an error.
+TEST_F(ReachMapFile, DamagedFilesAreRefused) {
+  const Arm arm = built_in("puma560");
+  const ReachGrid grid(arm, {.resolution = 0.5, .directions = 90 * deg});
+  compute_reach_map(arm, grid, path("map.h5"));
+  const std::string whole = content(path("map.h5"));
+  Random random;
+  int refused = 0;
+  for (int i = 0; i < testing::cases(300); ++i) {
+    std::string bytes = whole;
+    if (i % 3 == 0) {
+      bytes.resize(static_cast<std::size_t>(random.integer(0, static_cast<int>(whole.size()) - 1)));
+    } else {
+      bytes[static_cast<std::size_t>(random.integer(0, static_cast<int>(whole.size()) - 1))] ^=
+          static_cast<char>(1 << random.integer(0, 7));
+    }
+    std::ofstream(path("bad.h5"), std::ios::binary) << bytes;
+    try {
+      const ReachMap map(path("bad.h5"));
+      (void)map.cells(0, map.grid().positions());
+    } catch (const Error&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 0);
+  EXPECT_REFUSED(ReachMap(path("none.h5")), "No such file");
+}
+
+}  // namespace
+}  // namespace beeline
