@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <beeline/error.h>
 #include <beeline/reach/internal/hdf5_file.h>
@@ -200,7 +201,7 @@ Hdf5Dataset Hdf5File::create(const char* name, Hdf5Type type, const Hdf5Shape& s
                                     properties.get(), H5P_DEFAULT),
                          path_, "cannot be written"),
                  H5Dclose),
-          type, path_};
+          path_};
 }
 
 Hdf5Dataset Hdf5File::open(const char* name, Hdf5Type type, const Hdf5Shape& shape,
@@ -217,7 +218,7 @@ Hdf5Dataset Hdf5File::open(const char* name, Hdf5Type type, const Hdf5Shape& sha
                     std::string("is no reach map: its dataset ") + name +
                         " has not the type, shape and chunks of its grid");
   }
-  return {std::move(id), type, path_};
+  return {std::move(id), path_};
 }
 
 void Hdf5File::close() {

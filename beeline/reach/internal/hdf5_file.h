@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace beeline::internal {
@@ -41,8 +42,7 @@ class Hdf5Id {
 /// Numbers in chunks, compressed.
 class Hdf5Dataset {
  public:
-  Hdf5Dataset(Hdf5Id id, Hdf5Type type, std::string path)
-      : id_(std::move(id)), type_(type), path_(std::move(path)) {}
+  Hdf5Dataset(Hdf5Id id, std::string path) : id_(std::move(id)), path_(std::move(path)) {}
 
   /// Writes or reads the box of `size` that begins at `begin`.
   template <class Value>
@@ -63,7 +63,6 @@ class Hdf5Dataset {
                 bool write) const;
 
   Hdf5Id id_;
-  Hdf5Type type_;
   std::string path_;
 };
 
