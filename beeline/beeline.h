@@ -64,6 +64,7 @@
 #include <beeline/pose/so3.h>
 #include <beeline/reach/compute_map.h>
 #include <beeline/reach/grid.h>
+#include <beeline/reach/place.h>
 #include <beeline/reach/reach.h>
 #include <beeline/reach/reach_map.h>
 #include <beeline/read/arm.h>

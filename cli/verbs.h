@@ -31,3 +31,4 @@ Verb view_verb();
 /// The parts of reach.
 Verb reach_map_verb();
 Verb reach_query_verb();
+Verb reach_place_verb();

@@ -107,3 +107,29 @@ def test_a_mistake_gets_one_line(beeline, puma, tmp_path, arguments, code, messa
     answer = beeline("reach", *[names.get(word, word) for word in arguments])
     assert answer.code == code and message in answer.err and answer.err.count("\n") == 1
     assert answer.out == "" and not (tmp_path / "out.h5").exists()
+
+
+POSES = "x,y,z,roll,pitch,yaw\n0.8,-0.3,0.2,180,0,0\n0.8,0.3,0.2,180,0,0\n1,0,0.4,180,0,0\n"
+
+
+def test_a_placement_reaches_every_pose_in_lines(beeline, puma, written):
+    poses = written("poses.csv", POSES)
+    found = beeline("reach", "place", puma, "--poses", poses, "--degrees", "--lines", "--count", 3, "--json")
+    assert found.code == 0 and found.json["checked"] == found.json["mounts"]
+    margins = [placement["margin"] for placement in found.json["placements"]]
+    assert len(margins) == 3 and margins == sorted(margins, reverse=True)
+    mount = found.json["placements"][0]["mount"]
+    for row, q in zip(POSES.splitlines()[1:], found.json["placements"][0]["solutions"], strict=True):
+        fk = beeline("fk", "puma560", "--mount", mount, "--degrees", "--json", "--q", ",".join(map(repr, q)))
+        assert fk.json["pose"]["translation"] == pytest.approx([float(x) for x in row.split(",")[:3]], abs=1e-6)
+    line = beeline("line", "puma560", "--mount", mount, "--degrees", "--through", poses)
+    assert line.code == 0
+
+
+def test_no_placement_has_a_reason(beeline, puma, written):
+    apart = written("poses.csv", "x,y,z,roll,pitch,yaw\n0,0,0.2,0,0,0\n9,0,0.2,0,0,0\n")
+    answer = beeline("reach", "place", puma, "--poses", apart)
+    assert answer.code == 1 and "farther apart" in answer.err
+    high = written("high.csv", "x,y,z,roll,pitch,yaw\n0,0,5,0,0,0\n")
+    answer = beeline("reach", "place", puma, "--poses", high, "--json")
+    assert answer.code == 1 and answer.json["placements"] == [] and "none of the" in answer.err

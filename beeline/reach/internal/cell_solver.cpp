@@ -59,16 +59,6 @@ CellSolver::CellSolver(const Arm& arm, const ReachGrid& grid, int redundant_valu
       any_roll_(grid.orientations() == ReachOrientations::directions),
       solver_(roll_ ? with_free_roll(arm) : arm, redundant_values) {}
 
-double CellSolver::margin(const ConfigurationRef& q) const {
-  double least = 1;
-  const int joints = arm_.dof() - (any_roll_ ? 1 : 0);
-  for (int k = 0; k < joints; ++k) {
-    const Limits& limits = arm_.limits(k);
-    least = std::min(least, limit_margin(q[k], limits.lower, limits.upper));
-  }
-  return std::max(least, 0.0);  // of a solution outside by rounding
-}
-
 void CellSolver::add_turned(double roll, Eigen::Index target, ReachCells& cells) {
   const auto found = solver_.solutions();
   const Eigen::Index last = found.rows() - 1;
@@ -113,9 +103,10 @@ void CellSolver::measure(ReachCells& cells) {
   const auto raise = [](float& best, double value) {
     if (!(best >= static_cast<float>(value))) best = static_cast<float>(value);
   };
+  const int joints = arm_.dof() - (any_roll_ ? 1 : 0);
   for (Eigen::Index i = 0; i < count; ++i) {
     raise(cells.manipulability[targets_[i]], manipulability(i));
-    raise(cells.margin[targets_[i]], margin(q.col(i)));
+    raise(cells.margin[targets_[i]], least_margin(arm_, q.col(i), joints));
   }
   solutions_.clear();
   targets_.clear();

@@ -28,7 +28,6 @@ class CellSolver {
   void add_turned(double roll, Eigen::Index target, ReachCells& cells);
   /// Writes the best measures of all solutions that were added.
   void measure(ReachCells& cells);
-  double margin(const ConfigurationRef& q) const;
 
   Arm arm_;
   ReachGrid grid_;

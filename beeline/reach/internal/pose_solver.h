@@ -8,6 +8,10 @@
 
 namespace beeline::internal {
 
+/// The least margin to the limits (limit_margin()) of the coordinates from 0 to `joints` - 1; of
+/// solutions that rounding moved outside, 0.
+double least_margin(const Arm& arm, const ConfigurationRef& q, int joints);
+
 /// All solutions of poses of one arm. Not thread-safe: each thread has a copy.
 class PoseSolver {
  public:

@@ -1,0 +1,250 @@
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+#include <tuple>
+
+#include <beeline/batch/internal/copies.h>
+#include <beeline/batch/internal/parallel.h>
+#include <beeline/internal/budget_meter.h>
+#include <beeline/kinematics/manipulability.h>
+#include <beeline/planning/move_along.h>
+#include <beeline/reach/internal/pose_solver.h>
+#include <beeline/reach/internal/slabs.h>
+#include <beeline/reach/place.h>
+
+namespace beeline {
+namespace {
+
+/// The mounts: positions on a grid, headings the fastest.
+class Mounts {
+ public:
+  Mounts(const ReachMap& map, std::span<const Pose> poses, const PlacementOptions& options)
+      : headings_(options.headings) {
+    const Arm::Reach& reach = map.arm().reach();
+    step_ = options.step.value_or(map.grid().axes()[0].step);
+    if (!(step_ > 0)) throw Error("the step between mounts is " + number(step_) + " m");
+    // However it is turned, the arm reaches at most so far from its mount in x and y.
+    const double far = reach.radius + std::hypot(reach.centre.x(), reach.centre.y());
+    double mounts = headings_;
+    for (int k = 0; k < 3; ++k) {
+      double least = std::numeric_limits<double>::infinity(), most = -least;
+      for (const Pose& pose : poses) {
+        least = std::min(least, pose.translation()[k]);
+        most = std::max(most, pose.translation()[k]);
+      }
+      const double within = k == 2 ? 0 : std::ceil((most - far) / step_) * step_;  // round numbers
+      lower_[k] = options.lower ? (*options.lower)[k] : within;
+      const double upper = options.upper ? (*options.upper)[k] : k == 2 ? lower_[2] : least + far;
+      // Poses farther apart than the arm is wide leave no mount.
+      counts_[k] = upper < lower_[k] ? 0 : std::floor((upper - lower_[k]) / step_ + 1e-9) + 1;
+      mounts *= counts_[k];
+    }
+    constexpr double max_mounts = 1e8;
+    if (!(mounts <= max_mounts)) {
+      throw Error("there would be " + number(mounts) +
+                  " mounts, at most 1e8 are possible: a larger step or a smaller box has fewer");
+    }
+    count_ = static_cast<std::int64_t>(mounts);
+  }
+
+  std::int64_t count() const { return count_; }
+  double heading(std::int64_t i) const {
+    return 2 * std::numbers::pi * static_cast<double>(i % headings_) / headings_;
+  }
+  Pose world_T_mount(std::int64_t i) const {
+    const std::int64_t p = i / headings_;
+    const auto ny = static_cast<std::int64_t>(counts_.y()),
+               nz = static_cast<std::int64_t>(counts_.z());
+    const Vector3 index(static_cast<double>(p / (ny * nz)), static_cast<double>(p / nz % ny),
+                        static_cast<double>(p % nz));
+    Pose pose = Pose::Identity();
+    pose.linear() = Eigen::AngleAxisd(heading(i), Vector3::UnitZ()).toRotationMatrix();
+    pose.translation() = lower_ + step_ * index;
+    return pose;
+  }
+
+ private:
+  int headings_;
+  double step_ = 0;
+  Vector3 lower_ = Vector3::Zero(), counts_ = Vector3::Zero();
+  std::int64_t count_ = 0;
+};
+
+/// The margin of each cell, NaN where it is not reached.
+std::vector<float> margins_of(const ReachMap& map) {
+  std::vector<float> margins;
+  margins.reserve(static_cast<std::size_t>(map.grid().cells()));
+  const internal::Slabs slabs(map.grid());
+  for (Eigen::Index s = 0; s < slabs.count(); ++s) {
+    const ReachCells cells = map.cells(slabs.first(s), slabs.last(s));
+    margins.insert(margins.end(), cells.margin.begin(), cells.margin.end());
+  }
+  return margins;
+}
+
+/// What the map says of a mount. Better ones are less.
+struct Rank {
+  int unreached = 0;  ///< poses
+  float margin = 0;   ///< the negative of the least one
+  std::int64_t mount = 0;
+
+  bool operator<(const Rank& other) const {
+    return std::tie(unreached, margin, mount) <
+           std::tie(other.unreached, other.margin, other.mount);
+  }
+};
+
+Rank rank_of(const ReachGrid& grid, const std::vector<float>& margins, const Mounts& mounts,
+             std::int64_t mount, std::span<const Pose> poses) {
+  Rank rank{.margin = -1, .mount = mount};
+  const Pose mount_T_world = mounts.world_T_mount(mount).inverse();
+  for (const Pose& pose : poses) {
+    const std::optional<Eigen::Index> cell = grid.cell_of(mount_T_world * pose);
+    const float margin =
+        cell ? margins[static_cast<std::size_t>(*cell)] : std::numeric_limits<float>::quiet_NaN();
+    if (std::isnan(margin)) {
+      ++rank.unreached;
+    } else {
+      rank.margin = std::max(rank.margin, -margin);
+    }
+  }
+  return rank;
+}
+
+/// The mounts that are checked, the best first.
+std::vector<Rank> ranking(const ReachMap& map, const Mounts& mounts, std::span<const Pose> poses,
+                          const PlacementOptions& options) {
+  const std::vector<float> margins = margins_of(map);
+  std::vector<Rank> ranks(static_cast<std::size_t>(mounts.count()));
+  internal::in_parallel(mounts.count(), 1024, options.threads,
+                        [&](Eigen::Index first, Eigen::Index last) {
+                          for (Eigen::Index i = first; i < last; ++i) {
+                            ranks[i] = rank_of(map.grid(), margins, mounts, i, poses);
+                          }
+                        });
+  const auto checked = std::min(ranks.size(), static_cast<std::size_t>(options.max_checked));
+  std::partial_sort(ranks.begin(), ranks.begin() + static_cast<std::ptrdiff_t>(checked),
+                    ranks.end());
+  ranks.resize(checked);
+  return ranks;
+}
+
+/// The solution with the largest margin of each pose; none where a pose has none.
+std::optional<Placement> placement_at(const Arm& arm, const Pose& world_T_mount,
+                                      std::span<const Pose> poses, internal::PoseSolver& solver) {
+  Placement placement{.world_T_mount = world_T_mount,
+                      .margin = 1,
+                      .manipulability = std::numeric_limits<double>::infinity()};
+  const Pose mount_T_world = world_T_mount.inverse();
+  for (const Pose& pose : poses) {
+    solver.solve(mount_T_world * pose);
+    double best = -1;
+    Configuration q;
+    const auto solutions = solver.solutions();
+    for (Eigen::Index i = 0; i < solutions.cols(); ++i) {
+      const double margin = internal::least_margin(arm, solutions.col(i), arm.dof());
+      if (margin <= best) continue;
+      best = margin;
+      q = solutions.col(i);
+    }
+    if (best < 0) return std::nullopt;
+    const Eigen::MatrixXd j = task_jacobian(arm, q, default_task(arm));
+    placement.margin = std::min(placement.margin, best);
+    placement.manipulability =
+        std::min(placement.manipulability, manipulability_measures(j).manipulability);
+    placement.solutions.push_back(q);
+  }
+  return placement;
+}
+
+void check_options(const ReachMap& map, std::span<const Pose> poses,
+                   const PlacementOptions& options) {
+  if (poses.empty()) throw Error("there are no poses to reach");
+  const auto check = [](const char* what, int value, int most) {
+    if (value >= 1 && value <= most) return;
+    throw Error(std::string(what) + " is " + std::to_string(value) + "; it can be 1 to " +
+                std::to_string(most));
+  };
+  check("headings", options.headings, 360);
+  check("count", options.count, 1000);
+  check("max_checked", options.max_checked, 100'000'000);
+  if (map.grid().orientations() == ReachOrientations::fixed) {
+    throw Error(map.path() + " has one orientation; a placement needs a map of directions");
+  }
+  if (!map.complete()) throw Error(map.path() + " is incomplete: merge its parts first");
+  constexpr Eigen::Index most = 500'000'000;
+  if (map.grid().cells() > most) {
+    throw Error(map.path() + " has " + std::to_string(map.grid().cells()) +
+                " cells, a placement can use 5e8: make a coarser map");
+  }
+}
+
+}  // namespace
+
+PlacementResult find_placements(const ReachMap& map, std::span<const Pose> world_T_tool,
+                                const PlacementOptions& options) {
+  check_options(map, world_T_tool, options);
+  const Arm& arm = map.arm();
+  const Mounts mounts(map, world_T_tool, options);
+  PlacementResult result{.mounts = mounts.count()};
+  if (mounts.count() == 0) return result;
+  const std::vector<Rank> ranks = ranking(map, mounts, world_T_tool, options);
+  internal::BudgetMeter budget(options.budget);
+  internal::Copies<internal::PoseSolver> solvers(
+      internal::PoseSolver(arm, map.header().redundant_values));
+  std::mutex adding;
+  std::vector<Placement> found;
+  std::atomic<std::int64_t> checked = 0;
+  internal::in_parallel(
+      std::ssize(ranks), 16, options.threads, [&](Eigen::Index first, Eigen::Index last) {
+        const auto solver = solvers.borrow();
+        for (Eigen::Index i = first; i < last; ++i) {
+          if (budget.ended(std::ssize(world_T_tool))) return;
+          const Pose world_T_mount = mounts.world_T_mount(ranks[i].mount);
+          std::optional<Placement> placement =
+              placement_at(arm, world_T_mount, world_T_tool, *solver);
+          ++checked;
+          if (!placement) continue;
+          placement->heading = mounts.heading(ranks[i].mount);
+          const std::lock_guard lock(adding);
+          found.push_back(std::move(*placement));
+        }
+        if (budget.reports()) {
+          budget.report(static_cast<double>(checked) / static_cast<double>(ranks.size()));
+        }
+      });
+  result.checked = checked;
+  result.reaching = std::ssize(found);
+  // The order of threads must not matter: equal ones are ordered by their mounts.
+  const auto key = [](const Placement& p) {
+    const Vector3& at = p.world_T_mount.translation();
+    return std::tuple(-p.margin, -p.manipulability, at.x(), at.y(), at.z(), p.heading);
+  };
+  std::sort(found.begin(), found.end(),
+            [&key](const Placement& a, const Placement& b) { return key(a) < key(b); });
+  for (Placement& placement : found) {
+    if (std::ssize(result.placements) == options.count || !budget.complete()) break;
+    const auto stands_here = [&placement](const Placement& other) {
+      return other.world_T_mount.translation() == placement.world_T_mount.translation();
+    };
+    if (std::any_of(result.placements.begin(), result.placements.end(), stands_here)) continue;
+    if (options.lines && world_T_tool.size() > 1) {
+      PathMotionOptions motion_options;
+      motion_options.budget = budget.part();
+      const PathMotion motion =
+          move_in_lines(with_mount(arm, placement.world_T_mount), world_T_tool, motion_options);
+      if (!motion) {
+        ++result.without_lines;
+        continue;
+      }
+      placement.duration = motion.trajectory.times.back();
+    }
+    result.placements.push_back(std::move(placement));
+  }
+  result.ending = budget.ending();
+  return result;
+}
+
+}  // namespace beeline

@@ -1,0 +1,190 @@
+#include <fmt/format.h>
+#include <mutex>
+
+#include <beeline/error.h>
+#include <beeline/internal/budget_meter.h>
+#include <beeline/reach/place.h>
+#include <beeline/read/internal/file.h>
+
+#include "budget_argument.h"
+#include "command/progress.h"
+#include "format.h"
+#include "input_files.h"
+#include "verbs.h"
+
+using namespace beeline;
+
+namespace {
+
+struct PlaceArguments {
+  std::string map, poses, lower, upper;
+  UnitArgument unit;
+  BudgetArgument budget;
+  PlacementOptions options;
+  bool json = false;
+};
+
+/// A mount as --mount takes it.
+std::string mount_text(const Placement& placement, const UnitArgument& unit) {
+  const Vector3& at = placement.world_T_mount.translation();
+  return fmt::format("{},{},{},0,0,{}", shown(at.x()), shown(at.y()), shown(at.z()),
+                     shown(unit.shown(placement.heading)));
+}
+
+std::string reason_of(const PlacementResult& result) {
+  if (result.ending != Ending::complete) return internal::ended_by(result.ending);
+  if (result.mounts == 0) return "the poses are farther apart than the arm reaches";
+  if (result.reaching == 0) {
+    const bool all = result.checked == result.mounts;
+    return fmt::format("from none of the {} {} does the arm reach all poses", result.checked,
+                       all ? "mounts" : "mounts that the map ranks first");
+  }
+  return fmt::format("the arm reaches all poses from {}, but from none in straight lines",
+                     counted(result.reaching, "mount"));
+}
+
+Answer answer_of(const Arm& arm, const PlacementResult& result, const PlaceArguments& arguments) {
+  const UnitArgument& unit = arguments.unit;
+  Answer answer{.yes = static_cast<bool>(result)};
+  if (!answer.yes) answer.reason = reason_of(result);
+  answer.text = fmt::format("{} checked of {}; all poses reached from {}\n",
+                            counted(result.checked, "mount"), result.mounts, result.reaching);
+  if (result.without_lines > 0) {
+    answer.text += fmt::format("{} left out: not in straight lines\n", result.without_lines);
+  }
+  Json list = Json::list();
+  if (answer.yes) {
+    answer.text += fmt::format("\n{:<40} {:>9} {:>14}{}\n", "--mount", "margin", "manipulability",
+                               arguments.options.lines ? "   lines, s" : "");
+  }
+  for (const Placement& placement : result.placements) {
+    answer.text += fmt::format("{:<40} {:>9.4f} {:>14.5g}", mount_text(placement, unit),
+                               placement.margin, placement.manipulability);
+    if (arguments.options.lines) answer.text += fmt::format("{:>11.2f}", placement.duration);
+    answer.text += "\n";
+    Json json{{"mount", mount_text(placement, unit)},
+              {"pose", json_pose(placement.world_T_mount, false, unit)},
+              {"heading", unit.shown(placement.heading)},
+              {"margin", placement.margin},
+              {"manipulability", placement.manipulability}};
+    if (arguments.options.lines) json.add("duration", placement.duration);
+    Json solutions = Json::list();
+    for (const Configuration& q : placement.solutions) solutions.append(Json(unit.shown(arm, q)));
+    json.add("solutions", solutions);
+    list.append(json);
+  }
+  answer.document = {{"status", answer.yes ? "found" : "not_found"},
+                     {"mounts", result.mounts},
+                     {"checked", result.checked},
+                     {"reaching", result.reaching},
+                     {"placements", list}};
+  return answer;
+}
+
+Vector3 corner_of(const std::string& text, const char* option) {
+  const WrittenPose written = parse_pose(text, AngleUnit::radians, Triple::position);
+  if (written.oriented || written.planar) throw Error(std::string(option) + ": a corner is x,y,z");
+  return written.pose.translation();
+}
+
+Answer place(PlaceArguments& arguments) {
+  const ReachMap map(arguments.map);
+  const PoseList poses = waypoints_from(internal::read_file(arguments.poses), arguments.poses,
+                                        map.arm(), {}, {}, arguments.unit);
+  PlacementOptions options = arguments.options;
+  if (!arguments.lower.empty()) options.lower = corner_of(arguments.lower, "--lower");
+  if (!arguments.upper.empty()) options.upper = corner_of(arguments.upper, "--upper");
+  options.budget = arguments.budget.next();
+  PlacementResult result;
+  {
+    Progress progress;
+    std::mutex showing;
+    options.budget.progress = [&](double fraction) {
+      const std::lock_guard lock(showing);
+      progress.show(fraction);
+    };
+    result = find_placements(map, poses.poses, options);
+  }
+  return answer_of(map.arm(), result, arguments);
+}
+
+std::vector<Option> mount_options(PlaceArguments& arguments) {
+  PlacementOptions& options = arguments.options;
+  return {{.name = "--lower",
+           .value = "X,Y,Z",
+           .help = "Corner of the box of the mount's positions, m, in the world of the poses. "
+                   "Default: in x and y where all poses are within reach, at z = 0.",
+           .target = &arguments.lower},
+          {.name = "--upper",
+           .value = "X,Y,Z",
+           .help = "The opposite corner. Default: as --lower.",
+           .target = &arguments.upper},
+          {.name = "--step",
+           .value = "M",
+           .help = "Distance between mounts, m. Default: the edge of the map's cells.",
+           .target = &options.step,
+           .range = above_zero,
+           .phrases = {"there would be"}},
+          {.name = "--headings",
+           .value = "N",
+           .help = "Rotations of the mount about the world's z axis, in equal steps.",
+           .target = &options.headings,
+           .range = {1, 360}},
+          {.name = "--count",
+           .value = "N",
+           .help = "Placements to print.",
+           .target = &options.count,
+           .range = {1, 1000}},
+          {.name = "--max-checked",
+           .value = "N",
+           .help = "Check at most N mounts, those first which the map ranks first.",
+           .target = &options.max_checked,
+           .range = {1, 1e8}},
+          {.name = "--threads",
+           .value = "N",
+           .help = "Number of threads; 0: as many as the machine has. The result does not depend "
+                   "on it.",
+           .target = &options.threads,
+           .range = {0, 1024}}};
+}
+
+}  // namespace
+
+Verb reach_place_verb() {
+  static PlaceArguments arguments;
+  return {
+      .name = "place",
+      .summary = "Where an arm can stand so that it reaches all poses of a list",
+      .description =
+          "Searches a grid of positions of the mount and of its rotations about the world's z "
+          "axis. The map ranks the mounts; each one that is printed was checked by inverse "
+          "kinematics at every pose and, with --lines, by a proved motion in straight lines "
+          "through them. Printed are the mounts as --mount takes them, those with the largest "
+          "margin to the joint limits first: the least margin and the least manipulability over "
+          "all poses; at each position the best heading. Exit code 1: there is none.",
+      .arguments = {{.name = "MAP",
+                     .help = "A file of `beeline reach map`, of directions or rolls.",
+                     .target = &arguments.map,
+                     .completes = Completes::file}},
+      .options = joined({{{.name = "--poses",
+                           .value = "FILE",
+                           .help = "The poses in the world, a .csv file as --through of `line` "
+                                   "takes it.",
+                           .target = &arguments.poses,
+                           .required = true,
+                           .completes = Completes::file},
+                          {.name = "--lines",
+                           .help = "Only mounts from which the tool moves in straight lines "
+                                   "through the poses, one after the other.",
+                           .target = &arguments.options.lines}},
+                         mount_options(arguments),
+                         arguments.unit.options(),
+                         arguments.budget.options()}),
+      .examples = {{"Three poses above a table: where can the arm stand?",
+                    "beeline reach map puma560 --resolution 0.12 --out puma560.h5\n"
+                    "printf 'x,y,z,roll,pitch,yaw\\n0.8,-0.3,0.2,180,0,0\\n0.8,0.3,0.2,180,0,0\\n"
+                    "1,0,0.4,180,0,0\\n' > poses.csv\n"
+                    "beeline reach place puma560.h5 --poses poses.csv --lines --degrees"}},
+      .json = &arguments.json,
+      .run = [] { return place(arguments); }};
+}
