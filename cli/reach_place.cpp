@@ -39,8 +39,10 @@ std::string reason_of(const PlacementResult& result) {
     return fmt::format("from none of the {} {} does the arm reach all poses", result.checked,
                        all ? "mounts" : "mounts that the map ranks first");
   }
-  return fmt::format("the arm reaches all poses from {}, but from none in straight lines",
-                     counted(result.reaching, "mount"));
+  return fmt::format(
+      "the arm reaches all poses from {}, but moves in straight lines from none of "
+      "the {} best",
+      counted(result.reaching, "mount"), result.without_lines);
 }
 
 Answer answer_of(const Arm& arm, const PlacementResult& result, const PlaceArguments& arguments) {

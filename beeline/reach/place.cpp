@@ -181,19 +181,13 @@ void check_options(const ReachMap& map, std::span<const Pose> poses,
   }
 }
 
-}  // namespace
-
-PlacementResult find_placements(const ReachMap& map, std::span<const Pose> world_T_tool,
-                                const PlacementOptions& options) {
-  check_options(map, world_T_tool, options);
-  const Arm& arm = map.arm();
-  const Mounts mounts(map, world_T_tool, options);
-  PlacementResult result{.mounts = mounts.count()};
-  if (mounts.count() == 0) return result;
-  const std::vector<Rank> ranks = ranking(map, mounts, world_T_tool, options);
-  internal::BudgetMeter budget(options.budget);
+/// The mounts from which all poses are reached, the best first.
+std::vector<Placement> reaching_mounts(const ReachMap& map, const Mounts& mounts,
+                                       std::span<const Pose> poses, const PlacementOptions& options,
+                                       internal::BudgetMeter& budget, PlacementResult& result) {
+  const std::vector<Rank> ranks = ranking(map, mounts, poses, options);
   internal::Copies<internal::PoseSolver> solvers(
-      internal::PoseSolver(arm, map.header().redundant_values));
+      internal::PoseSolver(map.arm(), map.header().redundant_values));
   std::mutex adding;
   std::vector<Placement> found;
   std::atomic<std::int64_t> checked = 0;
@@ -201,10 +195,10 @@ PlacementResult find_placements(const ReachMap& map, std::span<const Pose> world
       std::ssize(ranks), 16, options.threads, [&](Eigen::Index first, Eigen::Index last) {
         const auto solver = solvers.borrow();
         for (Eigen::Index i = first; i < last; ++i) {
-          if (budget.ended(std::ssize(world_T_tool))) return;
+          if (budget.ended(std::ssize(poses))) return;
           const Pose world_T_mount = mounts.world_T_mount(ranks[i].mount);
           std::optional<Placement> placement =
-              placement_at(arm, world_T_mount, world_T_tool, *solver);
+              placement_at(map.arm(), world_T_mount, poses, *solver);
           ++checked;
           if (!placement) continue;
           placement->heading = mounts.heading(ranks[i].mount);
@@ -224,22 +218,49 @@ PlacementResult find_placements(const ReachMap& map, std::span<const Pose> world
   };
   std::sort(found.begin(), found.end(),
             [&key](const Placement& a, const Placement& b) { return key(a) < key(b); });
+  return found;
+}
+
+/// The duration of the lines through the poses; none where they cannot be followed.
+std::optional<double> duration_of_lines(const Arm& arm, const Pose& world_T_mount,
+                                        std::span<const Pose> poses,
+                                        internal::BudgetMeter& budget) {
+  PathMotionOptions options;
+  options.budget = budget.part();
+  const PathMotion motion = move_in_lines(with_mount(arm, world_T_mount), poses, options);
+  if (!motion) return std::nullopt;
+  return motion.trajectory.times.back();
+}
+
+}  // namespace
+
+PlacementResult find_placements(const ReachMap& map, std::span<const Pose> world_T_tool,
+                                const PlacementOptions& options) {
+  check_options(map, world_T_tool, options);
+  const Mounts mounts(map, world_T_tool, options);
+  PlacementResult result{.mounts = mounts.count()};
+  if (mounts.count() == 0) return result;
+  internal::BudgetMeter budget(options.budget);
+  std::vector<Placement> found =
+      reaching_mounts(map, mounts, world_T_tool, options, budget, result);
+  const std::int64_t most_refusals = std::max(100, 10 * options.count);
   for (Placement& placement : found) {
-    if (std::ssize(result.placements) == options.count || !budget.complete()) break;
+    if (std::ssize(result.placements) == options.count || result.without_lines == most_refusals ||
+        !budget.complete()) {
+      break;
+    }
     const auto stands_here = [&placement](const Placement& other) {
       return other.world_T_mount.translation() == placement.world_T_mount.translation();
     };
     if (std::any_of(result.placements.begin(), result.placements.end(), stands_here)) continue;
     if (options.lines && world_T_tool.size() > 1) {
-      PathMotionOptions motion_options;
-      motion_options.budget = budget.part();
-      const PathMotion motion =
-          move_in_lines(with_mount(arm, placement.world_T_mount), world_T_tool, motion_options);
-      if (!motion) {
+      const std::optional<double> duration =
+          duration_of_lines(map.arm(), placement.world_T_mount, world_T_tool, budget);
+      if (!duration) {
         ++result.without_lines;
         continue;
       }
-      placement.duration = motion.trajectory.times.back();
+      placement.duration = *duration;
     }
     result.placements.push_back(std::move(placement));
   }

@@ -22,7 +22,7 @@ struct PlacementOptions {
   /// Mounts that are checked, those first which the map ranks first; at least 1.
   int max_checked = 20'000;
   /// Returns only placements from which the tool can move in straight lines through the poses, one
-  /// after the other.
+  /// after the other. The search ends after ten times `count` mounts, at least 100, without.
   bool lines = false;
   int threads = 0;     ///< 0: one for each core. The result does not depend on it.
   Budget budget = {};  ///< a unit of its work is one pose
@@ -42,10 +42,10 @@ struct Placement {
 struct PlacementResult {
   /// The largest margin first, then manipulability; of each position the best heading.
   std::vector<Placement> placements = {};
-  std::int64_t mounts = 0;                 ///< of the grid
-  std::int64_t checked = 0;                ///< of these, by inverse kinematics at every pose
-  std::int64_t reaching = 0;               ///< of these, all poses reached
-  std::int64_t without_lines = 0;          ///< of these, refused because of the lines
+  std::int64_t mounts = 0;         ///< of the grid
+  std::int64_t checked = 0;        ///< of these, by inverse kinematics at every pose
+  std::int64_t reaching = 0;       ///< of these, all poses reached
+  std::int64_t without_lines = 0;  ///< of these, refused because of the lines
   Ending ending = Ending::complete;
 
   explicit operator bool() const { return !placements.empty(); }
