@@ -27,6 +27,7 @@
 #include <beeline/draw/chapter.h>
 #include <beeline/draw/figure.h>
 #include <beeline/draw/paper.h>
+#include <beeline/draw/reach_figure.h>
 #include <beeline/draw/scene.h>
 #include <beeline/draw/timing_figure.h>
 #include <beeline/error.h>
@@ -67,6 +68,8 @@
 #include <beeline/reach/place.h>
 #include <beeline/reach/reach.h>
 #include <beeline/reach/reach_map.h>
+#include <beeline/reach/slice.h>
+#include <beeline/reach/vti_file.h>
 #include <beeline/read/arm.h>
 #include <beeline/read/arm_json.h>
 #include <beeline/read/joint_limits.h>

@@ -31,4 +31,6 @@ Verb view_verb();
 /// The parts of reach.
 Verb reach_map_verb();
 Verb reach_query_verb();
+Verb reach_slice_verb();
+Verb reach_export_verb();
 Verb reach_place_verb();

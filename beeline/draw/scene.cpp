@@ -25,6 +25,11 @@ void check_points(const std::vector<Vector3>& points, const char* what) {
 struct Check {
   void operator()(const Polyline& line) const { check_points(line.points, "line"); }
   void operator()(const Dots& dots) const { check_points(dots.points, "dot"); }
+  void operator()(const Tiles& tiles) const {
+    for (const Tiles::Corners& corners : tiles.tiles) {
+      for (const Vector3& corner : corners) check_point(corner, "tile");
+    }
+  }
   void operator()(const JointSymbol& joint) const {
     check_point(joint.centre, "joint");
     check_point(joint.axis, "joint's axis");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -52,6 +53,13 @@ struct Dots {
   double diameter = 3;
 };
 
+/// Filled quadrilaterals of one colour, without outlines.
+struct Tiles {
+  using Corners = std::array<Vector3, 4>;
+  std::vector<Corners> tiles = {};
+  Colour colour = steel;
+};
+
 /// The symbol of a joint: a short cylinder along the axis of a revolute joint (a circle when seen
 /// along it), a box for a prismatic one, a cylinder with a thread for a helical one.
 struct JointSymbol {
@@ -90,7 +98,7 @@ struct Label {
   double right = 1, up = 1;  ///< preferred direction from the point, on paper
 };
 
-using Primitive = std::variant<Polyline, Dots, JointSymbol, FrameTriad, BaseSymbol, Label>;
+using Primitive = std::variant<Polyline, Dots, Tiles, JointSymbol, FrameTriad, BaseSymbol, Label>;
 
 /// Layers are drawn in this order; items of `ghost` and `body` from far to near, others in the
 /// order in which they were added.

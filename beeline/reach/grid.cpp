@@ -45,7 +45,11 @@ std::array<ReachAxis, 3> position_axes(const Arm& arm, const ReachGridOptions& o
     throw Error("the resolution is " + number(resolution) + " m; it must be above 0, at most 1e6");
   }
   const Vector3 half = Vector3::Constant(reach.radius);
-  const Vector3 lower = options.lower.value_or(reach.centre - half);
+  Vector3 lowest = reach.centre - half;
+  if (options.resolution) {  // the centres are its multiples, round numbers
+    lowest = (((lowest / resolution).array() - 0.5).floor() + 0.5) * resolution;
+  }
+  const Vector3 lower = options.lower.value_or(lowest);
   const Vector3 upper = options.upper.value_or(reach.centre + half);
   check_box(arm, lower, upper);
   if (!(resolution > 0)) throw Error("arm " + arm.name() + " has no reach: give the resolution");

@@ -67,8 +67,9 @@ enum class ReachOrientations {
 struct ReachGridOptions {
   /// Edge of the cells, m; default: a twentieth of the radius of Arm::reach().
   std::optional<double> resolution = std::nullopt;
-  /// The corners of the box of positions, m; default: the box around Arm::reach(). The cells begin
-  /// at `lower` and cover the box.
+  /// The corners of the box of positions, m; default: the box around Arm::reach(), begun so that
+  /// the cells' centres are multiples of a given resolution. The cells begin at `lower` and cover
+  /// the box.
   std::optional<Vector3> lower = std::nullopt, upper = std::nullopt;
   /// One orientation of the tool for all cells; default: tool directions, or headings of a planar
   /// arm.

@@ -152,7 +152,7 @@ Verb help_verb(const std::vector<Verb>& verbs) {
                      .other_values = true},  // find_verb() explains a former name
                     {.name = "KIND",
                      .help = "The part of a verb that has several: fk, jacobian or ik of `batch`; "
-                             "map, merge, query or place of `reach`.",
+                             "map, merge, query, slice, export or place of `reach`.",
                      .target = &part,
                      .required = false,
                      .choices = kinds}};

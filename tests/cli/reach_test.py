@@ -133,3 +133,22 @@ def test_no_placement_has_a_reason(beeline, puma, written):
     high = written("high.csv", "x,y,z,roll,pitch,yaw\n0,0,5,0,0,0\n")
     answer = beeline("reach", "place", puma, "--poses", high, "--json")
     assert answer.code == 1 and answer.json["placements"] == [] and "none of the" in answer.err
+
+
+def test_a_slice_is_drawn_and_written(beeline, puma, tmp_path):
+    answer = beeline("reach", "slice", puma, "--at", "z=0.2", "--out", tmp_path / "slice.csv", "--json")
+    rows = (tmp_path / "slice.csv").read_text().splitlines()
+    assert rows[0] == "x,y,z,directions" and len(rows) == 1 + answer.json["positions"]
+    assert sum(not row.endswith("nan") for row in rows[1:]) == answer.json["reached"] > 0
+    for measure in ("branches", "manipulability", "margin"):
+        picture = tmp_path / f"{measure}.svg"
+        assert beeline("reach", "slice", puma, "--at", "y=0", "--measure", measure, "--out", picture).code == 0
+        assert measure.replace("branches", "solutions") in picture.read_text()
+
+
+def test_an_image_has_the_cells_of_the_map(beeline, puma, tmp_path):
+    assert beeline("reach", "export", puma, "--out", tmp_path / "map.vti").code == 0
+    text = (tmp_path / "map.vti").read_bytes()
+    positions = beeline("reach", "query", puma, "--json").json["positions"]
+    assert len(text) == pytest.approx(4 * (8 + 4 * positions), abs=900)
+    assert beeline("reach", "export", puma, "--out", tmp_path / "map.obj").code == 2

@@ -46,6 +46,17 @@ struct Painter {
     marks.emplace_back(PaperStroke{path, no_colour, dots.colour, dots.diameter * pen, {}});
   }
 
+  void operator()(const Tiles& tiles) const {
+    PaperPath path;
+    for (const Tiles::Corners& corners : tiles.tiles) {
+      path.move(projection(corners.front()));
+      for (std::size_t k = 1; k < corners.size(); ++k) path.line(projection(corners[k]));
+      path.close();
+    }
+    constexpr double overlap = 0.3;  // points: no seams between tiles
+    marks.emplace_back(PaperStroke{path, tiles.colour, tiles.colour, overlap, {}});
+  }
+
   void operator()(const JointSymbol& joint) const {
     const double radius = joint.size * pen;
     const PaperPoint centre =
@@ -113,6 +124,11 @@ struct Footprints {
   }
   void operator()(const Dots& dots) const {
     for (const Vector3& p : dots.points) add(p, pen * dots.diameter / 2);
+  }
+  void operator()(const Tiles& tiles) const {
+    for (const Tiles::Corners& corners : tiles.tiles) {
+      for (const Vector3& corner : corners) add(corner, 0);
+    }
   }
   void operator()(const JointSymbol& joint) const {
     add(joint.centre, pen * (std::abs(joint.shift) + 2 * joint.size + 1));

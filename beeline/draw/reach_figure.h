@@ -1,0 +1,12 @@
+#pragma once
+
+#include <beeline/draw/figure.h>
+#include <beeline/reach/slice.h>
+
+namespace beeline {
+
+/// Draws a slice of a reach map: each position that is reached in the colour of its value, with a
+/// scale beside it, and the arm.
+Figure reach_figure(const ReachSlice& slice);
+
+}  // namespace beeline

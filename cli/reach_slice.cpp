@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <beeline/draw/canvas.h>
+#include <beeline/draw/reach_figure.h>
+#include <beeline/error.h>
+#include <beeline/reach/slice.h>
+#include <beeline/read/internal/file.h>
+#include <beeline/read/internal/numbers.h>
+
+#include "command/verb.h"
+#include "format.h"
+#include "result_files.h"
+#include "verbs.h"
+
+using namespace beeline;
+
+namespace {
+
+struct SliceArguments {
+  std::string map, at, measure = "directions", out;
+  bool json = false;
+};
+
+/// The axis and the coordinate of "z=0.3".
+std::pair<int, double> plane_of(const std::string& text) {
+  const std::size_t axis = text.empty() ? std::string::npos : std::string("xyz").find(text[0]);
+  if (axis == std::string::npos || text.size() < 3 || text[1] != '=') {
+    throw Error("--at: \"" + text + "\" is no plane, such as z=0.3");
+  }
+  return {static_cast<int>(axis), internal::parse_number(text.substr(2), "--at")};
+}
+
+ReachMeasure measure_of(const std::string& text) {
+  for (const ReachMeasure measure :
+       {ReachMeasure::directions, ReachMeasure::branches, ReachMeasure::manipulability}) {
+    if (text == name(measure)) return measure;
+  }
+  return ReachMeasure::margin;
+}
+
+/// One row for each cell: the centre and the value, nan where it is not reached.
+std::string csv_of(const ReachSlice& slice) {
+  std::string text = "x,y,z," + name(slice.measure) + "\n";
+  for (Eigen::Index i = 0; i < slice.values.rows(); ++i) {
+    for (Eigen::Index j = 0; j < slice.values.cols(); ++j) {
+      Vector3 centre;
+      centre[slice.normal] = slice.at;
+      centre[slice.axes[0]] = slice.grid[0].centre(i);
+      centre[slice.axes[1]] = slice.grid[1].centre(j);
+      for (const double c : centre) text += internal::exact(c) + ",";
+      text += internal::exact(static_cast<double>(slice.values(i, j))) + "\n";
+    }
+  }
+  return text;
+}
+
+Answer write_slice(const SliceArguments& arguments) {
+  const auto [normal, at] = plane_of(arguments.at);
+  refuse_overwriting(arguments.out, {arguments.map});
+  const bool csv = internal::extension(arguments.out) == "csv";
+  if (!csv) (void)format_of(arguments.out);
+  const ReachMap map(arguments.map);
+  const ReachSlice slice = slice_of(map, normal, at, measure_of(arguments.measure));
+  if (csv) {
+    internal::write_file(arguments.out, csv_of(slice));
+  } else {
+    save(reach_figure(slice), arguments.out);
+  }
+  const auto reached = (!slice.values.array().isNaN()).count();
+  const std::string plane = fmt::format("{}={}", "xyz"[normal], shown(slice.at));
+  return {.text = fmt::format("slice         {} at {}, {} of {} positions reached\n", arguments.out,
+                              plane, reached, slice.values.size()),
+          .document = {{"status", "written"},
+                       {"out", arguments.out},
+                       {"at", slice.at},
+                       {"positions", slice.values.size()},
+                       {"reached", reached}}};
+}
+
+}  // namespace
+
+Verb reach_slice_verb() {
+  static SliceArguments arguments;
+  return {.name = "slice",
+          .summary = "Draw the positions of a map in a plane, or write them as numbers",
+          .description =
+              "Draws the cells of a map around a plane perpendicular to an axis of the world, with "
+              "the arm, or writes them to a .csv file: a row x,y,z,value for each, nan where the "
+              "arm reaches no orientation. The value is the best of the orientations at a "
+              "position; directions are their fraction that is reached.",
+          .arguments = {{.name = "MAP",
+                         .help = "A file of `beeline reach map`.",
+                         .target = &arguments.map,
+                         .completes = Completes::file}},
+          .options = {{.name = "--at",
+                       .value = "PLANE",
+                       .help = "The plane: x=, y= or z= and a coordinate, m.",
+                       .target = &arguments.at,
+                       .required = true,
+                       .phrases = {"the slice at"}},
+                      {.name = "--out",
+                       .value = "FILE",
+                       .help = "The picture, .svg, .png or .pdf, or the numbers, .csv.",
+                       .target = &arguments.out,
+                       .required = true,
+                       .completes = Completes::file},
+                      {.name = "--measure",
+                       .value = "MEASURE",
+                       .help = "What is shown of a position.",
+                       .target = &arguments.measure,
+                       .choices = {"directions", "branches", "manipulability", "margin"}}},
+          .examples = {{"How freely an arm can turn its tool at the height of its shoulder",
+                        "beeline reach map puma560 --resolution 0.1 --out puma560.h5\n"
+                        "beeline reach slice puma560.h5 --at z=0.2 --out slice.svg"}},
+          .json = &arguments.json,
+          .run = [] { return write_slice(arguments); }};
+}
