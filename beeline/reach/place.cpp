@@ -53,12 +53,13 @@ class Mounts {
   double heading(std::int64_t i) const {
     return 2 * std::numbers::pi * static_cast<double>(i % headings_) / headings_;
   }
-  Pose world_T_mount(std::int64_t i) const {
+  /// The mount in the world.
+  Pose pose(std::int64_t i) const {
     const std::int64_t p = i / headings_;
     const auto ny = static_cast<std::int64_t>(counts_.y()),
                nz = static_cast<std::int64_t>(counts_.z());
-    const Vector3 index(static_cast<double>(p / (ny * nz)), static_cast<double>(p / nz % ny),
-                        static_cast<double>(p % nz));
+    const std::int64_t x = p / (ny * nz), y = p / nz % ny, z = p % nz;
+    const Vector3 index(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
     Pose pose = Pose::Identity();
     pose.linear() = Eigen::AngleAxisd(heading(i), Vector3::UnitZ()).toRotationMatrix();
     pose.translation() = lower_ + step_ * index;
@@ -99,7 +100,7 @@ struct Rank {
 Rank rank_of(const ReachGrid& grid, const std::vector<float>& margins, const Mounts& mounts,
              std::int64_t mount, std::span<const Pose> poses) {
   Rank rank{.margin = -1, .mount = mount};
-  const Pose mount_T_world = mounts.world_T_mount(mount).inverse();
+  const Pose mount_T_world = mounts.pose(mount).inverse();
   for (const Pose& pose : poses) {
     const std::optional<Eigen::Index> cell = grid.cell_of(mount_T_world * pose);
     const float margin =
@@ -196,7 +197,7 @@ std::vector<Placement> reaching_mounts(const ReachMap& map, const Mounts& mounts
         const auto solver = solvers.borrow();
         for (Eigen::Index i = first; i < last; ++i) {
           if (budget.ended(std::ssize(poses))) return;
-          const Pose world_T_mount = mounts.world_T_mount(ranks[i].mount);
+          const Pose world_T_mount = mounts.pose(ranks[i].mount);
           std::optional<Placement> placement =
               placement_at(map.arm(), world_T_mount, poses, *solver);
           ++checked;
