@@ -25,7 +25,7 @@ help:
 	@echo "make docs      the documentation, in build/docs/html"
 	@echo "make wheel     the Python module with the page for CPython 3.10 to 3.13, in build-wheel/dist, tried in each that is here"
 	@echo "make test      builds and runs every test but the next"
-	@echo "make test-peers   comparisons with Pinocchio, Ruckig, toppra: packages from PyPI"
+	@echo "make test-peers   comparisons with Pinocchio, Ruckig, toppra: packages from PyPI; beeline-reach-mpi on OpenMPI"
 	@echo "make test-web  the WebAssembly module beside the command, the page in a browser"
 	@echo "make test-all  all of these, and make wheel"
 	@echo "make web       the page, computed in the browser, in build/web"
@@ -80,11 +80,11 @@ wheel: web
 	@scripts/wheel.sh build-wheel/dist
 
 test-peers:
-	@scripts/install_packages.sh build test peers python
+	@scripts/install_packages.sh build test peers python mpi
 	@scripts/venv.sh .venv-python tests/python/requirements.txt
 	@scripts/venv.sh .venv tests/peers/requirements.txt
-	@cmake --preset release -DBEELINE_TESTS=ON -DBEELINE_PEERS=ON $(module) $(strict)
-	@cmake --build --preset release --parallel $(JOBS) --target peers
+	@cmake --preset release -DBEELINE_TESTS=ON -DBEELINE_PEERS=ON -DBEELINE_MPI=ON $(module) $(strict)
+	@cmake --build --preset release --parallel $(JOBS) --target peers beeline-reach-mpi
 	@ctest --preset release --label-regex peers
 
 test-all: test test-peers test-web wheel

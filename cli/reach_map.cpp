@@ -1,3 +1,5 @@
+#include "reach_map.h"
+
 #include <fmt/format.h>
 #include <mutex>
 #include <numbers>
@@ -64,29 +66,25 @@ ReachShard shard_of(const std::string& text) {
   throw Error("--shard: \"" + text + "\" is no share of a map, such as 1/4");
 }
 
-Answer compute(MapArguments& arguments) {
-  refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.limits, arguments.arm.srdf});
-  const ReachShard shard = shard_of(arguments.shard);
-  const Arm arm = arguments.arm.read(arguments.unit);
-  const ReachGrid grid = grid_of(arm, arguments);
-  ReachMapOptions options{.reach = arguments.reach, .shard = shard};
-  options.reach.budget = arguments.budget.next();
+MapArguments& map_arguments() {
+  static MapArguments arguments;
+  return arguments;
+}
+
+Answer compute() {
+  ReachMapJob job = reach_map_job();
   Ending ending = Ending::complete;
   {
     Progress progress;
     std::mutex showing;
-    options.reach.budget.progress = [&](double fraction) {
+    job.options.reach.budget.progress = [&](double fraction) {
       const std::lock_guard lock(showing);
       progress.show(fraction);
     };
-    ending = compute_reach_map(arm, grid, arguments.out, options);
+    ending = compute_reach_map(job.arm, job.grid, job.out, job.options);
   }
-  if (ending == Ending::complete) return map_totals(ReachMap(arguments.out));
-  return {.text = "no map        the slabs computed so far are in " + arguments.out + ".parts\n",
-          .document = {{"status", name(ending)}, {"parts", arguments.out + ".parts"}},
-          .yes = false,
-          .reason = internal::ended_by(ending) + ": the slabs computed so far are in " +
-                    arguments.out + ".parts; the same command continues"};
+  if (ending == Ending::complete) return map_totals(ReachMap(job.out));
+  return interrupted_map(job.out, ending);
 }
 
 std::vector<Option> grid_options(MapArguments& arguments) {
@@ -131,8 +129,19 @@ std::vector<Option> grid_options(MapArguments& arguments) {
 
 }  // namespace
 
+ReachMapJob reach_map_job() {
+  const MapArguments& arguments = map_arguments();
+  refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.limits, arguments.arm.srdf});
+  const ReachShard shard = shard_of(arguments.shard);
+  const Arm arm = arguments.arm.read(arguments.unit);
+  ReachMapJob job{.arm = arm, .grid = grid_of(arm, arguments), .out = arguments.out};
+  job.options = {.reach = arguments.reach, .shard = shard};
+  job.options.reach.budget = arguments.budget.next();
+  return job;
+}
+
 Verb reach_map_verb() {
-  static MapArguments arguments;
+  MapArguments& arguments = map_arguments();
   return {
       .name = "map",
       .summary = "Compute what an arm can do at the centre of each cell of a grid",
@@ -183,5 +192,5 @@ Verb reach_map_verb() {
                     "beeline reach map puma560 --resolution 0.12 --shard 2/2 --out part2.h5\n"
                     "beeline reach merge part1.h5 part2.h5 --out puma560.h5"}},
       .json = &arguments.json,
-      .run = [] { return compute(arguments); }};
+      .run = compute};
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <beeline/internal/budget_meter.h>
+
 #include "format.h"
 
 using namespace beeline;
@@ -63,4 +65,13 @@ Answer map_totals(const ReachMap& map) {
                      {"positions_reached", totals.reached_positions},
                      {planar ? "area" : "volume", size}};
   return answer;
+}
+
+Answer interrupted_map(const std::string& out, Ending ending) {
+  const std::string parts = out + ".parts";
+  return {.text = "no map        the slabs computed so far are in " + parts + "\n",
+          .document = {{"status", name(ending)}, {"parts", parts}},
+          .yes = false,
+          .reason = internal::ended_by(ending) + ": the slabs computed so far are in " + parts +
+                    "; the same command continues"};
 }

@@ -6,3 +6,6 @@
 
 /// What a map is of, and how many of its cells are reached.
 Answer map_totals(const beeline::ReachMap& map);
+
+/// The answer where the computation of the map `out` ended before it was complete.
+Answer interrupted_map(const std::string& out, beeline::Ending ending);

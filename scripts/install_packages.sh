@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of the named groups that are not there yet.
-# Usage: install_packages.sh build|test|python|peers|bench|lint|docs|web|arm|fuzz...
+# Usage: install_packages.sh build|test|python|peers|bench|lint|docs|web|arm|fuzz|mpi...
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config
@@ -11,6 +11,7 @@ peers=(ffmpeg)
 python=(python3 python3-dev python3-venv)
 bench=(libbenchmark-dev liborocos-kdl-dev python3 python3-venv valgrind)
 docs=(doxygen rsync)
+mpi=(libopenmpi-dev openmpi-bin iproute2)
 fuzz=(clang-14 libclang-rt-14-dev)
 web=(emscripten dpkg-dev chromium python3 python3-venv)
 arm=(g++-aarch64-linux-gnu qemu-user)
@@ -28,8 +29,9 @@ for group in "$@"; do
     web) wanted+=("${web[@]}") ;;
     arm) wanted+=("${arm[@]}") ;;
     docs) wanted+=("${docs[@]}") ;;
+    mpi) wanted+=("${mpi[@]}") ;;
     fuzz) wanted+=("${fuzz[@]}") ;;
-    *) echo "$0: no group '$group': build, test, python, peers, bench, lint, docs, web, arm, fuzz" >&2; exit 2 ;;
+    *) echo "$0: no group '$group': build, test, python, peers, bench, lint, docs, web, arm, fuzz, mpi" >&2; exit 2 ;;
   esac
 done
 

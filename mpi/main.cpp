@@ -1,0 +1,123 @@
+// beeline-reach-mpi map ARM --out FILE ...: `beeline reach map` by all ranks of an MPI job, on as
+// many machines as it has. Each slab is written whole to FILE.parts: after a rank was killed, which
+// ends the job, the same command continues, with any number of ranks.
+
+#include <beeline/error.h>
+#include <beeline/reach/internal/parts.h>
+#include <beeline/reach/reach.h>
+
+#include "cli/command/program.h"
+#include "cli/command/progress.h"
+#include "cli/command/streams.h"
+#include "cli/reach_map.h"
+#include "cli/reach_totals.h"
+#include "cli/verbs.h"
+#include "dispatcher.h"
+
+#include <fcntl.h>
+#include <mpi.h>
+#include <unistd.h>
+
+using namespace beeline;
+
+namespace {
+
+int rank() {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  return rank;
+}
+
+/// Mistakes in the options are every rank's: rank 0 reports them.
+class QuietRanks {
+ public:
+  QuietRanks() : stderr_(dup(STDERR_FILENO)) {
+    if (rank() == 0) return;
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    dup2(nowhere, STDERR_FILENO);
+    close(nowhere);
+  }
+  void end() const { dup2(stderr_, STDERR_FILENO); }
+
+ private:
+  int stderr_;
+};
+
+/// Computes slabs until `next` returns none.
+template <class Next>
+Ending compute_slabs(const internal::Parts& parts, const ReachMapJob& job, const Next& next) {
+  Ending ending = Ending::complete;
+  while (const std::optional<Eigen::Index> slab = next()) {
+    // A rank whose time is over goes on asking, so that nothing is left for the dispatcher.
+    if (ending == Ending::complete) ending = parts.compute(*slab, job.options.reach);
+  }
+  return ending;
+}
+
+/// Rank 0: hands out the slabs, computes as the others do, and joins what all have computed.
+Answer lead(const internal::Parts& parts, const ReachMapJob& job, Eigen::Index count) {
+  std::vector<Eigen::Index> all, missing;
+  for (Eigen::Index s = 0; s < count; ++s) {
+    all.push_back(s);
+    if (!parts.has(s)) missing.push_back(s);
+  }
+  Ending ending = Ending::complete;
+  {
+    Progress progress;
+    Dispatcher dispatcher(missing);
+    ending = compute_slabs(parts, job, [&] {
+      progress.show(dispatcher.fraction());
+      return dispatcher.next();
+    });
+  }
+  ending = static_cast<Ending>(largest_of_all(static_cast<int>(ending)));
+  if (ending != Ending::complete) return interrupted_map(job.out, ending);
+  parts.join(all, job.out);
+  parts.remove();
+  return map_totals(ReachMap(job.out));
+}
+
+Answer compute() {
+  const ReachMapJob job = reach_map_job();
+  if (job.options.shard.count != 1) {
+    throw Error("--shard is for `beeline reach map`: the ranks divide the map among them");
+  }
+  (void)reach_cells(job.arm, job.grid, 0, 0, job.options.reach);  // refuses what has no map
+  const ReachMapHeader header{job.arm, job.grid, job.options.reach.redundant_values};
+  if (rank() == 0) {
+    const internal::Parts parts(job.out, header);  // makes the folder
+    largest_of_all(0);
+    return lead(parts, job, internal::Slabs(job.grid).count());
+  }
+  largest_of_all(0);
+  const internal::Parts parts(job.out, header);
+  const Ending ending = compute_slabs(parts, job, ask_for_slab);
+  largest_of_all(static_cast<int>(ending));
+  return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int threads = MPI_THREAD_SINGLE;
+  MPI_Init_thread(&argc, &argv, MPI_THREAD_MULTIPLE, &threads);
+  const QuietRanks quiet;
+  Verb verb = reach_map_verb();
+  verb.run = [&quiet, threads] {
+    quiet.end();
+    try {
+      if (threads < MPI_THREAD_MULTIPLE) throw Error("this MPI does not allow several threads");
+      return compute();
+    } catch (const FileError& error) {
+      print_error(error.what());
+      MPI_Abort(MPI_COMM_WORLD, 3);
+    } catch (const Error& error) {
+      print_error(error.what());
+      MPI_Abort(MPI_COMM_WORLD, 2);
+    }
+    return Answer{};
+  };
+  const int code = run_program({verb}, argc, argv);
+  MPI_Finalize();
+  return code;
+}
