@@ -210,7 +210,7 @@ test("what is refused is refused in the command line's words", async () => {
     const expected = run(args);
     const found = await commands.run(args);
     expect(found.code).toBe(expected.code);
-    expect(found.stderr).toBe(expected.stderr.replace(", reach, view", "")); // a page serves no page
+    expect(found.stderr).toBe(expected.stderr.replace(", reach, view", "")); // a page serves no page and has no HDF5
   }
   const truncated = { "arm.urdf": "<robot name='a'><link name='b'>" };
   expect((await commands.run(["show", "arm.urdf"], truncated)).stderr).toBe(
