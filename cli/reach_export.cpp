@@ -3,6 +3,7 @@
 #include <beeline/read/internal/file.h>
 
 #include "command/verb.h"
+#include "reach_totals.h"
 #include "result_files.h"
 #include "verbs.h"
 
@@ -36,10 +37,7 @@ Verb reach_export_verb() {
               "fraction of the directions that is reached, and the largest number of branches, "
               "manipulability and margin of any orientation; the last two are nan where none is "
               "reached.",
-          .arguments = {{.name = "MAP",
-                         .help = "A file of `beeline reach map`.",
-                         .target = &arguments.map,
-                         .completes = Completes::file}},
+          .arguments = {map_argument(&arguments.map)},
           .options = {{.name = "--out",
                        .value = "FILE",
                        .help = "The image, .vti.",

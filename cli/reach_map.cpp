@@ -1,7 +1,6 @@
 #include "reach_map.h"
 
 #include <fmt/format.h>
-#include <mutex>
 #include <numbers>
 
 #include <beeline/error.h>
@@ -76,11 +75,7 @@ Answer compute() {
   Ending ending = Ending::complete;
   {
     Progress progress;
-    std::mutex showing;
-    job.options.reach.budget.progress = [&](double fraction) {
-      const std::lock_guard lock(showing);
-      progress.show(fraction);
-    };
+    job.options.reach.budget.progress = [&progress](double fraction) { progress.show(fraction); };
     ending = compute_reach_map(job.arm, job.grid, job.out, job.options);
   }
   if (ending == Ending::complete) return map_totals(ReachMap(job.out));

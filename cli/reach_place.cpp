@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <mutex>
 
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
@@ -100,11 +99,7 @@ Answer place(PlaceArguments& arguments) {
   PlacementResult result;
   {
     Progress progress;
-    std::mutex showing;
-    options.budget.progress = [&](double fraction) {
-      const std::lock_guard lock(showing);
-      progress.show(fraction);
-    };
+    options.budget.progress = [&progress](double fraction) { progress.show(fraction); };
     result = find_placements(map, poses.poses, options);
   }
   return answer_of(map.arm(), result, arguments);

@@ -112,10 +112,7 @@ Verb reach_query_verb() {
           "orientation, what the arm can do at its centre, and whether the arm reaches the pose "
           "itself. A position without orientation is answered with the best of its cells, and no "
           "pose at all with the totals of the map. Exit code 1: not reached.",
-      .arguments = {{.name = "MAP",
-                     .help = "A file of `beeline reach map`.",
-                     .target = &arguments.map,
-                     .completes = Completes::file}},
+      .arguments = {map_argument(&arguments.map)},
       .options = joined({{{.name = "--pose",
                            .value = "POSE",
                            .help = "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz in the world, or a "

@@ -9,6 +9,7 @@
 
 #include "command/verb.h"
 #include "format.h"
+#include "reach_totals.h"
 #include "result_files.h"
 #include "verbs.h"
 
@@ -88,10 +89,7 @@ Verb reach_slice_verb() {
               "the arm, or writes them to a .csv file: a row x,y,z,value for each, nan where the "
               "arm reaches no orientation. The value is the best of the orientations at a "
               "position; directions are their fraction that is reached.",
-          .arguments = {{.name = "MAP",
-                         .help = "A file of `beeline reach map`.",
-                         .target = &arguments.map,
-                         .completes = Completes::file}},
+          .arguments = {map_argument(&arguments.map)},
           .options = {{.name = "--at",
                        .value = "PLANE",
                        .help = "The plane: x=, y= or z= and a coordinate, m.",

@@ -28,6 +28,13 @@ double percent(std::int64_t part, std::int64_t all) {
 
 }  // namespace
 
+Positional map_argument(std::string* target) {
+  return {.name = "MAP",
+          .help = "A file of `beeline reach map`.",
+          .target = target,
+          .completes = Completes::file};
+}
+
 Answer map_totals(const ReachMap& map) {
   const ReachMap::Totals totals = map.totals();
   const double edge = map.grid().axes()[0].step;

@@ -4,6 +4,9 @@
 
 #include "command/verb.h"
 
+/// MAP, a file of `reach map`.
+Positional map_argument(std::string* target);
+
 /// What a map is of, and how many of its cells are reached.
 Answer map_totals(const beeline::ReachMap& map);
 

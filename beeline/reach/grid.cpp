@@ -181,9 +181,14 @@ ReachGridOptions ReachGrid::options() const {
   return options;
 }
 
-Vector3 ReachGrid::centre(Eigen::Index p) const {
+std::array<Eigen::Index, 3> ReachGrid::indices(Eigen::Index p) const {
   const Eigen::Index nz = axes_[2].cells, ny = axes_[1].cells;
-  return {axes_[0].centre(p / (ny * nz)), axes_[1].centre(p / nz % ny), axes_[2].centre(p % nz)};
+  return {p / (ny * nz), p / nz % ny, p % nz};
+}
+
+Vector3 ReachGrid::centre(Eigen::Index p) const {
+  const auto [x, y, z] = indices(p);
+  return {axes_[0].centre(x), axes_[1].centre(y), axes_[2].centre(z)};
 }
 
 Rotation ReachGrid::rotation(Eigen::Index d, Eigen::Index r) const {

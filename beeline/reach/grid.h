@@ -102,7 +102,9 @@ class ReachGrid {
   Eigen::Index rolls() const { return roll_count_; }
   Eigen::Index cells() const { return positions() * directions() * rolls(); }
 
-  /// The centre of position p = (ix ny + iy) nz + iz, m, in the world.
+  /// The indices ix, iy and iz of position p = (ix ny + iy) nz + iz.
+  std::array<Eigen::Index, 3> indices(Eigen::Index p) const;
+  /// The centre of position p, m, in the world.
   Vector3 centre(Eigen::Index p) const;
   /// The orientation of direction d with roll r:
   /// Rz(azimuth) Ry(polar) Rz(2 pi r / rolls()), whose z axis is the direction.

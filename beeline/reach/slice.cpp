@@ -6,12 +6,6 @@
 namespace beeline {
 namespace {
 
-/// The indices of a position along x, y and z.
-std::array<Eigen::Index, 3> indices(const ReachGrid& grid, Eigen::Index p) {
-  const Eigen::Index ny = grid.axes()[1].cells, nz = grid.axes()[2].cells;
-  return {p / (ny * nz), p / nz % ny, p % nz};
-}
-
 float value_of(const ReachPositions& best, std::size_t k, ReachMeasure measure) {
   if (best.branches[k] == 0) return std::numeric_limits<float>::quiet_NaN();
   switch (measure) {
@@ -68,7 +62,7 @@ ReachSlice slice_of(const ReachMap& map, int normal, double at, ReachMeasure mea
     const Eigen::Index first = slabs.first(s), last = slabs.last(s);
     const ReachPositions best = reach_positions(grid, map.cells(first, last));
     for (Eigen::Index p = first; p < last; ++p) {
-      const auto at_p = indices(grid, p);
+      const auto at_p = grid.indices(p);
       if (at_p[normal] != *index) continue;
       slice.values(at_p[slice.axes[0]], at_p[slice.axes[1]]) =
           value_of(best, static_cast<std::size_t>(p - first), measure);

@@ -66,8 +66,7 @@ void write_vti(const ReachMap& map, const std::string& path) {
   // The map's positions have z the fastest, an image x.
   std::array<std::vector<float>, 4> images;
   for (std::vector<float>& image : images) image.resize(positions);
-  const Eigen::Index nx = grid.axes()[0].cells, ny = grid.axes()[1].cells,
-                     nz = grid.axes()[2].cells;
+  const Eigen::Index nx = grid.axes()[0].cells, ny = grid.axes()[1].cells;
   const internal::Slabs slabs(grid);
   for (Eigen::Index s = 0; s < slabs.count(); ++s) {
     const Eigen::Index first = slabs.first(s), last = slabs.last(s);
@@ -75,7 +74,7 @@ void write_vti(const ReachMap& map, const std::string& path) {
     for (std::size_t k = 0; k < images.size(); ++k) {
       const std::vector<float> values = columns()[k].values(best);
       for (Eigen::Index p = first; p < last; ++p) {
-        const Eigen::Index x = p / (ny * nz), y = p / nz % ny, z = p % nz;
+        const auto [x, y, z] = grid.indices(p);
         images[k][static_cast<std::size_t>((z * ny + y) * nx + x)] =
             values[static_cast<std::size_t>(p - first)];
       }

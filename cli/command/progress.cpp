@@ -14,6 +14,7 @@ Progress::~Progress() {
 
 void Progress::show(double fraction) {
   const int percent = static_cast<int>(100 * fraction);
+  const std::lock_guard lock(showing_);
   if (!terminal_ || percent == percent_) return;
   percent_ = percent;
   write_stderr(fmt::format("\r{:3d} %", percent));

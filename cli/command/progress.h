@@ -1,5 +1,7 @@
 #pragma once
 
+#include <mutex>
+
 /// Shows the progress of a long computation in percent on stderr, if that is a terminal.
 class Progress {
  public:
@@ -8,9 +10,10 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void show(double fraction);
+  void show(double fraction);  ///< from any thread
 
  private:
+  std::mutex showing_;
   bool terminal_;
   int percent_ = -1;  ///< shown now; -1: none
 };

@@ -10,6 +10,7 @@
 #include "tests/degrees.h"
 #include "tests/random.h"
 #include "tests/refusal.h"
+#include "tests/temporary_folder.h"
 
 namespace beeline {
 namespace {
@@ -17,16 +18,11 @@ namespace {
 using testing::deg;
 using testing::Random;
 
-/// A folder of its own, deleted in the end.
 class ReachMapFile : public ::testing::Test {
  protected:
-  ReachMapFile() { std::filesystem::create_directories(folder_); }
-  ~ReachMapFile() override { std::filesystem::remove_all(folder_); }
+  std::string path(const std::string& name) const { return folder_.file(name); }
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  std::filesystem::path folder_ =
-      std::filesystem::path(::testing::TempDir()) / ("reach-" + std::to_string(::getpid()));
+  testing::TemporaryFolder folder_;
 };
 
 bool same(const std::vector<float>& a, const std::vector<float>& b) {
@@ -42,11 +38,6 @@ void expect_equal(const ReachCells& a, const ReachCells& b) {
 
 void expect_equal(const ReachMap& a, const ReachMap& b) {
   expect_equal(a.cells(0, a.grid().positions()), b.cells(0, b.grid().positions()));
-}
-
-std::string content(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 /// A map of more than one slab.
@@ -131,9 +122,9 @@ TEST_F(ReachMapFile, ContinuesWhereItEnded) {
   EXPECT_FALSE(std::filesystem::exists(path("map.h5")));
   // A slab that was cut off, and one with a wrong byte, are computed again.
   std::filesystem::resize_file(path("map.h5.parts/slab-0.h5"), 3000);
-  std::string bytes = content(path("map.h5.parts/slab-1.h5"));
+  std::string bytes = folder_.content("map.h5.parts/slab-1.h5");
   bytes[bytes.size() - 3000] ^= 1;
-  std::ofstream(path("map.h5.parts/slab-1.h5"), std::ios::binary) << bytes;
+  folder_.write("map.h5.parts/slab-1.h5", bytes);
   double began = -1;
   ReachMapOptions rest{.reach = {.threads = 1}};
   rest.reach.budget.progress = [&began](double fraction) {
@@ -141,7 +132,7 @@ TEST_F(ReachMapFile, ContinuesWhereItEnded) {
   };
   ASSERT_EQ(compute_reach_map(example.arm, example.grid, path("map.h5"), rest), Ending::complete);
   expect_equal(ReachMap(path("map.h5")), ReachMap(path("whole.h5")));
-  EXPECT_EQ(content(path("map.h5")), content(path("whole.h5")));
+  EXPECT_EQ(folder_.content("map.h5"), folder_.content("whole.h5"));
 }
 
 TEST_F(ReachMapFile, TheFolderOfAnotherMapIsRefused) {
@@ -162,7 +153,7 @@ TEST_F(ReachMapFile, DamagedFilesAreRefused) {
   const Arm arm = built_in("puma560");
   const ReachGrid grid(arm, {.resolution = 0.5, .directions = 90 * deg});
   compute_reach_map(arm, grid, path("map.h5"));
-  const std::string whole = content(path("map.h5"));
+  const std::string whole = folder_.content("map.h5");
   Random random;
   int refused = 0;
   for (int i = 0; i < testing::cases(300); ++i) {
@@ -173,7 +164,7 @@ TEST_F(ReachMapFile, DamagedFilesAreRefused) {
       bytes[static_cast<std::size_t>(random.integer(0, static_cast<int>(whole.size()) - 1))] ^=
           static_cast<char>(1 << random.integer(0, 7));
     }
-    std::ofstream(path("bad.h5"), std::ios::binary) << bytes;
+    folder_.write("bad.h5", bytes);
     try {
       const ReachMap map(path("bad.h5"));
       (void)map.cells(0, map.grid().positions());
