@@ -172,12 +172,12 @@ void check_options(const ReachMap& map, std::span<const Pose> poses,
   check("count", options.count, 1000);
   check("max_checked", options.max_checked, 100'000'000);
   if (map.grid().orientations() == ReachOrientations::fixed) {
-    throw Error(map.path() + " has one orientation; a placement needs a map of directions");
+    throw Error("the map has one orientation; a placement needs a map of directions");
   }
   if (!map.complete()) throw Error(map.path() + " is incomplete: merge its parts first");
   constexpr Eigen::Index most = 500'000'000;
   if (map.grid().cells() > most) {
-    throw Error(map.path() + " has " + std::to_string(map.grid().cells()) +
+    throw Error("the map has " + std::to_string(map.grid().cells()) +
                 " cells, a placement can use 5e8: make a coarser map");
   }
 }

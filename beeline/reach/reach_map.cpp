@@ -1,37 +1,49 @@
 #include <algorithm>
 
-#include <beeline/reach/internal/map_file.h>
-#include <beeline/reach/internal/map_header.h>
+#include <beeline/reach/internal/map_data.h>
 #include <beeline/reach/internal/positions.h>
-#include <beeline/reach/reach_map.h>
 
 namespace beeline {
+namespace {
 
-struct ReachMap::File {
-  explicit File(const std::string& at)
-      : path(at),
-        file(at, internal::Hdf5File::Mode::read),
-        header(internal::read_header(file, at)),
-        slabs(header.grid),
-        there(internal::read_slabs(file, header.grid)),
-        datasets(internal::open_datasets(file, header.grid)) {}
+/// The cells from `first` to `last`, exclusive.
+ReachCells part_of(const ReachCells& cells, Eigen::Index first, Eigen::Index last) {
+  const auto part = [first, last](const auto& values) {
+    return std::decay_t<decltype(values)>(values.begin() + first, values.begin() + last);
+  };
+  return {part(cells.branches), part(cells.manipulability), part(cells.margin)};
+}
 
-  std::string path;
-  internal::Hdf5File file;
-  ReachMapHeader header;
-  internal::Slabs slabs;
-  std::vector<bool> there;
-  internal::MapDatasets datasets;
-};
+}  // namespace
 
-ReachMap::ReachMap(const std::string& path) : file_(std::make_unique<File>(path)) {}
+ReachMap::ReachMap(ReachMapHeader header, ReachCells cells) {
+  if (cells.ending != Ending::complete) throw Error("the cells were not computed to the end");
+  const auto count = static_cast<std::size_t>(header.grid.cells());
+  if (cells.branches.size() != count || cells.manipulability.size() != count ||
+      cells.margin.size() != count) {
+    throw Error("the map has " + std::to_string(count) + " cells, not " +
+                std::to_string(cells.branches.size()));
+  }
+  const internal::Slabs slabs(header.grid);
+  const Eigen::Index at_position = header.grid.directions() * header.grid.rolls();
+  std::vector<bool> there(static_cast<std::size_t>(slabs.count()), true);
+  data_ = std::make_unique<Data>(
+      Data{.path = {},
+           .header = std::move(header),
+           .slabs = slabs,
+           .there = std::move(there),
+           .read = [slabs, at_position, all = std::move(cells)](Eigen::Index slab) {
+             return part_of(all, slabs.first(slab) * at_position, slabs.last(slab) * at_position);
+           }});
+}
+
 ReachMap::~ReachMap() = default;
 ReachMap::ReachMap(ReachMap&&) noexcept = default;
 ReachMap& ReachMap::operator=(ReachMap&&) noexcept = default;
 
-const std::string& ReachMap::path() const { return file_->path; }
-const ReachMapHeader& ReachMap::header() const { return file_->header; }
-const std::vector<bool>& ReachMap::slabs() const { return file_->there; }
+const std::string& ReachMap::path() const { return data_->path; }
+const ReachMapHeader& ReachMap::header() const { return data_->header; }
+const std::vector<bool>& ReachMap::slabs() const { return data_->there; }
 
 bool ReachMap::complete() const {
   return std::all_of(slabs().begin(), slabs().end(), [](bool there) { return there; });
@@ -40,9 +52,9 @@ bool ReachMap::complete() const {
 ReachMap::Totals ReachMap::totals() const {
   Totals totals;
   const Eigen::Index at_position = grid().directions() * grid().rolls();
-  for (Eigen::Index s = 0; s < file_->slabs.count(); ++s) {
+  for (Eigen::Index s = 0; s < data_->slabs.count(); ++s) {
     if (!slabs()[static_cast<std::size_t>(s)]) continue;
-    const ReachCells slab = cells(file_->slabs.first(s), file_->slabs.last(s));
+    const ReachCells slab = data_->read(s);
     for (auto at = slab.branches.begin(); at != slab.branches.end(); at += at_position) {
       const auto reached = at_position - std::count(at, at + at_position, 0);
       totals.cells += at_position;
@@ -59,19 +71,13 @@ ReachCells ReachMap::cells(Eigen::Index first, Eigen::Index last) const {
   const Eigen::Index at_position = grid().directions() * grid().rolls();
   ReachCells cells;
   cells.resize(static_cast<std::size_t>((last - first) * at_position));
-  ReachCells slab;
   for (Eigen::Index p = first; p < last;) {
-    const Eigen::Index s = file_->slabs.slab_of(p);
+    const Eigen::Index s = data_->slabs.slab_of(p);
     if (!slabs()[static_cast<std::size_t>(s)]) {
       throw FileError(path(), 0, "holds part of a map, without position " + std::to_string(p));
     }
-    // The whole slab: it is one chunk, which is decompressed in any case.
-    const Eigen::Index begin = file_->slabs.first(s), end = std::min(file_->slabs.last(s), last);
-    slab.resize(static_cast<std::size_t>((file_->slabs.last(s) - begin) * at_position));
-    const auto [box_begin, size] = internal::box_of(grid(), file_->slabs, s);
-    file_->datasets.branches.read(box_begin, size, slab.branches.data());
-    file_->datasets.manipulability.read(box_begin, size, slab.manipulability.data());
-    file_->datasets.margin.read(box_begin, size, slab.margin.data());
+    const Eigen::Index begin = data_->slabs.first(s), end = std::min(data_->slabs.last(s), last);
+    const ReachCells slab = data_->read(s);
     const auto copy = [&](const auto& from, auto& to) {
       std::copy(from.begin() + (p - begin) * at_position,
                 from.begin() + (end - begin) * at_position, to.begin() + (p - first) * at_position);

@@ -18,27 +18,31 @@ struct ReachMapHeader {
   int redundant_values = 16;  ///< see ReachOptions
 };
 
-/// A reach map in an HDF5 file, which any program that reads HDF5 reads too (docs/reach.md lists
-/// its attributes and datasets). Cells are read from the file when they are asked for. A file may
-/// hold part of a map: a shard, or one whose computation was ended. Not thread-safe.
+/// A reach map, in memory or in an HDF5 file, which any program that reads HDF5 reads too
+/// (docs/howto/reach.md lists its attributes and datasets). Cells are read from a file when they
+/// are asked for. A file may hold part of a map: a shard, or one whose computation was ended. Not
+/// thread-safe.
 class ReachMap {
  public:
   /// Opens a file. Throws FileError for one that cannot be read or is no reach map.
   explicit ReachMap(const std::string& path);
+  /// A map in memory. Throws Error for cells that were not computed to the end or are not those of
+  /// all positions of the grid.
+  ReachMap(ReachMapHeader header, ReachCells cells);
   ~ReachMap();
   ReachMap(ReachMap&&) noexcept;
   ReachMap& operator=(ReachMap&&) noexcept;
 
-  const std::string& path() const;
+  const std::string& path() const;  ///< empty for a map in memory
   const ReachMapHeader& header() const;
   const Arm& arm() const { return header().arm; }
   const ReachGrid& grid() const { return header().grid; }
 
-  /// The map is stored in slabs, ranges of positions: whether a slab is in this file.
+  /// The map is stored in slabs, ranges of positions: whether each is here.
   const std::vector<bool>& slabs() const;
   bool complete() const;
 
-  /// Counts over all cells in this file.
+  /// Counts over all cells that are here.
   struct Totals {
     std::int64_t cells = 0, reached = 0;
     std::int64_t positions = 0, reached_positions = 0;  ///< reached in some orientation
@@ -46,12 +50,12 @@ class ReachMap {
   Totals totals() const;
 
   /// Reads the cells of the positions from `first` to `last`, exclusive. Throws Error for positions
-  /// outside the grid, FileError for ones that are not in this file.
+  /// outside the grid, FileError for ones that are not in the file.
   ReachCells cells(Eigen::Index first, Eigen::Index last) const;
 
  private:
-  struct File;
-  std::unique_ptr<File> file_;
+  struct Data;
+  std::unique_ptr<Data> data_;
 };
 
 }  // namespace beeline

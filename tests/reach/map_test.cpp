@@ -176,5 +176,21 @@ TEST_F(ReachMapFile, DamagedFilesAreRefused) {
   EXPECT_REFUSED(ReachMap(path("none.h5")), "No such file");
 }
 
+TEST_F(ReachMapFile, IsTheMapInMemory) {
+  const Arm arm = built_in("ur5");
+  const ReachGrid grid(arm, {.resolution = 0.25});
+  compute_reach_map(arm, grid, path("map.h5"));
+  const ReachMap file(path("map.h5"));
+  const ReachMap memory({arm, grid}, reach_cells(arm, grid, 0, grid.positions()));
+  const Eigen::Index third = grid.positions() / 3;
+  expect_equal(file.cells(third, 2 * third), memory.cells(third, 2 * third));
+  EXPECT_EQ(file.totals().reached, memory.totals().reached);
+  EXPECT_TRUE(memory.complete());
+  EXPECT_EQ(memory.path(), "");
+  EXPECT_REFUSED(ReachMap({arm, grid}, reach_cells(arm, grid, 0, 1)), "the map has");
+  const ReachCells cut = reach_cells(arm, grid, 0, grid.positions(), {.budget = {.max_work = 9}});
+  EXPECT_REFUSED(ReachMap({arm, grid}, cut), "to the end");
+}
+
 }  // namespace
 }  // namespace beeline

@@ -5,7 +5,6 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/planning/move_along.h>
-#include <beeline/reach/compute_map.h>
 #include <beeline/reach/place.h>
 
 #include "tests/degrees.h"
@@ -22,13 +21,12 @@ using testing::Random;
 /// A coarse map of a built-in arm.
 ReachMap map_of(const char* name, const ReachGridOptions& options = {.directions = 90 * deg}) {
   const Arm arm = built_in(name);
-  const std::string path = ::testing::TempDir() + "/place-" + name + std::to_string(::getpid());
   ReachGridOptions coarse = options;
   coarse.resolution = arm.reach().radius / 4;
-  compute_reach_map(arm, ReachGrid(arm, coarse), path, {.reach = {.redundant_values = 4}});
-  ReachMap map(path);
-  std::filesystem::remove(path);  // it stays open
-  return map;
+  const ReachGrid grid(arm, coarse);
+  constexpr int values = 4;
+  return {{arm, grid, values},
+          reach_cells(arm, grid, 0, grid.positions(), {.redundant_values = values})};
 }
 
 /// Poses that the arm reaches from a mount.

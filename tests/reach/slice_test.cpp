@@ -7,7 +7,6 @@
 #include <beeline/draw/canvas.h>
 #include <beeline/draw/reach_figure.h>
 #include <beeline/model/catalog.h>
-#include <beeline/reach/compute_map.h>
 #include <beeline/reach/slice.h>
 #include <beeline/reach/vti_file.h>
 
@@ -21,11 +20,8 @@ using testing::deg;
 
 ReachMap map_of_puma() {
   const Arm arm = built_in("puma560");
-  const std::string path = ::testing::TempDir() + "/slice-" + std::to_string(::getpid());
-  compute_reach_map(arm, ReachGrid(arm, {.resolution = 0.2, .directions = 60 * deg}), path);
-  ReachMap map(path);
-  std::filesystem::remove(path);  // it stays open
-  return map;
+  const ReachGrid grid(arm, {.resolution = 0.2, .directions = 60 * deg});
+  return {{arm, grid}, reach_cells(arm, grid, 0, grid.positions())};
 }
 
 TEST(ReachSlice, HasTheBestOfEachPosition) {
