@@ -4,6 +4,7 @@
 #include <string>
 
 #include <beeline/reach/grid.h>
+#include <beeline/reach/internal/turning_joint.h>
 
 namespace beeline {
 
@@ -12,8 +13,8 @@ using std::numbers::pi;
 namespace {
 
 /// Throws Error unless `lower` is below `upper` along each axis, both finite.
-void check_box(const Arm& arm, const Vector3& lower, const Vector3& upper) {
-  constexpr const char* axes[] = {"x", "y", "z"};
+void check_box(const Arm& arm, const Vector3& lower, const Vector3& upper,
+               const std::array<const char*, 3>& axes) {
   for (int k = 0; k < 3; ++k) {
     if (!std::isfinite(lower[k]) || !std::isfinite(upper[k])) {
       throw Error("the reach of " + arm.name() + " has no bounds: give the box of the map");
@@ -38,12 +39,19 @@ ReachAxis axis_over(double lower, double upper, double step) {
   return {static_cast<Eigen::Index>(cells), lower, step};
 }
 
-std::array<ReachAxis, 3> position_axes(const Arm& arm, const ReachGridOptions& options) {
-  const Arm::Reach& reach = arm.reach();
-  const double resolution = options.resolution.value_or(reach.radius / 20);
+/// The edge of the cells, m.
+double resolution_of(const Arm& arm, const ReachGridOptions& options) {
+  const double resolution = options.resolution.value_or(arm.reach().radius / 20);
   if (options.resolution && !(resolution > 0 && resolution <= 1e6)) {
     throw Error("the resolution is " + number(resolution) + " m; it must be above 0, at most 1e6");
   }
+  if (!(resolution > 0)) throw Error("arm " + arm.name() + " has no reach: give the resolution");
+  return resolution;
+}
+
+std::array<ReachAxis, 3> box_axes(const Arm& arm, const ReachGridOptions& options) {
+  const Arm::Reach& reach = arm.reach();
+  const double resolution = resolution_of(arm, options);
   const Vector3 half = Vector3::Constant(reach.radius);
   Vector3 lowest = reach.centre - half;
   if (options.resolution) {  // the centres are its multiples, round numbers
@@ -51,8 +59,7 @@ std::array<ReachAxis, 3> position_axes(const Arm& arm, const ReachGridOptions& o
   }
   const Vector3 lower = options.lower.value_or(lowest);
   const Vector3 upper = options.upper.value_or(reach.centre + half);
-  check_box(arm, lower, upper);
-  if (!(resolution > 0)) throw Error("arm " + arm.name() + " has no reach: give the resolution");
+  check_box(arm, lower, upper, {"x", "y", "z"});
   std::array<ReachAxis, 3> axes;
   for (int k = 0; k < 3; ++k) axes[k] = axis_over(lower[k], upper[k], resolution);
   if (arm.planar()) axes[2] = {1, reach.centre.z() - resolution / 2, resolution};
@@ -66,6 +73,42 @@ Eigen::Index angles_around(double spacing, const char* what) {
                 " rad; it can be 0.01 to 6.2832 (0.6 to 360 degrees)");
   }
   return static_cast<Eigen::Index>(std::round(2 * pi / spacing));
+}
+
+/// A point of the axis of the first joint, about which the arm turns.
+Vector3 axis_of(const Arm& arm) {
+  const std::optional<internal::TurningJoint> base = internal::base_joint(arm);
+  if (base) return base->axis;
+  throw Error("the first joint of " + arm.name() +
+              " does not turn it about an axis parallel to the world's z, which a map by azimuths "
+              "needs");
+}
+
+/// Radius, height and azimuth about an axis.
+std::array<ReachAxis, 3> cylinder_axes(const Arm& arm, const Vector3& axis,
+                                       const ReachGridOptions& options) {
+  const Arm::Reach& reach = arm.reach();
+  const double step = resolution_of(arm, options);
+  const double far = reach.radius + (reach.centre - axis).head<2>().norm();
+  double lowest = reach.centre.z() - reach.radius;
+  if (options.resolution) lowest = (std::floor(lowest / step - 0.5) + 0.5) * step;
+  const Vector3 lower = options.lower.value_or(Vector3(0, lowest, 0));
+  const Vector3 upper = options.upper.value_or(Vector3(far, reach.centre.z() + reach.radius, 0));
+  check_box(arm, lower, upper, {"radius", "height", "azimuth"});
+  if (lower[0] < 0) {
+    throw Error("the least radius of the map is " + number(lower[0]) + " m; it is 0 or more");
+  }
+  const auto around = angles_around(*options.azimuths, "azimuths");
+  const double angle = 2 * pi / static_cast<double>(around);
+  std::array<ReachAxis, 3> axes{axis_over(lower[0], upper[0], step),
+                                axis_over(lower[1], upper[1], step),
+                                ReachAxis{around, -angle / 2, angle}};
+  if (arm.planar()) axes[1] = {1, reach.centre.z() - step / 2, step};
+  return axes;
+}
+
+Rotation about_z(double angle) {
+  return Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix();
 }
 
 }  // namespace
@@ -127,11 +170,16 @@ std::optional<Eigen::Index> ReachAxis::cell_of(double value) const {
 }
 
 ReachGrid::ReachGrid(const Arm& arm, const ReachGridOptions& options)
-    : axes_(position_axes(arm, options)), directions_(pi / 2) {
+    : cylindrical_(options.azimuths), planar_(arm.planar()), directions_(pi / 2) {
   constexpr double default_spacing = pi / 6;
   if (options.orientation && (options.directions || options.rolls)) {
     throw Error("a map has one orientation, or directions and rolls, not both");
   }
+  if (options.orientation && cylindrical_) {
+    throw Error("a map has one orientation, or azimuths, with which orientations turn, not both");
+  }
+  if (cylindrical_) axis_ = axis_of(arm);
+  axes_ = cylindrical_ ? cylinder_axes(arm, axis_, options) : box_axes(arm, options);
   if (options.orientation) {
     orientations_ = ReachOrientations::fixed;
     Pose pose = Pose::Identity();
@@ -165,6 +213,10 @@ ReachGridOptions ReachGrid::options() const {
     (*options.lower)[k] = axes_[k].lower;
     (*options.upper)[k] = axes_[k].upper();
   }
+  if (cylindrical_) {
+    options.azimuths = axes_[2].step;
+    (*options.lower)[2] = (*options.upper)[2] = 0;
+  }
   switch (orientations_) {
     case ReachOrientations::fixed:
       options.orientation = orientation_;
@@ -186,16 +238,39 @@ std::array<Eigen::Index, 3> ReachGrid::indices(Eigen::Index p) const {
   return {p / (ny * nz), p / nz % ny, p % nz};
 }
 
+std::array<ReachAxis, 3> ReachGrid::cartesian_axes() const {
+  if (!cylindrical_) return axes_;
+  const double step = axes_[0].step;
+  const double cells = std::ceil(axes_[0].upper() / step - 1e-9);
+  const auto across = static_cast<Eigen::Index>(2 * cells);
+  return {ReachAxis{across, axis_.x() - cells * step, step},
+          ReachAxis{across, axis_.y() - cells * step, step}, axes_[1]};
+}
+
+Vector3 ReachGrid::point(const Vector3& coordinates) const {
+  if (!cylindrical_) return coordinates;
+  const double radius = coordinates[0], azimuth = coordinates[2];
+  return axis_ + Vector3(radius * std::cos(azimuth), radius * std::sin(azimuth), coordinates[1]);
+}
+
 Vector3 ReachGrid::centre(Eigen::Index p) const {
-  const auto [x, y, z] = indices(p);
-  return {axes_[0].centre(x), axes_[1].centre(y), axes_[2].centre(z)};
+  const auto [i, j, k] = indices(p);
+  return point({axes_[0].centre(i), axes_[1].centre(j), axes_[2].centre(k)});
+}
+
+double ReachGrid::volume(Eigen::Index p) const {
+  const double edge = axes_[0].step;
+  const double height = planar_ ? 1 : edge;
+  if (!cylindrical_) return edge * edge * height;
+  return axes_[0].centre(indices(p)[0]) * edge * axes_[2].step * height;
+}
+
+double ReachGrid::turn(Eigen::Index p) const {
+  return cylindrical_ ? axes_[2].centre(indices(p)[2]) : 0;
 }
 
 Rotation ReachGrid::rotation(Eigen::Index d, Eigen::Index r) const {
   if (orientations_ == ReachOrientations::fixed) return orientation_;
-  const auto about_z = [](double angle) {
-    return Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix();
-  };
   if (orientations_ == ReachOrientations::headings) {
     return about_z(2 * pi * static_cast<double>(d) / static_cast<double>(direction_count_));
   }
@@ -207,9 +282,10 @@ Rotation ReachGrid::rotation(Eigen::Index d, Eigen::Index r) const {
 
 Pose ReachGrid::pose(Eigen::Index cell) const {
   const Eigen::Index r = cell % rolls(), d = cell / rolls() % directions();
+  const Eigen::Index p = cell / (rolls() * directions());
   Pose pose = Pose::Identity();
-  pose.linear() = rotation(d, r);
-  pose.translation() = centre(cell / (rolls() * directions()));
+  pose.linear() = cylindrical_ ? about_z(turn(p)) * rotation(d, r) : rotation(d, r);
+  pose.translation() = centre(p);
   return pose;
 }
 
@@ -220,9 +296,16 @@ double ReachGrid::fraction(Eigen::Index d) const {
 }
 
 std::optional<Eigen::Index> ReachGrid::position_of(const Vector3& point) const {
+  Vector3 coordinates = point;
+  if (cylindrical_) {
+    const Vector3 from_axis = point - axis_;
+    double azimuth = std::atan2(from_axis.y(), from_axis.x());
+    if (azimuth < axes_[2].lower) azimuth = std::min(azimuth + 2 * pi, axes_[2].upper());
+    coordinates = {from_axis.head<2>().norm(), from_axis.z(), azimuth};
+  }
   Eigen::Index p = 0;
   for (int k = 0; k < 3; ++k) {
-    const std::optional<Eigen::Index> i = axes_[k].cell_of(point[k]);
+    const std::optional<Eigen::Index> i = axes_[k].cell_of(coordinates[k]);
     if (!i) return std::nullopt;
     p = p * axes_[k].cells + *i;
   }
@@ -232,9 +315,9 @@ std::optional<Eigen::Index> ReachGrid::position_of(const Vector3& point) const {
 std::optional<Eigen::Index> ReachGrid::cell_of(const Pose& world_T_tool) const {
   const std::optional<Eigen::Index> p = position_of(world_T_tool.translation());
   if (!p) return std::nullopt;
-  const Rotation world_R_tool = world_T_tool.linear();
-  const auto nearest_of = [](const Rotation& about_z, Eigen::Index count) {
-    const double revolution = std::atan2(about_z(1, 0), about_z(0, 0)) / (2 * pi);
+  const Rotation world_R_tool = about_z(-turn(*p)) * world_T_tool.linear();
+  const auto nearest_of = [](const Rotation& rotation, Eigen::Index count) {
+    const double revolution = std::atan2(rotation(1, 0), rotation(0, 0)) / (2 * pi);
     const auto step =
         static_cast<Eigen::Index>(std::round(revolution * static_cast<double>(count)));
     return (step + count) % count;

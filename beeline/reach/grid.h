@@ -47,7 +47,7 @@ class DirectionGrid {
 /// Equal cells along one coordinate, of edge `step` from `lower` on.
 struct ReachAxis {
   Eigen::Index cells = 1;
-  double lower = 0, step = 0;  ///< m
+  double lower = 0, step = 0;  ///< m, or rad for azimuths
 
   double centre(Eigen::Index i) const { return lower + (static_cast<double>(i) + 0.5) * step; }
   double upper() const { return lower + static_cast<double>(cells) * step; }
@@ -69,8 +69,11 @@ struct ReachGridOptions {
   std::optional<double> resolution = std::nullopt;
   /// The corners of the box of positions, m; default: the box around Arm::reach(), begun so that
   /// the cells' centres are multiples of a given resolution. The cells begin at `lower` and cover
-  /// the box.
+  /// the box. With `azimuths` a corner is (radius, height, 0).
   std::optional<Vector3> lower = std::nullopt, upper = std::nullopt;
+  /// Angle between azimuths, rad, 0.01 to 2 pi: positions have cylindrical coordinates about the
+  /// axis of the first joint, whose inverse kinematics is solved once for all azimuths.
+  std::optional<double> azimuths = std::nullopt;
   /// One orientation of the tool for all cells; default: tool directions, or headings of a planar
   /// arm.
   std::optional<Rotation> orientation = std::nullopt;
@@ -82,31 +85,44 @@ struct ReachGridOptions {
 
 /// The cells of a map: positions on a grid and, at each of them, the same orientations. Cell
 /// numbers have the layout [x][y][z][direction][roll], the roll fastest.
+///
+/// A cylindrical grid has the layout [radius][height][azimuth][direction][roll]; its orientations
+/// are those at azimuth 0, turned with the position about the axis of the first joint.
 class ReachGrid {
  public:
-  /// Throws Error for an option outside its range, an orientation together with directions or
-  /// rolls, a box that is empty or without bounds, more than a million cells along an axis, and
-  /// more than 2^52 in all.
+  /// Throws Error for an option outside its range, an orientation together with directions, rolls
+  /// or azimuths, azimuths of an arm whose first joint does not turn about an axis parallel to z, a
+  /// box that is empty or without bounds, more than a million cells along an axis, and more than
+  /// 2^52 in all.
   explicit ReachGrid(const Arm& arm, const ReachGridOptions& options = {});
 
   /// Options that give the same grid of the same arm.
   ReachGridOptions options() const;
 
-  const std::array<ReachAxis, 3>& axes() const { return axes_; }  ///< x, y, z
+  /// x, y and z, or radius, height and azimuth.
+  const std::array<ReachAxis, 3>& axes() const { return axes_; }
+  bool cylindrical() const { return cylindrical_; }
+  /// Cells along x, y and z that cover the positions: those of the grid, or of the same resolution.
+  std::array<ReachAxis, 3> cartesian_axes() const;
   ReachOrientations orientations() const { return orientations_; }
   const Rotation& orientation() const { return orientation_; }  ///< of ReachOrientations::fixed
   const DirectionGrid& direction_grid() const { return directions_; }
 
   Eigen::Index positions() const { return axes_[0].cells * axes_[1].cells * axes_[2].cells; }
+  Eigen::Index azimuths() const { return cylindrical_ ? axes_[2].cells : 1; }
   Eigen::Index directions() const { return direction_count_; }  ///< or headings; 1 if fixed
   Eigen::Index rolls() const { return roll_count_; }
   Eigen::Index cells() const { return positions() * directions() * rolls(); }
 
-  /// The indices ix, iy and iz of position p = (ix ny + iy) nz + iz.
+  /// The indices i, j and k along axes() of position p = (i n1 + j) n2 + k.
   std::array<Eigen::Index, 3> indices(Eigen::Index p) const;
+  /// The point in the world, m, with these coordinates along axes().
+  Vector3 point(const Vector3& coordinates) const;
   /// The centre of position p, m, in the world.
   Vector3 centre(Eigen::Index p) const;
-  /// The orientation of direction d with roll r:
+  /// The volume of the cell of position p, m^3; of planar arms its area, m^2.
+  double volume(Eigen::Index p) const;
+  /// The orientation of direction d with roll r, at azimuth 0 of a cylindrical grid:
   /// Rz(azimuth) Ry(polar) Rz(2 pi r / rolls()), whose z axis is the direction.
   Rotation rotation(Eigen::Index d, Eigen::Index r) const;
   /// The pose at the centre of a cell: world_T_tool.
@@ -121,7 +137,12 @@ class ReachGrid {
   std::optional<Eigen::Index> cell_of(const Pose& world_T_tool) const;
 
  private:
+  /// The rotation about the world's z of the orientations at position p: its azimuth, or 0.
+  double turn(Eigen::Index p) const;
+
   std::array<ReachAxis, 3> axes_;
+  bool cylindrical_ = false, planar_ = false;
+  Vector3 axis_ = Vector3::Zero();  // a point of the axis of a cylindrical grid, z = 0
   ReachOrientations orientations_ = ReachOrientations::directions;
   Rotation orientation_ = Rotation::Identity();
   DirectionGrid directions_;

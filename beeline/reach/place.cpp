@@ -145,7 +145,7 @@ std::optional<Placement> placement_at(const Arm& arm, const Pose& world_T_mount,
     Configuration q;
     const auto solutions = solver.solutions();
     for (Eigen::Index i = 0; i < solutions.cols(); ++i) {
-      const double margin = internal::least_margin(arm, solutions.col(i), arm.dof());
+      const double margin = internal::least_margin(arm, solutions.col(i), 0, arm.dof());
       if (margin <= best) continue;
       best = margin;
       q = solutions.col(i);

@@ -5,11 +5,19 @@
 #include <beeline/batch/internal/copies.h>
 #include <beeline/batch/internal/parallel.h>
 #include <beeline/internal/budget_meter.h>
-#include <beeline/reach/internal/cell_solver.h>
+#include <beeline/reach/internal/cell_expansion.h>
 #include <beeline/reach/internal/positions.h>
 #include <beeline/reach/reach.h>
 
 namespace beeline {
+namespace {
+
+struct CellSolver {
+  internal::BranchSolver solver;
+  internal::CellExpansion expansion;
+};
+
+}  // namespace
 
 void internal::check_positions(const ReachGrid& grid, Eigen::Index first, Eigen::Index last) {
   if (first >= 0 && first <= last && last <= grid.positions()) return;
@@ -30,20 +38,26 @@ ReachCells reach_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index first
     throw Error("redundant_values is " + std::to_string(options.redundant_values) +
                 "; it can be 1 to 1000");
   }
-  const Eigen::Index at_position = grid.directions() * grid.rolls();
-  const auto count = static_cast<std::size_t>((last - first) * at_position);
+  const internal::FreeJoints free = internal::free_joints(arm, grid);
+  const Eigen::Index at_position = grid.directions() * grid.rolls(), azimuths = grid.azimuths();
   ReachCells cells;
-  cells.resize(count);
+  cells.resize(static_cast<std::size_t>((last - first) * at_position));
   internal::BudgetMeter budget(options.budget);
-  internal::Copies<internal::CellSolver> solvers(
-      internal::CellSolver(arm, grid, options.redundant_values));
+  internal::Copies<CellSolver> solvers(
+      {internal::BranchSolver(arm, free, options.redundant_values),
+       internal::CellExpansion(arm, grid, free, options.redundant_values)});
   std::atomic<Eigen::Index> computed = 0;
-  // About a thousand cells.
-  const Eigen::Index block = std::max<Eigen::Index>(1, 1024 / at_position);
-  internal::in_parallel(last - first, block, options.threads, [&](Eigen::Index a, Eigen::Index b) {
-    if (budget.ended((b - a) * at_position)) return;
-    solvers.borrow()->solve(first + a, first + b, first, cells);
-    computed += b - a;
+  // Positions counted without azimuths, which are solved together.
+  const Eigen::Index begin = first / azimuths, end = (last + azimuths - 1) / azimuths;
+  const Eigen::Index block = internal::block_of_positions(free.solved_orientations(grid));
+  internal::in_parallel(end - begin, block, options.threads, [&](Eigen::Index a, Eigen::Index b) {
+    const Eigen::Index from = std::max(first, (begin + a) * azimuths);
+    const Eigen::Index to = std::min(last, (begin + b) * azimuths);
+    if (budget.ended((to - from) * at_position)) return;
+    const auto borrowed = solvers.borrow();
+    borrowed->solver.solve(grid, begin + a, begin + b);
+    borrowed->expansion.expand(borrowed->solver.take(), begin + a, from, to, first, cells);
+    computed += to - from;
     if (budget.reports()) {
       budget.report(static_cast<double>(computed) / static_cast<double>(last - first));
     }

@@ -24,11 +24,12 @@ ReachMap::ReachMap(const std::string& path) {
     datasets->margin.read(begin, size, cells.margin.data());
     return cells;
   };
-  data_ = std::make_unique<Data>(Data{.path = path,
-                                      .header = header,
-                                      .slabs = slabs,
-                                      .there = std::move(there),
-                                      .read = [file, read](Eigen::Index slab) { return read(slab); }});
+  data_ =
+      std::make_unique<Data>(Data{.path = path,
+                                  .header = header,
+                                  .slabs = slabs,
+                                  .there = std::move(there),
+                                  .read = [file, read](Eigen::Index slab) { return read(slab); }});
 }
 
 }  // namespace beeline

@@ -17,14 +17,19 @@ using testing::Random;
 
 /// Grids with each kind of orientations.
 std::vector<ReachGrid> grids() {
-  return {ReachGrid(built_in("ur5"), {.resolution = 0.11}),
-          ReachGrid(built_in("ur5"), {.resolution = 0.13,
-                                      .lower = Vector3(-0.2, 0.1, -0.4),
-                                      .upper = Vector3(0.7, 0.9, 1),
-                                      .directions = 45 * deg,
-                                      .rolls = 50 * deg}),
-          ReachGrid(built_in("puma560"), {.orientation = Rotation::Identity()}),
-          ReachGrid(built_in("rrr"), {.directions = 40 * deg})};
+  return {
+      ReachGrid(built_in("ur5"), {.resolution = 0.11}),
+      ReachGrid(built_in("ur5"), {.resolution = 0.13,
+                                  .lower = Vector3(-0.2, 0.1, -0.4),
+                                  .upper = Vector3(0.7, 0.9, 1),
+                                  .directions = 45 * deg,
+                                  .rolls = 50 * deg}),
+      ReachGrid(built_in("puma560"), {.orientation = Rotation::Identity()}),
+      ReachGrid(built_in("rrr"), {.directions = 40 * deg}),
+      ReachGrid(built_in("rrr"), {.azimuths = 25 * deg}),
+      ReachGrid(
+          with_mount(built_in("puma560"), Pose(Eigen::Translation3d(0.4, -0.3, 0.2))),
+          {.resolution = 0.09, .azimuths = 40 * deg, .directions = 45 * deg, .rolls = 70 * deg})};
 }
 
 TEST(ReachGrid, TheCellOfACentreIsThatCell) {
@@ -41,6 +46,7 @@ TEST(ReachGrid, TheCellOfACentreIsThatCell) {
 TEST(ReachGrid, APoseIsWithinHalfACellOfItsCellsCentre) {
   Random random;
   for (const ReachGrid& grid : grids()) {
+    if (grid.cylindrical()) continue;
     const ReachAxis& x = grid.axes()[0];
     for (int i = 0; i < cases(500); ++i) {
       Pose pose = random.pose(1.2 * x.upper());
@@ -89,6 +95,32 @@ TEST(ReachGrid, FractionsOfDirectionsSumToOne) {
   }
 }
 
+TEST(ReachGrid, TheOptionsOfAGridGiveTheSameGrid) {
+  for (const char* name : {"ur5", "rrr"}) {
+    for (const std::optional<double> azimuths : {std::optional<double>{}, {33 * deg}}) {
+      const Arm arm = built_in(name);
+      const ReachGrid grid(arm, {.resolution = 0.13, .azimuths = azimuths, .directions = 1.0});
+      const ReachGrid again(arm, grid.options());
+      EXPECT_EQ(grid.cells(), again.cells());
+      for (Eigen::Index cell = 0; cell < grid.cells(); cell += 1 + grid.cells() / 97) {
+        EXPECT_TRUE(grid.pose(cell).isApprox(again.pose(cell), 1e-14));
+      }
+    }
+  }
+}
+
+TEST(ReachGrid, TheCellsOfACylinderFillIt) {
+  const ReachGrid grid(built_in("ur5"), {.resolution = 0.1, .azimuths = 10 * deg});
+  double volume = 0;
+  for (Eigen::Index p = 0; p < grid.positions(); ++p) volume += grid.volume(p);
+  const double radius = grid.axes()[0].upper(),
+               height = grid.axes()[1].upper() - grid.axes()[1].lower;
+  EXPECT_NEAR(volume, 180 * deg * radius * radius * height, 1e-9);
+  const std::array<ReachAxis, 3> box = grid.cartesian_axes();
+  EXPECT_LE(box[0].lower, -radius);
+  EXPECT_GE(box[1].upper(), radius);
+}
+
 TEST(ReachGrid, RefusesWhatIsNoGrid) {
   const Arm arm = built_in("ur5");
   EXPECT_REFUSED(ReachGrid(arm, {.resolution = 0.0}), "the resolution is 0 m");
@@ -99,6 +131,14 @@ TEST(ReachGrid, RefusesWhatIsNoGrid) {
   EXPECT_REFUSED(ReachGrid(arm, {.orientation = Rotation::Identity(), .rolls = 1.0}), "not both");
   EXPECT_REFUSED(ReachGrid(arm, {.orientation = Rotation::Zero()}), "the orientation of the map");
   EXPECT_REFUSED(ReachGrid(built_in("rrr"), {.rolls = 1.0}), "no rolls");
+  EXPECT_REFUSED(ReachGrid(arm, {.azimuths = 0.001}), "the angle between azimuths");
+  EXPECT_REFUSED(ReachGrid(built_in("gantry"), {.azimuths = 1.0}), "does not turn it about");
+  EXPECT_REFUSED(ReachGrid(arm, {.azimuths = 1.0, .orientation = Rotation::Identity()}),
+                 "not both");
+  Pose tilted = Pose::Identity();
+  tilted.linear() = Eigen::AngleAxisd(0.1, Vector3::UnitX()).toRotationMatrix();
+  EXPECT_REFUSED(ReachGrid(with_mount(arm, tilted), {.azimuths = 1.0}),
+                 "parallel to the world's z");
 }
 
 }  // namespace

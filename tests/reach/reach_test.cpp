@@ -6,7 +6,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/model/catalog.h>
-#include <beeline/reach/internal/roll_joint.h>
+#include <beeline/reach/internal/turning_joint.h>
 #include <beeline/reach/reach.h>
 
 #include "tests/degrees.h"
@@ -29,10 +29,10 @@ double margin_of(const Arm& arm, const Configuration& q, int joints) {
   return least;
 }
 
-/// Expects of a cell what inverse_kinematics() gives at its centre.
-void expect_all_solutions(const Arm& arm, const ReachGrid& grid, Eigen::Index cell,
-                          const ReachCells& cells, Eigen::Index index) {
-  const InverseResult result = inverse_kinematics(arm, grid.pose(cell), {.all = true});
+/// Expects of a cell what the inverse kinematics (`all` its solutions) gives at its centre.
+void expect_all_solutions(const Arm& arm, InverseSolver& all, const ReachGrid& grid,
+                          Eigen::Index cell, const ReachCells& cells, Eigen::Index index) {
+  const InverseResult result = all.solve(grid.pose(cell));
   ASSERT_EQ(cells.branches[index], result.solutions.size())
       << arm.name() << " cell " << cell << ' ' << result.reason;
   double manipulability = 0, margin = 0;
@@ -50,6 +50,18 @@ void expect_all_solutions(const Arm& arm, const ReachGrid& grid, Eigen::Index ce
   EXPECT_NEAR(cells.margin[index], margin, 1e-6);
 }
 
+/// Expects of the cells of positions what the inverse kinematics gives at their centres.
+void expect_solutions_at(const Arm& arm, const ReachGrid& grid, Eigen::Index first,
+                         Eigen::Index last) {
+  InverseSolver all(arm, {.all = true});
+  const ReachCells cells = reach_cells(arm, grid, first, last);
+  ASSERT_EQ(std::ssize(cells.branches), (last - first) * grid.directions() * grid.rolls());
+  const Eigen::Index at_position = grid.directions() * grid.rolls();
+  for (Eigen::Index k = 0; k < (last - first) * at_position; ++k) {
+    expect_all_solutions(arm, all, grid, first * at_position + k, cells, k);
+  }
+}
+
 TEST(Reach, ACellHasTheSolutionsOfItsCentre) {
   Random random;
   for (const char* name : {"puma560", "ur5", "stanford", "rrr", "kr6_r900"}) {
@@ -58,15 +70,10 @@ TEST(Reach, ACellHasTheSolutionsOfItsCentre) {
         arm.planar() ? ReachGridOptions{}
                      : ReachGridOptions{.directions = 60 * deg, .rolls = 70 * deg};
     const ReachGrid grid(arm, options);
-    const Eigen::Index at_position = grid.directions() * grid.rolls();
     for (int i = 0; i < cases(8); ++i) {
       const auto p = static_cast<Eigen::Index>(random.uniform(0, 1) *
                                                static_cast<double>(grid.positions() - 1));
-      const ReachCells cells = reach_cells(arm, grid, p, p + 1);
-      ASSERT_EQ(cells.branches.size(), at_position);
-      for (Eigen::Index k = 0; k < at_position; ++k) {
-        expect_all_solutions(arm, grid, p * at_position + k, cells, k);
-      }
+      expect_solutions_at(arm, grid, p, p + 1);
     }
   }
 }
@@ -81,17 +88,71 @@ TEST(Reach, RollsByTheLastJointAreThoseOfTheirCentres) {
       arm = with_limits(arm, {{last, {.lower = -0.7, .upper = upper}}});
       ASSERT_TRUE(internal::roll_joint(arm));
       const ReachGrid grid(arm, {.directions = 80 * deg, .rolls = 23 * deg});
-      for (int i = 0; i < cases(4); ++i) {
+      for (int i = 0; i < cases(2); ++i) {
         const auto p = static_cast<Eigen::Index>(random.uniform(0.3, 0.7) *
                                                  static_cast<double>(grid.positions() - 1));
-        const ReachCells cells = reach_cells(arm, grid, p, p + 1);
-        const Eigen::Index at_position = grid.directions() * grid.rolls();
-        for (Eigen::Index k = 0; k < at_position; ++k) {
-          expect_all_solutions(arm, grid, p * at_position + k, cells, k);
-        }
+        expect_solutions_at(arm, grid, p, p + 1);
       }
     }
   }
+}
+
+// With the first joint free, each azimuth is an interval test of its value; so is each roll, but
+// with a tool beside the last axis.
+TEST(Reach, AzimuthsByTheFirstJointAreThoseOfTheirCentres) {
+  Random random;
+  Pose beside = Pose::Identity();
+  beside.translation().x() = 0.1;
+  const Pose mount(Eigen::Translation3d(1, 2, 0.3) * Eigen::AngleAxisd(2, Vector3::UnitZ()));
+  for (const char* name : {"puma560", "ur5", "stanford"}) {
+    for (const double upper : {0.4, 2.9, 7.0}) {
+      Arm arm = with_mount(built_in(name), mount);
+      arm = with_limits(arm, {{arm.joints()[0].name, {.lower = -1.1, .upper = upper}}});
+      if (upper > 1) arm = with_tool(arm, arm.tool() * beside);
+      ASSERT_EQ(internal::roll_joint(arm).has_value(), upper < 1);
+      const ReachGrid grid(arm, {.azimuths = 40 * deg, .directions = 80 * deg, .rolls = 60 * deg});
+      for (int i = 0; i < cases(1); ++i) {
+        // Not all azimuths of a radius and height.
+        const auto first = static_cast<Eigen::Index>(random.uniform(0.2, 0.7) *
+                                                     static_cast<double>(grid.positions()));
+        expect_solutions_at(arm, grid, first, first + 4);
+      }
+    }
+  }
+  const Arm planar = with_limits(built_in("rrr"), {{"joint1", {.lower = -1, .upper = 0.5}}});
+  const ReachGrid headings(planar, {.resolution = 2.0, .azimuths = 20 * deg});
+  expect_solutions_at(planar, headings, 0, headings.positions());
+}
+
+// The forearm and the tool in line, vertical: infinitely many solutions, the first and last joints'
+// values of one of which say nothing of the others.
+TEST(Reach, SingularCellsAreThoseOfTheirCentres) {
+  const Arm arm = with_limits(built_in("puma560"), {{"joint6", {.lower = -0.4, .upper = 0.3}}});
+  const Pose straight =
+      forward_kinematics(arm, {0, 40 * deg, -40 * deg, 0, 0, 0});  // joints 4 and 6 in line
+  ASSERT_NEAR(std::abs(straight(2, 2)), 1, 1e-12);
+  const double step = 0.05;
+  const Vector3 corner(straight.translation().head<2>().norm() - step / 2,
+                       straight.translation().z() - step / 2, 0);
+  const ReachGrid grid(arm, {.resolution = step,
+                             .lower = corner,
+                             .upper = corner + Vector3(step / 2, step / 2, 0),
+                             .azimuths = 30 * deg,
+                             .directions = 90 * deg,
+                             .rolls = 20 * deg});
+  ASSERT_EQ(grid.positions(), grid.azimuths());
+  const ReachCells cells = reach_cells(arm, grid, 0, grid.positions());
+  InverseSolver solver(arm);
+  int reached = 0, singular = 0;
+  for (Eigen::Index cell = 0; cell < grid.cells(); ++cell) {
+    const InverseResult result = solver.solve(grid.pose(cell));
+    EXPECT_EQ(cells.branches[cell] > 0, static_cast<bool>(result)) << "cell " << cell;
+    reached += static_cast<bool>(result);
+    singular += cells.branches[cell] > 8;
+  }
+  EXPECT_GT(reached, 0);
+  EXPECT_LT(reached, grid.cells());
+  EXPECT_GT(singular, 0);  // some of infinitely many
 }
 
 TEST(Reach, ADirectionIsReachedIfItIsWithSomeRoll) {
@@ -123,7 +184,7 @@ TEST(Reach, ACellOfARedundantArmIsReachedWhereItHasASolution) {
     const Arm arm = built_in(name);
     const ReachGrid grid(arm, {.directions = 60 * deg, .rolls = 90 * deg});
     int reached = 0;
-    for (int i = 0; i < cases(8); ++i) {
+    for (int i = 0; i < cases(4); ++i) {
       const Pose world_T_tool = forward_kinematics(arm, random.configuration(arm));
       const Eigen::Index p = grid.position_of(world_T_tool.translation()).value();
       const ReachCells cells = reach_cells(arm, grid, p, p + 1);
@@ -193,6 +254,8 @@ TEST(Reach, RefusesWhatHasNoMap) {
   EXPECT_REFUSED(reach_cells(tool, ReachGrid(tool), 0, 1), "the angle between rolls");
   EXPECT_REFUSED(reach_cells(ur5, ReachGrid(ur5), 0, 1, {.redundant_values = 0}), "1 to 1000");
   EXPECT_REFUSED(reach_cells(ur5, ReachGrid(ur5), 5, 4), "positions 5 to 4");
+  const Arm panda = built_in("panda");
+  EXPECT_REFUSED(reach_cells(panda, ReachGrid(panda, {.azimuths = 1.0}), 0, 1), "without azimuths");
 }
 
 }  // namespace

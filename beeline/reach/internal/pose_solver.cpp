@@ -34,9 +34,9 @@ std::vector<double> steps_over_range(const Limits& limits, int count) {
 
 }  // namespace
 
-double least_margin(const Arm& arm, const ConfigurationRef& q, int joints) {
+double least_margin(const Arm& arm, const ConfigurationRef& q, int begin, int end) {
   double least = 1;
-  for (int k = 0; k < joints; ++k) {
+  for (int k = begin; k < end; ++k) {
     const Limits& limits = arm.limits(k);
     least = std::min(least, limit_margin(q[k], limits.lower, limits.upper));
   }

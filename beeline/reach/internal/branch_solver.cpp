@@ -1,0 +1,66 @@
+#include <utility>
+
+#include <beeline/batch/batch.h>
+#include <beeline/kinematics/manipulability.h>
+#include <beeline/reach/internal/branch_solver.h>
+
+namespace beeline::internal {
+namespace {
+
+/// The rows of which the manipulability is measured.
+Task measured_rows(const Arm& arm) {
+  const bool scara = arm.rotates_about_z() && !arm.planar() && arm.dof() < 6;
+  return scara ? Task{{true, true, true, false, false, true}} : default_task(arm);
+}
+
+}  // namespace
+
+BranchSolver::BranchSolver(const Arm& arm, const FreeJoints& free, int redundant_values)
+    : arm_(arm),
+      free_(free),
+      rows_(measured_rows(arm)),
+      solver_(with_free_joints(arm, free), redundant_values) {}
+
+void BranchSolver::solve(const Pose& world_T_tool) {
+  solver_.solve(world_T_tool);
+  const auto found = solver_.solutions();
+  for (Eigen::Index i = 0; i < found.cols(); ++i) {
+    solutions_.insert(solutions_.end(), found.col(i).begin(), found.col(i).end());
+    branches_.first.push_back(found(0, i));
+    branches_.last.push_back(found(found.rows() - 1, i));
+  }
+  branches_.ends.push_back(branches_.first.size());
+  branches_.counts.push_back(static_cast<std::uint8_t>(solver_.branches()));
+}
+
+void BranchSolver::solve(const ReachGrid& grid, Eigen::Index first, Eigen::Index last) {
+  const Eigen::Index at_position = grid.directions() * grid.rolls();
+  const Eigen::Index apart = at_position / free_.solved_orientations(grid);
+  for (Eigen::Index s = first; s < last; ++s) {
+    const Eigen::Index cell = s * grid.azimuths() * at_position;
+    for (Eigen::Index k = 0; k < at_position; k += apart) solve(grid.pose(cell + k));
+  }
+}
+
+ReachBranches BranchSolver::take() {
+  const auto count = static_cast<Eigen::Index>(branches_.first.size());
+  const Eigen::Map<const Eigen::MatrixXd> q(solutions_.data(), arm_.dof(), count);
+  Eigen::MatrixXd manipulability(1, count);
+  if (rows_ == Task::spatial()) {
+    batch_manipulability<double>(arm_, q, manipulability, {.threads = 1});
+  } else {
+    for (Eigen::Index i = 0; i < count; ++i) {
+      manipulability(i) =
+          manipulability_measures(task_jacobian(arm_, q.col(i), rows_)).manipulability;
+    }
+  }
+  const int begin = free_.base ? 1 : 0, end = arm_.dof() - (free_.roll ? 1 : 0);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    branches_.manipulability.push_back(static_cast<float>(manipulability(i)));
+    branches_.margin.push_back(static_cast<float>(least_margin(arm_, q.col(i), begin, end)));
+  }
+  solutions_.clear();
+  return std::exchange(branches_, {});
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <beeline/model/internal/dh_row.h>
+#include <beeline/reach/internal/cell_expansion.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+
+/// Those whose angles are not a matter of intervals: none, or the roll where any will do.
+FreeJoints any_angle(const FreeJoints& free) {
+  return {.roll = free.any_roll ? free.roll : std::nullopt, .any_roll = free.any_roll};
+}
+
+/// The margin of a joint's value turned by each angle; -1 where that is outside its limits.
+void margins_of(const TurningJoint& joint, const Limits& limits, double value,
+                const std::vector<double>& angles, std::vector<float>& margins) {
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    const std::optional<double> turned = joint.turned(limits, value, angles[k]);
+    margins[k] = -1;
+    if (!turned) continue;
+    const double margin = limit_margin(*turned, limits.lower, limits.upper);
+    margins[k] = static_cast<float>(std::clamp(margin, 0.0, 1.0));
+  }
+}
+
+void raise(float& best, float value) {
+  if (!(best >= value)) best = value;
+}
+
+}  // namespace
+
+CellExpansion::CellExpansion(const Arm& arm, const ReachGrid& grid, const FreeJoints& free,
+                             int redundant_values)
+    : arm_(arm),
+      grid_(grid),
+      free_(free),
+      singular_(static_cast<float>(1e-7 * std::pow(length_unit(arm), 3))),
+      one_by_one_(arm, any_angle(free), redundant_values),
+      azimuth_margins_(static_cast<std::size_t>(grid.azimuths()), 1.0F) {
+  for (Eigen::Index a = 0; a < grid.azimuths(); ++a) {
+    azimuths_.push_back(grid.cylindrical() ? grid.axes()[2].centre(a) : 0);
+  }
+  const Eigen::Index rolls = free.roll ? grid.rolls() : 1;
+  for (Eigen::Index r = 0; r < rolls; ++r) {
+    rolls_.push_back(2 * std::numbers::pi * static_cast<double>(r) / static_cast<double>(rolls));
+  }
+  roll_margins_.assign(rolls_.size(), 1.0F);
+}
+
+bool CellExpansion::singular(const ReachBranches& branches, std::size_t cell) const {
+  if (!free_.base && (!free_.roll || free_.any_roll)) return false;
+  const auto begin = static_cast<std::ptrdiff_t>(branches.begin(cell));
+  const auto end = static_cast<std::ptrdiff_t>(branches.ends[cell]);
+  const auto& of = branches.manipulability;
+  return std::any_of(of.begin() + begin, of.begin() + end,
+                     [this](float value) { return value < singular_; });
+}
+
+void CellExpansion::turn(const ReachBranches& branches, std::size_t branch) {
+  if (free_.base) {
+    margins_of(*free_.base, arm_.limits(0), branches.first[branch], azimuths_, azimuth_margins_);
+  }
+  if (free_.roll && !free_.any_roll) {
+    margins_of(*free_.roll, arm_.limits(arm_.dof() - 1), branches.last[branch], rolls_,
+               roll_margins_);
+  }
+}
+
+void CellExpansion::solve_cell(Eigen::Index cell, Eigen::Index target, ReachCells& cells) {
+  one_by_one_.solve(grid_.pose(cell));
+  const ReachBranches found = one_by_one_.take();
+  cells.branches[target] = found.counts[0];
+  for (const float value : found.manipulability) raise(cells.manipulability[target], value);
+  for (const float value : found.margin) raise(cells.margin[target], value);
+}
+
+void CellExpansion::expand(const ReachBranches& branches, Eigen::Index solved, Eigen::Index first,
+                           Eigen::Index last, Eigen::Index origin, ReachCells& cells) {
+  const Eigen::Index at_position = grid_.directions() * grid_.rolls();
+  const auto from = (first - origin) * at_position, to = (last - origin) * at_position;
+  std::fill(cells.branches.begin() + from, cells.branches.begin() + to, std::uint8_t{0});
+  std::fill(cells.manipulability.begin() + from, cells.manipulability.begin() + to, unknown);
+  std::fill(cells.margin.begin() + from, cells.margin.begin() + to, unknown);
+  constexpr auto most = std::numeric_limits<std::uint8_t>::max();
+  const Eigen::Index azimuths = grid_.azimuths(), rolls = std::ssize(rolls_);
+  const Eigen::Index orientations = free_.solved_orientations(grid_);
+  const auto each_cell = [&](Eigen::Index s, Eigen::Index o, const auto& use) {
+    const Eigen::Index begin = std::max<Eigen::Index>(0, first - s * azimuths);
+    const Eigen::Index end = std::min(azimuths, last - s * azimuths);
+    for (Eigen::Index a = begin; a < end; ++a) {
+      const Eigen::Index cell = (s * azimuths + a) * at_position + o * rolls;
+      for (Eigen::Index r = 0; r < rolls; ++r) use(a, r, cell + r, cell + r - origin * at_position);
+    }
+  };
+  for (std::size_t i = 0; i < branches.ends.size(); ++i) {
+    const auto index = static_cast<Eigen::Index>(i);
+    const Eigen::Index s = solved + index / orientations, o = index % orientations;
+    if (singular(branches, i)) {
+      each_cell(s, o, [&](auto, auto, Eigen::Index cell, Eigen::Index target) {
+        solve_cell(cell, target, cells);
+      });
+      continue;
+    }
+    const std::size_t count = branches.ends[i] - branches.begin(i);
+    for (std::size_t b = branches.begin(i); b < branches.ends[i]; ++b) {
+      turn(branches, b);
+      each_cell(s, o, [&](Eigen::Index a, Eigen::Index r, auto, Eigen::Index target) {
+        const float margin = std::min({branches.margin[b], azimuth_margins_[a], roll_margins_[r]});
+        if (margin < 0) return;
+        if (cells.branches[target] < most) ++cells.branches[target];
+        raise(cells.manipulability[target], branches.manipulability[b]);
+        raise(cells.margin[target], margin);
+      });
+    }
+    // At several values of a redundant joint, not all solutions are branches.
+    if (count == branches.counts[i]) continue;
+    each_cell(s, o, [&](auto, auto, auto, Eigen::Index target) {
+      cells.branches[target] = std::min(cells.branches[target], branches.counts[i]);
+    });
+  }
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include <beeline/model/arm.h>
+
+namespace beeline::internal {
+
+/// A revolute joint at an end of the arm that turns all of the arm about the world's z axis, or
+/// only the tool about its own: its value moves by the angle, and no other joint's does.
+struct TurningJoint {
+  int coordinate = 0;
+  double sign = 1;  ///< the rotation about that z axis for a positive one of the joint
+  Vector3 axis = Vector3::Zero();  ///< a point of the axis: of a base joint, in the world, z = 0
+
+  /// Returns the value that is equivalent modulo 2 pi to `q` turned by `angle` (rad) and nearest to
+  /// the middle of the joint's limits; none if that is outside them.
+  std::optional<double> turned(const Limits& limits, double q, double angle) const;
+};
+
+/// Returns the first joint of an arm, where its axis is parallel to the world's z; none where it is
+/// another one, or has a mimic joint.
+std::optional<TurningJoint> base_joint(const Arm& arm);
+
+/// Returns the last joint of an arm, where it rotates the tool about the tool's z axis and moves
+/// nothing else; none where it is another one, or has a mimic joint.
+std::optional<TurningJoint> roll_joint(const Arm& arm);
+
+/// Returns the arm with that joint without position limits.
+Arm without_limits(const Arm& arm, const TurningJoint& joint);
+
+}  // namespace beeline::internal
