@@ -26,16 +26,18 @@ struct MapArguments {
   UnitArgument unit;
   BudgetArgument budget;
   std::string out, lower, upper, orientation, shard;
-  std::optional<double> resolution, directions, rolls;
+  std::optional<double> resolution, azimuths, directions, rolls;
   ReachOptions reach;
   bool json = false;
 };
 
-Vector3 corner(const std::string& text, const char* option) {
+Vector3 corner(const std::string& text, const char* option, bool cylindrical) {
   const std::vector<double> numbers = internal::parse_numbers(text, option);
-  if (numbers.size() == 3) return {numbers[0], numbers[1], numbers[2]};
-  throw Error(fmt::format("{}: {} given, a corner has three, x,y,z", option,
-                          counted(static_cast<std::int64_t>(numbers.size()), "number")));
+  if (cylindrical && numbers.size() == 2) return {numbers[0], numbers[1], 0};
+  if (!cylindrical && numbers.size() == 3) return {numbers[0], numbers[1], numbers[2]};
+  throw Error(fmt::format("{}: {} given, a corner has {}", option,
+                          counted(static_cast<std::int64_t>(numbers.size()), "number"),
+                          cylindrical ? "two with --azimuths, radius,height" : "three, x,y,z"));
 }
 
 ReachGrid grid_of(const Arm& arm, const MapArguments& arguments) {
@@ -44,10 +46,13 @@ ReachGrid grid_of(const Arm& arm, const MapArguments& arguments) {
     return angle && unit.degrees ? *angle * std::numbers::pi / 180 : angle;
   };
   ReachGridOptions options{.resolution = arguments.resolution,
+                           .azimuths = radians(arguments.azimuths),
                            .directions = radians(arguments.directions),
                            .rolls = radians(arguments.rolls)};
-  if (!arguments.lower.empty()) options.lower = corner(arguments.lower, "--lower");
-  if (!arguments.upper.empty()) options.upper = corner(arguments.upper, "--upper");
+  if (!arguments.lower.empty())
+    options.lower = corner(arguments.lower, "--lower", options.azimuths.has_value());
+  if (!arguments.upper.empty())
+    options.upper = corner(arguments.upper, "--upper", options.azimuths.has_value());
   if (!arguments.orientation.empty()) {
     options.orientation =
         parse_pose_option(arm, "--orientation", "0,0,0," + arguments.orientation, unit)
@@ -83,43 +88,55 @@ Answer compute() {
 }
 
 std::vector<Option> grid_options(MapArguments& arguments) {
-  return {{.name = "--resolution",
-           .value = "M",
-           .help = "Edge of the cells, m. Default: a twentieth of the radius of the reach.",
-           .target = &arguments.resolution,
-           .range = above_zero},
-          {.name = "--lower",
-           .value = "X,Y,Z",
-           .help = "Corner of the box of positions, m, in the world, where the cells begin. "
-                   "Default: that of the box around the reach.",
-           .target = &arguments.lower,
-           .phrases = {"its lower"}},
-          {.name = "--upper",
-           .value = "X,Y,Z",
-           .help = "The opposite corner, which the cells cover.",
-           .target = &arguments.upper},
-          {.name = "--orientation",
-           .value = "R,P,Y",
-           .help = "One orientation of the tool in the world for all cells: roll,pitch,yaw or "
-                   "qw,qx,qy,qz. Default: tool directions (headings, for a planar arm).",
-           .target = &arguments.orientation,
-           .phrases = {"the orientation of the map"}},
-          {.name = "--directions",
-           .value = "ANGLE",
-           .help = "Angle between neighbouring directions of the tool's z axis, which cover the "
-                   "sphere evenly, or between headings of a planar arm. Default: 30 degrees.",
-           .target = &arguments.directions,
-           .range = above_zero,
-           .excludes = "--orientation",
-           .phrases = {"the spacing of tool directions", "the angle between headings"}},
-          {.name = "--rolls",
-           .value = "ANGLE",
-           .help = "Angle between rolls about the tool's z axis. Default: a direction is reached "
-                   "if it is with any roll.",
-           .target = &arguments.rolls,
-           .range = above_zero,
-           .excludes = "--orientation",
-           .phrases = {"the angle between rolls"}}};
+  return {
+      {.name = "--resolution",
+       .value = "M",
+       .help = "Edge of the cells, m. Default: a twentieth of the radius of the reach.",
+       .target = &arguments.resolution,
+       .range = above_zero},
+      {.name = "--lower",
+       .value = "X,Y,Z",
+       .help = "Corner of the box of positions, m, in the world, where the cells begin. "
+               "Default: that of the box around the reach. With --azimuths: RADIUS,HEIGHT.",
+       .target = &arguments.lower,
+       .phrases = {"its lower"}},
+      {.name = "--upper",
+       .value = "X,Y,Z",
+       .help = "The opposite corner, which the cells cover.",
+       .target = &arguments.upper},
+      {.name = "--azimuths",
+       .value = "ANGLE",
+       .help = "Positions by radius, height and azimuth about the axis of the first joint, with "
+               "this angle between azimuths; tool directions turn with the azimuth. The inverse "
+               "kinematics is solved and stored once for all azimuths, and for all rolls where "
+               "the last joint rolls the tool: a map of a dimension or two less, with the same "
+               "answers. Default: positions by x, y and z.",
+       .target = &arguments.azimuths,
+       .range = above_zero,
+       .excludes = "--orientation",
+       .phrases = {"by azimuths", "the angle between azimuths", "the least radius"}},
+      {.name = "--orientation",
+       .value = "R,P,Y",
+       .help = "One orientation of the tool in the world for all cells: roll,pitch,yaw or "
+               "qw,qx,qy,qz. Default: tool directions (headings, for a planar arm).",
+       .target = &arguments.orientation,
+       .phrases = {"the orientation of the map"}},
+      {.name = "--directions",
+       .value = "ANGLE",
+       .help = "Angle between neighbouring directions of the tool's z axis, which cover the "
+               "sphere evenly, or between headings of a planar arm. Default: 30 degrees.",
+       .target = &arguments.directions,
+       .range = above_zero,
+       .excludes = "--orientation",
+       .phrases = {"the spacing of tool directions", "the angle between headings"}},
+      {.name = "--rolls",
+       .value = "ANGLE",
+       .help = "Angle between rolls about the tool's z axis. Default: a direction is reached "
+               "if it is with any roll.",
+       .target = &arguments.rolls,
+       .range = above_zero,
+       .excludes = "--orientation",
+       .phrases = {"the angle between rolls"}}};
 }
 
 }  // namespace
@@ -182,7 +199,9 @@ Verb reach_map_verb() {
                     "beeline reach map puma560 --resolution 0.12 --out puma560.h5"},
                    {"Where it can point straight down",
                     "beeline reach map puma560 --orientation 180,0,0 --degrees --out down.h5"},
-                   {"The same in two parts, which two machines may compute",
+                   {"A map of six dimensions, of which two are not stored",
+                    "beeline reach map puma560 --azimuths 10 --rolls 30 --degrees --out turned.h5"},
+                   {"The first in two parts, which two machines may compute",
                     "beeline reach map puma560 --resolution 0.12 --shard 1/2 --out part1.h5\n"
                     "beeline reach map puma560 --resolution 0.12 --shard 2/2 --out part2.h5\n"
                     "beeline reach merge part1.h5 part2.h5 --out puma560.h5"}},

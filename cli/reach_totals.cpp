@@ -13,6 +13,7 @@ namespace {
 /// "64000 positions x 54 directions x 6 rolls".
 std::string cells_text(const ReachGrid& grid) {
   std::string text = counted(grid.positions(), "position");
+  if (grid.cylindrical()) text += ", " + std::to_string(grid.azimuths()) + " azimuths,";
   if (grid.orientations() == ReachOrientations::headings) {
     text += " x " + counted(grid.directions(), "heading");
   } else if (grid.orientations() != ReachOrientations::fixed) {
@@ -37,10 +38,7 @@ Positional map_argument(std::string* target) {
 
 Answer map_totals(const ReachMap& map) {
   const ReachMap::Totals totals = map.totals();
-  const double edge = map.grid().axes()[0].step;
-  const double cell =
-      map.grid().axes()[2].cells == 1 && map.arm().planar() ? edge * edge : edge * edge * edge;
-  const double size = static_cast<double>(totals.reached_positions) * cell;
+  const double edge = map.grid().axes()[0].step, size = totals.volume;
   const bool planar = map.arm().planar();
   std::int64_t there = 0;
   for (const bool slab : map.slabs()) there += slab;

@@ -11,7 +11,7 @@
 #include <beeline/kinematics/manipulability.h>
 #include <beeline/planning/move_along.h>
 #include <beeline/reach/internal/pose_solver.h>
-#include <beeline/reach/internal/slabs.h>
+#include <beeline/reach/internal/positions.h>
 #include <beeline/reach/place.h>
 
 namespace beeline {
@@ -77,9 +77,10 @@ class Mounts {
 std::vector<float> margins_of(const ReachMap& map) {
   std::vector<float> margins;
   margins.reserve(static_cast<std::size_t>(map.grid().cells()));
-  const internal::Slabs slabs(map.grid());
-  for (Eigen::Index s = 0; s < slabs.count(); ++s) {
-    const ReachCells cells = map.cells(slabs.first(s), slabs.last(s));
+  const Eigen::Index positions = map.grid().positions();
+  const Eigen::Index block = internal::positions_at_once(map.grid());
+  for (Eigen::Index first = 0; first < positions; first += block) {
+    const ReachCells cells = map.cells(first, std::min(positions, first + block));
     margins.insert(margins.end(), cells.margin.begin(), cells.margin.end());
   }
   return margins;

@@ -19,12 +19,6 @@ struct CellSolver {
 
 }  // namespace
 
-void internal::check_positions(const ReachGrid& grid, Eigen::Index first, Eigen::Index last) {
-  if (first >= 0 && first <= last && last <= grid.positions()) return;
-  throw Error("positions " + std::to_string(first) + " to " + std::to_string(last) +
-              " of a map that has " + std::to_string(grid.positions()));
-}
-
 void ReachCells::resize(std::size_t cells) {
   branches.resize(cells);
   manipulability.resize(cells);

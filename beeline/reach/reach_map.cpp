@@ -4,18 +4,6 @@
 #include <beeline/reach/internal/positions.h>
 
 namespace beeline {
-namespace {
-
-/// The cells from `first` to `last`, exclusive.
-ReachCells part_of(const ReachCells& cells, Eigen::Index first, Eigen::Index last) {
-  const auto part = [first, last](const auto& values) {
-    return std::decay_t<decltype(values)>(values.begin() + first, values.begin() + last);
-  };
-  return {part(cells.branches), part(cells.manipulability), part(cells.margin)};
-}
-
-}  // namespace
-
 ReachMap::ReachMap(ReachMapHeader header, ReachCells cells) {
   if (cells.ending != Ending::complete) throw Error("the cells were not computed to the end");
   const auto count = static_cast<std::size_t>(header.grid.cells());
@@ -32,8 +20,8 @@ ReachMap::ReachMap(ReachMapHeader header, ReachCells cells) {
            .header = std::move(header),
            .slabs = slabs,
            .there = std::move(there),
-           .read = [slabs, at_position, all = std::move(cells)](Eigen::Index slab) {
-             return part_of(all, slabs.first(slab) * at_position, slabs.last(slab) * at_position);
+           .read = [at_position, all = std::move(cells)](Eigen::Index first, Eigen::Index last) {
+             return internal::part_of(all, first * at_position, last * at_position);
            }});
 }
 
@@ -52,15 +40,22 @@ bool ReachMap::complete() const {
 ReachMap::Totals ReachMap::totals() const {
   Totals totals;
   const Eigen::Index at_position = grid().directions() * grid().rolls();
+  const Eigen::Index block = internal::positions_at_once(grid());
   for (Eigen::Index s = 0; s < data_->slabs.count(); ++s) {
     if (!slabs()[static_cast<std::size_t>(s)]) continue;
-    const ReachCells slab = data_->read(s);
-    for (auto at = slab.branches.begin(); at != slab.branches.end(); at += at_position) {
-      const auto reached = at_position - std::count(at, at + at_position, 0);
-      totals.cells += at_position;
-      totals.reached += reached;
-      ++totals.positions;
-      totals.reached_positions += reached > 0;
+    const Eigen::Index last = data_->slabs.last(s);
+    for (Eigen::Index first = data_->slabs.first(s); first < last; first += block) {
+      const ReachCells some = data_->read(first, std::min(last, first + block));
+      Eigen::Index p = first;
+      for (auto at = some.branches.begin(); at != some.branches.end(); at += at_position, ++p) {
+        const auto reached = at_position - std::count(at, at + at_position, 0);
+        totals.cells += at_position;
+        totals.reached += reached;
+        ++totals.positions;
+        if (reached == 0) continue;
+        ++totals.reached_positions;
+        totals.volume += grid().volume(p);
+      }
     }
   }
   return totals;
@@ -68,23 +63,19 @@ ReachMap::Totals ReachMap::totals() const {
 
 ReachCells ReachMap::cells(Eigen::Index first, Eigen::Index last) const {
   internal::check_positions(grid(), first, last);
-  const Eigen::Index at_position = grid().directions() * grid().rolls();
   ReachCells cells;
-  cells.resize(static_cast<std::size_t>((last - first) * at_position));
   for (Eigen::Index p = first; p < last;) {
-    const Eigen::Index s = data_->slabs.slab_of(p);
+    const Eigen::Index s = data_->slabs.slab_of(p), end = std::min(data_->slabs.last(s), last);
     if (!slabs()[static_cast<std::size_t>(s)]) {
       throw FileError(path(), 0, "holds part of a map, without position " + std::to_string(p));
     }
-    const Eigen::Index begin = data_->slabs.first(s), end = std::min(data_->slabs.last(s), last);
-    const ReachCells slab = data_->read(s);
-    const auto copy = [&](const auto& from, auto& to) {
-      std::copy(from.begin() + (p - begin) * at_position,
-                from.begin() + (end - begin) * at_position, to.begin() + (p - first) * at_position);
+    const ReachCells some = data_->read(p, end);
+    const auto join = [](auto& all, const auto& more) {
+      all.insert(all.end(), more.begin(), more.end());
     };
-    copy(slab.branches, cells.branches);
-    copy(slab.manipulability, cells.manipulability);
-    copy(slab.margin, cells.margin);
+    join(cells.branches, some.branches);
+    join(cells.manipulability, some.manipulability);
+    join(cells.margin, some.margin);
     p = end;
   }
   return cells;

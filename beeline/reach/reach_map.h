@@ -11,11 +11,15 @@
 
 namespace beeline {
 
+/// The largest number of samples of a map by sampling.
+constexpr std::int64_t max_samples = 1'000'000'000'000;
+
 /// What a map is of.
 struct ReachMapHeader {
   Arm arm;
   ReachGrid grid;
   int redundant_values = 16;  ///< see ReachOptions
+  std::int64_t samples = 0;   ///< configurations of a map by sampling; 0: by inverse kinematics
 };
 
 /// A reach map, in memory or in an HDF5 file, which any program that reads HDF5 reads too
@@ -46,6 +50,7 @@ class ReachMap {
   struct Totals {
     std::int64_t cells = 0, reached = 0;
     std::int64_t positions = 0, reached_positions = 0;  ///< reached in some orientation
+    double volume = 0;  ///< of the reached positions, m^3; of planar arms their area, m^2
   };
   Totals totals() const;
 

@@ -1,35 +1,80 @@
 #include <memory>
+#include <optional>
 
+#include <beeline/reach/internal/cell_expansion.h>
 #include <beeline/reach/internal/map_data.h>
 #include <beeline/reach/internal/map_file.h>
 #include <beeline/reach/internal/map_header.h>
+#include <beeline/reach/internal/positions.h>
 
 namespace beeline {
+namespace {
+
+using internal::CellExpansion;
+using internal::MapFormat;
+
+/// Reads the slabs of a file. The one read last is kept, decompressed.
+class SlabReader {
+ public:
+  SlabReader(const ReachMapHeader& header, std::shared_ptr<internal::Hdf5File> file)
+      : header_(header),
+        format_(header),
+        file_(std::move(file)),
+        datasets_(internal::open_datasets(*file_, format_)) {
+    if (header.grid.cylindrical()) {
+      expansion_.emplace(header.arm, header.grid, format_.free(), header.redundant_values);
+    }
+  }
+
+  ReachCells read(Eigen::Index first, Eigen::Index last) {
+    const internal::Slabs& slabs = format_.slabs();
+    const Eigen::Index slab = slabs.slab_of(first), begin = slabs.first(slab);
+    const ReachGrid& grid = header_.grid;
+    const Eigen::Index at_position = grid.directions() * grid.rolls();
+    if (slab != slab_) load(slab);
+    if (!expansion_) {
+      return internal::part_of(cells_, (first - begin) * at_position, (last - begin) * at_position);
+    }
+    ReachCells cells;
+    cells.resize(static_cast<std::size_t>((last - first) * at_position));
+    expansion_->expand(branches_, begin / grid.azimuths(), first, last, first, cells);
+    return cells;
+  }
+
+ private:
+  void load(Eigen::Index slab) {
+    slab_ = -1;  // if reading fails
+    if (expansion_) {
+      branches_ = internal::read_branches(datasets_, format_, slab);
+    } else {
+      cells_ = internal::read_cells(datasets_, format_, slab);
+    }
+    slab_ = slab;
+  }
+
+  ReachMapHeader header_;
+  MapFormat format_;
+  std::shared_ptr<internal::Hdf5File> file_;  // closed after its datasets
+  internal::MapDatasets datasets_;
+  std::optional<CellExpansion> expansion_;
+  Eigen::Index slab_ = -1;
+  ReachCells cells_;
+  internal::ReachBranches branches_;
+};
+
+}  // namespace
 
 ReachMap::ReachMap(const std::string& path) {
-  auto file = std::make_shared<internal::Hdf5File>(path, internal::Hdf5File::Mode::read);
+  const auto file = std::make_shared<internal::Hdf5File>(path, internal::Hdf5File::Mode::read);
   const ReachMapHeader header = internal::read_header(*file, path);
-  const internal::Slabs slabs(header.grid);
-  const auto datasets =
-      std::make_shared<internal::MapDatasets>(internal::open_datasets(*file, header.grid));
-  std::vector<bool> there = internal::read_slabs(*file, header.grid);
-  const Eigen::Index at_position = header.grid.directions() * header.grid.rolls();
-  // One slab is one chunk of the file, which is decompressed as a whole.
-  const auto read = [=, grid = header.grid](Eigen::Index slab) {
-    ReachCells cells;
-    cells.resize(static_cast<std::size_t>((slabs.last(slab) - slabs.first(slab)) * at_position));
-    const auto [begin, size] = internal::box_of(grid, slabs, slab);
-    datasets->branches.read(begin, size, cells.branches.data());
-    datasets->manipulability.read(begin, size, cells.manipulability.data());
-    datasets->margin.read(begin, size, cells.margin.data());
-    return cells;
-  };
-  data_ =
-      std::make_unique<Data>(Data{.path = path,
-                                  .header = header,
-                                  .slabs = slabs,
-                                  .there = std::move(there),
-                                  .read = [file, read](Eigen::Index slab) { return read(slab); }});
+  const auto reader = std::make_shared<SlabReader>(header, file);
+  data_ = std::make_unique<Data>(Data{.path = path,
+                                      .header = header,
+                                      .slabs = internal::Slabs(header.grid),
+                                      .there = internal::read_slabs(*file, header.grid),
+                                      .read = [reader](Eigen::Index first, Eigen::Index last) {
+                                        return reader->read(first, last);
+                                      }});
 }
 
 }  // namespace beeline

@@ -1,6 +1,6 @@
 #include <limits>
 
-#include <beeline/reach/internal/slabs.h>
+#include <beeline/reach/internal/positions.h>
 #include <beeline/reach/slice.h>
 
 namespace beeline {
@@ -38,34 +38,28 @@ std::string name(ReachMeasure measure) {
 }
 
 ReachSlice slice_of(const ReachMap& map, int normal, double at, ReachMeasure measure) {
-  const ReachGrid& grid = map.grid();
   if (normal < 0 || normal > 2) throw Error("the axis of a slice is 0, 1 or 2");
-  const ReachAxis& axis = grid.axes()[normal];
-  const std::optional<Eigen::Index> index = axis.cell_of(at);
+  std::array<ReachAxis, 3> axes = map.grid().cartesian_axes();
+  const std::optional<Eigen::Index> index = axes[normal].cell_of(at);
   if (!index) {
     throw Error(std::string("the slice at ") + "xyz"[normal] + " = " + number(at) +
-                " is outside the map, which has " + number(axis.lower) + " to " +
-                number(axis.upper()));
+                " is outside the map, which has " + number(axes[normal].lower) + " to " +
+                number(axes[normal].upper()));
   }
-  if (!map.complete()) throw Error(map.path() + " is incomplete: merge its parts first");
+  axes[normal].lower += static_cast<double>(*index) * axes[normal].step;
+  axes[normal].cells = 1;
   ReachSlice slice{.arm = map.arm(),
                    .measure = measure,
                    .normal = normal,
-                   .at = axis.centre(*index),
+                   .at = axes[normal].centre(0),
                    .axes = {normal == 0 ? 1 : 0, normal == 2 ? 1 : 2}};
-  for (int k = 0; k < 2; ++k) slice.grid[k] = grid.axes()[slice.axes[k]];
+  for (int k = 0; k < 2; ++k) slice.grid[k] = axes[slice.axes[k]];
   slice.values.resize(slice.grid[0].cells, slice.grid[1].cells);
-  const internal::Slabs slabs(grid);
-  for (Eigen::Index s = 0; s < slabs.count(); ++s) {
-    const Eigen::Index begin = slabs.begin(s)[normal], size = slabs.size(s)[normal];
-    if (*index < begin || *index >= begin + size) continue;
-    const Eigen::Index first = slabs.first(s), last = slabs.last(s);
-    const ReachPositions best = reach_positions(grid, map.cells(first, last));
-    for (Eigen::Index p = first; p < last; ++p) {
-      const auto at_p = grid.indices(p);
-      if (at_p[normal] != *index) continue;
-      slice.values(at_p[slice.axes[0]], at_p[slice.axes[1]]) =
-          value_of(best, static_cast<std::size_t>(p - first), measure);
+  const ReachPositions best = internal::positions_at(map, internal::centres_of(axes));
+  std::size_t k = 0;
+  for (Eigen::Index i = 0; i < slice.values.rows(); ++i) {
+    for (Eigen::Index j = 0; j < slice.values.cols(); ++j, ++k) {
+      slice.values(i, j) = value_of(best, k, measure);
     }
   }
   return slice;

@@ -23,7 +23,8 @@ struct ReachSlice {
   Eigen::MatrixXf values{};  ///< (cells of axes[0], cells of axes[1]); NaN: not reached
 };
 
-/// Reads the cells around the coordinate `at` (m) of an axis. Directions are their fraction that is
+/// Reads the cells around the coordinate `at` (m) of an axis; of a cylindrical map, those that
+/// contain the centres of ReachGrid::cartesian_axes(). Directions are their fraction that is
 /// reached. Throws Error for a coordinate outside the map and for an incomplete map.
 ReachSlice slice_of(const ReachMap& map, int normal, double at,
                     ReachMeasure measure = ReachMeasure::directions);

@@ -2,7 +2,7 @@
 #include <bit>
 #include <functional>
 
-#include <beeline/reach/internal/slabs.h>
+#include <beeline/reach/internal/positions.h>
 #include <beeline/reach/vti_file.h>
 #include <beeline/read/internal/file_stream.h>
 #include <beeline/read/internal/numbers.h>
@@ -31,9 +31,9 @@ const std::array<Column, 4>& columns() {
   return all;
 }
 
-std::string header_of(const ReachGrid& grid, std::uint64_t bytes) {
+std::string header_of(const std::array<ReachAxis, 3>& axes, std::uint64_t bytes) {
   std::string extent, origin, spacing;
-  for (const ReachAxis& axis : grid.axes()) {
+  for (const ReachAxis& axis : axes) {
     const char* between = extent.empty() ? "" : " ";
     extent += between + ("0 " + std::to_string(axis.cells));
     origin += between + internal::exact(axis.lower);
@@ -60,32 +60,26 @@ std::string_view bytes_of(const auto* values, std::size_t count) {
 }  // namespace
 
 void write_vti(const ReachMap& map, const std::string& path) {
-  if (!map.complete()) throw FileError(map.path(), 0, "is incomplete: merge its parts first");
-  const ReachGrid& grid = map.grid();
-  const auto positions = static_cast<std::size_t>(grid.positions());
-  // The map's positions have z the fastest, an image x.
-  std::array<std::vector<float>, 4> images;
-  for (std::vector<float>& image : images) image.resize(positions);
-  const Eigen::Index nx = grid.axes()[0].cells, ny = grid.axes()[1].cells;
-  const internal::Slabs slabs(grid);
-  for (Eigen::Index s = 0; s < slabs.count(); ++s) {
-    const Eigen::Index first = slabs.first(s), last = slabs.last(s);
-    const ReachPositions best = reach_positions(grid, map.cells(first, last));
-    for (std::size_t k = 0; k < images.size(); ++k) {
-      const std::vector<float> values = columns()[k].values(best);
-      for (Eigen::Index p = first; p < last; ++p) {
-        const auto [x, y, z] = grid.indices(p);
-        images[k][static_cast<std::size_t>((z * ny + y) * nx + x)] =
-            values[static_cast<std::size_t>(p - first)];
+  const std::array<ReachAxis, 3> axes = map.grid().cartesian_axes();
+  const std::vector<Vector3> centres = internal::centres_of(axes);
+  const ReachPositions best = internal::positions_at(map, centres);
+  const std::uint64_t size = centres.size() * sizeof(float);
+  internal::OutputFile file(path);
+  file.append(header_of(axes, size));
+  for (const Column& column : columns()) {
+    // The positions have z the fastest, an image x.
+    const std::vector<float> values = column.values(best);
+    std::vector<float> image;
+    image.reserve(values.size());
+    for (Eigen::Index z = 0; z < axes[2].cells; ++z) {
+      for (Eigen::Index y = 0; y < axes[1].cells; ++y) {
+        for (Eigen::Index x = 0; x < axes[0].cells; ++x) {
+          image.push_back(values[(x * axes[1].cells + y) * axes[2].cells + z]);
+        }
       }
     }
-  }
-  const std::uint64_t size = positions * sizeof(float);
-  internal::OutputFile file(path);
-  file.append(header_of(grid, size));
-  for (const std::vector<float>& image : images) {
     file.append(bytes_of(&size, 1));
-    file.append(bytes_of(image.data(), positions));
+    file.append(bytes_of(image.data(), image.size()));
   }
   file.append("\n</AppendedData>\n</VTKFile>\n");
   file.commit();

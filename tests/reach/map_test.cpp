@@ -3,6 +3,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
+#include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/reach/compute_map.h>
 #include <beeline/reach/internal/slabs.h>
@@ -40,27 +41,34 @@ void expect_equal(const ReachMap& a, const ReachMap& b) {
   expect_equal(a.cells(0, a.grid().positions()), b.cells(0, b.grid().positions()));
 }
 
-/// A map of more than one slab.
+/// Maps of more than one slab.
 struct Example {
   Arm arm = built_in("ur5");
   ReachGrid grid{arm, {.resolution = 0.2, .directions = 45 * deg, .rolls = 40 * deg}};
 };
+const ReachGridOptions by_azimuths{
+    .resolution = 0.08, .azimuths = 60 * deg, .directions = 20 * deg, .rolls = 60 * deg};
 
 TEST(Slabs, AreRangesThatCoverThePositions) {
   const Arm arm = built_in("puma560");
   for (const double resolution : {0.3, 0.05, 0.02}) {
     for (const double directions : {60 * deg, 10 * deg, 2 * deg}) {
-      const ReachGrid grid(arm, {.resolution = resolution, .directions = directions});
-      const internal::Slabs slabs(grid);
-      Eigen::Index next = 0;
-      for (Eigen::Index s = 0; s < slabs.count(); ++s) {
-        ASSERT_EQ(slabs.first(s), next);
-        next = slabs.last(s);
-        ASSERT_EQ(slabs.slab_of(slabs.first(s)), s);
-        ASSERT_EQ(slabs.slab_of(next - 1), s);
+      for (const std::optional<double> azimuths : {std::optional<double>{}, {20 * deg}}) {
+        const ReachGrid grid(
+            arm, {.resolution = resolution, .azimuths = azimuths, .directions = directions});
+        const internal::Slabs slabs(grid);
+        Eigen::Index next = 0;
+        for (Eigen::Index s = 0; s < slabs.count(); ++s) {
+          ASSERT_EQ(slabs.first(s), next);
+          ASSERT_EQ(next % grid.azimuths(), 0);
+          next = slabs.last(s);
+          ASSERT_EQ(slabs.slab_of(slabs.first(s)), s);
+          ASSERT_EQ(slabs.slab_of(next - 1), s);
+        }
+        EXPECT_EQ(next, grid.positions());
+        EXPECT_LE((slabs.last(0) - slabs.first(0)) / grid.azimuths() * grid.directions(),
+                  Eigen::Index{1} << (azimuths ? 18 : 22));
       }
-      EXPECT_EQ(next, grid.positions());
-      EXPECT_LE((slabs.last(0) - slabs.first(0)) * grid.directions(), Eigen::Index{1} << 22);
     }
   }
 }
@@ -72,6 +80,12 @@ TEST_F(ReachMapFile, ReadsBackWhatWasComputed) {
     if (!arm.planar()) {
       all.push_back({.resolution = 0.4, .orientation = Random().rotation()});
       all.push_back({.resolution = 0.5, .directions = 60 * deg, .rolls = 2.0});
+    }
+    if (arm.dof() < 7) {
+      all.push_back({.resolution = 0.5, .azimuths = 1.0, .directions = 60 * deg});
+    }
+    if (arm.dof() == 6) {
+      all.push_back({.resolution = 0.5, .azimuths = 1.0, .directions = 60 * deg, .rolls = 1.0});
     }
     for (const ReachGridOptions& options : all) {
       const ReachGrid grid(arm, options);
@@ -93,23 +107,45 @@ TEST_F(ReachMapFile, ReadsBackWhatWasComputed) {
   }
 }
 
+// A file with singular cells, which have more solutions than it stores.
+TEST_F(ReachMapFile, ReadsBackSingularCells) {
+  const Arm arm = with_limits(built_in("puma560"), {{"joint6", {.lower = -0.4, .upper = 0.3}}});
+  const Pose straight = forward_kinematics(arm, {0, 40 * deg, -40 * deg, 0, 0, 0});
+  const Vector3 corner(straight.translation().head<2>().norm() - 0.05,
+                       straight.translation().z() - 0.05, 0);
+  const ReachGrid grid(arm, {.resolution = 0.1,
+                             .lower = corner,
+                             .upper = corner + Vector3(0.05, 0.05, 0),
+                             .azimuths = 90 * deg,
+                             .directions = 90 * deg,
+                             .rolls = 45 * deg});
+  compute_reach_map(arm, grid, path("map.h5"));
+  const ReachCells expected = reach_cells(arm, grid, 0, grid.positions());
+  ASSERT_GT(*std::max_element(expected.branches.begin(), expected.branches.end()), 16);
+  expect_equal(ReachMap(path("map.h5")).cells(0, grid.positions()), expected);
+}
+
 TEST_F(ReachMapFile, ShardsAndThreadsGiveTheSameDatasets) {
-  const Example example;
-  compute_reach_map(example.arm, example.grid, path("whole.h5"), {.reach = {.threads = 1}});
-  std::vector<std::string> parts;
-  for (const int number : {3, 1, 2}) {
-    parts.push_back(path("part" + std::to_string(number)));
-    compute_reach_map(example.arm, example.grid, parts.back(),
-                      {.reach = {.threads = number}, .shard = {number, 3}});
-    EXPECT_FALSE(ReachMap(parts.back()).complete());
+  for (const bool azimuths : {false, true}) {
+    Example example;
+    if (azimuths) example.grid = ReachGrid(example.arm, by_azimuths);
+    compute_reach_map(example.arm, example.grid, path("whole.h5"), {.reach = {.threads = 1}});
+    std::vector<std::string> parts;
+    for (const int number : {3, 1, 2}) {
+      parts.push_back(path("part" + std::to_string(number)));
+      compute_reach_map(example.arm, example.grid, parts.back(),
+                        {.reach = {.threads = number}, .shard = {number, 3}});
+      EXPECT_FALSE(ReachMap(parts.back()).complete());
+    }
+    EXPECT_REFUSED(merge_reach_maps({parts[0], parts[1]}, path("merged.h5")), "the parts lack");
+    EXPECT_FALSE(std::filesystem::exists(path("merged.h5")));
+    merge_reach_maps(parts, path("merged.h5"));
+    const ReachMap merged(path("merged.h5"));
+    EXPECT_TRUE(merged.complete());
+    ASSERT_GT(merged.slabs().size(), 3);
+    expect_equal(merged, ReachMap(path("whole.h5")));
+    std::filesystem::remove(path("merged.h5"));
   }
-  EXPECT_REFUSED(merge_reach_maps({parts[0], parts[1]}, path("merged.h5")), "the parts lack");
-  EXPECT_FALSE(std::filesystem::exists(path("merged.h5")));
-  merge_reach_maps(parts, path("merged.h5"));
-  const ReachMap merged(path("merged.h5"));
-  EXPECT_TRUE(merged.complete());
-  ASSERT_GT(merged.slabs().size(), 3);
-  expect_equal(merged, ReachMap(path("whole.h5")));
 }
 
 TEST_F(ReachMapFile, ContinuesWhereItEnded) {
@@ -151,12 +187,16 @@ TEST_F(ReachMapFile, TheFolderOfAnotherMapIsRefused) {
 // Whatever is in a file, it is read, or refused with an error.
 TEST_F(ReachMapFile, DamagedFilesAreRefused) {
   const Arm arm = built_in("puma560");
-  const ReachGrid grid(arm, {.resolution = 0.5, .directions = 90 * deg});
-  compute_reach_map(arm, grid, path("map.h5"));
-  const std::string whole = folder_.content("map.h5");
+  std::vector<std::string> files;
+  for (const std::optional<double> azimuths : {std::optional<double>{}, {90 * deg}}) {
+    const ReachGridOptions coarse{.resolution = 0.5, .azimuths = azimuths, .directions = 90 * deg};
+    compute_reach_map(arm, ReachGrid(arm, coarse), path("map.h5"));
+    files.push_back(folder_.content("map.h5"));
+  }
   Random random;
   int refused = 0;
   for (int i = 0; i < testing::cases(300); ++i) {
+    const std::string& whole = files[i % 2];
     std::string bytes = whole;
     if (i % 3 == 0) {
       bytes.resize(static_cast<std::size_t>(random.integer(0, static_cast<int>(whole.size()) - 1)));

@@ -223,8 +223,7 @@ void pieper_branches_kernel(const PieperLoop& loop, const PieperRequest& request
   }
   branches.found = bits(status.found);
   branches.continuum = bits(status.continuum & status.found);
-  branches.weak = bits(status.weak & !status.found);
-  branches.far = bits(status.far & !status.found);
+  branches.weak = bits(status.weak & !status.found & !status.far);
   branches.twin = bits(status.twin & status.found);
   status.residual.store(branches.residual);
   to_coordinates(loop, request, joint, branches);

@@ -53,7 +53,6 @@ class RangeExamination {
     form_.branches(goal_, value, loop_, found);
     branch_.lane = nearest_lane(loop_, found);
     if (branch_.lane < 0 && found.within != 0) clean_ = false;  // a loop that does not close
-    found.weak &= ~found.far;
     clean_ &= found.continuum == 0;
     sample.hidden = nearly_found(form_, found);
     for (int lane = 0; lane < 8; ++lane) {

@@ -54,6 +54,8 @@ CellExpansion::CellExpansion(const Arm& arm, const ReachGrid& grid, const FreeJo
 
 bool CellExpansion::singular(const ReachBranches& branches, std::size_t cell) const {
   if (!free_.base && (!free_.roll || free_.any_roll)) return false;
+  // Infinitely many solutions, of which a file stores the first ones.
+  if (branches.counts[cell] > branches.ends[cell] - branches.begin(cell)) return true;
   const auto begin = static_cast<std::ptrdiff_t>(branches.begin(cell));
   const auto end = static_cast<std::ptrdiff_t>(branches.ends[cell]);
   const auto& of = branches.manipulability;

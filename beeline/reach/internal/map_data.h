@@ -7,13 +7,14 @@
 
 namespace beeline {
 
-/// Where a map has its cells, which `read` returns by slabs.
+/// Where a map has its cells, which `read` returns: of the positions from `first` to `last`
+/// (exclusive) of one slab.
 struct ReachMap::Data {
   std::string path;
   ReachMapHeader header;
   internal::Slabs slabs;
   std::vector<bool> there;
-  std::function<ReachCells(Eigen::Index slab)> read;
+  std::function<ReachCells(Eigen::Index first, Eigen::Index last)> read;
 };
 
 }  // namespace beeline

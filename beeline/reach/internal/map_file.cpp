@@ -27,35 +27,6 @@ std::string temporary_beside(const std::string& path) {
          ".part";
 }
 
-/// The shape of the datasets: positions, directions or headings, rolls.
-Hdf5Shape dataset_shape(const ReachGrid& grid) {
-  Hdf5Shape shape;
-  for (const ReachAxis& axis : grid.axes()) {
-    shape.push_back(static_cast<unsigned long long>(axis.cells));
-  }
-  const auto add = [&shape](Eigen::Index n) {
-    shape.push_back(static_cast<unsigned long long>(n));
-  };
-  if (grid.orientations() != ReachOrientations::fixed) add(grid.directions());
-  if (grid.orientations() == ReachOrientations::rolls) add(grid.rolls());
-  return shape;
-}
-
-/// One chunk for each slab.
-Hdf5Shape slab_chunk(const ReachGrid& grid) {
-  Hdf5Shape chunk = dataset_shape(grid);
-  const Slabs slabs(grid);
-  for (std::size_t k = 0; k < 3; ++k) chunk[k] = static_cast<unsigned long long>(slabs.edges()[k]);
-  return chunk;
-}
-
-MapDatasets create_datasets(Hdf5File& file, const ReachGrid& grid) {
-  const Hdf5Shape shape = dataset_shape(grid), chunk = slab_chunk(grid);
-  return {file.create("branches", Hdf5Type::uint8, shape, chunk),
-          file.create("manipulability", Hdf5Type::float32, shape, chunk),
-          file.create("margin", Hdf5Type::float32, shape, chunk)};
-}
-
 Hdf5Shape flags_shape(const Slabs& slabs) {
   return {static_cast<unsigned long long>(slabs.count())};
 }
@@ -70,13 +41,6 @@ void synchronise(const std::string& path) {
 
 }  // namespace
 
-MapDatasets open_datasets(const Hdf5File& file, const ReachGrid& grid) {
-  const Hdf5Shape shape = dataset_shape(grid), chunk = slab_chunk(grid);
-  return {file.open("branches", Hdf5Type::uint8, shape, chunk),
-          file.open("manipulability", Hdf5Type::float32, shape, chunk),
-          file.open("margin", Hdf5Type::float32, shape, chunk)};
-}
-
 std::vector<bool> read_slabs(const Hdf5File& file, const ReachGrid& grid) {
   const Hdf5Shape shape = flags_shape(Slabs(grid));
   const Hdf5Dataset dataset = file.open("slabs", Hdf5Type::uint8, shape);
@@ -85,24 +49,15 @@ std::vector<bool> read_slabs(const Hdf5File& file, const ReachGrid& grid) {
   return {flags.begin(), flags.end()};
 }
 
-SlabBox box_of(const ReachGrid& grid, const Slabs& slabs, Eigen::Index slab) {
-  SlabBox box{.begin = Hdf5Shape(dataset_shape(grid).size(), 0), .size = dataset_shape(grid)};
-  for (std::size_t k = 0; k < 3; ++k) {
-    box.begin[k] = static_cast<unsigned long long>(slabs.begin(slab)[k]);
-    box.size[k] = static_cast<unsigned long long>(slabs.size(slab)[k]);
-  }
-  return box;
-}
-
 MapWriter::MapWriter(const std::string& path, const ReachMapHeader& header)
     : path_((check_map_path(path), path)),
       temporary_(temporary_beside(path)),
       header_(header),
-      slabs_(header.grid),
-      written_(static_cast<std::size_t>(slabs_.count()), false),
+      format_(header),
+      written_(static_cast<std::size_t>(format_.slabs().count()), false),
       file_(temporary_, Hdf5File::Mode::create) {
   write_header(file_, header);
-  datasets_ = std::make_unique<MapDatasets>(create_datasets(file_, header.grid));
+  datasets_ = create_datasets(file_, format_);
 }
 
 MapWriter::~MapWriter() {
@@ -110,33 +65,36 @@ MapWriter::~MapWriter() {
 }
 
 void MapWriter::write(Eigen::Index slab, const ReachCells& cells) {
-  const auto [begin, size] = box_of(header_.grid, slabs_, slab);
-  datasets_->branches.write(begin, size, cells.branches.data());
-  datasets_->manipulability.write(begin, size, cells.manipulability.data());
-  datasets_->margin.write(begin, size, cells.margin.data());
+  write_cells(datasets_, format_, slab, cells);
+  written_[static_cast<std::size_t>(slab)] = true;
+}
+
+void MapWriter::write(Eigen::Index slab, const ReachBranches& branches) {
+  write_branches(datasets_, format_, slab, branches);
   written_[static_cast<std::size_t>(slab)] = true;
 }
 
 void MapWriter::copy_slabs(const std::string& path) {
   const Hdf5File file(path, Hdf5File::Mode::read);
   check_same_map(path, read_header(file, path), header_);
-  const MapDatasets from = open_datasets(file, header_.grid);
+  const MapDatasets from = open_datasets(file, format_);
   const std::vector<bool> there = read_slabs(file, header_.grid);
   for (std::size_t slab = 0; slab < there.size(); ++slab) {
     if (!there[slab] || written_[slab]) continue;
-    const Hdf5Shape begin = box_of(header_.grid, slabs_, static_cast<Eigen::Index>(slab)).begin;
-    datasets_->branches.write_chunk(begin, from.branches.read_chunk(begin));
-    datasets_->manipulability.write_chunk(begin, from.manipulability.read_chunk(begin));
-    datasets_->margin.write_chunk(begin, from.margin.read_chunk(begin));
+    for (std::size_t k = 0; k < from.size(); ++k) {
+      const Hdf5Shape begin =
+          format_.box(format_.datasets()[k], static_cast<Eigen::Index>(slab)).begin;
+      datasets_[k].write_chunk(begin, from[k].read_chunk(begin));
+    }
     written_[slab] = true;
   }
 }
 
 void MapWriter::commit() {
-  const Hdf5Shape shape = flags_shape(slabs_);
+  const Hdf5Shape shape = flags_shape(format_.slabs());
   const std::vector<std::uint8_t> flags(written_.begin(), written_.end());
   file_.create("slabs", Hdf5Type::uint8, shape).write({0}, shape, flags.data());
-  datasets_.reset();
+  datasets_.clear();
   file_.close();
   synchronise(temporary_);
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) throw refused(path_, errno);

@@ -1,32 +1,14 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include <beeline/reach/internal/hdf5_file.h>
-#include <beeline/reach/internal/slabs.h>
-#include <beeline/reach/reach_map.h>
+#include <beeline/reach/internal/map_format.h>
 
 namespace beeline::internal {
 
-/// The datasets of a map, one value for each cell.
-struct MapDatasets {
-  Hdf5Dataset branches, manipulability, margin;
-};
-
-/// Opens them in a file of a map with that grid. Throws FileError for others.
-MapDatasets open_datasets(const Hdf5File& file, const ReachGrid& grid);
-
 /// Reads which slabs are in the file.
 std::vector<bool> read_slabs(const Hdf5File& file, const ReachGrid& grid);
-
-/// The box of a slab in the datasets, whose axes are x, y, z and, where the grid has several,
-/// directions and rolls.
-struct SlabBox {
-  Hdf5Shape begin, size;
-};
-SlabBox box_of(const ReachGrid& grid, const Slabs& slabs, Eigen::Index slab);
 
 /// Writes a new file of a map, slab by slab, beside its path; commit() renames it.
 class MapWriter {
@@ -37,8 +19,9 @@ class MapWriter {
   MapWriter(const MapWriter&) = delete;
   MapWriter& operator=(const MapWriter&) = delete;
 
-  /// Writes all cells of a slab.
+  /// Writes all cells of a slab, or the branches of one of a cylindrical grid.
   void write(Eigen::Index slab, const ReachCells& cells);
+  void write(Eigen::Index slab, const ReachBranches& branches);
   /// Copies the slabs of another file of the same map as they are stored.
   void copy_slabs(const std::string& path);
   /// The slabs written.
@@ -48,10 +31,10 @@ class MapWriter {
  private:
   std::string path_, temporary_;
   ReachMapHeader header_;
-  Slabs slabs_;
+  MapFormat format_;
   std::vector<bool> written_;
   Hdf5File file_;
-  std::unique_ptr<MapDatasets> datasets_;
+  MapDatasets datasets_;
 };
 
 /// Throws FileError for a path at which no file can be made or replaced: a folder, a device, a

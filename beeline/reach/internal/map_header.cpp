@@ -13,6 +13,20 @@ constexpr const char* format_name = "beeline reach map";
 constexpr double version = 1;
 
 constexpr std::array<const char*, 4> orientation_names{"fixed", "headings", "directions", "rolls"};
+constexpr const char* box_name = "box";
+constexpr const char* cylinder_name = "cylinder";
+
+/// What the values of a map are of, for those who read the file.
+std::string answers_of(const ReachMapHeader& header) {
+  if (header.samples > 0) {
+    return "by sampling: some of the sampled configurations has the tool in the cell";
+  }
+  if (header.grid.cylindrical()) {
+    return "the inverse kinematics at the centre of each cell, at azimuth 0, with the first joint "
+           "(and, with rolls, a last one that rolls the tool) free";
+  }
+  return "the inverse kinematics at the centre of each cell";
+}
 
 /// FNV-1a, 64 bits, of the arm's JSON: differs where two files are of different arms.
 std::string hash_of(const std::string& text) {
@@ -37,7 +51,8 @@ void write_list(Hdf5File& file, const char* name, const std::vector<double>& val
 
 /// The coordinates of the cells along each axis of the datasets.
 void write_coordinates(Hdf5File& file, const ReachGrid& grid) {
-  constexpr std::array<const char*, 3> names{"x", "y", "z"};
+  const std::array<const char*, 3> names =
+      grid.cylindrical() ? std::array{"radius", "height", "azimuth"} : std::array{"x", "y", "z"};
   for (std::size_t k = 0; k < 3; ++k) {
     std::vector<double> centres;
     const ReachAxis& axis = grid.axes()[k];
@@ -83,6 +98,14 @@ ReachGridOptions read_options(const Hdf5File& file, const std::string& path) {
   ReachGridOptions options{.resolution = file.read_numbers("resolution", 1)[0],
                            .lower = vector_of(file.read_numbers("lower", 3)),
                            .upper = vector_of(file.read_numbers("upper", 3))};
+  const std::string positions = file.read_text("positions");
+  if (positions == cylinder_name) {
+    options.azimuths = file.read_numbers("azimuth_spacing", 1)[0];
+  } else if (positions != box_name) {
+    throw FileError(path, 0,
+                    "has positions \"" + positions.substr(0, 40) + "\"; known are " +
+                        listed({box_name, cylinder_name}));
+  }
   const ReachOrientations orientations = orientations_of(file, path);
   if (orientations == ReachOrientations::fixed) {
     const std::vector<double> rows = file.read_numbers("orientation", 9);
@@ -109,7 +132,8 @@ void write_header(Hdf5File& file, const ReachMapHeader& header) {
   file.write_text("arm_name", header.arm.name());
   file.write_text("arm_hash", hash_of(arm));
   file.write_text("frame", "cells are poses world_T_tool; metres and radians");
-  file.write_text("answers", "the inverse kinematics at the centre of each cell");
+  file.write_text("answers", answers_of(header));
+  file.write_text("positions", header.grid.cylindrical() ? cylinder_name : box_name);
   file.write_numbers("resolution", {*options.resolution});
   file.write_numbers("lower", list_of(*options.lower));
   file.write_numbers("upper", list_of(*options.upper));
@@ -120,9 +144,11 @@ void write_header(Hdf5File& file, const ReachMapHeader& header) {
     for (int k = 0; k < 9; ++k) rows.push_back((*options.orientation)(k / 3, k % 3));
     file.write_numbers("orientation", rows);
   }
+  if (options.azimuths) file.write_numbers("azimuth_spacing", {*options.azimuths});
   if (options.directions) file.write_numbers("direction_spacing", {*options.directions});
   if (options.rolls) file.write_numbers("roll_spacing", {*options.rolls});
   file.write_numbers("redundant_values", {static_cast<double>(header.redundant_values)});
+  file.write_numbers("samples", {static_cast<double>(header.samples)});
   write_coordinates(file, header.grid);
 }
 
@@ -142,9 +168,16 @@ ReachMapHeader read_header(const Hdf5File& file, const std::string& path) {
   if (!(values >= 1 && values <= 1000)) {
     throw FileError(path, 0, "is damaged: redundant_values is " + number(values));
   }
+  const double samples = file.read_numbers("samples", 1)[0];
+  if (!(samples >= 0 && samples <= static_cast<double>(max_samples))) {
+    throw FileError(path, 0, "is damaged: samples is " + number(samples));
+  }
   const Arm arm = arm_from_json(text, path);
   try {
-    return {arm, ReachGrid(arm, read_options(file, path)), static_cast<int>(values)};
+    ReachMapHeader header{arm, ReachGrid(arm, read_options(file, path)), static_cast<int>(values),
+                          static_cast<std::int64_t>(samples)};
+    if (header.grid.cylindrical()) (void)free_joints(arm, header.grid);  // refuses what has no map
+    return header;
   } catch (const FileError&) {
     throw;
   } catch (const Error& error) {
@@ -166,6 +199,11 @@ void check_same_map(const std::string& path, const ReachMapHeader& header,
     refuse("resolution is " + number(*a.resolution) + " m, not " + number(*b.resolution));
   }
   if (a.lower != b.lower || a.upper != b.upper) refuse("box is another one");
+  if (a.azimuths != b.azimuths) refuse("azimuths are others");
+  if (header.samples != expected.samples) {
+    refuse("samples are " + std::to_string(header.samples) + ", not " +
+           std::to_string(expected.samples));
+  }
   if (header.grid.orientations() != expected.grid.orientations() || a.directions != b.directions ||
       a.rolls != b.rolls) {
     refuse("orientations are others");

@@ -36,7 +36,7 @@ bool Parts::has(Eigen::Index slab) const {
   try {
     const ReachMap map(path);
     check_same_map(path, map.header(), header_);
-    (void)map.cells(slabs_.first(slab), slabs_.last(slab));  // its checksums
+    (void)map.cells(slabs_.first(slab), slabs_.first(slab) + 1);  // reads it, with its checksums
     return true;
   } catch (const FileError&) {  // cut off, or of the folder's former map: computed again
     return false;
@@ -44,13 +44,18 @@ bool Parts::has(Eigen::Index slab) const {
 }
 
 Ending Parts::compute(Eigen::Index slab, const ReachOptions& options) const {
-  const ReachCells cells =
-      reach_cells(header_.arm, header_.grid, slabs_.first(slab), slabs_.last(slab), options);
-  if (cells.ending != Ending::complete) return cells.ending;
-  MapWriter writer(file(slab), header_);
-  writer.write(slab, cells);
-  writer.commit();
-  return Ending::complete;
+  const Eigen::Index first = slabs_.first(slab), last = slabs_.last(slab);
+  const auto write = [&](const auto& computed) {
+    if (computed.ending != Ending::complete) return computed.ending;
+    MapWriter writer(file(slab), header_);
+    writer.write(slab, computed);
+    writer.commit();
+    return Ending::complete;
+  };
+  const auto& [arm, grid, redundant_values, samples] = header_;
+  if (!grid.cylindrical()) return write(reach_cells(arm, grid, first, last, options));
+  const Eigen::Index azimuths = grid.azimuths();
+  return write(reach_branches(arm, grid, first / azimuths, last / azimuths, options));
 }
 
 void Parts::join(const std::vector<Eigen::Index>& slabs, const std::string& path) const {

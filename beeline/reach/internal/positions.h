@@ -1,10 +1,29 @@
 #pragma once
 
-#include <beeline/reach/grid.h>
+#include <algorithm>
+#include <vector>
+
+#include <beeline/reach/reach_map.h>
 
 namespace beeline::internal {
 
 /// Throws Error unless the grid has the positions from `first` to `last`, exclusive.
 void check_positions(const ReachGrid& grid, Eigen::Index first, Eigen::Index last);
+
+/// The positions that are looked at together: of about a million cells.
+inline Eigen::Index positions_at_once(const ReachGrid& grid) {
+  constexpr Eigen::Index cells = Eigen::Index{1} << 20;
+  return std::max<Eigen::Index>(1, cells / (grid.directions() * grid.rolls()));
+}
+
+/// The cells from `first` to `last`, exclusive.
+ReachCells part_of(const ReachCells& cells, Eigen::Index first, Eigen::Index last);
+
+/// The centres of cells along x, y and z (ReachGrid::cartesian_axes()), z the fastest.
+std::vector<Vector3> centres_of(const std::array<ReachAxis, 3>& axes);
+
+/// The best of the positions of a map that contain these points; those outside are not reached.
+/// Reads each slab of the map once. Throws FileError for an incomplete map.
+ReachPositions positions_at(const ReachMap& map, const std::vector<Vector3>& points);
 
 }  // namespace beeline::internal

@@ -11,11 +11,14 @@ Eigen::Index quotient_up(Eigen::Index a, Eigen::Index b) { return (a + b - 1) / 
 
 Slabs::Slabs(const ReachGrid& grid) {
   constexpr Eigen::Index wanted = 1024, smallest = Eigen::Index{1} << 16,
-                         largest = Eigen::Index{1} << 22;
+                         largest = Eigen::Index{1} << 22,
+                         largest_of_branches = Eigen::Index{1} << 18;
   for (int k = 0; k < 3; ++k) cells_[k] = grid.axes()[k].cells;
   const Eigen::Index at_position = grid.directions() * grid.rolls();
-  const Eigen::Index in_slab = std::clamp(grid.cells() / wanted, smallest, largest);
+  const Eigen::Index in_slab = std::clamp(grid.cells() / grid.azimuths() / wanted, smallest,
+                                          grid.cylindrical() ? largest_of_branches : largest);
   Eigen::Index left = std::max<Eigen::Index>(1, in_slab / at_position);
+  if (grid.cylindrical()) left *= grid.azimuths();
   // Whole columns along z, then whole rows of them along y, then those along x.
   for (int k = 2; k >= 0; --k) {
     edges_[k] = std::min(left, cells_[k]);

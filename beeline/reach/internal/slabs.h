@@ -7,7 +7,8 @@
 namespace beeline::internal {
 
 /// The slabs of a grid, in which its map is computed, compressed and stored: boxes of positions,
-/// each a range of position numbers. There are about a thousand, of 2^16 to 2^22 cells.
+/// each a range of position numbers. There are about a thousand, of 2^16 to 2^22 cells; of a
+/// cylindrical grid, whose azimuths are stored as one, of 2^16 to 2^18 times the azimuths.
 class Slabs {
  public:
   explicit Slabs(const ReachGrid& grid);
