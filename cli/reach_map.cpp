@@ -25,8 +25,10 @@ struct MapArguments {
   ArmArgument arm;
   UnitArgument unit;
   BudgetArgument budget;
-  std::string out, lower, upper, orientation, shard;
+  std::string out, lower, upper, orientation, shard, by = "inverse-kinematics";
+  bool any_orientation = false;
   std::optional<double> resolution, azimuths, directions, rolls;
+  std::optional<std::int64_t> samples;
   ReachOptions reach;
   bool json = false;
 };
@@ -47,6 +49,7 @@ ReachGrid grid_of(const Arm& arm, const MapArguments& arguments) {
   };
   ReachGridOptions options{.resolution = arguments.resolution,
                            .azimuths = radians(arguments.azimuths),
+                           .any_orientation = arguments.any_orientation,
                            .directions = radians(arguments.directions),
                            .rolls = radians(arguments.rolls)};
   if (!arguments.lower.empty())
@@ -59,6 +62,21 @@ ReachGrid grid_of(const Arm& arm, const MapArguments& arguments) {
             .pose.linear();
   }
   return ReachGrid(arm, options);
+}
+
+/// 0 for a map by inverse kinematics.
+std::int64_t samples_of(const MapArguments& arguments, const ReachGrid& grid) {
+  const bool sampling = arguments.by == "sampling";
+  if (!sampling && arguments.samples) throw Error("--samples is for --by sampling");
+  if (!sampling && arguments.any_orientation) {
+    throw Error(
+        "--any-orientation is for --by sampling: by inverse kinematics a position is "
+        "reached in --directions");
+  }
+  if (!sampling) return 0;
+  constexpr std::int64_t in_cell = 50, least = 1'000'000, most = 1'000'000'000;
+  return arguments.samples.value_or(
+      std::clamp<std::int64_t>(in_cell * std::min<std::int64_t>(grid.cells(), most), least, most));
 }
 
 ReachShard shard_of(const std::string& text) {
@@ -148,6 +166,7 @@ ReachMapJob reach_map_job() {
   const Arm arm = arguments.arm.read(arguments.unit);
   ReachMapJob job{.arm = arm, .grid = grid_of(arm, arguments), .out = arguments.out};
   job.options = {.reach = arguments.reach, .shard = shard};
+  job.options.reach.samples = samples_of(arguments, job.grid);
   job.options.reach.budget = arguments.budget.next();
   return job;
 }
@@ -164,7 +183,8 @@ Verb reach_map_verb() {
           "h5py, MATLAB and others read. It is computed in slabs, each of which is written to "
           "the folder FILE.parts when it is complete; after an interruption the same command "
           "continues. With --shard, several machines compute a part each, and `beeline reach "
-          "merge` joins the parts; the result is the same.",
+          "merge` joins the parts; the result is the same. --by sampling marks the cells that the "
+          "tool of sampled configurations is in, and says so in the file.",
       .arguments = {arguments.arm.argument()},
       .options = joined(
           {{{.name = "--out",
@@ -174,7 +194,25 @@ Verb reach_map_verb() {
              .required = true,
              .completes = Completes::file}},
            grid_options(arguments),
-           {{.name = "--redundant-values",
+           {{.name = "--by",
+             .value = "METHOD",
+             .help =
+                 "inverse-kinematics: what the arm can do at the centre of each cell; sampling: "
+                 "anywhere in a cell, from the forward kinematics of configurations that fill "
+                 "the joint ranges, also of arms that reach almost no pose exactly.",
+             .target = &arguments.by,
+             .choices = {"inverse-kinematics", "sampling"}},
+            {.name = "--samples",
+             .value = "N",
+             .help = "Configurations of a map by sampling. Default: 50 times the cells, at least "
+                     "1e6, at most 1e9.",
+             .target = &arguments.samples,
+             .range = {1, 1e12}},
+            {.name = "--any-orientation",
+             .help = "A map by sampling of positions alone, in any orientation.",
+             .target = &arguments.any_orientation,
+             .phrases = {"any orientation"}},
+            {.name = "--redundant-values",
              .value = "N",
              .help = "Values of the redundant joint of an arm of seven joints at which all "
                      "solutions are computed. Where there is none, the range between them is "
@@ -185,7 +223,7 @@ Verb reach_map_verb() {
              .value = "K/N",
              .help = "Compute share K of N of the map, K from 1 to N.",
              .target = &arguments.shard,
-             .phrases = {"shard", "slabs, which is the largest number"}},
+             .phrases = {"shard", "which is the largest number of shards"}},
             {.name = "--threads",
              .value = "N",
              .help = "Number of threads; 0: as many as the machine has. The map does not depend on "
@@ -201,6 +239,8 @@ Verb reach_map_verb() {
                     "beeline reach map puma560 --orientation 180,0,0 --degrees --out down.h5"},
                    {"A map of six dimensions, of which two are not stored",
                     "beeline reach map puma560 --azimuths 10 --rolls 30 --degrees --out turned.h5"},
+                   {"The positions that an arm of five joints reaches in any orientation",
+                    "beeline reach map px150 --by sampling --any-orientation --out px150.h5"},
                    {"The first in two parts, which two machines may compute",
                     "beeline reach map puma560 --resolution 0.12 --shard 1/2 --out part1.h5\n"
                     "beeline reach map puma560 --resolution 0.12 --shard 2/2 --out part2.h5\n"

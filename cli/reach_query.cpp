@@ -18,6 +18,11 @@ struct QueryArguments {
   bool json = false;
 };
 
+bool sampled(const ReachMap& map) { return map.header().samples > 0; }
+
+/// What a map counts in each cell.
+const char* counted_name(const ReachMap& map) { return sampled(map) ? "samples" : "branches"; }
+
 /// The best of the cells at a position.
 Answer at_position(const ReachMap& map, Eigen::Index p) {
   const ReachPositions best = reach_positions(map.grid(), map.cells(p, p + 1));
@@ -26,19 +31,23 @@ Answer at_position(const ReachMap& map, Eigen::Index p) {
   Answer answer;
   answer.yes = reached;
   answer.text = fmt::format("cell            around {} m\n", shown(centre));
-  answer.text += fmt::format("directions      {:.1f} % reached\n", 100 * best.directions[0]);
+  if (map.grid().directions() > 1) {
+    answer.text += fmt::format("directions      {:.1f} % reached\n", 100 * best.directions[0]);
+  }
   answer.document = {{"status", reached ? "reached" : "not_reached"},
                      {"centre", centre},
                      {"directions", best.directions[0]},
-                     {"branches", best.branches[0]}};
+                     {counted_name(map), best.branches[0]}};
   if (!reached) {
-    answer.reason = "the arm reaches the centre of the cell in no orientation of the map";
+    answer.reason = sampled(map) ? "no sample is in the cells of this position"
+                                 : "the arm reaches the centre of the cell in no orientation of "
+                                   "the map";
     return answer;
   }
   answer.text += fmt::format(
-      "branches        {} at most\nmanipulability  {} at most\n"
+      "{:<16}{} at most\nmanipulability  {} at most\n"
       "margin          {} at most\n",
-      best.branches[0], shown(best.manipulability[0]), shown(best.margin[0]));
+      counted_name(map), best.branches[0], shown(best.manipulability[0]), shown(best.margin[0]));
   answer.document.add("manipulability", static_cast<double>(best.manipulability[0]));
   answer.document.add("margin", static_cast<double>(best.margin[0]));
   return answer;
@@ -65,16 +74,19 @@ Answer at_pose(const ReachMap& map, Eigen::Index cell, const Pose& pose, const U
                      {"cell", cell},
                      {"centre", json_pose(centre, map.arm().planar(), unit)},
                      {"any_roll", any_roll},
-                     {"branches", cells.branches[at]}};
+                     {counted_name(map), cells.branches[at]}};
   if (reached) {
     answer.text +=
-        fmt::format("branches        {}\nmanipulability  {}\nmargin          {}\n",
+        fmt::format("{:<16}{}\nmanipulability  {}\nmargin          {}\n", counted_name(map),
                     cells.branches[at], shown(cells.manipulability[at]), shown(cells.margin[at]));
     answer.document.add("manipulability", static_cast<double>(cells.manipulability[at]));
     answer.document.add("margin", static_cast<double>(cells.margin[at]));
   } else {
-    answer.text += "branches        0\n";
-    answer.reason = "the arm does not reach the centre of the cell; the pose itself: " + itself;
+    answer.text += fmt::format("{:<16}0\n", counted_name(map));
+    answer.reason = (sampled(map) ? "no sample is in the cell; the pose itself: "
+                                  : "the arm does not reach the centre of the cell; the pose "
+                                    "itself: ") +
+                    itself;
   }
   answer.text += "the pose itself " + itself + "\n";
   answer.document.add("pose_itself", exact ? "solved" : itself);
@@ -96,7 +108,8 @@ Answer query(const QueryArguments& arguments) {
             .yes = false,
             .reason = "the position is outside the box of the map"};
   }
-  if (!written.oriented) return at_position(map, *p);
+  const bool any = map.grid().orientations() == ReachOrientations::any;
+  if (!written.oriented || any) return at_position(map, *p);
   return at_pose(map, *map.grid().cell_of(written.pose), written.pose, arguments.unit);
 }
 

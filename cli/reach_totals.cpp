@@ -16,6 +16,8 @@ std::string cells_text(const ReachGrid& grid) {
   if (grid.cylindrical()) text += ", " + std::to_string(grid.azimuths()) + " azimuths,";
   if (grid.orientations() == ReachOrientations::headings) {
     text += " x " + counted(grid.directions(), "heading");
+  } else if (grid.orientations() == ReachOrientations::any) {
+    text += " in any orientation";
   } else if (grid.orientations() != ReachOrientations::fixed) {
     text += " x " + counted(grid.directions(), "direction");
   }
@@ -46,6 +48,10 @@ Answer map_totals(const ReachMap& map) {
   Answer answer;
   answer.text = fmt::format("map           {}\narm           {}\ncells         {}, of {} m\n",
                             map.path(), map.arm().name(), cells_text(map.grid()), shown(edge));
+  const std::int64_t samples = map.header().samples;
+  if (samples > 0) {
+    answer.text += fmt::format("by sampling   {} configurations\n", samples);
+  }
   if (!map.complete()) {
     answer.text += fmt::format("in this file  {} of {} slabs, {}\n", there, slabs,
                                counted(totals.cells, "cell"));
@@ -58,6 +64,8 @@ Answer map_totals(const ReachMap& map) {
   answer.document = {{"status", map.complete() ? "complete" : "incomplete"},
                      {"map", map.path()},
                      {"arm", map.arm().name()},
+                     {"by", samples > 0 ? "sampling" : "inverse-kinematics"},
+                     {"samples", samples},
                      {"cells", map.grid().cells()},
                      {"positions", map.grid().positions()},
                      {"directions", map.grid().directions()},

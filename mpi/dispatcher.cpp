@@ -7,7 +7,7 @@
 
 namespace {
 
-constexpr int request_tag = 1, slab_tag = 2;
+constexpr int request_tag = 1, unit_tag = 2;
 constexpr std::int64_t nothing_left = -1;
 
 void sleep_briefly() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
@@ -22,9 +22,9 @@ void wait_for(MPI_Request& request) {
 
 }  // namespace
 
-Dispatcher::Dispatcher(const std::vector<Eigen::Index>& slabs)
-    : left_(slabs.begin(), slabs.end()),
-      all_(slabs.size()),
+Dispatcher::Dispatcher(const std::vector<Eigen::Index>& units)
+    : left_(units.begin(), units.end()),
+      all_(units.size()),
       thread_([this] { answer_requests(); }) {}
 
 Dispatcher::~Dispatcher() { thread_.join(); }
@@ -32,9 +32,9 @@ Dispatcher::~Dispatcher() { thread_.join(); }
 std::optional<Eigen::Index> Dispatcher::next() {
   const std::lock_guard lock(taking_);
   if (left_.empty()) return std::nullopt;
-  const Eigen::Index slab = left_.front();
+  const Eigen::Index unit = left_.front();
   left_.pop_front();
-  return slab;
+  return unit;
 }
 
 double Dispatcher::fraction() {
@@ -55,20 +55,20 @@ void Dispatcher::answer_requests() {
     }
     MPI_Recv(nullptr, 0, MPI_BYTE, status.MPI_SOURCE, request_tag, MPI_COMM_WORLD,
              MPI_STATUS_IGNORE);
-    const std::int64_t slab = next().value_or(nothing_left);
-    MPI_Send(&slab, 1, MPI_INT64_T, status.MPI_SOURCE, slab_tag, MPI_COMM_WORLD);
-    told += slab == nothing_left;
+    const std::int64_t unit = next().value_or(nothing_left);
+    MPI_Send(&unit, 1, MPI_INT64_T, status.MPI_SOURCE, unit_tag, MPI_COMM_WORLD);
+    told += unit == nothing_left;
   }
 }
 
-std::optional<Eigen::Index> ask_for_slab() {
+std::optional<Eigen::Index> ask_for_unit() {
   MPI_Send(nullptr, 0, MPI_BYTE, 0, request_tag, MPI_COMM_WORLD);
-  std::int64_t slab = nothing_left;
+  std::int64_t unit = nothing_left;
   MPI_Request request = MPI_REQUEST_NULL;
-  MPI_Irecv(&slab, 1, MPI_INT64_T, 0, slab_tag, MPI_COMM_WORLD, &request);
+  MPI_Irecv(&unit, 1, MPI_INT64_T, 0, unit_tag, MPI_COMM_WORLD, &request);
   wait_for(request);
-  if (slab == nothing_left) return std::nullopt;
-  return slab;
+  if (unit == nothing_left) return std::nullopt;
+  return unit;
 }
 
 int largest_of_all(int value) {

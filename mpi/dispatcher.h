@@ -7,20 +7,21 @@
 #include <thread>
 #include <vector>
 
-/// Hands out slabs: on rank 0, whose thread answers the requests of the others. Each rank asks for
-/// the next slab when it has computed one. Waiting ranks sleep, so that a core can be another's.
+/// Hands out the units of a map (units_of()) by their numbers: on rank 0, whose thread answers the
+/// requests of the others. Each rank asks for the next unit when it has computed one. Waiting ranks
+/// sleep, so that a core can be another's.
 class Dispatcher {
  public:
   /// Begins to answer. Requires MPI_THREAD_MULTIPLE.
-  explicit Dispatcher(const std::vector<Eigen::Index>& slabs);
+  explicit Dispatcher(const std::vector<Eigen::Index>& units);
   /// Ends when every other rank was told that nothing is left.
   ~Dispatcher();
   Dispatcher(const Dispatcher&) = delete;
   Dispatcher& operator=(const Dispatcher&) = delete;
 
-  /// The next slab, for rank 0 itself; none when nothing is left.
+  /// The next unit, for rank 0 itself; none when nothing is left.
   std::optional<Eigen::Index> next();
-  /// The fraction of all slabs that was handed out.
+  /// The fraction of all units that was handed out.
   double fraction();
 
  private:
@@ -32,8 +33,8 @@ class Dispatcher {
   std::thread thread_;
 };
 
-/// The next slab of the dispatcher on rank 0, for the other ranks.
-std::optional<Eigen::Index> ask_for_slab();
+/// The next unit of the dispatcher on rank 0, for the other ranks.
+std::optional<Eigen::Index> ask_for_unit();
 
 /// Waits until every rank is here, and returns the largest of their values.
 int largest_of_all(int value);

@@ -22,6 +22,8 @@ using namespace beeline;
 
 namespace {
 
+using Units = std::vector<internal::SlabRange>;
+
 int rank() {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -43,36 +45,36 @@ class QuietRanks {
   int stderr_;
 };
 
-/// Computes slabs until `next` returns none.
+/// Computes units, by their numbers, until `next` returns none.
 template <class Next>
-Ending compute_slabs(const internal::Parts& parts, const ReachMapJob& job, const Next& next) {
+Ending compute_units(const internal::Parts& parts, const Units& units, const ReachMapJob& job,
+                     const Next& next) {
   Ending ending = Ending::complete;
-  while (const std::optional<Eigen::Index> slab = next()) {
+  while (const std::optional<Eigen::Index> unit = next()) {
     // A rank whose time is over goes on asking, so that nothing is left for the dispatcher.
-    if (ending == Ending::complete) ending = parts.compute(*slab, job.options.reach);
+    if (ending == Ending::complete) ending = parts.compute(units[*unit], job.options.reach);
   }
   return ending;
 }
 
-/// Rank 0: hands out the slabs, computes as the others do, and joins what all have computed.
-Answer lead(const internal::Parts& parts, const ReachMapJob& job, Eigen::Index count) {
-  std::vector<Eigen::Index> all, missing;
-  for (Eigen::Index s = 0; s < count; ++s) {
-    all.push_back(s);
-    if (!parts.has(s)) missing.push_back(s);
+/// Rank 0: hands out the units, computes as the others do, and joins what all have computed.
+Answer lead(const internal::Parts& parts, const Units& units, const ReachMapJob& job) {
+  std::vector<Eigen::Index> missing;
+  for (Eigen::Index k = 0; k < std::ssize(units); ++k) {
+    if (!parts.has(units[k])) missing.push_back(k);
   }
   Ending ending = Ending::complete;
   {
     Progress progress;
     Dispatcher dispatcher(missing);
-    ending = compute_slabs(parts, job, [&] {
+    ending = compute_units(parts, units, job, [&] {
       progress.show(dispatcher.fraction());
       return dispatcher.next();
     });
   }
   ending = static_cast<Ending>(largest_of_all(static_cast<int>(ending)));
   if (ending != Ending::complete) return interrupted_map(job.out, ending);
-  parts.join(all, job.out);
+  parts.join(units, job.out);
   parts.remove();
   return map_totals(ReachMap(job.out));
 }
@@ -83,15 +85,17 @@ Answer compute() {
     throw Error("--shard is for `beeline reach map`: the ranks divide the map among them");
   }
   (void)reach_cells(job.arm, job.grid, 0, 0, job.options.reach);  // refuses what has no map
-  const ReachMapHeader header{job.arm, job.grid, job.options.reach.redundant_values};
+  const ReachMapHeader header{job.arm, job.grid, job.options.reach.redundant_values,
+                              job.options.reach.samples};
+  const Units units = internal::units_of(header);
   if (rank() == 0) {
     const internal::Parts parts(job.out, header);  // makes the folder
     largest_of_all(0);
-    return lead(parts, job, internal::Slabs(job.grid).count());
+    return lead(parts, units, job);
   }
   largest_of_all(0);
   const internal::Parts parts(job.out, header);
-  const Ending ending = compute_slabs(parts, job, ask_for_slab);
+  const Ending ending = compute_units(parts, units, job, ask_for_unit);
   largest_of_all(static_cast<int>(ending));
   return {};
 }

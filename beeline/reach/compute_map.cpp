@@ -9,18 +9,21 @@
 namespace beeline {
 namespace {
 
-std::vector<Eigen::Index> slabs_of(const ReachShard& shard, Eigen::Index count) {
+std::vector<internal::SlabRange> units_of(const ReachShard& shard, const ReachMapHeader& header) {
   if (shard.number < 1 || shard.number > shard.count) {
     throw Error("shard " + std::to_string(shard.number) + " of " + std::to_string(shard.count) +
                 " does not exist; the first one is 1/" + std::to_string(std::max(1, shard.count)));
   }
-  if (shard.count > count) {
-    throw Error("the map has " + std::to_string(count) + " slabs, which is the largest number of " +
-                "shards, not " + std::to_string(shard.count));
+  const std::vector<internal::SlabRange> all = internal::units_of(header);
+  const auto number = static_cast<std::size_t>(shard.number);
+  const auto count = static_cast<std::size_t>(shard.count);
+  if (count > all.size()) {
+    throw Error("the map is computed in " + std::to_string(all.size()) +
+                " units, which is the largest number of shards, not " + std::to_string(count));
   }
-  std::vector<Eigen::Index> slabs;
-  for (Eigen::Index s = shard.number - 1; s < count; s += shard.count) slabs.push_back(s);
-  return slabs;
+  std::vector<internal::SlabRange> units;
+  for (std::size_t k = number - 1; k < all.size(); k += count) units.push_back(all[k]);
+  return units;
 }
 
 /// "3, 7 and 12 more".
@@ -38,24 +41,25 @@ std::string listed_slabs(const std::vector<std::size_t>& slabs) {
 
 Ending compute_reach_map(const Arm& arm, const ReachGrid& grid, const std::string& path,
                          const ReachMapOptions& options) {
-  const std::vector<Eigen::Index> slabs = slabs_of(options.shard, internal::Slabs(grid).count());
+  const ReachMapHeader header{arm, grid, options.reach.redundant_values, options.reach.samples};
+  const std::vector<internal::SlabRange> units = units_of(options.shard, header);
   (void)reach_cells(arm, grid, 0, 0, options.reach);  // refuses what has no map
-  const internal::Parts parts(path, {arm, grid, options.reach.redundant_values});
+  const internal::Parts parts(path, header);
   internal::BudgetMeter budget(options.reach.budget);
-  const auto fraction = [&slabs](std::size_t i) {
-    return static_cast<double>(i) / static_cast<double>(slabs.size());
+  const auto fraction = [&units](std::size_t i) {
+    return static_cast<double>(i) / static_cast<double>(units.size());
   };
-  for (std::size_t i = 0; i < slabs.size(); ++i) {
+  for (std::size_t i = 0; i < units.size(); ++i) {
     if (budget.ended()) return budget.ending();
-    if (!parts.has(slabs[i])) {
-      ReachOptions slab = options.reach;
-      slab.budget = budget.part(fraction(i), fraction(i + 1));
-      const Ending ending = parts.compute(slabs[i], slab);
+    if (!parts.has(units[i])) {
+      ReachOptions unit = options.reach;
+      unit.budget = budget.part(fraction(i), fraction(i + 1));
+      const Ending ending = parts.compute(units[i], unit);
       if (ending != Ending::complete) return ending;
     }
     if (budget.reports()) budget.report(fraction(i + 1));
   }
-  parts.join(slabs, path);
+  parts.join(units, path);
   parts.remove();
   return Ending::complete;
 }

@@ -9,7 +9,7 @@
 namespace beeline {
 
 /// One of `count` shares of a map's slabs: those with the numbers number - 1, number - 1 + count,
-/// and so on.
+/// and so on; by sampling, as many slabs together as have 2^24 cells.
 struct ReachShard {
   int number = 1, count = 1;  ///< number from 1 to count
 };

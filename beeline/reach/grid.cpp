@@ -172,15 +172,21 @@ std::optional<Eigen::Index> ReachAxis::cell_of(double value) const {
 ReachGrid::ReachGrid(const Arm& arm, const ReachGridOptions& options)
     : cylindrical_(options.azimuths), planar_(arm.planar()), directions_(pi / 2) {
   constexpr double default_spacing = pi / 6;
-  if (options.orientation && (options.directions || options.rolls)) {
-    throw Error("a map has one orientation, or directions and rolls, not both");
+  const bool alone = options.orientation || options.any_orientation;
+  if ((alone && (options.directions || options.rolls)) ||
+      (options.orientation && options.any_orientation)) {
+    throw Error("a map has one orientation, any orientation, or directions and rolls: not several");
   }
-  if (options.orientation && cylindrical_) {
-    throw Error("a map has one orientation, or azimuths, with which orientations turn, not both");
+  if (alone && cylindrical_) {
+    throw Error(
+        "the orientations of a map by azimuths turn with the azimuth: give directions, not "
+        "one orientation or any");
   }
   if (cylindrical_) axis_ = axis_of(arm);
   axes_ = cylindrical_ ? cylinder_axes(arm, axis_, options) : box_axes(arm, options);
-  if (options.orientation) {
+  if (options.any_orientation) {
+    orientations_ = ReachOrientations::any;
+  } else if (options.orientation) {
     orientations_ = ReachOrientations::fixed;
     Pose pose = Pose::Identity();
     pose.linear() = *options.orientation;
@@ -220,6 +226,9 @@ ReachGridOptions ReachGrid::options() const {
   switch (orientations_) {
     case ReachOrientations::fixed:
       options.orientation = orientation_;
+      break;
+    case ReachOrientations::any:
+      options.any_orientation = true;
       break;
     case ReachOrientations::headings:
       options.directions = 2 * pi / static_cast<double>(direction_count_);
@@ -270,7 +279,8 @@ double ReachGrid::turn(Eigen::Index p) const {
 }
 
 Rotation ReachGrid::rotation(Eigen::Index d, Eigen::Index r) const {
-  if (orientations_ == ReachOrientations::fixed) return orientation_;
+  const bool one = directions() == 1 && rolls() == 1;  // fixed, or any
+  if (one) return orientation_;
   if (orientations_ == ReachOrientations::headings) {
     return about_z(2 * pi * static_cast<double>(d) / static_cast<double>(direction_count_));
   }
@@ -315,7 +325,8 @@ std::optional<Eigen::Index> ReachGrid::position_of(const Vector3& point) const {
 std::optional<Eigen::Index> ReachGrid::cell_of(const Pose& world_T_tool) const {
   const std::optional<Eigen::Index> p = position_of(world_T_tool.translation());
   if (!p) return std::nullopt;
-  const Rotation world_R_tool = about_z(-turn(*p)) * world_T_tool.linear();
+  Rotation world_R_tool = world_T_tool.linear();
+  if (cylindrical_) world_R_tool = about_z(-turn(*p)) * world_R_tool;
   const auto nearest_of = [](const Rotation& rotation, Eigen::Index count) {
     const double revolution = std::atan2(rotation(1, 0), rotation(0, 0)) / (2 * pi);
     const auto step =
@@ -326,7 +337,7 @@ std::optional<Eigen::Index> ReachGrid::cell_of(const Pose& world_T_tool) const {
   if (orientations_ == ReachOrientations::headings) d = nearest_of(world_R_tool, directions());
   if (orientations_ == ReachOrientations::directions || orientations_ == ReachOrientations::rolls) {
     d = directions_.nearest(world_R_tool.col(2));
-    r = nearest_of(rotation(d, 0).transpose() * world_R_tool, rolls());
+    if (rolls() > 1) r = nearest_of(rotation(d, 0).transpose() * world_R_tool, rolls());
   }
   return (*p * directions() + d) * rolls() + r;
 }

@@ -61,6 +61,7 @@ enum class ReachOrientations {
   headings,    ///< rotations about the world's z: of planar arms
   directions,  ///< a tool direction each, with any roll about it
   rolls,       ///< a tool direction and a roll each
+  any,         ///< with any orientation: of maps by sampling
 };
 
 /// What a map covers, of an arm in its world.
@@ -77,6 +78,8 @@ struct ReachGridOptions {
   /// One orientation of the tool for all cells; default: tool directions, or headings of a planar
   /// arm.
   std::optional<Rotation> orientation = std::nullopt;
+  /// Any orientation will do: of maps by sampling.
+  bool any_orientation = false;
   /// Angle between tool directions, or headings, rad: see DirectionGrid. Default: 30 degrees.
   std::optional<double> directions = std::nullopt;
   /// Angle between rolls about the tool direction, rad, 0.01 to 2 pi; default: any roll will do.
@@ -90,10 +93,10 @@ struct ReachGridOptions {
 /// are those at azimuth 0, turned with the position about the axis of the first joint.
 class ReachGrid {
  public:
-  /// Throws Error for an option outside its range, an orientation together with directions, rolls
-  /// or azimuths, azimuths of an arm whose first joint does not turn about an axis parallel to z, a
-  /// box that is empty or without bounds, more than a million cells along an axis, and more than
-  /// 2^52 in all.
+  /// Throws Error for an option outside its range, an orientation, or any, together with
+  /// directions, rolls or azimuths, azimuths of an arm whose first joint does not turn about an
+  /// axis parallel to z, a box that is empty or without bounds, more than a million cells along an
+  /// axis, and more than 2^52 in all.
   explicit ReachGrid(const Arm& arm, const ReachGridOptions& options = {});
 
   /// Options that give the same grid of the same arm.

@@ -12,6 +12,7 @@
 #include <beeline/planning/move_along.h>
 #include <beeline/reach/internal/pose_solver.h>
 #include <beeline/reach/internal/positions.h>
+#include <beeline/reach/internal/solution_measures.h>
 #include <beeline/reach/place.h>
 
 namespace beeline {

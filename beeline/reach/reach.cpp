@@ -7,6 +7,7 @@
 #include <beeline/internal/budget_meter.h>
 #include <beeline/reach/internal/cell_expansion.h>
 #include <beeline/reach/internal/positions.h>
+#include <beeline/reach/internal/sampled_cells.h>
 #include <beeline/reach/reach.h>
 
 namespace beeline {
@@ -32,6 +33,10 @@ ReachCells reach_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index first
     throw Error("redundant_values is " + std::to_string(options.redundant_values) +
                 "; it can be 1 to 1000");
   }
+  if (options.samples < 0 || options.samples > max_samples) {
+    throw Error("samples is " + std::to_string(options.samples) + "; it can be 0 to 1e12");
+  }
+  if (options.samples > 0) return internal::sampled_cells(arm, grid, first, last, options);
   const internal::FreeJoints free = internal::free_joints(arm, grid);
   const Eigen::Index at_position = grid.directions() * grid.rolls(), azimuths = grid.azimuths();
   ReachCells cells;

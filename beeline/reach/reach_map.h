@@ -11,9 +11,6 @@
 
 namespace beeline {
 
-/// The largest number of samples of a map by sampling.
-constexpr std::int64_t max_samples = 1'000'000'000'000;
-
 /// What a map is of.
 struct ReachMapHeader {
   Arm arm;

@@ -128,13 +128,15 @@ TEST(ReachGrid, RefusesWhatIsNoGrid) {
   EXPECT_REFUSED(ReachGrid(arm, {.lower = Vector3(0, 2, 0), .upper = Vector3(1, 1, 1)}), "lower y");
   EXPECT_REFUSED(ReachGrid(arm, {.directions = 5.0}), "0.6 to 90 degrees");
   EXPECT_REFUSED(ReachGrid(arm, {.rolls = 0.0}), "0.6 to 360 degrees");
-  EXPECT_REFUSED(ReachGrid(arm, {.orientation = Rotation::Identity(), .rolls = 1.0}), "not both");
+  EXPECT_REFUSED(ReachGrid(arm, {.orientation = Rotation::Identity(), .rolls = 1.0}),
+                 "not several");
   EXPECT_REFUSED(ReachGrid(arm, {.orientation = Rotation::Zero()}), "the orientation of the map");
   EXPECT_REFUSED(ReachGrid(built_in("rrr"), {.rolls = 1.0}), "no rolls");
   EXPECT_REFUSED(ReachGrid(arm, {.azimuths = 0.001}), "the angle between azimuths");
   EXPECT_REFUSED(ReachGrid(built_in("gantry"), {.azimuths = 1.0}), "does not turn it about");
   EXPECT_REFUSED(ReachGrid(arm, {.azimuths = 1.0, .orientation = Rotation::Identity()}),
-                 "not both");
+                 "turn with the azimuth");
+  EXPECT_REFUSED(ReachGrid(arm, {.any_orientation = true, .directions = 1.0}), "not several");
   Pose tilted = Pose::Identity();
   tilted.linear() = Eigen::AngleAxisd(0.1, Vector3::UnitX()).toRotationMatrix();
   EXPECT_REFUSED(ReachGrid(with_mount(arm, tilted), {.azimuths = 1.0}),

@@ -148,6 +148,26 @@ TEST_F(ReachMapFile, ShardsAndThreadsGiveTheSameDatasets) {
   }
 }
 
+// More cells than are sampled together.
+TEST_F(ReachMapFile, ShardsOfSamplesGiveTheSameDatasets) {
+  const Arm arm = built_in("rrr");
+  const ReachGrid grid(arm, {.resolution = 0.018, .directions = 20 * deg});
+  ASSERT_GT(grid.cells(), Eigen::Index{1} << 24);
+  const ReachOptions sampling{.samples = 200'000};
+  compute_reach_map(arm, grid, path("whole.h5"), {.reach = sampling});
+  for (const int number : {1, 2}) {
+    compute_reach_map(arm, grid, path("part" + std::to_string(number)),
+                      {.reach = sampling, .shard = {number, 2}});
+  }
+  merge_reach_maps({path("part2"), path("part1")}, path("merged.h5"));
+  const ReachMap merged(path("merged.h5")), whole(path("whole.h5"));
+  EXPECT_EQ(merged.header().samples, 200'000);
+  EXPECT_GT(whole.totals().reached, 10'000);
+  expect_equal(merged, whole);
+  compute_reach_map(arm, ReachGrid(arm), path("centres"));
+  EXPECT_REFUSED(merge_reach_maps({path("part1"), path("centres")}, path("m.h5")), "another map");
+}
+
 TEST_F(ReachMapFile, ContinuesWhereItEnded) {
   const Example example;
   compute_reach_map(example.arm, example.grid, path("whole.h5"));

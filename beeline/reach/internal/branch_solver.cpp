@@ -1,25 +1,11 @@
 #include <utility>
 
-#include <beeline/batch/batch.h>
-#include <beeline/kinematics/manipulability.h>
 #include <beeline/reach/internal/branch_solver.h>
+#include <beeline/reach/internal/solution_measures.h>
 
 namespace beeline::internal {
-namespace {
-
-/// The rows of which the manipulability is measured.
-Task measured_rows(const Arm& arm) {
-  const bool scara = arm.rotates_about_z() && !arm.planar() && arm.dof() < 6;
-  return scara ? Task{{true, true, true, false, false, true}} : default_task(arm);
-}
-
-}  // namespace
-
 BranchSolver::BranchSolver(const Arm& arm, const FreeJoints& free, int redundant_values)
-    : arm_(arm),
-      free_(free),
-      rows_(measured_rows(arm)),
-      solver_(with_free_joints(arm, free), redundant_values) {}
+    : arm_(arm), free_(free), solver_(with_free_joints(arm, free), redundant_values) {}
 
 void BranchSolver::solve(const Pose& world_T_tool) {
   solver_.solve(world_T_tool);
@@ -45,20 +31,10 @@ void BranchSolver::solve(const ReachGrid& grid, Eigen::Index first, Eigen::Index
 ReachBranches BranchSolver::take() {
   const auto count = static_cast<Eigen::Index>(branches_.first.size());
   const Eigen::Map<const Eigen::MatrixXd> q(solutions_.data(), arm_.dof(), count);
-  Eigen::MatrixXd manipulability(1, count);
-  if (rows_ == Task::spatial()) {
-    batch_manipulability<double>(arm_, q, manipulability, {.threads = 1});
-  } else {
-    for (Eigen::Index i = 0; i < count; ++i) {
-      manipulability(i) =
-          manipulability_measures(task_jacobian(arm_, q.col(i), rows_)).manipulability;
-    }
-  }
   const int begin = free_.base ? 1 : 0, end = arm_.dof() - (free_.roll ? 1 : 0);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    branches_.manipulability.push_back(static_cast<float>(manipulability(i)));
-    branches_.margin.push_back(static_cast<float>(least_margin(arm_, q.col(i), begin, end)));
-  }
+  SolutionMeasures measures = solution_measures(arm_, q, begin, end);
+  branches_.manipulability = std::move(measures.manipulability);
+  branches_.margin = std::move(measures.margin);
   solutions_.clear();
   return std::exchange(branches_, {});
 }

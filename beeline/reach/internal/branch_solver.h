@@ -24,7 +24,6 @@ class BranchSolver {
  private:
   Arm arm_;
   FreeJoints free_;
-  Task rows_;  ///< of the manipulability
   PoseSolver solver_;
   ReachBranches branches_;
   std::vector<double> solutions_;  ///< of all branches, one configuration after the other

@@ -30,6 +30,9 @@ bool has_all_solutions(const Arm& arm) {
 }  // namespace
 
 FreeJoints free_joints(const Arm& arm, const ReachGrid& grid) {
+  if (grid.orientations() == ReachOrientations::any) {
+    throw Error("a map of any orientation is one by sampling: give the number of samples");
+  }
   check_joints(arm);
   FreeJoints free{.any_roll = grid.orientations() == ReachOrientations::directions};
   const bool all = has_all_solutions(arm);

@@ -89,7 +89,9 @@ Hdf5Shape MapFormat::of_positions(std::array<Eigen::Index, 3> counts,
   add(counts[1]);
   if (!grid_.cylindrical()) add(counts[2]);
   const ReachOrientations orientations = grid_.orientations();
-  if (orientations != ReachOrientations::fixed) add(grid_.directions());
+  const bool one =
+      orientations == ReachOrientations::fixed || orientations == ReachOrientations::any;
+  if (!one) add(grid_.directions());
   if (orientations == ReachOrientations::rolls && !free_.roll) add(grid_.rolls());
   if (dataset.of_branches) add(max_branches);
   return shape;

@@ -12,7 +12,8 @@ namespace {
 constexpr const char* format_name = "beeline reach map";
 constexpr double version = 1;
 
-constexpr std::array<const char*, 4> orientation_names{"fixed", "headings", "directions", "rolls"};
+constexpr std::array<const char*, 5> orientation_names{"fixed", "headings", "directions", "rolls",
+                                                       "any"};
 constexpr const char* box_name = "box";
 constexpr const char* cylinder_name = "cylinder";
 
@@ -112,6 +113,10 @@ ReachGridOptions read_options(const Hdf5File& file, const std::string& path) {
     Rotation rotation;
     for (int k = 0; k < 9; ++k) rotation(k / 3, k % 3) = rows[static_cast<std::size_t>(k)];
     options.orientation = rotation;
+    return options;
+  }
+  if (orientations == ReachOrientations::any) {
+    options.any_orientation = true;
     return options;
   }
   options.directions = file.read_numbers("direction_spacing", 1)[0];

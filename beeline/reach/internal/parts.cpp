@@ -1,10 +1,25 @@
+#include <algorithm>
 #include <filesystem>
 
 #include <beeline/reach/internal/map_file.h>
 #include <beeline/reach/internal/map_header.h>
 #include <beeline/reach/internal/parts.h>
+#include <beeline/reach/internal/positions.h>
 
 namespace beeline::internal {
+
+std::vector<SlabRange> units_of(const ReachMapHeader& header) {
+  constexpr Eigen::Index cells = Eigen::Index{1} << 24;
+  const Slabs slabs(header.grid);
+  const Eigen::Index in_slab =
+      (slabs.last(0) - slabs.first(0)) * header.grid.directions() * header.grid.rolls();
+  const Eigen::Index size = header.samples > 0 ? std::max<Eigen::Index>(1, cells / in_slab) : 1;
+  std::vector<SlabRange> units;
+  for (Eigen::Index first = 0; first < slabs.count(); first += size) {
+    units.push_back({first, std::min(first + size, slabs.count())});
+  }
+  return units;
+}
 
 Parts::Parts(const std::string& map_path, const ReachMapHeader& header)
     : folder_(map_path + ".parts"), header_(header), slabs_(header.grid) {
@@ -29,7 +44,7 @@ std::string Parts::file(Eigen::Index slab) const {
   return folder_ + "/slab-" + std::to_string(slab) + ".h5";
 }
 
-bool Parts::has(Eigen::Index slab) const {
+bool Parts::has_slab(Eigen::Index slab) const {
   const std::string path = file(slab);
   std::error_code unknown;
   if (!std::filesystem::exists(path, unknown)) return false;
@@ -43,24 +58,43 @@ bool Parts::has(Eigen::Index slab) const {
   }
 }
 
-Ending Parts::compute(Eigen::Index slab, const ReachOptions& options) const {
-  const Eigen::Index first = slabs_.first(slab), last = slabs_.last(slab);
-  const auto write = [&](const auto& computed) {
-    if (computed.ending != Ending::complete) return computed.ending;
-    MapWriter writer(file(slab), header_);
-    writer.write(slab, computed);
-    writer.commit();
-    return Ending::complete;
-  };
-  const auto& [arm, grid, redundant_values, samples] = header_;
-  if (!grid.cylindrical()) return write(reach_cells(arm, grid, first, last, options));
-  const Eigen::Index azimuths = grid.azimuths();
-  return write(reach_branches(arm, grid, first / azimuths, last / azimuths, options));
+bool Parts::has(const SlabRange& unit) const {
+  for (Eigen::Index slab = unit.first; slab < unit.last; ++slab) {
+    if (!has_slab(slab)) return false;
+  }
+  return true;
 }
 
-void Parts::join(const std::vector<Eigen::Index>& slabs, const std::string& path) const {
+void Parts::write(Eigen::Index slab, const auto& computed) const {
+  MapWriter writer(file(slab), header_);
+  writer.write(slab, computed);
+  writer.commit();
+}
+
+Ending Parts::compute(const SlabRange& unit, const ReachOptions& options) const {
+  const ReachGrid& grid = header_.grid;
+  const Eigen::Index first = slabs_.first(unit.first), last = slabs_.last(unit.last - 1);
+  if (grid.cylindrical()) {  // a unit of one slab
+    const ReachBranches branches =
+        reach_branches(header_.arm, grid, first / grid.azimuths(), last / grid.azimuths(), options);
+    if (branches.ending == Ending::complete) write(unit.first, branches);
+    return branches.ending;
+  }
+  const ReachCells cells = reach_cells(header_.arm, grid, first, last, options);
+  if (cells.ending != Ending::complete) return cells.ending;
+  const Eigen::Index at_position = grid.directions() * grid.rolls();
+  for (Eigen::Index slab = unit.first; slab < unit.last; ++slab) {
+    write(slab, part_of(cells, (slabs_.first(slab) - first) * at_position,
+                        (slabs_.last(slab) - first) * at_position));
+  }
+  return Ending::complete;
+}
+
+void Parts::join(const std::vector<SlabRange>& units, const std::string& path) const {
   MapWriter writer(path, header_);
-  for (const Eigen::Index slab : slabs) writer.copy_slabs(file(slab));
+  for (const SlabRange& unit : units) {
+    for (Eigen::Index slab = unit.first; slab < unit.last; ++slab) writer.copy_slabs(file(slab));
+  }
   writer.commit();
 }
 

@@ -8,6 +8,15 @@
 
 namespace beeline::internal {
 
+/// Consecutive slabs that are computed together, one after the other.
+struct SlabRange {
+  Eigen::Index first = 0, last = 0;  ///< exclusive
+};
+
+/// The units in which a map is computed, on one machine or several: each slab; by sampling, whose
+/// samples are computed anew for each unit, as many slabs as have 2^24 cells.
+std::vector<SlabRange> units_of(const ReachMapHeader& header);
+
 /// The folder of the slabs of a map that are computed, a file each. Several processes, on several
 /// machines, may compute into one folder.
 class Parts {
@@ -16,17 +25,19 @@ class Parts {
   /// map.
   Parts(const std::string& map_path, const ReachMapHeader& header);
 
-  /// Whether the folder has that slab, whole.
-  bool has(Eigen::Index slab) const;
-  /// Computes a slab and writes its file.
-  Ending compute(Eigen::Index slab, const ReachOptions& options) const;
-  /// Joins slabs into one file.
-  void join(const std::vector<Eigen::Index>& slabs, const std::string& path) const;
+  /// Whether the folder has those slabs, whole.
+  bool has(const SlabRange& unit) const;
+  /// Computes slabs and writes their files.
+  Ending compute(const SlabRange& unit, const ReachOptions& options) const;
+  /// Joins the slabs of units into one file.
+  void join(const std::vector<SlabRange>& units, const std::string& path) const;
   /// Deletes the folder.
   void remove() const;
 
  private:
   std::string file(Eigen::Index slab) const;
+  bool has_slab(Eigen::Index slab) const;
+  void write(Eigen::Index slab, const auto& computed) const;
 
   std::string folder_;
   ReachMapHeader header_;

@@ -34,15 +34,6 @@ std::vector<double> steps_over_range(const Limits& limits, int count) {
 
 }  // namespace
 
-double least_margin(const Arm& arm, const ConfigurationRef& q, int begin, int end) {
-  double least = 1;
-  for (int k = begin; k < end; ++k) {
-    const Limits& limits = arm.limits(k);
-    least = std::min(least, limit_margin(q[k], limits.lower, limits.upper));
-  }
-  return std::max(least, 0.0);
-}
-
 PoseSolver::PoseSolver(const Arm& arm, int redundant_values)
     : any_(arm), redundant_(redundant_joint(arm)), seed_(middle_configuration(arm)) {
   if (redundant_) {

@@ -8,10 +8,6 @@
 
 namespace beeline::internal {
 
-/// The least margin to the limits (limit_margin()), at most 1, of the coordinates from `begin` to
-/// `end` - 1; of solutions that rounding moved outside, 0.
-double least_margin(const Arm& arm, const ConfigurationRef& q, int begin, int end);
-
 /// All solutions of poses of one arm. Not thread-safe: each thread has a copy.
 class PoseSolver {
  public:

@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <numbers>
+
+#include <beeline/batch/batch.h>
+#include <beeline/batch/internal/parallel.h>
+#include <beeline/internal/budget_meter.h>
+#include <beeline/reach/internal/sampled_cells.h>
+#include <beeline/reach/internal/solution_measures.h>
+
+namespace beeline::internal {
+namespace {
+
+/// The samples of an arm's joint ranges.
+class Samples {
+ public:
+  explicit Samples(const Arm& arm) : lower_(arm.dof()), range_(arm.dof()), steps_(arm.dof()) {
+    const int dof = arm.dof();
+    // The positive root of x^(dof + 1) = x + 1.
+    double root = 2;
+    for (int i = 0; i < 64; ++i) root = std::pow(1 + root, 1.0 / (dof + 1));
+    for (int k = 0; k < dof; ++k) {
+      const auto [lower, upper] = range_of(arm, k);
+      lower_[k] = lower;
+      range_[k] = upper - lower;
+      steps_[k] = static_cast<std::uint64_t>(std::ldexp(std::pow(root, -(k + 1)), 64));
+    }
+  }
+
+  /// Configurations number `first` and on, one in each column.
+  void write(std::int64_t first, Eigen::Ref<Eigen::MatrixXd> q) const {
+    for (Eigen::Index i = 0; i < q.cols(); ++i) {
+      const auto number = static_cast<std::uint64_t>(first + i) + 1;
+      for (Eigen::Index k = 0; k < q.rows(); ++k) {
+        const std::uint64_t fraction = number * steps_[static_cast<std::size_t>(k)];  // mod 1
+        q(k, i) = lower_[k] + range_[k] * (static_cast<double>(fraction) * 0x1p-64);
+      }
+    }
+  }
+
+ private:
+  /// The range of a coordinate, of a revolute joint at most a revolution around its middle.
+  static std::pair<double, double> range_of(const Arm& arm, int k) {
+    const Limits& limits = arm.limits(k);
+    const bool bounded = limits.upper < Limits::none && limits.lower > -Limits::none;
+    const bool revolute = kind(arm.joint_of(k)) == JointKind::revolute;
+    if (!bounded && !revolute) {
+      throw Error("joint " + arm.joint_of(k).name + " of " + arm.name() +
+                  " has no position limits, which a map by sampling needs");
+    }
+    constexpr double half = std::numbers::pi;
+    if (!bounded) return {-half, half};
+    if (!revolute || limits.upper - limits.lower <= 2 * half) return {limits.lower, limits.upper};
+    const double middle = (limits.lower + limits.upper) / 2;
+    return {middle - half, middle + half};
+  }
+
+  Eigen::VectorXd lower_, range_;
+  std::vector<std::uint64_t> steps_;  // fractions of 1, times 2^64
+};
+
+/// Adds a sample to its cell.
+void add(ReachCells& cells, Eigen::Index cell, float manipulability, float margin) {
+  constexpr auto most = std::numeric_limits<std::uint8_t>::max();
+  if (cells.branches[cell] < most) ++cells.branches[cell];
+  if (!(cells.manipulability[cell] >= manipulability)) cells.manipulability[cell] = manipulability;
+  if (!(cells.margin[cell] >= margin)) cells.margin[cell] = margin;
+}
+
+void check_grid(const Arm& arm, const ReachGrid& grid) {
+  if (grid.cylindrical()) {
+    throw Error("a map by sampling has positions by x, y and z: leave out the azimuths");
+  }
+  if (grid.orientations() == ReachOrientations::fixed) {
+    throw Error("no sample has exactly the orientation of the map: give directions of " +
+                arm.name() + ", or any orientation");
+  }
+}
+
+}  // namespace
+
+ReachCells sampled_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index first,
+                         Eigen::Index last, const ReachOptions& options) {
+  check_grid(arm, grid);
+  const Samples samples(arm);
+  const Eigen::Index at_position = grid.directions() * grid.rolls();
+  const Eigen::Index begin = first * at_position, end = last * at_position;
+  ReachCells cells;
+  cells.resize(static_cast<std::size_t>(end - begin));
+  std::fill(cells.manipulability.begin(), cells.manipulability.end(),
+            std::numeric_limits<float>::quiet_NaN());
+  cells.margin = cells.manipulability;
+  BudgetMeter budget(options.budget);
+  std::mutex adding;
+  std::atomic<std::int64_t> computed = 0;
+  constexpr Eigen::Index block = 4096;
+  in_parallel(options.samples, block, options.threads, [&](Eigen::Index a, Eigen::Index b) {
+    if (budget.ended(b - a)) return;
+    Eigen::MatrixXd q(arm.dof(), b - a), poses(16, b - a);
+    samples.write(a, q);
+    batch_forward<double>(arm, q, poses, {.threads = 1});
+    std::vector<Eigen::Index> targets;
+    Eigen::Index hits = 0;
+    for (Eigen::Index i = 0; i < b - a; ++i) {
+      const Pose pose(Eigen::Map<const Eigen::Matrix4d>(poses.col(i).data()));
+      const std::optional<Eigen::Index> cell = grid.cell_of(pose);
+      if (!cell || *cell < begin || *cell >= end) continue;
+      targets.push_back(*cell - begin);
+      q.col(hits++) = q.col(i);
+    }
+    const SolutionMeasures measures = solution_measures(arm, q.leftCols(hits), 0, arm.dof());
+    const std::lock_guard lock(adding);  // sums and maxima: in any order the same
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      add(cells, targets[i], measures.manipulability[i], measures.margin[i]);
+    }
+    computed += b - a;
+    if (budget.reports()) {
+      budget.report(static_cast<double>(computed) / static_cast<double>(options.samples));
+    }
+  });
+  cells.ending = budget.ending();
+  return cells;
+}
+
+}  // namespace beeline::internal
