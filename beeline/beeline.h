@@ -63,8 +63,10 @@
 #include <beeline/pose/se2.h>
 #include <beeline/pose/se3.h>
 #include <beeline/pose/so3.h>
+#include <beeline/reach/comparison.h>
 #include <beeline/reach/compute_map.h>
 #include <beeline/reach/grid.h>
+#include <beeline/reach/npz_file.h>
 #include <beeline/reach/place.h>
 #include <beeline/reach/reach.h>
 #include <beeline/reach/reach_map.h>

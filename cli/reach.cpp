@@ -59,7 +59,7 @@ Verb reach_verb() {
   verb.examples = {{"A map, and a question",
                     "beeline reach map puma560 --resolution 0.12 --out puma560.h5\n"
                     "beeline reach query puma560.h5 --pose 0.5,0.1,0.3,180,0,0 --degrees"}};
-  verb.verbs = {reach_map_verb(),   merge_verb(),        reach_query_verb(),
-                reach_slice_verb(), reach_export_verb(), reach_place_verb()};
+  verb.verbs = {reach_map_verb(),     merge_verb(),       reach_query_verb(), reach_slice_verb(),
+                reach_compare_verb(), reach_place_verb(), reach_export_verb()};
   return verb;
 }

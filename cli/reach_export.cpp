@@ -1,4 +1,5 @@
 #include <beeline/error.h>
+#include <beeline/reach/npz_file.h>
 #include <beeline/reach/vti_file.h>
 #include <beeline/read/internal/file.h>
 
@@ -11,42 +12,46 @@ using namespace beeline;
 
 namespace {
 
-struct ImageArguments {
+struct MapExportArguments {
   std::string map, out;
   bool json = false;
 };
 
-Answer write_image(const ImageArguments& arguments) {
+Answer export_map(const MapExportArguments& arguments) {
   refuse_overwriting(arguments.out, {arguments.map});
-  if (internal::extension(arguments.out) != "vti") {
-    throw Error("--out: " + arguments.out + " has none of the endings .vti");
+  const std::string ending = internal::extension(arguments.out);
+  if (ending != "vti" && ending != "npz") {
+    throw Error("--out: " + arguments.out + " has none of the endings .vti, .npz");
   }
-  write_vti(ReachMap(arguments.map), arguments.out);
-  return {.text = "image         " + arguments.out + "\n",
+  const ReachMap map(arguments.map);
+  ending == "vti" ? write_vti(map, arguments.out) : write_npz(map, arguments.out);
+  return {.text = "written       " + arguments.out + "\n",
           .document = {{"status", "written"}, {"out", arguments.out}}};
 }
 
 }  // namespace
 
 Verb reach_export_verb() {
-  static ImageArguments arguments;
+  static MapExportArguments arguments;
   return {.name = "export",
-          .summary = "Write the positions of a map for ParaView",
+          .summary = "Write a map for ParaView or numpy",
           .description =
               "Writes the positions of a map as an image of VTK, .vti, which ParaView opens: the "
               "fraction of the directions that is reached, and the largest number of branches, "
               "manipulability and margin of any orientation; the last two are nan where none is "
-              "reached.",
+              "reached. Or all cells as numpy's .npz, of a map by azimuths with all azimuths and "
+              "rolls.",
           .arguments = {map_argument(&arguments.map)},
           .options = {{.name = "--out",
                        .value = "FILE",
-                       .help = "The image, .vti.",
+                       .help = "The positions, .vti, or the cells, .npz.",
                        .target = &arguments.out,
                        .required = true,
                        .completes = Completes::file}},
           .examples = {{"A map for ParaView",
                         "beeline reach map puma560 --resolution 0.1 --out puma560.h5\n"
-                        "beeline reach export puma560.h5 --out puma560.vti"}},
+                        "beeline reach export puma560.h5 --out puma560.vti"},
+                       {"A map for numpy.load()", "beeline reach export puma560.h5 --out map.npz"}},
           .json = &arguments.json,
-          .run = [] { return write_image(arguments); }};
+          .run = [] { return export_map(arguments); }};
 }

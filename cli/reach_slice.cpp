@@ -9,6 +9,7 @@
 
 #include "command/verb.h"
 #include "format.h"
+#include "plane_argument.h"
 #include "reach_totals.h"
 #include "result_files.h"
 #include "verbs.h"
@@ -18,26 +19,10 @@ using namespace beeline;
 namespace {
 
 struct SliceArguments {
-  std::string map, at, measure = "directions", out;
+  std::string map, out;
+  PlaneArgument plane;
   bool json = false;
 };
-
-/// The axis and the coordinate of "z=0.3".
-std::pair<int, double> plane_of(const std::string& text) {
-  const std::size_t axis = text.empty() ? std::string::npos : std::string("xyz").find(text[0]);
-  if (axis == std::string::npos || text.size() < 3 || text[1] != '=') {
-    throw Error("--at: \"" + text + "\" is no plane, such as z=0.3");
-  }
-  return {static_cast<int>(axis), internal::parse_number(text.substr(2), "--at")};
-}
-
-ReachMeasure measure_of(const std::string& text) {
-  for (const ReachMeasure measure :
-       {ReachMeasure::directions, ReachMeasure::branches, ReachMeasure::manipulability}) {
-    if (text == name(measure)) return measure;
-  }
-  return ReachMeasure::margin;
-}
 
 /// One row for each cell: the centre and the value, nan where it is not reached.
 std::string csv_of(const ReachSlice& slice) {
@@ -56,19 +41,19 @@ std::string csv_of(const ReachSlice& slice) {
 }
 
 Answer write_slice(const SliceArguments& arguments) {
-  const auto [normal, at] = plane_of(arguments.at);
   refuse_overwriting(arguments.out, {arguments.map});
   const bool csv = internal::extension(arguments.out) == "csv";
   if (!csv) (void)format_of(arguments.out);
   const ReachMap map(arguments.map);
-  const ReachSlice slice = slice_of(map, normal, at, measure_of(arguments.measure));
+  const ReachSlice slice =
+      slice_of(map, arguments.plane.normal(), arguments.plane.at(), arguments.plane.measure());
   if (csv) {
     internal::write_file(arguments.out, csv_of(slice));
   } else {
     save(reach_figure(slice), arguments.out);
   }
   const auto reached = (!slice.values.array().isNaN()).count();
-  const std::string plane = fmt::format("{}={}", "xyz"[normal], shown(slice.at));
+  const std::string plane = fmt::format("{}={}", "xyz"[slice.normal], shown(slice.at));
   return {.text = fmt::format("slice         {} at {}, {} of {} positions reached\n", arguments.out,
                               plane, reached, slice.values.size()),
           .document = {{"status", "written"},
@@ -90,23 +75,13 @@ Verb reach_slice_verb() {
               "arm reaches no orientation. The value is the best of the orientations at a "
               "position; directions are their fraction that is reached.",
           .arguments = {map_argument(&arguments.map)},
-          .options = {{.name = "--at",
-                       .value = "PLANE",
-                       .help = "The plane: x=, y= or z= and a coordinate, m.",
-                       .target = &arguments.at,
-                       .required = true,
-                       .phrases = {"the slice at"}},
-                      {.name = "--out",
-                       .value = "FILE",
-                       .help = "The picture, .svg, .png or .pdf, or the numbers, .csv.",
-                       .target = &arguments.out,
-                       .required = true,
-                       .completes = Completes::file},
-                      {.name = "--measure",
-                       .value = "MEASURE",
-                       .help = "What is shown of a position.",
-                       .target = &arguments.measure,
-                       .choices = {"directions", "branches", "manipulability", "margin"}}},
+          .options = joined({arguments.plane.options(),
+                             {{.name = "--out",
+                               .value = "FILE",
+                               .help = "The picture, .svg, .png or .pdf, or the numbers, .csv.",
+                               .target = &arguments.out,
+                               .required = true,
+                               .completes = Completes::file}}}),
           .examples = {{"How freely an arm can turn its tool at the height of its shoulder",
                         "beeline reach map puma560 --resolution 0.1 --out puma560.h5\n"
                         "beeline reach slice puma560.h5 --at z=0.2 --out slice.svg"}},

@@ -33,4 +33,5 @@ Verb reach_map_verb();
 Verb reach_query_verb();
 Verb reach_slice_verb();
 Verb reach_export_verb();
+Verb reach_compare_verb();
 Verb reach_place_verb();

@@ -96,25 +96,50 @@ std::string caption_of(const ReachSlice& slice) {
   return plane + ", largest margin to the joint limits";
 }
 
-}  // namespace
-
-Figure reach_figure(const ReachSlice& slice) {
+/// The value that has the last shade.
+double largest_of(const ReachSlice& slice) {
   double most = slice.measure == ReachMeasure::directions ? 1 : 0;
   for (const float value : slice.values.reshaped()) {
     if (value > most) most = static_cast<double>(value);
   }
-  if (most == 0) most = 1;
+  return most;
+}
+
+Panel panel_of(const ReachSlice& slice, double most) {
   Panel panel{.view = slice.normal == 2   ? top_view()
                       : slice.normal == 1 ? front_view()
-                                          : side_view(),
-              .caption = caption_of(slice)};
+                                          : side_view()};
   for (Tiles& tiles : tiles_of(slice, most)) {
     if (!tiles.tiles.empty()) panel.scene.add(Layer::ground, std::move(tiles));
   }
   internal::add_arm(panel.scene, slice.arm, display_configuration(slice.arm), {.tool = false});
-  const ReachAxis& up = slice.grid[1];
-  return {.title = slice.arm.name(),
-          .columns = {{panel}, {scale_panel(up.upper() - up.lower, most)}}};
+  return panel;
+}
+
+Panel scale_of(const ReachSlice& slice, double most) {
+  return scale_panel(slice.grid[1].upper() - slice.grid[1].lower, most);
+}
+
+}  // namespace
+
+Figure reach_figure(const ReachSlice& slice) {
+  const double largest = largest_of(slice), most = largest > 0 ? largest : 1;
+  Panel panel = panel_of(slice, most);
+  panel.caption = caption_of(slice);
+  return {.title = slice.title, .columns = {{panel}, {scale_of(slice, most)}}};
+}
+
+Figure reach_figure(const std::array<ReachSlice, 2>& slices) {
+  const double largest = std::max(largest_of(slices[0]), largest_of(slices[1]));
+  const double most = largest > 0 ? largest : 1;
+  Figure figure{.title = caption_of(slices[0]), .columns = {}, .width = 900};
+  for (const ReachSlice& slice : slices) {
+    Panel panel = panel_of(slice, most);
+    panel.caption = slice.title;
+    figure.columns.push_back({panel});
+  }
+  figure.columns.push_back({scale_of(slices[0], most)});
+  return figure;
 }
 
 }  // namespace beeline

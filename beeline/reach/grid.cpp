@@ -113,6 +113,11 @@ Rotation about_z(double angle) {
 
 }  // namespace
 
+std::string name(ReachOrientations orientations) {
+  constexpr std::array<const char*, 5> names{"fixed", "headings", "directions", "rolls", "any"};
+  return names.at(static_cast<std::size_t>(orientations));
+}
+
 DirectionGrid::DirectionGrid(double spacing) {
   constexpr double finest = 0.01, coarsest = pi / 2 + 1e-9;
   if (!(spacing >= finest && spacing <= coarsest)) {

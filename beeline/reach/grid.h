@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <beeline/error.h>
@@ -63,6 +64,7 @@ enum class ReachOrientations {
   rolls,       ///< a tool direction and a roll each
   any,         ///< with any orientation: of maps by sampling
 };
+std::string name(ReachOrientations orientations);
 
 /// What a map covers, of an arm in its world.
 struct ReachGridOptions {

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 
 #include <beeline/reach/internal/positions.h>
@@ -38,8 +39,12 @@ std::string name(ReachMeasure measure) {
 }
 
 ReachSlice slice_of(const ReachMap& map, int normal, double at, ReachMeasure measure) {
+  return internal::slice_at(map, map.grid().cartesian_axes(), normal, at, measure);
+}
+
+ReachSlice internal::slice_at(const ReachMap& map, std::array<ReachAxis, 3> axes, int normal,
+                              double at, ReachMeasure measure) {
   if (normal < 0 || normal > 2) throw Error("the axis of a slice is 0, 1 or 2");
-  std::array<ReachAxis, 3> axes = map.grid().cartesian_axes();
   const std::optional<Eigen::Index> index = axes[normal].cell_of(at);
   if (!index) {
     throw Error(std::string("the slice at ") + "xyz"[normal] + " = " + number(at) +
@@ -53,9 +58,10 @@ ReachSlice slice_of(const ReachMap& map, int normal, double at, ReachMeasure mea
                    .normal = normal,
                    .at = axes[normal].centre(0),
                    .axes = {normal == 0 ? 1 : 0, normal == 2 ? 1 : 2}};
+  if (std::abs(slice.at) < 1e-9 * axes[normal].step) slice.at = 0;
   for (int k = 0; k < 2; ++k) slice.grid[k] = axes[slice.axes[k]];
   slice.values.resize(slice.grid[0].cells, slice.grid[1].cells);
-  const ReachPositions best = internal::positions_at(map, internal::centres_of(axes));
+  const ReachPositions best = positions_at(map, centres_of(axes));
   std::size_t k = 0;
   for (Eigen::Index i = 0; i < slice.values.rows(); ++i) {
     for (Eigen::Index j = 0; j < slice.values.cols(); ++j, ++k) {

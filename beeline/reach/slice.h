@@ -15,6 +15,7 @@ std::string name(ReachMeasure measure);
 /// The positions of a map in a plane perpendicular to an axis of the world.
 struct ReachSlice {
   Arm arm;
+  std::string title = arm.name();  ///< in pictures
   ReachMeasure measure = ReachMeasure::directions;
   int normal = 2;             ///< the axis: 0 x, 1 y, 2 z
   double at = 0;              ///< the coordinate of the centres of its cells, m

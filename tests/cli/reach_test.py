@@ -2,10 +2,13 @@
 
 import json
 import math
+import os
+import resource
 import signal
 import subprocess
 import time
 
+import numpy
 import pytest
 
 MAP = ["reach", "map", "puma560", "--resolution", "0.1", "--directions", "45", "--degrees"]
@@ -97,6 +100,14 @@ def test_an_interrupted_map_is_continued(beeline, build, puma, tmp_path, end):
     (["map", "puma560", "--out", "OUT", "--shard", "half"], 2, "such as 1/4"),
     (["map", "rrr", "--out", "OUT", "--rolls", "1"], 2, "no rolls"),
     (["map", "px150", "--out", "OUT"], 2, "5 joints"),
+    (["map", "panda", "--out", "OUT", "--azimuths", "0.5"], 2, "without azimuths"),
+    (["map", "gantry", "--out", "OUT", "--azimuths", "0.5"], 2, "does not turn it about"),
+    (["map", "puma560", "--out", "OUT", "--azimuths", "0.5", "--lower", "1,2,3"], 2, "two with --azimuths"),
+    (["map", "puma560", "--out", "OUT", "--any-orientation"], 2, "--by sampling"),
+    (["map", "puma560", "--out", "OUT", "--samples", "100"], 2, "--by sampling"),
+    (["map", "puma560", "--out", "OUT", "--by", "luck"], 2, "sampling"),
+    (["compare", "MAP", "MAP", "--at", "y=0"], 2, "needs both"),
+    (["compare", "MAP", "/none"], 3, "No such file"),
     (["query", "/etc/passwd"], 3, "not a reach map"),
     (["query", "MAP", "--pose", "1,2"], 2, "planar"),
     (["merge", "MAP", "--out", "MAP"], 2, "is an input as well"),
@@ -152,3 +163,87 @@ def test_an_image_has_the_cells_of_the_map(beeline, puma, tmp_path):
     positions = beeline("reach", "query", puma, "--json").json["positions"]
     assert len(text) == pytest.approx(4 * (8 + 4 * positions), abs=900)
     assert beeline("reach", "export", puma, "--out", tmp_path / "map.obj").code == 2
+
+
+def test_numpy_reads_the_cells(beeline, puma, tmp_path):
+    assert beeline("reach", "export", puma, "--out", tmp_path / "map.npz").code == 0
+    cells, totals = numpy.load(tmp_path / "map.npz"), beeline("reach", "query", puma, "--json").json
+    assert cells["branches"].size == totals["cells"] and (cells["branches"] > 0).sum() == totals["cells_reached"]
+    assert cells["branches"].shape == tuple(len(cells[axis]) for axis in ("x", "y", "z", "directions"))
+    assert (numpy.isnan(cells["margin"]) == (cells["branches"] == 0)).all()
+    assert cells["fractions"].sum() == pytest.approx(1)
+    assert json.loads(cells["arm"].item())["name"] == "puma560"
+    # The files of the same map are equal.
+    assert beeline("reach", "export", puma, "--out", tmp_path / "again.npz").code == 0
+    assert (tmp_path / "map.npz").read_bytes() == (tmp_path / "again.npz").read_bytes()
+
+
+CYLINDER = ["reach", "map", "puma560", "--resolution", "0.2", "--azimuths", "30", "--directions", "60", "--degrees"]
+
+
+@pytest.mark.parametrize("rolls", [[], ["--rolls", "45"]])
+def test_a_map_by_azimuths_is_smaller_and_answers_alike(beeline, tmp_path, rolls):
+    path = tmp_path / "turned.h5"
+    made = beeline(*CYLINDER, *rolls, "--out", path, "--json")
+    assert made.code == 0
+    assert beeline("reach", "export", path, "--out", tmp_path / "turned.npz").code == 0
+    cells = numpy.load(tmp_path / "turned.npz")
+    reached = (cells["branches"] > 0).reshape(*(len(cells[axis]) for axis in ("radius", "height", "azimuth")), -1)
+    assert reached.sum() == made.json["cells_reached"]
+    # The limits of the first joint leave out some azimuths.
+    assert 0 < reached.any(axis=3).sum() < reached.size
+    for r, h, a in ((1, 4, 0), (2, 5, 7), (3, 3, 4)):
+        x, y = (cells["radius"][r] * f(cells["azimuth"][a]) for f in (math.cos, math.sin))
+        answer = beeline("reach", "query", path, f"--pose={x},{y},{cells['height'][h]}", "--json")
+        assert answer.json["directions"] > 0 if reached[r, h, a].any() else answer.code == 1
+    assert beeline("reach", "slice", path, "--at", "z=0.2", "--out", tmp_path / "slice.svg").code == 0
+
+
+def test_a_map_by_sampling_says_so(beeline, tmp_path):
+    path = tmp_path / "px150.h5"
+    options = ["--resolution", "0.1", "--by", "sampling", "--any-orientation", "--samples", "200000"]
+    made = beeline("reach", "map", "px150", *options, "--out", path, "--json")
+    assert made.code == 0 and made.json["by"] == "sampling" and made.json["samples"] == 200000
+    assert 0 < made.json["positions_reached"] < made.json["positions"]
+    assert "by sampling" in beeline("reach", "query", path).out
+    tool = beeline("fk", "px150", "--q", "0.1,0.2,-0.3,0.4,0.5", "--json").json["pose"]["translation"]
+    answer = beeline("reach", "query", path, f"--pose={','.join(map(repr, tool))}", "--json")
+    assert answer.code == 0 and answer.json["samples"] > 0 and "branches" not in answer.json
+
+
+def test_two_mounts_are_compared(beeline, puma, tmp_path):
+    raised = tmp_path / "raised.h5"
+    assert beeline(*MAP, "--mount", "0,0,0.5,0,0,0", "--out", raised).code == 0
+    answer = beeline("reach", "compare", puma, raised, "--at", "y=0", "--out", tmp_path / "two.svg", "--json")
+    assert answer.code == 0
+    first, second = answer.json["maps"]
+    assert first["volume"] == pytest.approx(second["volume"]) and 0 < first["alone"] < first["volume"]
+    assert first["alone"] + answer.json["both"] == pytest.approx(first["volume"])
+    assert "puma.h5" in (tmp_path / "two.svg").read_text() and "raised.h5" in (tmp_path / "two.svg").read_text()
+
+
+def test_a_full_disk_loses_only_what_was_in_work(build, beeline, puma, tmp_path):
+    """Files that may not grow beyond a size, as on a full disk: what was written stays, and the map is continued."""
+    path = tmp_path / "map.h5"
+    command = [build / "beeline", "reach", "map", "ur5", "--resolution", "0.08", "--out", path]
+
+    def limited():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (120_000, resource.RLIM_INFINITY))
+
+    full = subprocess.run(command, preexec_fn=limited, capture_output=True, text=True)
+    assert full.returncode == 3 and full.stderr.count("\n") == 1 and "cannot be written" in full.stderr
+    assert not path.exists() and not list(tmp_path.glob("**/*.part"))
+    assert beeline(*map(str, command[1:])).code == 0
+    assert beeline("reach", "query", path, "--json").json["status"] == "complete"
+
+
+def test_a_cut_shard_is_refused_and_computed_again(beeline, puma, tmp_path):
+    parts = [tmp_path / f"part{k}.h5" for k in (1, 2)]
+    for k, part in enumerate(parts, 1):
+        assert beeline(*MAP, "--shard", f"{k}/2", "--out", part).code == 0
+    os.truncate(parts[1], parts[1].stat().st_size * 2 // 3)
+    merged = beeline("reach", "merge", *parts, "--out", tmp_path / "joined.h5")
+    assert merged.code == 3 and "part2.h5" in merged.err and not (tmp_path / "joined.h5").exists()
+    assert beeline(*MAP, "--shard", "2/2", "--out", parts[1]).code == 0
+    assert beeline("reach", "merge", *parts, "--out", tmp_path / "joined.h5").code == 0

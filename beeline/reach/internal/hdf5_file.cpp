@@ -114,6 +114,9 @@ void Hdf5Dataset::write_chunk(const Hdf5Shape& begin, const std::vector<std::byt
 }
 
 Hdf5File::Hdf5File(const std::string& path, Mode mode) : path_(path) {
+  // All files are closed here. What the library would do at the program's end crashes it after a
+  // file that could not be written, on a full disk (1.10.8).
+  [[maybe_unused]] static const int first_call = H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown, not printed
   if (mode == Mode::read) {
     id_ = {checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), path,

@@ -1,8 +1,9 @@
 #include <array>
 #include <cinttypes>
 #include <cstdio>
-#include <numbers>
 
+#include <beeline/reach/internal/branches.h>
+#include <beeline/reach/internal/coordinates.h>
 #include <beeline/reach/internal/map_header.h>
 #include <beeline/read/arm_json.h>
 
@@ -12,8 +13,9 @@ namespace {
 constexpr const char* format_name = "beeline reach map";
 constexpr double version = 1;
 
-constexpr std::array<const char*, 5> orientation_names{"fixed", "headings", "directions", "rolls",
-                                                       "any"};
+constexpr std::array<ReachOrientations, 5> all_orientations{
+    ReachOrientations::fixed, ReachOrientations::headings, ReachOrientations::directions,
+    ReachOrientations::rolls, ReachOrientations::any};
 constexpr const char* box_name = "box";
 constexpr const char* cylinder_name = "cylinder";
 
@@ -42,57 +44,26 @@ std::vector<double> list_of(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 Vector3 vector_of(const std::vector<double>& list) { return {list[0], list[1], list[2]}; }
 
-void write_list(Hdf5File& file, const char* name, const std::vector<double>& values,
-                unsigned long long columns = 1) {
-  Hdf5Shape shape{values.size() / columns};
-  if (columns > 1) shape.push_back(columns);
-  file.create(name, Hdf5Type::float64, shape)
-      .write(Hdf5Shape(shape.size(), 0), shape, values.data());
-}
-
 /// The coordinates of the cells along each axis of the datasets.
 void write_coordinates(Hdf5File& file, const ReachGrid& grid) {
-  const std::array<const char*, 3> names =
-      grid.cylindrical() ? std::array{"radius", "height", "azimuth"} : std::array{"x", "y", "z"};
-  for (std::size_t k = 0; k < 3; ++k) {
-    std::vector<double> centres;
-    const ReachAxis& axis = grid.axes()[k];
-    for (Eigen::Index i = 0; i < axis.cells; ++i) centres.push_back(axis.centre(i));
-    write_list(file, names[k], centres);
-  }
-  const auto angles = [](Eigen::Index count) {
-    std::vector<double> values;
-    for (Eigen::Index i = 0; i < count; ++i) {
-      values.push_back(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count));
-    }
-    return values;
-  };
-  if (grid.orientations() == ReachOrientations::headings) {
-    write_list(file, "headings", angles(grid.directions()));
-  }
-  if (grid.orientations() == ReachOrientations::rolls) {
-    write_list(file, "rolls", angles(grid.rolls()));
-  }
-  if (grid.orientations() == ReachOrientations::rolls ||
-      grid.orientations() == ReachOrientations::directions) {
-    std::vector<double> directions, fractions;
-    for (Eigen::Index d = 0; d < grid.directions(); ++d) {
-      for (const double c : list_of(grid.direction_grid().direction(d))) directions.push_back(c);
-      fractions.push_back(grid.fraction(d));
-    }
-    write_list(file, "directions", directions, 3);
-    write_list(file, "fractions", fractions);
+  for (const Coordinates& axis : coordinates_of(grid)) {
+    const auto columns = static_cast<unsigned long long>(axis.columns);
+    Hdf5Shape shape{axis.values.size() / columns};
+    if (columns > 1) shape.push_back(columns);
+    file.create(axis.name, Hdf5Type::float64, shape)
+        .write(Hdf5Shape(shape.size(), 0), shape, axis.values.data());
   }
 }
 
 ReachOrientations orientations_of(const Hdf5File& file, const std::string& path) {
-  const std::string name = file.read_text("orientations");
-  for (std::size_t k = 0; k < orientation_names.size(); ++k) {
-    if (name == orientation_names[k]) return static_cast<ReachOrientations>(k);
+  const std::string found = file.read_text("orientations");
+  std::vector<std::string> names;
+  for (const ReachOrientations orientations : all_orientations) {
+    names.push_back(name(orientations));
+    if (found == names.back()) return orientations;
   }
   throw FileError(path, 0,
-                  "has orientations \"" + name.substr(0, 40) + "\"; known are " +
-                      listed({orientation_names.begin(), orientation_names.end()}));
+                  "has orientations \"" + found.substr(0, 40) + "\"; known are " + listed(names));
 }
 
 ReachGridOptions read_options(const Hdf5File& file, const std::string& path) {
@@ -142,8 +113,7 @@ void write_header(Hdf5File& file, const ReachMapHeader& header) {
   file.write_numbers("resolution", {*options.resolution});
   file.write_numbers("lower", list_of(*options.lower));
   file.write_numbers("upper", list_of(*options.upper));
-  file.write_text("orientations",
-                  orientation_names[static_cast<std::size_t>(header.grid.orientations())]);
+  file.write_text("orientations", name(header.grid.orientations()));
   if (options.orientation) {
     std::vector<double> rows;
     for (int k = 0; k < 9; ++k) rows.push_back((*options.orientation)(k / 3, k % 3));

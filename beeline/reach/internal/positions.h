@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <beeline/reach/reach_map.h>
+#include <beeline/reach/slice.h>
 
 namespace beeline::internal {
 
@@ -25,5 +25,9 @@ std::vector<Vector3> centres_of(const std::array<ReachAxis, 3>& axes);
 /// The best of the positions of a map that contain these points; those outside are not reached.
 /// Reads each slab of the map once. Throws FileError for an incomplete map.
 ReachPositions positions_at(const ReachMap& map, const std::vector<Vector3>& points);
+
+/// slice_of() with the centres of these cells.
+ReachSlice slice_at(const ReachMap& map, std::array<ReachAxis, 3> axes, int normal, double at,
+                    ReachMeasure measure);
 
 }  // namespace beeline::internal

@@ -1,0 +1,87 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include <beeline/model/catalog.h>
+#include <beeline/reach/comparison.h>
+
+#include "tests/degrees.h"
+#include "tests/refusal.h"
+
+namespace beeline {
+namespace {
+
+using testing::deg;
+
+ReachMap map_of(const Arm& arm, const ReachGridOptions& options) {
+  const ReachGrid grid(arm, options);
+  return {{arm, grid}, reach_cells(arm, grid, 0, grid.positions())};
+}
+
+void expect_same(const ReachSide& a, const ReachSide& b) {
+  EXPECT_DOUBLE_EQ(a.volume, b.volume);
+  EXPECT_DOUBLE_EQ(a.alone, b.alone);
+  EXPECT_DOUBLE_EQ(a.better, b.better);
+  EXPECT_DOUBLE_EQ(a.directions, b.directions);
+  EXPECT_DOUBLE_EQ(a.manipulability, b.manipulability);
+  EXPECT_DOUBLE_EQ(a.margin, b.margin);
+}
+
+TEST(ReachComparison, OfAMapWithItselfHasNoDifference) {
+  for (const char* name : {"puma560", "rrr"}) {
+    const ReachMap map = map_of(built_in(name), {.directions = 60 * deg});
+    const ReachComparison same = compare_reach(map, map);
+    expect_same(same.sides[0], same.sides[1]);
+    EXPECT_EQ(same.sides[0].alone, 0);
+    EXPECT_EQ(same.sides[0].better, 0);
+    EXPECT_NEAR(same.sides[0].volume, map.totals().volume, 1e-9);
+    EXPECT_NEAR(same.both, map.totals().volume, 1e-9);
+    EXPECT_GT(same.sides[0].directions, 0.1);
+  }
+}
+
+TEST(ReachComparison, TheOtherWayRoundExchangesTheSides) {
+  const ReachMap ur5 = map_of(built_in("ur5"), {.resolution = 0.21, .directions = 60 * deg});
+  const ReachMap puma = map_of(built_in("puma560"), {.resolution = 0.17, .directions = 45 * deg});
+  const ReachComparison a = compare_reach(ur5, puma), b = compare_reach(puma, ur5);
+  EXPECT_EQ(a.step, 0.17);
+  expect_same(a.sides[0], b.sides[1]);
+  expect_same(a.sides[1], b.sides[0]);
+  for (const ReachSide& side : a.sides) EXPECT_NEAR(side.alone + a.both, side.volume, 1e-9);
+}
+
+// An arm on a pedestal reaches the same, higher.
+TEST(ReachComparison, OfTwoMountsFindsWhatMoved) {
+  const double step = 0.15;
+  const Arm arm = built_in("puma560");
+  const ReachMap low = map_of(arm, {.resolution = step, .directions = 60 * deg});
+  const Arm raised = with_mount(arm, Pose(Eigen::Translation3d(0, 0, 4 * step)));
+  const ReachMap high = map_of(raised, {.resolution = step, .directions = 60 * deg});
+  const ReachComparison moved = compare_reach(low, high);
+  EXPECT_NEAR(moved.sides[0].volume, moved.sides[1].volume, 1e-9);
+  EXPECT_NEAR(moved.sides[0].alone, moved.sides[1].alone, 1e-9);
+  EXPECT_GT(moved.sides[0].alone, 0);
+  EXPECT_GT(moved.both, 0);
+  const auto slices = slices_of(low, high, 2, 0.6);
+  EXPECT_EQ(slices[0].values.size(), slices[1].values.size());
+  EXPECT_FALSE(slices[0].values.cwiseEqual(slices[1].values).all());
+}
+
+// A box and a cylinder of the same arm agree but for the size of their cells.
+TEST(ReachComparison, OfABoxAndACylinderOfAnArmFindsLittle) {
+  const Arm arm = built_in("ur5");
+  const ReachMap box = map_of(arm, {.resolution = 0.1, .directions = 60 * deg});
+  const ReachMap cylinder =
+      map_of(arm, {.resolution = 0.1, .azimuths = 10 * deg, .directions = 60 * deg});
+  const ReachComparison compared = compare_reach(box, cylinder);
+  for (const ReachSide& side : compared.sides) EXPECT_LT(side.alone, 0.15 * side.volume);
+}
+
+TEST(ReachComparison, RefusesMapsThatCannotBeCompared) {
+  const ReachMap directions = map_of(built_in("ur5"), {.resolution = 0.4});
+  const ReachMap fixed =
+      map_of(built_in("ur5"), {.resolution = 0.4, .orientation = Rotation::Identity()});
+  EXPECT_REFUSED(compare_reach(directions, fixed), "directions and fixed");
+}
+
+}  // namespace
+}  // namespace beeline
