@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <beeline/error.h>
-#include <beeline/internal/budget_meter.h>
 #include <beeline/reach/place.h>
 #include <beeline/read/internal/file.h>
 
@@ -28,20 +27,6 @@ std::string mount_text(const Placement& placement, const UnitArgument& unit) {
   const Vector3& at = placement.world_T_mount.translation();
   return fmt::format("{},{},{},0,0,{}", shown(at.x()), shown(at.y()), shown(at.z()),
                      shown(unit.shown(placement.heading)));
-}
-
-std::string reason_of(const PlacementResult& result) {
-  if (result.ending != Ending::complete) return internal::ended_by(result.ending);
-  if (result.mounts == 0) return "the poses are farther apart than the arm reaches";
-  if (result.reaching == 0) {
-    const bool all = result.checked == result.mounts;
-    return fmt::format("from none of the {} {} does the arm reach all poses", result.checked,
-                       all ? "mounts" : "mounts that the map ranks first");
-  }
-  return fmt::format(
-      "the arm reaches all poses from {}, but moves in straight lines from none of "
-      "the {} best",
-      counted(result.reaching, "mount"), result.without_lines);
 }
 
 Answer answer_of(const Arm& arm, const PlacementResult& result, const PlaceArguments& arguments) {

@@ -237,6 +237,21 @@ std::optional<double> duration_of_lines(const Arm& arm, const Pose& world_T_moun
 
 }  // namespace
 
+std::string reason_of(const PlacementResult& result) {
+  if (result) return "";
+  if (result.ending != Ending::complete) return internal::ended_by(result.ending);
+  if (result.mounts == 0) return "the poses are farther apart than the arm reaches";
+  if (result.reaching == 0) {
+    return "from none of the " + std::to_string(result.checked) +
+           (result.checked == result.mounts ? " mounts" : " mounts that the map ranks first") +
+           " does the arm reach all poses";
+  }
+  return "the arm reaches all poses from " + std::to_string(result.reaching) +
+         (result.reaching == 1 ? " mount" : " mounts") +
+         ", but moves in straight lines from none of the " + std::to_string(result.without_lines) +
+         " best";
+}
+
 PlacementResult find_placements(const ReachMap& map, std::span<const Pose> world_T_tool,
                                 const PlacementOptions& options) {
   check_options(map, world_T_tool, options);

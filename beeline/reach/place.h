@@ -51,6 +51,9 @@ struct PlacementResult {
   explicit operator bool() const { return !placements.empty(); }
 };
 
+/// Why there is no placement, one clause; empty where there is one.
+std::string reason_of(const PlacementResult& result);
+
 /// Finds mounts from which the arm of a map reaches all poses (world_T_tool). The map ranks the
 /// mounts: by the number of poses whose cells are reached, then by the least margin of these cells.
 /// Each placement is checked by the inverse kinematics of the poses themselves. Throws Error for a

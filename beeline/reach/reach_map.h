@@ -21,8 +21,8 @@ struct ReachMapHeader {
 
 /// A reach map, in memory or in an HDF5 file, which any program that reads HDF5 reads too
 /// (docs/howto/reach.md lists its attributes and datasets). Cells are read from a file when they
-/// are asked for. A file may hold part of a map: a shard, or one whose computation was ended. Not
-/// thread-safe.
+/// are asked for. A file may hold part of a map: a shard, or one whose computation was ended.
+/// Threads may read one map.
 class ReachMap {
  public:
   /// Opens a file. Throws FileError for one that cannot be read or is no reach map.

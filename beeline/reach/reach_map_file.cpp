@@ -1,4 +1,5 @@
 #include <memory>
+#include <mutex>
 #include <optional>
 
 #include <beeline/reach/internal/cell_expansion.h>
@@ -13,7 +14,7 @@ namespace {
 using internal::CellExpansion;
 using internal::MapFormat;
 
-/// Reads the slabs of a file. The one read last is kept, decompressed.
+/// Reads the slabs of a file. The one read last is kept, decompressed. Threads take turns.
 class SlabReader {
  public:
   SlabReader(const ReachMapHeader& header, std::shared_ptr<internal::Hdf5File> file)
@@ -27,6 +28,7 @@ class SlabReader {
   }
 
   ReachCells read(Eigen::Index first, Eigen::Index last) {
+    const std::lock_guard lock(reading_);
     const internal::Slabs& slabs = format_.slabs();
     const Eigen::Index slab = slabs.slab_of(first), begin = slabs.first(slab);
     const ReachGrid& grid = header_.grid;
@@ -57,6 +59,7 @@ class SlabReader {
   std::shared_ptr<internal::Hdf5File> file_;  // closed after its datasets
   internal::MapDatasets datasets_;
   std::optional<CellExpansion> expansion_;
+  std::mutex reading_;
   Eigen::Index slab_ = -1;
   ReachCells cells_;
   internal::ReachBranches branches_;

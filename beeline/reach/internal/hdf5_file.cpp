@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <mutex>
 #include <utility>
 
 #include <beeline/error.h>
@@ -12,6 +13,13 @@ namespace beeline::internal {
 static_assert(std::is_same_v<hid_t, std::int64_t> && std::is_same_v<herr_t, int>);
 
 namespace {
+
+/// Held by each function here while it calls the library, which is not thread-safe, not even for
+/// different files.
+std::unique_lock<std::recursive_mutex> turn() {
+  static std::recursive_mutex mutex;
+  return std::unique_lock(mutex);
+}
 
 /// The reason of the library's last error: the system's where there is one.
 std::string last_reason() {
@@ -78,12 +86,14 @@ Hdf5Id& Hdf5Id::operator=(Hdf5Id&& other) noexcept {
 }
 
 int Hdf5Id::reset() {
+  const auto lock = turn();
   const std::int64_t id = std::exchange(id_, -1);
   return id < 0 ? 0 : close_(id);
 }
 
 void Hdf5Dataset::transfer(const Hdf5Shape& begin, const Hdf5Shape& size, void* values,
                            Hdf5Type type, bool write) const {
+  const auto lock = turn();
   const Hdf5Id file_space(H5Dget_space(id_.get()), H5Sclose), memory_space = space_of(size);
   checked(H5Sselect_hyperslab(file_space.get(), H5S_SELECT_SET, begin.data(), nullptr, size.data(),
                               nullptr),
@@ -95,6 +105,7 @@ void Hdf5Dataset::transfer(const Hdf5Shape& begin, const Hdf5Shape& size, void* 
 }
 
 std::vector<std::byte> Hdf5Dataset::read_chunk(const Hdf5Shape& begin) const {
+  const auto lock = turn();
   hsize_t size = 0;
   checked(H5Dget_chunk_storage_size(id_.get(), begin.data(), &size), path_, "cannot be read");
   constexpr hsize_t most = hsize_t{1} << 31;  // larger than any that is written
@@ -109,6 +120,7 @@ std::vector<std::byte> Hdf5Dataset::read_chunk(const Hdf5Shape& begin) const {
 }
 
 void Hdf5Dataset::write_chunk(const Hdf5Shape& begin, const std::vector<std::byte>& bytes) {
+  const auto lock = turn();
   checked(H5Dwrite_chunk(id_.get(), H5P_DEFAULT, 0, begin.data(), bytes.size(), bytes.data()),
           path_, "cannot be written");
 }
@@ -117,6 +129,7 @@ Hdf5File::Hdf5File(const std::string& path, Mode mode) : path_(path) {
   // All files are closed here. What the library would do at the program's end crashes it after a
   // file that could not be written, on a full disk (1.10.8).
   [[maybe_unused]] static const int first_call = H5dont_atexit();
+  const auto lock = turn();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown, not printed
   if (mode == Mode::read) {
     id_ = {checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), path,
@@ -136,6 +149,7 @@ Hdf5File::Hdf5File(const std::string& path, Mode mode) : path_(path) {
 
 // Of fixed length: the library follows the references of others without checking them.
 void Hdf5File::write_text(const char* attribute, const std::string& text) {
+  const auto lock = turn();
   const Hdf5Id type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
   H5Tset_size(type.get(), std::max<std::size_t>(1, text.size()));
   H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
@@ -148,6 +162,7 @@ void Hdf5File::write_text(const char* attribute, const std::string& text) {
 }
 
 void Hdf5File::write_numbers(const char* attribute, const std::vector<double>& numbers) {
+  const auto lock = turn();
   const Hdf5Id space =
       numbers.size() == 1 ? Hdf5Id(H5Screate(H5S_SCALAR), H5Sclose) : space_of({numbers.size()});
   const Hdf5Id id(
@@ -158,6 +173,7 @@ void Hdf5File::write_numbers(const char* attribute, const std::vector<double>& n
 }
 
 std::string Hdf5File::read_text(const char* attribute) const {
+  const auto lock = turn();
   const std::string without = std::string("is no reach map: it has no text ") + attribute;
   const Hdf5Id id(checked(H5Aopen(id_.get(), attribute, H5P_DEFAULT), path_, without), H5Aclose);
   const Hdf5Id type(H5Aget_type(id.get()), H5Tclose), space(H5Aget_space(id.get()), H5Sclose);
@@ -173,6 +189,7 @@ std::string Hdf5File::read_text(const char* attribute) const {
 }
 
 std::vector<double> Hdf5File::read_numbers(const char* attribute, std::size_t count) const {
+  const auto lock = turn();
   const std::string without =
       std::string("is no reach map: it has no ") + std::to_string(count) + " numbers " + attribute;
   const Hdf5Id id(checked(H5Aopen(id_.get(), attribute, H5P_DEFAULT), path_, without), H5Aclose);
@@ -187,6 +204,7 @@ std::vector<double> Hdf5File::read_numbers(const char* attribute, std::size_t co
 
 Hdf5Dataset Hdf5File::create(const char* name, Hdf5Type type, const Hdf5Shape& shape,
                              const Hdf5Shape& chunk) {
+  const auto lock = turn();
   const Hdf5Id properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose), space = space_of(shape);
   if (!chunk.empty()) {
     constexpr unsigned deflate = 4;
@@ -209,6 +227,7 @@ Hdf5Dataset Hdf5File::create(const char* name, Hdf5Type type, const Hdf5Shape& s
 
 Hdf5Dataset Hdf5File::open(const char* name, Hdf5Type type, const Hdf5Shape& shape,
                            const Hdf5Shape& chunk) const {
+  const auto lock = turn();
   Hdf5Id id(checked(H5Dopen2(id_.get(), name, H5P_DEFAULT), path_,
                     std::string("is no reach map: it has no dataset ") + name),
             H5Dclose);
@@ -225,6 +244,7 @@ Hdf5Dataset Hdf5File::open(const char* name, Hdf5Type type, const Hdf5Shape& sha
 }
 
 void Hdf5File::close() {
+  const auto lock = turn();
   checked(H5Fflush(id_.get(), H5F_SCOPE_GLOBAL), path_, "cannot be written");
   checked(id_.reset(), path_, "cannot be written");
 }
