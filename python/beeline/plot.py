@@ -1,4 +1,4 @@
-"""Arms, trails and joint curves in matplotlib, which is imported where it is used; headless too.
+"""Arms, trails, joint curves and reach in matplotlib, which is imported where it is used; headless too.
 
 Every function draws into `ax` where it is given, else into a new figure, and returns the axes: `plot.arm(arm, q)`,
 then `ax.figure.savefig("arm.png")`. Planar arms are drawn from above, others in 3D. x is red, y green, z blue;
@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._core import Arm, Trajectory, display_configuration, distinct_colour, forward_kinematics, motion_limits
+from ._core import Arm, ReachSlice, Trajectory, display_configuration, distinct_colour, forward_kinematics, motion_limits
 from ._core import jacobian as _jacobian
 from ._matplotlib import AMBER, GREY, LINK, arrow, axes_of, dots, draw_arm, draw_ghost, extent, fit, line, pyplot
 from ._matplotlib import skeleton
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-__all__ = ["animation", "arm", "joints", "motion", "trail"]
+__all__ = ["animation", "arm", "joints", "motion", "reach", "trail"]
 
 
 def arm(
@@ -234,6 +234,38 @@ def animation(
 
     module = importlib.import_module("matplotlib.animation")
     return module.FuncAnimation(ax.figure, show, frames=frames, interval=1000 / fps, blit=False)
+
+
+def reach(slice: ReachSlice, ax: Any = None, *, colorbar: bool = True, **options: Any) -> Any:
+    """Draws a slice of a reach map: each position that is reached in the colour of its value.
+
+    Parameters
+    ----------
+    slice : ReachSlice
+        Of `slice_of()`.
+    ax : matplotlib axes, default None
+        Plain axes. Default: those of a new figure.
+    colorbar : bool, default True
+        Draw the scale.
+    **options
+        Of `ax.pcolormesh()`: cmap, vmin, vmax, ....
+
+    Returns
+    -------
+    axes
+    """
+    if ax is None:
+        ax = pyplot().figure(layout="constrained").add_subplot()
+    corners = [axis.lower + axis.step * np.arange(axis.cells + 1) for axis in slice.grid]
+    known = {"vmin": 0.0} | ({"vmax": 1.0} if slice.measure == "directions" else {})
+    mesh = ax.pcolormesh(*corners, slice.values.T, **known | options)
+    if colorbar:
+        ax.figure.colorbar(mesh, ax=ax, label=slice.measure)
+    ax.set_xlabel(f"{slice.axes[0]} [m]")
+    ax.set_ylabel(f"{slice.axes[1]} [m]")
+    ax.set_aspect("equal")
+    ax.set_title(f"{slice.arm.name}, {slice.normal} = {slice.at:.6g} m")
+    return ax
 
 
 def _dashes(joint: int) -> Any:

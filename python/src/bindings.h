@@ -28,6 +28,7 @@ void bind_players(nanobind::module_& module);
 void bind_trackers(nanobind::module_& module);
 void bind_formulas(nanobind::module_& module);
 void bind_doctor(nanobind::module_& module);
+void bind_reach(nanobind::module_& module);
 void bind_pictures(nanobind::module_& module);
 void bind_command_line(nanobind::module_& module);
 

@@ -52,7 +52,9 @@ void bind_drawing(nb::module_& m) {
   drawing.def("__repr__", [](const Drawing& self) {
     return "<beeline.Drawing of " + number(self.width) + " x " + number(self.height) + " points>";
   });
-  drawing.def("__getstate__", &state_of, nb::sig("def __getstate__(self) -> tuple[object, ...]"));
+  drawing.def(
+      "__getstate__", [](const Drawing& self) { return state_of(self); },
+      nb::sig("def __getstate__(self) -> tuple[object, ...]"));
   drawing.def(
       "__setstate__",
       [](Drawing& self, const nb::tuple& state) { new (&self) Drawing(drawing_from(state)); },

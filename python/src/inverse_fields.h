@@ -3,6 +3,7 @@
 #include <beeline/batch/batch.h>
 #include <beeline/inverse/inverse_kinematics.h>
 
+#include "kept_array.h"
 #include "kinematics_fields.h"
 
 namespace beeline::python {
@@ -145,34 +146,17 @@ struct Fields<InverseResult> {
   }
 };
 
-/// A numpy array of float64, kept as it is.
-struct KeptArray {
-  nb::object array;
-};
-template <>
-struct Value<KeptArray> {
-  static std::string type() { return array_type; }
-  static nb::object to(const KeptArray& value) { return value.array; }
-  static KeptArray from(nb::handle value, const char* name) {
-    if (!is_array(value)) raise_type(name, "an array", value);
-    return {nb::borrow(value)};
-  }
-  static bool same(const KeptArray& a, const KeptArray& b) {
-    const nb::object equal = nb::module_::import_("numpy").attr("array_equal");
-    return nb::cast<bool>(equal(a.array, b.array, nb::arg("equal_nan") = true));
-  }
-};
-
 struct BatchInverseResult {
-  KeptArray q;
+  KeptArray<double> q;
   Ending ending = Ending::complete;
   Index computed = 0, solved = 0;
 
   explicit operator bool() const { return solved == poses(); }
   /// The number of poses.
   Index poses() const {
-    const InputArray values(q.array, "q");
-    return values.rows(1);
+    Index count = 1;
+    for (Index size : q.shape().first(q.shape().size() - 1)) count *= size;
+    return count;
   }
 };
 
@@ -191,7 +175,7 @@ struct Fields<BatchInverseResult> {
         field("solved", &BatchInverseResult::solved, "Number of poses with a solution."));
   }
   static void check(const BatchInverseResult& value) {
-    if (InputArray(value.q.array, "q").dimensions() == 0) throw Error("q has no rows");
+    if (value.q.shape().empty()) throw Error("q has no rows");
   }
 };
 

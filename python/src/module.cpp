@@ -53,6 +53,7 @@ NB_MODULE(_core, module) {
   bind_trackers(module);
   bind_formulas(module);
   bind_doctor(module);
+  bind_reach(module);
   bind_pictures(module);
   bind_command_line(module);
   bind_exit(module);  // after the exceptions: the last translator is asked first

@@ -17,6 +17,13 @@ namespace {
 
 static_assert(sizeof(npy_intp) == sizeof(Index));
 
+template <class T>
+constexpr int type_number = NPY_FLOAT64;
+template <>
+constexpr int type_number<float> = NPY_FLOAT32;
+template <>
+constexpr int type_number<std::uint8_t> = NPY_UINT8;
+
 int number_of(Real real) { return real == Real::float32 ? NPY_FLOAT32 : NPY_FLOAT64; }
 
 PyArrayObject* array_of(nb::handle object) {
@@ -87,7 +94,7 @@ bool share_memory(nb::handle a, nb::handle b) {
 }
 
 /// The first byte of the array's memory and the one after its last.
-std::pair<std::uintptr_t, std::uintptr_t> memory_of(PyArrayObject* array) {
+std::pair<std::uintptr_t, std::uintptr_t> range_of(PyArrayObject* array) {
   const auto first = reinterpret_cast<std::uintptr_t>(PyArray_DATA(array));
   std::uintptr_t begin = first, end = first + static_cast<std::uintptr_t>(PyArray_ITEMSIZE(array));
   for (int i = 0; i < PyArray_NDIM(array); ++i) {
@@ -211,8 +218,8 @@ nb::object OutputArray::finish() {
 void check_apart(nb::handle out, nb::handle argument, const char* name) {
   if (!PyArray_Check(out.ptr()) || !PyArray_Check(argument.ptr())) return;
   if (PyArray_SIZE(array_of(out)) == 0 || PyArray_SIZE(array_of(argument)) == 0) return;
-  const auto [out_begin, out_end] = memory_of(array_of(out));
-  const auto [begin, end] = memory_of(array_of(argument));
+  const auto [out_begin, out_end] = range_of(array_of(out));
+  const auto [begin, end] = range_of(array_of(argument));
   if (out_end <= begin || end <= out_begin) return;
   if (!share_memory(out, argument)) return;  // columns of one table, say
   throw Error(std::string("out has memory of ") + name + "; give it its own");
@@ -222,6 +229,32 @@ nb::object read_only(nb::object value) {
   if (PyArray_Check(value.ptr())) PyArray_CLEARFLAGS(array_of(value), NPY_ARRAY_WRITEABLE);
   return value;
 }
+
+template <class T>
+nb::object new_array(std::span<const Index> shape) {
+  return nb::steal(
+      checked(PyArray_SimpleNew(static_cast<int>(shape.size()), shape.data(), type_number<T>)));
+}
+template nb::object new_array<double>(std::span<const Index>);
+template nb::object new_array<float>(std::span<const Index>);
+template nb::object new_array<std::uint8_t>(std::span<const Index>);
+
+template <class T>
+nb::object contiguous_array(nb::handle value, const char* name) {
+  if (!PyArray_Check(value.ptr()) || PyArray_TYPE(array_of(value)) != type_number<T>) {
+    throw nb::type_error((std::string(name) + ": expected an array of " + dtype_name<T>).c_str());
+  }
+  refuse_masked(value, name);
+  const nb::object array = nb::steal(checked(converted(value, type_number<T>)));
+  return nb::steal(checked(PyArray_View(array_of(array), nullptr, nullptr)));
+}
+template nb::object contiguous_array<double>(nb::handle, const char*);
+template nb::object contiguous_array<float>(nb::handle, const char*);
+template nb::object contiguous_array<std::uint8_t>(nb::handle, const char*);
+
+void* memory_of(nb::handle array) { return PyArray_DATA(array_of(array)); }
+
+std::span<const Index> shape_of(nb::handle array) { return shape_of(array_of(array)); }
 
 nb::object index_array(std::span<const std::size_t> values) {
   const npy_intp size = static_cast<npy_intp>(values.size());

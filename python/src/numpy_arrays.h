@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -109,6 +110,26 @@ void check_apart(nb::handle out, nb::handle argument, const char* name);
 
 /// Returns the value; an array can no longer be written to.
 nb::object read_only(nb::object value);
+
+/// numpy's name of a type of numbers: double, float or std::uint8_t.
+template <class T>
+inline constexpr const char* dtype_name = "float64";
+template <>
+inline constexpr const char* dtype_name<float> = "float32";
+template <>
+inline constexpr const char* dtype_name<std::uint8_t> = "uint8";
+
+/// A new array of T, C-contiguous, whose values are not set.
+template <class T>
+nb::object new_array(std::span<const Index> shape);
+
+/// An array of T as a C-contiguous one: a view of it, or a copy. Throws TypeError for all else.
+template <class T>
+nb::object contiguous_array(nb::handle value, const char* name);
+
+/// The memory and the shape of an array.
+void* memory_of(nb::handle array);
+std::span<const Index> shape_of(nb::handle array);
 
 /// The values as integers, for indices: a new array of int64 that cannot be written to.
 nb::object index_array(std::span<const std::size_t> values);

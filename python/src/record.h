@@ -182,18 +182,20 @@ T restored(const nb::tuple& state) {
   return result;
 }
 
-/// Adds what copies and pickles need: the tuple of all members.
+/// The tuple of all members, which copies and pickles need.
+template <class T>
+nb::tuple state_of(const T& value) {
+  return std::apply(
+      [&](const auto&... field) {
+        return nb::make_tuple(Value<member_type<decltype(field)>>::to(value.*field.member)...);
+      },
+      Fields<T>::all());
+}
+
 template <class T>
 void bind_state(nb::class_<T>& bound) {
   bound.def(
-      "__getstate__",
-      [](const T& self) {
-        return std::apply(
-            [&](const auto&... field) {
-              return nb::make_tuple(Value<member_type<decltype(field)>>::to(self.*field.member)...);
-            },
-            Fields<T>::all());
-      },
+      "__getstate__", [](const T& self) { return state_of(self); },
       nb::sig("def __getstate__(self) -> tuple[object, ...]"));
   bound.def(
       "__setstate__", [](T& self, const nb::tuple& state) { new (&self) T(restored<T>(state)); },

@@ -40,10 +40,12 @@ RowArgument::RowArgument(nb::handle value, const char* name, Index size, const C
 
 int threads_from(nb::handle value) {
   const int threads = Value<int>::from(value, "threads");
-  if (threads < 0) {
-    throw Error("threads is " + std::to_string(threads) + "; expected 0 or more");
-  }
+  check_threads(threads);
   return threads;
+}
+
+void check_threads(int threads) {
+  if (threads < 0) throw Error("threads is " + std::to_string(threads) + "; expected 0 or more");
 }
 
 }  // namespace beeline::python

@@ -62,6 +62,8 @@ class RowArgument {
 };
 
 int threads_from(nb::handle value);
+/// Throws Error for a negative number of threads.
+void check_threads(int threads);
 
 /// Calls evaluate(i, results of row i) for each configuration: without Python's lock, and until
 /// Ctrl-C, where there are many. Returns the results or the caller's `out`. They are written with

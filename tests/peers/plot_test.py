@@ -99,6 +99,17 @@ def test_an_animation_passes_the_whole_motion(name, tmp_path):
     assert np.allclose(ends, poses[:, : len(ends[0]), 3])
 
 
+def test_a_slice_of_a_reach_map(tmp_path):
+    map = beeline.reach_map(beeline.arms.puma560(), resolution=0.4, directions=1.5)
+    slice = beeline.slice_of(map, "y", 0.1, "margin")
+    ax = plot.reach(slice)
+    (mesh,) = ax.collections
+    np.testing.assert_array_equal(np.ma.filled(mesh.get_array(), np.nan), slice.values.T)
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("x [m]", "z [m]") and len(ax.figure.axes) == 2
+    assert plot.reach(slice, ax, colorbar=False, cmap="magma", vmax=0.5) is ax and len(ax.figure.axes) == 2
+    ax.figure.savefig(tmp_path / "slice.png")
+
+
 def test_refusals():
     rrr, panda = beeline.arms.rrr(), beeline.arms.panda()
     with pytest.raises(ValueError, match="3d"):

@@ -28,6 +28,8 @@ beeline.control_joints(arm, arm.middle, arm.middle + 0.1, kp=1e-9, max_steps=10*
     "batch_inverse": """
 tool = beeline.forward_kinematics(arm, arm.middle)
 beeline.batch_inverse(arm, np.broadcast_to(tool, (2_000_000, 4, 4)))""",
+    "reach_map": """
+beeline.reach_map(arm, resolution=0.03)""",
     "refined": """
 q = arm.middle + np.random.default_rng(1).uniform(-0.5, 0.5, (2000, 7))
 path = beeline.joint_spline(q, beeline.chord_length(q))

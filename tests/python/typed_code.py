@@ -61,6 +61,19 @@ def retimed(arm: beeline.Arm, trajectory: beeline.Trajectory) -> beeline.Traject
     return result.trajectory
 
 
+def reach(arm: beeline.Arm) -> beeline.Placement | None:
+    map = beeline.reach_map(arm, resolution=0.6, directions=1.5, progress=False)
+    branches: NDArray[numpy.uint8] = map.branches
+    margin: NDArray[numpy.float32] = map.positions().margin
+    assert branches.shape == map.grid.shape and margin.shape == map.grid.shape[:3]
+    cell: int | None = map.grid.cell_of(numpy.eye(4))
+    assert cell is not None
+    drawing: beeline.Drawing = beeline.reach_figure(beeline.slice_of(map, "z", 0, "margin"))
+    assert drawing.width > 0
+    found = beeline.find_placements(map, [beeline.forward_kinematics(arm, arm.middle)], step=0.5)
+    return found.placements[0] if found else None
+
+
 def main() -> None:
     for arm in arms():
         names: list[str] = arm.joint_names
@@ -71,6 +84,8 @@ def main() -> None:
         assert jacobian.shape[1] == arm.dof
     panda = beeline.arms.panda()
     jacobians_of_both_dtypes(panda)
+    placement = reach(beeline.arms.puma560())
+    assert placement is not None and placement.margin > 0
     retimed(panda, line_down(panda, numpy.array([0, -0.785, 0, -2.356, 0, 1.571, 0.785]), 0.1))
     try:
         beeline.Arm.load("no_such_arm")

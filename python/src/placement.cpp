@@ -1,0 +1,138 @@
+#include <beeline/draw/reach_figure.h>
+#include <beeline/reach/vti_file.h>
+
+#include "bindings.h"
+#include "draw_fields.h"
+#include "placement_fields.h"
+#include "rows.h"
+
+namespace beeline::python {
+namespace {
+
+using RowMajor = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+}  // namespace
+
+SliceArray arrays_of(const ReachSlice& slice) {
+  const auto axis = [](int k) { return static_cast<WorldAxis>(k); };
+  const Index rows = slice.values.rows(), columns = slice.values.cols();
+  SliceArray arrays{.arm = {nb::cast(slice.arm)},
+                    .measure = slice.measure,
+                    .normal = axis(slice.normal),
+                    .at = slice.at,
+                    .axes = {axis(slice.axes[0]), axis(slice.axes[1])},
+                    .grid = {slice.grid.begin(), slice.grid.end()},
+                    .values = kept_array<float>({{rows, columns}})};
+  Eigen::Map<RowMajor>(arrays.values.data(), rows, columns) = slice.values;
+  return arrays;
+}
+
+ReachSlice slice_of(const SliceArray& arrays) {
+  const auto index = [](WorldAxis axis) { return static_cast<int>(axis); };
+  const auto shape = arrays.values.shape();
+  return {.arm = *arrays.arm,
+          .measure = arrays.measure,
+          .normal = index(arrays.normal),
+          .at = arrays.at,
+          .axes = {index(arrays.axes[0]), index(arrays.axes[1])},
+          .grid = {arrays.grid[0], arrays.grid[1]},
+          .values = Eigen::Map<const RowMajor>(arrays.values.data(), shape[0], shape[1])};
+}
+
+namespace {
+
+Drawing drawing_of(const SliceArray& arrays) {
+  const ReachSlice slice = slice_of(arrays);
+  return without_lock([&] { return compose(reach_figure(slice)); });
+}
+
+void bind_placements(nb::module_& m) {
+  bind_record<Placement>(m);
+  nb::class_<PlacementResult> result = bind_record<PlacementResult>(m);
+  result.def_prop_ro(
+      "reason", [](const PlacementResult& self) { return reason_of(self); },
+      nb::for_getter(nb::sig("def reason(self) -> str")),
+      "Why there is no placement, one clause; empty where there is one.");
+  Signature find("find_placements", "PlacementResult",
+                 "Finds mounts from which the arm of a map reaches all poses. The map ranks the "
+                 "mounts, by the number of poses whose cells are reached, then by the least margin "
+                 "of these cells; each placement is checked by the inverse kinematics of the poses "
+                 "themselves. Raises Error for a map with one orientation, an incomplete one, one "
+                 "of more than 5e8 cells, no poses, and more than 1e8 mounts.");
+  find.takes("map", "ReachMap", "Of directions, headings or rolls.")
+      .takes("poses", array_like, "Poses world_T_tool, (N, 4, 4) or a list of them.")
+      .options<PlacementOptions>();
+  find.returns("True if there is a placement; else it has a `reason`.");
+  define(
+      m,
+      [](const ReachMap& map, nb::handle poses, const nb::kwargs& keywords) {
+        const std::vector<Pose> reached = poses_from(poses, "poses");
+        auto asked = options<PlacementOptions>(keywords);
+        check_threads(asked.threads);
+        return unlocked(asked.budget, [&] { return find_placements(map, reached, asked); });
+      },
+      find, nb::arg("map"), nb::arg("poses"), nb::arg("keywords"));
+}
+
+void bind_slices(nb::module_& m) {
+  nb::class_<SliceArray> slice = bind_record<SliceArray>(m);
+  slice.def_prop_ro(
+      "coordinates",
+      [](const SliceArray& self) {
+        const auto centres = [](const ReachAxis& axis) { return nb::cast(axis).attr("centres"); };
+        return nb::make_tuple(centres(self.grid[0]), centres(self.grid[1]));
+      },
+      nb::for_getter(nb::sig("def coordinates(self) -> tuple[numpy.typing.NDArray[numpy.float64], "
+                             "numpy.typing.NDArray[numpy.float64]]")),
+      "Of the centres along the two axes of the values, m.");
+  slice.def("_repr_svg_", [](const SliceArray& self) { return notebook_svg(drawing_of(self)); });
+
+  Signature of("slice_of", "ReachSlice",
+               "Returns the positions of a map in a plane: those around the coordinate `at` of an "
+               "axis. Raises Error for a coordinate outside the map, and for an incomplete map.");
+  of.takes("map", "ReachMap", "The map.")
+      .takes("axis", Value<WorldAxis>::type(), "The axis that the plane is perpendicular to.")
+      .takes("at", "float", "Its coordinate, m, in the world.")
+      .takes("measure", Value<ReachMeasure>::type(),
+             "The best of all orientations at a position; directions: the fraction of them that "
+             "is reached.",
+             "'directions'");
+  define(
+      m,
+      [](const ReachMap& map, nb::handle axis, nb::handle at, nb::handle measure) {
+        const int normal = static_cast<int>(Value<WorldAxis>::from(axis, "axis"));
+        const double coordinate = Value<double>::from(at, "at");
+        const auto shown = Value<ReachMeasure>::from(measure, "measure");
+        return arrays_of(
+            without_lock([&] { return beeline::slice_of(map, normal, coordinate, shown); }));
+      },
+      of, nb::arg("map"), nb::arg("axis"), nb::arg("at"), nb::arg("measure") = "directions");
+
+  Signature figure("reach_figure", "Drawing",
+                   "Draws a slice of a map: each position that is reached in the colour of its "
+                   "value, with a scale beside it, and the arm.");
+  figure.takes("slice", "ReachSlice", "Of slice_of().");
+  define(m, &drawing_of, figure, nb::arg("slice"));
+
+  Signature image("write_vti", "None",
+                  "Writes the positions of a map as an image of VTK, which ParaView opens, with "
+                  "the cell data `directions`, `branches`, `manipulability` and `margin`. Raises "
+                  "Error for an incomplete map.");
+  image.takes("map", "ReachMap", "The map.").takes("path", path_like, "A .vti file.");
+  define(
+      m,
+      [](const ReachMap& map, nb::handle path) {
+        const std::string file = path_from(path, "path");
+        without_lock([&] { write_vti(map, file); });
+      },
+      image, nb::arg("map"), nb::arg("path"));
+}
+
+}  // namespace
+
+void bind_placement(nb::module_& m) {
+  bind_placements(m);
+  bind_slices(m);
+}
+
+}  // namespace beeline::python
