@@ -157,6 +157,45 @@ std::vector<Option> grid_options(MapArguments& arguments) {
        .phrases = {"the angle between rolls"}}};
 }
 
+/// How the cells are computed, and which of them.
+std::vector<Option> method_options(MapArguments& arguments) {
+  return {{.name = "--by",
+           .value = "METHOD",
+           .help = "inverse-kinematics: what the arm can do at the centre of each cell; sampling: "
+                   "anywhere in a cell, from the forward kinematics of configurations that fill "
+                   "the joint ranges, also of arms that reach almost no pose exactly.",
+           .target = &arguments.by,
+           .choices = {"inverse-kinematics", "sampling"}},
+          {.name = "--samples",
+           .value = "N",
+           .help = "Configurations of a map by sampling. Default: 50 times the cells, at least "
+                   "1e6, at most 1e9.",
+           .target = &arguments.samples,
+           .range = {1, 1e12}},
+          {.name = "--any-orientation",
+           .help = "A map by sampling of positions alone, in any orientation.",
+           .target = &arguments.any_orientation,
+           .phrases = {"any orientation"}},
+          {.name = "--redundant-values",
+           .value = "N",
+           .help = "Values of the redundant joint of an arm of seven joints at which all "
+                   "solutions are computed. Where there is none, the range between them is "
+                   "searched.",
+           .target = &arguments.reach.redundant_values,
+           .range = {1, 1000}},
+          {.name = "--shard",
+           .value = "K/N",
+           .help = "Compute share K of N of the map, K from 1 to N.",
+           .target = &arguments.shard,
+           .phrases = {"shard", "which is the largest number of shards"}},
+          {.name = "--threads",
+           .value = "N",
+           .help = "Number of threads; 0: as many as the machine has. The map does not depend on "
+                   "it.",
+           .target = &arguments.reach.threads,
+           .range = {0, 1024}}};
+}
+
 }  // namespace
 
 ReachMapJob reach_map_job() {
@@ -186,53 +225,17 @@ Verb reach_map_verb() {
           "merge` joins the parts; the result is the same. --by sampling marks the cells that the "
           "tool of sampled configurations is in, and says so in the file.",
       .arguments = {arguments.arm.argument()},
-      .options = joined(
-          {{{.name = "--out",
-             .value = "FILE",
-             .help = "The map, an HDF5 file.",
-             .target = &arguments.out,
-             .required = true,
-             .completes = Completes::file}},
-           grid_options(arguments),
-           {{.name = "--by",
-             .value = "METHOD",
-             .help =
-                 "inverse-kinematics: what the arm can do at the centre of each cell; sampling: "
-                 "anywhere in a cell, from the forward kinematics of configurations that fill "
-                 "the joint ranges, also of arms that reach almost no pose exactly.",
-             .target = &arguments.by,
-             .choices = {"inverse-kinematics", "sampling"}},
-            {.name = "--samples",
-             .value = "N",
-             .help = "Configurations of a map by sampling. Default: 50 times the cells, at least "
-                     "1e6, at most 1e9.",
-             .target = &arguments.samples,
-             .range = {1, 1e12}},
-            {.name = "--any-orientation",
-             .help = "A map by sampling of positions alone, in any orientation.",
-             .target = &arguments.any_orientation,
-             .phrases = {"any orientation"}},
-            {.name = "--redundant-values",
-             .value = "N",
-             .help = "Values of the redundant joint of an arm of seven joints at which all "
-                     "solutions are computed. Where there is none, the range between them is "
-                     "searched.",
-             .target = &arguments.reach.redundant_values,
-             .range = {1, 1000}},
-            {.name = "--shard",
-             .value = "K/N",
-             .help = "Compute share K of N of the map, K from 1 to N.",
-             .target = &arguments.shard,
-             .phrases = {"shard", "which is the largest number of shards"}},
-            {.name = "--threads",
-             .value = "N",
-             .help = "Number of threads; 0: as many as the machine has. The map does not depend on "
-                     "it.",
-             .target = &arguments.reach.threads,
-             .range = {0, 1024}}},
-           arguments.unit.options(),
-           arguments.budget.options(),
-           arguments.arm.options()}),
+      .options = joined({{{.name = "--out",
+                           .value = "FILE",
+                           .help = "The map, an HDF5 file.",
+                           .target = &arguments.out,
+                           .required = true,
+                           .completes = Completes::file}},
+                         grid_options(arguments),
+                         method_options(arguments),
+                         arguments.unit.options(),
+                         arguments.budget.options(),
+                         arguments.arm.options()}),
       .examples = {{"Positions and tool directions of an arm, 12 cm apart",
                     "beeline reach map puma560 --resolution 0.12 --out puma560.h5"},
                    {"Where it can point straight down",
