@@ -21,6 +21,7 @@ LIBRARIES = {  # the first part of the include: the folders that may use it, in 
     },
     "fast_float": {"read"},
     "hdf5": {"reach"},
+    "zlib": {"reach"},
     "fmt": {"read"},
     "nlohmann": {"read", "record"},
     "oneapi": {"batch"},

@@ -57,7 +57,7 @@ def test_bash_completes(completed, written):
     assert completed("batch", "j") == {"jacobian"}
     assert completed("batch", "ik", "ur5", "--redundancy", "") == {"any", "nearest", "centred"}
     assert completed("help", "dr") == {"draw"}
-    assert completed("help", "batch", "") == {"fk", "jacobian", "ik", "map", "merge", "query", "slice", "export", "place"}
+    assert completed("help", "batch", "") == {"fk", "jacobian", "ik", "map", "merge", "query", "slice", "compare", "export", "place"}
     assert completed("completion", "") == {"bash", "zsh", "fish"}
     assert completed("figure", "1.") == {f"1.{n}" for n in range(1, 10)}
     written("move.csv", "")
