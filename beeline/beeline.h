@@ -71,6 +71,7 @@
 #include <beeline/reach/reach.h>
 #include <beeline/reach/reach_map.h>
 #include <beeline/reach/slice.h>
+#include <beeline/reach/surface.h>
 #include <beeline/reach/vti_file.h>
 #include <beeline/read/arm.h>
 #include <beeline/read/arm_json.h>

@@ -1,17 +1,8 @@
 #pragma once
 
-/// The C interface of the WebAssembly module. Buffers hold float64 and lie in the module's memory.
-/// Radians, metres, seconds. No exception leaves the module: a function that fails returns a
-/// negative number, and beeline_error() says why, in the words of the command line.
+/// The C interface of core.wasm, with that of memory.h. Radians, metres, seconds.
 
 extern "C" {
-
-/// Returns memory for `count` numbers, or null if there is none.
-double* beeline_allocate(int count);
-void beeline_release(void* memory);
-
-/// The message of the last call that failed; valid until the next call.
-const char* beeline_error();
 
 /// Returns the handle of an arm, 0 or more. Without a text, `name` is a built-in arm or a joint
 /// string with lengths, as the command line's ARM; with one, it is the name of a file with that

@@ -1,6 +1,7 @@
+#include "memory.h"
+
 #include <cstdlib>
 
-#include "beeline.h"
 #include "fault.h"
 
 namespace beeline::web {

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { CoreWorker } from "../src/core/client.js";
 import { missingFeature } from "../src/core/load.js";
-import type { CommandRequest, WorkerStart } from "../src/core/protocol.js";
+import type { Request, WorkerStart } from "../src/core/protocol.js";
 import { serve, type Scope } from "../src/core/worker.js";
 import { commandParts, run } from "./native.js";
 
@@ -15,8 +15,8 @@ function start(): Promise<Worker> {
     onmessage: null as ((event: MessageEvent) => void) | null,
     onerror: null,
     terminate: () => (alive = false),
-    postMessage: (request: WorkerStart | CommandRequest) => {
-      queueMicrotask(() => alive && scope.onmessage?.({ data: request } as MessageEvent<WorkerStart | CommandRequest>));
+    postMessage: (request: WorkerStart | Request) => {
+      queueMicrotask(() => alive && scope.onmessage?.({ data: request } as MessageEvent<WorkerStart | Request>));
     },
   };
   const scope: Scope = {

@@ -1,5 +1,6 @@
 import { initialState, sections, type ArmSource, type PageState, type Section } from "../state/page_state.js";
 import { compressed, decompressed } from "./compression.js";
+import { reachOf, reachWords, writeReach } from "./reach_address.js";
 
 const frames = ["base", "tool", "space"] as const;
 const gains = ["gain", "ki", "kd"] as const;
@@ -45,8 +46,9 @@ export async function addressOf(state: PageState): Promise<string> {
   if (state.goal) words.set("goal", list(state.goal));
   for (const gain of gains) if (state[gain] !== initialState[gain]) words.set(gain, String(state[gain]));
   if (state.waypoints.length > 0) words.set("waypoints", state.waypoints.map(list).join(";"));
+  writeReach(words, state);
   if (state.lesson !== "") words.set("lesson", state.lesson);
-  return words.toString().replaceAll("%2C", ",").replaceAll("%3B", ";");
+  return words.toString().replaceAll("%2C", ",").replaceAll("%3B", ";").replaceAll("%3D", "=");
 }
 
 /** The state of an address. What cannot be read has its initial value. */
@@ -72,6 +74,7 @@ export async function stateOf(hash: string): Promise<PageState> {
     ki: gainOf("ki"),
     kd: gainOf("kd"),
     waypoints: poses(words.get("waypoints")),
+    ...reachOf(words),
     lesson: words.get("lesson") ?? "",
   };
 }
@@ -92,6 +95,7 @@ const named: [string, keyof PageState][] = [
   ["ki", "ki"],
   ["kd", "kd"],
   ["waypoints", "waypoints"],
+  ...reachWords,
   ["lesson", "lesson"],
 ];
 

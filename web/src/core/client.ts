@@ -1,13 +1,16 @@
-import type { CommandRequest, WorkerReply, WorkerStart } from "./protocol.js";
+import type { Request, WorkerReply, WorkerStart } from "./protocol.js";
+import type { ReachAnswers, ReachTask } from "./reach.js";
 import { CoreError, type CommandResult, type Files } from "./types.js";
 
+type Progress = (fraction: number) => void;
+
 interface Waiting {
-  resolve(result: CommandResult): void;
+  resolve(result: unknown): void;
   reject(error: Error): void;
-  progress(fraction: number): void;
+  progress: Progress;
 }
 
-/** Runs commands in a worker. cancel() ends the worker with all that it computes; the next command starts another. */
+/** Runs commands and computes maps in a worker. cancel() ends the worker with all that it computes; the next command starts another. */
 export class CoreWorker {
   private worker: Promise<Worker> | null = null;
   private module: Promise<WebAssembly.Module> | null = null;
@@ -20,20 +23,13 @@ export class CoreWorker {
     private readonly compile: () => Promise<WebAssembly.Module>,
   ) {}
 
-  command(
-    args: string[],
-    files: Files = {},
-    progress: (fraction: number) => void = () => undefined,
-  ): Promise<CommandResult> {
-    this.worker ??= this.started();
-    const request: CommandRequest = { id: this.next++, args, files };
-    return new Promise((resolve, reject) => {
-      this.waiting.set(request.id, { resolve, reject, progress });
-      this.worker?.then(
-        (worker) => worker.postMessage(request),
-        (error: Error) => this.cancel(error.message),
-      );
-    });
+  command(args: string[], files: Files = {}, progress?: Progress): Promise<CommandResult> {
+    return this.ask({ id: this.next++, args, files }, progress);
+  }
+
+  /** Answers a question about a map of what an arm can do. */
+  reach<T extends ReachTask>(task: T, progress?: Progress): Promise<ReachAnswers[T["ask"]]> {
+    return this.ask({ id: this.next++, reach: task }, progress);
   }
 
   /** Without a command under way the worker lives on. */
@@ -46,6 +42,17 @@ export class CoreWorker {
     this.worker = null;
     for (const { reject } of this.waiting.values()) reject(new CoreError(message));
     this.waiting.clear();
+  }
+
+  private ask<T>(request: Request, progress: Progress = () => undefined): Promise<T> {
+    this.worker ??= this.started();
+    return new Promise<T>((resolve, reject) => {
+      this.waiting.set(request.id, { resolve: resolve as (result: unknown) => void, reject, progress });
+      this.worker?.then(
+        (worker) => worker.postMessage(request),
+        (error: Error) => this.cancel(error.message),
+      );
+    });
   }
 
   private async started(): Promise<Worker> {

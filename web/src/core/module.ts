@@ -1,25 +1,36 @@
 import { CoreError } from "./types.js";
 
-/** What each of Emscripten's modules has of what we use. */
+/** What each of Emscripten's modules has of what we use, and the functions of web/core/memory.h. */
 export interface Module {
   HEAPU8: Uint8Array;
   HEAP32: Int32Array;
+  HEAPF32: Float32Array;
   HEAPF64: Float64Array;
   _malloc(bytes: number): number;
   _free(pointer: number): void;
+  _beeline_allocate(count: number): number;
+  _beeline_release(pointer: number): void;
+  _beeline_error(): number;
 }
 
-/** The command's module, web/core/command.h. */
+/** The command's module, web/core/command.h and reach.h. */
 export interface CommandModule extends Module {
   FS: FileSystem;
   _beeline_command(argc: number, argv: number): number;
+  _beeline_reach(arm: number, resolution: number, directions: number, rolls: number, orientation: number): number;
+  _beeline_reach_grid(map: number, numbers: number): number;
+  _beeline_reach_orientations(map: number, numbers: number): number;
+  _beeline_reach_compute(map: number, first: number, last: number): number;
+  _beeline_reach_values(map: number, measure: number): number;
+  _beeline_reach_surface(map: number, values: number, level: number): number;
+  _beeline_reach_vertex_count(map: number): number;
+  _beeline_reach_vertices(map: number): number;
+  _beeline_reach_triangles(map: number): number;
+  _beeline_reach_release(map: number): number;
 }
 
 /** The core's module: the functions of web/core/beeline.h, with an underscore in front. */
 export interface CoreModule extends Module {
-  _beeline_allocate(count: number): number;
-  _beeline_release(pointer: number): void;
-  _beeline_error(): number;
   _beeline_arm(name: number, text: number, base: number, tip: number): number;
   _beeline_arm_json(arm: number): number;
   _beeline_arm_description(arm: number): number;
@@ -80,7 +91,7 @@ export function readText(module: Module, pointer: number): string {
 }
 
 /** The value that a function of the core has returned. Throws CoreError with the core's message where it is negative. */
-export function checked(module: CoreModule, value: number): number {
+export function checked(module: Module, value: number): number {
   if (value < 0) throw new CoreError(readText(module, module._beeline_error()));
   return value;
 }

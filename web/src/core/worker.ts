@@ -1,29 +1,39 @@
 import { command } from "./command.js";
-import type { Factory } from "./load.js";
+import { instantiateCommand, type Factory } from "./load.js";
 import type { CommandModule } from "./module.js";
-import type { CommandRequest, WorkerReply, WorkerStart } from "./protocol.js";
+import type { Request, WorkerReply, WorkerStart } from "./protocol.js";
+import { reach } from "./reach_module.js";
 
 /** What serve() uses of a worker's global scope. */
 export interface Scope {
-  onmessage: ((event: MessageEvent<WorkerStart | CommandRequest>) => void) | null;
+  onmessage: ((event: MessageEvent<WorkerStart | Request>) => void) | null;
   postMessage(message: WorkerReply): void;
 }
 
-/** Answers the commands that the page posts behind the module, one after another. */
+const ignore = (): void => undefined;
+
+/** Answers the requests that the page posts behind the module, one after another. */
 export function serve(scope: Scope, factory: Factory<CommandModule>): void {
   let module: WebAssembly.Module | null = null;
   const reply = (message: WorkerReply): void => scope.postMessage(message);
-  const run = async ({ id, args, files }: CommandRequest): Promise<void> => {
+  let maps: Promise<CommandModule> | null = null; // an instance for all maps
+  const run = async (request: Request): Promise<void> => {
+    const { id } = request;
     try {
       if (!module) throw new Error("a worker needs its module first");
-      const result = await command(factory, module, args, files, (progress) => reply({ id, progress }));
-      reply({ id, result });
+      const report = (progress: number): void => reply({ id, progress });
+      if ("args" in request) {
+        reply({ id, result: await command(factory, module, request.args, request.files, report) });
+      } else {
+        maps ??= instantiateCommand(factory, module, ignore, ignore);
+        reply({ id, result: reach(await maps, request.reach, report) });
+      }
     } catch (error) {
       reply({ id, error: error instanceof Error ? error.message : String(error) });
     }
   };
   let last = Promise.resolve();
-  scope.onmessage = ({ data }: MessageEvent<WorkerStart | CommandRequest>) => {
+  scope.onmessage = ({ data }: MessageEvent<WorkerStart | Request>) => {
     if ("module" in data) module = data.module;
     else last = last.then(() => run(data));
   };

@@ -22,6 +22,7 @@ import { describe, type ArmDescription } from "../core/description.js";
 import { Hold } from "./hold.js";
 import { LessonsSection } from "./lessons.js";
 import { MotionSection } from "./motion.js";
+import { ReachSection } from "./reach.js";
 import { svgButton } from "./save_svg.js";
 import type { SectionPanel, Services, Shown } from "./section.js";
 import { toolbar } from "./toolbar.js";
@@ -65,6 +66,7 @@ export class Page {
       store,
       command: (args, files = {}, progress = undefined) =>
         worker.command(args, { ...files, [armFile]: this.shown?.arm.json ?? "" }, progress),
+      reach: (task, progress) => worker.reach(task, progress),
       cancel: () => worker.cancel(),
     };
     this.saveSvg = svgButton(this.services, (reason) => chooser.refuse(reason));
@@ -74,6 +76,7 @@ export class Page {
       ["hold", { title: "Hold", panel: new Hold(this.services, joints) }],
       ["control", { title: "Control", panel: new Control(this.services) }],
       ["motion", { title: "Motion", panel: this.motion }],
+      ["reach", { title: "Reach", panel: new ReachSection(this.services) }],
       ["lessons", { title: "Lessons", panel: new LessonsSection(this.services, joints, (text) => core.arm(text)) }],
     ]);
     const side = document.getElementById("side") as HTMLElement;

@@ -1,4 +1,5 @@
 import type { Arm } from "../core/arm.js";
+import type { ReachAnswers, ReachTask } from "../core/reach.js";
 import type { CommandResult, Files } from "../core/types.js";
 import type { PageState } from "../state/page_state.js";
 import type { Store } from "../state/store.js";
@@ -17,6 +18,8 @@ export interface Services {
   store: Store<PageState>;
   /** Runs a command of the command line in the worker, where the arm is the file arm.json; cancel() ends it. */
   command(args: string[], files?: Files, progress?: (fraction: number) => void): Promise<CommandResult>;
+  /** Answers a question about a map of what an arm can do, in the same worker. */
+  reach<T extends ReachTask>(task: T, progress?: (fraction: number) => void): Promise<ReachAnswers[T["ask"]]>;
   cancel(): void;
 }
 

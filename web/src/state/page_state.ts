@@ -1,5 +1,7 @@
+import type { Measure } from "../core/reach.js";
+
 /** The parts of the page, each with a panel of its own. */
-export const sections = ["hold", "control", "motion", "lessons"] as const;
+export const sections = ["hold", "control", "motion", "reach", "lessons"] as const;
 export type Section = (typeof sections)[number];
 
 /** Where the arm comes from: an argument ARM of the command line (a built-in name or a joint string), or the JSON that
@@ -27,6 +29,18 @@ export interface PageState {
   kd: number;
   /** Poses of a line: x y z qw qx qy qz. */
   waypoints: number[][];
+  /** What the next map covers: cells along the diameter of the reach, and the angle between tool directions, degrees; 0:
+   * the tool's orientation as it is. */
+  reachCells: number;
+  reachDirections: number;
+  measure: Measure;
+  /** The level of the surface, as a fraction of the largest value of the measure. */
+  level: number;
+  /** The plane of the slice: its normal, 0 x, 1 y, 2 z, and its coordinate, m; null: through the middle. */
+  sliceNormal: number;
+  sliceAt: number | null;
+  showSurface: boolean;
+  showSlice: boolean;
   lesson: string;
 }
 
@@ -44,5 +58,17 @@ export const initialState: PageState = {
   ki: 0,
   kd: 0,
   waypoints: [],
+  reachCells: 16,
+  reachDirections: 45,
+  measure: "directions",
+  level: 0.5,
+  sliceNormal: 2,
+  sliceAt: null,
+  showSurface: true,
+  showSlice: true,
   lesson: "",
 };
+
+/** What can be chosen for reachCells and reachDirections. */
+export const cellChoices = [8, 12, 16, 20, 30, 40];
+export const directionChoices = [90, 60, 45, 30, 0];

@@ -1,0 +1,38 @@
+#pragma once
+
+/// The C interface of maps of what an arm can do, in the module of the command, with that of
+/// memory.h. Radians and metres.
+
+extern "C" {
+
+/// Returns the handle of a map, which is not computed yet, of an arm in the text of `beeline show
+/// --out`. `resolution`: the edge of the cells. `orientation`: the one of the tool, 9 numbers by
+/// columns; or null for tool directions, or headings of a planar arm, `directions` apart. `rolls`:
+/// the angle between rolls about the direction for an arm whose last joint does not rotate the tool
+/// about its z axis; with another arm any roll will do. An arm that has no map is refused.
+int beeline_reach(const char* arm, double resolution, double directions, double rolls,
+                  const double* orientation);
+/// Writes the cells, the lower end and the edge of the cells along x, y and z, and the numbers of
+/// directions (or headings) and of rolls at each position: 11 numbers.
+int beeline_reach_grid(int map, double* numbers);
+/// Writes the orientations at each position, the roll fastest, 9 numbers by columns each.
+int beeline_reach_orientations(int map, double* numbers);
+/// Computes the positions from `first` to `last`, exclusive, position (ix ny + iy) nz + iz; those
+/// before are computed. Returns how many of their cells are reached.
+int beeline_reach_compute(int map, int first, int last);
+/// Returns a measure of the positions that are computed, NaN where none is reached: 0 the fraction
+/// of directions, 1 branches, 2 manipulability, 3 margin. Or null. Valid until more are computed.
+const float* beeline_reach_values(int map, int measure);
+
+/// Computes the isosurface of values at the positions (reach_surface()) and returns the number of
+/// its triangles. Its arrays are valid until the next one.
+int beeline_reach_surface(int map, const float* values, double level);
+/// Returns the number of its vertices.
+int beeline_reach_vertex_count(int map);
+/// Returns the coordinates, 3 for each vertex, or null.
+const float* beeline_reach_vertices(int map);
+/// Returns the vertices of the triangles, 3 for each, or null.
+const int* beeline_reach_triangles(int map);
+
+int beeline_reach_release(int map);
+}
