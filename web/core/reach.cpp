@@ -11,8 +11,13 @@
 #include "fault.h"
 #include "handles.h"
 
+#include <emscripten.h>
+
 using namespace beeline;
 using web::guarded;
+
+// Runs in the worker while the core computes.
+EM_JS(void, report_progress, (double fraction), { Module["progress"](fraction); });
 
 namespace {
 
@@ -47,15 +52,16 @@ Map planned(const Arm& arm, ReachGridOptions options, double rolls) {
   }
 }
 
-void append(Map& map, const ReachPositions& best) {
+std::array<std::vector<float>, 4> measures_of(const ReachPositions& best) {
+  std::array<std::vector<float>, 4> measures{best.directions,
+                                             {best.branches.begin(), best.branches.end()},
+                                             best.manipulability,
+                                             best.margin};
   for (std::size_t p = 0; p < best.branches.size(); ++p) {
-    const bool reached = best.branches[p] > 0;
-    const auto branches = static_cast<float>(best.branches[p]);
-    const std::array values{best.directions[p], branches, best.manipulability[p], best.margin[p]};
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      map.measures[k].push_back(reached ? values[k] : std::numeric_limits<float>::quiet_NaN());
-    }
+    if (best.branches[p] > 0) continue;
+    for (auto& measure : measures) measure[p] = std::numeric_limits<float>::quiet_NaN();
   }
+  return measures;
 }
 
 /// The array that `find` returns, or null where it throws.
@@ -105,16 +111,14 @@ int beeline_reach_orientations(int map, double* numbers) {
   });
 }
 
-int beeline_reach_compute(int map, int first, int last) {
+int beeline_reach_compute(int map) {
   return guarded([&] {
     Map& known = maps().at(map);
-    if (static_cast<std::size_t>(first) != known.measures[0].size()) {
-      throw Error("the next position is " + std::to_string(known.measures[0].size()));
-    }
-    const ReachCells cells = reach_cells(known.arm, known.grid, first, last);
-    append(known, reach_positions(known.grid, cells));
-    return static_cast<int>(cells.branches.end() - cells.branches.begin() -
-                            std::count(cells.branches.begin(), cells.branches.end(), 0));
+    const ReachCells cells = reach_cells(known.arm, known.grid, 0, known.grid.positions(),
+                                         {.budget = {.progress = report_progress}});
+    known.measures = measures_of(reach_positions(known.grid, cells));
+    return static_cast<int>(std::count_if(cells.branches.begin(), cells.branches.end(),
+                                          [](std::uint8_t branches) { return branches > 0; }));
   });
 }
 
@@ -122,10 +126,10 @@ const float* beeline_reach_values(int map, int measure) {
   return array([&] { return maps().at(map).measures.at(measure).data(); });
 }
 
-int beeline_reach_surface(int map, const float* values, double level) {
+int beeline_reach_surface(int map, const float* values, int count, double level) {
   return guarded([&] {
     Map& known = maps().at(map);
-    known.surface = reach_surface(known.grid, {values, values + known.grid.positions()}, level);
+    known.surface = reach_surface(known.grid, {values, values + count}, level);
     return static_cast<int>(known.surface.triangles.cols());
   });
 }

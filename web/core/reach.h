@@ -17,16 +17,16 @@ int beeline_reach(const char* arm, double resolution, double directions, double 
 int beeline_reach_grid(int map, double* numbers);
 /// Writes the orientations at each position, the roll fastest, 9 numbers by columns each.
 int beeline_reach_orientations(int map, double* numbers);
-/// Computes the positions from `first` to `last`, exclusive, position (ix ny + iy) nz + iz; those
-/// before are computed. Returns how many of their cells are reached.
-int beeline_reach_compute(int map, int first, int last);
-/// Returns a measure of the positions that are computed, NaN where none is reached: 0 the fraction
-/// of directions, 1 branches, 2 manipulability, 3 margin. Or null. Valid until more are computed.
+/// Computes the map and returns how many of its cells are reached. Calls the module's function
+/// `progress` with the fraction computed, now and then.
+int beeline_reach_compute(int map);
+/// Returns a measure of the positions (ix ny + iy) nz + iz of a map that is computed, NaN where
+/// none is reached: 0 the fraction of directions, 1 branches, 2 manipulability, 3 margin. Or null.
 const float* beeline_reach_values(int map, int measure);
 
-/// Computes the isosurface of values at the positions (reach_surface()) and returns the number of
-/// its triangles. Its arrays are valid until the next one.
-int beeline_reach_surface(int map, const float* values, double level);
+/// Computes the isosurface of `count` values, one for each position (reach_surface()), and returns
+/// the number of its triangles. Its arrays are valid until the next one.
+int beeline_reach_surface(int map, const float* values, int count, double level);
 /// Returns the number of its vertices.
 int beeline_reach_vertex_count(int map);
 /// Returns the coordinates, 3 for each vertex, or null.

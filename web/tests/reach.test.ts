@@ -5,14 +5,14 @@ import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
 import type { Page } from "playwright-core";
 import { instantiateCommand } from "../src/core/load.js";
 import { centreOf, measures, positionCount, sliceOf, type Measure, type ReachMap } from "../src/core/reach.js";
-import { reach } from "../src/core/reach_module.js";
+import { ReachModule } from "../src/core/reach_module.js";
 import { toolAt } from "../src/page/tool_at.js";
 import { open, visit, type Complaints, type Visit } from "./browser.js";
 import { commandParts, loadCore, run } from "./native.js";
 
 const { factory, wasm } = await commandParts();
 const ignore = (): void => undefined;
-const module = await instantiateCommand(factory, await WebAssembly.compile(wasm), ignore, ignore);
+const maps = new ReachModule(await instantiateCommand(factory, await WebAssembly.compile(wasm), ignore, ignore));
 const core = await loadCore();
 const folder = mkdtempSync(join(tmpdir(), "beeline-reach-"));
 
@@ -45,7 +45,7 @@ function planOf(name: string, resolution: number) {
 }
 
 function mapOf(name: string, resolution: number): ReachMap {
-  return reach(module, { ask: "map", plan: planOf(name, resolution) }) as ReachMap;
+  return maps.answer({ ask: "map", plan: planOf(name, resolution) });
 }
 
 /** What `beeline reach slice` writes: rows x, y, z, value. */
@@ -87,10 +87,7 @@ test("a surface encloses the positions that are reached, less of them at a highe
   const map = mapOf("ur5", 0.3);
   const volume = (level: number): number => {
     const values = map.values.directions;
-    const { vertices, triangles } = reach(module, { ask: "surface", plan, values, level }) as {
-      vertices: Float32Array;
-      triangles: Uint32Array;
-    };
+    const { vertices, triangles } = maps.answer({ ask: "surface", plan, values, level });
     let six = 0;
     for (let t = 0; t < triangles.length; t += 3) {
       const [a, b, c] = [0, 1, 2].map((k) => vertices.subarray(3 * (triangles[t + k] ?? 0)));
@@ -159,7 +156,7 @@ const totals = /\d+ of \d+ positions are reached/;
 
 test("a map is computed, shown as a surface and a slice, and cleared with the arm", async () => {
   const page = await opened("#arm=ur5&section=reach&cells=8&directions=90&unit=rad");
-  await page.getByText(/positions of 0\.\d+ m × 6 directions/).waitFor();
+  await page.getByText(/positions of 0\.\d+\sm × 6 directions/).waitFor();
   const empty = await picture(page);
   await page.getByRole("button", { name: "Compute the map" }).click();
   await page.getByText(totals).waitFor();
@@ -193,7 +190,7 @@ test("a position that is typed or clicked shows its values, and the tool moves t
   const page = await opened("#arm=rrr&q=0.3,0.5,0.5&section=reach&cells=12&directions=90");
   await page.getByRole("button", { name: "Compute the map" }).click();
   await page.getByText(totals).waitFor();
-  const words = page.getByText(/headings reached \d+ %/);
+  const words = page.getByText(/headings reached \d+\s%/);
   for (const [name, value] of [
     ["x", "4"],
     ["y", "3"],

@@ -16,13 +16,15 @@ export interface Module {
 /** The command's module, web/core/command.h and reach.h. */
 export interface CommandModule extends Module {
   FS: FileSystem;
+  /** Called by _beeline_reach_compute() with the fraction computed. */
+  progress(fraction: number): void;
   _beeline_command(argc: number, argv: number): number;
   _beeline_reach(arm: number, resolution: number, directions: number, rolls: number, orientation: number): number;
   _beeline_reach_grid(map: number, numbers: number): number;
   _beeline_reach_orientations(map: number, numbers: number): number;
-  _beeline_reach_compute(map: number, first: number, last: number): number;
+  _beeline_reach_compute(map: number): number;
   _beeline_reach_values(map: number, measure: number): number;
-  _beeline_reach_surface(map: number, values: number, level: number): number;
+  _beeline_reach_surface(map: number, values: number, count: number, level: number): number;
   _beeline_reach_vertex_count(map: number): number;
   _beeline_reach_vertices(map: number): number;
   _beeline_reach_triangles(map: number): number;

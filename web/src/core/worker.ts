@@ -2,7 +2,7 @@ import { command } from "./command.js";
 import { instantiateCommand, type Factory } from "./load.js";
 import type { CommandModule } from "./module.js";
 import type { Request, WorkerReply, WorkerStart } from "./protocol.js";
-import { reach } from "./reach_module.js";
+import { ReachModule } from "./reach_module.js";
 
 /** What serve() uses of a worker's global scope. */
 export interface Scope {
@@ -16,7 +16,7 @@ const ignore = (): void => undefined;
 export function serve(scope: Scope, factory: Factory<CommandModule>): void {
   let module: WebAssembly.Module | null = null;
   const reply = (message: WorkerReply): void => scope.postMessage(message);
-  let maps: Promise<CommandModule> | null = null; // an instance for all maps
+  let maps: Promise<ReachModule> | null = null; // an instance for all maps
   const run = async (request: Request): Promise<void> => {
     const { id } = request;
     try {
@@ -25,8 +25,8 @@ export function serve(scope: Scope, factory: Factory<CommandModule>): void {
       if ("args" in request) {
         reply({ id, result: await command(factory, module, request.args, request.files, report) });
       } else {
-        maps ??= instantiateCommand(factory, module, ignore, ignore);
-        reply({ id, result: reach(await maps, request.reach, report) });
+        maps ??= instantiateCommand(factory, module, ignore, ignore).then((instance) => new ReachModule(instance));
+        reply({ id, result: (await maps).answer(request.reach, report) });
       }
     } catch (error) {
       reply({ id, error: error instanceof Error ? error.message : String(error) });

@@ -1,5 +1,5 @@
-import { positionCount, type ReachMap, type ReachPlan } from "../core/reach.js";
-import { element, shown as digits } from "../panels/element.js";
+import { cellCount, positionCount, type ReachMap, type ReachPlan } from "../core/reach.js";
+import { element } from "../panels/element.js";
 import { levelOf, ReachDisplay } from "../panels/reach_display.js";
 import { grouped, ReachForm } from "../panels/reach_form.js";
 import { ReachPosition } from "../panels/reach_position.js";
@@ -9,6 +9,12 @@ import type { SectionPanel, Services, Shown } from "./section.js";
 import { toolAt } from "./tool_at.js";
 
 const planned: ReadonlySet<keyof PageState> = new Set(["reachCells", "reachDirections"]);
+
+/** Values for a surface. All measures fall to 0 where nothing is reached, so that the surface is smooth; all that is
+ * reached is above level 0. */
+function solid(values: Float32Array, level: number): Float32Array {
+  return level > 0 ? values.map((value) => (Number.isNaN(value) ? 0 : value)) : values;
+}
 
 /** A map of what the arm can do at the centres of cells, computed in the worker: its isosurface and its slices. */
 export class ReachSection implements SectionPanel {
@@ -120,11 +126,12 @@ export class ReachSection implements SectionPanel {
     if (!this.shown) return;
     const asked = ++this.asked;
     const { reachCells, reachDirections } = this.services.store.get();
+    const redundant = this.shown.arm.dof > (this.shown.arm.planar ? 3 : 6);
     this.form.show(reachCells, reachDirections, this.orientations);
-    this.form.describe(null, this.orientations);
+    this.form.describe(null, this.orientations, redundant);
     try {
       const grid = await this.services.reach({ ask: "grid", plan: this.plan(this.shown) });
-      if (asked === this.asked) this.form.describe(grid, this.orientations);
+      if (asked === this.asked) this.form.describe(grid, this.orientations, redundant);
     } catch (error) {
       if (asked === this.asked) this.form.refuse((error as Error).message);
     }
@@ -144,6 +151,7 @@ export class ReachSection implements SectionPanel {
       if (turn !== this.turn) return;
       this.map = { values, plan };
       this.showTotals(values);
+      this.shown?.view.stage.retreat(1.1 * this.shown.view.size);
       this.draw();
     } catch (error) {
       // What was cancelled needs no words.
@@ -159,11 +167,10 @@ export class ReachSection implements SectionPanel {
   private showTotals(map: ReachMap): void {
     const planar = this.shown?.arm.planar === true;
     const reached = map.values.branches.reduce((count, value) => count + Number(value > 0), 0);
-    const size = reached * map.axes[0].step ** (planar ? 2 : 3);
-    const cells = positionCount(map) * map.directions * map.rolls;
+    const size = (reached * map.axes[0].step ** (planar ? 2 : 3)).toPrecision(4);
     this.totals.textContent =
       `${grouped(reached)} of ${grouped(positionCount(map))} positions are reached: ` +
-      `${digits(size, 3)} ${planar ? "m²" : "m³"}. ${grouped(map.cellsReached)} of ${grouped(cells)} cells.`;
+      `${Number(size)}\u00a0${planar ? "m²" : "m³"}. ${grouped(map.cellsReached)} of ${grouped(cellCount(map))} cells.`;
     this.results.hidden = false;
   }
 
@@ -188,7 +195,7 @@ export class ReachSection implements SectionPanel {
     const { measure } = state;
     // Between two numbers of branches.
     const level = levelOf(values, measure, state.level) - (measure === "branches" ? 0.5 : 0);
-    const asked = this.services.reach({ ask: "surface", plan, values: values.values[measure], level });
+    const asked = this.services.reach({ ask: "surface", plan, values: solid(values.values[measure], level), level });
     this.drawn = asked.catch(() => undefined);
     try {
       const surface = await asked;

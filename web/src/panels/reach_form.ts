@@ -2,23 +2,24 @@ import { cellCount, positionCount, type ReachGrid } from "../core/reach.js";
 import { cellChoices, directionChoices } from "../state/page_state.js";
 import { element, shown } from "./element.js";
 
-/** Cells that take minutes. */
+/** Poses whose inverse kinematics takes minutes, and how many there are in a cell for a redundant arm. */
 const many = 400_000;
+const redundantValues = 16;
 
-/** 12 345 with thin spaces. */
+/** 12 345 with narrow spaces. */
 export function grouped(count: number): string {
-  return String(Math.round(count)).replace(/\B(?=(\d{3})+$)/g, "\u2009");
+  return String(Math.round(count)).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 }
 
-/** "4096 positions × 26 directions". */
-function cellsText(grid: ReachGrid, orientations: string): string {
+function cellsText(grid: ReachGrid, orientations: string, redundant: boolean): string {
   const [x, y, z] = grid.axes.map(({ cells }) => cells);
+  const edge = Number(grid.axes[0].step.toPrecision(3));
   const rolls = grid.rolls > 1 ? ` × ${grid.rolls} rolls` : "";
   const at = grid.directions > 1 ? ` × ${grid.directions} ${orientations}${rolls}` : "";
   return (
-    `${x} × ${y} × ${z} = ${grouped(positionCount(grid))} positions of ${shown(grid.axes[0].step, 3)} m${at}: ` +
+    `${x} × ${y} × ${z} = ${grouped(positionCount(grid))} positions of ${edge}\u00a0m${at}: ` +
     `${grouped(cellCount(grid))} cells to solve.` +
-    (cellCount(grid) > many ? " This may take minutes." : "")
+    (cellCount(grid) * (redundant ? redundantValues : 1) > many ? " This may take minutes." : "")
   );
 }
 
@@ -77,8 +78,8 @@ export class ReachForm {
   }
 
   /** What would be computed, or null while that is not known. */
-  describe(grid: ReachGrid | null, orientations: string): void {
-    this.line.textContent = grid ? cellsText(grid, orientations) : "";
+  describe(grid: ReachGrid | null, orientations: string, redundant: boolean): void {
+    this.line.textContent = grid ? cellsText(grid, orientations, redundant) : "";
     this.refusal.textContent = "";
     this.start.disabled = grid === null;
   }

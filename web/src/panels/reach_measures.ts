@@ -24,7 +24,7 @@ export function shapeOf(measure: Measure, orientations: string): Shape {
     case "margin":
       return {
         title: "margin to the limits",
-        caption: "at most: 100 % in the middle of all joint ranges, 0 % at a limit",
+        caption: "at most: 100\u00a0% in the middle of all joint ranges, 0\u00a0% at a limit",
         factor: 100,
         unit: "%",
         digits: 0,
@@ -34,5 +34,5 @@ export function shapeOf(measure: Measure, orientations: string): Shape {
 
 /** A value of a measure with its unit. */
 export function measureText(value: number, { factor, unit, digits }: Shape): string {
-  return `${shown(factor * value, digits)}${unit === "" ? "" : ` ${unit}`}`;
+  return `${shown(factor * value, digits)}${unit === "" ? "" : `\u00a0${unit}`}`;
 }

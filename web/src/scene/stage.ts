@@ -115,6 +115,19 @@ export class Stage {
     this.changed();
   }
 
+  /** Moves the camera away until a sphere around the middle of the picture is seen, metres; never nearer. */
+  retreat(radius: number): void {
+    const { camera, controls } = this;
+    const offset = camera.position.clone().sub(controls.target);
+    if (camera instanceof PerspectiveCamera) {
+      const narrow = Math.min(1, camera.aspect) * Math.tan((camera.fov * Math.PI) / 360);
+      const distance = radius * Math.sqrt(1 + 1 / narrow ** 2);
+      camera.position.copy(controls.target).add(offset.setLength(Math.max(offset.length(), distance)));
+    }
+    controls.update();
+    this.changed();
+  }
+
   /** The picture as a PNG; null without WebGL. */
   picture(): Promise<Blob | null> {
     const { renderer } = this;
