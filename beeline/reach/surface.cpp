@@ -46,30 +46,44 @@ std::array<int, edges> next_edges(unsigned above) {
 }
 
 /// The centres of the cells with a layer of nodes around them that are outside the grid; node
-/// (0, 0, 0) is the first of that layer.
+/// (0, 0, 0) is the first of that layer. Around a cylinder the layer is the cells themselves.
 class Lattice {
  public:
   Lattice(const ReachGrid& grid, const std::vector<float>& values, double level)
-      : values_(values), level_(level) {
+      : grid_(grid), values_(values), level_(level) {
     for (int k = 0; k < 3; ++k) cells_[k] = grid.axes()[k].cells;
-    vertices_.resize(static_cast<std::size_t>(3 * count()), -1);
+    vertices_.resize(
+        static_cast<std::size_t>(3 * (cells_[0] + 2) * (cells_[1] + 2) * (cells_[2] + 2)), -1);
   }
 
-  ReachSurface surface(const ReachGrid& grid) {
+  ReachSurface surface() {
     Node cube;
     for (cube[0] = 0; cube[0] <= cells_[0]; ++cube[0]) {
       for (cube[1] = 0; cube[1] <= cells_[1]; ++cube[1]) {
-        for (cube[2] = 0; cube[2] <= cells_[2]; ++cube[2]) add_cube(cube);
+        for (cube[2] = grid_.cylindrical() ? 1 : 0; cube[2] <= cells_[2]; ++cube[2]) add_cube(cube);
       }
     }
-    return {in_world(grid), Eigen::Map<const Eigen::Matrix3Xi>(
-                                triangles_.data(), 3, static_cast<int>(triangles_.size() / 3))};
+    const auto count = static_cast<Eigen::Index>(triangles_.size());
+    ReachSurface surface;
+    surface.triangles = Eigen::Map<const Eigen::Matrix3Xi>(triangles_.data(), 3, count / 3);
+    // Radius, height and azimuth are left-handed.
+    if (grid_.cylindrical()) surface.triangles.row(1).swap(surface.triangles.row(2));
+    surface.vertices.resize(3, static_cast<Eigen::Index>(points_.size()));
+    for (Eigen::Index i = 0; i < surface.vertices.cols(); ++i) {
+      surface.vertices.col(i) = points_[static_cast<std::size_t>(i)].cast<float>();
+    }
+    return surface;
   }
 
  private:
-  Eigen::Index count() const { return (cells_[0] + 2) * (cells_[1] + 2) * (cells_[2] + 2); }
+  /// The same node, of a cylinder with an azimuth from 1 to the number of cells.
+  Node unique(Node node) const {
+    if (grid_.cylindrical() && node[2] > cells_[2]) node[2] = 1;
+    return node;
+  }
 
-  double value(const Node& node) const {
+  double value(Node node) const {
+    node = unique(node);
     for (int k = 0; k < 3; ++k) {
       if (node[k] < 1 || node[k] > cells_[k]) return std::numeric_limits<double>::quiet_NaN();
     }
@@ -103,7 +117,7 @@ class Lattice {
   /// The vertex on an edge of a cube, which four cubes share.
   int vertex_on(const Node& cube, std::size_t edge) {
     const auto axis = edge / 8;
-    const Node low = corner_of(cube, edge % 8);
+    const Node low = unique(corner_of(cube, edge % 8));
     const Eigen::Index number =
         3 * ((low[0] * (cells_[1] + 2) + low[1]) * (cells_[2] + 2) + low[2]) +
         static_cast<Eigen::Index>(axis);
@@ -113,13 +127,22 @@ class Lattice {
     ++high[axis];
     const double from = value(low), to = value(high);
     const double fraction = (level_ - from) / (to - from);
-    Eigen::Vector3d point =
-        Eigen::Map<const Eigen::Vector<Eigen::Index, 3>>(low.data()).cast<double>();
-    point[static_cast<int>(axis)] += std::isfinite(fraction) ? fraction : 0.5;
-    return vertex = add_vertex(point);
+    Vector3 place = Eigen::Map<const Eigen::Vector<Eigen::Index, 3>>(low.data()).cast<double>();
+    place[static_cast<int>(axis)] += std::isfinite(fraction) ? fraction : 0.5;
+    return vertex = add_vertex(point_of(place));
   }
 
-  int add_vertex(const Eigen::Vector3d& point) {
+  /// The point in the world of an index, not rounded, of nodes.
+  Vector3 point_of(const Vector3& place) const {
+    Vector3 coordinates;
+    for (int k = 0; k < 3; ++k) {
+      const ReachAxis& axis = grid_.axes()[k];
+      coordinates[k] = axis.lower + (place[k] - 0.5) * axis.step;
+    }
+    return grid_.point(coordinates);
+  }
+
+  int add_vertex(const Vector3& point) {
     points_.push_back(point);
     return static_cast<int>(points_.size()) - 1;
   }
@@ -131,7 +154,7 @@ class Lattice {
       triangles_.insert(triangles_.end(), polygon.begin(), polygon.end());
       return;
     }
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Vector3 sum = Vector3::Zero();
     for (const int vertex : polygon) sum += points_[static_cast<std::size_t>(vertex)];
     const int middle = add_vertex(sum / static_cast<double>(polygon.size()));
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -139,24 +162,12 @@ class Lattice {
     }
   }
 
-  /// The points in the world, whose indices count cells from the layer outside on.
-  Eigen::Matrix3Xf in_world(const ReachGrid& grid) const {
-    Eigen::Matrix3Xf vertices(3, static_cast<Eigen::Index>(points_.size()));
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      for (int k = 0; k < 3; ++k) {
-        const ReachAxis& axis = grid.axes()[k];
-        vertices(k, static_cast<Eigen::Index>(i)) =
-            static_cast<float>(axis.lower + (points_[i][k] - 0.5) * axis.step);
-      }
-    }
-    return vertices;
-  }
-
+  const ReachGrid& grid_;
   const std::vector<float>& values_;
   double level_;
   Node cells_{};
-  std::vector<int> vertices_;            // by the lower node of their edge and its axis; -1: none
-  std::vector<Eigen::Vector3d> points_;  // the vertices, as indices of nodes
+  std::vector<int> vertices_;    // by the lower node of their edge and its axis; -1: none
+  std::vector<Vector3> points_;  // the vertices
   std::vector<int> triangles_;
 };
 
@@ -168,7 +179,11 @@ ReachSurface reach_surface(const ReachGrid& grid, const std::vector<float>& valu
                 " positions; there are " + std::to_string(values.size()));
   }
   if (std::isnan(level)) throw Error("the level of the surface is NaN");
-  return Lattice(grid, values, level).surface(grid);
+  constexpr Eigen::Index fewest = 3;  // otherwise cells are neighbours on both sides
+  if (grid.cylindrical() && grid.azimuths() < fewest) {
+    throw Error("a surface takes 3 azimuths or more; there are " + std::to_string(grid.azimuths()));
+  }
+  return Lattice(grid, values, level).surface();
 }
 
 }  // namespace beeline

@@ -1,4 +1,3 @@
-#include <Eigen/Geometry>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -92,13 +91,28 @@ TEST(ReachSurface, EnclosesTheVolumeOfABall) {
   EXPECT_NEAR(volume(reach_surface(grid, inside, 0.5)), truth, 0.05 * truth);
 }
 
+TEST(ReachSurface, GoesAroundACylinder) {
+  const ReachGrid grid(built_in("ur5"), {.resolution = 0.05, .azimuths = 10 * deg});
+  const auto around = [](double x) {
+    return [x](const Vector3& at) { return 0.3 - (at - Vector3(x, 0, 0.1)).norm(); };
+  };
+  const double truth = 4 * pi / 3 * 0.027;
+  for (const double x : {0.0, 0.4, -0.4}) {  // around the axis, across the seam of the azimuth
+    const ReachSurface surface = reach_surface(grid, values_at(grid, around(x)), 0);
+    expect_closed(surface);
+    EXPECT_NEAR(volume(surface), truth, 0.04 * truth) << x;
+  }
+  const ReachGrid two(built_in("ur5"), {.azimuths = 180 * deg});
+  EXPECT_REFUSED(reach_surface(two, values_at(two, ball), 0), "3 azimuths or more; there are 2");
+}
+
 TEST(ReachSurface, EndsAtTheFacesOfTheGrid) {
   const ReachGrid grid = box(Vector3(-0.5, 0, 1), Vector3(0.5, 0.3, 1.1));
   const ReachSurface surface =
       reach_surface(grid, std::vector<float>(static_cast<std::size_t>(grid.positions()), 1), 0);
   expect_closed(surface);
-  EXPECT_TRUE(surface.vertices.rowwise().minCoeff().isApprox(Eigen::Vector3f(-0.5, 0, 1)));
-  EXPECT_TRUE(surface.vertices.rowwise().maxCoeff().isApprox(Eigen::Vector3f(0.5, 0.3, 1.1)));
+  EXPECT_TRUE(surface.vertices.rowwise().minCoeff().isApprox(Eigen::Vector3f(-0.5F, 0, 1)));
+  EXPECT_TRUE(surface.vertices.rowwise().maxCoeff().isApprox(Eigen::Vector3f(0.5F, 0.3F, 1.1F)));
 }
 
 TEST(ReachSurface, MovesWithTheGrid) {
