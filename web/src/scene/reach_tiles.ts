@@ -30,7 +30,7 @@ export class ReachTiles extends Group {
     super();
     const material = new MeshBasicMaterial({
       transparent: true,
-      opacity: 0.85,
+      opacity: 0.75,
       depthWrite: false,
       side: DoubleSide,
       polygonOffset: true, // in front of the grid on the ground
