@@ -6,6 +6,8 @@ import type { Page } from "playwright-core";
 import { instantiateCommand } from "../src/core/load.js";
 import { centreOf, measures, positionCount, sliceOf, type Measure, type ReachMap } from "../src/core/reach.js";
 import { ReachModule } from "../src/core/reach_module.js";
+import { addressOf, partOf, stateOf } from "../src/address/address.js";
+import { initialState } from "../src/state/page_state.js";
 import { toolAt } from "../src/page/tool_at.js";
 import { open, visit, type Complaints, type Visit } from "./browser.js";
 import { commandParts, loadCore, run } from "./native.js";
@@ -130,6 +132,25 @@ test("the tool moves to each position that is reached", () => {
     expect(count).toBeGreaterThan(10);
     arm.release();
   }
+});
+
+test("the choices of the section are read back from an address", async () => {
+  const chosen = {
+    section: "reach",
+    reachCells: 20,
+    reachDirections: 0,
+    measure: "margin",
+    level: 0.25,
+    sliceNormal: 1,
+    sliceAt: -0.3,
+    showSurface: false,
+    showSlice: false,
+  } as const;
+  const hash = await addressOf({ ...initialState, ...chosen });
+  expect(hash).toContain("cells=20&directions=0&measure=margin&level=0.25&slice=y=-0.3&surface=0&tiles=0");
+  expect(await stateOf(hash)).toEqual({ ...initialState, ...chosen });
+  expect(Object.keys(await partOf("#slice=x")).sort()).toEqual(["sliceAt", "sliceNormal"]);
+  expect(await stateOf("#cells=9&directions=7&measure=luck&level=2&slice=w=1")).toEqual(initialState);
 });
 
 /** The share of the pixels of the picture that are not as they were. */

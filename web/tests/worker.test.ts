@@ -2,6 +2,7 @@ import { expect, test } from "vitest";
 import { CoreWorker } from "../src/core/client.js";
 import { missingFeature } from "../src/core/load.js";
 import type { Request, WorkerStart } from "../src/core/protocol.js";
+import { positionCount } from "../src/core/reach.js";
 import { serve, type Scope } from "../src/core/worker.js";
 import { commandParts, run } from "./native.js";
 
@@ -56,6 +57,24 @@ test("cancel() rejects what is under way, and the next command works", async () 
   const cancelled = worker.command(line, poses);
   worker.cancel();
   await expect(cancelled).rejects.toThrow("cancelled");
+  expect((await worker.command(["arms"])).code).toBe(0);
+});
+
+test("a map is computed with progress, and what it refuses has a reason", async () => {
+  const worker = new CoreWorker(start, compile);
+  const { files } = run(["show", "rrr", "--out=rrr.json"]);
+  const plan = { arm: files["rrr.json"] ?? "", resolution: 1, directions: 1, rolls: 1, orientation: null };
+  const seen: number[] = [];
+  const map = await worker.reach({ ask: "map", plan }, (fraction) => seen.push(fraction));
+  expect(map.values.branches.length).toBe(positionCount(map));
+  expect(map.cellsReached).toBeGreaterThan(0);
+  expect(seen.at(-1)).toBe(1);
+  await expect(worker.reach({ ask: "grid", plan: { ...plan, directions: 9 } })).rejects.toThrow(
+    "angle between headings",
+  );
+  const { values } = map;
+  const flat = worker.reach({ ask: "surface", plan, values: values.branches.subarray(1), level: 1 });
+  await expect(flat).rejects.toThrow("a surface takes a value for each of the");
   expect((await worker.command(["arms"])).code).toBe(0);
 });
 
