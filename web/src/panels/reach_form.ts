@@ -3,7 +3,7 @@ import { cellChoices, directionChoices } from "../state/page_state.js";
 import { element, shown } from "./element.js";
 
 /** Poses whose inverse kinematics takes minutes, and how many there are in a cell for a redundant arm. */
-const many = 400_000;
+const many = 1_500_000;
 const redundantValues = 16;
 
 /** 12 345 with narrow spaces. */
