@@ -77,6 +77,17 @@ export function centreOf({ lower, step }: ReachAxis, index: number): number {
   return lower + (index + 0.5) * step;
 }
 
+/** The position of a map around a point; null for one outside. */
+export function positionOf(grid: ReachGrid, point: number[]): number | null {
+  const indices = grid.axes.map((axis, k) => cellOf(axis, point[k] ?? NaN));
+  return indices.every((index) => index !== null) ? positionAt(grid, indices as number[]) : null;
+}
+
+/** The centre of the cell around a point of the map, m. */
+export function centreAround(grid: ReachGrid, point: number[]): number[] {
+  return grid.axes.map((axis, k) => centreOf(axis, cellOf(axis, point[k] ?? NaN) ?? 0));
+}
+
 /** The largest value of a measure in a map; 1 for the fraction of directions. */
 export function largest(map: ReachMap, measure: Measure): number {
   if (measure === "directions") return 1;

@@ -1,10 +1,10 @@
-import { cellCount, positionCount, type ReachMap, type ReachPlan } from "../core/reach.js";
+import { cellCount, centreAround, positionCount, positionOf, type ReachMap, type ReachPlan } from "../core/reach.js";
 import { element } from "../panels/element.js";
 import { levelOf, ReachDisplay } from "../panels/reach_display.js";
 import { grouped, ReachForm } from "../panels/reach_form.js";
 import { ReachPosition } from "../panels/reach_position.js";
 import type { PageState } from "../state/page_state.js";
-import { centreAround, positionOf, ReachPicture } from "./reach_picture.js";
+import { ReachPicture } from "./reach_picture.js";
 import type { SectionPanel, Services, Shown } from "./section.js";
 import { toolAt } from "./tool_at.js";
 

@@ -1,13 +1,5 @@
 import type { Vector3 } from "three";
-import {
-  largest,
-  positionAt,
-  cellOf,
-  centreOf,
-  type ReachGrid,
-  type ReachMap,
-  type ReachSurface,
-} from "../core/reach.js";
+import { largest, type ReachMap, type ReachSurface } from "../core/reach.js";
 import { levelOf, sliceIndex } from "../panels/reach_display.js";
 import { shade } from "../scene/colour_scale.js";
 import { ReachMesh } from "../scene/reach_mesh.js";
@@ -17,17 +9,6 @@ import type { ArmView } from "./arm_view.js";
 
 const frameColour = 0xd95f02;
 const stillness = 4; // pixels between press and release of a click
-
-/** The position of a map around a point; null for one outside. */
-export function positionOf(grid: ReachGrid, point: number[]): number | null {
-  const indices = grid.axes.map((axis, k) => cellOf(axis, point[k] ?? NaN));
-  return indices.every((index) => index !== null) ? positionAt(grid, indices as number[]) : null;
-}
-
-/** The centre of the cell around a point of the map, m. */
-export function centreAround(grid: ReachGrid, point: number[]): number[] {
-  return grid.axes.map((axis, k) => centreOf(axis, cellOf(axis, point[k] ?? NaN) ?? 0));
-}
 
 /** A map in the picture of an arm: its surface, the tiles of a slice, and the cell that is chosen. */
 export class ReachPicture {

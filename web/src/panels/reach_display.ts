@@ -4,10 +4,11 @@ import type { PageState } from "../state/page_state.js";
 import { element, shown } from "./element.js";
 import { measureText, shapeOf } from "./reach_measures.js";
 
-type Shown = Pick<PageState, "measure" | "level" | "sliceNormal" | "sliceAt" | "showSurface" | "showSlice">;
+/** What of the state this panel has. */
+type Choices = Pick<PageState, "measure" | "level" | "sliceNormal" | "sliceAt" | "showSurface" | "showSlice">;
 
 /** The index of the plane of a slice: the middle one where none is chosen, the nearest one for a coordinate outside. */
-export function sliceIndex(map: ReachMap, { sliceNormal, sliceAt }: Shown): number {
+export function sliceIndex(map: ReachMap, { sliceNormal, sliceAt }: Choices): number {
   const axis = map.axes[sliceNormal] ?? map.axes[2];
   if (sliceAt === null) return Math.floor(axis.cells / 2);
   return cellOf(axis, sliceAt) ?? (sliceAt < axis.lower ? 0 : axis.cells - 1);
@@ -34,7 +35,7 @@ export class ReachDisplay {
   private readonly at = element("input", { type: "number", step: "any", "aria-label": "Position of the slice" });
   private readonly surfaceRow: HTMLElement;
 
-  constructor(changed: (change: Partial<Shown>) => void) {
+  constructor(changed: (change: Partial<Choices>) => void) {
     this.measure.addEventListener("change", () => changed({ measure: this.measure.value as Measure }));
     this.surface.addEventListener("change", () => changed({ showSurface: this.surface.checked }));
     this.level.addEventListener("input", () => changed({ level: Number(this.level.value) }));
@@ -72,7 +73,7 @@ export class ReachDisplay {
   }
 
   /** `planar`: in the arm's plane there is one slice and no surface. */
-  show(map: ReachMap, state: Shown, orientations: string, planar: boolean): void {
+  show(map: ReachMap, state: Choices, orientations: string, planar: boolean): void {
     const options = measures.map((name) => element("option", { value: name }, shapeOf(name, orientations).title));
     this.measure.replaceChildren(...options);
     this.measure.value = state.measure;
@@ -93,7 +94,7 @@ export class ReachDisplay {
     this.showSlice(map, state, planar);
   }
 
-  private showSlice(map: ReachMap, state: Shown, planar: boolean): void {
+  private showSlice(map: ReachMap, state: Choices, planar: boolean): void {
     const normal = planar ? 2 : state.sliceNormal;
     const axis = map.axes[normal] ?? map.axes[2];
     const at = centreOf(axis, sliceIndex(map, { ...state, sliceNormal: normal }));
