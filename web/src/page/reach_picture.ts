@@ -8,6 +8,7 @@ import type { PageState } from "../state/page_state.js";
 import type { ArmView } from "./arm_view.js";
 
 const frameColour = 0xd95f02;
+const darkest = 0.3; // of the scale, for a surface that is seen on a dark ground
 const stillness = 4; // pixels between press and release of a click
 
 /** A map in the picture of an arm: its surface, the tiles of a slice, and the cell that is chosen. */
@@ -42,7 +43,8 @@ export class ReachPicture {
   }
 
   showSurface(surface: ReachSurface, map: ReachMap, { measure, level }: PageState): void {
-    this.mesh.show(surface, shade(levelOf(map, measure, level) / largest(map, measure)));
+    const fraction = levelOf(map, measure, level) / largest(map, measure);
+    this.mesh.show(surface, shade(Math.max(darkest, fraction)));
     this.surfaceVisible = true;
   }
 
