@@ -37,25 +37,32 @@ bool ReachMap::complete() const {
   return std::all_of(slabs().begin(), slabs().end(), [](bool there) { return there; });
 }
 
+std::vector<Eigen::Index> ReachMap::reached_in(Eigen::Index slab) const {
+  if (data_->reached) return data_->reached(slab);
+  std::vector<Eigen::Index> reached;
+  const Eigen::Index at_position = grid().directions() * grid().rolls();
+  const Eigen::Index block = internal::positions_at_once(grid()), last = data_->slabs.last(slab);
+  for (Eigen::Index first = data_->slabs.first(slab); first < last; first += block) {
+    const ReachCells some = data_->read(first, std::min(last, first + block));
+    for (auto at = some.branches.begin(); at != some.branches.end(); at += at_position) {
+      reached.push_back(at_position - std::count(at, at + at_position, 0));
+    }
+  }
+  return reached;
+}
+
 ReachMap::Totals ReachMap::totals() const {
   Totals totals;
-  const Eigen::Index at_position = grid().directions() * grid().rolls();
-  const Eigen::Index block = internal::positions_at_once(grid());
   for (Eigen::Index s = 0; s < data_->slabs.count(); ++s) {
     if (!slabs()[static_cast<std::size_t>(s)]) continue;
-    const Eigen::Index last = data_->slabs.last(s);
-    for (Eigen::Index first = data_->slabs.first(s); first < last; first += block) {
-      const ReachCells some = data_->read(first, std::min(last, first + block));
-      Eigen::Index p = first;
-      for (auto at = some.branches.begin(); at != some.branches.end(); at += at_position, ++p) {
-        const auto reached = at_position - std::count(at, at + at_position, 0);
-        totals.cells += at_position;
-        totals.reached += reached;
-        ++totals.positions;
-        if (reached == 0) continue;
-        ++totals.reached_positions;
-        totals.volume += grid().volume(p);
-      }
+    Eigen::Index p = data_->slabs.first(s);
+    for (const Eigen::Index reached : reached_in(s)) {
+      totals.cells += grid().directions() * grid().rolls();
+      totals.reached += reached;
+      ++totals.positions;
+      totals.reached_positions += reached > 0;
+      if (reached > 0) totals.volume += grid().volume(p);
+      ++p;
     }
   }
   return totals;

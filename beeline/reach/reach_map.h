@@ -56,6 +56,8 @@ class ReachMap {
   ReachCells cells(Eigen::Index first, Eigen::Index last) const;
 
  private:
+  std::vector<Eigen::Index> reached_in(Eigen::Index slab) const;  // cells of each position
+
   struct Data;
   std::unique_ptr<Data> data_;
 };

@@ -43,6 +43,12 @@ class SlabReader {
     return cells;
   }
 
+  std::vector<Eigen::Index> reached(Eigen::Index slab) {
+    const std::lock_guard lock(reading_);
+    if (slab != slab_) load(slab);
+    return expansion_->reached(branches_, format_.slabs().first(slab) / header_.grid.azimuths());
+  }
+
  private:
   void load(Eigen::Index slab) {
     slab_ = -1;  // if reading fails
@@ -78,6 +84,9 @@ ReachMap::ReachMap(const std::string& path) {
                                       .read = [reader](Eigen::Index first, Eigen::Index last) {
                                         return reader->read(first, last);
                                       }});
+  if (header.grid.cylindrical()) {
+    data_->reached = [reader](Eigen::Index slab) { return reader->reached(slab); };
+  }
 }
 
 }  // namespace beeline

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -125,6 +126,48 @@ void CellExpansion::expand(const ReachBranches& branches, Eigen::Index solved, E
       cells.branches[target] = std::min(cells.branches[target], branches.counts[i]);
     });
   }
+}
+
+std::vector<Eigen::Index> CellExpansion::reached(const ReachBranches& branches,
+                                                 Eigen::Index solved) {
+  const Eigen::Index azimuths = grid_.azimuths(), rolls = std::ssize(rolls_);
+  const Eigen::Index orientations = free_.solved_orientations(grid_);
+  const Eigen::Index at_position = grid_.directions() * grid_.rolls();
+  constexpr Eigen::Index bits = 64;
+  const Eigen::Index words = (rolls + bits - 1) / bits;
+  const auto cells = static_cast<Eigen::Index>(branches.ends.size());
+  std::vector<Eigen::Index> counts(static_cast<std::size_t>(cells / orientations * azimuths), 0);
+  std::vector<std::uint64_t> masks, of_rolls;  // a bit for each roll: of each azimuth, of a branch
+  for (Eigen::Index i = 0; i < cells; ++i) {
+    const auto cell = static_cast<std::size_t>(i);
+    const Eigen::Index s = i / orientations;
+    masks.assign(static_cast<std::size_t>(azimuths * words), 0);
+    if (singular(branches, cell)) {
+      for (Eigen::Index a = 0; a < azimuths; ++a) {
+        for (Eigen::Index r = 0; r < rolls; ++r) {
+          const Eigen::Index p = (solved + s) * azimuths + a;
+          one_by_one_.solve(grid_.pose(p * at_position + i % orientations * rolls + r));
+          if (one_by_one_.take().counts[0] > 0) ++counts[s * azimuths + a];
+        }
+      }
+      continue;
+    }
+    for (std::size_t b = branches.begin(cell); b < branches.ends[cell]; ++b) {
+      turn(branches, b);
+      of_rolls.assign(static_cast<std::size_t>(words), 0);
+      for (Eigen::Index r = 0; r < rolls; ++r) {
+        if (roll_margins_[r] >= 0) of_rolls[r / bits] |= std::uint64_t{1} << (r % bits);
+      }
+      for (Eigen::Index a = 0; a < azimuths; ++a) {
+        if (azimuth_margins_[a] < 0) continue;
+        for (Eigen::Index w = 0; w < words; ++w) masks[a * words + w] |= of_rolls[w];
+      }
+    }
+    for (Eigen::Index k = 0; k < azimuths * words; ++k) {
+      counts[s * azimuths + k / words] += std::popcount(masks[k]);
+    }
+  }
+  return counts;
 }
 
 }  // namespace beeline::internal

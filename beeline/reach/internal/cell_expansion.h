@@ -19,6 +19,10 @@ class CellExpansion {
   void expand(const ReachBranches& branches, Eigen::Index solved, Eigen::Index first,
               Eigen::Index last, Eigen::Index origin, ReachCells& cells);
 
+  /// Returns the number of reached cells of each position, azimuths the fastest, without computing
+  /// the cells. The first cell of `branches` is that of position `solved`.
+  std::vector<Eigen::Index> reached(const ReachBranches& branches, Eigen::Index solved);
+
  private:
   /// Whether a cell has a branch at which the arm is singular and an angle of it matters.
   bool singular(const ReachBranches& branches, std::size_t cell) const;

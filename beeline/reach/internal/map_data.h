@@ -15,6 +15,8 @@ struct ReachMap::Data {
   internal::Slabs slabs;
   std::vector<bool> there;
   std::function<ReachCells(Eigen::Index first, Eigen::Index last)> read;
+  /// The number of reached cells of each position of a slab; empty: as `read` returns them.
+  std::function<std::vector<Eigen::Index>(Eigen::Index slab)> reached = {};
 };
 
 }  // namespace beeline
