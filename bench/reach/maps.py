@@ -107,7 +107,7 @@ def beside_eaik(beeline, folder, generator):
 def efficiency(beeline, mpi, folder):
     print("\n| | seconds | CPU seconds | speedup | efficiency |")
     print("|---|---|---|---|---|")
-    arm = ["ur5", "--resolution", "0.03"]
+    arm = ["ur5", "--resolution", "0.05"]
     work = {f"{n} thread{'s' * (n > 1)}": [beeline, "reach", "map", *arm, "--threads", n] for n in (1, 2)}
     for ranks in (1, 2, 4) if mpi else ():
         work[f"{ranks} rank{'s' * (ranks > 1)}"] = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", ranks, mpi,

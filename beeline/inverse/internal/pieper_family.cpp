@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <beeline/inverse/internal/candidate_solutions.h>
+#include <beeline/inverse/internal/infeasibility.h>
 #include <beeline/inverse/internal/numerical_stage.h>
 #include <beeline/inverse/internal/pieper_family.h>
 #include <beeline/inverse/internal/range_examination.h>
@@ -172,6 +173,10 @@ void solve_pieper(SolverState& state, const Request& request, StageResult& found
 std::optional<int> solve_redundant(SolverState& state, const Pose& goal,
                                    const ConfigurationRef& seed, PieperRequest& loop,
                                    BudgetMeter& budget, Eigen::Ref<Eigen::MatrixXd> solutions) {
+  if (out_of_reach(state.arm, goal, state.task, state.options.tolerance)) {
+    if (state.options.pose_tolerance) return std::nullopt;
+    return 0;
+  }
   constexpr int few = 9;  // the seed's, and two rounds of steps: see first_within()
   const PieperSolver& form = *state.pieper;
   const LockedRange range =
@@ -184,7 +189,6 @@ std::optional<int> solve_redundant(SolverState& state, const Pose& goal,
     form.configuration(branch.found, branch.lane, branch.value, solutions.col(0));
     return 1;
   }
-  if (out_of_reach(state.arm, goal, state.task, state.options.tolerance)) return std::nullopt;
   if (outside.count > 0 &&
       solve_from_outside(state, goal, outside, state.options.tolerance, solutions.col(0))) {
     return 1;

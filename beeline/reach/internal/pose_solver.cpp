@@ -2,6 +2,7 @@
 #include <bit>
 #include <numbers>
 
+#include <beeline/inverse/internal/infeasibility.h>
 #include <beeline/inverse/numerical/bounds.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/reach/internal/pose_solver.h>
@@ -35,7 +36,7 @@ std::vector<double> steps_over_range(const Limits& limits, int count) {
 }  // namespace
 
 PoseSolver::PoseSolver(const Arm& arm, int redundant_values)
-    : any_(arm), redundant_(redundant_joint(arm)), seed_(middle_configuration(arm)) {
+    : arm_(arm), any_(arm), redundant_(redundant_joint(arm)), seed_(middle_configuration(arm)) {
   if (redundant_) {
     values_ = steps_over_range(arm.limits(*redundant_), redundant_values);
     form_ = PieperSolver::make(arm, default_task(arm));
@@ -82,6 +83,10 @@ void PoseSolver::add_all(const Pose& world_T_tool, InverseSolver& solver) {
 
 void PoseSolver::solve(const Pose& world_T_tool) {
   count_ = branches_ = 0;
+  if (redundant_ &&
+      out_of_reach(arm_, world_T_tool, default_task(arm_), InverseOptions{}.tolerance)) {
+    return;
+  }
   if (all_ && !redundant_) return add_all(world_T_tool, *all_);
   const Configuration middle = seed_;
   for (const double value : values_) {

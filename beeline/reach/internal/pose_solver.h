@@ -30,6 +30,7 @@ class PoseSolver {
   void add_branches(const Pose& world_T_tool, double value);
   bool is_new(const ConfigurationRef& q, Eigen::Index first) const;
 
+  Arm arm_;
   InverseSolver any_;                 ///< one solution
   std::optional<InverseSolver> all_;  ///< all of them, where the arm has a closed form;
   std::optional<int> redundant_;      ///< then with this coordinate locked
