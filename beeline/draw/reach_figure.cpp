@@ -130,6 +130,9 @@ Figure reach_figure(const ReachSlice& slice) {
 }
 
 Figure reach_figure(const std::array<ReachSlice, 2>& slices) {
+  if (caption_of(slices[0]) != caption_of(slices[1])) {
+    throw Error("the slices differ: " + caption_of(slices[0]) + "; " + caption_of(slices[1]));
+  }
   const double largest = std::max(largest_of(slices[0]), largest_of(slices[1]));
   const double most = largest > 0 ? largest : 1;
   Figure figure{.title = caption_of(slices[0]), .columns = {}, .width = 900};

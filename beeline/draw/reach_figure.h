@@ -11,7 +11,8 @@ namespace beeline {
 /// scale beside it, and the arm.
 Figure reach_figure(const ReachSlice& slice);
 
-/// Draws slices of two maps beside each other, with one scale: of compare_reach(), for example.
+/// Draws slices of two maps beside each other, with one scale: of slices_of(), for example. Throws
+/// Error for slices of different measures or planes.
 Figure reach_figure(const std::array<ReachSlice, 2>& slices);
 
 }  // namespace beeline

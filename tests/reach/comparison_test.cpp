@@ -1,6 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include <beeline/draw/reach_figure.h>
 #include <beeline/model/catalog.h>
 #include <beeline/reach/comparison.h>
 
@@ -81,6 +82,16 @@ TEST(ReachComparison, RefusesMapsThatCannotBeCompared) {
   const ReachMap fixed =
       map_of(built_in("ur5"), {.resolution = 0.4, .orientation = Rotation::Identity()});
   EXPECT_REFUSED(compare_reach(directions, fixed), "directions and fixed");
+}
+
+TEST(ReachComparison, RefusesPicturesOfSlicesThatDiffer) {
+  const ReachMap map = map_of(built_in("ur5"), {.resolution = 0.4});
+  const auto picture = [&](double at, ReachMeasure measure) {
+    return reach_figure(std::array{slice_of(map, 2, 0), slice_of(map, 2, at, measure)});
+  };
+  EXPECT_EQ(picture(0, ReachMeasure::directions).columns.size(), 3u);
+  EXPECT_REFUSED(picture(0.4, ReachMeasure::directions), "z = 0.4 m");
+  EXPECT_REFUSED(picture(0, ReachMeasure::margin), "largest margin");
 }
 
 }  // namespace
