@@ -79,7 +79,10 @@ void bind_slices(nb::module_& m) {
   slice.def_prop_ro(
       "coordinates",
       [](const SliceArray& self) {
-        const auto centres = [](const ReachAxis& axis) { return nb::cast(axis).attr("centres"); };
+        const auto centres = [](const ReachAxis& axis) {
+          const nb::object cells = nb::cast(axis);  // .attr() alone would not keep it
+          return nb::object(cells.attr("centres"));
+        };
         return nb::make_tuple(centres(self.grid[0]), centres(self.grid[1]));
       },
       nb::for_getter(nb::sig("def coordinates(self) -> tuple[numpy.typing.NDArray[numpy.float64], "

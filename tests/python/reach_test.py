@@ -228,6 +228,15 @@ def test_slices(puma):
     assert "<svg" in slice._repr_svg_() and "largest margin" in beeline.reach_figure(slice).svg
 
 
+def test_slices_of_a_box_have_two_lengths():
+    box = beeline.reach_map(PUMA, lower=[-0.2, -0.6, 0], upper=[0.2, 0.6, 0.8], **COARSE)
+    for axis in "xyz":
+        slice = beeline.slice_of(box, axis, 0)
+        for cells, coordinates in zip(slice.grid, slice.coordinates):
+            np.testing.assert_array_equal(coordinates, cells.centres)
+        assert slice.values.shape == tuple(map(len, slice.coordinates))
+
+
 def test_an_image_for_paraview(puma, tmp_path):
     beeline.write_vti(puma, tmp_path / "map.vti")
     assert (tmp_path / "map.vti").read_bytes().startswith(b"<?xml")
