@@ -264,7 +264,7 @@ def reach(slice: ReachSlice, ax: Any = None, *, colorbar: bool = True, **options
     ax.set_xlabel(f"{slice.axes[0]} [m]")
     ax.set_ylabel(f"{slice.axes[1]} [m]")
     ax.set_aspect("equal")
-    ax.set_title(f"{slice.arm.name}, {slice.normal} = {slice.at:.6g} m")
+    ax.set_title(f"{slice.title}, {slice.normal} = {slice.at:.6g} m")
     return ax
 
 

@@ -17,6 +17,7 @@ SliceArray arrays_of(const ReachSlice& slice) {
   const auto axis = [](int k) { return static_cast<WorldAxis>(k); };
   const Index rows = slice.values.rows(), columns = slice.values.cols();
   SliceArray arrays{.arm = {nb::cast(slice.arm)},
+                    .title = slice.title,
                     .measure = slice.measure,
                     .normal = axis(slice.normal),
                     .at = slice.at,
@@ -31,6 +32,7 @@ ReachSlice slice_of(const SliceArray& arrays) {
   const auto index = [](WorldAxis axis) { return static_cast<int>(axis); };
   const auto shape = arrays.values.shape();
   return {.arm = *arrays.arm,
+          .title = arrays.title,
           .measure = arrays.measure,
           .normal = index(arrays.normal),
           .at = arrays.at,
@@ -39,11 +41,37 @@ ReachSlice slice_of(const SliceArray& arrays) {
           .values = Eigen::Map<const RowMajor>(arrays.values.data(), shape[0], shape[1])};
 }
 
+SlicePlane::SlicePlane(nb::handle axis, nb::handle coordinate, nb::handle shown)
+    : normal(static_cast<int>(Value<WorldAxis>::from(axis, "axis"))),
+      at(Value<double>::from(coordinate, "at")),
+      measure(Value<ReachMeasure>::from(shown, "measure")) {}
+
+void SlicePlane::takes(Signature& signature) {
+  signature.takes("axis", Value<WorldAxis>::type(), "The axis that the plane is perpendicular to.")
+      .takes("at", "float", "Its coordinate, m, in the world.")
+      .takes("measure", Value<ReachMeasure>::type(),
+             "The best of all orientations at a position; directions: the fraction of them that "
+             "is reached.",
+             "'directions'");
+}
+
 namespace {
 
 Drawing drawing_of(const SliceArray& arrays) {
   const ReachSlice slice = slice_of(arrays);
   return without_lock([&] { return compose(reach_figure(slice)); });
+}
+
+/// The picture of a slice or of two.
+Drawing drawing_from(nb::handle slice) {
+  const SliceArray* single = nullptr;
+  if (nb::try_cast<const SliceArray*>(slice, single) && single) return drawing_of(*single);
+  if (!nb::isinstance<nb::list>(slice) && !nb::isinstance<nb::tuple>(slice)) {
+    raise_type("slice", "a ReachSlice or a list of two", slice);
+  }
+  const auto pair = Value<std::array<SliceArray, 2>>::from(slice, "slice");
+  const std::array<ReachSlice, 2> slices{slice_of(pair[0]), slice_of(pair[1])};
+  return without_lock([&] { return compose(reach_figure(slices)); });
 }
 
 void bind_placements(nb::module_& m) {
@@ -74,7 +102,7 @@ void bind_placements(nb::module_& m) {
       find, nb::arg("map"), nb::arg("poses"), nb::arg("keywords"));
 }
 
-void bind_slices(nb::module_& m) {
+void bind_slice(nb::module_& m) {
   nb::class_<SliceArray> slice = bind_record<SliceArray>(m);
   slice.def_prop_ro(
       "coordinates",
@@ -89,33 +117,42 @@ void bind_slices(nb::module_& m) {
                              "numpy.typing.NDArray[numpy.float64]]")),
       "Of the centres along the two axes of the values, m.");
   slice.def("_repr_svg_", [](const SliceArray& self) { return notebook_svg(drawing_of(self)); });
+  Signature title("with_title", "ReachSlice", "Returns a copy with another title.");
+  title.takes("self").takes("title", "str", "What pictures name it.");
+  define(
+      slice,
+      [](const SliceArray& self, nb::handle text) {
+        SliceArray copy = self;
+        copy.title = Value<std::string>::from(text, "title");
+        return copy;
+      },
+      title, nb::arg("title"));
+}
 
+void bind_slices(nb::module_& m) {
+  bind_slice(m);
   Signature of("slice_of", "ReachSlice",
                "Returns the positions of a map in a plane: those around the coordinate `at` of an "
                "axis. Raises Error for a coordinate outside the map, and for an incomplete map.");
-  of.takes("map", "ReachMap", "The map.")
-      .takes("axis", Value<WorldAxis>::type(), "The axis that the plane is perpendicular to.")
-      .takes("at", "float", "Its coordinate, m, in the world.")
-      .takes("measure", Value<ReachMeasure>::type(),
-             "The best of all orientations at a position; directions: the fraction of them that "
-             "is reached.",
-             "'directions'");
+  of.takes("map", "ReachMap", "The map.");
+  SlicePlane::takes(of);
   define(
       m,
       [](const ReachMap& map, nb::handle axis, nb::handle at, nb::handle measure) {
-        const int normal = static_cast<int>(Value<WorldAxis>::from(axis, "axis"));
-        const double coordinate = Value<double>::from(at, "at");
-        const auto shown = Value<ReachMeasure>::from(measure, "measure");
-        return arrays_of(
-            without_lock([&] { return beeline::slice_of(map, normal, coordinate, shown); }));
+        const SlicePlane plane(axis, at, measure);
+        return arrays_of(without_lock(
+            [&] { return beeline::slice_of(map, plane.normal, plane.at, plane.measure); }));
       },
       of, nb::arg("map"), nb::arg("axis"), nb::arg("at"), nb::arg("measure") = "directions");
 
   Signature figure("reach_figure", "Drawing",
                    "Draws a slice of a map: each position that is reached in the colour of its "
-                   "value, with a scale beside it, and the arm.");
-  figure.takes("slice", "ReachSlice", "Of slice_of().");
-  define(m, &drawing_of, figure, nb::arg("slice"));
+                   "value, with a scale beside it, and the arm; or slices of two maps beside each "
+                   "other, with one scale. Raises Error for another number of slices, and for two "
+                   "of different measures or planes.");
+  figure.takes("slice", "ReachSlice | " + Value<std::vector<SliceArray>>::argument_type(),
+               "Of slice_of(), or the two of slices_of().");
+  define(m, &drawing_from, figure, nb::arg("slice"));
 
   Signature image("write_vti", "None",
                   "Writes the positions of a map as an image of VTK, which ParaView opens, with "

@@ -66,6 +66,7 @@ struct Fields<PlacementResult> {
 /// A ReachSlice whose axes have names and whose values are an array.
 struct SliceArray {
   KeptArm arm;
+  std::string title;
   ReachMeasure measure = ReachMeasure::directions;
   WorldAxis normal = WorldAxis::z;
   double at = 0;
@@ -77,8 +78,18 @@ struct SliceArray {
 SliceArray arrays_of(const ReachSlice& slice);
 ReachSlice slice_of(const SliceArray& arrays);
 
-/// Their part of the module, of bind_reach().
+/// The plane of a slice as Python's arguments `axis`, `at` and `measure`.
+struct SlicePlane {
+  int normal;
+  double at;
+  ReachMeasure measure;
+  SlicePlane(nb::handle axis, nb::handle coordinate, nb::handle shown);
+  static void takes(Signature& signature);
+};
+
+/// Their parts of the module, of bind_reach().
 void bind_placement(nb::module_& module);
+void bind_comparison(nb::module_& module);
 
 template <>
 struct Fields<SliceArray> {
@@ -89,6 +100,7 @@ struct Fields<SliceArray> {
     using Slice = SliceArray;
     return std::tuple(
         field("arm", &Slice::arm, "The arm."),
+        field("title", &Slice::title, "In pictures: the arm's name, unless with_title() set it."),
         field("measure", &Slice::measure, "What the values are: the best of all orientations."),
         field("normal", &Slice::normal, "The axis that the plane is perpendicular to."),
         field("at", &Slice::at, "Its coordinate, of the centres of the cells, m."),

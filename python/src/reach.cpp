@@ -330,6 +330,7 @@ void bind_reach(nb::module_& m) {
   bind_cells(m);
   bind_map(m);
   bind_placement(m);
+  bind_comparison(m);
 }
 
 }  // namespace beeline::python

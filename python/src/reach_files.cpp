@@ -1,4 +1,5 @@
 #include <beeline/reach/compute_map.h>
+#include <beeline/reach/npz_file.h>
 
 #include "bindings.h"
 #include "reach_arrays.h"
@@ -15,6 +16,7 @@ Ending write_map(const Arm& arm, const ReachGrid& grid, const std::string& path,
 void join_maps(const std::vector<std::string>& parts, const std::string& path, bool incomplete) {
   merge_reach_maps(parts, path, incomplete);
 }
+void write_arrays(const ReachMap& map, const std::string& path) { write_npz(map, path); }
 #else
 [[noreturn]] void refuse() {
   throw Error(
@@ -26,9 +28,53 @@ Ending write_map(const Arm&, const ReachGrid&, const std::string&, const ReachMa
   refuse();
 }
 void join_maps(const std::vector<std::string>&, const std::string&, bool) { refuse(); }
+void write_arrays(const ReachMap&, const std::string&) { refuse(); }
 #endif
 
 constexpr const char* without_hdf5 = "and in a build without HDF5";
+
+void bind_merging(nb::module_& m) {
+  Signature merge("merge_reach_maps", "None",
+                  std::string("Joins files that hold parts of one map into one file. Raises Error "
+                              "for parts of different maps, where parts are missing unless "
+                              "`incomplete`, ") +
+                      without_hdf5 + ".");
+  merge.takes("parts", "collections.abc.Sequence[str | os.PathLike[str]]", "The files.")
+      .takes("path", path_like, "The file that is written.")
+      .takes("incomplete", "bool", "Parts may be missing.", "False");
+  define(
+      m,
+      [](nb::handle parts, nb::handle path, nb::handle incomplete) {
+        if (!nb::isinstance<nb::list>(parts) && !nb::isinstance<nb::tuple>(parts)) {
+          raise_type("parts", "a list of paths", parts);
+        }
+        std::vector<std::string> files;
+        for (nb::handle part : nb::borrow(parts)) files.push_back(path_from(part, "parts"));
+        const std::string file = path_from(path, "path");
+        const bool some = Value<bool>::from(incomplete, "incomplete");
+        const LockRelease release;
+        join_maps(files, file, some);
+      },
+      merge, nb::arg("parts"), nb::arg("path"), nb::arg("incomplete") = false);
+}
+
+void bind_npz(nb::module_& m) {
+  Signature arrays("write_npz", "None",
+                   std::string("Writes all cells of a map as numpy's .npz, which numpy.load() "
+                               "reads: `branches` (or `samples`), `manipulability` and `margin`, "
+                               "the coordinates of their axes, and `arm`, its JSON. Raises Error "
+                               "for an incomplete map, ") +
+                       without_hdf5 + ".");
+  arrays.takes("map", "ReachMap", "The map.").takes("path", path_like, "A .npz file.");
+  define(
+      m,
+      [](const ReachMap& map, nb::handle path) {
+        const std::string file = path_from(path, "path");
+        const LockRelease release;
+        write_arrays(map, file);
+      },
+      arrays, nb::arg("map"), nb::arg("path"));
+}
 
 }  // namespace
 
@@ -70,29 +116,8 @@ void bind_map_files(nb::module_& m, nb::class_<ReachMap>& map) {
             unlocked(asked.reach.budget, [&] { return write_map(arm, grid.grid, file, asked); }));
       },
       compute, nb::arg("arm"), nb::arg("grid"), nb::arg("path"), nb::arg("options"));
-
-  Signature merge("merge_reach_maps", "None",
-                  std::string("Joins files that hold parts of one map into one file. Raises Error "
-                              "for parts of different maps, where parts are missing unless "
-                              "`incomplete`, ") +
-                      without_hdf5 + ".");
-  merge.takes("parts", "collections.abc.Sequence[str | os.PathLike[str]]", "The files.")
-      .takes("path", path_like, "The file that is written.")
-      .takes("incomplete", "bool", "Parts may be missing.", "False");
-  define(
-      m,
-      [](nb::handle parts, nb::handle path, nb::handle incomplete) {
-        if (!nb::isinstance<nb::list>(parts) && !nb::isinstance<nb::tuple>(parts)) {
-          raise_type("parts", "a list of paths", parts);
-        }
-        std::vector<std::string> files;
-        for (nb::handle part : nb::borrow(parts)) files.push_back(path_from(part, "parts"));
-        const std::string file = path_from(path, "path");
-        const bool some = Value<bool>::from(incomplete, "incomplete");
-        const LockRelease release;
-        join_maps(files, file, some);
-      },
-      merge, nb::arg("parts"), nb::arg("path"), nb::arg("incomplete") = false);
+  bind_merging(m);
+  bind_npz(m);
 }
 
 }  // namespace beeline::python

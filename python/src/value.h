@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -260,6 +261,28 @@ struct Value<std::vector<T>> {
       if (!python::same(a[i], b[i])) return false;
     }
     return true;
+  }
+};
+
+/// Pairs are tuples.
+template <class T>
+struct Value<std::array<T, 2>> {
+  static constexpr bool large = true;
+  static std::string type() { return "tuple[" + Value<T>::type() + ", " + Value<T>::type() + "]"; }
+  static std::string argument_type() { return Value<std::vector<T>>::argument_type(); }
+  static nb::object to(const std::array<T, 2>& value) {
+    return nb::make_tuple(Value<T>::to(value[0]), Value<T>::to(value[1]));
+  }
+  static std::array<T, 2> from(nb::handle value, const char* name) {
+    std::vector<T> items = Value<std::vector<T>>::from(value, name);
+    if (items.size() != 2) {
+      throw Error(std::string(name) + " has " + std::to_string(items.size()) +
+                  " values; expected 2");
+    }
+    return {std::move(items[0]), std::move(items[1])};
+  }
+  static bool same(const std::array<T, 2>& a, const std::array<T, 2>& b) {
+    return python::same(a[0], b[0]) && python::same(a[1], b[1]);
   }
 };
 

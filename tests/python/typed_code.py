@@ -70,6 +70,11 @@ def reach(arm: beeline.Arm) -> beeline.Placement | None:
     assert cell is not None
     drawing: beeline.Drawing = beeline.reach_figure(beeline.slice_of(map, "z", 0, "margin"))
     assert drawing.width > 0
+    side: beeline.ReachSide = beeline.compare_reach(map, map).sides[1]
+    assert side.alone == 0 and side.volume > 0
+    first, second = beeline.slices_of(map, map, "y", 0)
+    both: beeline.Drawing = beeline.reach_figure([first.with_title("first"), second])
+    assert both.width > drawing.width
     found = beeline.find_placements(map, [beeline.forward_kinematics(arm, arm.middle)], step=0.5)
     return found.placements[0] if found else None
 
