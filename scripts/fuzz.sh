@@ -11,7 +11,7 @@ fuzz() {
   local name=${1##*/fuzz_} log
   log=$build/crashes/$name.log
   mkdir -p "$build/corpus/$name"
-  "$1" -max_total_time=$((60 * minutes)) -timeout=60 -report_slow_units=60 -rss_limit_mb=2048 -malloc_limit_mb=1024 -max_len=4096 -print_final_stats=1 \
+  "$1" -max_total_time="$(awk "BEGIN { print int(60 * $minutes) }")" -timeout=60 -report_slow_units=60 -rss_limit_mb=2048 -malloc_limit_mb=1024 -max_len=4096 -print_final_stats=1 \
     -artifact_prefix="$build/crashes/$name-" "$build/corpus/$name" "$root/tests/fuzz/corpus/$name" >"$log" 2>&1 || echo "$name" >>"$build/crashes/failed"
   local runs coverage
   runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log" | tail -1)
