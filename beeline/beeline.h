@@ -65,6 +65,7 @@
 #include <beeline/pose/so3.h>
 #include <beeline/reach/comparison.h>
 #include <beeline/reach/compute_map.h>
+#include <beeline/reach/direction_grid.h>
 #include <beeline/reach/grid.h>
 #include <beeline/reach/npz_file.h>
 #include <beeline/reach/place.h>

@@ -37,7 +37,10 @@ int PlaneArgument::normal() const {
   return static_cast<int>(axis);
 }
 
-double PlaneArgument::at() const { return internal::parse_number(plane_.substr(2), "--at"); }
+double PlaneArgument::at() const {
+  (void)normal();  // refuses what is no plane
+  return internal::parse_number(plane_.substr(2), "--at");
+}
 
 ReachMeasure PlaneArgument::measure() const {
   for (const ReachMeasure measure : measures) {

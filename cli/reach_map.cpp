@@ -85,7 +85,7 @@ ReachShard shard_of(const std::string& text) {
   int end = 0;
   const int read = std::sscanf(text.c_str(), "%9d/%9d%n", &shard.number, &shard.count, &end);
   if (read == 2 && static_cast<std::size_t>(end) == text.size()) return shard;
-  throw Error("--shard: \"" + text + "\" is no share of a map, such as 1/4");
+  throw Error("\"" + text + "\" is no share of a map, such as 1/4");
 }
 
 MapArguments& map_arguments() {
@@ -187,7 +187,7 @@ std::vector<Option> method_options(MapArguments& arguments) {
            .value = "K/N",
            .help = "Compute share K of N of the map, K from 1 to N.",
            .target = &arguments.shard,
-           .phrases = {"shard", "which is the largest number of shards"}},
+           .phrases = {"is no share of a map", "shard", "which is the largest number of shards"}},
           {.name = "--threads",
            .value = "N",
            .help = "Number of threads; 0: as many as the machine has. The map does not depend on "

@@ -31,7 +31,8 @@ std::string mount_text(const Placement& placement, const UnitArgument& unit) {
 
 Answer answer_of(const Arm& arm, const PlacementResult& result, const PlaceArguments& arguments) {
   const UnitArgument& unit = arguments.unit;
-  Answer answer{.yes = static_cast<bool>(result)};
+  const bool complete = result.ending == Ending::complete;
+  Answer answer{.yes = result && complete};
   if (!answer.yes) answer.reason = reason_of(result);
   answer.text = fmt::format("{} checked of {}; all poses reached from {}\n",
                             counted(result.checked, "mount"), result.mounts, result.reaching);
@@ -39,7 +40,7 @@ Answer answer_of(const Arm& arm, const PlacementResult& result, const PlaceArgum
     answer.text += fmt::format("{} left out: not in straight lines\n", result.without_lines);
   }
   Json list = Json::list();
-  if (answer.yes) {
+  if (result) {
     answer.text += fmt::format("\n{:<40} {:>9} {:>14}{}\n", "--mount", "margin", "manipulability",
                                arguments.options.lines ? "   lines, s" : "");
   }
@@ -59,7 +60,9 @@ Answer answer_of(const Arm& arm, const PlacementResult& result, const PlaceArgum
     json.add("solutions", solutions);
     list.append(json);
   }
-  answer.document = {{"status", answer.yes ? "found" : "not_found"},
+  answer.document = {{"status", !complete ? name(result.ending)
+                                : result  ? "found"
+                                          : "not_found"},
                      {"mounts", result.mounts},
                      {"checked", result.checked},
                      {"reaching", result.reaching},
@@ -145,7 +148,7 @@ Verb reach_place_verb() {
           "margin to the joint limits first: the least margin and the least manipulability over "
           "all poses; at each position the best heading. Exit code 1: there is none.",
       .arguments = {{.name = "MAP",
-                     .help = "A file of `beeline reach map`, of directions or rolls.",
+                     .help = "A file of `beeline reach map`, not of one orientation.",
                      .target = &arguments.map,
                      .completes = Completes::file}},
       .options = joined({{{.name = "--poses",

@@ -13,7 +13,7 @@ namespace {
 /// "64000 positions x 54 directions x 6 rolls".
 std::string cells_text(const ReachGrid& grid) {
   std::string text = counted(grid.positions(), "position");
-  if (grid.cylindrical()) text += ", " + std::to_string(grid.azimuths()) + " azimuths,";
+  if (grid.cylindrical()) text += ", " + counted(grid.azimuths(), "azimuth") + ",";
   if (grid.orientations() == ReachOrientations::headings) {
     text += " x " + counted(grid.directions(), "heading");
   } else if (grid.orientations() == ReachOrientations::any) {
@@ -50,7 +50,7 @@ Answer map_totals(const ReachMap& map) {
                             map.path(), map.arm().name(), cells_text(map.grid()), shown(edge));
   const std::int64_t samples = map.header().samples;
   if (samples > 0) {
-    answer.text += fmt::format("by sampling   {} configurations\n", samples);
+    answer.text += "by sampling   " + counted(samples, "configuration") + "\n";
   }
   if (!map.complete()) {
     answer.text += fmt::format("in this file  {} of {} slabs, {}\n", there, slabs,

@@ -45,7 +45,7 @@ double Dispatcher::fraction() {
 void Dispatcher::answer_requests() {
   int ranks = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-  for (int told = 0; told < ranks - 1;) {
+  for (int ended = 0; ended < ranks - 1;) {
     int there = 0;
     MPI_Status status;
     MPI_Iprobe(MPI_ANY_SOURCE, request_tag, MPI_COMM_WORLD, &there, &status);
@@ -57,7 +57,7 @@ void Dispatcher::answer_requests() {
              MPI_STATUS_IGNORE);
     const std::int64_t unit = next().value_or(nothing_left);
     MPI_Send(&unit, 1, MPI_INT64_T, status.MPI_SOURCE, unit_tag, MPI_COMM_WORLD);
-    told += unit == nothing_left;
+    ended += unit == nothing_left;
   }
 }
 

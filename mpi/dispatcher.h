@@ -14,7 +14,7 @@ class Dispatcher {
  public:
   /// Begins to answer. Requires MPI_THREAD_MULTIPLE.
   explicit Dispatcher(const std::vector<Eigen::Index>& units);
-  /// Ends when every other rank was told that nothing is left.
+  /// Ends when every other rank has been answered that nothing is left.
   ~Dispatcher();
   Dispatcher(const Dispatcher&) = delete;
   Dispatcher& operator=(const Dispatcher&) = delete;

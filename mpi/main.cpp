@@ -3,6 +3,7 @@
 // ends the job, the same command continues, with any number of ranks.
 
 #include <beeline/error.h>
+#include <beeline/internal/budget_meter.h>
 #include <beeline/reach/internal/parts.h>
 #include <beeline/reach/reach.h>
 
@@ -49,10 +50,14 @@ class QuietRanks {
 template <class Next>
 Ending compute_units(const internal::Parts& parts, const Units& units, const ReachMapJob& job,
                      const Next& next) {
+  internal::BudgetMeter budget(job.options.reach.budget);
   Ending ending = Ending::complete;
   while (const std::optional<Eigen::Index> unit = next()) {
-    // A rank whose time is over goes on asking, so that nothing is left for the dispatcher.
-    if (ending == Ending::complete) ending = parts.compute(units[*unit], job.options.reach);
+    // A rank whose budget is spent goes on asking, so that nothing is left for the dispatcher.
+    if (ending != Ending::complete) continue;
+    ReachOptions options = job.options.reach;
+    options.budget = budget.part();
+    ending = parts.compute(units[*unit], options);
   }
   return ending;
 }

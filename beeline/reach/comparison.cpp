@@ -20,7 +20,13 @@ std::array<ReachAxis, 3> common_axes(const ReachMap& first, const ReachMap& seco
     throw Error("the maps have orientations of two kinds, " + name(first.grid().orientations()) +
                 " and " + name(second.grid().orientations()) + ", which cannot be compared");
   }
+  if ((first.header().samples > 0) != (second.header().samples > 0)) {
+    throw Error(
+        "one map is by sampling, anywhere in a cell, the other by inverse kinematics, at its "
+        "centre: they cannot be compared");
+  }
   const auto a = first.grid().cartesian_axes(), b = second.grid().cartesian_axes();
+  const bool planar = first.arm().planar() && second.arm().planar();
   std::array<ReachAxis, 3> axes;
   double points = 1;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -33,6 +39,7 @@ std::array<ReachAxis, 3> common_axes(const ReachMap& first, const ReachMap& seco
         0.0, std::ceil((std::max(a[k].upper(), b[k].upper()) - finer.upper()) / step - 1e-9));
     axes[k] = {finer.cells + static_cast<Eigen::Index>(below + above), finer.lower - below * step,
                step};
+    if (planar && k == 2) axes[k] = finer;  // one layer, however thick its cells
     points *= static_cast<double>(axes[k].cells);
   }
   constexpr double most = 1e8;
@@ -43,44 +50,47 @@ std::array<ReachAxis, 3> common_axes(const ReachMap& first, const ReachMap& seco
   return axes;
 }
 
+/// Adds a point that either map reaches.
+void add(ReachSide& side, const ReachPositions& own, const ReachPositions& other, std::size_t p) {
+  const bool reached = own.branches[p] > 0, also = other.branches[p] > 0;
+  side.directions += static_cast<double>(own.directions[p]);
+  side.better += own.directions[p] > other.directions[p];
+  side.volume += reached;
+  side.alone += reached && !also;
+  if (!reached || !also) return;
+  side.manipulability += static_cast<double>(own.manipulability[p]);
+  side.margin += static_cast<double>(own.margin[p]);
+}
+
 }  // namespace
 
 ReachComparison compare_reach(const ReachMap& first, const ReachMap& second) {
   const std::array<ReachAxis, 3> axes = common_axes(first, second);
-  const std::vector<Vector3> points = internal::centres_of(axes);
-  const std::array<ReachPositions, 2> best{internal::positions_at(first, points),
-                                           internal::positions_at(second, points)};
   const double step = axes[0].step;
+  ReachComparison comparison{.sides = {}, .step = step};
+  double either = 0;
+  internal::for_each_block(axes, [&](const std::vector<Vector3>& points) {
+    const std::array<ReachPositions, 2> best{internal::positions_at(first, points),
+                                             internal::positions_at(second, points)};
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const std::array<bool, 2> reached{best[0].branches[p] > 0, best[1].branches[p] > 0};
+      if (!reached[0] && !reached[1]) continue;
+      ++either;
+      comparison.both += reached[0] && reached[1];
+      for (std::size_t k = 0; k < 2; ++k) add(comparison.sides[k], best[k], best[1 - k], p);
+    }
+  });
   const bool planar = first.arm().planar() && second.arm().planar();
   const double cell = planar ? step * step : step * step * step;
-  ReachComparison comparison{.sides = {}, .step = step};
-  double either = 0, both = 0;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    const std::array<bool, 2> reached{best[0].branches[p] > 0, best[1].branches[p] > 0};
-    if (!reached[0] && !reached[1]) continue;
-    ++either;
-    both += reached[0] && reached[1];
-    for (std::size_t k = 0; k < 2; ++k) {
-      ReachSide& side = comparison.sides[k];
-      const ReachPositions& other = best[1 - k];
-      side.directions += static_cast<double>(best[k].directions[p]);
-      side.better += best[k].directions[p] > other.directions[p];
-      side.volume += reached[k];
-      side.alone += reached[k] && !reached[1 - k];
-      if (!reached[0] || !reached[1]) continue;
-      side.manipulability += static_cast<double>(best[k].manipulability[p]);
-      side.margin += static_cast<double>(best[k].margin[p]);
-    }
-  }
-  comparison.both = both * cell;
   for (ReachSide& side : comparison.sides) {  // counts become volumes, sums means
     side.volume *= cell;
     side.alone *= cell;
     side.better *= cell;
     side.directions = either > 0 ? side.directions / either : 0;
-    side.manipulability /= both;
-    side.margin /= both;
+    side.manipulability /= comparison.both;
+    side.margin /= comparison.both;
   }
+  comparison.both *= cell;
   return comparison;
 }
 

@@ -28,7 +28,8 @@ struct ReachComparison {
 /// along x, y and z that cover both, each map with the position that contains the point. Maps of
 /// the same box are compared cell by cell. Fractions of directions are comparable between maps with
 /// the same kind of orientations. Throws Error for maps of which one has headings, directions, or
-/// one orientation and the other another kind, for an incomplete one, and for more than 1e8 points.
+/// one orientation and the other another kind, or of which one is by sampling, for an incomplete
+/// one, and for more than 1e8 points.
 ReachComparison compare_reach(const ReachMap& first, const ReachMap& second);
 
 /// The slices of both maps at the same cells, as slice_of() reads them.

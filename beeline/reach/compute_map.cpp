@@ -26,6 +26,43 @@ std::vector<internal::SlabRange> units_of(const ReachShard& shard, const ReachMa
   return units;
 }
 
+/// Whether a file is of that map and has those slabs.
+bool holds(const std::string& path, const std::vector<internal::SlabRange>& units,
+           const ReachMapHeader& header) {
+  try {
+    const ReachMap map(path);
+    internal::check_same_map(path, map.header(), header);
+    return std::all_of(units.begin(), units.end(), [&map](const internal::SlabRange& unit) {
+      const auto begin = map.slabs().begin();
+      return std::all_of(begin + unit.first, begin + unit.last, [](bool there) { return there; });
+    });
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+Ending compute_units(const std::vector<internal::SlabRange>& units, const ReachMapHeader& header,
+                     const std::string& path, const ReachOptions& options) {
+  const internal::Parts parts(path, header);
+  internal::BudgetMeter budget(options.budget);
+  const auto fraction = [&units](std::size_t i) {
+    return static_cast<double>(i) / static_cast<double>(units.size());
+  };
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    if (budget.ended()) return budget.ending();
+    if (!parts.has(units[i])) {
+      ReachOptions unit = options;
+      unit.budget = budget.part(fraction(i), fraction(i + 1));
+      const Ending ending = parts.compute(units[i], unit);
+      if (ending != Ending::complete) return ending;
+    }
+    if (budget.reports()) budget.report(fraction(i + 1));
+  }
+  parts.join(units, path);
+  parts.remove();
+  return Ending::complete;
+}
+
 /// "3, 7 and 12 more".
 std::string listed_slabs(const std::vector<std::size_t>& slabs) {
   constexpr std::size_t most = 8;
@@ -44,24 +81,12 @@ Ending compute_reach_map(const Arm& arm, const ReachGrid& grid, const std::strin
   const ReachMapHeader header{arm, grid, options.reach.redundant_values, options.reach.samples};
   const std::vector<internal::SlabRange> units = units_of(options.shard, header);
   (void)reach_cells(arm, grid, 0, 0, options.reach);  // refuses what has no map
-  const internal::Parts parts(path, header);
-  internal::BudgetMeter budget(options.reach.budget);
-  const auto fraction = [&units](std::size_t i) {
-    return static_cast<double>(i) / static_cast<double>(units.size());
-  };
-  for (std::size_t i = 0; i < units.size(); ++i) {
-    if (budget.ended()) return budget.ending();
-    if (!parts.has(units[i])) {
-      ReachOptions unit = options.reach;
-      unit.budget = budget.part(fraction(i), fraction(i + 1));
-      const Ending ending = parts.compute(units[i], unit);
-      if (ending != Ending::complete) return ending;
-    }
-    if (budget.reports()) budget.report(fraction(i + 1));
+  try {
+    return compute_units(units, header, path, options.reach);
+  } catch (const FileError&) {
+    if (!holds(path, units, header)) throw;  // another process has joined the same slabs
+    return Ending::complete;
   }
-  parts.join(units, path);
-  parts.remove();
-  return Ending::complete;
 }
 
 void merge_reach_maps(const std::vector<std::string>& parts, const std::string& path,

@@ -30,6 +30,11 @@ ReachAxis axis_over(double lower, double upper, double step) {
   // A length that is a whole number of cells to rounding has that number of cells.
   constexpr double rounding = 1e-9;
   constexpr double most = 1e6;
+  const double farthest = std::max(std::abs(lower), std::abs(upper));
+  if (!(step > 1e-9 * farthest)) {
+    throw Error("cells of " + number(step) + " m cannot be told apart " + number(farthest) +
+                " m from the origin: a coarser resolution or a nearer box can");
+  }
   const double cells = std::max(1.0, std::ceil((upper - lower) / step - rounding));
   if (!(cells <= most)) {
     throw Error("the map would have " + number(cells) +
@@ -42,8 +47,8 @@ ReachAxis axis_over(double lower, double upper, double step) {
 /// The edge of the cells, m.
 double resolution_of(const Arm& arm, const ReachGridOptions& options) {
   const double resolution = options.resolution.value_or(arm.reach().radius / 20);
-  if (options.resolution && !(resolution > 0 && resolution <= 1e6)) {
-    throw Error("the resolution is " + number(resolution) + " m; it must be above 0, at most 1e6");
+  if (options.resolution && !(resolution >= 1e-9 && resolution <= 1e6)) {
+    throw Error("the resolution is " + number(resolution) + " m; it can be 1e-9 to 1e6");
   }
   if (!(resolution > 0)) throw Error("arm " + arm.name() + " has no reach: give the resolution");
   return resolution;
@@ -78,7 +83,7 @@ Eigen::Index angles_around(double spacing, const char* what) {
 /// A point of the axis of the first joint, about which the arm turns.
 Vector3 axis_of(const Arm& arm) {
   const std::optional<internal::TurningJoint> base = internal::base_joint(arm);
-  if (base) return base->axis;
+  if (base) return base->axis_point;
   throw Error("the first joint of " + arm.name() +
               " does not turn it about an axis parallel to the world's z, which a map by azimuths "
               "needs");
@@ -95,6 +100,10 @@ std::array<ReachAxis, 3> cylinder_axes(const Arm& arm, const Vector3& axis,
   const Vector3 lower = options.lower.value_or(Vector3(0, lowest, 0));
   const Vector3 upper = options.upper.value_or(Vector3(far, reach.centre.z() + reach.radius, 0));
   check_box(arm, lower, upper, {"radius", "height", "azimuth"});
+  if (lower[2] != 0 || upper[2] != 0) {
+    throw Error("a corner of a map by azimuths is (radius, height, 0): its third number is " +
+                number(lower[2] != 0 ? lower[2] : upper[2]));
+  }
   if (lower[0] < 0) {
     throw Error("the least radius of the map is " + number(lower[0]) + " m; it is 0 or more");
   }
@@ -116,57 +125,6 @@ Rotation about_z(double angle) {
 std::string name(ReachOrientations orientations) {
   constexpr std::array<const char*, 5> names{"fixed", "headings", "directions", "rolls", "any"};
   return names.at(static_cast<std::size_t>(orientations));
-}
-
-DirectionGrid::DirectionGrid(double spacing) {
-  constexpr double finest = 0.01, coarsest = pi / 2 + 1e-9;
-  if (!(spacing >= finest && spacing <= coarsest)) {
-    throw Error("the spacing of tool directions is " + std::to_string(spacing) +
-                " rad; it can be 0.01 to 1.5708 (0.6 to 90 degrees)");
-  }
-  const auto rings = static_cast<Eigen::Index>(std::round(pi / spacing));
-  spacing_ = pi / static_cast<double>(rings);
-  first_ = {0, 1};
-  for (Eigen::Index i = 1; i < rings; ++i) {
-    const double around = 2 * pi * std::sin(static_cast<double>(i) * spacing_);
-    const double quarter = std::floor(around / (4 * spacing_) + 0.6);  // at least 1
-    first_.push_back(first_.back() + 4 * static_cast<Eigen::Index>(quarter));
-  }
-  first_.push_back(first_.back() + 1);
-}
-
-Eigen::Index DirectionGrid::ring_of(Eigen::Index k) const {
-  return std::upper_bound(first_.begin(), first_.end(), k) - first_.begin() - 1;
-}
-
-DirectionGrid::Angles DirectionGrid::angles(Eigen::Index k) const {
-  const Eigen::Index ring = ring_of(k);
-  const double step = 2 * pi / static_cast<double>(count(ring));
-  return {static_cast<double>(ring) * spacing_, static_cast<double>(k - first_[ring]) * step};
-}
-
-Vector3 DirectionGrid::direction(Eigen::Index k) const {
-  const Angles at = angles(k);
-  return {std::sin(at.polar) * std::cos(at.azimuth), std::sin(at.polar) * std::sin(at.azimuth),
-          std::cos(at.polar)};
-}
-
-double DirectionGrid::fraction(Eigen::Index k) const {
-  const Eigen::Index ring = ring_of(k);
-  const double polar = static_cast<double>(ring) * spacing_;
-  const double upper = std::max(polar - spacing_ / 2, 0.0);
-  const double lower = std::min(polar + spacing_ / 2, pi);
-  return (std::cos(upper) - std::cos(lower)) / 2 / static_cast<double>(count(ring));
-}
-
-Eigen::Index DirectionGrid::nearest(const Vector3& direction) const {
-  if (!(direction.norm() > 0)) throw Error("the direction is zero");
-  const double polar = std::atan2(std::hypot(direction.x(), direction.y()), direction.z());
-  const auto ring = static_cast<Eigen::Index>(std::round(polar / spacing_));
-  const double revolution = std::atan2(direction.y(), direction.x()) / (2 * pi);
-  const auto step =
-      static_cast<Eigen::Index>(std::round(revolution * static_cast<double>(count(ring))));
-  return first_[ring] + (step + count(ring)) % count(ring);
 }
 
 std::optional<Eigen::Index> ReachAxis::cell_of(double value) const {
@@ -207,6 +165,12 @@ ReachGrid::ReachGrid(const Arm& arm, const ReachGridOptions& options)
       orientations_ = ReachOrientations::rolls;
       roll_count_ = angles_around(*options.rolls, "rolls");
     }
+  }
+  constexpr Eigen::Index most_at_position = Eigen::Index{1} << 22;
+  if (direction_count_ * roll_count_ > most_at_position) {
+    throw Error("each position would have " +
+                number(static_cast<double>(direction_count_ * roll_count_)) +
+                " orientations, at most 4194304 are possible: larger angles have fewer");
   }
   double cells = static_cast<double>(direction_count_ * roll_count_);
   for (const ReachAxis& axis : axes_) cells *= static_cast<double>(axis.cells);

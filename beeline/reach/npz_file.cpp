@@ -58,7 +58,7 @@ void write_cells(internal::ZipArchive& archive, const ReachMap& map, const char*
 }  // namespace
 
 void write_npz(const ReachMap& map, const std::string& path) {
-  if (!map.complete()) throw FileError(map.path(), 0, "is incomplete: merge its parts first");
+  internal::check_complete(map);
   internal::ZipArchive archive(path);
   const char* counted = map.header().samples > 0 ? "samples" : "branches";
   write_cells(archive, map, counted, "|u1", &ReachCells::branches);

@@ -28,6 +28,11 @@ class Mounts {
     if (!(step_ > 0)) throw Error("the step between mounts is " + number(step_) + " m");
     // However it is turned, the arm reaches at most so far from its mount in x and y.
     const double far = reach.radius + std::hypot(reach.centre.x(), reach.centre.y());
+    for (int k = 0; k < 3 && options.lower && options.upper; ++k) {
+      if ((*options.lower)[k] <= (*options.upper)[k]) continue;
+      throw Error(std::string("the box of the mounts is empty: its lower ") + "xyz"[k] + " is " +
+                  number((*options.lower)[k]) + ", its upper one " + number((*options.upper)[k]));
+    }
     double mounts = headings_;
     for (int k = 0; k < 3; ++k) {
       double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -176,7 +181,7 @@ void check_options(const ReachMap& map, std::span<const Pose> poses,
   if (map.grid().orientations() == ReachOrientations::fixed) {
     throw Error("the map has one orientation; a placement needs a map of directions");
   }
-  if (!map.complete()) throw Error(map.path() + " is incomplete: merge its parts first");
+  internal::check_complete(map);
   constexpr Eigen::Index most = 500'000'000;
   if (map.grid().cells() > most) {
     throw Error("the map has " + std::to_string(map.grid().cells()) +
@@ -238,8 +243,8 @@ std::optional<double> duration_of_lines(const Arm& arm, const Pose& world_T_moun
 }  // namespace
 
 std::string reason_of(const PlacementResult& result) {
-  if (result) return "";
   if (result.ending != Ending::complete) return internal::ended_by(result.ending);
+  if (result) return "";
   if (result.mounts == 0) return "the poses are farther apart than the arm reaches";
   if (result.reaching == 0) {
     return "from none of the " + std::to_string(result.checked) +
@@ -263,15 +268,16 @@ PlacementResult find_placements(const ReachMap& map, std::span<const Pose> world
       reaching_mounts(map, mounts, world_T_tool, options, budget, result);
   const std::int64_t most_refusals = std::max(100, 10 * options.count);
   for (Placement& placement : found) {
+    const bool lines = options.lines && world_T_tool.size() > 1;
     if (std::ssize(result.placements) == options.count || result.without_lines == most_refusals ||
-        !budget.complete()) {
+        (lines && !budget.complete())) {
       break;
     }
     const auto stands_here = [&placement](const Placement& other) {
       return other.world_T_mount.translation() == placement.world_T_mount.translation();
     };
     if (std::any_of(result.placements.begin(), result.placements.end(), stands_here)) continue;
-    if (options.lines && world_T_tool.size() > 1) {
+    if (lines) {
       const std::optional<double> duration =
           duration_of_lines(map.arm(), placement.world_T_mount, world_T_tool, budget);
       if (!duration) {

@@ -51,7 +51,7 @@ struct PlacementResult {
   explicit operator bool() const { return !placements.empty(); }
 };
 
-/// Why there is no placement, one clause; empty where there is one.
+/// Why there is no placement, or why the search ended early, one clause; empty otherwise.
 std::string reason_of(const PlacementResult& result);
 
 /// Finds mounts from which the arm of a map reaches all poses (world_T_tool). The map ranks the

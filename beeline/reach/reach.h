@@ -35,8 +35,9 @@ struct ReachCells {
   /// most 255.
   std::vector<std::uint8_t> branches;
   /// The largest manipulability of a solution: sqrt(det(J J^T)) of the task's rows, metres and
-  /// radians (manipulability_measures()); of the position's rows for an arm with fewer joints. NaN
-  /// where the pose is not reached.
+  /// radians (manipulability_measures()). Of an arm with fewer joints, the rows of the position, of
+  /// a SCARA those and the rotation about z; with fewer than these, sqrt(det(J^T J)). NaN where the
+  /// pose is not reached.
   std::vector<float> manipulability;
   /// The largest margin of a solution to the joint limits: 1 in the middle of all ranges, 0 on a
   /// limit (limit_margin()); joints without limits do not count. NaN where the pose is not reached.
@@ -52,7 +53,8 @@ struct ReachCells {
 /// in that of ReachGrid::cell_of(). Throws Error for an arm with fewer joints than a pose has
 /// components, and without rolls for an arm whose last joint does not turn about the tool's z axis;
 /// for azimuths of an arm whose solutions cannot all be computed, such as a redundant one; by
-/// sampling, for azimuths, one orientation, and a prismatic joint without position limits.
+/// sampling, for azimuths, one orientation, and a joint without position limits that is not
+/// revolute or that others follow.
 ReachCells reach_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index first, Eigen::Index last,
                        const ReachOptions& options = {});
 

@@ -61,13 +61,14 @@ ReachSlice internal::slice_at(const ReachMap& map, std::array<ReachAxis, 3> axes
   if (std::abs(slice.at) < 1e-9 * axes[normal].step) slice.at = 0;
   for (int k = 0; k < 2; ++k) slice.grid[k] = axes[slice.axes[k]];
   slice.values.resize(slice.grid[0].cells, slice.grid[1].cells);
-  const ReachPositions best = positions_at(map, centres_of(axes));
-  std::size_t k = 0;
-  for (Eigen::Index i = 0; i < slice.values.rows(); ++i) {
-    for (Eigen::Index j = 0; j < slice.values.cols(); ++j, ++k) {
-      slice.values(i, j) = value_of(best, k, measure);
+  Eigen::Index next = 0;  // the second axis of the slice is the faster one
+  for_each_block(axes, [&](const std::vector<Vector3>& centres) {
+    const ReachPositions best = positions_at(map, centres);
+    for (std::size_t k = 0; k < centres.size(); ++k, ++next) {
+      slice.values(next / slice.values.cols(), next % slice.values.cols()) =
+          value_of(best, k, measure);
     }
-  }
+  });
   return slice;
 }
 

@@ -50,7 +50,7 @@ std::array<int, edges> next_edges(unsigned above) {
 class Lattice {
  public:
   Lattice(const ReachGrid& grid, const std::vector<float>& values, double level)
-      : grid_(grid), values_(values), level_(level) {
+      : grid_(grid), values_(values), level_(static_cast<float>(level)) {
     for (int k = 0; k < 3; ++k) cells_[k] = grid.axes()[k].cells;
     vertices_.resize(
         static_cast<std::size_t>(3 * (cells_[0] + 2) * (cells_[1] + 2) * (cells_[2] + 2)), -1);

@@ -60,24 +60,35 @@ std::string_view bytes_of(const auto* values, std::size_t count) {
 }  // namespace
 
 void write_vti(const ReachMap& map, const std::string& path) {
+  internal::check_complete(map);
   const std::array<ReachAxis, 3> axes = map.grid().cartesian_axes();
-  const std::vector<Vector3> centres = internal::centres_of(axes);
-  const ReachPositions best = internal::positions_at(map, centres);
-  const std::uint64_t size = centres.size() * sizeof(float);
-  internal::OutputFile file(path);
-  file.append(header_of(axes, size));
-  for (const Column& column : columns()) {
-    // The positions have z the fastest, an image x.
-    const std::vector<float> values = column.values(best);
-    std::vector<float> image;
-    image.reserve(values.size());
-    for (Eigen::Index z = 0; z < axes[2].cells; ++z) {
-      for (Eigen::Index y = 0; y < axes[1].cells; ++y) {
-        for (Eigen::Index x = 0; x < axes[0].cells; ++x) {
-          image.push_back(values[(x * axes[1].cells + y) * axes[2].cells + z]);
-        }
+  const Eigen::Index nx = axes[0].cells, ny = axes[1].cells, nz = axes[2].cells;
+  constexpr double most = 1e9;
+  const double cells = static_cast<double>(nx) * static_cast<double>(ny) * static_cast<double>(nz);
+  if (!(cells <= most)) {
+    throw Error("the image would have " + number(cells) +
+                " cells, at most 1e9 are possible: a coarser map has fewer");
+  }
+  // The positions have z the fastest, an image x.
+  std::array<std::vector<float>, 4> images;
+  for (std::vector<float>& image : images) image.resize(static_cast<std::size_t>(nx * ny * nz));
+  Eigen::Index next = 0;
+  internal::for_each_block(axes, [&](const std::vector<Vector3>& centres) {
+    const ReachPositions best = internal::positions_at(map, centres);
+    for (std::size_t k = 0; k < images.size(); ++k) {
+      Eigen::Index p = next;
+      for (const float value : columns()[k].values(best)) {
+        const Eigen::Index x = p / (ny * nz), y = p / nz % ny, z = p % nz;
+        images[k][static_cast<std::size_t>((z * ny + y) * nx + x)] = value;
+        ++p;
       }
     }
+    next += std::ssize(centres);
+  });
+  const std::uint64_t size = images[0].size() * sizeof(float);
+  internal::OutputFile file(path);
+  file.append(header_of(axes, size));
+  for (const std::vector<float>& image : images) {
     file.append(bytes_of(&size, 1));
     file.append(bytes_of(image.data(), image.size()));
   }

@@ -29,12 +29,12 @@ REULEAUX = 5200  # poses a second, published
 
 def run(command):
     """Wall and CPU seconds and the largest memory, MB, of a command."""
-    pid_file = subprocess.Popen([*map(str, command)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     begin = time.perf_counter()
-    _, status, usage = os.wait4(pid_file.pid, 0)
+    process = subprocess.Popen([*map(str, command)], stdout=subprocess.DEVNULL)
+    _, status, usage = os.wait4(process.pid, 0)
     wall = time.perf_counter() - begin
     if status != 0:
-        raise RuntimeError(f"{command}: {pid_file.stderr.read().decode()}")
+        raise RuntimeError(f"{command} ended with {status}")
     return wall, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
 
 

@@ -24,8 +24,7 @@ inline std::vector<ReachOrientations> choices() {
 }
 template <>
 inline std::string spelling(ReachOrientations orientations) {
-  static constexpr const char* names[] = {"fixed", "headings", "directions", "rolls", "any"};
-  return names[static_cast<int>(orientations)];
+  return name(orientations);
 }
 
 /// An axis of the world, 0 to 2 in C++.
@@ -217,9 +216,9 @@ struct Fields<ReachMap::Totals> {
   static constexpr auto all() {
     using Totals = ReachMap::Totals;
     return std::tuple(
-        field("cells", &Totals::cells, "All that the map has."),
+        field("cells", &Totals::cells, "Those that are here: of a file with part of a map, some."),
         field("reached", &Totals::reached, "Of these."),
-        field("positions", &Totals::positions, "All that the map has."),
+        field("positions", &Totals::positions, "Those that are here."),
         field("reached_positions", &Totals::reached_positions,
               "Of these, reached in some orientation."),
         field("volume", &Totals::volume, "Of these, m^3; of planar arms their area, m^2."));

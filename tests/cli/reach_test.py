@@ -107,6 +107,9 @@ def test_an_interrupted_map_is_continued(beeline, build, puma, tmp_path, end):
     (["map", "puma560", "--out", "OUT", "--samples", "100"], 2, "--by sampling"),
     (["map", "puma560", "--out", "OUT", "--by", "luck"], 2, "sampling"),
     (["compare", "MAP", "MAP", "--at", "y=0"], 2, "needs both"),
+    (["slice", "MAP", "--at", "z", "--out", "x.svg"], 2, "is no plane"),
+    (["map", "puma560", "--out", "OUT", "--resolution", "0.3", "--lower", "1e12,0,0", "--upper", "1e12,1,1"], 2, "told apart"),
+    (["map", "puma560", "--out", "OUT", "--directions", "0.01", "--rolls", "0.01"], 2, "orientations, at most"),
     (["compare", "MAP", "/none"], 3, "No such file"),
     (["query", "/etc/passwd"], 3, "not a reach map"),
     (["query", "MAP", "--pose", "1,2"], 2, "planar"),
@@ -159,9 +162,17 @@ def test_a_slice_is_drawn_and_written(beeline, puma, tmp_path):
 
 def test_an_image_has_the_cells_of_the_map(beeline, puma, tmp_path):
     assert beeline("reach", "export", puma, "--out", tmp_path / "map.vti").code == 0
-    text = (tmp_path / "map.vti").read_bytes()
+    data = (tmp_path / "map.vti").read_bytes()
+    head, _, values = data.partition(b'<AppendedData encoding="raw">\n_')
+    nx, ny, nz = (int(word) for word in head.split(b'Extent="')[1].split(b'"')[0].split()[1::2])
     positions = beeline("reach", "query", puma, "--json").json["positions"]
-    assert len(text) == pytest.approx(4 * (8 + 4 * positions), abs=900)
+    assert nx * ny * nz == positions and len(values) > 4 * (8 + 4 * positions)
+    # The first array, whose first axis is z, beside the rows of a slice.
+    image = numpy.frombuffer(values, "<f4", positions, 8).reshape(nz, ny, nx)
+    answer = beeline("reach", "slice", puma, "--at", "y=0.21", "--out", tmp_path / "slice.csv", "--json")
+    rows = numpy.genfromtxt(tmp_path / "slice.csv", delimiter=",", names=True)
+    j = round((answer.json["at"] - rows["x"].min()) / 0.1)  # the box is as wide along y
+    assert numpy.allclose(image[:, j, :].T.ravel(), numpy.nan_to_num(rows["directions"]), atol=1e-6)
     assert beeline("reach", "export", puma, "--out", tmp_path / "map.obj").code == 2
 
 
@@ -247,3 +258,36 @@ def test_a_cut_shard_is_refused_and_computed_again(beeline, puma, tmp_path):
     assert merged.code == 3 and "part2.h5" in merged.err and not (tmp_path / "joined.h5").exists()
     assert beeline(*MAP, "--shard", "2/2", "--out", parts[1]).code == 0
     assert beeline("reach", "merge", *parts, "--out", tmp_path / "joined.h5").code == 0
+
+
+def test_two_processes_may_compute_the_same_map(build, beeline, tmp_path):
+    command = [build / "beeline", "reach", "map", "ur5", "--resolution", "0.15", "--rolls", "1", "--out", tmp_path / "k.h5"]
+    both = [subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) for _ in range(2)]
+    assert [process.communicate()[1] for process in both] == [b"", b""]
+    assert [process.returncode for process in both] == [0, 0]
+    assert beeline("reach", "query", tmp_path / "k.h5", "--json").json["status"] == "complete"
+
+
+def test_planar_maps_of_two_resolutions_have_the_same_area(beeline, tmp_path):
+    for name, resolution in (("a.h5", "1"), ("b.h5", "0.4")):
+        assert beeline("reach", "map", "rrr", "--resolution", resolution, "--out", tmp_path / name).code == 0
+    first, second = beeline("reach", "compare", tmp_path / "a.h5", tmp_path / "b.h5", "--json").json["maps"]
+    assert first["volume"] == pytest.approx(second["volume"], rel=0.05)
+    assert first["directions"] == pytest.approx(second["directions"], rel=0.1)
+
+
+def test_links_are_followed_and_pipes_refused(beeline, puma, tmp_path):
+    (tmp_path / "link.h5").symlink_to("real.h5")
+    assert beeline("reach", "merge", puma, "--out", tmp_path / "link.h5").code == 0
+    assert (tmp_path / "link.h5").is_symlink() and (tmp_path / "real.h5").read_bytes()
+    os.mkfifo(tmp_path / "pipe")
+    answer = beeline("reach", "query", tmp_path / "pipe")
+    assert answer.code == 3 and "it is a pipe" in answer.err
+
+
+def test_a_placement_that_ended_early_reports_what_it_found(beeline, puma, written):
+    pose = written("pose.csv", "x,y,z,roll,pitch,yaw\n0.8,-0.3,0.2,180,0,0\n")
+    answer = beeline("reach", "place", puma, "--poses", pose, "--degrees", "--max-work", "100", "--json")
+    assert answer.code == 1 and answer.json["status"] == "work_limit" and answer.json["placements"]
+    empty = beeline("reach", "place", puma, "--poses", pose, "--degrees", "--lower", "1,1,1", "--upper", "0,0,0")
+    assert empty.code == 2 and "box of the mounts is empty" in empty.err

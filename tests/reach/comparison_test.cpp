@@ -69,12 +69,17 @@ TEST(ReachComparison, OfTwoMountsFindsWhatMoved) {
 
 // A box and a cylinder of the same arm agree but for the size of their cells.
 TEST(ReachComparison, OfABoxAndACylinderOfAnArmFindsLittle) {
-  const Arm arm = built_in("ur5");
-  const ReachMap box = map_of(arm, {.resolution = 0.1, .directions = 60 * deg});
-  const ReachMap cylinder =
-      map_of(arm, {.resolution = 0.1, .azimuths = 10 * deg, .directions = 60 * deg});
-  const ReachComparison compared = compare_reach(box, cylinder);
+  Arm arm = built_in("puma560");
+  arm = with_limits(arm, {{arm.joints()[0].name, {.lower = -0.5, .upper = 1.5}}});
+  const ReachGridOptions cells{.resolution = 0.07, .directions = 60 * deg};
+  ReachGridOptions turned = cells;
+  turned.azimuths = 5 * deg;
+  const ReachMap box = map_of(arm, cells);
+  const ReachComparison compared = compare_reach(box, map_of(arm, turned));
   for (const ReachSide& side : compared.sides) EXPECT_LT(side.alone, 0.15 * side.volume);
+  // Turned by 20 degrees, more differs.
+  const Arm other = with_mount(arm, Pose(Eigen::AngleAxisd(20 * deg, Vector3::UnitZ())));
+  EXPECT_GT(compare_reach(box, map_of(other, turned)).sides[0].alone, 2 * compared.sides[0].alone);
 }
 
 TEST(ReachComparison, RefusesMapsThatCannotBeCompared) {
@@ -82,6 +87,11 @@ TEST(ReachComparison, RefusesMapsThatCannotBeCompared) {
   const ReachMap fixed =
       map_of(built_in("ur5"), {.resolution = 0.4, .orientation = Rotation::Identity()});
   EXPECT_REFUSED(compare_reach(directions, fixed), "directions and fixed");
+  const Arm arm = built_in("ur5");
+  const ReachGrid grid(arm, {.resolution = 0.4});
+  const ReachCells cells = reach_cells(arm, grid, 0, grid.positions(), {.samples = 1000});
+  const ReachMap sampled({.arm = arm, .grid = grid, .samples = 1000}, cells);
+  EXPECT_REFUSED(compare_reach(directions, sampled), "one map is by sampling");
 }
 
 TEST(ReachComparison, RefusesPicturesOfSlicesThatDiffer) {

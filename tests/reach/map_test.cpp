@@ -107,6 +107,23 @@ TEST_F(ReachMapFile, ReadsBackWhatWasComputed) {
   }
 }
 
+// More rolls than a word has bits.
+TEST_F(ReachMapFile, CountsTheCellsOfManyRolls) {
+  const Arm arm = with_limits(built_in("puma560"), {{"joint6", {.lower = -0.9, .upper = 1.7}}});
+  const ReachGrid grid(
+      arm,
+      {.resolution = 0.5, .azimuths = 80 * deg, .directions = 90 * deg, .rolls = 360 * deg / 131});
+  ASSERT_EQ(grid.rolls(), 131);
+  compute_reach_map(arm, grid, path("map.h5"));
+  const ReachMap map(path("map.h5"));
+  const ReachCells cells = map.cells(0, grid.positions());
+  const ReachMap::Totals totals = map.totals();
+  EXPECT_EQ(totals.cells, grid.cells());
+  EXPECT_EQ(totals.reached,
+            grid.cells() - std::count(cells.branches.begin(), cells.branches.end(), 0));
+  EXPECT_GT(totals.reached, 0);
+}
+
 // A file with singular cells, which have more solutions than it stores.
 TEST_F(ReachMapFile, ReadsBackSingularCells) {
   const Arm arm = with_limits(built_in("puma560"), {{"joint6", {.lower = -0.4, .upper = 0.3}}});
@@ -169,6 +186,20 @@ TEST_F(ReachMapFile, ShardsOfSamplesGiveTheSameDatasets) {
   expect_equal(merged, whole);
   compute_reach_map(arm, ReachGrid(arm), path("centres"));
   EXPECT_REFUSED(merge_reach_maps({path("part1"), path("centres")}, path("m.h5")), "another map");
+}
+
+TEST_F(ReachMapFile, SamplesCountOnceInTheBudget) {
+  const Arm arm = built_in("ur5");
+  const ReachGrid grid(arm, {.resolution = 0.5, .directions = 90 * deg});
+  ReachMapOptions options{.reach = {.samples = 40'000, .threads = 1}};
+  options.reach.budget.max_work = 40'000 + grid.cells();
+  double last = 0;
+  options.reach.budget.progress = [&last](double fraction) {
+    EXPECT_GE(fraction, last);
+    last = fraction;
+  };
+  EXPECT_EQ(compute_reach_map(arm, grid, path("map.h5"), options), Ending::complete);
+  EXPECT_EQ(last, 1);
 }
 
 TEST_F(ReachMapFile, ContinuesWhereItEnded) {

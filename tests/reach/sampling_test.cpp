@@ -2,8 +2,10 @@
 
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/manipulability.h>
 #include <beeline/model/catalog.h>
 #include <beeline/reach/reach.h>
+#include <beeline/read/arm.h>
 
 #include "tests/degrees.h"
 #include "tests/random.h"
@@ -65,6 +67,67 @@ TEST(Sampling, CellsWithReachedCentresAreReached) {
   EXPECT_GT(more, reached);
 }
 
+/// A joint that turns prismatic joint b by its ratio, over several revolutions.
+Arm winch() {
+  Joint a, b, c;
+  a.name = "a";
+  b.name = "b";
+  c.name = "c";
+  a.screw = c.screw = (Twist() << 0, 0, 0, 0, 0, 1).finished();
+  b.screw = (Twist() << 1, 0, 0, 0, 0, 0).finished();
+  a.limits = {.lower = -25, .upper = 25};
+  b.limits = {.lower = -1, .upper = 1};
+  b.mimic = Mimic{.leader = "a", .multiplier = 0.03};
+  c.limits = {.lower = -2, .upper = 2};
+  c.offset.translation().x() = 0.5;
+  Pose tool = Pose::Identity();
+  tool.translation().x() = 0.5;
+  return Arm("winch", {a, b, c}, tool);
+}
+
+/// The rows of which the manipulability of an arm is measured.
+Task measured_rows(const Arm& arm) {
+  if (arm.name() == "scara") return {{true, true, true, false, false, true}};
+  if (arm.dof() >= default_task(arm).size()) return default_task(arm);
+  return arm.planar() ? Task{{true, true, false, false, false, false}} : Task::position();
+}
+
+// Random configurations in a cell have no margin or manipulability that is larger by much.
+TEST(Sampling, ValuesAreThoseOfConfigurationsInTheCell) {
+  Random random;
+  for (const Arm& arm : {built_in("puma560"), built_in("px150"), built_in("rrr"),
+                         read_arm("RR:1,0.7"), built_in("scara"), winch()}) {
+    const ReachGrid grid(arm, {.resolution = arm.reach().radius / 4, .any_orientation = true});
+    const ReachCells cells =
+        reach_cells(arm, grid, 0, grid.positions(), {.samples = cases(100'000)});
+    std::vector<float> margin(cells.margin.size(), -1), manipulability = margin;
+    for (int i = 0; i < cases(20'000); ++i) {
+      const Configuration q = random.configuration(arm);
+      const auto cell = grid.cell_of(forward_kinematics(arm, q));
+      ASSERT_TRUE(cell);
+      double least = 1;
+      for (int k = 0; k < arm.dof(); ++k) {
+        least = std::min(least, limit_margin(q[k], arm.limits(k).lower, arm.limits(k).upper));
+      }
+      margin[*cell] = std::max(margin[*cell], static_cast<float>(least));
+      const Eigen::MatrixXd j = task_jacobian(arm, q, measured_rows(arm));
+      manipulability[*cell] = std::max(
+          manipulability[*cell], static_cast<float>(manipulability_measures(j).manipulability));
+    }
+    const float most = *std::max_element(manipulability.begin(), manipulability.end());
+    int missed = 0, compared = 0;
+    for (std::size_t k = 0; k < margin.size(); ++k) {
+      EXPECT_FALSE(cells.margin[k] > 1);
+      if (margin[k] < 0) continue;
+      ++compared;
+      missed += !(cells.margin[k] > margin[k] - 0.15F) ||
+                !(cells.manipulability[k] > manipulability[k] - 0.15F * most);
+    }
+    EXPECT_GT(most, 0) << arm.name();
+    EXPECT_LT(missed, 1 + compared / 20) << arm.name() << " of " << compared;
+  }
+}
+
 TEST(Sampling, DoesNotDependOnThreadsOrRanges) {
   const Arm arm = built_in("ur5");
   const ReachGrid grid(arm, {.resolution = 0.4, .directions = 60 * deg});
@@ -100,6 +163,13 @@ TEST(Sampling, RefusesWhatCannotBeSampled) {
   EXPECT_REFUSED(
       sampled(endless, {.resolution = 1.0, .lower = Vector3(-2, -2, 0), .upper = Vector3(2, 2, 0)}),
       "no position limits");
+  const Arm turning =
+      with_limits(winch(), {{"a", {.lower = -Limits::none, .upper = Limits::none}},
+                            {"b", {.lower = -Limits::none, .upper = Limits::none}}});
+  EXPECT_REFUSED(
+      sampled(turning,
+              {.resolution = 1.0, .lower = Vector3(-2, -2, -1), .upper = Vector3(2, 2, 1)}),
+      "others follow");
   const ReachCells cut = reach_cells(arm, ReachGrid(arm), 0, 1,
                                      {.samples = 1'000'000, .budget = {.max_work = 10'000}});
   EXPECT_EQ(cut.ending, Ending::work_limit);

@@ -208,8 +208,9 @@ HWY_INLINE LaneMask solve_one(Lanes nx, Lanes ny, Lanes k, bool prismatic, const
   // Coefficients of a thousandth of their scale have lost three of sixteen digits.
   constexpr double beyond = 1e-5, small = 1e-3;
   const Lanes nn = fma(nx, nx, ny * ny);
-  status.far = status.far |
-               ((fma(k, k, -nn) > Lanes(beyond) * nn) & (nn > Lanes(small * small * unit * unit)));
+  // Where the other unknown is free, this equation may have a solution for another value of it.
+  status.far = status.far | ((fma(k, k, -nn) > Lanes(beyond) * nn) &
+                             (nn > Lanes(small * small * unit * unit)) & !status.continuum);
   return found;
 }
 

@@ -12,10 +12,10 @@ void BranchSolver::solve(const Pose& world_T_tool) {
   const auto found = solver_.solutions();
   for (Eigen::Index i = 0; i < found.cols(); ++i) {
     solutions_.insert(solutions_.end(), found.col(i).begin(), found.col(i).end());
-    branches_.first.push_back(found(0, i));
-    branches_.last.push_back(found(found.rows() - 1, i));
+    branches_.first_joint.push_back(found(0, i));
+    branches_.last_joint.push_back(found(found.rows() - 1, i));
   }
-  branches_.ends.push_back(branches_.first.size());
+  branches_.ends.push_back(branches_.first_joint.size());
   branches_.counts.push_back(static_cast<std::uint8_t>(solver_.branches()));
 }
 
@@ -29,7 +29,7 @@ void BranchSolver::solve(const ReachGrid& grid, Eigen::Index first, Eigen::Index
 }
 
 ReachBranches BranchSolver::take() {
-  const auto count = static_cast<Eigen::Index>(branches_.first.size());
+  const auto count = static_cast<Eigen::Index>(branches_.first_joint.size());
   const Eigen::Map<const Eigen::MatrixXd> q(solutions_.data(), arm_.dof(), count);
   const int begin = free_.base ? 1 : 0, end = arm_.dof() - (free_.roll ? 1 : 0);
   SolutionMeasures measures = solution_measures(arm_, q, begin, end);

@@ -63,14 +63,14 @@ Arm with_free_joints(const Arm& arm, const FreeJoints& free) {
 }
 
 void ReachBranches::append(const ReachBranches& others) {
-  const std::size_t before = first.size();
+  const std::size_t before = first_joint.size();
   for (const std::size_t end : others.ends) ends.push_back(before + end);
   const auto join = [](auto& all, const auto& more) {
     all.insert(all.end(), more.begin(), more.end());
   };
   join(counts, others.counts);
-  join(first, others.first);
-  join(last, others.last);
+  join(first_joint, others.first_joint);
+  join(last_joint, others.last_joint);
   join(manipulability, others.manipulability);
   join(margin, others.margin);
 }

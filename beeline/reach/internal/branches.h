@@ -35,10 +35,9 @@ Arm with_free_joints(const Arm& arm, const FreeJoints& free);
 struct ReachBranches {
   std::vector<std::size_t> ends = {};     ///< of the branches of each cell, one past the last
   std::vector<std::uint8_t> counts = {};  ///< of each cell: ReachCells::branches if all count
-  std::vector<double> first = {},
-                      last = {};  ///< of each branch: the values of the first and last joint
-  std::vector<float> manipulability = {};  ///< of each branch
-  std::vector<float> margin = {};          ///< of each branch: the least one of the joints not free
+  std::vector<double> first_joint = {}, last_joint = {};  ///< of each branch: their values
+  std::vector<float> manipulability = {};                 ///< of each branch
+  std::vector<float> margin = {};  ///< of each branch: the least one of the joints not free
   Ending ending = Ending::complete;
 
   std::size_t begin(std::size_t cell) const { return cell == 0 ? 0 : ends[cell - 1]; }

@@ -12,7 +12,8 @@ namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-/// Those whose angles are not a matter of intervals: none, or the roll where any will do.
+/// The joints that stay free where each azimuth and roll is solved: the last one if any roll will
+/// do.
 FreeJoints any_angle(const FreeJoints& free) {
   return {.roll = free.any_roll ? free.roll : std::nullopt, .any_roll = free.any_roll};
 }
@@ -66,10 +67,11 @@ bool CellExpansion::singular(const ReachBranches& branches, std::size_t cell) co
 
 void CellExpansion::turn(const ReachBranches& branches, std::size_t branch) {
   if (free_.base) {
-    margins_of(*free_.base, arm_.limits(0), branches.first[branch], azimuths_, azimuth_margins_);
+    margins_of(*free_.base, arm_.limits(0), branches.first_joint[branch], azimuths_,
+               azimuth_margins_);
   }
   if (free_.roll && !free_.any_roll) {
-    margins_of(*free_.roll, arm_.limits(arm_.dof() - 1), branches.last[branch], rolls_,
+    margins_of(*free_.roll, arm_.limits(arm_.dof() - 1), branches.last_joint[branch], rolls_,
                roll_margins_);
   }
 }
@@ -100,8 +102,10 @@ void CellExpansion::expand(const ReachBranches& branches, Eigen::Index solved, E
       for (Eigen::Index r = 0; r < rolls; ++r) use(a, r, cell + r, cell + r - origin * at_position);
     }
   };
-  for (std::size_t i = 0; i < branches.ends.size(); ++i) {
-    const auto index = static_cast<Eigen::Index>(i);
+  const Eigen::Index begin = (first / azimuths - solved) * orientations;
+  const Eigen::Index end = ((last + azimuths - 1) / azimuths - solved) * orientations;
+  for (Eigen::Index index = begin; index < end; ++index) {
+    const auto i = static_cast<std::size_t>(index);
     const Eigen::Index s = solved + index / orientations, o = index % orientations;
     if (singular(branches, i)) {
       each_cell(s, o, [&](auto, auto, Eigen::Index cell, Eigen::Index target) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <mutex>
 #include <utility>
@@ -132,6 +133,10 @@ Hdf5File::Hdf5File(const std::string& path, Mode mode) : path_(path) {
   const auto lock = turn();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown, not printed
   if (mode == Mode::read) {
+    std::error_code unknown;  // opening a pipe would wait for its other end
+    if (std::filesystem::is_fifo(path, unknown)) {
+      throw FileError(path, 0, "is not a reach map that can be read: it is a pipe");
+    }
     id_ = {checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), path,
                    "is not a reach map that can be read"),
            H5Fclose};

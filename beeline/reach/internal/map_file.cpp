@@ -27,6 +27,19 @@ std::string temporary_beside(const std::string& path) {
          ".part";
 }
 
+/// The file that a path leads to through symbolic links; the path itself where it is none.
+std::string target_of(const std::string& path) {
+  constexpr int most_links = 40;
+  std::filesystem::path target = path;
+  std::error_code error;
+  for (int i = 0; std::filesystem::is_symlink(target, error); ++i) {
+    if (i == most_links) throw refused(path, ELOOP);
+    const std::filesystem::path next = std::filesystem::read_symlink(target, error);
+    target = next.is_absolute() ? next : target.parent_path() / next;
+  }
+  return target.string();
+}
+
 Hdf5Shape flags_shape(const Slabs& slabs) {
   return {static_cast<unsigned long long>(slabs.count())};
 }
@@ -50,8 +63,8 @@ std::vector<bool> read_slabs(const Hdf5File& file, const ReachGrid& grid) {
 }
 
 MapWriter::MapWriter(const std::string& path, const ReachMapHeader& header)
-    : path_((check_map_path(path), path)),
-      temporary_(temporary_beside(path)),
+    : path_((check_map_path(path), target_of(path))),
+      temporary_(temporary_beside(path_)),
       header_(header),
       format_(header),
       written_(static_cast<std::size_t>(format_.slabs().count()), false),

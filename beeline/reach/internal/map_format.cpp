@@ -42,7 +42,7 @@ std::vector<Value> padded(const ReachBranches& branches, const std::vector<Value
   return all;
 }
 
-/// The opposite: those that there are.
+/// The inverse of padded().
 template <class Value>
 std::vector<Value> unpadded(const ReachBranches& branches, const std::vector<Value>& all) {
   constexpr auto most = static_cast<std::size_t>(MapFormat::max_branches);
@@ -150,8 +150,9 @@ void write_branches(MapDatasets& datasets, const MapFormat& format, Eigen::Index
   write_values(datasets, format, 0, slab, branches.counts);
   write_values(datasets, format, 1, slab, padded(branches, branches.manipulability));
   write_values(datasets, format, 2, slab, padded(branches, branches.margin));
-  write_values(datasets, format, 3, slab, padded(branches, branches.first));
-  if (datasets.size() > 4) write_values(datasets, format, 4, slab, padded(branches, branches.last));
+  write_values(datasets, format, 3, slab, padded(branches, branches.first_joint));
+  if (datasets.size() > 4)
+    write_values(datasets, format, 4, slab, padded(branches, branches.last_joint));
 }
 
 ReachBranches read_branches(const MapDatasets& datasets, const MapFormat& format,
@@ -168,11 +169,11 @@ ReachBranches read_branches(const MapDatasets& datasets, const MapFormat& format
   };
   read(1, branches.manipulability);
   read(2, branches.margin);
-  read(3, branches.first);
+  read(3, branches.first_joint);
   if (datasets.size() > 4)
-    read(4, branches.last);
+    read(4, branches.last_joint);
   else
-    branches.last.assign(branches.first.size(), 0);
+    branches.last_joint.assign(branches.first_joint.size(), 0);
   return branches;
 }
 

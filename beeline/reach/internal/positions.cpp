@@ -1,5 +1,4 @@
 #include <limits>
-#include <numeric>
 
 #include <beeline/reach/internal/positions.h>
 
@@ -18,21 +17,29 @@ ReachCells part_of(const ReachCells& cells, Eigen::Index first, Eigen::Index las
   return {part(cells.branches), part(cells.manipulability), part(cells.margin)};
 }
 
-std::vector<Vector3> centres_of(const std::array<ReachAxis, 3>& axes) {
+void check_complete(const ReachMap& map) {
+  if (!map.complete()) throw FileError(map.path(), 0, "is incomplete: merge its parts first");
+}
+
+void for_each_block(const std::array<ReachAxis, 3>& axes,
+                    const std::function<void(const std::vector<Vector3>&)>& use) {
+  constexpr std::size_t most = std::size_t{1} << 21;
   std::vector<Vector3> centres;
-  centres.reserve(static_cast<std::size_t>(axes[0].cells * axes[1].cells * axes[2].cells));
   for (Eigen::Index x = 0; x < axes[0].cells; ++x) {
     for (Eigen::Index y = 0; y < axes[1].cells; ++y) {
       for (Eigen::Index z = 0; z < axes[2].cells; ++z) {
         centres.emplace_back(axes[0].centre(x), axes[1].centre(y), axes[2].centre(z));
+        if (centres.size() < most) continue;
+        use(centres);
+        centres.clear();
       }
     }
   }
-  return centres;
+  if (!centres.empty()) use(centres);
 }
 
 ReachPositions positions_at(const ReachMap& map, const std::vector<Vector3>& points) {
-  if (!map.complete()) throw FileError(map.path(), 0, "is incomplete: merge its parts first");
+  check_complete(map);
   constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
   ReachPositions all{std::vector<float>(points.size()), std::vector<std::uint8_t>(points.size()),
                      std::vector<float>(points.size(), unknown),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 #include <beeline/reach/slice.h>
@@ -19,8 +20,13 @@ inline Eigen::Index positions_at_once(const ReachGrid& grid) {
 /// The cells from `first` to `last`, exclusive.
 ReachCells part_of(const ReachCells& cells, Eigen::Index first, Eigen::Index last);
 
-/// The centres of cells along x, y and z (ReachGrid::cartesian_axes()), z the fastest.
-std::vector<Vector3> centres_of(const std::array<ReachAxis, 3>& axes);
+/// Throws FileError unless all cells of the map are here.
+void check_complete(const ReachMap& map);
+
+/// Calls `use` for consecutive blocks of the centres of cells along x, y and z
+/// (ReachGrid::cartesian_axes()), z the fastest.
+void for_each_block(const std::array<ReachAxis, 3>& axes,
+                    const std::function<void(const std::vector<Vector3>& centres)>& use);
 
 /// The best of the positions of a map that contain these points; those outside are not reached.
 /// Reads each slab of the map once. Throws FileError for an incomplete map.

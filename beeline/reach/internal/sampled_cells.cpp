@@ -10,6 +10,7 @@
 #include <beeline/internal/budget_meter.h>
 #include <beeline/reach/internal/sampled_cells.h>
 #include <beeline/reach/internal/solution_measures.h>
+#include <beeline/reach/internal/turning_joint.h>
 
 namespace beeline::internal {
 namespace {
@@ -42,18 +43,21 @@ class Samples {
   }
 
  private:
-  /// The range of a coordinate, of a revolute joint at most a revolution around its middle.
+  /// The range of a coordinate; of a revolute joint that no other one follows, at most a revolution
+  /// around its middle.
   static std::pair<double, double> range_of(const Arm& arm, int k) {
     const Limits& limits = arm.limits(k);
     const bool bounded = limits.upper < Limits::none && limits.lower > -Limits::none;
-    const bool revolute = kind(arm.joint_of(k)) == JointKind::revolute;
-    if (!bounded && !revolute) {
+    // Of a joint that others follow, a revolution more is another configuration.
+    const bool alone = turns_alone(arm, k);
+    if (!bounded && !alone) {
       throw Error("joint " + arm.joint_of(k).name + " of " + arm.name() +
-                  " has no position limits, which a map by sampling needs");
+                  " has no position limits, which a map by sampling needs of joints that are not "
+                  "revolute, or that others follow");
     }
     constexpr double half = std::numbers::pi;
     if (!bounded) return {-half, half};
-    if (!revolute || limits.upper - limits.lower <= 2 * half) return {limits.lower, limits.upper};
+    if (!alone || limits.upper - limits.lower <= 2 * half) return {limits.lower, limits.upper};
     const double middle = (limits.lower + limits.upper) / 2;
     return {middle - half, middle + half};
   }
@@ -89,15 +93,19 @@ ReachCells sampled_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index fir
   const Eigen::Index at_position = grid.directions() * grid.rolls();
   const Eigen::Index begin = first * at_position, end = last * at_position;
   ReachCells cells;
+  if (begin == end) return cells;
   cells.resize(static_cast<std::size_t>(end - begin));
   std::fill(cells.manipulability.begin(), cells.manipulability.end(),
             std::numeric_limits<float>::quiet_NaN());
   cells.margin = cells.manipulability;
+  // Where any roll will do, the margin is that of the other joints.
+  const bool any_roll = grid.orientations() == ReachOrientations::directions && roll_joint(arm);
+  const int joints = arm.dof() - (any_roll ? 1 : 0);
   BudgetMeter budget(options.budget);
   std::mutex adding;
   std::atomic<std::int64_t> computed = 0;
   constexpr Eigen::Index block = 4096;
-  in_parallel(options.samples, block, options.threads, [&](Eigen::Index a, Eigen::Index b) {
+  const auto sample = [&](Eigen::Index a, Eigen::Index b) {
     if (budget.ended(b - a)) return;
     Eigen::MatrixXd q(arm.dof(), b - a), poses(16, b - a);
     samples.write(a, q);
@@ -111,7 +119,7 @@ ReachCells sampled_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index fir
       targets.push_back(*cell - begin);
       q.col(hits++) = q.col(i);
     }
-    const SolutionMeasures measures = solution_measures(arm, q.leftCols(hits), 0, arm.dof());
+    const SolutionMeasures measures = solution_measures(arm, q.leftCols(hits), 0, joints);
     const std::lock_guard lock(adding);  // sums and maxima: in any order the same
     for (std::size_t i = 0; i < targets.size(); ++i) {
       add(cells, targets[i], measures.manipulability[i], measures.margin[i]);
@@ -120,7 +128,14 @@ ReachCells sampled_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index fir
     if (budget.reports()) {
       budget.report(static_cast<double>(computed) / static_cast<double>(options.samples));
     }
-  });
+  };
+  // Some at a time: blocks that come after the end of the budget take time, too.
+  constexpr std::int64_t at_once = std::int64_t{1} << 24;
+  for (std::int64_t begun = 0; begun < options.samples && budget.complete(); begun += at_once) {
+    const std::int64_t count = std::min(at_once, options.samples - begun);
+    in_parallel(count, block, options.threads,
+                [&](Eigen::Index a, Eigen::Index b) { sample(begun + a, begun + b); });
+  }
   cells.ending = budget.ending();
   return cells;
 }

@@ -27,6 +27,14 @@ Slabs::Slabs(const ReachGrid& grid) {
   per_x_ = quotient_up(cells_[0], edges_[0]);
   per_row_ = quotient_up(cells_[1], edges_[1]);
   per_column_ = quotient_up(cells_[2], edges_[2]);
+  constexpr double most = 1 << 20;
+  const double slabs = static_cast<double>(per_x_) * static_cast<double>(per_row_) *
+                       static_cast<double>(per_column_);
+  if (slabs > most) {
+    throw Error("the map would have " + number(static_cast<double>(grid.cells())) +
+                " cells in more than a million slabs: a coarser resolution or larger angles have "
+                "fewer");
+  }
 }
 
 std::array<Eigen::Index, 3> Slabs::begin(Eigen::Index s) const {

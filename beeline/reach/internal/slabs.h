@@ -19,7 +19,7 @@ class Slabs {
   Eigen::Index last(Eigen::Index s) const;
   Eigen::Index slab_of(Eigen::Index position) const;
 
-  /// The positions of a slab along x, y and z; the last one along an axis has those left.
+  /// The positions of a slab along ReachGrid::axes(); the last one along an axis has those left.
   const std::array<Eigen::Index, 3>& edges() const { return edges_; }
   /// The first of them along each axis.
   std::array<Eigen::Index, 3> begin(Eigen::Index s) const;

@@ -11,7 +11,8 @@ namespace {
 Task measured_rows(const Arm& arm) {
   const Task task = default_task(arm);
   if (arm.dof() >= task.size()) return task;
-  const bool scara = arm.rotates_about_z() && !arm.planar() && arm.dof() >= 4;
+  if (arm.planar()) return {{true, true, false, false, false, false}};
+  const bool scara = arm.rotates_about_z() && arm.dof() >= 4;
   return scara ? Task{{true, true, true, false, false, true}} : Task::position();
 }
 
@@ -34,8 +35,10 @@ SolutionMeasures solution_measures(const Arm& arm, const Eigen::Ref<const Eigen:
     batch_manipulability<double>(arm, q, manipulability, {.threads = 1});
   } else {
     for (Eigen::Index i = 0; i < q.cols(); ++i) {
+      const Eigen::MatrixXd j = task_jacobian(arm, q.col(i), rows);
+      const bool wide = j.cols() >= j.rows();
       manipulability(i) =
-          manipulability_measures(task_jacobian(arm, q.col(i), rows)).manipulability;
+          manipulability_measures(wide ? j : Eigen::MatrixXd(j.transpose())).manipulability;
     }
   }
   SolutionMeasures measures;

@@ -10,16 +10,15 @@ namespace {
 
 constexpr double tolerance = 1e-12;  // rad
 
-/// Whether the joint is revolute and alone has its coordinate.
-bool turns_alone(const Arm& arm, const Joint& joint, int coordinate) {
-  const auto follows = [&](const Arm::Drive& drive) { return drive.coordinate == coordinate; };
-  return !joint.mimic && kind(joint) == JointKind::revolute &&
-         std::count_if(arm.drives().begin(), arm.drives().end(), follows) == 1;
-}
-
 bool along_z(const Twist& screw) { return screw.segment<2>(3).norm() <= tolerance; }
 
 }  // namespace
+
+bool turns_alone(const Arm& arm, int coordinate) {
+  const auto follows = [&](const Arm::Drive& drive) { return drive.coordinate == coordinate; };
+  return kind(arm.joint_of(coordinate)) == JointKind::revolute &&
+         std::count_if(arm.drives().begin(), arm.drives().end(), follows) == 1;
+}
 
 std::optional<double> TurningJoint::turned(const Limits& limits, double q, double angle) const {
   constexpr double revolution = 2 * std::numbers::pi;
@@ -34,19 +33,19 @@ std::optional<double> TurningJoint::turned(const Limits& limits, double q, doubl
 
 std::optional<TurningJoint> base_joint(const Arm& arm) {
   const Joint& first = arm.joints().front();
-  if (!turns_alone(arm, first, 0)) return std::nullopt;
+  if (first.mimic || !turns_alone(arm, 0)) return std::nullopt;
   const Twist screw = adjoint(arm.base() * first.offset, first.screw);  // in the world
   if (!along_z(screw)) return std::nullopt;
   // The velocity of the world's origin is p x w.
   return TurningJoint{.coordinate = 0,
                       .sign = screw[5] > 0 ? 1.0 : -1.0,
-                      .axis = Vector3(-screw[1], screw[0], 0) / screw[5]};
+                      .axis_point = Vector3(-screw[1], screw[0], 0) / screw[5]};
 }
 
 std::optional<TurningJoint> roll_joint(const Arm& arm) {
   const Joint& last = arm.joints().back();
   const int coordinate = arm.dof() - 1;
-  if (!turns_alone(arm, last, coordinate)) return std::nullopt;
+  if (last.mimic || !turns_alone(arm, coordinate)) return std::nullopt;
   const Twist screw = adjoint(Pose(arm.tool().inverse()), last.screw);  // in the tool frame
   const bool through = screw.head<3>().norm() <= tolerance * length_unit(arm);
   if (!through || !along_z(screw)) return std::nullopt;

@@ -11,12 +11,15 @@ namespace beeline::internal {
 struct TurningJoint {
   int coordinate = 0;
   double sign = 1;  ///< the rotation about that z axis for a positive one of the joint
-  Vector3 axis = Vector3::Zero();  ///< a point of the axis: of a base joint, in the world, z = 0
+  Vector3 axis_point = Vector3::Zero();  ///< of a base joint: on its axis, in the world, z = 0
 
   /// Returns the value that is equivalent modulo 2 pi to `q` turned by `angle` (rad) and nearest to
   /// the middle of the joint's limits; none if that is outside them.
   std::optional<double> turned(const Limits& limits, double q, double angle) const;
 };
+
+/// Whether a coordinate is that of a revolute joint that no other joint follows.
+bool turns_alone(const Arm& arm, int coordinate);
 
 /// Returns the first joint of an arm, where its axis is parallel to the world's z; none where it is
 /// another one, or has a mimic joint.

@@ -29,6 +29,7 @@ export function serve(scope: Scope, factory: Factory<CommandModule>): void {
         reply({ id, result: (await maps).answer(request.reach, report) });
       }
     } catch (error) {
+      if (!("args" in request)) maps = null; // it may have been left in the middle
       reply({ id, error: error instanceof Error ? error.message : String(error) });
     }
   };
