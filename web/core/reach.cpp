@@ -11,13 +11,17 @@
 #include "fault.h"
 #include "handles.h"
 
+#ifdef __EMSCRIPTEN__
 #include <emscripten.h>
-
-using namespace beeline;
-using web::guarded;
 
 // Runs in the worker while the core computes.
 EM_JS(void, report_progress, (double fraction), { Module["progress"](fraction); });
+#else  // clang-tidy, which has no header of Emscripten
+static void report_progress(double) {}
+#endif
+
+using namespace beeline;
+using web::guarded;
 
 namespace {
 
@@ -42,13 +46,14 @@ Map planned(const Arm& arm, const ReachGridOptions& options) {
 }
 
 /// Rolls are there where the arm has no map without them.
-Map planned(const Arm& arm, ReachGridOptions options, double rolls) {
+Map planned(const Arm& arm, const ReachGridOptions& options, double rolls) {
   try {
     return planned(arm, options);
   } catch (const Error&) {
     if (arm.planar() || options.orientation) throw;
-    options.rolls = rolls;
-    return planned(arm, options);
+    ReachGridOptions rolled = options;
+    rolled.rolls = rolls;
+    return planned(arm, rolled);
   }
 }
 
