@@ -14,7 +14,6 @@
 namespace beeline {
 namespace {
 
-using testing::cases;
 using testing::deg;
 using testing::Random;
 
@@ -34,8 +33,7 @@ TEST(Sampling, CellsOfRandomConfigurationsAreReached) {
     const Arm arm = built_in(name);
     for (const ReachGridOptions& options : sampled_grids(arm)) {
       const ReachGrid grid(arm, options);
-      const ReachCells cells =
-          reach_cells(arm, grid, 0, grid.positions(), {.samples = cases(400'000)});
+      const ReachCells cells = reach_cells(arm, grid, 0, grid.positions(), {.samples = 400'000});
       // What is seldom sampled may be missed.
       int missed = 0;
       constexpr int tries = 1000;
@@ -98,10 +96,9 @@ TEST(Sampling, ValuesAreThoseOfConfigurationsInTheCell) {
   for (const Arm& arm : {built_in("puma560"), built_in("px150"), built_in("rrr"),
                          read_arm("RR:1,0.7"), built_in("scara"), winch()}) {
     const ReachGrid grid(arm, {.resolution = arm.reach().radius / 4, .any_orientation = true});
-    const ReachCells cells =
-        reach_cells(arm, grid, 0, grid.positions(), {.samples = cases(100'000)});
+    const ReachCells cells = reach_cells(arm, grid, 0, grid.positions(), {.samples = 100'000});
     std::vector<float> margin(cells.margin.size(), -1), manipulability = margin;
-    for (int i = 0; i < cases(20'000); ++i) {
+    for (int i = 0; i < 20'000; ++i) {
       const Configuration q = random.configuration(arm);
       const auto cell = grid.cell_of(forward_kinematics(arm, q));
       ASSERT_TRUE(cell);
