@@ -4,6 +4,7 @@
 #include <beeline/reach/internal/positions.h>
 
 namespace beeline {
+
 ReachMap::ReachMap(ReachMapHeader header, ReachCells cells) {
   if (cells.ending != Ending::complete) throw Error("the cells were not computed to the end");
   const auto count = static_cast<std::size_t>(header.grid.cells());

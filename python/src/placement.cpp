@@ -80,7 +80,7 @@ void bind_placements(nb::module_& m) {
   result.def_prop_ro(
       "reason", [](const PlacementResult& self) { return reason_of(self); },
       nb::for_getter(nb::sig("def reason(self) -> str")),
-      "Why there is no placement, one clause; empty where there is one.");
+      "Why there is no placement, or why the search ended early, one clause; empty otherwise.");
   Signature find("find_placements", "PlacementResult",
                  "Finds mounts from which the arm of a map reaches all poses. The map ranks the "
                  "mounts, by the number of poses whose cells are reached, then by the least margin "

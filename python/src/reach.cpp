@@ -246,8 +246,8 @@ void bind_cells(nb::module_& m) {
                   "the grid does not have, for an arm with fewer joints than a pose has "
                   "components, without rolls for an arm whose last joint does not turn about the "
                   "tool's z axis, for azimuths of an arm whose solutions cannot all be computed, "
-                  "and by sampling for azimuths, one orientation, and a prismatic joint without "
-                  "position limits.");
+                  "and by sampling for azimuths, one orientation, and a joint without position "
+                  "limits that is not revolute or that others follow.");
   cells.takes("arm", "Arm", "The arm.")
       .takes("grid", "ReachGrid", "The cells.")
       .takes("first", "int", "First position.", "0")

@@ -4,6 +4,7 @@
 #include <beeline/reach/internal/solution_measures.h>
 
 namespace beeline::internal {
+
 BranchSolver::BranchSolver(const Arm& arm, const FreeJoints& free, int redundant_values)
     : arm_(arm), free_(free), solver_(with_free_joints(arm, free), redundant_values) {}
 

@@ -42,7 +42,7 @@ CellExpansion::CellExpansion(const Arm& arm, const ReachGrid& grid, const FreeJo
       grid_(grid),
       free_(free),
       singular_(static_cast<float>(1e-7 * std::pow(length_unit(arm), 3))),
-      one_by_one_(arm, any_angle(free), redundant_values),
+      redundant_values_(redundant_values),
       azimuth_margins_(static_cast<std::size_t>(grid.azimuths()), 1.0F) {
   for (Eigen::Index a = 0; a < grid.azimuths(); ++a) {
     azimuths_.push_back(grid.cylindrical() ? grid.axes()[2].centre(a) : 0);
@@ -76,9 +76,14 @@ void CellExpansion::turn(const ReachBranches& branches, std::size_t branch) {
   }
 }
 
+ReachBranches CellExpansion::solve_once(Eigen::Index cell) {
+  if (!one_by_one_) one_by_one_.emplace(arm_, any_angle(free_), redundant_values_);
+  one_by_one_->solve(grid_.pose(cell));
+  return one_by_one_->take();
+}
+
 void CellExpansion::solve_cell(Eigen::Index cell, Eigen::Index target, ReachCells& cells) {
-  one_by_one_.solve(grid_.pose(cell));
-  const ReachBranches found = one_by_one_.take();
+  const ReachBranches found = solve_once(cell);
   cells.branches[target] = found.counts[0];
   for (const float value : found.manipulability) raise(cells.manipulability[target], value);
   for (const float value : found.margin) raise(cells.margin[target], value);
@@ -150,8 +155,8 @@ std::vector<Eigen::Index> CellExpansion::reached(const ReachBranches& branches,
       for (Eigen::Index a = 0; a < azimuths; ++a) {
         for (Eigen::Index r = 0; r < rolls; ++r) {
           const Eigen::Index p = (solved + s) * azimuths + a;
-          one_by_one_.solve(grid_.pose(p * at_position + i % orientations * rolls + r));
-          if (one_by_one_.take().counts[0] > 0) ++counts[s * azimuths + a];
+          const Eigen::Index at = p * at_position + i % orientations * rolls + r;
+          if (solve_once(at).counts[0] > 0) ++counts[s * azimuths + a];
         }
       }
       continue;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <beeline/reach/internal/branch_solver.h>
 
 namespace beeline::internal {
@@ -29,14 +31,17 @@ class CellExpansion {
   /// Writes the margins of a branch's free joints at each azimuth and roll; negative where they are
   /// outside their limits.
   void turn(const ReachBranches& branches, std::size_t branch);
+  /// The branches of one cell of the grid, with all its limits.
+  ReachBranches solve_once(Eigen::Index cell);
   void solve_cell(Eigen::Index cell, Eigen::Index target, ReachCells& cells);
 
   Arm arm_;
   ReachGrid grid_;
   FreeJoints free_;
   float singular_;  ///< manipulability
-  BranchSolver one_by_one_;
-  std::vector<double> azimuths_, rolls_;  ///< the angles, rad
+  int redundant_values_;
+  std::optional<BranchSolver> one_by_one_;  ///< made by the first singular cell
+  std::vector<double> azimuths_, rolls_;    ///< the angles, rad
   std::vector<float> azimuth_margins_, roll_margins_;
 };
 
