@@ -52,19 +52,19 @@ class Mounts {
       throw Error("there would be " + number(mounts) +
                   " mounts, at most 1e8 are possible: a larger step or a smaller box has fewer");
     }
-    count_ = static_cast<std::int64_t>(mounts);
+    count_ = static_cast<Eigen::Index>(mounts);
   }
 
-  std::int64_t count() const { return count_; }
-  double heading(std::int64_t i) const {
+  Eigen::Index count() const { return count_; }
+  double heading(Eigen::Index i) const {
     return 2 * std::numbers::pi * static_cast<double>(i % headings_) / headings_;
   }
   /// The mount in the world.
-  Pose pose(std::int64_t i) const {
-    const std::int64_t p = i / headings_;
-    const auto ny = static_cast<std::int64_t>(counts_.y()),
-               nz = static_cast<std::int64_t>(counts_.z());
-    const std::int64_t x = p / (ny * nz), y = p / nz % ny, z = p % nz;
+  Pose pose(Eigen::Index i) const {
+    const Eigen::Index p = i / headings_;
+    const auto ny = static_cast<Eigen::Index>(counts_.y()),
+               nz = static_cast<Eigen::Index>(counts_.z());
+    const Eigen::Index x = p / (ny * nz), y = p / nz % ny, z = p % nz;
     const Vector3 index(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
     Pose pose = Pose::Identity();
     pose.linear() = Eigen::AngleAxisd(heading(i), Vector3::UnitZ()).toRotationMatrix();
@@ -76,7 +76,7 @@ class Mounts {
   int headings_;
   double step_ = 0;
   Vector3 lower_ = Vector3::Zero(), counts_ = Vector3::Zero();
-  std::int64_t count_ = 0;
+  Eigen::Index count_ = 0;
 };
 
 /// The margin of each cell, NaN where it is not reached.
@@ -96,7 +96,7 @@ std::vector<float> margins_of(const ReachMap& map) {
 struct Rank {
   int unreached = 0;  ///< poses
   float margin = 0;   ///< the negative of the least one
-  std::int64_t mount = 0;
+  Eigen::Index mount = 0;
 
   bool operator<(const Rank& other) const {
     return std::tie(unreached, margin, mount) <
@@ -105,7 +105,7 @@ struct Rank {
 };
 
 Rank rank_of(const ReachGrid& grid, const std::vector<float>& margins, const Mounts& mounts,
-             std::int64_t mount, std::span<const Pose> poses) {
+             Eigen::Index mount, std::span<const Pose> poses) {
   Rank rank{.margin = -1, .mount = mount};
   const Pose mount_T_world = mounts.pose(mount).inverse();
   for (const Pose& pose : poses) {

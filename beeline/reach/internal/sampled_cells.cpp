@@ -105,14 +105,14 @@ ReachCells sampled_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index fir
   std::mutex adding;
   std::atomic<std::int64_t> computed = 0;
   constexpr Eigen::Index block = 4096;
-  const auto sample = [&](Eigen::Index a, Eigen::Index b) {
-    if (budget.ended(b - a)) return;
-    Eigen::MatrixXd q(arm.dof(), b - a), poses(16, b - a);
-    samples.write(a, q);
+  const auto sample = [&](std::int64_t number, Eigen::Index count) {
+    if (budget.ended(count)) return;
+    Eigen::MatrixXd q(arm.dof(), count), poses(16, count);
+    samples.write(number, q);
     batch_forward<double>(arm, q, poses, {.threads = 1});
     std::vector<Eigen::Index> targets;
     Eigen::Index hits = 0;
-    for (Eigen::Index i = 0; i < b - a; ++i) {
+    for (Eigen::Index i = 0; i < count; ++i) {
       const Pose pose(Eigen::Map<const Eigen::Matrix4d>(poses.col(i).data()));
       const std::optional<Eigen::Index> cell = grid.cell_of(pose);
       if (!cell || *cell < begin || *cell >= end) continue;
@@ -124,7 +124,7 @@ ReachCells sampled_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index fir
     for (std::size_t i = 0; i < targets.size(); ++i) {
       add(cells, targets[i], measures.manipulability[i], measures.margin[i]);
     }
-    computed += b - a;
+    computed += count;
     if (budget.reports()) {
       budget.report(static_cast<double>(computed) / static_cast<double>(options.samples));
     }
@@ -132,9 +132,9 @@ ReachCells sampled_cells(const Arm& arm, const ReachGrid& grid, Eigen::Index fir
   // Some at a time: blocks that come after the end of the budget take time, too.
   constexpr std::int64_t at_once = std::int64_t{1} << 24;
   for (std::int64_t begun = 0; begun < options.samples && budget.complete(); begun += at_once) {
-    const std::int64_t count = std::min(at_once, options.samples - begun);
+    const auto count = static_cast<Eigen::Index>(std::min(at_once, options.samples - begun));
     in_parallel(count, block, options.threads,
-                [&](Eigen::Index a, Eigen::Index b) { sample(begun + a, begun + b); });
+                [&](Eigen::Index a, Eigen::Index b) { sample(begun + a, b - a); });
   }
   cells.ending = budget.ending();
   return cells;
