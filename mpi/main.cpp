@@ -48,7 +48,7 @@ class QuietRanks {
 
 /// Computes units, by their numbers, until `next` returns none.
 template <class Next>
-Ending compute_units(const internal::Parts& parts, const Units& units, const ReachMapJob& job,
+Ending compute_units(internal::Parts& parts, const Units& units, const ReachMapJob& job,
                      const Next& next) {
   internal::BudgetMeter budget(job.options.reach.budget);
   Ending ending = Ending::complete;
@@ -59,11 +59,12 @@ Ending compute_units(const internal::Parts& parts, const Units& units, const Rea
     options.budget = budget.part();
     ending = parts.compute(units[*unit], options);
   }
+  parts.finish();
   return ending;
 }
 
 /// Rank 0: hands out the units, computes as the others do, and joins what all have computed.
-Answer lead(const internal::Parts& parts, const Units& units, const ReachMapJob& job) {
+Answer lead(internal::Parts& parts, const Units& units, const ReachMapJob& job) {
   std::vector<Eigen::Index> missing;
   for (Eigen::Index k = 0; k < std::ssize(units); ++k) {
     if (!parts.has(units[k])) missing.push_back(k);
@@ -94,12 +95,12 @@ Answer compute() {
                               job.options.reach.samples};
   const Units units = internal::units_of(header);
   if (rank() == 0) {
-    const internal::Parts parts(job.out, header);  // makes the folder
+    internal::Parts parts(job.out, header);  // makes the folder
     largest_of_all(0);
     return lead(parts, units, job);
   }
   largest_of_all(0);
-  const internal::Parts parts(job.out, header);
+  internal::Parts parts(job.out, header);
   const Ending ending = compute_units(parts, units, job, ask_for_unit);
   largest_of_all(static_cast<int>(ending));
   return {};

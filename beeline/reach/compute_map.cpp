@@ -41,9 +41,9 @@ bool holds(const std::string& path, const std::vector<internal::SlabRange>& unit
   }
 }
 
-Ending compute_units(const std::vector<internal::SlabRange>& units, const ReachMapHeader& header,
-                     const std::string& path, const ReachOptions& options) {
-  const internal::Parts parts(path, header);
+/// Computes the units whose files are not there.
+Ending compute_units(internal::Parts& parts, const std::vector<internal::SlabRange>& units,
+                     const ReachOptions& options) {
   internal::BudgetMeter budget(options.budget);
   const auto fraction = [&units](std::size_t i) {
     return static_cast<double>(i) / static_cast<double>(units.size());
@@ -58,9 +58,18 @@ Ending compute_units(const std::vector<internal::SlabRange>& units, const ReachM
     }
     if (budget.reports()) budget.report(fraction(i + 1));
   }
+  return Ending::complete;
+}
+
+Ending compute_file(const std::vector<internal::SlabRange>& units, const ReachMapHeader& header,
+                    const std::string& path, const ReachOptions& options) {
+  internal::Parts parts(path, header);
+  const Ending ending = compute_units(parts, units, options);
+  parts.finish();
+  if (ending != Ending::complete) return ending;
   parts.join(units, path);
   parts.remove();
-  return Ending::complete;
+  return ending;
 }
 
 /// "3, 7 and 12 more".
@@ -82,7 +91,7 @@ Ending compute_reach_map(const Arm& arm, const ReachGrid& grid, const std::strin
   const std::vector<internal::SlabRange> units = units_of(options.shard, header);
   (void)reach_cells(arm, grid, 0, 0, options.reach);  // refuses what has no map
   try {
-    return compute_units(units, header, path, options.reach);
+    return compute_file(units, header, path, options.reach);
   } catch (const FileError&) {
     if (!holds(path, units, header)) throw;  // another process has joined the same slabs
     return Ending::complete;

@@ -247,16 +247,21 @@ double ReachGrid::turn(Eigen::Index p) const {
   return cylindrical_ ? axes_[2].centre(indices(p)[2]) : 0;
 }
 
+double ReachGrid::heading(Eigen::Index d) const {
+  return 2 * pi * static_cast<double>(d) / static_cast<double>(direction_count_);
+}
+
+double ReachGrid::roll(Eigen::Index r) const {
+  return 2 * pi * static_cast<double>(r) / static_cast<double>(roll_count_);
+}
+
 Rotation ReachGrid::rotation(Eigen::Index d, Eigen::Index r) const {
   const bool one = directions() == 1 && rolls() == 1;  // fixed, or any
   if (one) return orientation_;
-  if (orientations_ == ReachOrientations::headings) {
-    return about_z(2 * pi * static_cast<double>(d) / static_cast<double>(direction_count_));
-  }
+  if (orientations_ == ReachOrientations::headings) return about_z(heading(d));
   const DirectionGrid::Angles at = directions_.angles(d);
-  const double roll = 2 * pi * static_cast<double>(r) / static_cast<double>(roll_count_);
   return about_z(at.azimuth) * Eigen::AngleAxisd(at.polar, Vector3::UnitY()).toRotationMatrix() *
-         about_z(roll);
+         about_z(roll(r));
 }
 
 Pose ReachGrid::pose(Eigen::Index cell) const {

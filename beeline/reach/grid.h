@@ -95,8 +95,11 @@ class ReachGrid {
   Vector3 centre(Eigen::Index p) const;
   /// The volume of the cell of position p, m^3; of planar arms its area, m^2.
   double volume(Eigen::Index p) const;
+  /// The angles of heading d and of roll r, rad, from 0 on: equal parts of a revolution.
+  double heading(Eigen::Index d) const;
+  double roll(Eigen::Index r) const;
   /// The orientation of direction d with roll r, at azimuth 0 of a cylindrical grid:
-  /// Rz(azimuth) Ry(polar) Rz(2 pi r / rolls()), whose z axis is the direction.
+  /// Rz(azimuth) Ry(polar) Rz(roll(r)), whose z axis is the direction; of headings, Rz(heading(d)).
   Rotation rotation(Eigen::Index d, Eigen::Index r) const;
   /// The pose at the centre of a cell: world_T_tool.
   Pose pose(Eigen::Index cell) const;

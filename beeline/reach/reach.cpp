@@ -8,6 +8,7 @@
 #include <beeline/reach/internal/cell_expansion.h>
 #include <beeline/reach/internal/positions.h>
 #include <beeline/reach/internal/sampled_cells.h>
+#include <beeline/reach/internal/solution_measures.h>
 #include <beeline/reach/reach.h>
 
 namespace beeline {
@@ -81,8 +82,8 @@ ReachPositions reach_positions(const ReachGrid& grid, const ReachCells& cells) {
         if (cells.branches[cell] == 0) continue;
         reached = true;
         best.branches[p] = std::max(best.branches[p], cells.branches[cell]);
-        best.manipulability[p] = std::fmax(best.manipulability[p], cells.manipulability[cell]);
-        best.margin[p] = std::fmax(best.margin[p], cells.margin[cell]);
+        internal::raise(best.manipulability[p], cells.manipulability[cell]);
+        internal::raise(best.margin[p], cells.margin[cell]);
       }
       if (reached) fraction += grid.fraction(d);
     }

@@ -2,6 +2,8 @@
 #include <mutex>
 #include <optional>
 
+#include <beeline/batch/internal/copies.h>
+#include <beeline/batch/internal/parallel.h>
 #include <beeline/reach/internal/cell_expansion.h>
 #include <beeline/reach/internal/map_data.h>
 #include <beeline/reach/internal/map_file.h>
@@ -14,7 +16,8 @@ namespace {
 using internal::CellExpansion;
 using internal::MapFormat;
 
-/// Reads the slabs of a file. The one read last is kept, decompressed. Threads take turns.
+/// Reads the slabs of a file. The one read last is kept, decompressed. Threads take turns at the
+/// file, not at what is computed from it.
 class SlabReader {
  public:
   SlabReader(const ReachMapHeader& header, std::shared_ptr<internal::Hdf5File> file)
@@ -22,53 +25,68 @@ class SlabReader {
         format_(header),
         file_(std::move(file)),
         datasets_(internal::open_datasets(*file_, format_)) {
-    if (header.grid.cylindrical()) {
-      expansion_.emplace(header.arm, header.grid, format_.free(), header.redundant_values);
-    }
+    if (!header.grid.cylindrical()) return;
+    expansions_.emplace(
+        CellExpansion(header.arm, header.grid, format_.free(), header.redundant_values));
   }
 
   ReachCells read(Eigen::Index first, Eigen::Index last) {
-    const std::lock_guard lock(reading_);
-    const internal::Slabs& slabs = format_.slabs();
-    const Eigen::Index slab = slabs.slab_of(first), begin = slabs.first(slab);
     const ReachGrid& grid = header_.grid;
+    const std::shared_ptr<const Slab> slab = slab_at(format_.slabs().slab_of(first));
     const Eigen::Index at_position = grid.directions() * grid.rolls();
-    if (slab != slab_) load(slab);
-    if (!expansion_) {
-      return internal::part_of(cells_, (first - begin) * at_position, (last - begin) * at_position);
+    if (!expansions_) {
+      return internal::part_of(slab->cells, (first - slab->begin) * at_position,
+                               (last - slab->begin) * at_position);
     }
     ReachCells cells;
     cells.resize(static_cast<std::size_t>((last - first) * at_position));
-    expansion_->expand(branches_, begin / grid.azimuths(), first, last, first, cells);
+    constexpr Eigen::Index block = 8;
+    internal::in_parallel(last - first, block, 0, [&](Eigen::Index a, Eigen::Index b) {
+      expansions_->borrow()->expand(slab->branches, slab->begin / grid.azimuths(), first + a,
+                                    first + b, first, cells);
+    });
     return cells;
   }
 
-  std::vector<Eigen::Index> reached(Eigen::Index slab) {
-    const std::lock_guard lock(reading_);
-    if (slab != slab_) load(slab);
-    return expansion_->reached(branches_, format_.slabs().first(slab) / header_.grid.azimuths());
+  std::vector<Eigen::Index> reached(Eigen::Index number) {
+    const std::shared_ptr<const Slab> slab = slab_at(number);
+    const Eigen::Index azimuths = header_.grid.azimuths();
+    const Eigen::Index positions = format_.slabs().last(number) - slab->begin;
+    std::vector<Eigen::Index> counts(static_cast<std::size_t>(positions), 0);
+    internal::in_parallel(positions / azimuths, 1, 0, [&](Eigen::Index a, Eigen::Index b) {
+      expansions_->borrow()->count_reached(slab->branches, slab->begin / azimuths, a, b, counts);
+    });
+    return counts;
   }
 
  private:
-  void load(Eigen::Index slab) {
-    slab_ = -1;  // if reading fails
-    if (expansion_) {
-      branches_ = internal::read_branches(datasets_, format_, slab);
+  struct Slab {
+    Eigen::Index number, begin;  // the first position
+    ReachCells cells = {};
+    internal::ReachBranches branches = {};  // of a cylindrical map, instead of cells
+  };
+
+  std::shared_ptr<const Slab> slab_at(Eigen::Index number) {
+    const std::lock_guard lock(reading_);
+    if (latest_ && latest_->number == number) return latest_;
+    latest_.reset();  // before another one takes memory
+    Slab slab{.number = number, .begin = format_.slabs().first(number)};
+    if (expansions_) {
+      slab.branches = internal::read_branches(datasets_, format_, number);
     } else {
-      cells_ = internal::read_cells(datasets_, format_, slab);
+      slab.cells = internal::read_cells(datasets_, format_, number);
     }
-    slab_ = slab;
+    latest_ = std::make_shared<const Slab>(std::move(slab));
+    return latest_;
   }
 
   ReachMapHeader header_;
   MapFormat format_;
   std::shared_ptr<internal::Hdf5File> file_;  // closed after its datasets
   internal::MapDatasets datasets_;
-  std::optional<CellExpansion> expansion_;
+  std::optional<internal::Copies<CellExpansion>> expansions_;
   std::mutex reading_;
-  Eigen::Index slab_ = -1;
-  ReachCells cells_;
-  internal::ReachBranches branches_;
+  std::shared_ptr<const Slab> latest_;
 };
 
 }  // namespace

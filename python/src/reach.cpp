@@ -1,4 +1,3 @@
-#include <numbers>
 
 #include <beeline/reach/reach.h>
 
@@ -21,8 +20,6 @@ nb::object numbers(Index count, Number number) {
   for (Index i = 0; i < count; ++i) values.push_back(number(i));
   return Value<std::vector<double>>::to(values);
 }
-
-constexpr double revolution = 2 * std::numbers::pi;
 
 /// The tool's z axis of each direction.
 nb::object direction_rows(const ReachGrid& grid) {
@@ -101,18 +98,14 @@ void bind_coordinates(nb::class_<GridOfArm>& grid) {
             "Rotations about the world's z, rad, (n,): of planar arms, else None.",
             [](const ReachGrid& self) -> nb::object {
               if (self.orientations() != ReachOrientations::headings) return nb::none();
-              const auto n = static_cast<double>(self.directions());
-              return numbers(self.directions(),
-                             [n](Index d) { return revolution * static_cast<double>(d) / n; });
+              return numbers(self.directions(), [&](Index d) { return self.heading(d); });
             });
   bind_kept(grid, "rolls", std::string(array_type) + " | None",
             "Rotations about the tool direction, rad, (n,); None where any roll will do, and "
             "without directions.",
             [](const ReachGrid& self) -> nb::object {
               if (self.orientations() != ReachOrientations::rolls) return nb::none();
-              const auto n = static_cast<double>(self.rolls());
-              return numbers(self.rolls(),
-                             [n](Index r) { return revolution * static_cast<double>(r) / n; });
+              return numbers(self.rolls(), [&](Index r) { return self.roll(r); });
             });
   bind_kept(grid, "orientation", std::string(array_type) + " | None",
             "That of all cells, world_R_tool (3, 3), where it is fixed; else None.",

@@ -3,6 +3,7 @@ import { readFile } from "node:fs/promises";
 import { join, normalize } from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium, type Browser, type Page } from "playwright-core";
+import { afterAll, afterEach, beforeAll, expect } from "vitest";
 
 const root = fileURLToPath(new URL("../../build/web", import.meta.url));
 const types: Record<string, string> = {
@@ -77,4 +78,33 @@ export async function open(
   await page.goto(address + hash);
   await page.waitForSelector("#first", { state: "detached" });
   return { page, complaints };
+}
+
+/**
+ * One browser for all tests of a file. `opened` opens the page for a test, after which it must have no complaint and is
+ * closed; `there` is the visit, once the tests run.
+ */
+export function pages(): {
+  there(): Visit;
+  opened(hash?: string, size?: { width: number; height: number }): Promise<Page>;
+} {
+  let visited: Visit;
+  let latest: Awaited<ReturnType<typeof open>> | null = null;
+  beforeAll(async () => {
+    visited = await visit();
+  }, 60_000);
+  afterAll(() => visited.close());
+  afterEach(async () => {
+    const { page, complaints } = latest ?? {};
+    latest = null;
+    if (complaints) expect(complaints).toEqual({ errors: [], requests: [] });
+    await page?.context().close();
+  });
+  return {
+    there: () => visited,
+    async opened(hash, size) {
+      latest = await open(visited, hash, size);
+      return latest.page;
+    },
+  };
 }

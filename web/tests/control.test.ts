@@ -1,29 +1,14 @@
-import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
+import { expect, test } from "vitest";
 import type { Page } from "playwright-core";
 import { stepResponse } from "../src/core/step_response.js";
-import { open, visit, type Complaints, type Visit } from "./browser.js";
+import { pages } from "./browser.js";
 import { json, loadCore, random, run } from "./native.js";
 
 const from = [0, 0.3, 0.5];
 const to = [1.73, -1.2, -0.53];
 const section = `#arm=rrr&q=${from.join(",")}&goal=${to.join(",")}&section=control`;
 
-let there: Visit;
-let watched: Complaints | null = null;
-beforeAll(async () => {
-  there = await visit();
-});
-afterAll(() => there.close());
-afterEach(() => {
-  if (watched) expect(watched).toEqual({ errors: [], requests: [] });
-  watched = null;
-});
-
-async function opened(hash: string, size?: { width: number; height: number }): Promise<Page> {
-  const { page, complaints } = await open(there, hash, size);
-  watched = complaints;
-  return page;
-}
+const { opened } = pages();
 
 test.each([
   { kp: 0.05, ki: 0, kd: 0 },

@@ -1,28 +1,10 @@
 import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
-import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
-import { open, visit, type Complaints, type Visit } from "./browser.js";
+import { expect, test } from "vitest";
+import { pages } from "./browser.js";
 import { json, run } from "./native.js";
 
-let there: Visit;
-let watched: Complaints | null = null;
-let page: Page | null = null;
-beforeAll(async () => {
-  there = await visit();
-}, 60_000);
-afterAll(() => there.close());
-afterEach(async () => {
-  if (watched) expect(watched).toEqual({ errors: [], requests: [] });
-  watched = null;
-  await page?.context().close();
-});
-
-async function opened(hash: string, size?: { width: number; height: number }): Promise<Page> {
-  const visited = await open(there, hash, size);
-  watched = visited.complaints;
-  page = visited.page;
-  return page;
-}
+const { opened, there } = pages();
 
 const status = (page: Page) => page.getByLabel("Inverse kinematics").getByRole("status");
 const field = (page: Page, i: number) => page.locator(`#joint-${i}`);
@@ -165,10 +147,10 @@ test("a picture that the graphics card loses is announced and comes back", async
 });
 
 test("without WebAssembly the page says so", async () => {
-  const context = await there.browser.newContext();
-  page = await context.newPage();
+  const context = await there().browser.newContext();
+  const page = await context.newPage();
   await page.addInitScript("delete globalThis.WebAssembly");
-  await page.goto(there.address);
+  await page.goto(there().address);
   await page.getByRole("alert").getByText("has no WebAssembly").waitFor();
 });
 

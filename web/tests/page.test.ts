@@ -2,32 +2,15 @@ import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
-import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
-import { open, visit, type Complaints, type Visit } from "./browser.js";
+import { expect, test } from "vitest";
+import { pages } from "./browser.js";
 import { json } from "./native.js";
 
 interface Fk {
   pose: { translation: number[]; quaternion: number[] | Record<string, number> };
 }
 
-let there: Visit;
-let watched: Complaints | null = null;
-beforeAll(async () => {
-  there = await visit();
-}, 60_000);
-afterAll(() => there.close());
-
-/** After each test: no error in the console, no request that left this computer. */
-afterEach(() => {
-  if (watched) expect(watched).toEqual({ errors: [], requests: [] });
-  watched = null;
-});
-
-async function opened(hash: string, size?: { width: number; height: number }) {
-  const { page, complaints } = await open(there, hash, size);
-  watched = complaints;
-  return page;
-}
+const { opened, there } = pages();
 
 function numbers(text: string | null): number[] {
   return (
@@ -278,7 +261,7 @@ test("the saved page opens from a disk, without a network, and computes", async 
   ]);
   const file = join(mkdtempSync(join(tmpdir(), "beeline-page-")), "beeline.html");
   await download.saveAs(file);
-  const context = await there.browser.newContext({ offline: true });
+  const context = await there().browser.newContext({ offline: true });
   const saved = await context.newPage();
   const errors: string[] = [];
   saved.on("pageerror", (error) => errors.push(error.message));

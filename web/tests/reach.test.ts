@@ -1,7 +1,7 @@
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
+import { afterAll, expect, test } from "vitest";
 import type { Page } from "playwright-core";
 import { instantiateCommand } from "../src/core/load.js";
 import { centreOf, measures, positionCount, sliceOf, type Measure, type ReachMap } from "../src/core/reach.js";
@@ -9,7 +9,7 @@ import { ReachModule } from "../src/core/reach_module.js";
 import { addressOf, partOf, stateOf } from "../src/address/address.js";
 import { initialState } from "../src/state/page_state.js";
 import { toolAt } from "../src/page/tool_at.js";
-import { open, visit, type Complaints, type Visit } from "./browser.js";
+import { pages } from "./browser.js";
 import { commandParts, loadCore, run } from "./native.js";
 
 const { factory, wasm } = await commandParts();
@@ -18,25 +18,10 @@ const maps = new ReachModule(await instantiateCommand(factory, await WebAssembly
 const core = await loadCore();
 const folder = mkdtempSync(join(tmpdir(), "beeline-reach-"));
 
-let there: Visit;
-let watched: Complaints | null = null;
-beforeAll(async () => {
-  there = await visit();
-});
-afterAll(async () => {
+const { opened } = pages();
+afterAll(() => {
   rmSync(folder, { recursive: true });
-  await there.close();
 });
-afterEach(() => {
-  if (watched) expect(watched).toEqual({ errors: [], requests: [] });
-  watched = null;
-});
-
-async function opened(hash: string, size?: { width: number; height: number }): Promise<Page> {
-  const { page, complaints } = await open(there, hash, size);
-  watched = complaints;
-  return page;
-}
 
 /** The arm's plan with its tool directions or headings 90 degrees apart. */
 function planOf(name: string, resolution: number) {

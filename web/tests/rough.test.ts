@@ -1,27 +1,9 @@
 import { deflateRawSync } from "node:zlib";
 import type { Page } from "playwright-core";
-import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
-import { open, visit, type Complaints, type Visit } from "./browser.js";
+import { expect, test } from "vitest";
+import { pages } from "./browser.js";
 
-let there: Visit;
-let watched: Complaints | null = null;
-let page: Page | null = null;
-beforeAll(async () => {
-  there = await visit();
-});
-afterAll(() => there.close());
-afterEach(async () => {
-  if (watched) expect(watched).toEqual({ errors: [], requests: [] });
-  watched = null;
-  await page?.context().close();
-});
-
-async function opened(hash: string): Promise<Page> {
-  const visited = await open(there, hash);
-  watched = visited.complaints;
-  page = visited.page;
-  return page;
-}
+const { opened, there } = pages();
 
 async function joints(page: Page): Promise<number> {
   return page.locator(".joints .joint").count();
@@ -84,22 +66,22 @@ test("arms and sections changed while a command runs leave nothing of the arm be
 });
 
 test("without WebGL the page says so and computes", async () => {
-  const context = await there.browser.newContext();
-  page = await context.newPage();
+  const context = await there().browser.newContext();
+  const page = await context.newPage();
   await page.addInitScript("HTMLCanvasElement.prototype.getContext = () => null");
-  await page.goto(`${there.address}#arm=rrr&q=0.1,0.2,0.3`);
+  await page.goto(`${there().address}#arm=rrr&q=0.1,0.2,0.3`);
   await page.getByText("has no WebGL").waitFor();
   expect(await joints(page)).toBe(3);
   await page.getByLabel("Inverse kinematics").locator("li button").first().waitFor();
   await page.locator("#arm-text").fill("panda");
-  await expect.poll(() => joints(page as Page)).toBe(7);
+  await expect.poll(() => joints(page)).toBe(7);
 });
 
 test("without WebAssembly exceptions the page says which browsers have them", async () => {
-  const context = await there.browser.newContext();
-  page = await context.newPage();
+  const context = await there().browser.newContext();
+  const page = await context.newPage();
   await page.addInitScript("WebAssembly.validate = () => false");
-  await page.goto(there.address);
+  await page.goto(there().address);
   await page.getByRole("alert").getByText("exceptions").waitFor();
 });
 

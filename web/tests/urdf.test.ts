@@ -4,30 +4,12 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { Euler, Matrix4, Quaternion, Vector3 } from "three";
 import type { Page } from "playwright-core";
-import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
-import { open, visit, type Complaints, type Visit } from "./browser.js";
+import { expect, test } from "vitest";
+import { pages } from "./browser.js";
 import { binaryStl, collada, obj, textStl, urdf } from "./meshes.js";
 import { json, run } from "./native.js";
 
-let there: Visit;
-let watched: Complaints | null = null;
-let page: Page | null = null;
-beforeAll(async () => {
-  there = await visit();
-}, 60_000);
-afterAll(() => there.close());
-afterEach(async () => {
-  if (watched) expect(watched).toEqual({ errors: [], requests: [] });
-  watched = null;
-  await page?.context().close();
-});
-
-async function opened(hash = ""): Promise<Page> {
-  const visited = await open(there, hash);
-  watched = visited.complaints;
-  page = visited.page;
-  return page;
-}
+const { opened, there } = pages();
 
 /** Drops files on the page, as a mouse does. */
 async function drop(page: Page, files: Record<string, Buffer | string>): Promise<void> {
@@ -137,7 +119,7 @@ test("a saved page shows meshes too, from a disk and without a network", async (
   ]);
   const folder = mkdtempSync(join(tmpdir(), "beeline-saved-"));
   await download.saveAs(join(folder, "beeline.html"));
-  const context = await there.browser.newContext({ offline: true });
+  const context = await there().browser.newContext({ offline: true });
   const saved = await context.newPage();
   await saved.goto(`file://${folder}/beeline.html`);
   await saved.waitForSelector("#first", { state: "detached" });
@@ -182,9 +164,7 @@ test.each([
   { width: 1200, height: 900 },
   { width: 360, height: 740 },
 ])("forms and lists that are opened are accessible and no wider than the screen, %o", async (size) => {
-  const visited = await open(there, "", size);
-  watched = visited.complaints;
-  page = visited.page;
+  const page = await opened("", size);
   await drop(page, everything);
   await line(page).getByText("5 meshes.").waitFor();
   for (const summary of await page.locator("summary:visible").all()) await summary.click();

@@ -2,10 +2,10 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include <beeline/model/internal/dh_row.h>
 #include <beeline/reach/internal/cell_expansion.h>
+#include <beeline/reach/internal/solution_measures.h>
 
 namespace beeline::internal {
 namespace {
@@ -18,20 +18,18 @@ FreeJoints any_angle(const FreeJoints& free) {
   return {.roll = free.any_roll ? free.roll : std::nullopt, .any_roll = free.any_roll};
 }
 
-/// The margin of a joint's value turned by each angle; -1 where that is outside its limits.
+/// The margin of a joint's value turned by each of the angles from `begin` to `end`; -1 where that
+/// is outside its limits.
 void margins_of(const TurningJoint& joint, const Limits& limits, double value,
-                const std::vector<double>& angles, std::vector<float>& margins) {
-  for (std::size_t k = 0; k < angles.size(); ++k) {
+                const std::vector<double>& angles, Eigen::Index begin, Eigen::Index end,
+                std::vector<float>& margins) {
+  for (Eigen::Index k = begin; k < end; ++k) {
     const std::optional<double> turned = joint.turned(limits, value, angles[k]);
     margins[k] = -1;
     if (!turned) continue;
     const double margin = limit_margin(*turned, limits.lower, limits.upper);
     margins[k] = static_cast<float>(std::clamp(margin, 0.0, 1.0));
   }
-}
-
-void raise(float& best, float value) {
-  if (!(best >= value)) best = value;
 }
 
 }  // namespace
@@ -48,9 +46,7 @@ CellExpansion::CellExpansion(const Arm& arm, const ReachGrid& grid, const FreeJo
     azimuths_.push_back(grid.cylindrical() ? grid.axes()[2].centre(a) : 0);
   }
   const Eigen::Index rolls = free.roll ? grid.rolls() : 1;
-  for (Eigen::Index r = 0; r < rolls; ++r) {
-    rolls_.push_back(2 * std::numbers::pi * static_cast<double>(r) / static_cast<double>(rolls));
-  }
+  for (Eigen::Index r = 0; r < rolls; ++r) rolls_.push_back(grid.roll(r));
   roll_margins_.assign(rolls_.size(), 1.0F);
 }
 
@@ -65,14 +61,15 @@ bool CellExpansion::singular(const ReachBranches& branches, std::size_t cell) co
                      [this](float value) { return value < singular_; });
 }
 
-void CellExpansion::turn(const ReachBranches& branches, std::size_t branch) {
+void CellExpansion::turn(const ReachBranches& branches, std::size_t branch, Eigen::Index begin,
+                         Eigen::Index end) {
   if (free_.base) {
-    margins_of(*free_.base, arm_.limits(0), branches.first_joint[branch], azimuths_,
+    margins_of(*free_.base, arm_.limits(0), branches.first_joint[branch], azimuths_, begin, end,
                azimuth_margins_);
   }
   if (free_.roll && !free_.any_roll) {
-    margins_of(*free_.roll, arm_.limits(arm_.dof() - 1), branches.last_joint[branch], rolls_,
-               roll_margins_);
+    margins_of(*free_.roll, arm_.limits(arm_.dof() - 1), branches.last_joint[branch], rolls_, 0,
+               std::ssize(rolls_), roll_margins_);
   }
 }
 
@@ -99,10 +96,12 @@ void CellExpansion::expand(const ReachBranches& branches, Eigen::Index solved, E
   constexpr auto most = std::numeric_limits<std::uint8_t>::max();
   const Eigen::Index azimuths = grid_.azimuths(), rolls = std::ssize(rolls_);
   const Eigen::Index orientations = free_.solved_orientations(grid_);
+  const auto begin_of = [&](Eigen::Index s) {
+    return std::max<Eigen::Index>(0, first - s * azimuths);
+  };
+  const auto end_of = [&](Eigen::Index s) { return std::min(azimuths, last - s * azimuths); };
   const auto each_cell = [&](Eigen::Index s, Eigen::Index o, const auto& use) {
-    const Eigen::Index begin = std::max<Eigen::Index>(0, first - s * azimuths);
-    const Eigen::Index end = std::min(azimuths, last - s * azimuths);
-    for (Eigen::Index a = begin; a < end; ++a) {
+    for (Eigen::Index a = begin_of(s); a < end_of(s); ++a) {
       const Eigen::Index cell = (s * azimuths + a) * at_position + o * rolls;
       for (Eigen::Index r = 0; r < rolls; ++r) use(a, r, cell + r, cell + r - origin * at_position);
     }
@@ -120,7 +119,7 @@ void CellExpansion::expand(const ReachBranches& branches, Eigen::Index solved, E
     }
     const std::size_t count = branches.ends[i] - branches.begin(i);
     for (std::size_t b = branches.begin(i); b < branches.ends[i]; ++b) {
-      turn(branches, b);
+      turn(branches, b, begin_of(s), end_of(s));
       each_cell(s, o, [&](Eigen::Index a, Eigen::Index r, auto, Eigen::Index target) {
         const float margin = std::min({branches.margin[b], azimuth_margins_[a], roll_margins_[r]});
         if (margin < 0) return;
@@ -137,17 +136,16 @@ void CellExpansion::expand(const ReachBranches& branches, Eigen::Index solved, E
   }
 }
 
-std::vector<Eigen::Index> CellExpansion::reached(const ReachBranches& branches,
-                                                 Eigen::Index solved) {
+void CellExpansion::count_reached(const ReachBranches& branches, Eigen::Index solved,
+                                  Eigen::Index first, Eigen::Index last,
+                                  std::vector<Eigen::Index>& counts) {
   const Eigen::Index azimuths = grid_.azimuths(), rolls = std::ssize(rolls_);
   const Eigen::Index orientations = free_.solved_orientations(grid_);
   const Eigen::Index at_position = grid_.directions() * grid_.rolls();
   constexpr Eigen::Index bits = 64;
   const Eigen::Index words = (rolls + bits - 1) / bits;
-  const auto cells = static_cast<Eigen::Index>(branches.ends.size());
-  std::vector<Eigen::Index> counts(static_cast<std::size_t>(cells / orientations * azimuths), 0);
   std::vector<std::uint64_t> masks, of_rolls;  // a bit for each roll: of each azimuth, of a branch
-  for (Eigen::Index i = 0; i < cells; ++i) {
+  for (Eigen::Index i = first * orientations; i < last * orientations; ++i) {
     const auto cell = static_cast<std::size_t>(i);
     const Eigen::Index s = i / orientations;
     masks.assign(static_cast<std::size_t>(azimuths * words), 0);
@@ -162,7 +160,7 @@ std::vector<Eigen::Index> CellExpansion::reached(const ReachBranches& branches,
       continue;
     }
     for (std::size_t b = branches.begin(cell); b < branches.ends[cell]; ++b) {
-      turn(branches, b);
+      turn(branches, b, 0, azimuths);
       of_rolls.assign(static_cast<std::size_t>(words), 0);
       for (Eigen::Index r = 0; r < rolls; ++r) {
         if (roll_margins_[r] >= 0) of_rolls[r / bits] |= std::uint64_t{1} << (r % bits);
@@ -176,7 +174,6 @@ std::vector<Eigen::Index> CellExpansion::reached(const ReachBranches& branches,
       counts[s * azimuths + k / words] += std::popcount(masks[k]);
     }
   }
-  return counts;
 }
 
 }  // namespace beeline::internal

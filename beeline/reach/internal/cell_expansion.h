@@ -21,16 +21,19 @@ class CellExpansion {
   void expand(const ReachBranches& branches, Eigen::Index solved, Eigen::Index first,
               Eigen::Index last, Eigen::Index origin, ReachCells& cells);
 
-  /// Returns the number of reached cells of each position, azimuths the fastest, without computing
-  /// the cells. The first cell of `branches` is that of position `solved`.
-  std::vector<Eigen::Index> reached(const ReachBranches& branches, Eigen::Index solved);
+  /// Adds the number of reached cells of each position, azimuths the fastest, to `counts`, without
+  /// computing the cells: those of solved position number `first` to `last` (exclusive) of
+  /// `branches`, whose first one is position `solved`, counted without azimuths.
+  void count_reached(const ReachBranches& branches, Eigen::Index solved, Eigen::Index first,
+                     Eigen::Index last, std::vector<Eigen::Index>& counts);
 
  private:
   /// Whether a cell has a branch at which the arm is singular and an angle of it matters.
   bool singular(const ReachBranches& branches, std::size_t cell) const;
-  /// Writes the margins of a branch's free joints at each azimuth and roll; negative where they are
-  /// outside their limits.
-  void turn(const ReachBranches& branches, std::size_t branch);
+  /// Writes the margins of a branch's free joints at the azimuths from `begin` to `end` and at each
+  /// roll; negative where they are outside their limits.
+  void turn(const ReachBranches& branches, std::size_t branch, Eigen::Index begin,
+            Eigen::Index end);
   /// The branches of one cell of the grid, with all its limits.
   ReachBranches solve_once(Eigen::Index cell);
   void solve_cell(Eigen::Index cell, Eigen::Index target, ReachCells& cells);

@@ -1,22 +1,17 @@
-#include <numbers>
-
 #include <beeline/reach/internal/coordinates.h>
 
 namespace beeline::internal {
 namespace {
 
-std::vector<double> equal_angles(Eigen::Index count) {
-  std::vector<double> angles;
-  for (Eigen::Index i = 0; i < count; ++i) {
-    angles.push_back(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count));
-  }
-  return angles;
+/// value(0) to value(count - 1).
+std::vector<double> values(Eigen::Index count, const auto& value) {
+  std::vector<double> all;
+  for (Eigen::Index i = 0; i < count; ++i) all.push_back(value(i));
+  return all;
 }
 
 std::vector<double> centres_of(const ReachAxis& axis) {
-  std::vector<double> centres;
-  for (Eigen::Index i = 0; i < axis.cells; ++i) centres.push_back(axis.centre(i));
-  return centres;
+  return values(axis.cells, [&](Eigen::Index i) { return axis.centre(i); });
 }
 
 }  // namespace
@@ -33,10 +28,11 @@ std::vector<Coordinates> coordinates_of(const ReachGrid& grid) {
   }
   const ReachOrientations orientations = grid.orientations();
   if (orientations == ReachOrientations::headings) {
-    all.push_back({"headings", equal_angles(grid.directions())});
+    all.push_back({"headings",
+                   values(grid.directions(), [&](Eigen::Index d) { return grid.heading(d); })});
   }
   if (orientations == ReachOrientations::rolls) {
-    all.push_back({"rolls", equal_angles(grid.rolls())});
+    all.push_back({"rolls", values(grid.rolls(), [&](Eigen::Index r) { return grid.roll(r); })});
   }
   if (orientations == ReachOrientations::rolls || orientations == ReachOrientations::directions) {
     Coordinates directions{.name = "directions", .values = {}, .columns = 3};

@@ -71,22 +71,41 @@ void Parts::write(Eigen::Index slab, const auto& computed) const {
   writer.commit();
 }
 
-Ending Parts::compute(const SlabRange& unit, const ReachOptions& options) const {
+void Parts::write_files(const SlabRange& unit, const ReachCells& cells) const {
+  const Eigen::Index at_position = header_.grid.directions() * header_.grid.rolls();
+  const Eigen::Index origin = slabs_.first(unit.first);
+  for (Eigen::Index slab = unit.first; slab < unit.last; ++slab) {
+    write(slab, part_of(cells, (slabs_.first(slab) - origin) * at_position,
+                        (slabs_.last(slab) - origin) * at_position));
+  }
+}
+
+void Parts::in_background(const ReachOptions& options, std::function<void()> write) {
+  finish();
+  writing_ = std::async(std::launch::async, std::move(write));
+  if (options.threads == 1) finish();
+}
+
+void Parts::finish() {
+  if (writing_.valid()) writing_.get();
+}
+
+Ending Parts::compute(const SlabRange& unit, const ReachOptions& options) {
   const ReachGrid& grid = header_.grid;
   const Eigen::Index first = slabs_.first(unit.first), last = slabs_.last(unit.last - 1);
   if (grid.cylindrical()) {  // a unit of one slab
-    const ReachBranches branches =
+    ReachBranches branches =
         reach_branches(header_.arm, grid, first / grid.azimuths(), last / grid.azimuths(), options);
-    if (branches.ending == Ending::complete) write(unit.first, branches);
-    return branches.ending;
+    const Ending ending = branches.ending;
+    if (ending != Ending::complete) return ending;
+    in_background(options, [this, slab = unit.first, all = std::move(branches)] {
+      write(slab, all);
+    });
+    return ending;
   }
-  const ReachCells cells = reach_cells(header_.arm, grid, first, last, options);
+  ReachCells cells = reach_cells(header_.arm, grid, first, last, options);
   if (cells.ending != Ending::complete) return cells.ending;
-  const Eigen::Index at_position = grid.directions() * grid.rolls();
-  for (Eigen::Index slab = unit.first; slab < unit.last; ++slab) {
-    write(slab, part_of(cells, (slabs_.first(slab) - first) * at_position,
-                        (slabs_.last(slab) - first) * at_position));
-  }
+  in_background(options, [this, unit, all = std::move(cells)] { write_files(unit, all); });
   return Ending::complete;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <future>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,11 @@ class Parts {
 
   /// Whether the folder has those slabs, whole.
   bool has(const SlabRange& unit) const;
-  /// Computes slabs and writes their files.
-  Ending compute(const SlabRange& unit, const ReachOptions& options) const;
+  /// Computes slabs and writes their files: with one thread at once, with several while the next
+  /// call computes. Throws what was thrown while the last unit was written.
+  Ending compute(const SlabRange& unit, const ReachOptions& options);
+  /// Waits until the files of all units are written. Throws as compute() does.
+  void finish();
   /// Joins the slabs of units into one file.
   void join(const std::vector<SlabRange>& units, const std::string& path) const;
   /// Deletes the folder.
@@ -38,10 +42,13 @@ class Parts {
   std::string file(Eigen::Index slab) const;
   bool has_slab(Eigen::Index slab) const;
   void write(Eigen::Index slab, const auto& computed) const;
+  void write_files(const SlabRange& unit, const ReachCells& cells) const;
+  void in_background(const ReachOptions& options, std::function<void()> write);
 
   std::string folder_;
   ReachMapHeader header_;
   Slabs slabs_;
+  std::future<void> writing_;  // its destructor waits
 };
 
 }  // namespace beeline::internal

@@ -70,8 +70,8 @@ class Samples {
 void add(ReachCells& cells, Eigen::Index cell, float manipulability, float margin) {
   constexpr auto most = std::numeric_limits<std::uint8_t>::max();
   if (cells.branches[cell] < most) ++cells.branches[cell];
-  if (!(cells.manipulability[cell] >= manipulability)) cells.manipulability[cell] = manipulability;
-  if (!(cells.margin[cell] >= margin)) cells.margin[cell] = margin;
+  raise(cells.manipulability[cell], manipulability);
+  raise(cells.margin[cell], margin);
 }
 
 void check_grid(const Arm& arm, const ReachGrid& grid) {

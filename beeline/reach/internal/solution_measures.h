@@ -10,6 +10,11 @@ namespace beeline::internal {
 /// `end` - 1; of solutions that rounding moved outside, 0.
 double least_margin(const Arm& arm, const ConfigurationRef& q, int begin, int end);
 
+/// Raises the largest value so far, NaN before the first.
+inline void raise(float& largest, float value) {
+  if (!(largest >= value)) largest = value;
+}
+
 /// One value for each configuration.
 struct SolutionMeasures {
   std::vector<float> manipulability, margin;
