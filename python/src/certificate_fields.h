@@ -59,7 +59,7 @@ struct Fields<PathDeviation> {
 };
 
 template <>
-constexpr bool reports<VerifyOptions> = false;
+inline constexpr bool reports<VerifyOptions> = false;
 template <>
 struct Fields<VerifyOptions> {
   static constexpr const char* name = "VerifyOptions";

@@ -25,7 +25,7 @@ struct Fields<PidGains> {
 };
 
 template <>
-constexpr bool reports<SimulationOptions> = false;
+inline constexpr bool reports<SimulationOptions> = false;
 template <>
 struct Fields<SimulationOptions> {
   static constexpr const char* name = "SimulationOptions";
@@ -92,7 +92,7 @@ struct Fields<SpeedChange> {
 };
 
 template <>
-constexpr bool reports<ReplayOptions> = false;
+inline constexpr bool reports<ReplayOptions> = false;
 template <>
 struct Fields<ReplayOptions> {
   static constexpr const char* name = "ReplayOptions";

@@ -27,7 +27,7 @@ inline std::vector<InverseStatus> choices() {
 
 /// The search of one pose has no known end.
 template <>
-constexpr bool reports<InverseOptions> = false;
+inline constexpr bool reports<InverseOptions> = false;
 
 template <>
 struct Fields<InverseOptions> {

@@ -207,7 +207,7 @@ struct BudgetOptions {
   Budget budget;
 };
 template <>
-constexpr bool reports<BudgetOptions> = false;
+inline constexpr bool reports<BudgetOptions> = false;
 template <>
 struct Fields<BudgetOptions> {
   static constexpr const char* name = "BudgetOptions";

@@ -166,7 +166,9 @@ TEST(TimeScalingWithBudget, IsNoneOrKeepsTheLimitsWhereverItIsCancelled) {
 
 TEST(TimeScalingWithFractions, RefusesOthersThanOneForEachGridPointAboveZeroUpToOne) {
   testing::Random random;
-  auto [path, limits] = random_limited_path(random);
+  auto limited = random_limited_path(random);
+  const auto& path = limited.first;
+  auto& limits = limited.second;
   for (const double refused : {0.0, -1.0, 1.01, std::nan("")}) {
     limits.fraction.assign(path.size(), 1);
     limits.fraction[1] = refused;

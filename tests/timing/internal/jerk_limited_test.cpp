@@ -233,7 +233,9 @@ TEST(JerkLimited, OfThePathReversedTakesAsLong) {
 
 TEST(JerkLimited, KeepsTheSmallestLimitsAndRefusesSmallerOnes) {
   testing::Random random;
-  const auto [path, limits] = random_case(random);
+  const auto limited = random_case(random);
+  const auto& path = limited.first;
+  const auto& limits = limited.second;
   for (Configuration PathLimits::*kind :
        {&PathLimits::velocity, &PathLimits::acceleration, &PathLimits::jerk}) {
     PathLimits tiny = limits;
