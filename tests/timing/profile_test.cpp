@@ -167,8 +167,8 @@ TEST(TimeScalingWithBudget, IsNoneOrKeepsTheLimitsWhereverItIsCancelled) {
 TEST(TimeScalingWithFractions, RefusesOthersThanOneForEachGridPointAboveZeroUpToOne) {
   testing::Random random;
   auto limited = random_limited_path(random);
-  const auto& path = limited.first;
-  auto& limits = limited.second;
+  const auto& path = limited.path;
+  auto& limits = limited.limits;
   for (const double refused : {0.0, -1.0, 1.01, std::nan("")}) {
     limits.fraction.assign(path.size(), 1);
     limits.fraction[1] = refused;

@@ -234,8 +234,8 @@ TEST(JerkLimited, OfThePathReversedTakesAsLong) {
 TEST(JerkLimited, KeepsTheSmallestLimitsAndRefusesSmallerOnes) {
   testing::Random random;
   const auto limited = random_case(random);
-  const auto& path = limited.first;
-  const auto& limits = limited.second;
+  const auto& path = limited.path;
+  const auto& limits = limited.limits;
   for (Configuration PathLimits::*kind :
        {&PathLimits::velocity, &PathLimits::acceleration, &PathLimits::jerk}) {
     PathLimits tiny = limits;
