@@ -140,4 +140,4 @@ install: build
 	@cmake --install build --prefix $(PREFIX)
 
 clean:
-	@rm -rf build build-dev build-asan build-tsan build-arm build-libcxx build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-node .venv-python .venv-wheel
+	@rm -rf build build-dev build-asan build-tsan build-arm build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-node .venv-python .venv-wheel

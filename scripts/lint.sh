@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Formatting, the project's rules, static analysis, a second compiler. All of them run before it says
-# no, and each says how long it took.
+# Formatting, the project's rules, static analysis. All of them run before it says no, and each says
+# how long it took.
 # Usage: lint.sh BUILD, a configured build folder with compile_commands.json
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit
@@ -16,7 +16,6 @@ check() {  # NAME COMMAND...
 
 formatting() { scripts/sources.sh | xargs clang-format-14 --dry-run -Werror; }
 headers() { cmake --build "$build" --target all_verify_interface_header_sets; }
-libcxx() { cmake --preset libcxx >/dev/null && cmake --build --preset libcxx; }
 
 check "formatting" formatting
 check "scripts" shellcheck scripts/*.sh .ci/run
@@ -25,7 +24,6 @@ check "lengths" python3 -B scripts/lengths.py
 check "words" python3 -B scripts/words.py
 check "headers alone" headers
 check "clang-tidy" python3 -B scripts/tidy.py "$build"
-check "Clang and libc++" libcxx
 
 if ((${#failed[@]})); then
   printf 'lint failed: %s\n' "${failed[*]}" >&2

@@ -84,9 +84,14 @@ Eigen::Index angles_around(double spacing, const char* what) {
 Vector3 axis_of(const Arm& arm) {
   const std::optional<internal::TurningJoint> base = internal::base_joint(arm);
   if (base) return base->axis_point;
+  const double tilt = internal::base_tilt(arm);
+  const bool nearly = internal::turns_alone(arm, 0) && tilt > 0 && tilt < 0.01;
   throw Error("the first joint of " + arm.name() +
               " does not turn it about an axis parallel to the world's z, which a map by azimuths "
-              "needs");
+              "needs" +
+              (nearly ? ": its axis is tilted by " + number(tilt) +
+                            " rad, as by a URDF file whose angles have few digits"
+                      : ""));
 }
 
 /// Radius, height and azimuth about an axis.

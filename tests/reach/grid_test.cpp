@@ -141,6 +141,8 @@ TEST(ReachGrid, RefusesWhatIsNoGrid) {
   tilted.linear() = Eigen::AngleAxisd(0.1, Vector3::UnitX()).toRotationMatrix();
   EXPECT_REFUSED(ReachGrid(with_mount(arm, tilted), {.azimuths = 1.0}),
                  "parallel to the world's z");
+  tilted.linear() = Eigen::AngleAxisd(3.7e-6, Vector3::UnitX()).toRotationMatrix();
+  EXPECT_REFUSED(ReachGrid(with_mount(arm, tilted), {.azimuths = 1.0}), "tilted by 3.7");
 }
 
 }  // namespace

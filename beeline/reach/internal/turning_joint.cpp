@@ -10,6 +10,12 @@ namespace {
 
 constexpr double tolerance = 1e-12;  // rad
 
+/// The first joint's screw in the world.
+Twist first_screw(const Arm& arm) {
+  const Joint& first = arm.joints().front();
+  return adjoint(arm.base() * first.offset, first.screw);
+}
+
 bool along_z(const Twist& screw) { return screw.segment<2>(3).norm() <= tolerance; }
 
 }  // namespace
@@ -31,10 +37,14 @@ std::optional<double> TurningJoint::turned(const Limits& limits, double q, doubl
   return std::clamp(nearest, limits.lower, limits.upper);
 }
 
+double base_tilt(const Arm& arm) {
+  const Twist screw = first_screw(arm);
+  return std::atan2(screw.segment<2>(3).norm(), std::abs(screw[5]));
+}
+
 std::optional<TurningJoint> base_joint(const Arm& arm) {
-  const Joint& first = arm.joints().front();
-  if (first.mimic || !turns_alone(arm, 0)) return std::nullopt;
-  const Twist screw = adjoint(arm.base() * first.offset, first.screw);  // in the world
+  if (arm.joints().front().mimic || !turns_alone(arm, 0)) return std::nullopt;
+  const Twist screw = first_screw(arm);
   if (!along_z(screw)) return std::nullopt;
   // The velocity of the world's origin is p x w.
   return TurningJoint{.coordinate = 0,

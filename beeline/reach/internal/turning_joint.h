@@ -21,6 +21,9 @@ struct TurningJoint {
 /// Whether a coordinate is that of a revolute joint that no other joint follows.
 bool turns_alone(const Arm& arm, int coordinate);
 
+/// The angle between the first joint's axis and the world's z or -z, rad.
+double base_tilt(const Arm& arm);
+
 /// Returns the first joint of an arm, where its axis is parallel to the world's z; none where it is
 /// another one, or has a mimic joint.
 std::optional<TurningJoint> base_joint(const Arm& arm);
