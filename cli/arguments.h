@@ -54,6 +54,7 @@ struct LimitsArgument {
 /// --task: planar, position, spatial or a mask; default the arm's own.
 struct TaskArgument {
   std::string text = {};
+  bool offered = true;  ///< whether the verb has --task
 
   std::vector<Option> options();
   beeline::Task read(const beeline::Arm& arm) const;

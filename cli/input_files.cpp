@@ -70,7 +70,7 @@ PoseList waypoints_from(const std::string& text, const std::string& path, const 
                     fmt::format("has {} poses; a path has at most {}: divide it", list.poses.size(),
                                 internal::max_poses));
   }
-  warn_of_angle("--through " + path, list.max_angle, unit);
+  warn_of_angle(path, list.max_angle, unit);
   for (std::size_t i = 0; i < list.poses.size(); ++i) {
     try {
       const WrittenPose pose =

@@ -66,12 +66,13 @@ void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgum
   if (written.planar && !arm.planar()) {
     throw Error(std::string(written.oriented ? "x,y,theta" : "x,y") + " is for planar arms; " +
                 arm.name() +
-                " needs x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz, or x,y,z with "
-                "--task position");
+                " needs x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz" +
+                (task.offered ? ", or x,y,z with --task position" : ""));
   }
   if (!written.oriented && task.read(arm).orientations() > 0) {
     throw Error(std::string(written.planar ? "x,y" : "x,y,z") +
-                " gives no orientation; give --task position, or " +
+                " gives no orientation; give " +
+                (task.offered ? "--task position, or " : "") +
                 (arm.planar() ? "x,y,theta" : "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz"));
   }
   if (written.planar || !arm.planar() || !task.text.empty()) return;
@@ -81,5 +82,6 @@ void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgum
                         (written.pose.linear().col(2) - Vector3::UnitZ()).norm() < tolerance;
   if (in_plane) return;
   throw Error("the pose is outside the plane z = " + number(height) + " m of arm " + arm.name() +
-              "; give x,y,theta, or --task planar to ignore height and tilt");
+              "; give x,y,theta" +
+              (task.offered ? ", or --task planar to ignore height and tilt" : ""));
 }

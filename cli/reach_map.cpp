@@ -57,6 +57,12 @@ ReachGrid grid_of(const Arm& arm, const MapArguments& arguments) {
   if (!arguments.upper.empty())
     options.upper = corner(arguments.upper, "--upper", options.azimuths.has_value());
   if (!arguments.orientation.empty()) {
+    const auto count = internal::parse_numbers(arguments.orientation, "--orientation").size();
+    if (count != 3 && count != 4) {
+      throw Error(fmt::format("--orientation: {} given, an orientation has three, roll,pitch,yaw, "
+                              "or four, qw,qx,qy,qz",
+                              counted(static_cast<std::int64_t>(count), "number")));
+    }
     options.orientation =
         parse_pose_option(arm, "--orientation", "0,0,0," + arguments.orientation, unit)
             .pose.linear();
@@ -111,7 +117,7 @@ std::vector<Option> grid_options(MapArguments& arguments) {
        .value = "M",
        .help = "Edge of the cells, m. Default: a twentieth of the radius of the reach.",
        .target = &arguments.resolution,
-       .range = above_zero},
+       .range = {1e-9, 1e6}},
       {.name = "--lower",
        .value = "X,Y,Z",
        .help = "Corner of the box of positions, m, in the world, where the cells begin. "
@@ -128,9 +134,8 @@ std::vector<Option> grid_options(MapArguments& arguments) {
                "this angle between azimuths; tool directions turn with the azimuth. The inverse "
                "kinematics is solved and stored once for all azimuths, and for all rolls where "
                "the last joint rolls the tool: a map of a dimension or two less, with the same "
-               "answers. Default: positions by x, y and z.",
+               "answers. Default: positions by x, y and z. From 0.6 to 360 degrees.",
        .target = &arguments.azimuths,
-       .range = above_zero,
        .excludes = "--orientation",
        .phrases = {"by azimuths", "the angle between azimuths", "the least radius"}},
       {.name = "--orientation",
@@ -142,17 +147,16 @@ std::vector<Option> grid_options(MapArguments& arguments) {
       {.name = "--directions",
        .value = "ANGLE",
        .help = "Angle between neighbouring directions of the tool's z axis, which cover the "
-               "sphere evenly, or between headings of a planar arm. Default: 30 degrees.",
+               "sphere evenly, or between headings of a planar arm. Default: 30 degrees. From 0.6 to "
+               "90 degrees, headings to 360.",
        .target = &arguments.directions,
-       .range = above_zero,
        .excludes = "--orientation",
        .phrases = {"the spacing of tool directions", "the angle between headings"}},
       {.name = "--rolls",
        .value = "ANGLE",
        .help = "Angle between rolls about the tool's z axis. Default: a direction is reached "
-               "if it is with any roll.",
+               "if it is with any roll. From 0.6 to 360 degrees.",
        .target = &arguments.rolls,
-       .range = above_zero,
        .excludes = "--orientation",
        .phrases = {"the angle between rolls"}}};
 }
@@ -187,7 +191,7 @@ std::vector<Option> method_options(MapArguments& arguments) {
            .value = "K/N",
            .help = "Compute share K of N of the map, K from 1 to N.",
            .target = &arguments.shard,
-           .phrases = {"is no share of a map", "shard", "which is the largest number of shards"}},
+           .phrases = {"is no share of a map", "shard"}},
           {.name = "--threads",
            .value = "N",
            .help = "Number of threads; 0: as many as the machine has. The map does not depend on "

@@ -42,8 +42,11 @@ std::string csv_of(const ReachSlice& slice) {
 
 Answer write_slice(const SliceArguments& arguments) {
   refuse_overwriting(arguments.out, {arguments.map});
-  const bool csv = internal::extension(arguments.out) == "csv";
-  if (!csv) (void)format_of(arguments.out);
+  const std::string ending = internal::extension(arguments.out);
+  const bool csv = ending == "csv";
+  if (!csv && ending != "svg" && ending != "png" && ending != "pdf") {
+    throw Error("--out: \"" + arguments.out + "\" must end in .svg, .png, .pdf or .csv");
+  }
   const ReachMap map(arguments.map);
   const ReachSlice slice =
       slice_of(map, arguments.plane.normal(), arguments.plane.at(), arguments.plane.measure());

@@ -86,5 +86,6 @@ Answer interrupted_map(const std::string& out, Ending ending) {
           .document = {{"status", name(ending)}, {"parts", parts}},
           .yes = false,
           .reason = internal::ended_by(ending) + ": the slabs computed so far are in " + parts +
-                    "; the same command continues"};
+                    "; the same command continues" +
+                    (ending == Ending::cancelled ? "" : ", with a larger limit if there are none")};
 }

@@ -17,10 +17,6 @@ std::vector<internal::SlabRange> units_of(const ReachShard& shard, const ReachMa
   const std::vector<internal::SlabRange> all = internal::units_of(header);
   const auto number = static_cast<std::size_t>(shard.number);
   const auto count = static_cast<std::size_t>(shard.count);
-  if (count > all.size()) {
-    throw Error("the map is computed in " + std::to_string(all.size()) +
-                " units, which is the largest number of shards, not " + std::to_string(count));
-  }
   std::vector<internal::SlabRange> units;
   for (std::size_t k = number - 1; k < all.size(); k += count) units.push_back(all[k]);
   return units;
@@ -112,7 +108,7 @@ void merge_reach_maps(const std::vector<std::string>& parts, const std::string& 
   if (!missing.empty() && !incomplete) {
     throw Error("the parts lack " + std::to_string(missing.size()) + " of " +
                 std::to_string(writer.slabs().size()) + " slabs: " + listed_slabs(missing) +
-                "; `incomplete` joins them nevertheless");
+                "; option incomplete joins them nevertheless");
   }
   writer.commit();
 }

@@ -133,8 +133,10 @@ std::string name(ReachOrientations orientations) {
 }
 
 std::optional<Eigen::Index> ReachAxis::cell_of(double value) const {
-  if (!(value >= lower && value <= upper())) return std::nullopt;
-  return std::min(static_cast<Eigen::Index>((value - lower) / step), cells - 1);
+  const double rounding = 1e-9 * step;  // an edge is inside, as it is written, too
+  if (!(value >= lower - rounding && value <= upper() + rounding)) return std::nullopt;
+  const double steps = std::max(0.0, (value - lower) / step);
+  return std::min(static_cast<Eigen::Index>(steps), cells - 1);
 }
 
 ReachGrid::ReachGrid(const Arm& arm, const ReachGridOptions& options)

@@ -80,12 +80,12 @@ class Mounts {
 };
 
 /// The margin of each cell, NaN where it is not reached.
-std::vector<float> margins_of(const ReachMap& map) {
+std::vector<float> margins_of(const ReachMap& map, internal::BudgetMeter& budget) {
   std::vector<float> margins;
   margins.reserve(static_cast<std::size_t>(map.grid().cells()));
   const Eigen::Index positions = map.grid().positions();
   const Eigen::Index block = internal::positions_at_once(map.grid());
-  for (Eigen::Index first = 0; first < positions; first += block) {
+  for (Eigen::Index first = 0; first < positions && !budget.ended(0); first += block) {
     const ReachCells cells = map.cells(first, std::min(positions, first + block));
     margins.insert(margins.end(), cells.margin.begin(), cells.margin.end());
   }
@@ -121,17 +121,19 @@ Rank rank_of(const ReachGrid& grid, const std::vector<float>& margins, const Mou
   return rank;
 }
 
-/// The mounts that are checked, the best first.
+/// The mounts that are checked, the best first; none when the budget ends before.
 std::vector<Rank> ranking(const ReachMap& map, const Mounts& mounts, std::span<const Pose> poses,
-                          const PlacementOptions& options) {
-  const std::vector<float> margins = margins_of(map);
+                          const PlacementOptions& options, internal::BudgetMeter& budget) {
+  const std::vector<float> margins = margins_of(map, budget);
+  if (!budget.complete()) return {};
   std::vector<Rank> ranks(static_cast<std::size_t>(mounts.count()));
   internal::in_parallel(mounts.count(), 1024, options.threads,
                         [&](Eigen::Index first, Eigen::Index last) {
-                          for (Eigen::Index i = first; i < last; ++i) {
+                          for (Eigen::Index i = first; i < last && !budget.ended(0); ++i) {
                             ranks[i] = rank_of(map.grid(), margins, mounts, i, poses);
                           }
                         });
+  if (!budget.complete()) return {};
   const auto checked = std::min(ranks.size(), static_cast<std::size_t>(options.max_checked));
   std::partial_sort(ranks.begin(), ranks.begin() + static_cast<std::ptrdiff_t>(checked),
                     ranks.end());
@@ -193,7 +195,7 @@ void check_options(const ReachMap& map, std::span<const Pose> poses,
 std::vector<Placement> reaching_mounts(const ReachMap& map, const Mounts& mounts,
                                        std::span<const Pose> poses, const PlacementOptions& options,
                                        internal::BudgetMeter& budget, PlacementResult& result) {
-  const std::vector<Rank> ranks = ranking(map, mounts, poses, options);
+  const std::vector<Rank> ranks = ranking(map, mounts, poses, options, budget);
   internal::Copies<internal::PoseSolver> solvers(
       internal::PoseSolver(map.arm(), map.header().redundant_values));
   std::mutex adding;

@@ -63,11 +63,40 @@ def test_parts_make_the_map(beeline, puma, tmp_path):
         answer = beeline(*MAP, "--shard", f"{k}/2", "--threads", k, "--out", part, "--json")
         assert answer.code == 0 and answer.json["status"] == "incomplete"
     missing = beeline("reach", "merge", parts[1], "--out", tmp_path / "joined.h5")
-    assert missing.code == 2 and "`incomplete`" in missing.err and "lack" in missing.err
+    assert missing.code == 2 and "option incomplete" in missing.err and "lack" in missing.err
     joined = beeline("reach", "merge", *parts, "--out", tmp_path / "joined.h5", "--json")
     assert joined.code == 0 and joined.json["status"] == "complete"
     whole = beeline("reach", "query", puma, "--json").json
     assert joined.json["cells_reached"] == whole["cells_reached"]
+
+
+def test_more_parts_than_slabs_make_the_map(beeline, puma, tmp_path):
+    slabs = beeline("reach", "query", puma, "--json").json["slabs"]
+    count = slabs + 2
+    parts = [tmp_path / f"part{k}.h5" for k in range(1, count + 1)]
+    for k, part in enumerate(parts, 1):
+        answer = beeline(*MAP, "--shard", f"{k}/{count}", "--out", part, "--json")
+        assert answer.code == 0 and answer.json["slabs_here"] == (k <= slabs)
+    joined = beeline("reach", "merge", *parts, "--out", tmp_path / "joined.h5", "--json")
+    assert joined.code == 0 and joined.json["status"] == "complete"
+
+
+def test_what_else_is_in_the_folder_of_parts_stays(beeline, puma, tmp_path):
+    parts = tmp_path / "map.h5.parts"
+    parts.mkdir()
+    (parts / "notes.txt").write_text("mine")
+    assert beeline(*MAP, "--out", tmp_path / "map.h5").code == 0
+    assert [file.name for file in parts.iterdir()] == ["notes.txt"]
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    (tmp_path / "other.h5.parts").symlink_to(elsewhere)
+    assert beeline(*MAP, "--out", tmp_path / "other.h5").code == 0
+    assert not list(elsewhere.iterdir()) and (tmp_path / "other.h5").read_bytes() == puma.read_bytes()
+
+
+def test_an_ended_map_says_how_it_continues(beeline, tmp_path):
+    answer = beeline(*MAP, "--max-work", "10", "--out", tmp_path / "map.h5")
+    assert answer.code == 1 and "with a larger limit" in answer.err
 
 
 @pytest.mark.parametrize("end", [signal.SIGINT, signal.SIGKILL])
@@ -108,6 +137,9 @@ def test_an_interrupted_map_is_continued(beeline, build, puma, tmp_path, end):
     (["map", "puma560", "--out", "OUT", "--by", "luck"], 2, "sampling"),
     (["compare", "MAP", "MAP", "--at", "y=0"], 2, "needs both"),
     (["slice", "MAP", "--at", "z", "--out", "x.svg"], 2, "is no plane"),
+    (["slice", "MAP", "--at", "z=0.2", "--out", "x.txt"], 2, ".pdf or .csv"),
+    (["map", "puma560", "--out", "OUT", "--orientation", "0,0"], 2, "--orientation: 2 numbers given"),
+    (["map", "puma560", "--out", "OUT", "--orientation", "nan,0,0"], 2, "item 1"),
     (["map", "puma560", "--out", "OUT", "--resolution", "0.3", "--lower", "1e12,0,0", "--upper", "1e12,1,1"], 2, "told apart"),
     (["map", "puma560", "--out", "OUT", "--directions", "0.01", "--rolls", "0.01"], 2, "orientations, at most"),
     (["compare", "MAP", "/none"], 3, "No such file"),

@@ -121,6 +121,15 @@ TEST(ReachGrid, TheCellsOfACylinderFillIt) {
   EXPECT_GE(box[1].upper(), radius);
 }
 
+TEST(ReachGrid, HasItsEdgesInsideWhateverTheirLastDigit) {
+  const ReachGrid grid(built_in("puma560"), {.resolution = 0.12});
+  const auto axis = grid.axes()[0];
+  EXPECT_EQ(axis.cell_of(axis.lower - 1e-12), 0);
+  EXPECT_EQ(axis.cell_of(axis.upper() + 1e-12), axis.cells - 1);
+  EXPECT_EQ(axis.cell_of(axis.lower - 1e-6), std::nullopt);
+  EXPECT_EQ(axis.cell_of(axis.upper() + 1e-6), std::nullopt);
+}
+
 TEST(ReachGrid, RefusesWhatIsNoGrid) {
   const Arm arm = built_in("ur5");
   EXPECT_REFUSED(ReachGrid(arm, {.resolution = 0.0}), "the resolution is 0 m");

@@ -7,6 +7,12 @@
 #include <beeline/reach/internal/positions.h>
 
 namespace beeline::internal {
+namespace {
+
+/// The beginnings of the files' names in the folder, of those that are being written, too.
+constexpr const char *header_file = "map.h5", *slab_files = "slab-";
+
+}  // namespace
 
 std::vector<SlabRange> units_of(const ReachMapHeader& header) {
   constexpr Eigen::Index cells = Eigen::Index{1} << 24;
@@ -28,7 +34,7 @@ Parts::Parts(const std::string& map_path, const ReachMapHeader& header)
   std::filesystem::create_directory(folder_, error);
   if (error) throw FileError(folder_, 0, "cannot be made: " + error.message());
   // A file of the map without slabs says what the folder is of.
-  const std::string path = folder_ + "/map.h5";
+  const std::string path = folder_ + "/" + header_file;
   if (!std::filesystem::exists(path)) {
     MapWriter(path, header).commit();
     return;
@@ -41,7 +47,7 @@ Parts::Parts(const std::string& map_path, const ReachMapHeader& header)
 }
 
 std::string Parts::file(Eigen::Index slab) const {
-  return folder_ + "/slab-" + std::to_string(slab) + ".h5";
+  return folder_ + "/" + slab_files + std::to_string(slab) + ".h5";
 }
 
 bool Parts::has_slab(Eigen::Index slab) const {
@@ -72,6 +78,10 @@ void Parts::write(Eigen::Index slab, const auto& computed) const {
 }
 
 void Parts::write_files(const SlabRange& unit, const ReachCells& cells) const {
+  if (unit.last - unit.first == 1) {
+    write(unit.first, cells);
+    return;
+  }
   const Eigen::Index at_position = header_.grid.directions() * header_.grid.rolls();
   const Eigen::Index origin = slabs_.first(unit.first);
   for (Eigen::Index slab = unit.first; slab < unit.last; ++slab) {
@@ -119,7 +129,14 @@ void Parts::join(const std::vector<SlabRange>& units, const std::string& path) c
 
 void Parts::remove() const {
   std::error_code left;  // the map is there: what cannot be deleted does no harm
-  std::filesystem::remove_all(folder_, left);
+  std::vector<std::filesystem::path> files;
+  const std::filesystem::directory_iterator end;
+  for (std::filesystem::directory_iterator at(folder_, left); at != end; at.increment(left)) {
+    const std::string name = at->path().filename().string();
+    if (name.starts_with(header_file) || name.starts_with(slab_files)) files.push_back(at->path());
+  }
+  for (const std::filesystem::path& file : files) std::filesystem::remove(file, left);
+  if (!std::filesystem::is_symlink(folder_, left)) std::filesystem::remove(folder_, left);
 }
 
 }  // namespace beeline::internal

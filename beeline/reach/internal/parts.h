@@ -35,7 +35,8 @@ class Parts {
   void finish();
   /// Joins the slabs of units into one file.
   void join(const std::vector<SlabRange>& units, const std::string& path) const;
-  /// Deletes the folder.
+  /// Deletes the files of the slabs, and the folder if nothing else is in it. A link to a folder
+  /// stays.
   void remove() const;
 
  private:
