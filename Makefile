@@ -101,17 +101,17 @@ test-web: build web
 	@PATH="$$(scripts/node_path.sh)" && cd web && BEELINE=$(CURDIR)/build/beeline npm test --silent
 
 asan:
-	@scripts/install_packages.sh build test python fuzz
+	@scripts/install_packages.sh build test python
 	@scripts/venv.sh .venv-python tests/python/requirements.txt
 	@cmake --preset asan $(module)
 	@cmake --build --preset asan --parallel $(JOBS)
 	@ctest --preset asan --parallel $(JOBS)
 
 fuzz:
-	@scripts/install_packages.sh build test fuzz
-	@cmake --preset asan >/dev/null
+	@scripts/install_packages.sh build fuzz
+	@cmake --preset fuzz >/dev/null
 	@cmake --build --preset fuzz --parallel $(JOBS)
-	@scripts/fuzz.sh build-asan/tests/fuzz $(MINUTES) $(JOBS)
+	@scripts/fuzz.sh build-fuzz $(MINUTES) $(JOBS)
 
 tsan:
 	@scripts/install_packages.sh build test
@@ -140,4 +140,4 @@ install: build
 	@cmake --install build --prefix $(PREFIX)
 
 clean:
-	@rm -rf build build-dev build-asan build-tsan build-arm build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-node .venv-python .venv-wheel
+	@rm -rf build build-dev build-asan build-tsan build-arm build-fuzz build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-node .venv-python .venv-wheel
