@@ -65,13 +65,11 @@ WrittenPose in_world(const Arm& arm, const WrittenPose& world_T_work, const Writ
 void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgument& task) {
   if (written.planar && !arm.planar()) {
     throw Error(std::string(written.oriented ? "x,y,theta" : "x,y") + " is for planar arms; " +
-                arm.name() +
-                " needs x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz" +
+                arm.name() + " needs x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz" +
                 (task.offered ? ", or x,y,z with --task position" : ""));
   }
   if (!written.oriented && task.read(arm).orientations() > 0) {
-    throw Error(std::string(written.planar ? "x,y" : "x,y,z") +
-                " gives no orientation; give " +
+    throw Error(std::string(written.planar ? "x,y" : "x,y,z") + " gives no orientation; give " +
                 (task.offered ? "--task position, or " : "") +
                 (arm.planar() ? "x,y,theta" : "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz"));
   }

@@ -59,9 +59,10 @@ ReachGrid grid_of(const Arm& arm, const MapArguments& arguments) {
   if (!arguments.orientation.empty()) {
     const auto count = internal::parse_numbers(arguments.orientation, "--orientation").size();
     if (count != 3 && count != 4) {
-      throw Error(fmt::format("--orientation: {} given, an orientation has three, roll,pitch,yaw, "
-                              "or four, qw,qx,qy,qz",
-                              counted(static_cast<std::int64_t>(count), "number")));
+      throw Error(
+          fmt::format("--orientation: {} given, an orientation has three, roll,pitch,yaw, "
+                      "or four, qw,qx,qy,qz",
+                      counted(static_cast<std::int64_t>(count), "number")));
     }
     options.orientation =
         parse_pose_option(arm, "--orientation", "0,0,0," + arguments.orientation, unit)
@@ -107,7 +108,7 @@ Answer compute() {
     job.options.reach.budget.progress = [&progress](double fraction) { progress.show(fraction); };
     ending = compute_reach_map(job.arm, job.grid, job.out, job.options);
   }
-  if (ending == Ending::complete) return map_totals(ReachMap(job.out));
+  if (ending == Ending::complete) return map_totals(ReachMap(job.out, job.options.reach.threads));
   return interrupted_map(job.out, ending);
 }
 
@@ -134,7 +135,8 @@ std::vector<Option> grid_options(MapArguments& arguments) {
                "this angle between azimuths; tool directions turn with the azimuth. The inverse "
                "kinematics is solved and stored once for all azimuths, and for all rolls where "
                "the last joint rolls the tool: a map of a dimension or two less, with the same "
-               "answers. Default: positions by x, y and z. From 0.6 to 360 degrees.",
+               "answers. Default: positions by x, y and z. From 0.01 to 6.2832 rad (360 "
+               "degrees).",
        .target = &arguments.azimuths,
        .excludes = "--orientation",
        .phrases = {"by azimuths", "the angle between azimuths", "the least radius"}},
@@ -147,15 +149,15 @@ std::vector<Option> grid_options(MapArguments& arguments) {
       {.name = "--directions",
        .value = "ANGLE",
        .help = "Angle between neighbouring directions of the tool's z axis, which cover the "
-               "sphere evenly, or between headings of a planar arm. Default: 30 degrees. From 0.6 to "
-               "90 degrees, headings to 360.",
+               "sphere evenly, or between headings of a planar arm. Default: 30 degrees. From "
+               "0.01 to 1.5708 rad (90 degrees), headings to 6.2832 (360).",
        .target = &arguments.directions,
        .excludes = "--orientation",
        .phrases = {"the spacing of tool directions", "the angle between headings"}},
       {.name = "--rolls",
        .value = "ANGLE",
        .help = "Angle between rolls about the tool's z axis. Default: a direction is reached "
-               "if it is with any roll. From 0.6 to 360 degrees.",
+               "if it is with any roll. From 0.01 to 6.2832 rad (360 degrees).",
        .target = &arguments.rolls,
        .excludes = "--orientation",
        .phrases = {"the angle between rolls"}}};

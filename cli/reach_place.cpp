@@ -77,7 +77,7 @@ Vector3 corner_of(const std::string& text, const char* option) {
 }
 
 Answer place(PlaceArguments& arguments) {
-  const ReachMap map(arguments.map);
+  const ReachMap map(arguments.map, arguments.options.threads);
   const PoseList poses = waypoints_from(internal::read_file(arguments.poses), arguments.poses,
                                         map.arm(), {.offered = false}, {}, arguments.unit);
   PlacementOptions options = arguments.options;

@@ -82,10 +82,12 @@ Answer map_totals(const ReachMap& map) {
 
 Answer interrupted_map(const std::string& out, Ending ending) {
   const std::string parts = out + ".parts";
-  return {.text = "no map        the slabs computed so far are in " + parts + "\n",
-          .document = {{"status", name(ending)}, {"parts", parts}},
-          .yes = false,
-          .reason = internal::ended_by(ending) + ": the slabs computed so far are in " + parts +
-                    "; the same command continues" +
-                    (ending == Ending::cancelled ? "" : ", with a larger limit if there are none")};
+  return {
+      .text = "no map        the slabs computed so far are in " + parts + "\n",
+      .document = {{"status", name(ending)}, {"parts", parts}},
+      .yes = false,
+      .reason =
+          internal::ended_by(ending) + ": the slabs computed so far are in " + parts +
+          "; the same command continues" +
+          (ending == Ending::cancelled ? "" : ", with a larger limit if it has completed no slab")};
 }

@@ -46,6 +46,14 @@ class QuietRanks {
   int stderr_;
 };
 
+/// The exit codes of the command (cli/command/program.cpp).
+constexpr int mistake = 2, file_trouble = 3;
+
+void abort_job(const std::string& reason, int code) {
+  print_error(reason);
+  MPI_Abort(MPI_COMM_WORLD, code);
+}
+
 /// Computes units, by their numbers, until `next` returns none.
 template <class Next>
 Ending compute_units(internal::Parts& parts, const Units& units, const ReachMapJob& job,
@@ -73,16 +81,20 @@ Answer lead(internal::Parts& parts, const Units& units, const ReachMapJob& job) 
   {
     Progress progress;
     Dispatcher dispatcher(missing);
-    ending = compute_units(parts, units, job, [&] {
-      progress.show(dispatcher.fraction());
-      return dispatcher.next();
-    });
+    try {
+      ending = compute_units(parts, units, job, [&] {
+        progress.show(dispatcher.fraction());
+        return dispatcher.next();
+      });
+    } catch (const FileError& error) {  // the dispatcher would wait for all other ranks
+      abort_job(error.what(), file_trouble);
+    }
   }
   ending = static_cast<Ending>(largest_of_all(static_cast<int>(ending)));
   if (ending != Ending::complete) return interrupted_map(job.out, ending);
   parts.join(units, job.out);
   parts.remove();
-  return map_totals(ReachMap(job.out));
+  return map_totals(ReachMap(job.out, job.options.reach.threads));
 }
 
 Answer compute() {
@@ -119,11 +131,9 @@ int main(int argc, char** argv) {
       if (threads < MPI_THREAD_MULTIPLE) throw Error("this MPI does not allow several threads");
       return compute();
     } catch (const FileError& error) {
-      print_error(error.what());
-      MPI_Abort(MPI_COMM_WORLD, 3);
-    } catch (const Error& error) {
-      print_error(error.what());
-      MPI_Abort(MPI_COMM_WORLD, 2);
+      abort_job(error.what(), file_trouble);
+    } catch (const std::exception& error) {
+      abort_job(error.what(), mistake);
     }
     return Answer{};
   };

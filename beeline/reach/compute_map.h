@@ -21,11 +21,10 @@ struct ReachMapOptions {
 
 /// Computes a map, or a shard of it, into a file. Each slab is written whole into the folder
 /// `path`.parts, where a call that follows one that was ended or killed finds it; in the end they
-/// are joined, and the folder is deleted. The datasets do not depend on threads, shards or
-/// interruptions. The memory needed is that of one
-/// slab; by sampling, of 2^24 cells. Throws Error as reach_cells() does and for
-/// a shard that does not exist; FileError for what cannot be written and for a folder with slabs of
-/// another map.
+/// are joined and deleted. The datasets do not depend on threads, shards or interruptions. The
+/// memory needed is that of two slabs, by sampling of 2^25 cells. Throws Error as reach_cells()
+/// does and for a shard that does not exist; FileError for what cannot be written and for a folder
+/// with slabs of another map.
 Ending compute_reach_map(const Arm& arm, const ReachGrid& grid, const std::string& path,
                          const ReachMapOptions& options = {});
 

@@ -85,12 +85,12 @@ Vector3 axis_of(const Arm& arm) {
   const std::optional<internal::TurningJoint> base = internal::base_joint(arm);
   if (base) return base->axis_point;
   const double tilt = internal::base_tilt(arm);
-  const bool nearly = internal::turns_alone(arm, 0) && tilt > 0 && tilt < 0.01;
+  const bool nearly = tilt > 1e-12 && tilt < 0.01;  // the angles of a file have few digits
   throw Error("the first joint of " + arm.name() +
               " does not turn it about an axis parallel to the world's z, which a map by azimuths "
               "needs" +
               (nearly ? ": its axis is tilted by " + number(tilt) +
-                            " rad, as by a URDF file whose angles have few digits"
+                            " rad; in a URDF file, write a right angle as 1.5707963267948966"
                       : ""));
 }
 

@@ -95,7 +95,8 @@ class ReachGrid {
   Vector3 centre(Eigen::Index p) const;
   /// The volume of the cell of position p, m^3; of planar arms its area, m^2.
   double volume(Eigen::Index p) const;
-  /// The angles of heading d and of roll r, rad, from 0 on: equal parts of a revolution.
+  /// Heading d of a grid of headings, and roll r: equal parts of a revolution, rad, the first one
+  /// 0.
   double heading(Eigen::Index d) const;
   double roll(Eigen::Index r) const;
   /// The orientation of direction d with roll r, at azimuth 0 of a cylindrical grid:

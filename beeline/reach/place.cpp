@@ -127,9 +127,11 @@ std::vector<Rank> ranking(const ReachMap& map, const Mounts& mounts, std::span<c
   const std::vector<float> margins = margins_of(map, budget);
   if (!budget.complete()) return {};
   std::vector<Rank> ranks(static_cast<std::size_t>(mounts.count()));
-  internal::in_parallel(mounts.count(), 1024, options.threads,
+  const Eigen::Index block = std::max<Eigen::Index>(1, 1024 / std::ssize(poses));
+  internal::in_parallel(mounts.count(), block, options.threads,
                         [&](Eigen::Index first, Eigen::Index last) {
-                          for (Eigen::Index i = first; i < last && !budget.ended(0); ++i) {
+                          if (budget.ended(0)) return;
+                          for (Eigen::Index i = first; i < last; ++i) {
                             ranks[i] = rank_of(map.grid(), margins, mounts, i, poses);
                           }
                         });

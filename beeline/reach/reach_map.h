@@ -25,8 +25,9 @@ struct ReachMapHeader {
 /// Threads may read one map.
 class ReachMap {
  public:
-  /// Opens a file. Throws FileError for one that cannot be read or is no reach map.
-  explicit ReachMap(const std::string& path);
+  /// Opens a file. The cells of a map by azimuths are computed from it by `threads` threads, 0: one
+  /// for each core. Throws FileError for a file that cannot be read or is no reach map.
+  explicit ReachMap(const std::string& path, int threads = 0);
   /// A map in memory. Throws Error for cells that were not computed to the end or are not those of
   /// all positions of the grid.
   ReachMap(ReachMapHeader header, ReachCells cells);

@@ -16,12 +16,13 @@ namespace {
 using internal::CellExpansion;
 using internal::MapFormat;
 
-/// Reads the slabs of a file. The one read last is kept, decompressed. Threads take turns at the
-/// file, not at what is computed from it.
+/// Reads the slabs of a file. The one read last is kept, decompressed, and those that other threads
+/// read meanwhile. Threads take turns at the file, not at what is computed from it.
 class SlabReader {
  public:
-  SlabReader(const ReachMapHeader& header, std::shared_ptr<internal::Hdf5File> file)
+  SlabReader(const ReachMapHeader& header, std::shared_ptr<internal::Hdf5File> file, int threads)
       : header_(header),
+        threads_(threads),
         format_(header),
         file_(std::move(file)),
         datasets_(internal::open_datasets(*file_, format_)) {
@@ -41,7 +42,7 @@ class SlabReader {
     ReachCells cells;
     cells.resize(static_cast<std::size_t>((last - first) * at_position));
     constexpr Eigen::Index block = 8;
-    internal::in_parallel(last - first, block, 0, [&](Eigen::Index a, Eigen::Index b) {
+    internal::in_parallel(last - first, block, threads_, [&](Eigen::Index a, Eigen::Index b) {
       expansions_->borrow()->expand(slab->branches, slab->begin / grid.azimuths(), first + a,
                                     first + b, first, cells);
     });
@@ -53,7 +54,7 @@ class SlabReader {
     const Eigen::Index azimuths = header_.grid.azimuths();
     const Eigen::Index positions = format_.slabs().last(number) - slab->begin;
     std::vector<Eigen::Index> counts(static_cast<std::size_t>(positions), 0);
-    internal::in_parallel(positions / azimuths, 1, 0, [&](Eigen::Index a, Eigen::Index b) {
+    internal::in_parallel(positions / azimuths, 1, threads_, [&](Eigen::Index a, Eigen::Index b) {
       expansions_->borrow()->count_reached(slab->branches, slab->begin / azimuths, a, b, counts);
     });
     return counts;
@@ -69,7 +70,7 @@ class SlabReader {
   std::shared_ptr<const Slab> slab_at(Eigen::Index number) {
     const std::lock_guard lock(reading_);
     if (latest_ && latest_->number == number) return latest_;
-    latest_.reset();  // before another one takes memory
+    latest_.reset();  // so that one thread needs the memory of one slab
     Slab slab{.number = number, .begin = format_.slabs().first(number)};
     if (expansions_) {
       slab.branches = internal::read_branches(datasets_, format_, number);
@@ -81,6 +82,7 @@ class SlabReader {
   }
 
   ReachMapHeader header_;
+  int threads_;
   MapFormat format_;
   std::shared_ptr<internal::Hdf5File> file_;  // closed after its datasets
   internal::MapDatasets datasets_;
@@ -91,10 +93,10 @@ class SlabReader {
 
 }  // namespace
 
-ReachMap::ReachMap(const std::string& path) {
+ReachMap::ReachMap(const std::string& path, int threads) {
   const auto file = std::make_shared<internal::Hdf5File>(path, internal::Hdf5File::Mode::read);
   const ReachMapHeader header = internal::read_header(*file, path);
-  const auto reader = std::make_shared<SlabReader>(header, file);
+  const auto reader = std::make_shared<SlabReader>(header, file, threads);
   data_ = std::make_unique<Data>(Data{.path = path,
                                       .header = header,
                                       .slabs = internal::Slabs(header.grid),

@@ -1,4 +1,3 @@
-
 #include <beeline/reach/reach.h>
 
 #include "bindings.h"

@@ -94,11 +94,12 @@ void bind_map_files(nb::module_& m, nb::class_<ReachMap>& map) {
 
   Signature compute(
       "compute_reach_map", Value<Ending>::type(),
-      std::string("Computes a map, or a part of it, into an HDF5 file. The folder `path`.parts "
-                  "holds what is computed, which a call continues that follows one that was ended "
-                  "or killed; it is deleted in the end. The memory needed does not depend on the "
-                  "size of the map. Raises Error as reach_cells() does, for a shard that does not "
-                  "exist, for a folder with parts of another map, ") +
+      std::string(
+          "Computes a map, or a part of it, into an HDF5 file. The folder `path`.parts "
+          "holds what is computed, which a call continues that follows one that was ended "
+          "or killed; its slabs are deleted in the end. The memory needed does not depend on the "
+          "size of the map. Raises Error as reach_cells() does, for a shard that does not "
+          "exist, for a folder with parts of another map, ") +
           without_hdf5 + ".");
   compute.takes("arm", "Arm", "The arm.")
       .takes("grid", "ReachGrid", "The cells.")

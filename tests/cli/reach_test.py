@@ -84,9 +84,11 @@ def test_more_parts_than_slabs_make_the_map(beeline, puma, tmp_path):
 def test_what_else_is_in_the_folder_of_parts_stays(beeline, puma, tmp_path):
     parts = tmp_path / "map.h5.parts"
     parts.mkdir()
-    (parts / "notes.txt").write_text("mine")
+    mine = {"notes.txt", "slab-notes.h5", "map.h5.bak"}
+    for name in mine:
+        (parts / name).write_text("mine")
     assert beeline(*MAP, "--out", tmp_path / "map.h5").code == 0
-    assert [file.name for file in parts.iterdir()] == ["notes.txt"]
+    assert {file.name for file in parts.iterdir()} == mine
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
     (tmp_path / "other.h5.parts").symlink_to(elsewhere)

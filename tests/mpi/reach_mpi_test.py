@@ -78,7 +78,7 @@ def test_after_a_rank_was_killed_any_number_of_ranks_continues(mpirun, whole, tm
 def test_a_mistake_is_reported_once(mpirun, tmp_path):
     job = mpirun(tmp_path / "map.h5", "-n", 3, arm=["puma560", "--resolution", "-1"])
     _, err = job.communicate(timeout=60)
-    assert err.count("must be above 0") == 1
+    assert err.count("must be from 1e-09") == 1
     job = mpirun("/none/map.h5", "-n", 2)
     _, err = job.communicate(timeout=60)
     assert job.returncode == 3 and "No such file or directory" in err

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <thread>
 
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
@@ -165,6 +166,30 @@ TEST_F(ReachMapFile, ShardsAndThreadsGiveTheSameDatasets) {
     ASSERT_GT(merged.slabs().size(), 3);
     expect_equal(merged, ReachMap(path("whole.h5")));
     std::filesystem::remove(path("merged.h5"));
+  }
+}
+
+TEST_F(ReachMapFile, ThreadsReadOneFileAtOnce) {
+  for (const bool azimuths : {false, true}) {
+    Example example;
+    if (azimuths) example.grid = ReachGrid(example.arm, by_azimuths);
+    compute_reach_map(example.arm, example.grid, path("map.h5"));
+    const ReachMap map(path("map.h5"));
+    ASSERT_GT(map.slabs().size(), 2);
+    const Eigen::Index positions = example.grid.positions(), count = 8;
+    const ReachCells whole = map.cells(0, positions);
+    std::vector<ReachCells> parts(count);
+    std::vector<std::thread> threads;
+    for (Eigen::Index k = 0; k < count; ++k) {
+      threads.emplace_back(
+          [&, k] { parts[k] = map.cells(positions * k / count, positions * (k + 1) / count); });
+    }
+    for (std::thread& thread : threads) thread.join();
+    std::vector<std::uint8_t> branches;
+    for (const ReachCells& part : parts) {
+      branches.insert(branches.end(), part.branches.begin(), part.branches.end());
+    }
+    EXPECT_EQ(branches, whole.branches);
   }
 }
 

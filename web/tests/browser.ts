@@ -81,30 +81,31 @@ export async function open(
 }
 
 /**
- * One browser for all tests of a file. `opened` opens the page for a test, after which it must have no complaint and is
- * closed; `there` is the visit, once the tests run.
+ * One browser for all tests of a file. `opened` opens the page for a test; after the test no such page may have a complaint,
+ * and all contexts are closed. `there` is the visit, once the tests run.
  */
 export function pages(): {
   there(): Visit;
   opened(hash?: string, size?: { width: number; height: number }): Promise<Page>;
 } {
   let visited: Visit;
-  let latest: Awaited<ReturnType<typeof open>> | null = null;
+  let complaints: Complaints[] = [];
   beforeAll(async () => {
     visited = await visit();
   }, 60_000);
   afterAll(() => visited.close());
   afterEach(async () => {
-    const { page, complaints } = latest ?? {};
-    latest = null;
-    if (complaints) expect(complaints).toEqual({ errors: [], requests: [] });
-    await page?.context().close();
+    const all = complaints;
+    complaints = [];
+    await Promise.all(visited.browser.contexts().map((context) => context.close()));
+    for (const of of all) expect(of).toEqual({ errors: [], requests: [] });
   });
   return {
     there: () => visited,
     async opened(hash, size) {
-      latest = await open(visited, hash, size);
-      return latest.page;
+      const { page, complaints: of } = await open(visited, hash, size);
+      complaints.push(of);
+      return page;
     },
   };
 }

@@ -21,9 +21,9 @@ class CellExpansion {
   void expand(const ReachBranches& branches, Eigen::Index solved, Eigen::Index first,
               Eigen::Index last, Eigen::Index origin, ReachCells& cells);
 
-  /// Adds the number of reached cells of each position, azimuths the fastest, to `counts`, without
-  /// computing the cells: those of solved position number `first` to `last` (exclusive) of
-  /// `branches`, whose first one is position `solved`, counted without azimuths.
+  /// Adds to `counts` the number of reached cells of each position, azimuths the fastest, without
+  /// computing the cells. Positions counted without azimuths: `branches` begins at `solved`; those
+  /// from solved + first to solved + last (exclusive) are counted.
   void count_reached(const ReachBranches& branches, Eigen::Index solved, Eigen::Index first,
                      Eigen::Index last, std::vector<Eigen::Index>& counts);
 

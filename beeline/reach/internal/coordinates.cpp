@@ -28,8 +28,8 @@ std::vector<Coordinates> coordinates_of(const ReachGrid& grid) {
   }
   const ReachOrientations orientations = grid.orientations();
   if (orientations == ReachOrientations::headings) {
-    all.push_back({"headings",
-                   values(grid.directions(), [&](Eigen::Index d) { return grid.heading(d); })});
+    all.push_back(
+        {"headings", values(grid.directions(), [&](Eigen::Index d) { return grid.heading(d); })});
   }
   if (orientations == ReachOrientations::rolls) {
     all.push_back({"rolls", values(grid.rolls(), [&](Eigen::Index r) { return grid.roll(r); })});

@@ -67,8 +67,8 @@ class Hdf5Dataset {
 };
 
 /// An HDF5 file: attributes of its root, and datasets. Functions throw FileError for errors of the
-/// library and for what a file does not contain as asked for. Any thread may read: calls of HDF5,
-/// which is not thread-safe, take turns.
+/// library and for what a file does not contain as asked for. Threads may read one
+/// file, and write one each: calls of HDF5, which is not thread-safe, take turns.
 class Hdf5File {
  public:
   enum class Mode { create, read };

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <regex>
 
 #include <beeline/reach/internal/map_file.h>
 #include <beeline/reach/internal/map_header.h>
@@ -9,8 +11,14 @@
 namespace beeline::internal {
 namespace {
 
-/// The beginnings of the files' names in the folder, of those that are being written, too.
 constexpr const char *header_file = "map.h5", *slab_files = "slab-";
+
+/// Whether a file of the folder is map.h5, slab-<number>.h5, or one of these that was not written
+/// to the end (MapWriter).
+bool is_own(const std::string& name) {
+  static const std::regex own(R"((map|slab-\d+)\.h5(\..+-\d+-\d+\.part)?)");
+  return std::regex_match(name, own);
+}
 
 }  // namespace
 
@@ -90,10 +98,13 @@ void Parts::write_files(const SlabRange& unit, const ReachCells& cells) const {
   }
 }
 
-void Parts::in_background(const ReachOptions& options, std::function<void()> write) {
+void Parts::write_with(int threads, std::function<void()> write) {
   finish();
-  writing_ = std::async(std::launch::async, std::move(write));
-  if (options.threads == 1) finish();
+  if (threads == 1) {
+    write();
+  } else {
+    writing_ = std::async(std::launch::async, std::move(write));
+  }
 }
 
 void Parts::finish() {
@@ -101,6 +112,8 @@ void Parts::finish() {
 }
 
 Ending Parts::compute(const SlabRange& unit, const ReachOptions& options) {
+  const auto now = std::chrono::seconds(0);
+  if (writing_.valid() && writing_.wait_for(now) == std::future_status::ready) finish();
   const ReachGrid& grid = header_.grid;
   const Eigen::Index first = slabs_.first(unit.first), last = slabs_.last(unit.last - 1);
   if (grid.cylindrical()) {  // a unit of one slab
@@ -108,14 +121,13 @@ Ending Parts::compute(const SlabRange& unit, const ReachOptions& options) {
         reach_branches(header_.arm, grid, first / grid.azimuths(), last / grid.azimuths(), options);
     const Ending ending = branches.ending;
     if (ending != Ending::complete) return ending;
-    in_background(options, [this, slab = unit.first, all = std::move(branches)] {
-      write(slab, all);
-    });
+    write_with(options.threads,
+               [this, slab = unit.first, all = std::move(branches)] { write(slab, all); });
     return ending;
   }
   ReachCells cells = reach_cells(header_.arm, grid, first, last, options);
   if (cells.ending != Ending::complete) return cells.ending;
-  in_background(options, [this, unit, all = std::move(cells)] { write_files(unit, all); });
+  write_with(options.threads, [this, unit, all = std::move(cells)] { write_files(unit, all); });
   return Ending::complete;
 }
 
@@ -133,7 +145,7 @@ void Parts::remove() const {
   const std::filesystem::directory_iterator end;
   for (std::filesystem::directory_iterator at(folder_, left); at != end; at.increment(left)) {
     const std::string name = at->path().filename().string();
-    if (name.starts_with(header_file) || name.starts_with(slab_files)) files.push_back(at->path());
+    if (is_own(name)) files.push_back(at->path());
   }
   for (const std::filesystem::path& file : files) std::filesystem::remove(file, left);
   if (!std::filesystem::is_symlink(folder_, left)) std::filesystem::remove(folder_, left);

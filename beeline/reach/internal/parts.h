@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <future>
 #include <string>
 #include <vector>
@@ -25,18 +26,21 @@ class Parts {
   /// Makes the folder `map_path`.parts. Throws FileError if it cannot be made, or is of another
   /// map.
   Parts(const std::string& map_path, const ReachMapHeader& header);
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
 
   /// Whether the folder has those slabs, whole.
   bool has(const SlabRange& unit) const;
-  /// Computes slabs and writes their files: with one thread at once, with several while the next
-  /// call computes. Throws what was thrown while the last unit was written.
+  /// Computes slabs and writes their files. With one thread the files are there when it returns;
+  /// with several they are written while the next call computes, which throws what that writing
+  /// threw, or finish() does.
   Ending compute(const SlabRange& unit, const ReachOptions& options);
-  /// Waits until the files of all units are written. Throws as compute() does.
+  /// Waits until the files of all computed slabs are written.
   void finish();
-  /// Joins the slabs of units into one file.
+  /// Joins the slabs of units, whose files are there, into one file.
   void join(const std::vector<SlabRange>& units, const std::string& path) const;
-  /// Deletes the files of the slabs, and the folder if nothing else is in it. A link to a folder
-  /// stays.
+  /// Deletes the files that this class makes, and the folder if nothing else is in it. A link to a
+  /// folder stays.
   void remove() const;
 
  private:
@@ -44,7 +48,7 @@ class Parts {
   bool has_slab(Eigen::Index slab) const;
   void write(Eigen::Index slab, const auto& computed) const;
   void write_files(const SlabRange& unit, const ReachCells& cells) const;
-  void in_background(const ReachOptions& options, std::function<void()> write);
+  void write_with(int threads, std::function<void()> write);
 
   std::string folder_;
   ReachMapHeader header_;

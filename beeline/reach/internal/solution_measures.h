@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include <beeline/model/arm.h>
@@ -10,9 +11,9 @@ namespace beeline::internal {
 /// `end` - 1; of solutions that rounding moved outside, 0.
 double least_margin(const Arm& arm, const ConfigurationRef& q, int begin, int end);
 
-/// Raises the largest value so far, NaN before the first.
+/// Raises the largest value so far, NaN before the first. Ignores a value that is NaN.
 inline void raise(float& largest, float value) {
-  if (!(largest >= value)) largest = value;
+  if (value > largest || std::isnan(largest)) largest = value;
 }
 
 /// One value for each configuration.

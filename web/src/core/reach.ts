@@ -66,11 +66,12 @@ export function positionAt({ axes }: ReachGrid, [x = 0, y = 0, z = 0]: number[])
   return (x * axes[1].cells + y) * axes[2].cells + z;
 }
 
-/** The index of the cell of a value; null for one outside. */
+/** The index of the cell of a value; null for one outside. An edge is inside, whatever its last digit. */
 export function cellOf({ cells, lower, step }: ReachAxis, value: number): number | null {
-  const index = Math.floor((value - lower) / step);
-  if (value - lower === cells * step) return cells - 1;
-  return index >= 0 && index < cells ? index : null;
+  const steps = (value - lower) / step;
+  const rounding = 1e-9;
+  if (!(steps >= -rounding && steps <= cells + rounding)) return null;
+  return Math.min(Math.floor(Math.max(0, steps)), cells - 1);
 }
 
 export function centreOf({ lower, step }: ReachAxis, index: number): number {
