@@ -60,7 +60,7 @@ Trajectory read_recording(const std::string& path, const Arm& arm) {
 
 PoseList waypoints_from(const std::string& text, const std::string& path, const Arm& arm,
                         const TaskArgument& task, const WorkArgument& work,
-                        const UnitArgument& unit) {
+                        const UnitArgument& unit, const std::string& option) {
   const WrittenPose world_T_work = work.read(arm, unit);
   PoseList list = poses_from_csv(text, path, unit.angle_unit(), triple_of(arm));
   if (!list.has_header)
@@ -70,7 +70,7 @@ PoseList waypoints_from(const std::string& text, const std::string& path, const 
                     fmt::format("has {} poses; a path has at most {}: divide it", list.poses.size(),
                                 internal::max_poses));
   }
-  warn_of_angle(path, list.max_angle, unit);
+  warn_of_angle(option + " " + path, list.max_angle, unit);
   for (std::size_t i = 0; i < list.poses.size(); ++i) {
     try {
       const WrittenPose pose =

@@ -15,11 +15,12 @@ beeline::Trajectory checked_for_arm(const std::string& path, const beeline::Arm&
 /// is .json if it begins with a brace and otherwise .csv.
 beeline::Trajectory read_recording(const std::string& path, const beeline::Arm& arm);
 
-/// The poses in the world of the file of --through, with this text, given in the frame of --work,
-/// each in a form that fits the arm and the task.
+/// The poses in the world of the file of an option such as --through, with this text, given in the
+/// frame of --work, each in a form that fits the arm and the task.
 beeline::PoseList waypoints_from(const std::string& text, const std::string& path,
                                  const beeline::Arm& arm, const TaskArgument& task,
-                                 const WorkArgument& work, const UnitArgument& unit);
+                                 const WorkArgument& work, const UnitArgument& unit,
+                                 const std::string& option = "--through");
 
 /// --through.
 Option through_option(std::string help, std::string* target);

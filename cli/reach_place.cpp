@@ -78,8 +78,9 @@ Vector3 corner_of(const std::string& text, const char* option) {
 
 Answer place(PlaceArguments& arguments) {
   const ReachMap map(arguments.map, arguments.options.threads);
-  const PoseList poses = waypoints_from(internal::read_file(arguments.poses), arguments.poses,
-                                        map.arm(), {.offered = false}, {}, arguments.unit);
+  const PoseList poses =
+      waypoints_from(internal::read_file(arguments.poses), arguments.poses, map.arm(),
+                     {.offered = false}, {}, arguments.unit, "--poses");
   PlacementOptions options = arguments.options;
   if (!arguments.lower.empty()) options.lower = corner_of(arguments.lower, "--lower");
   if (!arguments.upper.empty()) options.upper = corner_of(arguments.upper, "--upper");
