@@ -127,17 +127,19 @@ arm: build
 	@ctest --preset arm --parallel $(JOBS)
 
 lint:
-	@scripts/install_packages.sh build test lint python
+	@scripts/install_packages.sh build test lint python mpi
 	@scripts/venv.sh .venv-python tests/python/requirements.txt
-	@cmake --preset dev $(module) >/dev/null
+	@scripts/venv.sh .venv-lint scripts/lint_requirements.txt
+	@cmake --preset dev -DBEELINE_MPI=ON $(module) >/dev/null
 	@scripts/lint.sh build-dev
 
 format:
 	@scripts/install_packages.sh lint
-	@scripts/sources.sh | xargs clang-format-14 -i
+	@scripts/venv.sh .venv-lint scripts/lint_requirements.txt
+	@scripts/sources.sh | xargs .venv-lint/bin/clang-format -i
 
 install: build
 	@cmake --install build --prefix $(PREFIX)
 
 clean:
-	@rm -rf build build-dev build-asan build-tsan build-arm build-fuzz build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-node .venv-python .venv-wheel
+	@rm -rf build build-dev build-asan build-tsan build-arm build-fuzz build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-lint .venv-node .venv-python .venv-wheel

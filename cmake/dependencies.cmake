@@ -109,6 +109,8 @@ if(BEELINE_VIEW)
   if(NOT beeline_httplib_FOUND)
     list(APPEND beeline_missing "cpp-httplib (or -DBEELINE_VIEW=OFF)")
     list(APPEND beeline_debian pkg-config libcpp-httplib-dev)
+  elseif(beeline_httplib_CFLAGS MATCHES OPENSSL_SUPPORT)  # functions of its header call libcrypto then
+    target_link_libraries(PkgConfig::beeline_httplib INTERFACE ${beeline_httplib_STATIC_LINK_LIBRARIES})
   endif()
 endif()
 

@@ -15,7 +15,7 @@ mpi=(libopenmpi-dev openmpi-bin iproute2 procps)
 fuzz=(clang-14 libclang-rt-14-dev)
 web=(emscripten dpkg-dev chromium python3 python3-venv)
 arm=(g++-aarch64-linux-gnu qemu-user)
-lint=(clang-format-14 clang-tidy-14 clang-14 shellcheck python3)
+lint=(shellcheck python3 python3-venv)
 
 wanted=()
 for group in "$@"; do

@@ -9,9 +9,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 MAX_FILE, MAX_FUNCTION = 400, 60  # lines
-FOLDERS = ("beeline", "cli", "tests", "bench", "examples", "cmake", "python", "scripts")
+FOLDERS = ("beeline", "cli", "tests", "bench", "examples", "cmake", "mpi", "python", "scripts", "web/core", "web/src", "web/tests")
 CODE = {".h", ".cpp"}
-ENDINGS = CODE | {".py", ".sh", ".cmake", ".txt"}
+ENDINGS = CODE | {".py", ".sh", ".cmake", ".txt", ".ts", ".css", ".html"}
 
 # What holds no braces of the code: comments, strings (raw ones, too), characters, directives.
 SILENT = re.compile(

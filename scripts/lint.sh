@@ -5,6 +5,7 @@
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit
 build=$1
+PATH=$PWD/.venv-lint/bin:$PATH  # clang-format and clang-tidy of scripts/lint_requirements.txt
 failed=()
 
 check() {  # NAME COMMAND...
@@ -14,7 +15,7 @@ check() {  # NAME COMMAND...
   echo "$name: $((SECONDS - begin)) s"
 }
 
-formatting() { scripts/sources.sh | xargs clang-format-14 --dry-run -Werror; }
+formatting() { scripts/sources.sh | xargs clang-format --dry-run -Werror; }
 headers() { cmake --build "$build" --target all_verify_interface_header_sets; }
 
 check "formatting" formatting

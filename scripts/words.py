@@ -10,9 +10,10 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-PLACES = ("beeline", "cli", "tests", "bench", "examples", "docs", "cmake", "python", "scripts", "README.md",
+PLACES = ("beeline", "cli", "tests", "bench", "examples", "docs", "cmake", "mpi", "python", "scripts",
+          "web/core", "web/src", "web/tests", "web/index.html", "README.md",
           "CHANGELOG.md", "CONTRIBUTING.md", "CMakeLists.txt", "Makefile", "layers.txt")
-ENDINGS = {".h", ".cpp", ".py", ".sh", ".md", ".txt", ".cmake", ".in", ""}
+ENDINGS = {".h", ".cpp", ".py", ".sh", ".md", ".txt", ".cmake", ".in", ".ts", ".css", ".html", ""}
 FORMER_NAMES = {"cli/command/former_names.cpp", "tests/cli/names_test.py"}
 INSTEAD = {
     "law of time": "time scaling",

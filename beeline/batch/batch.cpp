@@ -194,23 +194,24 @@ Pose pose_of(const double* number, PoseLayout layout) {
 int size(PoseLayout layout) { return layout == PoseLayout::matrix ? 16 : 7; }
 
 template <class Real>
-BatchResult batch_forward(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> world_T_tool,
-                          const BatchOptions& options) {
+BatchResult batch_forward(const Arm& arm, const ConstColumnsRef<Real>& q,
+                          ColumnsRef<Real> world_T_tool, const BatchOptions& options) {
   check_shape(arm, "world_T_tool", world_T_tool, size(options.layout), q.cols());
   return run<Real>(arm, q, {{&BatchJob<Real>::world_T_tool, &world_T_tool}}, options);
 }
 
 template <class Real>
-BatchResult batch_link_poses(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> world_T_link,
-                             const BatchOptions& options) {
+BatchResult batch_link_poses(const Arm& arm, const ConstColumnsRef<Real>& q,
+                             ColumnsRef<Real> world_T_link, const BatchOptions& options) {
   const Eigen::Index poses = static_cast<Eigen::Index>(arm.joints().size()) + 1;
   check_shape(arm, "world_T_link", world_T_link, poses * size(options.layout), q.cols());
   return run<Real>(arm, q, {{&BatchJob<Real>::world_T_link, &world_T_link}}, options);
 }
 
 template <class Real>
-BatchResult batch_jacobian(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> jacobians,
-                           ColumnsRef<Real> world_T_tool, const BatchOptions& options) {
+BatchResult batch_jacobian(const Arm& arm, const ConstColumnsRef<Real>& q,
+                           ColumnsRef<Real> jacobians, ColumnsRef<Real> world_T_tool,
+                           const BatchOptions& options) {
   check_shape(arm, "jacobians", jacobians, 6 * arm.dof(), q.cols());
   Outputs<Real> outputs{{&BatchJob<Real>::columns, &jacobians}};
   if (world_T_tool.cols() != 0) {
@@ -221,22 +222,23 @@ BatchResult batch_jacobian(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<R
 }
 
 template <class Real>
-BatchResult batch_manipulability(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> values,
-                                 const BatchOptions& options) {
+BatchResult batch_manipulability(const Arm& arm, const ConstColumnsRef<Real>& q,
+                                 ColumnsRef<Real> values, const BatchOptions& options) {
   check_shape(arm, "values", values, 1, q.cols());
   BatchOptions in_base = options;
   in_base.frame = Frame::base;  // there the axes of planar arms are exact
   return run<Real>(arm, q, {{&BatchJob<Real>::manipulability, &values}}, in_base);
 }
 
-#define BEELINE_BATCH(REAL)                                                                        \
-  template BatchResult batch_forward<REAL>(const Arm&, ConstColumnsRef<REAL>, ColumnsRef<REAL>,    \
-                                           const BatchOptions&);                                   \
-  template BatchResult batch_link_poses<REAL>(const Arm&, ConstColumnsRef<REAL>, ColumnsRef<REAL>, \
-                                              const BatchOptions&);                                \
-  template BatchResult batch_jacobian<REAL>(const Arm&, ConstColumnsRef<REAL>, ColumnsRef<REAL>,   \
-                                            ColumnsRef<REAL>, const BatchOptions&);                \
-  template BatchResult batch_manipulability<REAL>(const Arm&, ConstColumnsRef<REAL>,               \
+#define BEELINE_BATCH(REAL)                                                                 \
+  template BatchResult batch_forward<REAL>(const Arm&, const ConstColumnsRef<REAL>&,        \
+                                           ColumnsRef<REAL>, const BatchOptions&);          \
+  template BatchResult batch_link_poses<REAL>(const Arm&, const ConstColumnsRef<REAL>&,     \
+                                              ColumnsRef<REAL>, const BatchOptions&);       \
+  template BatchResult batch_jacobian<REAL>(const Arm&, const ConstColumnsRef<REAL>&,       \
+                                            ColumnsRef<REAL>, ColumnsRef<REAL>,             \
+                                            const BatchOptions&);                           \
+  template BatchResult batch_manipulability<REAL>(const Arm&, const ConstColumnsRef<REAL>&, \
                                                   ColumnsRef<REAL>, const BatchOptions&);
 BEELINE_BATCH(double)
 BEELINE_BATCH(float)

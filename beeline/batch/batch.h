@@ -46,25 +46,26 @@ using ConstColumnsRef = Eigen::Ref<const Eigen::Matrix<Real, Eigen::Dynamic, Eig
 
 /// Computes the poses of the tool, size(layout) x N.
 template <class Real>
-BatchResult batch_forward(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> world_T_tool,
-                          const BatchOptions& options = {});
+BatchResult batch_forward(const Arm& arm, const ConstColumnsRef<Real>& q,
+                          ColumnsRef<Real> world_T_tool, const BatchOptions& options = {});
 
 /// Computes the poses of links 0 to n, one below the other: (n + 1) size(layout) x N.
 template <class Real>
-BatchResult batch_link_poses(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> world_T_link,
-                             const BatchOptions& options = {});
+BatchResult batch_link_poses(const Arm& arm, const ConstColumnsRef<Real>& q,
+                             ColumnsRef<Real> world_T_link, const BatchOptions& options = {});
 
 /// Computes the Jacobians, column by column, 6 dof x N; and the poses of the tool, unless
 /// `world_T_tool` has no columns.
 template <class Real>
-BatchResult batch_jacobian(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> jacobians,
-                           ColumnsRef<Real> world_T_tool, const BatchOptions& options = {});
+BatchResult batch_jacobian(const Arm& arm, const ConstColumnsRef<Real>& q,
+                           ColumnsRef<Real> jacobians, ColumnsRef<Real> world_T_tool,
+                           const BatchOptions& options = {});
 
 /// Computes the manipulability sqrt(det(J J^T)) of all six rows of the Jacobian, as
 /// manipulability_measures() does: 1 x N.
 template <class Real>
-BatchResult batch_manipulability(const Arm& arm, ConstColumnsRef<Real> q, ColumnsRef<Real> values,
-                                 const BatchOptions& options = {});
+BatchResult batch_manipulability(const Arm& arm, const ConstColumnsRef<Real>& q,
+                                 ColumnsRef<Real> values, const BatchOptions& options = {});
 
 /// Computes one solution for each pose: `world_T_tool` is size(layout) x N, `q` dof x N, `seeds`
 /// dof x N, or dof x 1 for all. Where no solution is found the column of q is NaN. `inverse.all`

@@ -47,7 +47,7 @@ void bind_chapter(nb::module_& m) {
       moving, nb::arg("number"), nb::arg("playback"));
 }
 
-void bind_motions(nb::module_& m) {
+void bind_motion_figures(nb::module_& m) {
   constexpr const char* trajectory_doc = "Of this arm's joints.";
   constexpr const char* waypoints_doc = "Poses (N, 4, 4) to mark, numbered from 1.";
   const std::string poses = std::string(array_like) + " | None";
@@ -153,7 +153,7 @@ void bind_charts(nb::module_& m) {
 void bind_pictures(nb::module_& m) {
   bind_pages(m);
   bind_chapter(m);
-  bind_motions(m);
+  bind_motion_figures(m);
   bind_charts(m);
   Signature figure("arm_figure", "Drawing",
                    "Draws an arm: from above when it is planar, otherwise in an oblique view with "

@@ -53,7 +53,7 @@ nb::tuple state_of_mark(const PaperText& text) {
                         text.size, colour_state(text.colour), text.bold, text.upright, text.halo);
 }
 
-PaperPath path_from(const std::string& verbs, const std::vector<double>& coordinates) {
+PaperPath paper_path_from(const std::string& verbs, const std::vector<double>& coordinates) {
   PaperPath path;
   std::size_t points = 0;
   for (const char letter : verbs) {
@@ -76,7 +76,7 @@ PaperMark mark_from(nb::handle state) {
   if (reader.next_as<std::string>() == "stroke") {
     PaperStroke stroke;
     const auto verbs = reader.next_as<std::string>();
-    stroke.path = path_from(verbs, reader.next_as<std::vector<double>>());
+    stroke.path = paper_path_from(verbs, reader.next_as<std::vector<double>>());
     stroke.fill = reader.colour();
     stroke.line = reader.colour();
     stroke.width = reader.next_as<double>();

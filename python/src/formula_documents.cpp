@@ -28,7 +28,7 @@ struct NamedDeterminant {
 };
 
 constexpr const char* task_type = "str | None";
-constexpr const char* task_doc = "Its rows. Default: planar for planar arms, else spatial.";
+constexpr const char* task_rows_doc = "Its rows. Default: planar for planar arms, else spatial.";
 
 Task task_of(const NamedArm& arm, nb::handle task) {
   return task.is_none() ? default_task(arm.arm) : Value<Task>::from(task, "task");
@@ -114,7 +114,7 @@ void bind_document(nb::module_& m) {
                  "of the tool.");
   made.takes("arm", "SymbolicArm | Arm", "The arm; an Arm is named with default options.")
       .keywords()
-      .takes("task", task_type, task_doc, "None")
+      .takes("task", task_type, task_rows_doc, "None")
       .options<FormulaContent>()
       .options<FormulaStyle>();
   define(m, &document_of, made, nb::arg("arm"), nb::kw_only(), nb::arg("task") = nb::none(),
@@ -139,7 +139,7 @@ void bind_code(nb::module_& m) {
   made.takes("arm", "SymbolicArm | Arm", "The arm; an Arm is named with default options.")
       .takes("language", Value<CodeLanguage>::type(), "The language.", "'python'")
       .keywords()
-      .takes("task", task_type, task_doc, "None")
+      .takes("task", task_type, task_rows_doc, "None")
       .options<FormulaContent>()
       .takes("numbers", "bool", "Constants as numbers, not as names.", "False");
   define(
@@ -256,7 +256,7 @@ void bind_determinant(nb::module_& m) {
                  "Returns the determinant of the task's Jacobian, which has as many rows as the "
                  "arm has joints.");
   made.takes("arm", "SymbolicArm | Arm", "The arm; an Arm is named with default options.")
-      .takes("task", task_type, task_doc, "None");
+      .takes("task", task_type, task_rows_doc, "None");
   define(m, &determinant_of, made, nb::arg("arm"), nb::arg("task") = nb::none());
 }
 

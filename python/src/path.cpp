@@ -143,9 +143,9 @@ void bind_paths_through(nb::module_& m) {
   Signature arc("arc_through", "Arc",
                 "Returns the arc from `from_` to `to` through a third position. Raises Error where "
                 "the three positions do not determine a circle.");
-  arc.takes("from_", array_like, "Pose (4, 4).")
+  arc.takes("from_", array_like, pose_doc)
       .takes("passed", array_like, "Position, m, (3,).")
-      .takes("to", array_like, "Pose (4, 4).");
+      .takes("to", array_like, pose_doc);
   define(
       m,
       [](nb::handle from, nb::handle passed, nb::handle to) {

@@ -23,15 +23,6 @@ struct Value<std::vector<Deviation>> {
   static bool same(const std::vector<Deviation>& a, const std::vector<Deviation>& b);
 };
 
-template <>
-struct Value<std::vector<bool>> {
-  static std::string type() { return "list[bool]"; }
-  static std::string argument_type() { return "collections.abc.Sequence[bool]"; }
-  static nb::object to(const std::vector<bool>& value);
-  static std::vector<bool> from(nb::handle value, const char* name);
-  static bool same(const std::vector<bool>& a, const std::vector<bool>& b) { return a == b; }
-};
-
 /// One of the four classes of segments.
 template <>
 struct Value<Segment> {

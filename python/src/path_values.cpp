@@ -29,21 +29,6 @@ bool Value<std::vector<Deviation>>::same(const std::vector<Deviation>& a,
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), Value<Deviation>::same);
 }
 
-nb::object Value<std::vector<bool>>::to(const std::vector<bool>& value) {
-  nb::list list;
-  for (const bool item : value) list.append(nb::bool_(item));
-  return list;
-}
-
-std::vector<bool> Value<std::vector<bool>>::from(nb::handle value, const char* name) {
-  if (nb::isinstance<nb::str>(value) || !PySequence_Check(value.ptr())) {
-    raise_type(name, "a list of True and False", value);
-  }
-  std::vector<bool> items;
-  for (nb::handle item : nb::iter(value)) items.push_back(Value<bool>::from(item, name));
-  return items;
-}
-
 nb::object Value<Segment>::to(const Segment& value) {
   return std::visit([](const auto& segment) { return nb::object(nb::cast(segment)); }, value);
 }

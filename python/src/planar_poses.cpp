@@ -31,7 +31,7 @@ void bind_planar_poses(nb::module_& m) {
       space, nb::arg("pose"), nb::arg("height") = 0.0);
   Signature plane("to_plane", "Pose2",
                   "Returns the planar part of a pose, without its height and tilt.");
-  plane.takes("pose", array_like, "Pose (4, 4).");
+  plane.takes("pose", array_like, pose_doc);
   define(
       m, [](nb::handle spatial) { return to_plane(Value<Pose>::from(spatial, "pose")); }, plane,
       nb::arg("pose"));

@@ -7,7 +7,6 @@ namespace beeline::python {
 namespace {
 
 constexpr const char* rotation_like = "A rotation matrix (3, 3), or a pose, whose rotation it is.";
-constexpr const char* pose_doc = "Pose (4, 4).";
 constexpr const char* twist_doc = "[vx vy vz wx wy wz], m and rad, or per second.";
 
 /// A rotation matrix, or that of a pose.

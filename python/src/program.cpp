@@ -10,10 +10,10 @@
 namespace beeline::python {
 namespace {
 
-using States = std::map<std::string, Configuration>;
+using NamedStates = std::map<std::string, Configuration>;
 
-States states_from(const Arm& arm, nb::handle states) {
-  States named;
+NamedStates states_from(const Arm& arm, nb::handle states) {
+  NamedStates named;
   if (states.is_none()) return named;
   if (!nb::isinstance<nb::dict>(states)) raise_type("states", "a dict", states);
   for (const auto& [name, q] : nb::borrow<nb::dict>(states)) {
@@ -25,7 +25,7 @@ States states_from(const Arm& arm, nb::handle states) {
 }
 
 /// The configuration that an item of the column q means.
-Configuration configuration_of(const Arm& arm, const std::string& item, const States& states,
+Configuration configuration_of(const Arm& arm, const std::string& item, const NamedStates& states,
                                AngleUnit unit) {
   const auto named = states.find(item);
   if (named != states.end()) return named->second;
@@ -57,7 +57,7 @@ void check_forms(const Arm& arm, const ProgramRows& program) {
 Program loaded(nb::handle path, const Arm& arm, nb::handle unit_name, nb::handle states,
                nb::handle start) {
   const auto unit = Value<AngleUnit>::from(unit_name, "unit");
-  const States named = states_from(arm, states);
+  const NamedStates named = states_from(arm, states);
   const ProgramRows rows = read_program_rows(path_from(path, "path"), unit);
   check_forms(arm, rows);
   return program_of(

@@ -73,7 +73,7 @@ void bind_steps(nb::class_<Described<Servo>>& servo) {
                     "bounds on its speed.");
   towards.takes("self")
       .takes("q", array_like, configuration_doc)
-      .takes("world_T_tool", array_like, "Pose (4, 4).")
+      .takes("world_T_tool", array_like, pose_doc)
       .keywords()
       .takes("out", out_type, out_doc, "None");
   define(

@@ -8,7 +8,6 @@ namespace {
 constexpr const char* task_doc =
     "spatial, position, planar, or a mask such as 111110; with :tool in the tool's axes.";
 constexpr const char* matrix_doc = "Rows of a Jacobian, at most six, (m, n).";
-constexpr const char* pose_doc = "Pose (4, 4).";
 
 nb::object scaled_jacobian(const Arm& arm, nb::handle q, nb::handle task_name, nb::handle unit,
                            nb::handle out) {

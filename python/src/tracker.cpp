@@ -45,7 +45,7 @@ void bind_trackers(nb::module_& m) {
                  "Advances by one time step towards the commanded pose of the tool. Raises Error "
                  "for a pose that is not a rigid motion, which changes nothing.");
   step.takes("self")
-      .takes("world_T_tool", array_like, "Pose (4, 4).")
+      .takes("world_T_tool", array_like, pose_doc)
       .keywords()
       .takes("out", outputs_type(), "Array (n,) of float64 for q, or two for q and velocity.",
              "None");

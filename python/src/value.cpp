@@ -206,4 +206,19 @@ bool Value<std::vector<Pose>>::same(const std::vector<Pose>& a, const std::vecto
   return std::ranges::equal(a, b, Value<Pose>::same);
 }
 
+nb::object Value<std::vector<bool>>::to(const std::vector<bool>& value) {
+  nb::list list;
+  for (const bool item : value) list.append(nb::bool_(item));
+  return list;
+}
+
+std::vector<bool> Value<std::vector<bool>>::from(nb::handle value, const char* name) {
+  if (nb::isinstance<nb::str>(value) || !PySequence_Check(value.ptr())) {
+    raise_type(name, "a list of True and False", value);
+  }
+  std::vector<bool> items;
+  for (nb::handle item : nb::iter(value)) items.push_back(Value<bool>::from(item, name));
+  return items;
+}
+
 }  // namespace beeline::python

@@ -25,6 +25,8 @@ struct Value;
 /// The annotation of arrays in results, and of those in arguments.
 inline constexpr const char* array_type = "numpy.typing.NDArray[numpy.float64]";
 inline constexpr const char* array_like = "numpy.typing.ArrayLike";
+/// What docstrings say of a pose.
+inline constexpr const char* pose_doc = "Pose (4, 4).";
 
 /// The annotation of paths, and a path as text: of a str or an os.PathLike.
 inline constexpr const char* path_like = "str | os.PathLike[str]";
@@ -212,6 +214,15 @@ struct Value<std::vector<std::size_t>> {
   static bool same(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
     return a == b;
   }
+};
+
+template <>
+struct Value<std::vector<bool>> {
+  static std::string type() { return "list[bool]"; }
+  static std::string argument_type() { return "collections.abc.Sequence[bool]"; }
+  static nb::object to(const std::vector<bool>& value);
+  static std::vector<bool> from(nb::handle value, const char* name);
+  static bool same(const std::vector<bool>& a, const std::vector<bool>& b) { return a == b; }
 };
 
 /// One configuration in each row.

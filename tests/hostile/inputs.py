@@ -1,8 +1,11 @@
 """Hostile arguments and files for the command: valid ones, mutated at random."""
 
+import functools
 import pathlib
 import random
 import re
+import subprocess
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NUMBER = re.compile(rb"-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
@@ -12,8 +15,9 @@ WORDS = ["", " ", "'", '"', "--", "-", "\x1b[31m", "é", "\u202e", "a" * 3000, "
          "[" * 2000, "null", "../../etc/passwd"]
 
 WAYPOINTS = b"x,y,z,roll,pitch,yaw\n0.4,0.2,0.3,3.1,0,0\n0.4,-0.2,0.3,3.1,0,0\n0.3,-0.2,0.4,3.1,0,0\n"
+REACHABLE = b"x,y,z,roll,pitch,yaw\n0.25,0,0.1,1.5707963,0,0\n0.22,0,0.12,1.5707963,0,0\n"
 PLANAR = b"x,y,theta\n4,4,0\n5,3,0\n4,3,0.2\n"
-PROGRAM = b'motion,x,y,z,roll,pitch,yaw,speed,blend,dwell,relative\njoint,0.4,0.2,0.3,3.1,0,0,,,,\nline,0.4,-0.2,0.3,3.1,0,0,0.2,0.01,,\n' \
+PROGRAM = b'motion,x,y,z,roll,pitch,yaw,speed,blend,dwell,relative\njoint,0.4,0.2,0.3,3.1,0,0,,,,\nline,0.4,-0.1,0.3,3.1,0,0,0.2,0.01,,\nline,0.4,-0.2,0.3,3.1,0,0,,,,\n' \
           b"via,0.35,-0.1,0.35,3.1,0,0,,,,\narc,0.4,0,0.4,3.1,0,0,,,0.5,\nline,0,0,-0.05,0,0,0,,,,previous\n"
 PLANAR_MOTION = b"t,joint1,joint2,joint3\n0,0.1,0.5,-0.4\n0.5,0.2,0.6,-0.5\n1,0.3,0.7,-0.6\n1.5,0.3,0.7,-0.6\n"
 PANDA_MOTION = b"t," + b",".join(b"joint%d" % k for k in range(1, 8)) + b"," + b",".join(b"joint%d_vel" % k for k in range(1, 8)) + \
@@ -23,7 +27,7 @@ JSON_MOTION = b'{"joint_names": ["joint1", "joint2", "joint3"], "points": [{"pos
 YAML_LIMITS = b"joint_limits:\n  joint1:\n    has_velocity_limits: true\n    max_velocity: 1.5\n    has_acceleration_limits: true\n    max_acceleration: 3\n" \
     b"  joint2:\n    has_position_limits: true\n    min_position: -1\n    max_position: 1\n"
 JSON_LIMITS = b'{"joint1": {"lower": -2, "upper": 2, "velocity": 1.5}, "joint2": {"jerk": 50}}'
-SRDF = b'<robot name="r"><group name="arm"><chain base_link="base" tip_link="tool"/></group>' \
+SRDF = b'<robot name="r"><group name="arm"><chain base_link="base" tip_link="gripper"/></group>' \
     b'<group_state name="home" group="arm"><joint name="shoulder" value="0.3"/></group_state></robot>'
 DH = b'{"name": "d", "dh": {"convention": "modified", "rows": [{"d": 0.3}, {"a": 0.4, "alpha": 1.5707963267948966}]}}'
 JOINTS = b"joint1,joint2,joint3\n0.1,0.2,0.3\n0.4,0.5,0.6\n"
@@ -34,13 +38,13 @@ FILES = {
     "gen3.json": (ROOT / "tests/inverse/arms/gen3.json").read_bytes(),
     "px150.json": (ROOT / "tests/inverse/arms/px150.json").read_bytes(),
     "ur5.json": (ROOT / "docs/howto/typed_ur5.json").read_bytes(),
-    "poses.csv": WAYPOINTS, "planar.csv": PLANAR, "program.csv": PROGRAM, "rrr.csv": PLANAR_MOTION, "panda.csv": PANDA_MOTION,
+    "poses.csv": WAYPOINTS, "reachable.csv": REACHABLE, "planar.csv": PLANAR, "program.csv": PROGRAM, "rrr.csv": PLANAR_MOTION, "panda.csv": PANDA_MOTION,
     "rrr.json": JSON_MOTION, "limits.yaml": YAML_LIMITS, "limits.json": JSON_LIMITS, "arm.srdf": SRDF, "joints.csv": JOINTS, "joints.npy": NPY, "dh.json": DH,
 }
 
 POSE, PLANAR_POSE = "0.4,0.2,0.3,3.1,0,0", "4,4,0.1"
 COMMANDS = [line.split() for line in f"""
-show robot.urdf
+show robot.urdf --tip gripper
 show gen3.json --json
 fk dh.json --q 0.1,0.2
 show RRRP:1,2,0.5,1
@@ -50,39 +54,75 @@ jacobian ur5.json --q 0,1,1,0,1,0 --frame tool
 ik gen3.json --pose {POSE} --all
 ik ur5 --pose {POSE} --seed 0,1,1,0,1,0 --json
 ik panda --pose {POSE} --redundancy centred --grid 20 --lock joint3=0.2
-ik px150.json --pose {POSE} --pose-tolerance 0.01,0.01,0.01,0.1,0.1,3 --max-restarts 100 --max-iterations 50
+ik px150.json --pose 0.25,0,0.1,1.5707963,0,0 --pose-tolerance 0.01,0.01,0.01,0.1,0.1,3 --max-restarts 100 --max-iterations 50
 ik RRPRH:1,1,0.1,1,0.1p0.02 --pose {PLANAR_POSE} --task position --tolerance 1e-8 --random-seed 3
-batch fk rrr joints.csv --out out.csv
-batch ik panda poses.csv --out out.csv --status
-batch jacobian rrr joints.npy --out out.npy
-move rrr --from 0.1,0.2,0.3 --to 0.5,0.1,0.9 --gain 2 --out out.csv
+batch fk rrr --in joints.csv --out out.csv
+batch ik panda --in poses.csv --out out.csv --status
+batch jacobian rrr --in joints.npy --out out.npy
+move rrr --from 0.1,0.2,0.3 --to 0.5,0.1,0.9 --gain 0.5 --out out.csv
 line rrr --through planar.csv --out out.csv --draw out.svg
 line panda --through poses.csv --out out.json --blend 0.02 --rate 100
 line ur5 --through program.csv --out out.csv --profile trapezoidal --max-samples 5000
-line px150.json --through poses.csv --task 111110:tool --tolerance 0.001 --max-samples 3000
+line px150.json --through reachable.csv --task 111110:tool --tolerance 0.001 --max-samples 20000
 line gen3.json --through poses.csv --path spline --tool-speed 0.2 --branches
-check rrr rrr.csv --through planar.csv --speed 0.5
-check panda panda.csv --through poses.csv --tolerance 0.01
+check rrr line.csv --through planar.csv
+check panda panda_line.csv --through poses.csv --tolerance 0.01
 retime panda panda.csv --out out.csv --velocity 1 --acceleration 2 --jerk 50
 retime rrr rrr.json --out out.csv --rate 50 --profile quintic
-replay rrr rrr.csv --out out.csv --speed-at 0:0.5 --rate 100
+replay rrr rrr.csv --out out.csv --speed-at 0:0.2 --rate 100
 diff rrr rrr.csv rrr.json
-export rrr rrr.csv --as urscript
-draw robot.urdf --out out.svg --q 0.1,0.2
+export ur5 ur5_line.csv --as urscript --out out.script
+draw robot.urdf --tip gripper --out out.svg --q 0.1,0.2,0.1,0
 draw panda panda.csv --out out.svg
 figure 1.6 --out out.svg
 formula rrr --as latex
-doctor robot.urdf
-doctor gen3.json px150.json
+doctor robot.urdf --tip gripper
+doctor ur5 ur5.json
+reach map rrr --resolution 2 --directions 1 --out out.h5 --threads 2
+reach map ur5 --resolution 0.5 --shard 1/2 --max-work 100000 --out out.h5
+reach map panda --resolution 0.5 --by sampling --samples 20000 --out out.h5
+reach query map.h5 --pose {PLANAR_POSE} --json
+reach query azimuths.h5 --pose 0.4,0.2,0.3
+reach slice map.h5 --at z=0 --out out.csv
+reach slice azimuths.h5 --at z=0.2 --out out.svg
+reach compare map.h5 other.h5 --at z=0 --out out.svg
+reach place map.h5 --poses planar.csv --step 1 --max-checked 20
+reach merge part1.h5 part2.h5 --out out.h5
+reach export azimuths.h5 --out out.npz
 show robot.urdf --srdf arm.srdf --group arm
 fk rrr --q 0.1,0.2,0.3 --limits limits.yaml
-fk rrr --q 0.1,0.2,0.3 --limits limits.json --tcp 0.1,0,0 --mount 1,2,0.5 --velocity 1
+fk rrr --q 0.1,0.2,0.3 --limits limits.json --tcp 0.1,0,0 --mount 1,2,0.5
 arms --json
 completion bash
 """.strip().splitlines()]
 OPTIONS = """--json --degrees --all --tcp --mount --work --limits --velocity --acceleration --jerk --speed --task --rate --blend --path --profile --out
 --tolerance --max-samples --max-iterations --max-restarts --grid --time-limit --max-work --seed --from --tool-speed --plot --help --weights --every-turn
 --ignore-limits --pose-tolerance --threads --settle --max-steps --gain --method --redundancy --base --tip --q --pose --degrees""".split()
+
+
+# Files that the command makes, by the command lines before --out.
+MADE = {
+    "line.csv": "line rrr --through planar.csv",
+    "panda_line.csv": "line panda --through poses.csv",
+    "ur5_line.csv": "line ur5 --through poses.csv",
+    "map.h5": "reach map rrr --resolution 1.5 --directions 1",
+    "other.h5": "reach map rrr --resolution 1.5 --directions 1 --mount 1,0,0",
+    "azimuths.h5": "reach map puma560 --resolution 0.4 --azimuths 0.5",
+    "part1.h5": "reach map rrr --resolution 1.5 --directions 1 --shard 1/2",
+    "part2.h5": "reach map rrr --resolution 1.5 --directions 1 --shard 2/2",
+}
+
+
+@functools.lru_cache
+def files(command):
+    """All valid files: name -> bytes."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for name, data in FILES.items():
+            (folder / name).write_bytes(data)
+        for name, line in MADE.items():
+            subprocess.run([command, *line.split(), "--out", name], cwd=folder, check=True, capture_output=True)
+        return {name: (folder / name).read_bytes() for name in [*FILES, *MADE]}
 
 
 def mutated_bytes(rng, data):
@@ -114,7 +154,7 @@ def mutated_argument(rng, argument):
     choice = rng.randrange(6)
     if choice <= 2:
         numbers = list(NUMBER.finditer(argument.encode()))
-        if numbers and argument not in FILES:
+        if numbers and argument not in FILES | MADE:
             one = rng.choice(numbers)
             data = argument.encode()
             return (data[:one.start()] + rng.choice(NUMBERS).encode() + data[one.end():]).decode()
@@ -122,27 +162,27 @@ def mutated_argument(rng, argument):
     if choice == 3:
         return rng.choice(WORDS)
     if choice == 4:
-        return rng.choice([*FILES, "/", ".", "folder", "pipe", "/dev/null", "/dev/zero", "/dev/full", "missing.csv", "R" * 100, "panda", "rrr", "RRR", "out.csv"])
+        return rng.choice([*FILES, *MADE, "/", ".", "folder", "pipe", "/dev/null", "/dev/zero", "/dev/full", "missing.csv", "R" * 100, "panda", "rrr", "RRR", "out.csv"])
     return argument + rng.choice([",1", ",", "0", "=", ":", "e400", " "])
 
 
-def command(rng):
-    """One hostile command line, and its files."""
+def command(rng, valid):
+    """One hostile command line, and the files that were changed, of the valid ones."""
     line = list(rng.choice(COMMANDS))
-    files = {}
-    for name in FILES:
+    changed = {}
+    for name in valid:
         if name in line and rng.random() < 0.7:
-            files[name] = mutated_bytes(rng, FILES[name])
+            changed[name] = mutated_bytes(rng, valid[name])
     for _ in range(rng.choice([0, 0, 1, 1, 2])):
         choice = rng.randrange(4)
         at = rng.randrange(1, len(line)) if len(line) > 1 else 0
         if choice <= 1 and line:
             line[at] = mutated_argument(rng, line[at])
         elif choice == 2:
-            line += [rng.choice(OPTIONS)] + ([rng.choice([*NUMBERS, *WORDS, *FILES, POSE, "any"])] if rng.random() < 0.7 else [])
+            line += [rng.choice(OPTIONS)] + ([rng.choice([*NUMBERS, *WORDS, *FILES, *MADE, POSE, "any"])] if rng.random() < 0.7 else [])
         else:
             del line[at:at + 1]
-    return [argument.replace("\0", "") for argument in line], files
+    return [argument.replace("\0", "") for argument in line], changed
 
 
 def generator(seed):

@@ -51,7 +51,7 @@ def fed(pipe):
 
 def run(command, arguments, files, stream, folder):
     """Runs one command line in the folder; returns what is wrong, or None."""
-    for name, data in {**inputs.FILES, **files}.items():
+    for name, data in {**inputs.files(command), **files}.items():
         (folder / name).write_bytes(data)
     (folder / "folder").mkdir()
     out, err = folder / ".out", folder / ".err"
@@ -90,7 +90,7 @@ def run(command, arguments, files, stream, folder):
 def invocation(command, seed):
     """Runs the invocation of a seed. Returns what is wrong, or None; the arguments; the files that were mutated."""
     rng = inputs.generator(seed)
-    arguments, files = inputs.command(rng)
+    arguments, files = inputs.command(rng, inputs.files(str(command)))
     stream = rng.choice([""] * 17 + ["closed out", "closed err", "full"])
     with tempfile.TemporaryDirectory() as name:
         return run(str(command), arguments, files, stream, pathlib.Path(name)), arguments + [stream], files
@@ -113,7 +113,7 @@ def main():
         if given.keep:
             folder = given.keep / str(seed)
             folder.mkdir(parents=True, exist_ok=True)
-            for name, data in {**inputs.FILES, **files}.items():
+            for name, data in {**inputs.files(str(given.command.resolve())), **files}.items():
                 (folder / name).write_bytes(data)
     print(f"{given.count} invocations from seed {given.seed}, {failed} failed")
     return failed != 0

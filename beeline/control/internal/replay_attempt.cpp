@@ -150,7 +150,7 @@ ReplayAttempt attempt_replay(const Arm& arm, const Trajectory& recording,
   ReplayAttempt attempt;
   Replay& result = attempt.replay;
   result.status = MotionStatus::outside_limits;
-  const std::vector<Limits> known = arm.limits();
+  const std::vector<Limits>& known = arm.limits();
   const bool steady = options.speed_at.empty();
   attempt.curable = true;
   if (steady && refuse_velocity(arm, recording, known,

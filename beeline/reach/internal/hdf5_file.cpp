@@ -61,21 +61,26 @@ hid_t stored(Hdf5Type type) {
   return type == Hdf5Type::float32 ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
 }
 
+/// The library's integer is `unsigned long long` before HDF5 1.14 and `uint64_t` since.
+std::vector<hsize_t> sizes_of(const Hdf5Shape& shape) { return {shape.begin(), shape.end()}; }
+
 Hdf5Id space_of(const Hdf5Shape& shape) {
-  return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose};
+  return {H5Screate_simple(static_cast<int>(shape.size()), sizes_of(shape).data(), nullptr),
+          H5Sclose};
 }
 
 Hdf5Shape shape_of(hid_t space) {
-  Hdf5Shape shape(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space))));
-  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
-  return shape;
+  std::vector<hsize_t> sizes(
+      static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space))));
+  H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
+  return {sizes.begin(), sizes.end()};
 }
 
 Hdf5Shape chunk_of(hid_t properties, std::size_t axes) {
   if (H5Pget_layout(properties) != H5D_CHUNKED) return {};
-  Hdf5Shape chunk(axes);
-  H5Pget_chunk(properties, static_cast<int>(axes), chunk.data());
-  return chunk;
+  std::vector<hsize_t> sizes(axes);
+  H5Pget_chunk(properties, static_cast<int>(axes), sizes.data());
+  return {sizes.begin(), sizes.end()};
 }
 
 }  // namespace
@@ -96,8 +101,8 @@ void Hdf5Dataset::transfer(const Hdf5Shape& begin, const Hdf5Shape& size, void* 
                            Hdf5Type type, bool write) const {
   const auto lock = turn();
   const Hdf5Id file_space(H5Dget_space(id_.get()), H5Sclose), memory_space = space_of(size);
-  checked(H5Sselect_hyperslab(file_space.get(), H5S_SELECT_SET, begin.data(), nullptr, size.data(),
-                              nullptr),
+  checked(H5Sselect_hyperslab(file_space.get(), H5S_SELECT_SET, sizes_of(begin).data(), nullptr,
+                              sizes_of(size).data(), nullptr),
           path_, "has no such cells");
   const hid_t memory = memory_space.get(), file = file_space.get();
   checked(write ? H5Dwrite(id_.get(), native(type), memory, file, H5P_DEFAULT, values)
@@ -108,22 +113,24 @@ void Hdf5Dataset::transfer(const Hdf5Shape& begin, const Hdf5Shape& size, void* 
 std::vector<std::byte> Hdf5Dataset::read_chunk(const Hdf5Shape& begin) const {
   const auto lock = turn();
   hsize_t size = 0;
-  checked(H5Dget_chunk_storage_size(id_.get(), begin.data(), &size), path_, "cannot be read");
+  checked(H5Dget_chunk_storage_size(id_.get(), sizes_of(begin).data(), &size), path_,
+          "cannot be read");
   constexpr hsize_t most = hsize_t{1} << 31;  // larger than any that is written
   if (size > most)
     throw FileError(path_, 0, "is damaged: a chunk has " + std::to_string(size) + " bytes");
   std::vector<std::byte> bytes(size);
   std::uint32_t filters = 0;
-  checked(H5Dread_chunk(id_.get(), H5P_DEFAULT, begin.data(), &filters, bytes.data()), path_,
-          "cannot be read");
+  checked(H5Dread_chunk(id_.get(), H5P_DEFAULT, sizes_of(begin).data(), &filters, bytes.data()),
+          path_, "cannot be read");
   if (filters != 0) throw FileError(path_, 0, "is damaged: a chunk is not compressed");
   return bytes;
 }
 
 void Hdf5Dataset::write_chunk(const Hdf5Shape& begin, const std::vector<std::byte>& bytes) {
   const auto lock = turn();
-  checked(H5Dwrite_chunk(id_.get(), H5P_DEFAULT, 0, begin.data(), bytes.size(), bytes.data()),
-          path_, "cannot be written");
+  checked(
+      H5Dwrite_chunk(id_.get(), H5P_DEFAULT, 0, sizes_of(begin).data(), bytes.size(), bytes.data()),
+      path_, "cannot be written");
 }
 
 Hdf5File::Hdf5File(const std::string& path, Mode mode) : path_(path) {
@@ -213,7 +220,7 @@ Hdf5Dataset Hdf5File::create(const char* name, Hdf5Type type, const Hdf5Shape& s
   const Hdf5Id properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose), space = space_of(shape);
   if (!chunk.empty()) {
     constexpr unsigned deflate = 4;
-    H5Pset_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data());
+    H5Pset_chunk(properties.get(), static_cast<int>(chunk.size()), sizes_of(chunk).data());
     H5Pset_shuffle(properties.get());
     H5Pset_deflate(properties.get(), deflate);
     H5Pset_fletcher32(properties.get());  // damage is noticed when it is read

@@ -17,8 +17,8 @@ constexpr Hdf5Type hdf5_type() {
   return std::is_same_v<Value, double> ? Hdf5Type::float64 : Hdf5Type::uint8;
 }
 
-/// Sizes along each axis, as HDF5 takes them.
-using Hdf5Shape = std::vector<unsigned long long>;
+/// Sizes along each axis.
+using Hdf5Shape = std::vector<std::uint64_t>;
 
 /// An identifier of the HDF5 library, released with this object.
 class Hdf5Id {
