@@ -5,6 +5,9 @@
 PREFIX ?= /usr/local
 JOBS   ?= $(shell nproc)
 MINUTES ?= 1
+CASES   ?= 1
+
+export BEELINE_CASES = $(CASES)
 
 # A warning fails a run that nobody watches.
 ifdef CI
@@ -15,7 +18,7 @@ endif
 module := -DBEELINE_PYTHON=ON -DPython_EXECUTABLE=$(CURDIR)/.venv-python/bin/python
 
 .NOTPARALLEL:
-.PHONY: help build demo bench bench-web docs wheel test test-peers test-web test-all web asan tsan arm fuzz lint format install clean
+.PHONY: help build demo bench bench-web docs wheel test test-peers test-web test-all check web asan asan-all tsan arm fuzz lint format install clean
 
 help:
 	@echo "make build     the command, in build/beeline"
@@ -24,13 +27,15 @@ help:
 	@echo "make bench-web    the page's functions in WebAssembly beside native ones"
 	@echo "make docs      the documentation, in build/docs/html"
 	@echo "make wheel     the Python module with the page for CPython 3.10 to 3.13, in build-wheel/dist, tried in each that is here"
-	@echo "make test      builds and runs every test but the next"
+	@echo "make test      builds and runs every test but the next; CASES=3: with three times the random cases"
 	@echo "make test-peers   comparisons with Pinocchio, Ruckig, toppra: packages from PyPI; beeline-reach-mpi on OpenMPI"
 	@echo "make test-web  the WebAssembly module beside the command, the page in a browser"
 	@echo "make test-all  all of these, and make wheel"
 	@echo "make web       the page, computed in the browser, in build/web"
-	@echo "make asan      make test under the address and undefined behaviour sanitizers"
-	@echo "make tsan      the tests of batch/ under the thread sanitizer"
+	@echo "make check     what refuses most changes, in minutes; BASE=COMMIT: with the tests of the folders changed since"
+	@echo "make asan      readers, memory, lanes and threads under the address and undefined behaviour sanitizers"
+	@echo "make asan-all  make test under these sanitizers"
+	@echo "make tsan      the tests of what runs in threads, under the thread sanitizer"
 	@echo "make arm       the command for 64-bit ARM, in build-arm, its tests under qemu, beside the native command"
 	@echo "make fuzz      MINUTES=1: libFuzzer on every reader and on whole answers, so long for each"
 	@echo "make lint      formatting, static analysis, the house's rules"
@@ -100,12 +105,12 @@ web:
 test-web: build web
 	@PATH="$$(scripts/node_path.sh)" && cd web && BEELINE=$(CURDIR)/build/beeline npm test --silent
 
-asan:
+asan asan-all:
 	@scripts/install_packages.sh build test python
 	@scripts/venv.sh .venv-python tests/python/requirements.txt
-	@cmake --preset asan $(module)
-	@cmake --build --preset asan --parallel $(JOBS)
-	@ctest --preset asan --parallel $(JOBS)
+	@cmake --preset $@ $(module)
+	@cmake --build --preset $@ --parallel $(JOBS)
+	@ctest --preset $@ --parallel $(JOBS)
 
 fuzz:
 	@scripts/install_packages.sh build fuzz
@@ -126,6 +131,15 @@ arm: build
 	@cmake --build --preset arm --parallel $(JOBS)
 	@ctest --preset arm --parallel $(JOBS)
 
+check:
+	@scripts/install_packages.sh build test lint python web
+	@scripts/venv.sh .venv-python tests/python/requirements.txt
+	@scripts/venv.sh .venv-lint scripts/lint_requirements.txt
+	@scripts/web_sources.sh build-web-core/sources
+	@cmake --preset release -DBEELINE_TESTS=ON $(module) -DCMAKE_COMPILE_WARNING_AS_ERROR=ON >/dev/null
+	@cmake --preset web >/dev/null
+	@scripts/check.sh $(BASE)
+
 lint:
 	@scripts/install_packages.sh build test lint python mpi
 	@scripts/venv.sh .venv-python tests/python/requirements.txt
@@ -142,4 +156,4 @@ install: build
 	@cmake --install build --prefix $(PREFIX)
 
 clean:
-	@rm -rf build build-dev build-asan build-tsan build-arm build-fuzz build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-lint .venv-node .venv-python .venv-wheel
+	@rm -rf build build-dev build-asan build-asan-all build-tsan build-arm build-fuzz build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-lint .venv-node .venv-python .venv-wheel

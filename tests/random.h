@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
@@ -10,15 +11,19 @@
 
 namespace beeline::testing {
 
-/// The number of random cases of a test that takes long: n; under a sanitizer or an emulator a
-/// tenth, at least one. The sanitizers look for invalid operations, which few cases show as well as
-/// many, and take up to 100 times as long for each; the emulator takes about 20 times as long.
-constexpr int cases(int n) {
+/// The number of random cases of a test that takes long and has `n` of them in a thorough run
+/// (`make test CASES=3`): n / 3, at least one, times the environment variable BEELINE_CASES. Under
+/// a sanitizer or an emulator n / 10: the sanitizers look for invalid operations, which few cases
+/// show as well as many, and take up to 100 times as long for each; the emulator takes about 20
+/// times as long.
+inline int cases(int n) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(BEELINE_EMULATED)
-  return n < 10 ? 1 : n / 10;
+  constexpr int divisor = 10;
 #else
-  return n;
+  constexpr int divisor = 3;
 #endif
+  const char* factor = std::getenv("BEELINE_CASES");
+  return std::max(1, static_cast<int>(n * (factor == nullptr ? 1 : std::stod(factor)) / divisor));
 }
 
 /// Random cases with a printed seed: BEELINE_SEED=... repeats a run.

@@ -30,6 +30,7 @@ JSON_LIMITS = b'{"joint1": {"lower": -2, "upper": 2, "velocity": 1.5}, "joint2":
 SRDF = b'<robot name="r"><group name="arm"><chain base_link="base" tip_link="gripper"/></group>' \
     b'<group_state name="home" group="arm"><joint name="shoulder" value="0.3"/></group_state></robot>'
 DH = b'{"name": "d", "dh": {"convention": "modified", "rows": [{"d": 0.3}, {"a": 0.4, "alpha": 1.5707963267948966}]}}'
+DEGREES = b'{"name": "e", "dh": {"convention": "modified", "degrees": true, "rows": [{"d": 0.3}, {"a": 0.4, "alpha": 90}]}}'
 JOINTS = b"joint1,joint2,joint3\n0.1,0.2,0.3\n0.4,0.5,0.6\n"
 NPY = b"\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }".ljust(127) + b"\n" + b"\0" * 48
 
@@ -39,7 +40,7 @@ FILES = {
     "px150.json": (ROOT / "tests/inverse/arms/px150.json").read_bytes(),
     "ur5.json": (ROOT / "docs/howto/typed_ur5.json").read_bytes(),
     "poses.csv": WAYPOINTS, "reachable.csv": REACHABLE, "planar.csv": PLANAR, "program.csv": PROGRAM, "rrr.csv": PLANAR_MOTION, "panda.csv": PANDA_MOTION,
-    "rrr.json": JSON_MOTION, "limits.yaml": YAML_LIMITS, "limits.json": JSON_LIMITS, "arm.srdf": SRDF, "joints.csv": JOINTS, "joints.npy": NPY, "dh.json": DH,
+    "rrr.json": JSON_MOTION, "limits.yaml": YAML_LIMITS, "limits.json": JSON_LIMITS, "arm.srdf": SRDF, "joints.csv": JOINTS, "joints.npy": NPY, "dh.json": DH, "degrees.json": DEGREES,
 }
 
 POSE, PLANAR_POSE = "0.4,0.2,0.3,3.1,0,0", "4,4,0.1"
@@ -63,7 +64,7 @@ move rrr --from 0.1,0.2,0.3 --to 0.5,0.1,0.9 --gain 0.5 --out out.csv
 line rrr --through planar.csv --out out.csv --draw out.svg
 line panda --through poses.csv --out out.json --blend 0.02 --rate 100
 line ur5 --through program.csv --out out.csv --profile trapezoidal --max-samples 5000
-line px150.json --through reachable.csv --task 111110:tool --tolerance 0.001 --max-samples 20000
+line px150.json --through reachable.csv --task 111010:tool --tolerance 0.001 --max-samples 5000
 line gen3.json --through poses.csv --path spline --tool-speed 0.2 --branches
 check rrr line.csv --through planar.csv
 check panda panda_line.csv --through poses.csv --tolerance 0.01
@@ -77,7 +78,7 @@ draw panda panda.csv --out out.svg
 figure 1.6 --out out.svg
 formula rrr --as latex
 doctor robot.urdf --tip gripper
-doctor ur5 ur5.json
+doctor dh.json degrees.json
 reach map rrr --resolution 2 --directions 1 --out out.h5 --threads 2
 reach map ur5 --resolution 0.5 --shard 1/2 --max-work 100000 --out out.h5
 reach map panda --resolution 0.5 --by sampling --samples 20000 --out out.h5
