@@ -18,7 +18,7 @@ endif
 module := -DBEELINE_PYTHON=ON -DPython_EXECUTABLE=$(CURDIR)/.venv-python/bin/python
 
 .NOTPARALLEL:
-.PHONY: help build demo bench bench-web docs wheel test test-peers test-web test-all check web asan asan-all tsan arm fuzz lint format install clean
+.PHONY: help build demo bench bench-web docs wheel test test-peers test-web test-all check web asan asan-all tsan arm fuzz lint format portable install clean
 
 help:
 	@echo "make build     the command, in build/beeline"
@@ -38,6 +38,7 @@ help:
 	@echo "make tsan      the tests of what runs in threads, under the thread sanitizer"
 	@echo "make arm       the command for 64-bit ARM, in build-arm, its tests under qemu, beside the native command"
 	@echo "make fuzz      MINUTES=1: libFuzzer on every reader and on whole answers, so long for each"
+	@echo "make portable  all that a new user does, on a bare Debian 12 and 13, and other compilers; as root, takes an hour"
 	@echo "make lint      formatting, static analysis, the house's rules"
 	@echo "make format    formats the sources"
 	@echo "make install   installs the command and the library; PREFIX=$(PREFIX)"
@@ -151,6 +152,10 @@ format:
 	@scripts/install_packages.sh lint
 	@scripts/venv.sh .venv-lint scripts/lint_requirements.txt
 	@scripts/sources.sh | xargs .venv-lint/bin/clang-format -i
+
+portable:
+	@scripts/install_packages.sh portable
+	@scripts/portable.sh
 
 install: build
 	@cmake --install build --prefix $(PREFIX)

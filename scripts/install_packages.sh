@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of the named groups that are not there yet.
-# Usage: install_packages.sh build|test|python|peers|bench|lint|docs|web|arm|fuzz|mpi...
+# Usage: install_packages.sh build|test|python|peers|bench|lint|docs|web|arm|fuzz|mpi|portable...
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config
@@ -16,6 +16,7 @@ fuzz=(clang-14 libclang-rt-14-dev)
 web=(emscripten dpkg-dev chromium python3 python3-venv)
 arm=(g++-aarch64-linux-gnu qemu-user)
 lint=(shellcheck python3 python3-venv)
+portable=(debootstrap util-linux)
 
 wanted=()
 for group in "$@"; do
@@ -31,9 +32,22 @@ for group in "$@"; do
     docs) wanted+=("${docs[@]}") ;;
     mpi) wanted+=("${mpi[@]}") ;;
     fuzz) wanted+=("${fuzz[@]}") ;;
-    *) echo "$0: no group '$group': build, test, python, peers, bench, lint, docs, web, arm, fuzz, mpi" >&2; exit 2 ;;
+    portable) wanted+=("${portable[@]}") ;;
+    *) echo "$0: no group '$group': build, test, python, peers, bench, lint, docs, web, arm, fuzz, mpi, portable" >&2; exit 2 ;;
   esac
 done
+
+# CMake is asked for its version, as presets need it before any message of ours.
+check_cmake() {
+  local needed=3.25 version
+  if ! version=$(cmake --version 2>/dev/null | sed -n 's/^cmake version //p'); then return; fi
+  if [[ -n $version && $(printf '%s\n' "$needed" "$version" | sort --version-sort | head -n 1) != "$needed" ]]; then
+    echo "CMake $version is too old, $needed or later is needed. One that changes nothing of the system:" \
+         "python3 -m venv ~/cmake && ~/cmake/bin/pip install cmake, then PATH=~/cmake/bin:\$PATH make ..." >&2
+    exit 1
+  fi
+}
+trap check_cmake EXIT
 
 if ! command -v dpkg-query >/dev/null; then
   echo "This is not Debian: what is needed must be there already, under your system's names for" \
@@ -54,4 +68,25 @@ if [[ $(id -u) != 0 ]]; then root=(sudo); fi
 echo "Installing ${missing[*]}"
 apt=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get --quiet --quiet)
 "${apt[@]}" update
-"${apt[@]}" install --yes --no-install-recommends "${missing[@]}"
+
+# What a distribution does not have under this name is left out: CMake's message then says how to go on.
+absent=()
+for package in "${missing[@]}"; do
+  apt-cache policy "$package" | grep -q '^  Candidate: [^(]' || absent+=("$package")
+done
+for package in "${absent[@]}"; do
+  case $package in
+    libcairo2-dev) option=BEELINE_CAIRO ;;
+    libhdf5-dev) option=BEELINE_HDF5 ;;
+    libcpp-httplib-dev) option=BEELINE_VIEW ;;
+    *) option= ;;
+  esac
+  echo "This system has no package $package: ${option:+go on without it by cmake --preset release -D$option=OFF, or }install" \
+       "what it holds otherwise and set CMAKE_PREFIX_PATH" >&2
+done
+present=()
+for package in "${missing[@]}"; do
+  [[ " ${absent[*]} " == *" $package "* ]] || present+=("$package")
+done
+((${#present[@]})) || exit 0
+"${apt[@]}" install --yes --no-install-recommends "${present[@]}"
