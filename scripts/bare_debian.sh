@@ -17,12 +17,12 @@ fi
 
 if [[ ! -f $root.tar ]]; then
   echo "Unpacking a bare Debian, $suite"
-  rm -rf "$root"
+  rm -rf --one-file-system "$root"
   debootstrap --variant=minbase --include=ca-certificates,make "$suite" "$root" >"$root.log"
   tar --create --file "$root.tar" --one-file-system --directory "$root" .
 fi
 if [[ ! -d $root/beeline || -z ${KEEP:-} ]]; then
-  rm -rf "$root"
+  rm -rf --one-file-system "$root"
   mkdir -p "$root"
   tar --extract --file "$root.tar" --directory "$root"
   mkdir "$root/beeline"
@@ -38,14 +38,28 @@ for name in http_proxy https_proxy no_proxy; do
   if [[ -n ${!name:-} ]]; then network+=("$name=${!name}"); fi
 done
 
-# Everything that is mounted here is gone with the process.
+# What is mounted here is seen by this process alone and ends with it. The devices are its own: those of this machine
+# cannot be removed from inside.
 # shellcheck disable=SC2016  # expands inside
 unshare --mount --pid --fork bash -euo pipefail -c '
   root=$1
   shift
   mount -t proc proc "$root/proc"
-  mount --rbind /dev "$root/dev"
-  mount --rbind /sys "$root/sys"
+  mount -t sysfs sysfs "$root/sys"
+  mount -t tmpfs -o mode=755 tmpfs "$root/dev"
+  for device in "null 1 3" "zero 1 5" "full 1 7" "random 1 8" "urandom 1 9" "tty 5 0"; do
+    read -r name major minor <<<"$device"
+    mknod -m 666 "$root/dev/$name" c "$major" "$minor"
+  done
+  ln -s /proc/self/fd "$root/dev/fd"
+  for number in 0 1 2; do
+    names=(stdin stdout stderr)
+    ln -s "/proc/self/fd/$number" "$root/dev/${names[number]}"
+  done
+  mkdir "$root/dev/shm" "$root/dev/pts"
+  mount -t tmpfs tmpfs "$root/dev/shm"
+  mount -t devpts -o newinstance,ptmxmode=666 devpts "$root/dev/pts"
+  ln -s pts/ptmx "$root/dev/ptmx"
   chroot "$root" update-ca-certificates >/dev/null 2>&1
   exec chroot "$root" /usr/bin/env --chdir=/beeline "$@"
 ' - "$root" -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 "${network[@]}" "$@"

@@ -72,7 +72,7 @@ apt=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get --quiet --quiet)
 # What a distribution does not have under this name is left out: CMake's message then says how to go on.
 absent=()
 for package in "${missing[@]}"; do
-  apt-cache policy "$package" | grep -q '^  Candidate: [^(]' || absent+=("$package")
+  [[ $(apt-cache policy "$package") == *"Candidate: "[^\(]* ]] || absent+=("$package")
 done
 for package in "${absent[@]}"; do
   case $package in
