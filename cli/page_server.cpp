@@ -62,8 +62,12 @@ void refuse(httplib::Response& response, int status, const std::string& message)
 PageServer::PageServer(PageSession session, const std::string& folder, std::string host)
     : session_(std::move(session)),
       folder_(std::filesystem::canonical(folder).string()),
-      host_(std::move(host)),
-      server_(std::make_unique<httplib::Server>()) {
+      host_(std::move(host)) {}
+
+PageServer::~PageServer() = default;
+
+void PageServer::make_server() {
+  server_ = std::make_unique<httplib::Server>();
   server_->new_task_queue = [] { return new httplib::ThreadPool(threads); };
   server_->set_payload_max_length(max_body);
   server_->set_read_timeout(std::chrono::seconds(5));
@@ -77,10 +81,9 @@ PageServer::PageServer(PageSession session, const std::string& folder, std::stri
   route();
 }
 
-PageServer::~PageServer() = default;
-
 int PageServer::bind(int port) {
   for (int i = 0; i < ports && port + i <= 65535; ++i) {
+    make_server();  // since cpp-httplib 0.15 one that found its port taken binds to no other
     if (!server_->bind_to_port(host_, port + i)) continue;
     port_ = port + i;
     return port_;

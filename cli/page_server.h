@@ -37,11 +37,12 @@ class PageServer {
   /// Listens on the first free port from `port` on, of ten, and returns it. Throws Error where none
   /// is free.
   int bind(int port);
-  /// Answers requests until stop() is called.
+  /// Answers requests until stop() is called. After bind().
   void run();
   void stop();
 
  private:
+  void make_server();
   void route();
   bool comes_from_here(const httplib::Request& request) const;
   void file(const httplib::Request& request, httplib::Response& response) const;
@@ -56,7 +57,7 @@ class PageServer {
   PageSession session_;
   std::string folder_, host_;
   int port_ = 0;
-  std::unique_ptr<httplib::Server> server_;
+  std::unique_ptr<httplib::Server> server_;  ///< from bind() on
   std::atomic<bool> stopped_ = false;
   std::atomic<int> pages_ = 0;  ///< open event streams
   std::mutex mutex_;            ///< of the members below

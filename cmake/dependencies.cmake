@@ -97,6 +97,9 @@ if(BEELINE_HDF5)
   if(NOT beeline_hdf5_FOUND)
     list(APPEND beeline_missing "hdf5 and zlib (or -DBEELINE_HDF5=OFF)")
     list(APPEND beeline_debian pkg-config libhdf5-dev zlib1g-dev)
+  elseif(CMAKE_SIZEOF_VOID_P EQUAL 8)
+    # HDF5 1.14 defines _FILE_OFFSET_BITS as what it is for 64 bits, and with it GCC would take no precompiled header.
+    set_target_properties(PkgConfig::beeline_hdf5 PROPERTIES INTERFACE_COMPILE_OPTIONS "")
   endif()
 endif()
 
@@ -110,7 +113,7 @@ if(BEELINE_VIEW)
     list(APPEND beeline_missing "cpp-httplib (or -DBEELINE_VIEW=OFF)")
     list(APPEND beeline_debian pkg-config libcpp-httplib-dev)
   elseif(beeline_httplib_CFLAGS MATCHES OPENSSL_SUPPORT)  # functions of its header call libcrypto then
-    target_link_libraries(PkgConfig::beeline_httplib INTERFACE ${beeline_httplib_STATIC_LINK_LIBRARIES})
+    target_link_libraries(PkgConfig::beeline_httplib INTERFACE ${beeline_httplib_STATIC_LIBRARIES})
   endif()
 endif()
 

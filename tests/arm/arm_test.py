@@ -16,7 +16,7 @@ ARMS = [arm["name"] for arm in json.loads(subprocess.check_output([NATIVE, "arms
 
 
 def numbers(values):
-    return ",".join(map(repr, values))
+    return ",".join(map(repr, map(float, values)))
 
 
 @pytest.fixture

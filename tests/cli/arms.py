@@ -13,7 +13,7 @@ Q = {  # within limits, and not singular
 
 
 def text(values):
-    return ",".join(map(repr, values))
+    return ",".join(map(repr, map(float, values)))
 
 
 def joints(q):
