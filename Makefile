@@ -5,7 +5,7 @@
 PREFIX ?= /usr/local
 JOBS   ?= $(shell nproc)
 MINUTES ?= 1
-CASES   ?= 1
+CASES   ?= $(or $(BEELINE_CASES),1)
 
 export BEELINE_CASES = $(CASES)
 
@@ -18,7 +18,7 @@ endif
 module := -DBEELINE_PYTHON=ON -DPython_EXECUTABLE=$(CURDIR)/.venv-python/bin/python
 
 .NOTPARALLEL:
-.PHONY: help build demo bench bench-web docs wheel test test-peers test-web test-all check web asan asan-all tsan arm fuzz lint format portable install clean
+.PHONY: help build demo bench bench-web docs wheel test test-peers test-web test-all check web asan asan-all tsan arm fuzz lint prices format portable install clean
 
 help:
 	@echo "make build     the command, in build/beeline"
@@ -33,12 +33,13 @@ help:
 	@echo "make test-all  all of these, and make wheel"
 	@echo "make web       the page, computed in the browser, in build/web"
 	@echo "make check     what refuses most changes, in minutes; BASE=COMMIT: with the tests of the folders changed since"
-	@echo "make asan      readers, memory, lanes and threads under the address and undefined behaviour sanitizers"
-	@echo "make asan-all  make test under these sanitizers"
-	@echo "make tsan      the tests of what runs in threads, under the thread sanitizer"
+	@echo "make asan      tests of readers, inverse kinematics, batches and maps under the address and undefined behaviour sanitizers"
+	@echo "make asan-all  all tests under these sanitizers, with a tenth of the cases"
+	@echo "make tsan      tests of threads under the thread sanitizer"
 	@echo "make arm       the command for 64-bit ARM, in build-arm, its tests under qemu, beside the native command"
 	@echo "make fuzz      MINUTES=1: libFuzzer on every reader and on whole answers, so long for each"
-	@echo "make portable  all that a new user does, on a bare Debian 12 and 13, and other compilers; as root, takes an hour"
+	@echo "make portable  what a new user does in bare Debian 12 and 13, and other compilers; as root, takes an hour"
+	@echo "make prices    public headers, lines by folder, bytes of what is built"
 	@echo "make lint      formatting, static analysis, the house's rules"
 	@echo "make format    formats the sources"
 	@echo "make install   installs the command and the library; PREFIX=$(PREFIX)"
@@ -153,6 +154,9 @@ format:
 	@scripts/venv.sh .venv-lint scripts/lint_requirements.txt
 	@scripts/sources.sh | xargs .venv-lint/bin/clang-format -i
 
+prices:
+	@scripts/prices.sh
+
 portable:
 	@scripts/install_packages.sh portable
 	@scripts/portable.sh
@@ -161,4 +165,4 @@ install: build
 	@cmake --install build --prefix $(PREFIX)
 
 clean:
-	@rm -rf build build-dev build-asan build-asan-all build-tsan build-arm build-fuzz build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-lint .venv-node .venv-python .venv-wheel
+	@rm -rf --one-file-system build build-dev build-asan build-asan-all build-tsan build-arm build-fuzz build-bare build-wheel build-web-core web/node_modules .venv-bench .venv-docs .venv-lint .venv-node .venv-python .venv-wheel

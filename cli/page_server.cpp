@@ -83,7 +83,7 @@ void PageServer::make_server() {
 
 int PageServer::bind(int port) {
   for (int i = 0; i < ports && port + i <= 65535; ++i) {
-    make_server();  // since cpp-httplib 0.15 one that found its port taken binds to no other
+    make_server();  // from cpp-httplib 0.15 on, a server that failed to bind cannot bind again
     if (!server_->bind_to_port(host_, port + i)) continue;
     port_ = port + i;
     return port_;
@@ -96,7 +96,7 @@ void PageServer::run() { server_->listen_after_bind(); }
 void PageServer::stop() {
   stopped_ = true;
   changed_.notify_all();
-  server_->stop();
+  if (server_) server_->stop();
 }
 
 bool PageServer::comes_from_here(const httplib::Request& request) const {

@@ -34,6 +34,15 @@ beeline_require(Eigen3 3.4 libeigen3-dev)
 beeline_require(hwy 1.0 libhwy-dev NO_MODULE)  # Highway
 beeline_require(TBB 2021 libtbb-dev COMPONENTS tbb)
 beeline_require(tinyxml2 9 libtinyxml2-dev)
+# tinyxml2 11 defines _FILE_OFFSET_BITS=64 for those who use it. On 64 bits this is the default, and GCC rejects a
+# precompiled header that was made without it.
+if(TARGET tinyxml2::tinyxml2 AND CMAKE_SIZEOF_VOID_P EQUAL 8)
+  get_target_property(definitions tinyxml2::tinyxml2 INTERFACE_COMPILE_DEFINITIONS)
+  if(definitions)
+    list(REMOVE_ITEM definitions _FILE_OFFSET_BITS=64)
+    set_target_properties(tinyxml2::tinyxml2 PROPERTIES INTERFACE_COMPILE_DEFINITIONS "${definitions}")
+  endif()
+endif()
 beeline_require(yaml-cpp 0.7 libyaml-cpp-dev)
 set(beeline_yaml yaml-cpp)
 if(TARGET yaml-cpp::yaml-cpp)  # its name since 0.8
@@ -97,9 +106,6 @@ if(BEELINE_HDF5)
   if(NOT beeline_hdf5_FOUND)
     list(APPEND beeline_missing "hdf5 and zlib (or -DBEELINE_HDF5=OFF)")
     list(APPEND beeline_debian pkg-config libhdf5-dev zlib1g-dev)
-  elseif(CMAKE_SIZEOF_VOID_P EQUAL 8)
-    # HDF5 1.14 defines _FILE_OFFSET_BITS as what it is for 64 bits, and with it GCC would take no precompiled header.
-    set_target_properties(PkgConfig::beeline_hdf5 PROPERTIES INTERFACE_COMPILE_OPTIONS "")
   endif()
 endif()
 
@@ -112,8 +118,8 @@ if(BEELINE_VIEW)
   if(NOT beeline_httplib_FOUND)
     list(APPEND beeline_missing "cpp-httplib (or -DBEELINE_VIEW=OFF)")
     list(APPEND beeline_debian pkg-config libcpp-httplib-dev)
-  elseif(beeline_httplib_CFLAGS MATCHES OPENSSL_SUPPORT)  # functions of its header call libcrypto then
-    target_link_libraries(PkgConfig::beeline_httplib INTERFACE ${beeline_httplib_STATIC_LIBRARIES})
+  elseif(beeline_httplib_CFLAGS MATCHES OPENSSL_SUPPORT)  # then functions of its header call libcrypto
+    target_link_libraries(PkgConfig::beeline_httplib INTERFACE ${beeline_httplib_STATIC_LDFLAGS})
   endif()
 endif()
 

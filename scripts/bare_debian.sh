@@ -1,47 +1,52 @@
 #!/usr/bin/env bash
-# Runs a command in a bare Debian, with nothing of this machine but its network, on a copy of this checkout in which
-# nothing is built: the files that git tracks, as they are now. Needs root and debootstrap.
+# Runs a command in a bare Debian, which takes nothing from this machine but its network, on a copy of this checkout: the
+# files that git tracks, as they are now, in /beeline. Needs root and the package debootstrap.
 # Usage: bare_debian.sh SUITE COMMAND..., such as bare_debian.sh trixie make demo
 #
-# The copy is /beeline there. build-bare/SUITE.tar keeps the bare system; build-bare/SUITE is the one that runs, made anew
-# each time. KEEP=1 runs in what the last command left.
+# build-bare/SUITE.tar keeps the bare system. Each run unpacks it into build-bare/SUITE; KEEP=1 uses what the last run left.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-suite=$1
+suite=${1:-}
+if [[ ! $suite =~ ^[a-z]+$ ]] || (($# < 2)); then
+  echo "Usage: $0 SUITE COMMAND..., such as $0 trixie make demo" >&2
+  exit 2
+fi
 shift
-root=$PWD/build-bare/$suite
 if [[ $(id -u) != 0 ]] || ! command -v debootstrap >/dev/null; then
   echo "$0: needs root and the package debootstrap" >&2
   exit 1
 fi
+mkdir -p build-bare
+root=$PWD/build-bare/$suite
 
 if [[ ! -f $root.tar ]]; then
   echo "Unpacking a bare Debian, $suite"
   rm -rf --one-file-system "$root"
   debootstrap --variant=minbase --include=ca-certificates,make "$suite" "$root" >"$root.log"
-  tar --create --file "$root.tar" --one-file-system --directory "$root" .
+  tar --create --file "$root.tar.new" --one-file-system --directory "$root" .
+  mv "$root.tar.new" "$root.tar"
 fi
 if [[ ! -d $root/beeline || -z ${KEEP:-} ]]; then
   rm -rf --one-file-system "$root"
-  mkdir -p "$root"
+  mkdir -p "$root/beeline.new"
   tar --extract --file "$root.tar" --directory "$root"
-  mkdir "$root/beeline"
-  git ls-files -z | xargs -0 tar --create --ignore-failed-read | tar --extract --no-same-owner --directory "$root/beeline"
+  git ls-files -z | tar --create --null --files-from=- | tar --extract --no-same-owner --directory "$root/beeline.new"
+  mv "$root/beeline.new" "$root/beeline"
 fi
 
-# The way to the package registries: name servers, certificates, proxies.
+# The network: name servers, certificates, proxies.
 cp /etc/resolv.conf "$root/etc/resolv.conf"
-cp -r /usr/local/share/ca-certificates "$root/usr/local/share/"
+if [[ -d /usr/local/share/ca-certificates ]]; then cp -r /usr/local/share/ca-certificates "$root/usr/local/share/"; fi
 certificates=/etc/ssl/certs/ca-certificates.crt
 network=(PIP_CERT="$certificates" NODE_EXTRA_CA_CERTS="$certificates")
 for name in http_proxy https_proxy no_proxy; do
   if [[ -n ${!name:-} ]]; then network+=("$name=${!name}"); fi
 done
 
-# What is mounted here is seen by this process alone and ends with it. The devices are its own: those of this machine
-# cannot be removed from inside.
+# The process alone sees what is mounted here, and the mounts end with it. The system has devices of its own, so that no
+# command in it removes those of this machine.
 # shellcheck disable=SC2016  # expands inside
-unshare --mount --pid --fork bash -euo pipefail -c '
+unshare --mount --pid --fork --kill-child bash -euo pipefail -c '
   root=$1
   shift
   mount -t proc proc "$root/proc"
@@ -52,14 +57,11 @@ unshare --mount --pid --fork bash -euo pipefail -c '
     mknod -m 666 "$root/dev/$name" c "$major" "$minor"
   done
   ln -s /proc/self/fd "$root/dev/fd"
-  for number in 0 1 2; do
-    names=(stdin stdout stderr)
-    ln -s "/proc/self/fd/$number" "$root/dev/${names[number]}"
-  done
+  for stream in 0:stdin 1:stdout 2:stderr; do ln -s "/proc/self/fd/${stream%:*}" "$root/dev/${stream#*:}"; done
   mkdir "$root/dev/shm" "$root/dev/pts"
   mount -t tmpfs tmpfs "$root/dev/shm"
   mount -t devpts -o newinstance,ptmxmode=666 devpts "$root/dev/pts"
   ln -s pts/ptmx "$root/dev/ptmx"
-  chroot "$root" update-ca-certificates >/dev/null 2>&1
+  chroot "$root" update-ca-certificates >/dev/null
   exec chroot "$root" /usr/bin/env --chdir=/beeline "$@"
 ' - "$root" -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 "${network[@]}" "$@"

@@ -22,6 +22,11 @@ def compile_units(build):
     return json.loads((Path(build) / "compile_commands.json").read_text())
 
 
+def is_unity(path):
+    """Whether the build compiles a folder of the library, the command or the Python module as this file."""
+    return "/Unity/" in path and "/tests/" not in path
+
+
 @lru_cache(maxsize=None)
 def includes(path):
     """Our own files that the file includes itself."""

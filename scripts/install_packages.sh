@@ -37,12 +37,13 @@ for group in "$@"; do
   esac
 done
 
-# CMake is asked for its version, as presets need it before any message of ours.
+# Refuses a CMake that is too old with the way to a newer one: it would fail at the presets without saying so.
 check_cmake() {
-  local needed=3.25 version
-  if ! version=$(cmake --version 2>/dev/null | sed -n 's/^cmake version //p'); then return; fi
+  local needed version
+  needed=$(sed -n 's/^cmake_minimum_required(VERSION \(.*\))/\1/p' "$(dirname "$0")/../CMakeLists.txt")
+  version=$(cmake --version 2>/dev/null | sed -n 's/^cmake version //p')
   if [[ -n $version && $(printf '%s\n' "$needed" "$version" | sort --version-sort | head -n 1) != "$needed" ]]; then
-    echo "CMake $version is too old, $needed or later is needed. One that changes nothing of the system:" \
+    echo "CMake $version is too old: $needed or later is needed. To use a newer one without changing the system:" \
          "python3 -m venv ~/cmake && ~/cmake/bin/pip install cmake, then PATH=~/cmake/bin:\$PATH make ..." >&2
     exit 1
   fi
@@ -63,30 +64,40 @@ for package in "${wanted[@]}"; do
 done
 ((${#missing[@]})) || exit 0
 
+# Packages that this system does not have under these names: CMake says what is missing of what is really needed.
+absent=()
+find_absent() {
+  absent=()
+  local package
+  for package in "${missing[@]}"; do
+    [[ $(LC_ALL=C apt-cache policy "$package") == *"Candidate: "[^\(]* ]] || absent+=("$package")
+  done
+}
+
 root=()
 if [[ $(id -u) != 0 ]]; then root=(sudo); fi
-echo "Installing ${missing[*]}"
 apt=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get --quiet --quiet)
-"${apt[@]}" update
+find_absent
+# With the lists of today, packages that they lack are not looked for again.
+if ((${#absent[@]} < ${#missing[@]})) || ! find /var/lib/apt/lists -maxdepth 1 -mtime -1 -name '*Packages*' | grep -q .; then
+  echo "Installing ${missing[*]}"
+  "${apt[@]}" update
+  find_absent
+fi
 
-# What a distribution does not have under this name is left out: CMake's message then says how to go on.
-absent=()
-for package in "${missing[@]}"; do
-  [[ $(apt-cache policy "$package") == *"Candidate: "[^\(]* ]] || absent+=("$package")
-done
-for package in "${absent[@]}"; do
-  case $package in
-    libcairo2-dev) option=BEELINE_CAIRO ;;
-    libhdf5-dev) option=BEELINE_HDF5 ;;
-    libcpp-httplib-dev) option=BEELINE_VIEW ;;
-    *) option= ;;
-  esac
-  echo "This system has no package $package: ${option:+go on without it by cmake --preset release -D$option=OFF, or }install" \
-       "what it holds otherwise and set CMAKE_PREFIX_PATH" >&2
-done
 present=()
 for package in "${missing[@]}"; do
-  [[ " ${absent[*]} " == *" $package "* ]] || present+=("$package")
+  case " ${absent[*]} " in
+    *" $package "*) ;;
+    *) present+=("$package") && continue ;;
+  esac
+  advice="install what it holds in another way"
+  case $package in
+    libcairo2-dev) advice="build without it (cmake --preset release -DBEELINE_CAIRO=OFF), or $advice" ;;
+    libhdf5-dev) advice="build without it (cmake --preset release -DBEELINE_HDF5=OFF), or $advice" ;;
+    libcpp-httplib-dev) advice="build without it (cmake --preset release -DBEELINE_VIEW=OFF), or $advice" ;;
+    lib*) advice+=" and name its folder in CMAKE_PREFIX_PATH" ;;
+  esac
+  echo "This system has no package $package: $advice" >&2
 done
-((${#present[@]})) || exit 0
-"${apt[@]}" install --yes --no-install-recommends "${present[@]}"
+if ((${#present[@]})); then "${apt[@]}" install --yes --no-install-recommends "${present[@]}"; fi

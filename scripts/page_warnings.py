@@ -9,14 +9,17 @@ import shlex
 import subprocess
 import sys
 
-from compile_units import ROOT, check_units, compile_units
+from compile_units import ROOT, check_units, compile_units, is_unity
+
+
+WARNINGS = ["-fsyntax-only", "-Werror"]
 
 
 def syntax_only(command):
     """The command without the object file that it writes."""
     words = shlex.split(command)
     at = words.index("-o")
-    return [*words[:at], *words[at + 2:], "-fsyntax-only", "-Werror"]
+    return [*words[:at], *words[at + 2:], *WARNINGS]
 
 
 def compiled(unit):
@@ -28,8 +31,10 @@ def compiled(unit):
 
 def main(build):
     folders = tuple(f"{ROOT}/{folder}/" for folder in ("beeline", "cli", "web"))
-    units = [unit for unit in compile_units(build) if unit["file"].startswith(folders) or "/Unity/" in unit["file"]]
-    return int(check_units("warnings of the page's compiler", units, b"page", compiled))
+    units = [unit for unit in compile_units(build) if unit["file"].startswith(folders) or is_unity(unit["file"])]
+    version = subprocess.run(["em++", "--version"], capture_output=True, check=True).stdout
+    settings = version + " ".join(WARNINGS).encode()
+    return int(check_units("warnings of the page's compiler", units, settings, compiled))
 
 
 if __name__ == "__main__":

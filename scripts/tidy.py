@@ -8,7 +8,7 @@ Usage: tidy.py BUILD, a configured build folder with compile_commands.json"""
 import subprocess
 import sys
 
-from compile_units import ROOT, check_units, compile_units
+from compile_units import ROOT, check_units, compile_units, is_unity
 
 # The files are compiled with GCC's warnings, of which Clang does not know all. libstdc++ 12 itself uses what is
 # deprecated. Kernels are looked at for one instruction set.
@@ -16,11 +16,6 @@ TIDY = ["clang-tidy", "--quiet", f"--config-file={ROOT}/.clang-tidy",
         "--extra-arg=-Wno-unknown-warning-option", "--extra-arg=-Wno-unused-command-line-argument",
         "--extra-arg=-Wno-deprecated-declarations", "--extra-arg=-DHWY_COMPILE_ONLY_STATIC"]
 LINTED = tuple(f"{ROOT}/{folder}/" for folder in ("beeline", "cli", "examples", "mpi", "python"))
-
-
-def is_unity(path):
-    """Whether the build compiles a folder of the library or the command as this file."""
-    return "/Unity/" in path and "/tests/" not in path
 
 
 def main(build):

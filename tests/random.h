@@ -11,20 +11,25 @@
 
 namespace beeline::testing {
 
-/// The number of random cases of a test that takes long and has `n` of them in a thorough run
-/// (`make test CASES=3`): n / 3, at least one, times the environment variable BEELINE_CASES. Under
-/// a sanitizer or an emulator n / 10: the sanitizers look for invalid operations, which few cases
-/// show as well as many, and take up to 100 times as long for each; the emulator takes about 20
-/// times as long.
-inline int cases(int n) {
+/// Sanitizers take up to 100 times as long, the emulator about 20 times.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(BEELINE_EMULATED)
-  constexpr int divisor = 10;
+constexpr bool slow_build = true;
 #else
-  constexpr int divisor = 3;
+constexpr bool slow_build = false;
 #endif
-  const char* factor = std::getenv("BEELINE_CASES");
-  return std::max(1, static_cast<int>(n * (factor == nullptr ? 1 : std::stod(factor)) / divisor));
+
+/// The number of random cases, or of cancellations, of a test that takes long and has `n` of them in
+/// a thorough run (`make test CASES=3`): n / 3, under a sanitizer or an emulator n / 10, times the
+/// environment variable BEELINE_CASES, at least one. Sanitizers look for invalid operations, which
+/// few cases show as well as many.
+inline int cases(int n) {
+  const char* text = std::getenv("BEELINE_CASES");
+  const double factor = text == nullptr || *text == '\0' ? 1 : std::stod(text);
+  return std::max(1, static_cast<int>(n * factor / (slow_build ? 10 : 3)));
 }
+
+/// The size of a large example: n, under a sanitizer or an emulator n / 10.
+constexpr int example_size(int n) { return slow_build ? n / 10 : n; }
 
 /// Random cases with a printed seed: BEELINE_SEED=... repeats a run.
 class Random {

@@ -5,4 +5,4 @@ import os
 
 def cases(n):
     """Of the n cases of a thorough run (`make test CASES=3`) a third, at least one, times BEELINE_CASES."""
-    return max(1, int(n * float(os.environ.get("BEELINE_CASES", "1")) / 3))
+    return max(1, int(n * float(os.environ.get("BEELINE_CASES") or 1) / 3))

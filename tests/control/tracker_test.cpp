@@ -36,7 +36,7 @@ void follow_jumps(const Arm& arm, testing::Random& random, const TrackerOptions&
   Tracker tracker(arm, q, options);
   Pose command = random.pose(3);
   const double noise = random.integer(0, 2) * 0.002;
-  const int steps = testing::cases(3000);
+  const int steps = testing::example_size(3000);
   for (int i = 0; i < steps; ++i) {
     if (i % 400 == 0) command = forward_kinematics(arm, random.configuration(arm));
     if (i % 400 == 300) command = random.pose(3);

@@ -191,7 +191,7 @@ TEST(AnimatedSvg, ShowsEveryFrameOfRandomMotions) {
 TEST(AnimatedSvg, OfALongWildMotionIsBounded) {
   testing::Random random;
   const Arm arm = built_in("panda");
-  const Trajectory motion = random_trajectory(random, arm, testing::cases(100'000), 0.05);
+  const Trajectory motion = random_trajectory(random, arm, testing::example_size(100'000), 0.05);
   const std::string svg = animated_svg(motion_animation(arm, motion));
   EXPECT_LT(svg.size(), max_svg_size + 250'000);
   EXPECT_EQ(svg.find("nan"), std::string::npos);

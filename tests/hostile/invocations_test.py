@@ -15,7 +15,9 @@ import run
 @pytest.mark.parametrize("arguments", inputs.COMMANDS, ids=" ".join)
 def test_what_is_mutated_succeeds(build, tmp_path, arguments):
     command = str(build / "beeline")
-    for name, data in inputs.files(command).items():
+    if not inputs.is_in_build(command, arguments):
+        pytest.skip("this build has no such verb")
+    for name, data in inputs.valid_files(command).items():
         (tmp_path / name).write_bytes(data)
     done = subprocess.run([command, *arguments], cwd=tmp_path, capture_output=True)
     assert done.returncode == 0, done.stderr

@@ -49,9 +49,9 @@ def fed(pipe):
     os.close(reader)
 
 
-def run(command, arguments, files, stream, folder):
-    """Runs one command line in the folder; returns what is wrong, or None."""
-    for name, data in {**inputs.files(command), **files}.items():
+def run(command, arguments, changed, stream, folder):
+    """Runs one command line in the folder, with the valid files and those that were changed; returns what is wrong, or None."""
+    for name, data in {**inputs.valid_files(command), **changed}.items():
         (folder / name).write_bytes(data)
     (folder / "folder").mkdir()
     out, err = folder / ".out", folder / ".err"
@@ -90,10 +90,10 @@ def run(command, arguments, files, stream, folder):
 def invocation(command, seed):
     """Runs the invocation of a seed. Returns what is wrong, or None; the arguments; the files that were mutated."""
     rng = inputs.generator(seed)
-    arguments, files = inputs.command(rng, inputs.files(str(command)))
+    arguments, changed = inputs.command(rng, inputs.valid_files(str(command)))
     stream = rng.choice([""] * 17 + ["closed out", "closed err", "full"])
     with tempfile.TemporaryDirectory() as name:
-        return run(str(command), arguments, files, stream, pathlib.Path(name)), arguments + [stream], files
+        return run(str(command), arguments, changed, stream, pathlib.Path(name)), arguments + [stream], changed
 
 
 def main():
@@ -105,7 +105,7 @@ def main():
     given = parser.parse_args()
     failed = 0
     for seed in range(given.seed, given.seed + given.count):
-        fault, arguments, files = invocation(given.command.resolve(), seed)
+        fault, arguments, changed = invocation(given.command.resolve(), seed)
         if fault is None:
             continue
         failed += 1
@@ -113,7 +113,7 @@ def main():
         if given.keep:
             folder = given.keep / str(seed)
             folder.mkdir(parents=True, exist_ok=True)
-            for name, data in {**inputs.files(str(given.command.resolve())), **files}.items():
+            for name, data in {**inputs.valid_files(str(given.command.resolve())), **changed}.items():
                 (folder / name).write_bytes(data)
     print(f"{given.count} invocations from seed {given.seed}, {failed} failed")
     return failed != 0

@@ -1,6 +1,6 @@
 """Straight lines of seven-joint arms beside a search that shares nothing with the planner: thousands of configurations
 follow the line by Newton's method in numpy, and wander along the self-motions within the limits. If one arrives, the line is
-feasible, and the planner must find a motion. BEELINE_CASES=6: all arms, two lines of each."""
+feasible, and the planner must find a motion. BEELINE_CASES=2: all arms, two lines of each."""
 
 import time
 

@@ -55,7 +55,7 @@ TEST(TrajectoryFile, WithoutAnEndingTheTextDecides) {
 /// More than the 64 MiB that are read as a whole, and than the 8 million values of a JSON document.
 TEST(TrajectoryFile, AnyLengthIsRead) {
   const testing::TemporaryFolder folder;
-  const int samples = testing::cases(4'200'000);
+  const int samples = testing::example_size(1'400'000);
   std::string csv = "t,a\n", json = "{\"joint_names\": [\"a\"], \"points\": [";
   const std::string blanks(40, ' ');
   for (int k = 0; k < samples; ++k) {
