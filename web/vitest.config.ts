@@ -1,3 +1,8 @@
 import { defineConfig } from "vitest/config";
 
-export default defineConfig({ test: { testTimeout: 0, hookTimeout: 0, include: ["tests/**/*.test.ts"] } });
+// Vitest would leave one of two cores idle.
+const maxWorkers = 2;
+
+export default defineConfig({
+  test: { testTimeout: 0, hookTimeout: 0, include: ["tests/**/*.test.ts"], maxWorkers },
+});
