@@ -5,9 +5,8 @@
 PREFIX ?= /usr/local
 JOBS   ?= $(shell nproc)
 MINUTES ?= 1
-CASES   ?= $(or $(BEELINE_CASES),1)
 
-export BEELINE_CASES = $(CASES)
+export BEELINE_CASES := $(or $(CASES),$(BEELINE_CASES),1)
 
 # A warning fails a run that nobody watches.
 ifdef CI

@@ -18,10 +18,10 @@ constexpr bool slow_build = true;
 constexpr bool slow_build = false;
 #endif
 
-/// The number of random cases, or of cancellations, of a test that takes long and has `n` of them in
-/// a thorough run (`make test CASES=3`): n / 3, under a sanitizer or an emulator n / 10, times the
-/// environment variable BEELINE_CASES, at least one. Sanitizers look for invalid operations, which
-/// few cases show as well as many.
+/// The number of random cases, or of cancellations, of a test that takes long and has `n` of them
+/// in a thorough run (`make test CASES=3`): n / 3, under a sanitizer or an emulator n / 10, times
+/// the environment variable BEELINE_CASES, at least one. Sanitizers look for invalid operations,
+/// which few cases show as well as many.
 inline int cases(int n) {
   const char* text = std::getenv("BEELINE_CASES");
   const double factor = text == nullptr || *text == '\0' ? 1 : std::stod(text);

@@ -71,7 +71,7 @@ struct Value<T> {
       std::apply(
           [&](const auto&... field) {
             ((types +=
-              (types.empty() ? "" : ", ") + python::argument_type<member_type<decltype(field)>>()),
+              (types.empty() ? "" : ", ") + python::argument_type<MemberType<decltype(field)>>()),
              ...);
           },
           Fields<T>::all());
@@ -174,7 +174,7 @@ T restored(const nb::tuple& state) {
   std::apply(
       [&](const auto&... field) {
         std::size_t i = 0;
-        ((result.*field.member = Value<member_type<decltype(field)>>::from(state[i++], field.name)),
+        ((result.*field.member = Value<MemberType<decltype(field)>>::from(state[i++], field.name)),
          ...);
       },
       Fields<T>::all());
@@ -187,7 +187,7 @@ template <class T>
 nb::tuple state_of(const T& value) {
   return std::apply(
       [&](const auto&... field) {
-        return nb::make_tuple(Value<member_type<decltype(field)>>::to(value.*field.member)...);
+        return nb::make_tuple(Value<MemberType<decltype(field)>>::to(value.*field.member)...);
       },
       Fields<T>::all());
 }

@@ -45,15 +45,15 @@ template <class T>
 requires requires { Fields<T>::required; }
 inline constexpr std::size_t required_members<T> = Fields<T>::required;
 
-template <class T>
-struct MemberType;
-template <class T, class M>
-struct MemberType<Field<T, M>> {
-  using type = M;
-};
 /// The type of the member that a field describes.
 template <class F>
-using member_type = typename MemberType<std::decay_t<F>>::type;
+struct MemberOf;
+template <class T, class M>
+struct MemberOf<Field<T, M>> {
+  using Type = M;
+};
+template <class F>
+using MemberType = typename MemberOf<std::decay_t<F>>::Type;
 
 /// Keeps a text for the life of the process, as nanobind needs.
 const char* kept_text(std::string text);
