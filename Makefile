@@ -31,7 +31,7 @@ help:
 	@echo "make test-web  the WebAssembly module beside the command, the page in a browser"
 	@echo "make test-all  all of these, and make wheel"
 	@echo "make web       the page, computed in the browser, in build/web"
-	@echo "make check     what refuses most changes, in minutes; BASE=COMMIT: with the tests of the folders changed since"
+	@echo "make check     in minutes, what most often refuses a change; BASE=COMMIT: with the tests of the folders changed since"
 	@echo "make asan      tests of readers, inverse kinematics, batches and maps under the address and undefined behaviour sanitizers"
 	@echo "make asan-all  all tests under these sanitizers, with a tenth of the cases"
 	@echo "make tsan      tests of threads under the thread sanitizer"

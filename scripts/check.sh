@@ -11,27 +11,20 @@ if ! git rev-parse --verify --quiet "$base^{commit}" >/dev/null; then
 fi
 mapfile -t changed < <(git diff --name-only "$base" && git ls-files --others --exclude-standard)
 jobs=$(nproc)
-failed=()
-
-check() {  # NAME COMMAND...
-  local name=$1 begin=$SECONDS
-  shift
-  "$@" || failed+=("$name")
-  echo "$name: $((SECONDS - begin)) s"
-}
+. scripts/steps.sh
 
 # Prints the name of the tests that a changed file asks for; `else` where no folder of tests is its own.
-tests_of() {
+tests_of() {  # in a pattern, * stands for folders too
+  local folder
   case $1 in
-    beeline/internal/* | beeline/*.* | tests/install/*) echo house ;;
-    tests/*/* | beeline/*/*)
-      local folder
+    beeline/internal/* | tests/install/*) echo house ;;
+    beeline/*/* | tests/*/*)
       folder=$(cut -d/ -f2 <<<"$1")
-      if [[ ! $folder =~ \. && -d tests/$folder ]]; then echo "$folder"; else echo else; fi
+      if [[ -d tests/$folder ]]; then echo "$folder"; else echo else; fi
       ;;
+    beeline/* | tests/*_test.*) echo house ;;
     cli/* | python/* | docs/*) cut -d/ -f1 <<<"$1" ;;
     web/* | *.md) ;;
-    tests/*_test.*) echo house ;;
     *) echo else ;;
   esac
 }
@@ -51,22 +44,19 @@ tests() {
   ctest --preset release --parallel "$jobs" --label-exclude peers --tests-regex "^(${names:1})(\\.(python|hostile))?\$"
 }
 
-check "rules" scripts/lint.sh
-check "warnings of GCC" build
-check "warnings of the page's compiler" page
+step "rules" scripts/lint.sh
+step "warnings of GCC" build
+step "warnings of the page's compiler" page
 unseen=("clang-tidy and public headers alone (make lint)")
 if [[ " ${changed[*]}" == *" web/"* ]]; then
-  if [[ -d web/node_modules ]]; then check "types of the page" types; fi
+  if [[ -d web/node_modules ]]; then step "types of the page" types; fi
   unseen+=("the page's tests (make test-web)")
 fi
-if ((${#folders[@]})); then check "tests of ${folders[*]}" tests; fi
+if ((${#folders[@]})); then step "tests of ${folders[*]}" tests; fi
 for file in "${changed[@]}"; do
   if [[ $(tests_of "$file") == else ]]; then unseen+=("what else $file concerns"); fi
 done
 
 printf 'Not looked at: %s\n' "${unseen[@]}"
-if ((${#failed[@]})); then
-  printf 'check failed: %s\n' "${failed[*]}" >&2
-  exit 1
-fi
+refuse_failed check
 echo "Nothing found in ${SECONDS} s"

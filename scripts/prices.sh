@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-lines() { find "$1" "${@:2}" -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.py' -o -name '*.ts' \) -print0 | xargs -0 cat | wc -l; }
+lines() { find "$1" -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.py' -o -name '*.ts' \) -print0 | xargs -0 cat | wc -l; }
 
 echo "public headers: $(grep -c '^#include' beeline/beeline.h)"
 for folder in beeline/*/ cli/ mpi/ python/ web/src/ web/core/; do
