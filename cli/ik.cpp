@@ -122,6 +122,7 @@ Json ik_document(const Arm& arm, const InverseResult& result, const UnitArgument
           {"solutions", solutions},
           {"singular", result.singular},
           {"complete", result.complete},
+          {"branches_complete", result.branches_complete},
           {"grid", grid},
           {"deviation", deviation},
           {"residual", residual_of(unit, arm, result).value},

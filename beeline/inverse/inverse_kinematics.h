@@ -106,10 +106,15 @@ struct SolutionGrid {
 
 struct InverseResult {
   InverseStatus status = InverseStatus::not_found;
-  /// By distance from the seed. Empty unless solved, or ended by the budget where all solutions are
-  /// requested or the best one: then some may be missing, or a better one.
+  /// By distance from the seed: a seed that is a solution comes first. Empty unless solved, or
+  /// ended by the budget where all solutions are requested or the best one: then some may be
+  /// missing, or a better one.
   std::vector<Configuration> solutions;
   bool complete = false;  ///< with `all`: these are all solutions, which are finitely many
+  /// With `all`: every branch is represented. True where `complete` is, and at singular poses where
+  /// the closed form was evaluated over the whole range of its free joints: of each connected set
+  /// of infinitely many solutions within limits the one nearest to the seed is given.
+  bool branches_complete = false;
   /// With `all`, for a redundant arm that has a closed form once one joint is locked.
   std::optional<SolutionGrid> grid;
   /// Solved at a singular configuration: a solution is one of infinitely many, connected by

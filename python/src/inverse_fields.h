@@ -123,6 +123,9 @@ struct Fields<InverseResult> {
               "By distance from the seed, (S, n). Empty unless solved, or ended by the budget."),
         field("complete", &InverseResult::complete,
               "With `all`: these are all solutions, which are finitely many."),
+        field("branches_complete", &InverseResult::branches_complete,
+              "With `all`: every branch is represented, also where a branch has infinitely many "
+              "solutions."),
         field("grid", &InverseResult::grid,
               "With `all`, for a redundant arm that has a closed form once one joint is locked."),
         field("singular", &InverseResult::singular,

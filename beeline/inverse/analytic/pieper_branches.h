@@ -26,6 +26,7 @@ struct PieperBranches {
   unsigned found = 0;   ///< lanes with a solution, to rounding
   unsigned within = 0;  ///< those of them within limits
   unsigned continuum = 0;  ///< those that represent a continuum of solutions
+  unsigned free[4] = {};   ///< lanes in which joint d, e, f or a is free: it has the seed's value
   unsigned weak = 0;       ///< lanes that may lack a solution because joint e is badly determined
   unsigned twin = 0;  ///< lanes so close to the workspace boundary that two may be one solution
 };

@@ -69,7 +69,7 @@ HWY_INLINE void solve_intersecting(const PieperLoop& loop, const LanePose& to, L
   const Lanes product = above * below;
   // If a previous joint was free, another of its values may have a solution, which the numerical
   // method searches for.
-  status.found = status.found & ((product >= Lanes(-root_slack)) | status.continuum);
+  status.found = status.found & ((product >= Lanes(-root_slack)) | status.continuum());
   status.twin = status.twin | (product <= Lanes(nearly_double));
   joint[1].c = min(max((below - above) * Lanes(scale), Lanes(-1)), Lanes(1));
   joint[1].s = sign * sqrt(max(product, Lanes(0))) * Lanes(std::abs(2 * scale));
@@ -80,7 +80,7 @@ HWY_INLINE void solve_intersecting(const PieperLoop& loop, const LanePose& to, L
   constexpr double singular = 1e-12;  // sine between axes a and c below which only a + c counts
   joint[0] = rotation_between(vx, vy, to.z.x, to.z.y, singular * singular, free);
   joint[0] = {choose(free, preferred.c, joint[0].c), choose(free, preferred.s, joint[0].s)};
-  status.continuum = status.continuum | (free & status.found);
+  status.free[3] = status.free[3] | (free & status.found);
 
   LanePose reached = rotated_z(LanePose::identity(), joint[0]);
   reached = rotated_z(rotated_x(reached, ca, sa), joint[1]);
@@ -107,13 +107,13 @@ HWY_INLINE void solve_parallel(const PieperLoop& loop, const LanePose& to, Lanes
   const LaneMask reached = solve_rotation(
       Lanes(ab[0] * bc[0] + ab[1] * bc[1]), Lanes(ab[1] * bc[0] - ab[0] * bc[1]), -cosine_law, sign,
       loop.size * loop.size, preferred, joint[1], free, status.twin);
-  status.found = status.found & (reached | status.continuum);
-  status.continuum = status.continuum | (free & status.found);
+  status.found = status.found & (reached | status.continuum());
+  status.free[3] = free & status.found;
   const Lanes reach_x = Lanes(ab[0]) + fma(joint[1].c, Lanes(bc[0]), -(joint[1].s * Lanes(bc[1])));
   const Lanes reach_y = Lanes(ab[1]) + fma(joint[1].s, Lanes(bc[0]), joint[1].c * Lanes(bc[1]));
   joint[0] = rotation_between(reach_x, reach_y, x, y, 1e-14 * loop.size * loop.size, free);
   joint[0] = {choose(free, preferred.c, joint[0].c), choose(free, preferred.s, joint[0].s)};
-  status.continuum = status.continuum | (free & status.found);
+  status.free[3] = status.free[3] | (free & status.found);
   joint[2] = difference(difference({to.x.x, to.x.y}, joint[0]), joint[1]);
   joint[2] = normalised(joint[2].c, joint[2].s);
   status.residual = abs(x - fma(joint[0].c, reach_x, -(joint[0].s * reach_y))) +
@@ -139,14 +139,15 @@ HWY_INLINE void solve_middle(const PieperLoop& loop, const RigidMotion* k,
   joint[1] =
       rotation_between(from.x, from.y, to.x, to.y, zero * zero, free, small * small, &status.weak);
   joint[1] = {choose(free, preferred.c, joint[1].c), choose(free, preferred.s, joint[1].s)};
-  status.continuum = status.continuum | (free & status.found);
+  status.free[1] = free & status.found;
 }
 
 /// Solves all joints; `preferred` are the values of those that are free.
 HWY_INLINE void solve_joints(const PieperLoop& loop, const RigidMotion* k,
                              const PieperEquations& equations, const CosSine* preferred,
                              CosSine* joint, LaneStatus& status) {
-  status.continuum = status.twin = status.far = Lanes(1) < Lanes(0);
+  status.twin = status.far = Lanes(1) < Lanes(0);
+  for (LaneMask& mask : status.free) mask = status.twin;
   solve_pieper_equations(loop, equations, preferred, joint[2], joint[0], status);
   solve_middle(loop, k, equations, preferred[1], joint, status);
   LanePose whole = after(space(k[0]), joint[0], loop.prismatic[0]);
@@ -218,11 +219,12 @@ void pieper_branches_kernel(const PieperLoop& loop, const PieperRequest& request
   // Free joints take the seed's values in a second pass, which is rare and costs six sines.
   for (int pass = 0; pass < 2; ++pass) {
     solve_joints(loop, k, equations, preferred, joint, status);
-    if (HWY_LIKELY(pass == 1 || bits(status.continuum) == 0)) break;
+    if (HWY_LIKELY(pass == 1 || bits(status.continuum()) == 0)) break;
     prefer_seed();
   }
   branches.found = bits(status.found);
-  branches.continuum = bits(status.continuum & status.found);
+  branches.continuum = bits(status.continuum() & status.found);
+  for (int i = 0; i < 4; ++i) branches.free[i] = bits(status.free[i] & status.found);
   branches.weak = bits(status.weak & !status.found & !status.far);
   branches.twin = bits(status.twin & status.found);
   status.residual.store(branches.residual);

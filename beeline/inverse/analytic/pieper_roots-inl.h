@@ -27,12 +27,15 @@ inline constexpr double nearly_double = 1e-9;
 
 /// The status of each lane while the equations are solved in sequence.
 struct LaneStatus {
-  LaneMask found;      ///< every equation has a solution, to rounding
-  LaneMask continuum;  ///< some joint was free
-  LaneMask twin;       ///< another lane has nearly the same solution
-  LaneMask weak;       ///< joint e is badly determined
-  LaneMask far;        ///< an equation has no solution, by much more than rounding
-  Lanes residual;      ///< error of the loop-closure equation, metres plus radians
+  LaneMask found;    ///< every equation has a solution, to rounding
+  LaneMask free[4];  ///< joint d, e, f or a is free
+  LaneMask twin;     ///< another lane has nearly the same solution
+  LaneMask weak;     ///< joint e is badly determined
+  LaneMask far;      ///< an equation has no solution, by much more than rounding
+  Lanes residual;    ///< error of the loop-closure equation, metres plus radians
+
+  /// Some joint is free.
+  HWY_INLINE LaneMask continuum() const { return free[0] | free[1] | free[2] | free[3]; }
 };
 
 /// Solves n . (cos, sin) + k = 0 (subproblem: rotation to a given height) for the solution of the
@@ -195,22 +198,22 @@ inline LaneMask solve_quartic(const double (*first)[2], bool prismatic, const do
   return mask_of(lanes.found) & !vanishes;
 }
 
-/// Solves one equation for one unknown, with the roots of the given signs.
-HWY_INLINE LaneMask solve_one(Lanes nx, Lanes ny, Lanes k, bool prismatic, const double* signs,
-                              double unit, const CosSine& preferred, CosSine& unknown,
-                              LaneStatus& status) {
+/// Solves one equation for one unknown, joint 0 or 2 of d, e, f, with the roots of the given signs.
+HWY_INLINE LaneMask solve_one(Lanes nx, Lanes ny, Lanes k, int joint, bool prismatic,
+                              const double* signs, double unit, const CosSine& preferred,
+                              CosSine& unknown, LaneStatus& status) {
   const Lanes sign = Lanes::load(signs);
   if (prismatic) return solve_displacement(nx, ny, k, sign, unknown, status.twin);
   LaneMask free;
   const LaneMask found =
       solve_rotation(nx, ny, k, sign, unit, preferred, unknown, free, status.twin);
-  status.continuum = status.continuum | free;
+  status.free[joint] = status.free[joint] | free;
   // Coefficients of a thousandth of their scale have lost three of sixteen digits.
   constexpr double beyond = 1e-5, small = 1e-3;
   const Lanes nn = fma(nx, nx, ny * ny);
   // Where the other unknown is free, this equation may have a solution for another value of it.
   status.far = status.far | ((fma(k, k, -nn) > Lanes(beyond) * nn) &
-                             (nn > Lanes(small * small * unit * unit)) & !status.continuum);
+                             (nn > Lanes(small * small * unit * unit)) & !status.continuum());
   return found;
 }
 
@@ -241,10 +244,10 @@ HWY_INLINE void solve_pieper_equations(const PieperLoop& loop, const PieperEquat
   const int e = loop.second;
   const LaneMask found = solve_one(
       Lanes(l0 * first[0][0] + l1 * first[1][0]), Lanes(l0 * first[0][1] + l1 * first[1][1]),
-      Lanes(l0 * constant[0] + l1 * constant[1]), loop.prismatic[first_joint], first_sign,
-      unit[l1 == 0 ? 0 : 1], preferred[first_joint], one, status);
+      Lanes(l0 * constant[0] + l1 * constant[1]), first_joint, loop.prismatic[first_joint],
+      first_sign, unit[l1 == 0 ? 0 : 1], preferred[first_joint], one, status);
   const Lanes rest = fma(Lanes(first[e][0]), one.c, fma(Lanes(first[e][1]), one.s, constant[e]));
-  status.found = found & solve_one(Lanes(second[e][0]), Lanes(second[e][1]), rest,
+  status.found = found & solve_one(Lanes(second[e][0]), Lanes(second[e][1]), rest, second_joint,
                                    loop.prismatic[second_joint], second_sign, unit[e],
                                    preferred[second_joint], other, status);
 }

@@ -175,6 +175,14 @@ void PieperSolver::branches(const Pose& world_T_tool, double locked_value, Piepe
   pieper_branches(loop_, request, found);
 }
 
+std::vector<int> PieperSolver::free_joints(const PieperBranches& found) const {
+  std::vector<int> joints;
+  for (int i = 0; i < 4; ++i) {
+    if (found.free[i] != 0) joints.push_back(loop_.order[i]);
+  }
+  return joints;
+}
+
 void PieperSolver::configuration(const PieperBranches& found, int lane, double locked_value,
                                  Eigen::Ref<Configuration> q) const {
   for (int k = 0; k < 6; ++k) {

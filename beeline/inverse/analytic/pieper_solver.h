@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <beeline/inverse/analytic/pieper_branches.h>
 #include <beeline/kinematics/task.h>
@@ -36,6 +37,10 @@ class PieperSolver {
   bool has_free_joints() const {
     return std::find(free_.begin(), free_.end(), true) != free_.end();
   }
+
+  /// Joints d, e, f or a that are free in one of the lanes, as indices of PieperRequest::seed,
+  /// whose values they have taken.
+  std::vector<int> free_joints(const PieperBranches& found) const;
 
   /// The extent of the loop, metres: lengths are rounded relative to it.
   double size() const { return loop_.size; }

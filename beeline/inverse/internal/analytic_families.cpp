@@ -36,9 +36,10 @@ void solve_analytic(const AnalyticFamily& family, SolverState& state, const Requ
                     StageResult& found) {
   UnconstrainedResult& evidence = found.unconstrained;
   evidence = {};
-  evidence.complete = true;
+  evidence.complete = evidence.branches_complete = true;
   family.solve(state, request, found);
   evidence.complete = evidence.complete && !evidence.doubtful;
+  evidence.branches_complete = evidence.branches_complete && !evidence.doubtful;
   found.result.singular = evidence.continuum && !found.result.solutions.empty();
 }
 

@@ -20,7 +20,7 @@ struct AnalyticFamily {
   std::string (*name)(const SolverState& state);
 
   /// Adds solutions, by CandidateSolutions. Sets evidence().complete to false where solutions may
-  /// be missing.
+  /// be missing, and evidence().branches_complete where a whole branch may be.
   void (*solve)(SolverState& state, const Request& request, StageResult& found);
 
   /// For control loops, or null: writes the solutions nearest to the seed, as many as fit, and

@@ -103,7 +103,7 @@ void solve_locked_joint(SolverState& state, const Request& request, StageResult&
   SolutionGrid& solved = found.result.grid.emplace(SolutionGrid{.joint = state.grid_coordinate});
   solved.values = state.grid_values;
   CandidateSolutions candidates(request, found);
-  candidates.evidence().complete = false;
+  candidates.evidence().complete = candidates.evidence().branches_complete = false;
   const Configuration seed = without(request.seed, state.grid_coordinate);
   for (std::size_t i = 0; i < state.grid_values.size() && !request.budget.ended(); ++i) {
     SolverState& solver = state.grid_solvers[i];

@@ -9,6 +9,7 @@
 #include <beeline/inverse/internal/pieper_family.h>
 #include <beeline/inverse/internal/range_examination.h>
 #include <beeline/inverse/internal/redundant_joint.h>
+#include <beeline/inverse/internal/self_motion_branches.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
@@ -74,10 +75,13 @@ std::string pieper_name(const SolverState& state) {
   return state.pieper->family(state.removed_coordinate);
 }
 
-void add_branches(const PieperSolver& form, const PieperBranches& found, double value, int dof,
-                  CandidateSolutions& candidates) {
+constexpr unsigned all_lanes = 0xff;
+
+/// Adds the lanes of the mask that have a solution.
+void add_branches(const PieperSolver& form, const PieperBranches& found, unsigned lanes,
+                  double value, int dof, CandidateSolutions& candidates) {
   for (int lane = 0; lane < 8; ++lane) {
-    if ((found.found >> lane & 1) == 0) continue;
+    if ((found.found & lanes & 1u << lane) == 0) continue;
     Configuration q(dof);
     form.configuration(found, lane, value, q);
     candidates.add(q, !form.has_virtual_joints() && (found.continuum >> lane & 1) != 0);
@@ -93,7 +97,7 @@ void solve_locked(SolverState& state, const Request& request, StageResult& found
       locked_range(request.arm, request.bounds, request.seed, *form.locked(), form.size());
   range.weight = request.weights[*form.locked()];
   const int dof = request.arm.dof();
-  candidates.evidence().complete = false;
+  candidates.evidence().complete = candidates.evidence().branches_complete = false;
   const int grid = request.options.grid;
   if (request.options.all) {
     SolutionGrid& solved = found.result.grid.emplace();
@@ -103,7 +107,7 @@ void solve_locked(SolverState& state, const Request& request, StageResult& found
       if (request.budget.ended()) break;
       PieperBranches branches;
       form.branches(request.goal, value, loop, branches);
-      add_branches(form, branches, value, dof, candidates);
+      add_branches(form, branches, all_lanes, value, dof, candidates);
       if (branches.continuum == 0 && !nearly_found(form, branches)) {
         solved.complete.push_back(value);
       }
@@ -145,16 +149,51 @@ void solve_locked(SolverState& state, const Request& request, StageResult& found
   candidates.evidence().range_examined = examined.conclusive;
 }
 
+/// Adds a solution of every branch in the lanes that have a free joint. Returns whether there is
+/// one; otherwise all are outside the limits.
+bool add_self_motions(const PieperSolver& form, const Request& request, PieperRequest loop,
+                      const PieperBranches& at_seed, CandidateSolutions& candidates) {
+  const std::vector<int> free = form.free_joints(at_seed);
+  std::vector<double> values;
+  for (const int joint : free) values.push_back(loop.seed[joint]);
+  const double closes = std::max(loop.max_residual, 1e-9 * form.size());
+  PieperBranches found;
+  const SolutionsAt solutions_at = [&](const std::vector<double>& at,
+                                       std::vector<FreeSolution>& solutions) {
+    for (std::size_t i = 0; i < free.size(); ++i) loop.seed[free[i]] = at[i];
+    form.branches(request.goal, 0, loop, found);
+    solutions.assign(8, {.miss = no_solution});
+    for (int lane = 0; lane < 8; ++lane) {
+      FreeSolution& solution = solutions[static_cast<std::size_t>(lane)];
+      if ((at_seed.continuum >> lane & 1) == 0) continue;
+      const bool closed = (found.found >> lane & 1) != 0 && found.residual[lane] <= closes;
+      solution.miss = closed ? found.excess[lane] : no_solution + found.residual[lane];
+      if (solution.miss > 0) continue;
+      solution.q.resize(request.arm.dof());
+      form.configuration(found, lane, 0, solution.q);
+    }
+  };
+  const std::vector<Configuration> branches = self_motion_branches(request, values, solutions_at);
+  for (const Configuration& q : branches) candidates.add(q, !form.has_virtual_joints());
+  return !branches.empty();
+}
+
 void solve_branches(SolverState& state, const Request& request, CandidateSolutions& candidates) {
   const PieperSolver& form = *state.pieper;
   PieperRequest loop = form.request(request.seed, request.weights, request.bounds.lower,
                                     request.bounds.upper, request.tolerance);
   PieperBranches found;
   form.branches(request.goal, 0, loop, found);
-  add_branches(form, found, 0, request.arm.dof(), candidates);
+  unsigned lanes = all_lanes;
+  if (found.continuum != 0 && !form.has_free_joints() &&
+      add_self_motions(form, request, loop, found, candidates)) {
+    lanes &= ~found.continuum;
+  }
+  add_branches(form, found, lanes, 0, request.arm.dof(), candidates);
   // The axis of a virtual joint may coincide with that of an arm's joint. Then only one of
   // infinitely many solutions was examined.
   candidates.evidence().complete = !form.has_virtual_joints() || found.continuum == 0;
+  candidates.evidence().branches_complete = !form.has_free_joints() || found.continuum == 0;
   candidates.evidence().doubtful |= !state.pieper_verified || nearly_found(form, found);
 }
 

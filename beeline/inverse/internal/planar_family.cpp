@@ -16,6 +16,9 @@ void solve_planar(SolverState&, const Request& request, StageResult& found) {
   for (const PlanarSolution& candidate : nearest_planar_solutions(
            request.arm, request.goal, request.task, request.seed, request.tolerance)) {
     candidates.add(candidate.q, candidate.continuum);
+    if (!candidate.continuum || !any_finite(request.bounds)) continue;
+    // Other solutions of the continuum may be within the limits, or apart from this one.
+    candidates.evidence().branches_complete = false;
   }
 }
 

@@ -100,7 +100,7 @@ void set_ended(const Request& request, bool optimised, InverseResult& result) {
   const Ending ending = request.budget.ending();
   if (ending == Ending::complete || !(request.options.all || optimised)) return;
   result.status = status_of<InverseStatus>(ending);
-  result.complete = false;
+  result.complete = result.branches_complete = false;
   result.reason = ended_by(ending) +
                   (request.options.all ? " after " + std::to_string(result.solutions.size()) +
                                              " solution(s); others may exist"
@@ -149,12 +149,16 @@ InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configur
                     [&request](const Configuration& q) { return has_self_motion(request, q); });
   }
   result.complete = request.options.all && unconstrained.complete && !result.singular;
+  result.branches_complete = request.options.all && unconstrained.branches_complete &&
+                             (unconstrained.continuum || !result.singular);
   finish(request, result);
   if (result.singular) {
-    result.reason = "singular: arm " + request.arm.name() +
-                    " can move with the tool at rest, so there are infinitely many solutions" +
-                    (nearest ? "; in those given the joints concerned are nearest to the seed"
-                             : ", of which those given are some");
+    result.reason =
+        "singular: arm " + request.arm.name() +
+        " can move with the tool at rest, so there are infinitely many solutions" +
+        (result.branches_complete ? "; of each branch the one nearest to the seed is given"
+         : nearest                ? "; in those given the joints concerned are nearest to the seed"
+                                  : ", of which those given are some");
   }
   set_ended(request, optimised, result);
   return result;

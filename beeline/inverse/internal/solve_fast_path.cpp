@@ -30,11 +30,17 @@ std::optional<InverseResult> one_solution_fast(SolverState& state, const Pose& w
   if (options.all) return {};
   check_configuration(state.arm, seed);
   const Pose goal = checked_pose(world_T_tool);
-  Configuration q(state.arm.dof());
+  const auto error_at = [&](const ConfigurationRef& q) {
+    const Deviation error = task_deviation(state.task, goal, forward_kinematics(state.arm, q));
+    return std::max(error.position, error.orientation);
+  };
   state.search.iterations = state.search.restarts = 0;
+  // Next to a singularity the closed form may lose a solution to rounding. solve() keeps the seed.
+  const bool keeps_seed = options.redundancy != Redundancy::centred && !options.lock;
+  if (keeps_seed && within(state.bounds, seed) && error_at(seed) <= options.tolerance) return {};
+  Configuration q(state.arm.dof());
   if (solve_fast_path(state, goal, seed, budget, q) != 1) return {};
-  const Deviation error = task_deviation(state.task, goal, forward_kinematics(state.arm, q));
-  const double residual = std::max(error.position, error.orientation);
+  const double residual = error_at(q);
   if (!(residual <= options.tolerance)) return {};
   InverseResult result;
   result.status = InverseStatus::solved;

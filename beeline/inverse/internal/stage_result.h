@@ -10,9 +10,10 @@ namespace beeline::internal {
 /// The stages' evidence about solutions when joint limits are ignored. diagnose() derives the
 /// status of a request without solutions from it.
 struct UnconstrainedResult {
-  bool complete = false;   ///< all solutions that exist have been examined
-  bool doubtful = false;   ///< rounding may have hidden one
-  bool continuum = false;  ///< some of them represent infinitely many
+  bool complete = false;           ///< all solutions that exist have been examined
+  bool branches_complete = false;  ///< the same, or a solution of every branch of infinitely many
+  bool doubtful = false;           ///< rounding may have hidden one
+  bool continuum = false;          ///< some of them represent infinitely many
   /// Every branch was followed over the range of the redundant joint and is outside the limits.
   bool range_examined = false;
   std::optional<Infeasibility> violation;  ///< a proof that there are none

@@ -1,5 +1,6 @@
 #include <beeline/inverse/internal/analytic_families.h>
 #include <beeline/inverse/internal/numerical_stage.h>
+#include <beeline/inverse/internal/solution_set.h>
 #include <beeline/inverse/internal/stages.h>
 
 namespace beeline::internal {
@@ -13,12 +14,19 @@ struct Stage {
 
 bool always(const SolverState&, const Request&, const StageResult&) { return true; }
 
+/// Adds the seed if it is a solution: no other is nearer.
+void try_seed(SolverState&, const Request& request, StageResult& found) {
+  if (!within(request.bounds, request.seed)) return;
+  if (error_at(request, request.seed) > request.tolerance) return;
+  found.result.solutions.push_back(request.seed);
+}
+
 /// Searches for a proof that there is no solution.
 void check_invariants(SolverState&, const Request& request, StageResult& found) {
   UnconstrainedResult& evidence = found.unconstrained;
   evidence.violation =
       invariant_violation(request.arm, request.goal, request.task, request.tolerance);
-  evidence.complete = evidence.violation.has_value();
+  evidence.complete = evidence.branches_complete = evidence.violation.has_value();
 }
 
 bool applies_analytic(const SolverState& state, const Request&, const StageResult& found) {
@@ -56,6 +64,7 @@ void run_fallback(SolverState& state, const Request& request, StageResult& found
 
 /// A new stage is added as a row here.
 constexpr Stage stages[] = {
+    {always, try_seed},
     {always, check_invariants},
     {applies_analytic, run_family},
     {applies_numerical, solve_numerical},
