@@ -11,9 +11,9 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-/// Values of each free coordinate: 128, 24 or, of three and more, 8.
+/// Values of each free coordinate: 256, 24 or, of three and more, 8.
 std::size_t grid_of(std::size_t free_coordinates) {
-  constexpr std::size_t values[] = {128, 24, 8};
+  constexpr std::size_t values[] = {256, 24, 8};
   return values[std::min(free_coordinates - 1, std::size_t{2})];
 }
 
