@@ -107,7 +107,7 @@ std::string listed(const std::vector<std::string>& choices) {
 std::string number(double value) {
   std::ostringstream text;  // libc++ 14 has no std::to_chars for double
   text.imbue(std::locale::classic());
-  text << value;
+  text << value + 0.0;  // -0 becomes 0
   return text.str();
 }
 
