@@ -99,7 +99,7 @@ FILES = {
     "t.json": (json.dumps({"joint_names": ["joint1", "joint2", "joint3"], "points": [
         {"positions": [0, 0, 0], "time_from_start": {"sec": 0, "nanosec": 0}},
         {"positions": [0.1, 0, 0], "time_from_start": {"sec": 1, "nanosec": 0}}]}), ("replay", "rrr", "t.json")),
-    "q.csv": ("joint1,joint2,joint3\n0,0,0\n", ("batch", "fk", "rrr", "q.csv", "--out", "o.csv")),
+    "q.csv": ("joint1,joint2,joint3\n0,0,0\n", ("batch", "fk", "rrr", "--in", "q.csv", "--out", "-")),
 }
 
 
@@ -134,14 +134,23 @@ def test_the_arm_comes_first(beeline, written, refused):
     assert beeline("replay", "a.json", "t.json").code in (0, 1)
 
 
-@pytest.mark.parametrize("arm, lengths", [("RRR", "0.3,0.4,0.3"), ("scara", None)])
-def test_axes_that_meet_are_joints_of_the_arm(beeline, written, arm, lengths):
-    written("e.json", json.dumps({"name": "elbow", "dh": {"convention": "standard", "degrees": True, "rows": [
-        {"d": 0.3, "alpha": 90}, {"a": 0.4}, {"a": 0.3}]}}))
-    for words in [("e.json", "--task", "position", "--pose", "0.4,0.1,0.4"),
-                  ("scara", "--pose", "0.3,0.2,0.1,0,0,0.5")]:
-        method = beeline("ik", *words, "--json").json["method"]
-        joints = beeline("show", words[0], "--json").json["joints"]
-        if "(joint" in method:
-            numbers = method.split("(")[1].split(" and")[0].strip("joints )").split(", ")
-            assert all(int(number) <= len(joints) for number in numbers), method
+ELBOW = json.dumps({"name": "elbow", "dh": {"convention": "standard", "degrees": True, "rows": [
+    {"d": 0.3, "alpha": 90}, {"a": 0.4}, {"a": 0.3}]}})
+
+
+@pytest.mark.parametrize("arm, text, task", [
+    ("e.json", ELBOW, "position"), ("scara", "", "spatial"), ("px150", "", "spatial")])
+def test_a_closed_form_names_joints_of_the_arm(beeline, written, arm, text, task):
+    if text:
+        written(arm, text)
+    joints = len(beeline("show", arm, "--json").json["joints"])
+    q = ",".join(["0.3", "0.5", "0.2", "0.7", "0.4"][:joints])
+    pose = beeline("fk", arm, "--q", q, "--json").json["pose"]
+    numbers = pose["translation"] if task == "position" else [
+        *pose["translation"], *(pose["quaternion"][key] for key in ("qw", "qx", "qy", "qz"))]
+    method = beeline("ik", arm, "--task", task, "--pose=" + ",".join(map(str, numbers)), "--json").json["method"]
+    assert method.startswith("closed form: three ") and method.endswith(")")
+    named = method.split("(")[1].rstrip(")").replace("joints ", "").replace("joint ", "")
+    numbers = [int(word) for word in named.split(" and ")[0].split(", ") if word.isdigit()]
+    assert all(number <= joints for number in numbers), method
+    assert len(numbers) == 3 or f"{3 - len(numbers)} virtual at the tool" in method

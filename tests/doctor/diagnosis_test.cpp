@@ -84,15 +84,15 @@ TEST(Diagnosis, DegreesAreBelievedWhereTheTableDeclaresThem) {
     return diagnose(folder.write("t.json", text));
   };
   EXPECT_TRUE(diagnosed(R"({"d": 0.3, "alpha": 90}, {"a": 0.4}, {"a": 0.3})"));
-  EXPECT_TRUE(diagnosed(R"({"d": 0.3, "alpha": -180, "theta": 270}, {"a": 0.4}, {"a": 0.3})"));
-  EXPECT_TRUE(diagnosed(R"({"d": 0.3, "limits": {"lower": -7200, "upper": 7200,
+  EXPECT_TRUE(diagnosed(R"({"d": 0.3, "alpha": -90, "theta": 270}, {"a": 0.4}, {"a": 0.3})"));
+  EXPECT_TRUE(diagnosed(R"({"a": 0.3, "limits": {"lower": -7200, "upper": 7200,
                         "velocity": 5000}}, {"a": 0.4, "limits": {"velocity": 100}})"));
   const Diagnosis twice = diagnosed(R"({"d": 0.3, "alpha": 5156.62015617741}, {"a": 0.4})");
   ASSERT_EQ(kinds(twice), std::vector{FindingKind::angle_unit});
   EXPECT_NE(twice.findings.front().what.find("alpha 5156.62 deg"), std::string::npos);
   EXPECT_EQ(twice.findings.front().remedy, "in degrees: 90");
   const Diagnosis radians = diagnosed(
-      R"({"d": 0.3, "limits": {"lower": -1.5, "upper": 1.5, "velocity": 90}},
+      R"({"a": 0.4, "limits": {"lower": -1.5, "upper": 1.5, "velocity": 90}},
          {"a": 0.3, "limits": {"lower": -2.5, "upper": 2.5, "velocity": 90}},
          {"a": 0.3, "limits": {"lower": -2.5, "upper": 2.5, "velocity": 90}})");
   ASSERT_EQ(kinds(radians), std::vector{FindingKind::angle_unit});
