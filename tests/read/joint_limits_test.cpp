@@ -187,13 +187,6 @@ TEST(JointLimits, NoLimitHasManySpellings) {
     EXPECT_EQ(limits.lower, -Limits::none) << number;
     EXPECT_EQ(limits.upper, Limits::none) << number;
   }
-  const LimitOverrides json =
-      joint_limits_from_text(R"({"joint1": {"lower": -1e16, "upper": 3.4e38, "velocity": 1e16}})",
-                             "l.json", built_in("panda"))
-          .joints.at("joint1");
-  EXPECT_EQ(json.lower, -Limits::none);
-  EXPECT_EQ(json.upper, Limits::none);
-  EXPECT_EQ(json.velocity, Limits::none);
 }
 
 TEST(JointLimits, RefuseBadValuesWithLineAndKey) {

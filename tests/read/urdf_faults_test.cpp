@@ -144,6 +144,12 @@ TEST(UrdfFaults, AreLimitedInNumberAndTime) {
   EXPECT_EQ(result.warnings.back().count, 40'000u - 10);
 }
 
+TEST(UrdfFaults, TooManyAreRefused) {
+  std::string text;
+  for (int i = 0; i < 10'100; ++i) text += "<xacro:a/>";
+  EXPECT_REFUSED(read(arm + text + arm), "has more than 10,000 faults");
+}
+
 /// A random tree with links that are missing: every chain that does not need them is read as
 /// before.
 TEST(UrdfFaults, DoNotChangeTheOtherChains) {

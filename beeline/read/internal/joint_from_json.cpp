@@ -5,7 +5,6 @@
 #include <beeline/model/dh.h>
 #include <beeline/model/internal/ranges.h>
 #include <beeline/read/internal/joint_from_json.h>
-#include <beeline/read/internal/limit_numbers.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/pose_json.h>
 
@@ -141,25 +140,21 @@ Joint single_from_json(const JsonDocument& document, const Json& json) {
 
 LimitOverrides limit_overrides_from_json(const JsonDocument& document, const Json& json) {
   document.check_keys(json, {"lower", "upper", "velocity", "acceleration", "jerk"});
-  const auto value_of = [&](const char* key) -> std::optional<double> {
+  const auto position = [&](const char* key) -> std::optional<double> {
     const Json* found = document.find(json, key);
     if (found == nullptr) return std::nullopt;
     return document.number(*found);
   };
   const auto rate = [&](const char* key) {
-    const std::optional<double> value = value_of(key);
-    if (value && *value > max_rate) return std::optional(Limits::none);
+    const std::optional<double> value = position(key);
     if (value && !(*value >= Limits::min_rate)) {
       document.refuse(*document.find(json, key), "must be at least " + number(Limits::min_rate) +
                                                      "; omit it when it is not known");
     }
     return value;
   };
-  std::optional<double> lower = value_of("lower"), upper = value_of("upper");
-  if (lower && no_lower_limit(*lower)) lower = -Limits::none;
-  if (upper && no_upper_limit(*upper)) upper = Limits::none;
-  const LimitOverrides limits{.lower = lower,
-                              .upper = upper,
+  const LimitOverrides limits{.lower = position("lower"),
+                              .upper = position("upper"),
                               .velocity = rate("velocity"),
                               .acceleration = rate("acceleration"),
                               .jerk = rate("jerk")};

@@ -7,9 +7,9 @@
 
 namespace beeline::internal {
 
-// Files say "no limit" by an infinity, by the largest float or double, by 1e16 (the default of
-// SDFormat) or by another number beyond any joint. Every number beyond the range of limits that an
-// Arm accepts stands for none.
+// URDF and YAML files say "no limit" by an infinity, by the largest float or double, by 1e16 (the
+// default of SDFormat) or by another number beyond any joint. Every number beyond the range of
+// limits that an Arm accepts stands for none.
 
 /// Parses a number as parse_number(), or an infinity: `inf`, `-Infinity`, `.inf` as in YAML,
 /// `1e999`. Throws Error, which begins with `what`, for anything else.

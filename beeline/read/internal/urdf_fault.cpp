@@ -8,8 +8,11 @@ namespace {
 /// name: a file may have thousands of faults.
 std::string clause_of(const UrdfFile& file, const UrdfFault& fault) {
   if (fault.kind != ReadWarningKind::unknown_link) return fault.clause;
+  constexpr std::size_t most_compared = 10'000;  // beyond, the search takes seconds
   std::vector<std::string> known;
-  for (const auto& link : file.links) known.push_back(link.name);
+  if (file.links.size() <= most_compared) {
+    for (const auto& link : file.links) known.push_back(link.name);
+  }
   const bool parent = file.joints[*fault.index].parent == fault.link;
   const Error unknown =
       unknown_name(parent ? "parent link" : "child link", printable(fault.link), known);

@@ -92,12 +92,17 @@ void read_motion(const XmlElements& elements, const XMLElement& element, UrdfFil
   }
 }
 
+constexpr std::size_t max_faults = 10'000;  // bounds their memory
+
 /// Reads the elements of a file. What cannot be read becomes a fault.
 class Reader {
  public:
   explicit Reader(UrdfFile& file) : file_(file), elements_(file.path) {}
 
   void read(const XMLElement& element) {
+    if (file_.faults.size() > max_faults) {
+      elements_.refuse(element.GetLineNum(), "has more than 10,000 faults");
+    }
     if (is_xacro(element)) return add_xacro(element);
     const std::string_view tag = element.Name();
     if (tag != "link" && tag != "joint") return;

@@ -53,7 +53,8 @@ bool is_free(const UrdfFile::Joint& joint);
 
 /// Parses a URDF text. Its faults are recorded: elements that xacro should have replaced, an
 /// attribute that is missing or not a number, a name that is missing or given twice. Does not check
-/// that the links form a tree. Throws FileError for text that is not XML or has no <robot>.
+/// that the links form a tree. Throws FileError for text that is not XML, has no <robot>, or
+/// has more than 10,000 faults.
 UrdfFile parse_urdf(std::string_view text, const std::string& path);
 
 }  // namespace beeline::internal
