@@ -51,6 +51,14 @@ def test_faults_beside_the_chain_are_warnings(beeline, written):
     assert 'joint camera has an unknown parent link "chassis"' in unknown
 
 
+def test_without_a_tip_a_chain_that_lost_a_joint_is_refused(beeline, written, refused):
+    written("wheel.urdf", robot(ARM, '<link name="w"/>', joint("wheel", "continuous", "chassis", "w")))
+    answer = beeline("show", "wheel.urdf", "--json")
+    assert answer.code == 0 and len(answer.json["joints"]) == 2 and "chassis" in warnings(answer)[0]
+    written("cut.urdf", robot(LINKS, joint("j1", "revolute", "a", "b"), joint("j2", "revolute", "bb", "c")))
+    refused(3, "show", "cut.urdf", says=["joint j2", 'unknown parent link "bb"', 'did you mean "b"', "--tip"])
+
+
 def test_a_floating_root_names_the_base(beeline, written):
     written("r.urdf", robot('<link name="world"/>', joint("root", "floating", "world", "a"), ARM))
     answer = beeline("show", "r.urdf", "--json")

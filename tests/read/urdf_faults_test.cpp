@@ -49,7 +49,11 @@ std::vector<Fault> faults() {
   return {
       {joint("f", "fixed", "nowhere", "x") + x, Kind::unknown_link},
       {joint("f", "fixed", "a", "nowhere"), Kind::unknown_link},
-      {joint("f", "continuous", "nowhere", "x") + x, Kind::unknown_link, true},
+      {joint("f", "continuous", "nowhere", "x") + x, Kind::unknown_link},
+      {joint("f", "continuous", "nowhere", "elsewhere"), Kind::unknown_link},
+      {joint("f", "continuous", "cc", "x") + x, Kind::unknown_link, true},
+      {joint("f", "continuous", "nowhere", "x") + x + joint("g", "revolute", "x", "y") + link("y"),
+       Kind::unknown_link, true},
       {joint("f", "continuous", "a", "nowhere"), Kind::unknown_link, true},
       {x + joint("f", "fixed", "a", "x") + joint("g", "fixed", "b", "x"), Kind::two_parents},
       {x + joint("f", "fixed", "a", "x") + joint("g", "revolute", "b", "x"), Kind::two_parents,

@@ -18,7 +18,7 @@ struct UrdfFault {
   std::string element = {};               ///< of a xacro_tag
   std::string clause = {};                ///< of its message; see error_of()
   std::optional<std::size_t> index = {};  ///< of the joint in `UrdfFile::joints`
-  bool moves = false;  ///< a chain without it may be shorter than the file's author meant
+  bool moves = false;                     ///< the chain that the file's author meant may need it
 };
 
 /// The links and joints of a URDF file, in the file's order, with their lines. Inertias, meshes,

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <beeline/error.h>
+#include <beeline/internal/nearest_name.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/urdf_fault.h>
 #include <beeline/read/internal/urdf_gripper.h>
@@ -9,7 +10,6 @@
 namespace beeline::internal {
 namespace {
 
-constexpr std::size_t no_joint = static_cast<std::size_t>(-1);
 constexpr std::size_t no_cycle = static_cast<std::size_t>(-1);
 
 }  // namespace
@@ -94,24 +94,47 @@ void UrdfTree::break_cycles() {
   }
 }
 
-/// Sets UrdfFault::moves of the faults of the tree: whether the joint or one below it moves. Finds
-/// the orphans.
+/// Sets UrdfFault::moves of the faults of the tree, and finds the orphans.
 void UrdfTree::find_moving_faults() {
-  std::vector<bool> moves_below(file_.links.size(), false);
+  const auto own = [&](std::size_t j) { return has_one_dof(file_.joints[j]) ? 1 : 0; };
+  std::vector<int> longest(file_.links.size(), 0);  // moving joints of a chain down from each link
   const Indices down = links_below(roots_);
   for (auto link = down.rbegin(); link != down.rend(); ++link) {
     for (const std::size_t j : child_joints_[*link]) {
-      const UrdfFile::Joint& joint = file_.joints[j];
-      if (has_one_dof(joint) || moves_below[index_.at(joint.child)]) moves_below[*link] = true;
+      const std::size_t child = index_.at(file_.joints[j].child);
+      longest[*link] = std::max(longest[*link], own(j) + longest[child]);
     }
   }
   for (std::size_t f = file_.faults.size(); f < faults_.size(); ++f) {
-    const UrdfFile::Joint& joint = file_.joints[*faults_[f].index];
-    const auto child = index_.find(joint.child);
-    faults_[f].moves = has_one_dof(joint) || (child != index_.end() && moves_below[child->second]);
+    const auto child = index_.find(file_.joints[*faults_[f].index].child);
     if (child == index_.end() || parent_joint_[child->second] != no_joint) continue;
     orphans_.emplace(child->second, f);
   }
+  int arm = 0;
+  for (const std::size_t root : roots_) {
+    if (!orphans_.contains(root)) arm = std::max(arm, longest[root]);
+  }
+  int compared = 0;
+  for (std::size_t f = file_.faults.size(); f < faults_.size(); ++f) {
+    UrdfFault& fault = faults_[f];
+    const UrdfFile::Joint& joint = file_.joints[*fault.index];
+    const auto child = index_.find(joint.child);
+    const int moving = own(*fault.index) + (child == index_.end() ? 0 : longest[child->second]);
+    fault.moves = moving > 0;
+    if (fault.kind != ReadWarningKind::unknown_link || !fault.moves) continue;
+    if (index_.contains(joint.parent) || moving >= arm) continue;
+    constexpr int most_compared = 20;
+    fault.moves = child != index_.end() && (compared++ >= most_compared || misspelt(joint.parent));
+  }
+}
+
+/// Whether a name may be meant to be that of a link. In a very large file it may.
+bool UrdfTree::misspelt(const std::string& name) const {
+  constexpr std::size_t most_compared = 10'000;
+  if (file_.links.size() > most_compared) return true;
+  std::vector<std::string> known;
+  for (const auto& link : file_.links) known.push_back(link.name);
+  return nearest_name(name, known) != nullptr;
 }
 
 std::size_t UrdfTree::base(const std::string& name) const {
@@ -242,70 +265,6 @@ bool UrdfTree::concerns(const UrdfFault& fault, const std::vector<ChainJoint>& c
   });
 }
 
-ChainEnds UrdfTree::ends_of(const Indices& joints) const {
-  std::vector<bool> wanted(file_.joints.size(), false);
-  for (const std::size_t joint : joints) {
-    wanted[joint] = true;
-    if (!left_out_[joint]) continue;
-    for (const UrdfFault& fault : faults_) {
-      if (fault.index == joint) throw error_of(file_, fault);
-    }
-  }
-  const std::vector<std::size_t> depths = joint_depths();
-  std::size_t last = no_joint;  // the deepest joint that moves
-  for (const std::size_t joint : joints) {
-    if (!has_one_dof(file_.joints[joint])) continue;
-    if (last == no_joint || depths[joint] > depths[last]) last = joint;
-  }
-  if (last == no_joint) throw Error("has no moving joint");
-  std::size_t first = last;
-  std::vector<bool> passed(file_.joints.size(), false);
-  for (std::size_t joint = last; joint != no_joint;) {  // up to the root
-    passed[joint] = true;
-    if (wanted[joint]) first = joint;
-    joint = parent_joint_[index_.at(file_.joints[joint].parent)];
-  }
-  for (const std::size_t joint : joints) {
-    if (passed[joint] || !has_one_dof(file_.joints[joint])) continue;
-    throw Error("is not a chain: joints " + file_.joints[joint].name + " and " +
-                file_.joints[last].name + " are on two branches; select a base and a tip");
-  }
-  for (std::size_t joint = last; joint != first;) {
-    const UrdfFile::Joint& between = file_.joints[joint];
-    if (!wanted[joint] && has_one_dof(between) && !between.mimic) {
-      throw Error("does not have joint " + between.name +
-                  ", which moves between its base and its tip");
-    }
-    joint = parent_joint_[index_.at(between.parent)];
-  }
-  return {.base = file_.joints[first].parent, .tip = below_fixed(last, wanted, depths)};
-}
-
-/// The number of joints from the root to each joint.
-std::vector<std::size_t> UrdfTree::joint_depths() const {
-  std::vector<std::size_t> depths(file_.joints.size(), 0);
-  for (const std::size_t link : links_below(roots_)) {  // from the roots on
-    for (const std::size_t joint : child_joints_[link]) {
-      if (parent_joint_[link] != no_joint) depths[joint] = depths[parent_joint_[link]] + 1;
-    }
-  }
-  return depths;
-}
-
-/// Returns the deepest link below the joint that wanted fixed joints lead to.
-std::string UrdfTree::below_fixed(std::size_t last, const std::vector<bool>& wanted,
-                                  const std::vector<std::size_t>& depths) const {
-  Indices fixed{last};
-  std::size_t deepest = last;
-  for (std::size_t next = 0; next < fixed.size(); ++next) {
-    if (depths[fixed[next]] > depths[deepest]) deepest = fixed[next];
-    for (const std::size_t joint : child_joints_[index_.at(file_.joints[fixed[next]].child)]) {
-      if (wanted[joint] && file_.joints[joint].type == "fixed") fixed.push_back(joint);
-    }
-  }
-  return file_.joints[deepest].child;
-}
-
 /// Returns the ends of the tree that can be reached from the base through a joint with one degree
 /// of freedom, in the file's order.
 std::vector<UrdfTree::End> UrdfTree::moved_ends(std::size_t base, Way way) const {
@@ -376,10 +335,6 @@ void UrdfTree::refuse(const std::string& message, int line) const {
 void UrdfTree::refuse_first_fault_or(const std::string& message) const {
   if (!faults_.empty()) throw error_of(file_, faults_.front());
   refuse(message);
-}
-
-ChainEnds ends_of_joints(const UrdfFile& file, const std::vector<std::size_t>& joints) {
-  return UrdfTree(file).ends_of(joints);
 }
 
 }  // namespace beeline::internal

@@ -66,12 +66,14 @@ class UrdfTree {
   };
 
   enum class Way { down, any };
+  static constexpr std::size_t no_joint = static_cast<std::size_t>(-1);
 
   void add_joint(std::size_t j);
   void leave_out(std::size_t j, ReadWarningKind kind, const std::string& link,
                  const std::string& clause = "");
   void break_cycles();
   void find_moving_faults();
+  bool misspelt(const std::string& name) const;
   const UrdfFault* cause_of_gap(std::size_t base, std::size_t tip) const;
   Indices links_below(Indices from) const;
   std::vector<End> moved_ends(std::size_t base, Way way) const;
