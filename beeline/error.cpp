@@ -7,10 +7,13 @@
 #include <utility>
 
 #include <beeline/error.h>
+#include <beeline/internal/nearest_name.h>
 #include <beeline/internal/utf8.h>
 
 namespace beeline {
 namespace {
+
+constexpr std::size_t longest_compared = 100;  // a longer name is not a misspelt choice
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
 
@@ -71,11 +74,9 @@ Error::Error(const std::string& message) : std::runtime_error(internal::one_line
 FileError::FileError(std::string_view path, int line, std::string_view message)
     : Error(located(path, line, message)) {}
 
-Error unknown_name(std::string_view what, std::string_view name,
-                   const std::vector<std::string>& choices) {
-  constexpr std::size_t longest_compared = 100;  // a longer name is not a misspelt choice
-  const std::string shown(front(name, longest_compared));
-  std::string text = "unknown " + std::string(what) + " \"" + shown + "\"";
+const std::string* internal::nearest_name(std::string_view name,
+                                          const std::vector<std::string>& choices) {
+  const std::string_view shown = front(name, longest_compared);
   const std::string* nearest = nullptr;
   // With more edits than a third of the characters it is another word.
   std::size_t least = 2 * ((without_dashes(shown).size() + 1) / 3) + 1, longest = 0;
@@ -88,6 +89,14 @@ Error unknown_name(std::string_view what, std::string_view name,
       nearest = &choice;
     }
   }
+  return nearest;
+}
+
+Error unknown_name(std::string_view what, std::string_view name,
+                   const std::vector<std::string>& choices) {
+  std::string text =
+      "unknown " + std::string(what) + " \"" + std::string(front(name, longest_compared)) + "\"";
+  const std::string* const nearest = internal::nearest_name(name, choices);
   if (nearest != nullptr) text += "; did you mean \"" + *nearest + "\"?";
   if (!choices.empty()) text += " (known: " + listed(choices) + ")";
   return Error(text);
@@ -107,7 +116,7 @@ std::string listed(const std::vector<std::string>& choices) {
 std::string number(double value) {
   std::ostringstream text;  // libc++ 14 has no std::to_chars for double
   text.imbue(std::locale::classic());
-  text << value;
+  text << value + 0.0;  // -0 becomes 0
   return text.str();
 }
 

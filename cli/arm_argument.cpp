@@ -34,6 +34,21 @@ void hint_at_built_in(const std::string& text) {
   }
 }
 
+/// How the user makes another choice, to be appended to the warning.
+std::string choice_after(const ReadWarning& warning) {
+  switch (warning.kind) {
+    case ReadWarningKind::tip_among_frames:
+    case ReadWarningKind::tip_among_branches:
+      return "; --tip selects another";
+    case ReadWarningKind::before_gripper:
+      return "; --tip " + warning.others.front() + " includes it";
+    case ReadWarningKind::below_free_joint:
+      return "; --base selects another";
+    default:
+      return "";
+  }
+}
+
 }  // namespace
 
 Positional ArmArgument::argument() {
@@ -47,12 +62,14 @@ std::vector<Option> ArmArgument::options() {
   return {
       {.name = "--base",
        .value = "LINK",
-       .help = "First link of the chain, any link of a URDF file. Default: its root link.",
+       .help = "First link of the chain, any link of a URDF file. Default: its root link, or "
+               "the link below a floating or planar joint.",
        .target = &base},
       {.name = "--tip",
        .value = "LINK",
        .help = "Last link of the chain, any link of a URDF file. Default: the leaf that a joint "
-               "moves, of several tool0 or, if only fixed joints are between them, the first.",
+               "moves, of several tool0 or, if only fixed joints are between them, the first; "
+               "before the joints of a gripper.",
        .target = &tip},
       {.name = "--srdf",
        .value = "FILE",
@@ -91,9 +108,9 @@ Arm ArmArgument::read(const UnitArgument& unit) const {
   }
   if (!base.empty()) ends.base = base;
   if (!tip.empty()) ends.tip = tip;
-  std::vector<std::string> notes;
-  const Arm described = read_arm(text, ends, &notes);
-  for (const std::string& note : notes) warn(note + "; --tip selects another");
+  std::vector<ReadWarning> warnings;
+  const Arm described = read_arm(text, ends, &warnings);
+  for (const ReadWarning& warning : warnings) warn(sentence(warning) + choice_after(warning));
   hint_at_built_in(text);
   Arm arm = described;
   if (!tcp.empty()) arm = with_tcp(arm, parse_frame_option(described, "--tcp", tcp, unit).pose);

@@ -136,6 +136,17 @@ Json json_deviation(const Deviation& deviation, const UnitArgument& unit) {
   return {{"position", deviation.position}, {"orientation", unit.shown(deviation.orientation)}};
 }
 
+/// "2 suspicious numbers, 1 fault".
+std::string verdict_on(const Diagnosis& diagnosis) {
+  std::int64_t numbers = 0, faults = 0;
+  for (const Finding& finding : diagnosis.findings) {
+    ++(finding.kind == FindingKind::fault ? faults : numbers);
+  }
+  std::string text = numbers > 0 ? counted(numbers, "suspicious number") : "";
+  if (faults > 0) text += (text.empty() ? "" : ", ") + counted(faults, "fault");
+  return text.empty() ? "nothing suspicious" : text;
+}
+
 /// The findings in one model.
 Answer diagnose_one(const DoctorArguments& arguments) {
   const ArmArgument& arm = arguments.arm;
@@ -143,9 +154,7 @@ Answer diagnose_one(const DoctorArguments& arguments) {
   ChainEnds ends{.base = arm.base, .tip = arm.tip};
   if (!arm.group.empty()) ends = group_ends(read_srdf(arm.srdf), arm.group, arm.text);
   const Diagnosis diagnosis = diagnose(arm.text, ends);
-  const auto count = static_cast<std::int64_t>(diagnosis.findings.size());
-  const std::string verdict =
-      diagnosis ? "nothing suspicious" : counted(count, "suspicious number");
+  const std::string verdict = verdict_on(diagnosis);
   std::string text = arm.text + ": " + verdict + "\n";
   Json list = Json::list();
   std::size_t width = 0;
@@ -205,7 +214,9 @@ Verb doctor_verb() {
           "With one model, looks for numbers that are likely mistakes: millimetres, degrees, "
           "right angles written with few digits and axes that nearly have a closed form of "
           "inverse kinematics (with the method that is lost), joints that move alike, a missing "
-          "<axis>, limits without a range. What may be meant is not reported.\n\n"
+          "<axis>, limits without a range; and for faults of a URDF file beside the chain, such as "
+          "a "
+          "joint without its parent link. What may be meant is not reported.\n\n"
           "With two, compares two descriptions of an arm: are they the same, and if not, what is "
           "different? The sequence of the joints' axes in space determines an arm up to its "
           "base, its tool, and the zeros and signs of its joints; so a difference is named as "

@@ -7,22 +7,26 @@ Diagnosis diagnose(const Arm& arm) {
   Diagnosis diagnosis;
   internal::find_units(arm, diagnosis.findings);
   internal::find_axes(arm, diagnosis.findings);
-  internal::find_limits(arm, diagnosis.findings);
+  internal::find_limits(arm, AngleUnit::radians, diagnosis.findings);
   return diagnosis;
 }
 
 Diagnosis diagnose(const std::string& text, const ChainEnds& ends) {
-  const Arm arm = read_arm(text, ends);
+  std::vector<ReadWarning> warnings;
+  const Arm arm = read_arm(text, ends, &warnings);
   Diagnosis diagnosis;
-  internal::find_in_file(text, arm, diagnosis.findings);
-  for (Finding& finding : diagnose(arm).findings) diagnosis.findings.push_back(std::move(finding));
+  internal::find_faults(warnings, diagnosis.findings);
+  const AngleUnit unit = internal::find_in_file(text, arm, diagnosis.findings);
+  internal::find_units(arm, diagnosis.findings);
+  internal::find_axes(arm, diagnosis.findings);
+  internal::find_limits(arm, unit, diagnosis.findings);
   return diagnosis;
 }
 
 std::string name(FindingKind kind) {
-  constexpr const char* names[] = {"length_unit",    "angle_unit",      "rounded_angle",
-                                   "nearly_special", "coincident_axes", "missing_axis",
-                                   "axis_length",    "no_range",        "unknown_velocity"};
+  constexpr const char* names[] = {
+      "length_unit",  "angle_unit",  "rounded_angle", "nearly_special",   "coincident_axes",
+      "missing_axis", "axis_length", "no_range",      "unknown_velocity", "fault"};
   return names[static_cast<int>(kind)];
 }
 

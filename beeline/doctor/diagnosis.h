@@ -11,15 +11,16 @@ namespace beeline {
 
 /// What is suspicious in a model.
 enum class FindingKind {
-  length_unit,      ///< lengths that are millimetres, as it seems
-  angle_unit,       ///< degrees in the place of radians
-  rounded_angle,    ///< a right angle written with few digits
-  nearly_special,   ///< axes that are nearly, not exactly, parallel, perpendicular or concurrent
-  coincident_axes,  ///< two neighbouring joints that move alike
-  missing_axis,     ///< a joint of a URDF file without axis element
-  axis_length,      ///< an axis that is not of unit length
-  no_range,         ///< limits that leave no or nearly no range
-  unknown_velocity  ///< a velocity limit that is missing where other joints have one
+  length_unit,       ///< lengths that are millimetres, as it seems
+  angle_unit,        ///< degrees in the place of radians
+  rounded_angle,     ///< a right angle written with few digits
+  nearly_special,    ///< axes that are nearly, not exactly, parallel, perpendicular or concurrent
+  coincident_axes,   ///< two neighbouring joints that move alike
+  missing_axis,      ///< a joint of a URDF file without axis element
+  axis_length,       ///< an axis that is not of unit length
+  no_range,          ///< limits that leave no or nearly no range
+  unknown_velocity,  ///< a velocity limit that is missing where other joints have one
+  fault              ///< a fault of the file beside the chain
 };
 std::string name(FindingKind kind);
 
@@ -45,8 +46,8 @@ struct Diagnosis {
 Diagnosis diagnose(const Arm& arm);
 
 /// The same of an arm as read_arm() takes it, with what its file alone shows: a missing axis
-/// element, an axis not of unit length, angles in degrees. Throws Error and FileError as read_arm()
-/// does.
+/// element, an axis not of unit length, angles in another unit than the file declares, faults
+/// beside the chain. Throws Error and FileError as read_arm() does.
 Diagnosis diagnose(const std::string& text, const ChainEnds& ends = {});
 
 }  // namespace beeline

@@ -20,11 +20,11 @@ struct ArmFormat {
   std::string_view ending;
   bool tree;  ///< files describe a tree of links, of which ChainEnds selects a chain
   Arm (*parse)(std::string_view text, const std::string& path, const ChainEnds& ends,
-               std::vector<std::string>* notes);
+               std::vector<ReadWarning>* warnings);
 };
 
 Arm parse_json(std::string_view text, const std::string& path, const ChainEnds& /*ends*/,
-               std::vector<std::string>* /*notes*/) {
+               std::vector<ReadWarning>* /*warnings*/) {
   return arm_from_json(text, path);
 }
 
@@ -78,7 +78,47 @@ std::string built_in_name(const std::string& text) {
 
 }  // namespace
 
-Arm read_arm(const std::string& text, const ChainEnds& ends, std::vector<std::string>* notes) {
+std::string name(ReadWarningKind kind) {
+  constexpr const char* names[] = {"tip_among_frames", "tip_among_branches", "before_gripper",
+                                   "below_free_joint", "malformed",          "xacro_tag",
+                                   "unknown_link",     "two_parents",        "cycle",
+                                   "repeated_name",    "unconnected_link",   "further_faults"};
+  return names[static_cast<int>(kind)];
+}
+
+bool is_fault(const ReadWarning& warning) {
+  return warning.kind != ReadWarningKind::tip_among_frames &&
+         warning.kind != ReadWarningKind::tip_among_branches &&
+         warning.kind != ReadWarningKind::before_gripper &&
+         warning.kind != ReadWarningKind::below_free_joint;
+}
+
+std::string sentence(const ReadWarning& warning) {
+  switch (warning.kind) {
+    case ReadWarningKind::tip_among_frames:
+      return "the tip is " + warning.link +
+             "; other tips, fixed to the same link: " + listed(warning.others);
+    case ReadWarningKind::tip_among_branches:
+      return "the tip is " + warning.link + "; other tips: " + listed(warning.others);
+    case ReadWarningKind::before_gripper:
+      return "the tip is " + warning.link + ", before joint " + warning.joint +
+             ", which moves a gripper";
+    case ReadWarningKind::below_free_joint:
+      return "the base is " + warning.link + ", below joint " + warning.joint +
+             ", which places the arm in the world";
+    case ReadWarningKind::further_faults:
+      return warning.path + ": has " + std::to_string(warning.count) +
+             " more faults beside the chain";
+    case ReadWarningKind::xacro_tag:
+      return std::string(FileError(warning.path, warning.line, warning.element).what()) +
+             " is left out; run xacro first if it stands for links or joints";
+    default:
+      return std::string(FileError(warning.path, warning.line, warning.fault).what()) +
+             "; it is beside the chain and left out";
+  }
+}
+
+Arm read_arm(const std::string& text, const ChainEnds& ends, std::vector<ReadWarning>* warnings) {
   const std::string name = built_in_name(text);
   if (!name.empty() || is_joint_string(text)) {
     refuse_ends(text, ends);
@@ -86,15 +126,15 @@ Arm read_arm(const std::string& text, const ChainEnds& ends, std::vector<std::st
   }
   if (text.find_first_of("./") != std::string::npos) {
     const ArmFormat& format = format_of_file(text, ends);
-    return format.parse(internal::read_file(text), text, ends, notes);
+    return format.parse(internal::read_file(text), text, ends, warnings);
   }
   throw Error(std::string(unknown_name("arm", internal::printable(text), built_in_names()).what()) +
               "; or give a joint string such as RRR:3.5,3.5,2, or a .urdf or .json file");
 }
 
 Arm arm_from_text(std::string_view text, const std::string& path, const ChainEnds& ends,
-                  std::vector<std::string>* notes) {
-  return format_of_file(path, ends).parse(text, path, ends, notes);
+                  std::vector<ReadWarning>* warnings) {
+  return format_of_file(path, ends).parse(text, path, ends, warnings);
 }
 
 }  // namespace beeline

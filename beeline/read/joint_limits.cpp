@@ -1,6 +1,7 @@
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/joint_from_json.h>
 #include <beeline/read/internal/limits_from_yaml.h>
+#include <beeline/read/internal/text_encoding.h>
 #include <beeline/read/joint_limits.h>
 
 namespace beeline {
@@ -10,8 +11,7 @@ bool is_json(std::string_view text, const std::string& path) {
   const std::string ending = internal::extension(path);
   if (ending == "json") return true;
   if (ending == "yaml" || ending == "yml") return false;
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return first != std::string_view::npos && text[first] == '{';
+  return internal::first_character(text) == '{';
 }
 
 JointLimits limits_from_json_text(std::string_view text, const std::string& path, const Arm& arm) {

@@ -32,7 +32,7 @@ double larger_angle(std::span<const double> pose, AngleUnit unit, Triple triple,
 
 /// Throws FileError for a header that is not that of a form, whatever its rows are.
 void check_header(std::string_view text, const std::string& path, const std::vector<Names>& forms) {
-  internal::CsvLines lines(text);
+  internal::CsvLines lines(text, path);
   const internal::CsvRows header(lines, path, forms);
   try {
     internal::pose_form_of(header.columns());

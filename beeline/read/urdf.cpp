@@ -1,12 +1,13 @@
-#include <unordered_set>
+#include <algorithm>
 #include <utility>
 
 #include <beeline/error.h>
 #include <beeline/model/internal/ranges.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/name.h>
+#include <beeline/read/internal/urdf_chain.h>
 #include <beeline/read/internal/urdf_file.h>
-#include <beeline/read/internal/urdf_tree.h>
+#include <beeline/read/internal/urdf_mimic.h>
 #include <beeline/read/urdf.h>
 
 namespace beeline {
@@ -36,7 +37,7 @@ Joint moving_joint(const UrdfFile& file, const UrdfFile::Joint& urdf) {
   if (urdf.limits.velocity < Limits::min_rate) {
     throw FileError(file.path, urdf.limit_line,
                     "joint " + urdf.name + ": velocity limit " + number(urdf.limits.velocity) +
-                        " is below " + number(Limits::min_rate) + "; 0 stands for none");
+                        " is below " + number(Limits::min_rate) + "; 0 and -1 stand for none");
   }
   return joint;
 }
@@ -57,51 +58,42 @@ Joint chain_joint(const UrdfFile& file, const ChainJoint& place, const Pose& bef
   return with_link_frame(std::move(joint), urdf.origin.inverse());
 }
 
-[[noreturn]] void refuse_type(const UrdfFile& file, const UrdfFile::Joint& joint) {
+/// Refuses a joint with several degrees of freedom, or of an unknown type, on the chain.
+[[noreturn]] void refuse_type(const UrdfFile& file, const std::vector<ChainJoint>& chain,
+                              std::size_t i) {
+  const UrdfFile::Joint& joint = file.joints[chain[i].index];
+  const auto moves = [&](const ChainJoint& place) { return has_one_dof(file.joints[place.index]); };
+  const auto at = chain.begin() + static_cast<std::ptrdiff_t>(i);
+  std::string cure;
+  if (std::any_of(at, chain.end(), moves)) {
+    cure += "--base " + (chain[i].reversed ? joint.parent : joint.child);
+  }
+  if (std::any_of(chain.begin(), at, moves)) {
+    cure += (cure.empty() ? "" : " or ") +
+            ("--tip " + (chain[i].reversed ? joint.child : joint.parent));
+  }
   throw FileError(file.path, joint.line,
                   "joint " + joint.name + " is " + internal::in_quotes(joint.type) +
-                      "; a chain has revolute, continuous, prismatic and fixed joints");
-}
-
-/// Refuses mimic joints of the chain whose leader is not in the file.
-void check_leaders(const UrdfFile& file, const std::vector<ChainJoint>& chain) {
-  std::vector<std::string> names;
-  for (const UrdfFile::Joint& joint : file.joints) names.push_back(joint.name);
-  const std::unordered_set<std::string> known(names.begin(), names.end());
-  for (const ChainJoint& place : chain) {
-    const UrdfFile::Joint& joint = file.joints[place.index];
-    if (!joint.mimic || known.contains(joint.mimic->leader)) continue;
-    const Error unknown = unknown_name("joint", internal::printable(joint.mimic->leader), names);
-    throw FileError(file.path, joint.mimic_line,
-                    "joint " + joint.name + " mimics an " + unknown.what());
-  }
-}
-
-/// Gives each mimic joint whose leader is not on the chain its own coordinate.
-void free_followers(std::vector<Joint>& joints) {
-  std::unordered_set<std::string> names;
-  for (const Joint& joint : joints) names.insert(joint.name);
-  for (Joint& joint : joints) {
-    if (joint.mimic && !names.contains(joint.mimic->leader)) joint.mimic.reset();
-  }
+                      "; a chain has revolute, continuous, prismatic and fixed joints" +
+                      (cure.empty() ? "" : "; " + cure + " selects a chain without it"));
 }
 
 }  // namespace
 
 Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends,
-                  std::vector<std::string>* notes) {
+                  std::vector<ReadWarning>* warnings) {
   const UrdfFile file = internal::parse_urdf(text, path);
-  const std::vector<ChainJoint> chain = internal::cut_chain(file, ends, notes);
-  check_leaders(file, chain);
+  const std::vector<ChainJoint> chain = internal::cut_chain(file, ends, warnings);
   std::vector<Joint> joints;
   Pose fixed = Pose::Identity();  // from the last moving joint's frame
-  for (const ChainJoint& place : chain) {
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const ChainJoint& place = chain[i];
     const UrdfFile::Joint& urdf = file.joints[place.index];
     if (urdf.type == "fixed") {
       fixed = fixed * (place.reversed ? urdf.origin.inverse() : urdf.origin);
       continue;
     }
-    if (!has_one_dof(urdf)) refuse_type(file, urdf);
+    if (!has_one_dof(urdf)) refuse_type(file, chain, i);
     joints.push_back(chain_joint(file, place, fixed));
     fixed = Pose::Identity();
   }
@@ -113,7 +105,7 @@ Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnd
                                        : "more than " + std::to_string(internal::max_joints)) +
             " moving joints between its base and its tip");
   }
-  free_followers(joints);
+  internal::resolve_leaders(file, joints);
   try {
     return {file.name, std::move(joints), fixed};
   } catch (const Error& error) {
@@ -121,8 +113,8 @@ Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnd
   }
 }
 
-Arm read_urdf(const std::string& path, const ChainEnds& ends, std::vector<std::string>* notes) {
-  return arm_from_urdf(internal::read_file(path), path, ends, notes);
+Arm read_urdf(const std::string& path, const ChainEnds& ends, std::vector<ReadWarning>* warnings) {
+  return arm_from_urdf(internal::read_file(path), path, ends, warnings);
 }
 
 }  // namespace beeline

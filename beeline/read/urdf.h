@@ -13,31 +13,40 @@ namespace beeline {
 
 /// Reads the chain from `ends.base` to `ends.tip` of a URDF file; the world is the base link's
 /// frame. Both may be any links of the tree.
-///   - Without `ends.base` the chain begins at the root. Without `ends.tip` it ends at a leaf below
-///     the base that a joint moves or, if there is none, at another end of the tree. Among leaves
-///     that only fixed joints connect, it is `tool0`, otherwise the first in the file; among other
-///     leaves `tool0`. Appends to `notes`, unless null, which one was selected.
+///   - Without `ends.base` the chain begins at the root or, if a floating or planar joint places
+///   the
+///     arm in the world, below that joint. Without `ends.tip` it ends at a leaf below the base that
+///     a joint moves or, if there is none, at another end of the tree. Among leaves that only fixed
+///     joints connect, it is `tool0`, otherwise the first in the file; among other leaves `tool0`.
+///     If the last joints move a finger of a gripper, by their names, the chain ends before them.
+///     Appends to `warnings`, unless null, what was selected.
 ///   - On the way up, a joint carries its parent link: its origin and axis are inverted. Its
 ///     coordinate remains the file's, and so do its limits and its mimic factors.
 ///   - Revolute, continuous and prismatic joints are the arm's joints. Fixed joints become part of
 ///     the next joint's offset, the last ones part of the tool. Other types are refused if they are
 ///     on the chain.
 ///   - A missing `<axis>` is 1 0 0; a missing `<limit>` means no limits. Effort and soft limits are
-///     ignored.
-///   - A velocity limit that is missing or zero (which exporters write for an unknown one) is
-///     unknown; a negative one on the chain is refused.
-///   - A mimic joint whose leader is not on the chain has a coordinate of its own.
+///     ignored. Infinities and position limits beyond 1e6 rad or m stand for no limit.
+///   - A velocity limit that is missing, 0, -1 or beyond 1e10 is unknown; another negative one on
+///     the chain is refused.
+///   - Mimic joints whose leader is not on the chain follow the first of them in the file, which
+///   has
+///     a coordinate of its own.
 ///   - Frames are the file's: each joint moves the frame of its child link (on the way up, of its
 ///     parent link), named in Joint::link.
-/// Throws FileError for text that is not URDF; a link with two parents, a cycle, several roots or
-/// tips without a choice by `ends`; a tip that is unknown, not connected to the base, or not moved
-/// by any joint; on the chain an axis of zero length, a lower limit that exceeds the upper one, or
-/// a mimic joint whose leader is not in the file.
+///   - Faults beside the chain are appended to `warnings`: links and joints that cannot be read or
+///     connected, names given twice, elements of xacro. Without `ends.tip`, a
+///     joint that moves and is not connected is refused if the chain may have lost it: the name of
+///     its parent resembles that of a link, or as many joints move below it as on the chain.
+/// Throws FileError for text that is not URDF; several roots or tips without a choice by `ends`; a
+/// tip that is unknown, not connected to the base, or not moved by any joint; on the chain a fault,
+/// an axis of zero length, a lower limit that exceeds the upper one, or a mimic joint whose leader
+/// is not in the file.
 Arm read_urdf(const std::string& path, const ChainEnds& ends = {},
-              std::vector<std::string>* notes = nullptr);
+              std::vector<ReadWarning>* warnings = nullptr);
 /// The same from a text; `path` names it in messages.
 Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends = {},
-                  std::vector<std::string>* notes = nullptr);
+                  std::vector<ReadWarning>* warnings = nullptr);
 
 /// An SRDF file, which MoveIt reads beside a URDF file: groups of joints, and named states. Names
 /// of joints and links are compared with an arm where they are used.

@@ -4,6 +4,7 @@
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/file_stream.h>
 #include <beeline/read/internal/name.h>
+#include <beeline/read/internal/text_encoding.h>
 #include <beeline/record/internal/controller_form.h>
 #include <beeline/record/internal/controller_moves.h>
 #include <beeline/record/internal/controller_program.h>
@@ -78,9 +79,7 @@ TrajectoryFormat trajectory_format(const std::string& path) {
 
 TrajectoryFormat trajectory_format(const std::string& path, std::string_view text) {
   if (internal::extension(path).empty()) {
-    const std::size_t first = text.find_first_not_of(" \t\r\n");
-    const bool brace = first != std::string_view::npos && text[first] == '{';
-    return brace ? TrajectoryFormat::json : TrajectoryFormat::csv;
+    return internal::first_character(text) == '{' ? TrajectoryFormat::json : TrajectoryFormat::csv;
   }
   try {
     return trajectory_format(path);

@@ -4,7 +4,9 @@
 #include <map>
 
 #include <beeline/error.h>
+#include <beeline/model/catalog.h>
 #include <beeline/read/internal/file.h>
+#include <beeline/read/joint_string.h>
 
 std::string current_option_name(const std::string& name) {
   static const std::map<std::string, std::string> renamed{{"--law", "--profile"},
@@ -20,17 +22,27 @@ std::string current_option_name(const std::string& name) {
 
 std::string current_verb_name(const std::string& name) { return name == "time" ? "retime" : ""; }
 
+namespace {
+
+/// Whether a text typed for a trajectory can only be an arm; a .json file may be either.
+bool is_arm(const std::string& text) {
+  const std::string ending = beeline::internal::extension(text);
+  if (ending == "urdf" || ending == "xml") return true;
+  const std::vector<std::string> built_in = beeline::built_in_names();
+  return beeline::is_joint_string(text) ||
+         std::find(built_in.begin(), built_in.end(), text) != built_in.end();
+}
+
+}  // namespace
+
 void refuse_former_order(const Verb& verb) {
   if (verb.arguments.size() < 2 || verb.arguments.front().completes != Completes::arm) return;
+  if (verb.arguments.back().completes == Completes::arm) return;  // two arms have no order
   if (verb.arguments.back().targets != nullptr) return;
   const std::string& first = *verb.arguments.front().target;
   const std::string& last = *verb.arguments.back().target;
-  const auto is_trajectory = [](const std::string& text) {
-    const std::string format = beeline::internal::extension(text);
-    return format == "csv" || format == "json";
-  };
-  const bool csv_first = beeline::internal::extension(first) == "csv";
-  if (last.empty() || !(csv_first || (is_trajectory(first) && !is_trajectory(last)))) return;
+  const std::string format = beeline::internal::extension(first);
+  if (last.empty() || !(format == "csv" || (format == "json" && is_arm(last)))) return;
   std::string order = verb.name;
   for (const Positional& argument : verb.arguments) order += " " + argument.name;
   throw beeline::Error("the arm comes first, before the file: beeline " + order + ", not " + first +

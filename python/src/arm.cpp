@@ -1,6 +1,7 @@
 #include <beeline/read/arm.h>
 #include <beeline/read/arm_json.h>
 #include <beeline/read/internal/name.h>
+#include <beeline/read/internal/text_encoding.h>
 #include <beeline/read/joint_limits.h>
 #include <beeline/read/joint_string.h>
 #include <beeline/read/urdf.h>
@@ -70,6 +71,34 @@ std::string printed(const Arm& arm) {
   return table;
 }
 
+/// How the user makes another choice, to be appended to the warning.
+std::string choice_after(const ReadWarning& warning) {
+  switch (warning.kind) {
+    case ReadWarningKind::tip_among_frames:
+    case ReadWarningKind::tip_among_branches:
+      return "; tip selects another";
+    case ReadWarningKind::before_gripper:
+      return "; tip=\"" + warning.others.front() + "\" includes it";
+    case ReadWarningKind::below_free_joint:
+      return "; base selects another";
+    default:
+      return "";
+  }
+}
+
+/// Issues the warnings of a reader.
+void issue(const std::vector<ReadWarning>& warnings) {
+  for (const ReadWarning& warning : warnings) {
+    nb::object instance = model_warning()(sentence(warning) + choice_after(warning));
+    instance.attr("kind") = name(warning.kind);
+    instance.attr("line") = warning.line;
+    instance.attr("joint") = warning.joint;
+    instance.attr("link") = warning.link;
+    instance.attr("others") = Value<std::vector<std::string>>::to(warning.others);
+    nb::module_::import_("warnings").attr("warn")(instance);
+  }
+}
+
 ChainEnds ends_of(nb::handle base, nb::handle tip) {
   return {Value<std::optional<std::string>>::from(base, "base").value_or(""),
           Value<std::optional<std::string>>::from(tip, "tip").value_or("")};
@@ -84,13 +113,17 @@ void bind_files(nb::class_<Arm>& arm) {
   };
   Signature load("load", "Arm",
                  "Returns the arm that `source` names: a built-in arm (`panda`), a joint string "
-                 "(`RRR:3.5,3.5,2`), or a file (`.urdf`, `.json`). Raises FileError for an "
-                 "invalid file, whose line it names.");
+                 "(`RRR:3.5,3.5,2`), or a file (`.urdf`, `.json`). Issues a ModelWarning for what "
+                 "was selected or left out. Raises FileError for an invalid file, whose line it "
+                 "names.");
   chain(load.takes("source", path_like, "Name, joint string or path."));
   define_static(
       arm,
       [](nb::handle text, nb::handle base, nb::handle tip) {
-        return read_arm(path_from(text, "source"), ends_of(base, tip));
+        std::vector<ReadWarning> warnings;
+        const Arm read = read_arm(path_from(text, "source"), ends_of(base, tip), &warnings);
+        issue(warnings);
+        return read;
       },
       load, nb::arg("source"), nb::kw_only(), nb::arg("base") = nb::none(),
       nb::arg("tip") = nb::none());
@@ -98,18 +131,19 @@ void bind_files(nb::class_<Arm>& arm) {
   Signature urdf(
       "from_urdf", "Arm",
       "Reads the chain from `base` to `tip` of a URDF file, or of the text of one. The "
-      "world is the base link's frame. Raises FileError for an invalid file, whose line it "
-      "names.");
+      "world is the base link's frame. Issues a ModelWarning for what was selected or left out. "
+      "Raises FileError for an invalid file, whose line it names.");
   chain(urdf.takes("source", path_like, "Path, or text that begins with `<`."));
   define_static(
       arm,
       [](nb::handle source, nb::handle base, nb::handle tip) {
         const std::string text = path_from(source, "source");
-        if (text.find_first_not_of(" \t\r\n") != std::string::npos &&
-            text[text.find_first_not_of(" \t\r\n")] == '<') {
-          return arm_from_urdf(text, "URDF", ends_of(base, tip));
-        }
-        return read_urdf(text, ends_of(base, tip));
+        std::vector<ReadWarning> warnings;
+        const Arm read = internal::first_character(text) == '<'
+                             ? arm_from_urdf(text, "URDF", ends_of(base, tip), &warnings)
+                             : read_urdf(text, ends_of(base, tip), &warnings);
+        issue(warnings);
+        return read;
       },
       urdf, nb::arg("source"), nb::kw_only(), nb::arg("base") = nb::none(),
       nb::arg("tip") = nb::none());
@@ -301,6 +335,15 @@ void bind_constructor(nb::class_<Arm>& arm) {
 }
 
 }  // namespace
+
+nb::object model_warning() {
+  static PyObject* const type = PyErr_NewExceptionWithDoc(
+      "beeline._core.ModelWarning",
+      "What a reader of a file selected among several, or left out because of a fault beside the "
+      "chain: its text, with the attributes kind, line, joint, link and others.",
+      PyExc_UserWarning, nullptr);
+  return nb::borrow(type);
+}
 
 void bind_arms(nb::module_& m) {
   bind_record<Limits>(m);

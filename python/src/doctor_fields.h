@@ -24,9 +24,9 @@ inline std::vector<ModelComparison> choices() {
 template <>
 inline std::vector<FindingKind> choices() {
   using Kind = FindingKind;
-  return {Kind::length_unit,    Kind::angle_unit,      Kind::rounded_angle,
-          Kind::nearly_special, Kind::coincident_axes, Kind::missing_axis,
-          Kind::axis_length,    Kind::no_range,        Kind::unknown_velocity};
+  return {Kind::length_unit,      Kind::angle_unit,   Kind::rounded_angle, Kind::nearly_special,
+          Kind::coincident_axes,  Kind::missing_axis, Kind::axis_length,   Kind::no_range,
+          Kind::unknown_velocity, Kind::fault};
 }
 
 template <>

@@ -30,6 +30,7 @@ NB_MODULE(_core, module) {
   nb::exception<FileError> file_error(module, "FileError", error);
   file_error.attr("__doc__") =
       "Invalid input in a file. The message begins with its path and line.";
+  module.attr("ModelWarning") = model_warning();
   module.attr("__version__") = BEELINE_VERSION;
   bind_poses(module);
   bind_arms(module);

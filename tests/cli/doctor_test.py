@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 
 import pytest
 
@@ -132,3 +133,35 @@ def test_the_lost_method_is_named(beeline, written):
 def test_swapped_limits_are_refused_where_the_file_is_read(refused, written):
     written("r.urdf", URDF.format(**RIGHT | {"lower": "2", "upper": "-2"}))
     refused(3, "doctor", "r.urdf", says=["j1", "lower limit 2 exceeds upper limit -2"])
+
+
+def test_a_table_in_degrees_is_believed(beeline, written):
+    written("t.json", json.dumps({"name": "elbow", "dh": {"convention": "standard", "degrees": True, "rows": [
+        {"d": 0.3, "alpha": 90}, {"a": 0.4}, {"a": 0.3}]}}))
+    answer = beeline("doctor", "t.json")
+    assert answer.code == 0 and "nothing suspicious" in answer.out
+
+
+def test_two_arms_have_no_order(beeline, written):
+    written("b.json", table(changed(d={0: 0.089459})))
+    for arms in [("ur5", "b.json"), ("b.json", "ur5"), ("b.json", "b.json"), ("RRR", "b.json"), ("b.json", "RRR")]:
+        assert beeline("doctor", *arms).code in (0, 1), arms
+
+
+def test_a_fault_beside_the_chain_is_a_finding(beeline, written):
+    fault = '<joint name="camera" type="fixed"><parent link="nowhere"/><child link="c"/></joint></robot>'
+    written("r.urdf", URDF.format(**RIGHT).replace("</robot>", fault))
+    answer = beeline("doctor", "r.urdf", "--json")
+    assert answer.code == 1
+    (finding,) = answer.json["findings"]
+    assert finding["kind"] == "fault" and "nowhere" in finding["what"] and finding["place"] == "line 5"
+    assert "r.urdf: 1 fault" in beeline("doctor", "r.urdf").out
+
+
+def test_no_number_is_minus_zero(beeline, written):
+    written("a.json", table(changed(d={0: -0.0}, a={0: -0.0}), base={"xyz": [-0.0, 0, 0], "rpy": [0, 0, -0.0]}))
+    written("b.json", table(changed(d={0: 0.2}, theta={1: -0.0}, a={2: -0.0})))
+    written("r.urdf", URDF.format(**RIGHT | {"lower": "-0.0", "upper": "-0.0"}))
+    for words in [("r.urdf",), ("panda", "iiwa14"), ("iiwa14", "panda"), ("panda", "ur5"), ("a.json", "b.json"), ("b.json", "a.json"), ("ur5", "a.json"), ("a.json", "ur5", "--degrees")]:
+        text = beeline("doctor", *words).out
+        assert not re.search(r"-0(?![.\d])", text), text

@@ -107,7 +107,7 @@ FILES = [
      urdf(("i", "a", "b", "0 0 up", -1, 1), ("j", "b", "c", "0 0 1", -1, 1)), (), ["a.urdf:1", "up"]),
     ("negative velocity", "a.urdf",
      urdf(("i", "a", "b", "0 0 1", -1, 1), ("j", "b", "c", "0 0 1", -1, 1)).replace(
-         'velocity="1"', 'velocity="-1"'), (), ["a.urdf:1", "joint i", "velocity limit -1"]),
+         'velocity="1"', 'velocity="-2"'), (), ["a.urdf:1", "joint i", "velocity limit -2"]),
     ("cut off in a tag", "a.urdf", '<robot name="r"', (), ["a.urdf:1", "cut off"]),
     ("huge pitch", "a.json", '{"name": "a", "joints": [{"name": "j", "type": "helical", '
      '"pitch": 1e300}]}', (), ["a.json:1", "1e+06 m/rad"]),

@@ -4,6 +4,8 @@
 #include <beeline/model/catalog.h>
 
 #include <tests/doctor/random_table.h>
+#include <tests/read/urdf_samples.h>
+#include <tests/temporary_folder.h>
 
 namespace beeline {
 namespace {
@@ -70,6 +72,53 @@ TEST(Diagnosis, LimitsAndLengthsInOtherUnitsAreFound) {
   joints = built_in("panda").joints();
   for (Joint& joint : joints) joint.offset.translation() *= 1000;
   EXPECT_EQ(kinds(diagnose(Arm("millimetres", joints))), std::vector{FindingKind::length_unit});
+}
+
+/// A table with angles in degrees: what the file declares is believed, in its own unit.
+TEST(Diagnosis, DegreesAreBelievedWhereTheTableDeclaresThem) {
+  const testing::TemporaryFolder folder;
+  const auto diagnosed = [&](const std::string& rows) {
+    const std::string text =
+        R"({"name": "t", "dh": {"convention": "standard", "degrees": true, "rows": [)" + rows +
+        "]}}";
+    return diagnose(folder.write("t.json", text));
+  };
+  EXPECT_TRUE(diagnosed(R"({"d": 0.3, "alpha": 90}, {"a": 0.4}, {"a": 0.3})"));
+  EXPECT_TRUE(diagnosed(R"({"d": 0.3, "alpha": -90, "theta": 270}, {"a": 0.4}, {"a": 0.3})"));
+  EXPECT_TRUE(diagnosed(R"({"a": 0.3, "limits": {"lower": -7200, "upper": 7200,
+                        "velocity": 5000}}, {"a": 0.4, "limits": {"velocity": 100}})"));
+  const Diagnosis twice = diagnosed(R"({"d": 0.3, "alpha": 5156.62015617741}, {"a": 0.4})");
+  ASSERT_EQ(kinds(twice), std::vector{FindingKind::angle_unit});
+  EXPECT_NE(twice.findings.front().what.find("alpha 5156.62 deg"), std::string::npos);
+  EXPECT_EQ(twice.findings.front().remedy, "in degrees: 90");
+  const Diagnosis radians = diagnosed(
+      R"({"a": 0.4, "limits": {"lower": -1.5, "upper": 1.5, "velocity": 90}},
+         {"a": 0.3, "limits": {"lower": -2.5, "upper": 2.5, "velocity": 90}},
+         {"a": 0.3, "limits": {"lower": -2.5, "upper": 2.5, "velocity": 90}})");
+  ASSERT_EQ(kinds(radians), std::vector{FindingKind::angle_unit});
+  EXPECT_EQ(radians.findings.front().remedy, "write the limits in degrees");
+}
+
+TEST(Diagnosis, FaultsBesideTheChainAreFound) {
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.write(
+      "r.urdf",
+      testing::robot(testing::link("a") + testing::link("b") +
+                     testing::joint("j", "continuous", "a", "b", "<axis xyz=\"0 0 1\"/>") +
+                     testing::joint("camera", "fixed", "nowhere", "b")));
+  const Diagnosis diagnosis = diagnose(path);
+  ASSERT_EQ(kinds(diagnosis), std::vector{FindingKind::fault});
+  EXPECT_EQ(diagnosis.findings.front().place, "line 5");
+  EXPECT_EQ(name(FindingKind::fault), "fault");
+}
+
+TEST(Diagnosis, NoNumberIsMinusZero) {
+  std::vector<Joint> joints = built_in("ur5").joints();
+  joints[3].limits.lower = joints[3].limits.upper = -0.0;
+  const Diagnosis diagnosis = diagnose(Arm("fixed", joints));
+  EXPECT_EQ(diagnosis.findings.front().what.find("-0"), std::string::npos);
+  EXPECT_EQ(number(-0.0), "0");
+  EXPECT_EQ(angle(-0.0), "0 rad (0 deg)");
 }
 
 TEST(Diagnosis, AJointThatIsThereTwiceOrCannotMoveIsFound) {

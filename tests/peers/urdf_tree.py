@@ -64,10 +64,24 @@ class UrdfTree:
         return names
 
     def drive(self, name, among):
-        """The joint whose value drives this one (itself, unless it mimics one of `among`), with
-        the ratio and the shift: value = ratio * leader + shift."""
-        mimic = self.joints[name].mimic
-        if mimic is None or mimic[0] not in among:
+        """The joint of `among` whose value drives this one, with the ratio and the shift: value =
+        ratio * leader + shift. Of those that follow a leader which is not among them, the first
+        one in the file drives the others."""
+        leader, ratio, shift = self.leader(name, among)
+        if leader == name:
             return name, 1.0, 0.0
-        leader, ratio, shift = self.drive(mimic[0], among)
-        return leader, mimic[1] * ratio, mimic[1] * shift + mimic[2]
+        if leader in among:
+            first, factor, offset = self.drive(leader, among)
+            return first, ratio * factor, ratio * offset + shift
+        first = next(j for j in self.joints if j in among and self.leader(j, among)[0] == leader)
+        _, own_ratio, own_shift = self.leader(first, among)
+        return first, ratio / own_ratio, shift - ratio / own_ratio * own_shift
+
+    def leader(self, name, among):
+        """The first leader among these, or the last one."""
+        leader, ratio, shift = name, 1.0, 0.0
+        while (mimic := self.joints[leader].mimic) and mimic[0] in self.joints:
+            leader, ratio, shift = mimic[0], ratio * mimic[1], ratio * mimic[2] + shift
+            if leader in among:
+                break
+        return leader, ratio, shift

@@ -3,6 +3,7 @@
 import pickle
 import signal
 import threading
+import warnings
 
 import beeline
 import numpy as np
@@ -146,3 +147,29 @@ def test_commands_that_are_not_finite(arm):
         command[row] = np.nan
         with pytest.raises(beeline.Error):
             beeline.Servo(arm).step(arm.middle, command)
+
+
+GRIPPER = """<robot name="r"><link name="a"/><link name="b"/><link name="stator"/><link name="mover"/>
+<joint name="j" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint>
+<joint name="f" type="fixed"><parent link="b"/><child link="stator"/></joint>
+<joint name="jointGripper" type="revolute"><parent link="stator"/><child link="mover"/></joint>
+<joint name="camera" type="fixed"><parent link="nowhere"/><child link="lens"/></joint></robot>"""
+
+
+def test_what_a_reader_selected_or_left_out_is_a_warning(tmp_path):
+    path = tmp_path / "r.urdf"
+    path.write_text(GRIPPER)
+    for read in (lambda: beeline.Arm.load(path), lambda: beeline.Arm.from_urdf(path), lambda: beeline.Arm.from_urdf(GRIPPER)):
+        with pytest.warns(beeline.ModelWarning) as issued:
+            assert read().joint_names == ["j"]
+        selected, fault = (warning.message for warning in issued)
+        assert (selected.kind, selected.joint, selected.link, selected.others) == (
+            "before_gripper", "jointGripper", "stator", ["mover"])
+        assert str(selected).endswith('tip="mover" includes it')
+        assert (fault.kind, fault.joint, fault.link, fault.line) == ("unknown_link", "camera", "nowhere", 5)
+        assert issued[0].filename == __file__
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", beeline.ModelWarning)
+        with pytest.raises(beeline.ModelWarning):
+            beeline.Arm.load(path)
+        assert beeline.Arm.from_urdf("\ufeff" + GRIPPER.split("<joint name=\"camera")[0] + "</robot>", tip="b").dof == 1

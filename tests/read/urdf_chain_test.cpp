@@ -108,13 +108,21 @@ std::vector<Eigen::Matrix4d> link_matrices(const std::vector<TreeJoint>& joints,
 
 std::size_t index_of(const std::string& joint) { return std::stoul(joint.substr(1)); }
 
-/// The values of all joints of the tree when the arm has the configuration q: mimic joints that are
-/// not on the arm's chain follow too, since they cannot matter there.
+/// The values of all joints of the tree when the arm has the configuration q. A coordinate of a
+/// mimic joint determines the leaders beside the chain that it follows.
 std::vector<double> joint_values(const std::vector<TreeJoint>& joints, const Arm& arm,
                                  const Configuration& q) {
   std::vector<double> values(joints.size(), 0.3);
   std::map<std::string, double> of_coordinate;
-  for (int k = 0; k < arm.dof(); ++k) of_coordinate[arm.joint_of(k).name] = q[k];
+  for (int k = 0; k < arm.dof(); ++k) {
+    of_coordinate[arm.joint_of(k).name] = q[k];
+    double value = q[k];
+    for (std::size_t j = index_of(arm.joint_of(k).name); joints[j].leader >= 0;) {
+      value = (value - joints[j].offset) / joints[j].multiplier;
+      j = static_cast<std::size_t>(joints[j].leader);
+      values[j] = value;
+    }
+  }
   for (std::size_t j = 0; j < joints.size(); ++j) {  // leaders come first
     const TreeJoint& at = joints[j];
     const auto given = of_coordinate.find(name_of(j));
@@ -205,10 +213,10 @@ std::string with_frames(const std::vector<std::string>& frames) {
 }
 
 std::string selected_tip(const std::string& elements, const ChainEnds& ends = {}) {
-  std::vector<std::string> notes;
-  const Arm arm = arm_from_urdf(robot(elements), "a.urdf", ends, &notes);
+  std::vector<ReadWarning> warnings;
+  const Arm arm = arm_from_urdf(robot(elements), "a.urdf", ends, &warnings);
   EXPECT_EQ(arm_from_urdf(robot(elements), "a.urdf", ends).dof(), arm.dof());
-  return notes.empty() ? "" : notes.front();
+  return warnings.empty() ? "" : sentence(warnings.front());
 }
 
 TEST(UrdfChain, LeavesWithoutAMovingJointAreNoTips) {

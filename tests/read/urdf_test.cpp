@@ -74,8 +74,51 @@ TEST(Urdf, MissingPartsHaveTheFormatsDefaults) {
 }
 
 TEST(Urdf, ANegativeVelocityLimitIsRefused) {
-  EXPECT_REFUSED(parse_urdf(single("prismatic", "<limit velocity=\"-1\" upper=\"2\"/>")),
-                 "joint j: velocity limit -1 is below 1e-09; 0 stands for none");
+  EXPECT_REFUSED(parse_urdf(single("prismatic", "<limit velocity=\"-2\" upper=\"2\"/>")),
+                 "joint j: velocity limit -2 is below 1e-09; 0 and -1 stand for none");
+}
+
+TEST(Urdf, NoLimitHasManySpellings) {
+  for (const std::string number : {"inf", "Infinity", "INF", ".inf", "1.79769e+308", "1.8e308",
+                                   "1e999", "3.4e38", "3.402823466e+38", "1e16", "1e+30", "2e6"}) {
+    for (const std::string plus : {"", "+"}) {
+      const Arm arm =
+          parse_urdf(single("revolute", "<limit effort=\"-1\" lower=\"-" + number + "\" upper=\"" +
+                                            plus + number + "\" velocity=\"-1.0\"/>"));
+      EXPECT_EQ(arm.limits(0).lower, -Limits::none) << number;
+      EXPECT_EQ(arm.limits(0).upper, Limits::none) << number;
+      EXPECT_EQ(arm.limits(0).velocity, Limits::none) << number;
+    }
+    const Arm half = parse_urdf(
+        single("prismatic", "<limit lower=\"-" + number + "\" upper=\"1.5\" velocity=\"3\"/>"));
+    EXPECT_EQ(half.limits(0).lower, -Limits::none) << number;
+    EXPECT_EQ(half.limits(0).upper, 1.5);
+    EXPECT_EQ(half.limits(0).velocity, 3);
+  }
+  for (const std::string velocity : {"inf", "1.8e308", "-3.4e38", "1e16", "0"}) {
+    const Arm arm = parse_urdf(single("continuous", "<limit velocity=\"" + velocity + "\"/>"));
+    EXPECT_EQ(arm.limits(0).velocity, Limits::none) << velocity;
+  }
+  // Exchanged, an infinity is a mistake; so is no number.
+  EXPECT_REFUSED(parse_urdf(single("revolute", "<limit lower=\"inf\" upper=\"1\"/>")),
+                 "a.urdf:4: joint j: lower limit inf exceeds upper limit 1");
+  EXPECT_REFUSED(parse_urdf(single("revolute", "<limit lower=\"inf\" upper=\"-inf\"/>")),
+                 "joint j: lower limit inf exceeds upper limit -inf");
+  EXPECT_REFUSED(parse_urdf(single("revolute", "<limit lower=\"nan\" upper=\"1\"/>")), "finite");
+  EXPECT_REFUSED(parse_urdf(single("revolute", "<limit lower=\"--inf\" upper=\"1\"/>")),
+                 "is not a number");
+  EXPECT_REFUSED(parse_urdf(single("revolute", "<origin xyz=\"inf 0 0\"/>")), "must be finite");
+}
+
+TEST(Urdf, LimitsOfOtherJointsAreNoReasonToRefuse) {
+  for (const std::string limit : {"lower=\"1\" upper=\"-1\"", "lower=\"low\"", "velocity=\"-2\"",
+                                  "lower=\"nan\"", "lower=\"1e16\" upper=\"-1e16\""}) {
+    const std::string text =
+        robot(link("a") + link("b") + link("w") + joint("j", "revolute", "a", "b") +
+              joint("wheel", "revolute", "a", "w", "<limit " + limit + "/>"));
+    EXPECT_EQ(parse_urdf(text, {.tip = "b"}).dof(), 1) << limit;
+    EXPECT_NE(testing::refusal([&] { (void)parse_urdf(text, {.tip = "w"}); }), "accepted") << limit;
+  }
 }
 
 TEST(Urdf, ARobotWithoutANameIsCalledLikeItsFile) {
@@ -94,7 +137,7 @@ TEST(Urdf, TrailingFixedJointsAreTheTool) {
   EXPECT_EQ(arm.joints()[0].link, "c");
 }
 
-TEST(Urdf, FollowersFollowWithinTheChainAndAreFreeOutside) {
+TEST(Urdf, FollowersFollowWithinTheChainAndThroughLeadersBesideIt) {
   const std::string text =
       robot(link("a") + link("b") + link("c") + link("d") + joint("lead", "revolute", "a", "b") +
             joint("follow", "revolute", "b", "c",
@@ -105,9 +148,70 @@ TEST(Urdf, FollowersFollowWithinTheChainAndAreFreeOutside) {
   ASSERT_TRUE(inside.joints()[1].mimic.has_value());
   EXPECT_EQ(inside.drives()[1].ratio, -2);
   EXPECT_EQ(inside.drives()[1].shift, 0.5);
-  EXPECT_EQ(parse_urdf(text, {.base = "", .tip = "d"}).dof(), 2);
+  const Arm through = parse_urdf(text, {.base = "", .tip = "d"});
+  EXPECT_EQ(through.dof(), 1);
+  EXPECT_EQ(through.drives()[1].ratio, -2);
+  EXPECT_EQ(through.drives()[1].shift, 0.5);
   EXPECT_EQ(parse_urdf(text, {.base = "b", .tip = "c"}).dof(), 1);
   EXPECT_EQ(parse_urdf(testing::whole_urdf, {.base = "", .tip = "right"}).dof(), 3);
+}
+
+/// Followers of a leader beside the chain, with random factors, compared with the leader's value.
+TEST(Urdf, FollowersOfOneLeaderBesideTheChainAreOneCoordinate) {
+  testing::Random random;
+  for (int i = 0; i < 200; ++i) {
+    const int followers = random.integer(2, 5);
+    std::string text = link("base") + link("side") + link("l0") +
+                       joint("leader", "revolute", "base", "side",
+                             "<limit lower=\"-1\" upper=\"2\" velocity=\"3\"/>");
+    std::vector<double> multiplier, offset;
+    for (int k = 0; k < followers; ++k) {
+      multiplier.push_back(random.uniform(0.2, 2) * (random.integer(0, 1) == 0 ? -1 : 1));
+      offset.push_back(random.uniform(-1, 1));
+      text += link("l" + std::to_string(k + 1)) +
+              joint("f" + std::to_string(k), "revolute", "l" + std::to_string(k),
+                    "l" + std::to_string(k + 1),
+                    "<mimic joint=\"leader\" multiplier=\"" + std::to_string(multiplier.back()) +
+                        "\" offset=\"" + std::to_string(offset.back()) + "\"/>");
+    }
+    text += joint("fix", "fixed", "base", "l0");
+    const Arm arm = parse_urdf(robot(text), {.tip = "l" + std::to_string(followers)});
+    ASSERT_EQ(arm.dof(), 1);
+    EXPECT_EQ(arm.joint_names().front(), "f0");
+    for (const double leader : {-1.0, 0.3, 2.0}) {
+      const double q = multiplier[0] * leader + offset[0];
+      EXPECT_TRUE(within_position_limits(arm.limits(0), q, 1e-5));
+      for (int k = 0; k < followers; ++k) {
+        EXPECT_NEAR(arm.drives()[k].ratio * q + arm.drives()[k].shift,
+                    multiplier[k] * leader + offset[k], 1e-4);
+      }
+    }
+    EXPECT_NEAR(arm.limits(0).upper - arm.limits(0).lower, 3 * std::abs(multiplier[0]), 1e-5);
+    EXPECT_NEAR(arm.limits(0).velocity, 3 * std::abs(multiplier[0]), 1e-5);
+  }
+}
+
+TEST(Urdf, AFollowerThatDoesNotMoveIsNoCoordinate) {
+  const auto follower = [](const std::string& factors) {
+    return "<mimic joint=\"x\" " + factors + "/>";
+  };
+  const std::string text =
+      robot(link("a") + link("b") + link("c") + link("x") + joint("x", "revolute", "a", "x") +
+            joint("still", "revolute", "a", "b", follower("multiplier=\"0\" offset=\"0.4\"")) +
+            joint("moves", "revolute", "b", "c", follower("multiplier=\"2\"")));
+  const Arm arm = parse_urdf(text, {.tip = "c"});
+  EXPECT_EQ(arm.joint_names(), std::vector<std::string>{"moves"});
+  EXPECT_EQ(arm.drives()[0].ratio, 0);
+  EXPECT_EQ(arm.drives()[0].shift, 0.4);
+}
+
+TEST(Urdf, LeadersBesideTheChainThatFormACycleAreRefused) {
+  const auto mimic = [](const std::string& of) { return "<mimic joint=\"" + of + "\"/>"; };
+  const std::string text = robot(
+      link("a") + link("b") + link("c") + link("d") + joint("j", "revolute", "a", "b", mimic("k")) +
+      joint("k", "revolute", "a", "c", mimic("l")) + joint("l", "revolute", "a", "d", mimic("k")));
+  EXPECT_REFUSED(parse_urdf(text, {.tip = "b"}),
+                 "a.urdf:6: joint j follows leaders that mimic each other");
 }
 
 TEST(Urdf, ALeaderThatIsNotInTheFileIsRefusedWithinTheChainOnly) {
@@ -125,6 +229,13 @@ TEST(Urdf, OtherTypesAreRefusedWithinTheChainOnly) {
         robot(link("a") + link("b") + link("c") + joint("j", "revolute", "a", "b") +
               joint("loose", type, "a", "c"));
     EXPECT_EQ(parse_urdf(text, {.base = "", .tip = "b"}).dof(), 1);
+    const std::string chain =
+        robot(link("a") + link("b") + link("c") + link("d") + joint("j", "revolute", "a", "b") +
+              joint("loose", type, "b", "c") + joint("k", "revolute", "c", "d"));
+    EXPECT_REFUSED(parse_urdf(chain), "; --base c or --tip b selects a chain without it");
+    EXPECT_REFUSED(parse_urdf(chain, {.base = "d", .tip = "a"}),
+                   "; --base b or --tip c selects a chain without it");
+    EXPECT_EQ(parse_urdf(chain, {.base = "c"}).dof(), 1);
     EXPECT_REFUSED(parse_urdf(text, {.base = "", .tip = "c"}),
                    "a.urdf:6: joint loose is \"" + type +
                        "\"; a chain has revolute, continuous, prismatic and "

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <beeline/doctor/internal/findings.h>
 #include <beeline/doctor/internal/reconciliation.h>
@@ -47,33 +48,72 @@ void find_in_urdf(const std::string& path, const Arm& arm, std::vector<Finding>&
   }
 }
 
-void find_in_json(const std::string& path, const Arm& arm, std::vector<Finding>& found) {
+AngleUnit find_in_json(const std::string& path, const Arm& arm, std::vector<Finding>& found) {
   const JsonDocument document(read_file(path), path);
   const Json* dh = document.find(document.root(), "dh");
-  if (dh == nullptr) return;
+  if (dh == nullptr) return AngleUnit::radians;
+  const Json* degrees = document.find(*dh, "degrees");
+  const AngleUnit unit =
+      degrees != nullptr && document.truth(*degrees) ? AngleUnit::degrees : AngleUnit::radians;
+  const bool declared = unit == AngleUnit::degrees;
   std::size_t i = 0;
   for (const Json& row : document.items(document.need(*dh, "rows"))) {
     for (const char* key : {"alpha", "theta"}) {
-      const Json* angle = document.find(row, key);
-      if (angle == nullptr || std::abs(document.number(*angle)) <= one_turn) continue;
+      const Json* written = document.find(row, key);
+      const double angle = written == nullptr ? 0 : document.number(*written);
+      if (std::abs(to_radians(angle, unit)) <= one_turn) continue;
+      const double factor = std::numbers::pi / 180;
       found.push_back(
           {.kind = FindingKind::angle_unit,
            .joint = static_cast<int>(i),
            .place = joint_text(arm, i),
-           .what = std::string(key) + " " + number(document.number(*angle)) + " rad (" +
-                   in_line(path, angle->line) + "): degrees?",
-           .remedy = "in radians: " + number(document.number(*angle) * std::acos(-1.0) / 180)});
+           .what = std::string(key) + " " + number(angle) + (declared ? " deg (" : " rad (") +
+                   in_line(path, written->line) +
+                   (declared ? "): converted to degrees twice?" : "): degrees?"),
+           .remedy = (declared ? "in degrees: " : "in radians: ") + number(angle * factor)});
     }
     ++i;
+  }
+  return unit;
+}
+
+/// What to write instead.
+std::string remedy_for(ReadWarningKind kind) {
+  switch (kind) {
+    case ReadWarningKind::xacro_tag:
+      return "run xacro and pass the URDF that it writes";
+    case ReadWarningKind::unknown_link:
+    case ReadWarningKind::unconnected_link:
+      return "connect it to a link of the file, or delete it";
+    case ReadWarningKind::two_parents:
+    case ReadWarningKind::cycle:
+      return "delete one of the joints: a robot is a tree of links";
+    case ReadWarningKind::repeated_name:
+      return "give each its own name";
+    case ReadWarningKind::further_faults:
+      return "mend those above first";
+    default:
+      return "write the attribute, or delete the element";
   }
 }
 
 }  // namespace
 
-void find_in_file(const std::string& path, const Arm& arm, std::vector<Finding>& found) {
+void find_faults(const std::vector<ReadWarning>& warnings, std::vector<Finding>& found) {
+  for (const ReadWarning& warning : warnings) {
+    if (!is_fault(warning)) continue;
+    found.push_back({.kind = FindingKind::fault,
+                     .place = warning.line > 0 ? "line " + std::to_string(warning.line) : "file",
+                     .what = sentence(warning),
+                     .remedy = remedy_for(warning.kind)});
+  }
+}
+
+AngleUnit find_in_file(const std::string& path, const Arm& arm, std::vector<Finding>& found) {
   const std::string ending = extension(path);
+  if (ending == "json") return find_in_json(path, arm, found);
   if (ending == "urdf" || ending == "xml") find_in_urdf(path, arm, found);
-  if (ending == "json") find_in_json(path, arm, found);
+  return AngleUnit::radians;
 }
 
 }  // namespace beeline::internal

@@ -42,7 +42,7 @@ std::string range_text(const Limits& limits) {
   return number(limits.lower) + " to " + number(limits.upper);
 }
 
-void find_range(const Arm& arm, std::vector<Finding>& found) {
+void find_range(const Arm& arm, AngleUnit unit, std::vector<Finding>& found) {
   const Joints fixed = joints_that(arm, [](const Joint& joint) {
     return !joint.mimic && joint.limits.lower == joint.limits.upper;
   });
@@ -66,14 +66,17 @@ void find_range(const Arm& arm, std::vector<Finding>& found) {
     found.push_back(
         {.kind = FindingKind::angle_unit,
          .place = "all joints",
-         .what = "no joint turns by more than 7 deg: limits converted to radians twice?",
-         .remedy = "write the limits in radians"});
+         .what = std::string("no joint turns by more than 7 deg: ") +
+                 (unit == AngleUnit::degrees ? "limits in radians, where the table says degrees?"
+                                             : "limits converted to radians twice?"),
+         .remedy = unit == AngleUnit::degrees ? "write the limits in degrees"
+                                              : "write the limits in radians"});
   }
 }
 
 }  // namespace
 
-void find_limits(const Arm& arm, std::vector<Finding>& found) {
+void find_limits(const Arm& arm, AngleUnit unit, std::vector<Finding>& found) {
   const auto add = [&](const Joints& joints, FindingKind kind, const std::string& what,
                        const std::string& remedy) {
     if (joints.empty()) return;
@@ -83,9 +86,11 @@ void find_limits(const Arm& arm, std::vector<Finding>& found) {
                      .what = what,
                      .remedy = remedy});
   };
-  const Joints degrees = joints_that(arm, [](const Joint& joint) {
-    return !slides(joint) && (in_range(joint.limits.lower, three_turns, largest_in_degrees) ||
-                              in_range(joint.limits.upper, three_turns, largest_in_degrees));
+  const bool in_radians = unit == AngleUnit::radians;
+  const Joints degrees = joints_that(arm, [&](const Joint& joint) {
+    return in_radians && !slides(joint) &&
+           (in_range(joint.limits.lower, three_turns, largest_in_degrees) ||
+            in_range(joint.limits.upper, three_turns, largest_in_degrees));
   });
   if (!degrees.empty()) {
     const Limits& limits = arm.joints()[degrees.front()].limits;
@@ -102,9 +107,9 @@ void find_limits(const Arm& arm, std::vector<Finding>& found) {
     add(millimetres, FindingKind::length_unit, "limits " + range_text(limits) + " m: millimetres?",
         "in metres: " + number(limits.lower / 1000) + " to " + number(limits.upper / 1000));
   }
-  const Joints fast = joints_that(arm, [](const Joint& joint) {
+  const Joints fast = joints_that(arm, [&](const Joint& joint) {
     const double velocity = joint.limits.velocity;
-    return !slides(joint) && in_range(velocity, fastest_joint, largest_in_degrees) &&
+    return in_radians && !slides(joint) && in_range(velocity, fastest_joint, largest_in_degrees) &&
            !power_of_ten(velocity);
   });
   if (!fast.empty()) {
@@ -122,7 +127,7 @@ void find_limits(const Arm& arm, std::vector<Finding>& found) {
             " is assumed",
         "write the maker's limit, or --velocity");
   }
-  find_range(arm, found);
+  find_range(arm, unit, found);
 }
 
 }  // namespace beeline::internal

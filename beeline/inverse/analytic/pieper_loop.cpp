@@ -181,14 +181,20 @@ std::optional<PieperLoop> pieper_loop(const Chain& chain) {
   return best;
 }
 
-std::string description(const PieperLoop& loop, std::optional<int> locked) {
-  const auto number = [&](int i) {
-    const int k = loop.order[i];
-    return std::to_string(locked && k >= *locked ? k + 2 : k + 1);
-  };
+std::string description(const PieperLoop& loop, int joints, std::optional<int> locked) {
   const bool intersecting = loop.family == PieperLoop::Family::intersecting;
-  return std::string(intersecting ? "three axes meet" : "three parallel axes") + " (joints " +
-         number(3) + ", " + number(4) + ", " + number(5) + ")";
+  std::string numbers;
+  int real = 0;
+  for (int i = 3; i < 6; ++i) {
+    const int k = loop.order[i];
+    if (k >= joints) continue;
+    numbers += (real++ > 0 ? ", " : "") + std::to_string(locked && k >= *locked ? k + 2 : k + 1);
+  }
+  std::string text = real == 0 ? "" : (real == 1 ? "joint " : "joints ") + numbers;
+  if (real < 3) {
+    text += (real == 0 ? "" : " and ") + std::to_string(3 - real) + " virtual at the tool";
+  }
+  return std::string(intersecting ? "three axes meet (" : "three parallel axes (") + text + ")";
 }
 
 }  // namespace beeline::internal

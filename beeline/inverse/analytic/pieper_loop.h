@@ -47,8 +47,10 @@ struct PieperLoop {
 /// or are parallel. Each link is revolute or prismatic and has a coordinate of its own.
 std::optional<PieperLoop> pieper_loop(const Chain& chain);
 
-/// Such as `three axes meet (joints 4, 5, 6)`. With a locked coordinate of a longer arm, joints are
-/// numbered as in that arm.
-std::string description(const PieperLoop& loop, std::optional<int> locked = std::nullopt);
+/// Such as `three axes meet (joints 4, 5, 6)` or, of an arm with `joints` below six, which virtual
+/// joints complete, `three axes meet (joint 4 and 2 virtual at the tool)`. With a locked coordinate
+/// of a longer arm, joints are numbered as in that arm.
+std::string description(const PieperLoop& loop, int joints = 6,
+                        std::optional<int> locked = std::nullopt);
 
 }  // namespace beeline::internal

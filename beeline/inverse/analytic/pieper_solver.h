@@ -21,10 +21,10 @@ class PieperSolver {
   /// Returns nothing where no loop is found, or where the arm has mimic or helical joints.
   static std::optional<PieperSolver> make(const Arm& arm, const Task& task);
 
-  /// Such as `three axes meet (joints 4, 5, 6)`. Where the arm is a longer arm with coordinate
-  /// `removed` locked, joints are numbered as in the longer arm.
+  /// Such as `three axes meet (joints 4, 5, 6)`, see description(). Where the arm is a longer arm
+  /// with coordinate `removed` locked, joints are numbered as in the longer arm.
   std::string family(std::optional<int> removed = std::nullopt) const {
-    return description(loop_, locked_ == 0 ? locked_ : removed);
+    return description(loop_, dof_, locked_ == 0 ? locked_ : removed);
   }
 
   /// The coordinate of an arm of seven joints that is an input: the first or the last.

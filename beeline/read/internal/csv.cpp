@@ -7,6 +7,7 @@
 #include <beeline/read/internal/csv.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/numbers.h>
+#include <beeline/read/internal/text_encoding.h>
 
 namespace beeline::internal {
 namespace {
@@ -137,6 +138,7 @@ CsvRows::CsvRows(CsvLines& lines, const std::string& path,
     : lines_(lines), path_(path) {
   std::string_view first;
   if (!lines_.next(first)) throw FileError(path_, 0, "is empty; it needs a header and rows");
+  if (!is_utf8(first)) throw FileError(path_, line(), "the header " + std::string(not_utf8));
   try {
     separator_ = csv_separator(first);
     has_header_ = !is_row(first, separator_);
@@ -175,7 +177,7 @@ int CsvRows::line() const {
 
 CsvTable parse_csv(std::string_view text, const std::string& path,
                    const std::vector<std::vector<std::string>>& forms) {
-  CsvLines lines(text);
+  CsvLines lines(text, path);
   CsvRows rows(lines, path, forms);
   CsvTable table{.path = path,
                  .columns = rows.columns(),

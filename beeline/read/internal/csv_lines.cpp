@@ -4,13 +4,16 @@
 #include <beeline/error.h>
 #include <beeline/read/internal/csv_lines.h>
 #include <beeline/read/internal/numbers.h>
+#include <beeline/read/internal/text_encoding.h>
 
 namespace beeline::internal {
 
-CsvLines::CsvLines(std::string_view text) : unread_(text) {}
+CsvLines::CsvLines(std::string_view text, const std::string& path) : unread_(text_in(text, path)) {}
 
 CsvLines::CsvLines(InputFile& file, std::size_t max_line)
-    : file_(&file), buffer_(max_line), ended_(false) {}
+    : file_(&file), buffer_(max_line), ended_(false) {
+  begin_text(file);
+}
 
 /// Moves the unread text to the front of the buffer and fills the remainder from the file.
 void CsvLines::read_more() {
@@ -44,7 +47,6 @@ bool CsvLines::next_raw(std::string_view& line) {
 
 bool CsvLines::next(std::string_view& line) {
   while (next_raw(line)) {
-    if (number_ == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
     line = trimmed(line);
     if (!line.empty() && line.front() != '#') return true;
   }

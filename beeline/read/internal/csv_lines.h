@@ -9,11 +9,11 @@
 namespace beeline::internal {
 
 /// Iterates over the lines of a CSV text that hold data: skips empty lines, comments (lines that
-/// begin with #) and a byte order mark; removes blanks around each line.
+/// begin with #); removes blanks around each line. The text begins as text_in() describes.
 class CsvLines {
  public:
-  /// Lines of `text`, which must outlive this object.
-  explicit CsvLines(std::string_view text);
+  /// Lines of `text`, which must outlive this object. `path` names its file in messages.
+  CsvLines(std::string_view text, const std::string& path);
 
   /// Lines of a file of any size, read in blocks of `max_line` bytes. next() throws FileError for a
   /// longer line. `file` must outlive this object.

@@ -4,6 +4,7 @@
 
 #include <beeline/error.h>
 #include <beeline/read/internal/joint_from_yaml.h>
+#include <beeline/read/internal/limit_numbers.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/numbers.h>
 #include <beeline/read/pose_list.h>
@@ -59,9 +60,8 @@ class YamlJoint {
   LimitOverrides read() {
     LimitOverrides limits;
     if (urdf_) {
-      return {.lower = number_at("lower"),
-              .upper = number_at("upper"),
-              .velocity = rate_at("velocity")};
+      return {
+          .lower = lower_at("lower"), .upper = upper_at("upper"), .velocity = rate_at("velocity")};
     }
     const Limits& known = joint_.limits;
     set_position(limits);
@@ -78,8 +78,8 @@ class YamlJoint {
  private:
   void set_position(LimitOverrides& limits) {
     constexpr const char* has = "has_position_limits";
-    const std::optional<double> lower = number_at("min_position");
-    const std::optional<double> upper = number_at("max_position");
+    const std::optional<double> lower = lower_at("min_position");
+    const std::optional<double> upper = upper_at("max_position");
     if (lower && upper && *lower > *upper) {
       refuse(find("min_position")->line, "min_position",
              number(*lower) + " exceeds max_position " + number(*upper));
@@ -134,16 +134,27 @@ class YamlJoint {
     if (tag == "!") refuse(member->line, key, "must be a number, not text in quotes");
     double value = 0;
     try {
-      value = parse_number(*text, described(key));
+      value = parse_limit(*text, described(key));
     } catch (const Error& error) {
       throw FileError(path_, member->line, error.what());
     }
     return in_si_units(value, *member);
   }
 
-  /// The same, at least Limits::min_rate.
+  std::optional<double> lower_at(const char* key) const {
+    const std::optional<double> value = number_at(key);
+    return value && no_lower_limit(*value) ? -Limits::none : value;
+  }
+
+  std::optional<double> upper_at(const char* key) const {
+    const std::optional<double> value = number_at(key);
+    return value && no_upper_limit(*value) ? Limits::none : value;
+  }
+
+  /// A limit of at least Limits::min_rate.
   std::optional<double> rate_at(const char* key) const {
     const std::optional<double> value = number_at(key);
+    if (value && *value > max_rate) return Limits::none;
     if (!value || *value >= Limits::min_rate) return value;
     refuse(find(key)->line, key,
            "must be at least " + number(Limits::min_rate) + ", not " + number(*value));
@@ -153,6 +164,7 @@ class YamlJoint {
   std::optional<double> magnitude_at(const char* key) const {
     const std::optional<double> value = number_at(key);
     if (!value) return std::nullopt;
+    if (no_rate_limit(*value)) return Limits::none;
     if (std::abs(*value) >= Limits::min_rate) return std::abs(*value);
     refuse(find(key)->line, key, "must not be " + number(*value));
   }

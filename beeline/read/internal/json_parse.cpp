@@ -6,6 +6,7 @@
 #include <beeline/error.h>
 #include <beeline/read/internal/json_parse.h>
 #include <beeline/read/internal/name.h>
+#include <beeline/read/internal/text_encoding.h>
 
 namespace beeline::internal {
 namespace {
@@ -20,8 +21,9 @@ constexpr std::size_t max_keys =
 /// beyond a number.
 class Characters {
  public:
-  explicit Characters(std::string_view text) : unread_(text) {}
+  Characters(std::string_view text, const std::string& path) : unread_(text_in(text, path)) {}
   explicit Characters(InputFile& file) : file_(&file), block_(std::size_t{1} << 16, '\0') {
+    begin_text(file);
     read_block();
   }
   Characters(const Characters&) = delete;
@@ -109,8 +111,9 @@ class Builder {
     return true;
   }
 
-  bool parse_error(std::size_t /*byte*/, const std::string& /*token*/,
+  bool parse_error(std::size_t /*byte*/, const std::string& token,
                    const nlohmann::json::exception& error) {
+    if (token.starts_with('"') && !is_utf8(token)) refuse(std::string(not_utf8));
     // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while ..."
     std::string_view why = error.what();
     why.remove_prefix(std::min(why.size(), why.find("] ") + 2));
@@ -194,7 +197,7 @@ Json parse_characters(Characters characters, const std::string& path, const Json
 }  // namespace
 
 Json parse_json(std::string_view text, const std::string& path, const JsonItemSink& sink) {
-  return parse_characters(Characters(text), path, sink);
+  return parse_characters(Characters(text, path), path, sink);
 }
 
 Json parse_json(InputFile& file, const JsonItemSink& sink) {

@@ -142,9 +142,9 @@ const Columns& program_columns() {
 }
 
 bool is_program(std::string_view text) {
-  internal::CsvLines lines(text);
   char separator = ',';
   try {
+    internal::CsvLines lines(text, "");
     const Columns header = header_of(lines, separator);
     return std::any_of(header.begin(), header.end(),
                        [](const std::string& name) { return has(program_columns(), name); });
@@ -154,7 +154,7 @@ bool is_program(std::string_view text) {
 }
 
 ProgramRows program_rows_from_csv(std::string_view text, const std::string& path, AngleUnit unit) {
-  internal::CsvLines lines(text);
+  internal::CsvLines lines(text, path);
   ProgramRows program{.path = path, .rows = {}};
   try {
     char separator = ',';

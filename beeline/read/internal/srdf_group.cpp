@@ -6,7 +6,7 @@
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/srdf_file.h>
-#include <beeline/read/internal/urdf_tree.h>
+#include <beeline/read/internal/urdf_chain.h>
 
 namespace beeline {
 namespace {

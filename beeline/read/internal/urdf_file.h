@@ -6,8 +6,20 @@
 #include <vector>
 
 #include <beeline/model/joint.h>
+#include <beeline/read/arm.h>
 
 namespace beeline::internal {
+
+/// A fault of a URDF file. On the chain it is an error, beside the chain a warning.
+struct UrdfFault {
+  ReadWarningKind kind = ReadWarningKind::malformed;
+  int line = 0;
+  std::string joint = {}, link = {};      ///< what it concerns
+  std::string element = {};               ///< of a xacro_tag
+  std::string clause = {};                ///< of its message; see error_of()
+  std::optional<std::size_t> index = {};  ///< of the joint in `UrdfFile::joints`
+  bool moves = false;                     ///< the chain that the file's author meant may need it
+};
 
 /// The links and joints of a URDF file, in the file's order, with their lines. Inertias, meshes,
 /// transmissions and everything else that does not affect kinematics are ignored.
@@ -29,15 +41,20 @@ struct UrdfFile {
   std::string path;
   std::string name;  ///< of the robot; the file's name when the robot has none
   std::vector<Link> links;
-  std::vector<Joint> joints;
+  std::vector<Joint> joints;      ///< those with a name, a type, a parent and a child
+  std::vector<UrdfFault> faults;  ///< in the file's order
 };
 
 /// Whether the joint has one degree of freedom: revolute, continuous or prismatic.
 bool has_one_dof(const UrdfFile::Joint& joint);
 
-/// Parses a URDF text. Throws FileError for text that is not XML, has no <robot>, or is xacro; for
-/// an attribute that is missing or not a number; for a name that is missing or given twice. Does
-/// not check that the links form a tree.
+/// Whether the joint is floating or planar, with several degrees of freedom.
+bool is_free(const UrdfFile::Joint& joint);
+
+/// Parses a URDF text. Its faults are recorded: elements that xacro should have replaced, an
+/// attribute that is missing or not a number, a name that is missing or given twice. Does not check
+/// that the links form a tree. Throws FileError for text that is not XML, has no <robot>, or
+/// has more than 10,000 faults.
 UrdfFile parse_urdf(std::string_view text, const std::string& path);
 
 }  // namespace beeline::internal

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
-#include <beeline/read/arm.h>
 #include <beeline/read/internal/urdf_file.h>
 
 namespace beeline::internal {
@@ -17,11 +18,87 @@ struct ChainJoint {
   bool operator==(const ChainJoint&) const = default;
 };
 
-/// Returns the joints from the base to the tip, in this order. Selects the tip as read_urdf()
-/// documents and appends to `notes`, unless null, the choice among several.
-/// Throws FileError when links and joints do not form a tree, or when several chains match `ends`.
-std::vector<ChainJoint> cut_chain(const UrdfFile& file, const ChainEnds& ends,
-                                  std::vector<std::string>* notes = nullptr);
+/// The tree of links, given as indices into `file.links`. Every link except a root has one parent
+/// joint. A joint that would break the tree is left out and recorded as a fault: its parent or its
+/// child is not a link of the file, its child has a parent joint already, or it closes a cycle. A
+/// link whose only parent joint is left out is an orphan: a root that is no base unless it is
+/// named.
+class UrdfTree {
+ public:
+  /// `file` must outlive this object. Throws FileError for a file without links.
+  explicit UrdfTree(const UrdfFile& file);
+
+  /// The faults of the file and of its tree.
+  const std::vector<UrdfFault>& faults() const { return faults_; }
+
+  /// Returns the link called `name` or, if that is empty, the root. Throws FileError for an unknown
+  /// name, and for several roots.
+  std::size_t base(const std::string& name) const;
+
+  /// The selected tip, and which kind of warning tells so; none where there was no choice.
+  struct Tip {
+    std::size_t link = 0;
+    std::optional<ReadWarningKind> choice = {};
+    std::vector<std::string> others = {};
+  };
+
+  /// Returns the link called `name` or, if that is empty, an end of the tree that a joint moves.
+  /// Throws FileError for an unknown name, and for several ends without a choice.
+  Tip tip(const std::string& name, std::size_t base) const;
+
+  /// Returns the joints from the base to the tip, in this order. Throws FileError if they are not
+  /// connected.
+  std::vector<ChainJoint> chain(std::size_t base, std::size_t tip) const;
+
+  /// Whether the fault concerns a joint or a link of a chain of this tree.
+  bool concerns(const UrdfFault& fault, const std::vector<ChainJoint>& chain) const;
+
+  /// See ends_of_joints(). Throws FileError for a joint that was left out.
+  ChainEnds ends_of(const std::vector<std::size_t>& joints) const;
+
+ private:
+  using Indices = std::vector<std::size_t>;
+
+  /// An end of the tree, and the link that leads it: links of one body are connected by fixed
+  /// joints.
+  struct End {
+    std::size_t link, body;
+  };
+
+  enum class Way { down, any };
+  static constexpr std::size_t no_joint = static_cast<std::size_t>(-1);
+
+  void add_joint(std::size_t j);
+  void leave_out(std::size_t j, ReadWarningKind kind, const std::string& link,
+                 const std::string& clause = "");
+  void break_cycles();
+  void find_moving_faults();
+  bool misspelt(const std::string& name) const;
+  const UrdfFault* cause_of_gap(std::size_t base, std::size_t tip) const;
+  Indices links_below(Indices from) const;
+  std::vector<End> moved_ends(std::size_t base, Way way) const;
+  std::string before_gripper(const std::vector<End>& ends) const;
+  std::vector<std::size_t> joint_depths() const;
+  std::string below_fixed(std::size_t last, const std::vector<bool>& wanted,
+                          const std::vector<std::size_t>& depths) const;
+  std::size_t link_called(const std::string& name, const char* what) const;
+  std::size_t parent_of(std::size_t link) const;
+  std::size_t root_of(std::size_t link) const;
+  const std::string& name_of(std::size_t link) const { return file_.links[link].name; }
+  std::vector<std::string> names_of(const Indices& links) const;
+  [[noreturn]] void refuse(const std::string& message, int line = 0) const;
+  [[noreturn]] void refuse_first_fault_or(const std::string& message) const;
+
+  const UrdfFile& file_;
+  std::vector<UrdfFault> faults_;
+  std::unordered_map<std::string, std::size_t> index_;  // of a link, by name
+  Indices parent_joint_;
+  std::vector<Indices> child_joints_;
+  Indices roots_;                                         // orphans included
+  std::unordered_map<std::size_t, std::size_t> orphans_;  // the fault of each, by link
+  std::vector<bool> left_out_;                            // joints
+  std::vector<std::size_t> cycle_of_;                     // the fault of a link's cycle, or none
+};
 
 /// Returns the ends of the chain down the tree that has these joints: indices into `file.joints`,
 /// in any order. Fixed joints on other branches are ignored.

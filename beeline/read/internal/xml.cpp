@@ -2,6 +2,8 @@
 #include <tinyxml2.h>
 
 #include <beeline/error.h>
+#include <beeline/read/internal/name.h>
+#include <beeline/read/internal/text_encoding.h>
 #include <beeline/read/internal/xml.h>
 
 namespace beeline::internal {
@@ -70,10 +72,26 @@ std::string reason(const tinyxml2::XMLDocument& document) {
   }
 }
 
+/// Whether the XML declaration at the front of the text names Latin-1 as its encoding.
+bool declares_latin1(std::string_view text) {
+  if (!text.starts_with("<?xml")) return false;
+  std::string declaration(text.substr(0, std::min(text.find("?>"), std::size_t{200})));
+  std::transform(declaration.begin(), declaration.end(), declaration.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  const std::size_t encoding = declaration.find("encoding");
+  if (encoding == std::string::npos) return false;
+  const std::string value = declaration.substr(encoding);
+  return value.find("iso-8859-1\"") != std::string::npos ||
+         value.find("iso-8859-1'") != std::string::npos || value.find("latin") != std::string::npos;
+}
+
 }  // namespace
 
-void parse_xml(tinyxml2::XMLDocument& document, std::string_view text, const std::string& path) {
-  if (text.size() > max_xml_size) throw FileError(path, 0, "is larger than 8 MiB");
+void parse_xml(tinyxml2::XMLDocument& document, std::string_view bytes, const std::string& path) {
+  if (bytes.size() > max_xml_size) throw FileError(path, 0, "is larger than 8 MiB");
+  std::string_view text = text_in(bytes, path);
+  std::string utf8;
+  if (declares_latin1(text) && !is_utf8(text)) text = utf8 = utf8_of_latin1(text);
   const std::size_t crowded = find_crowded_tag(text);
   if (crowded != std::string_view::npos) {
     const auto line = 1 + std::count(text.begin(), text.begin() + crowded, '\n');

@@ -2,8 +2,10 @@
 #include <tinyxml2.h>
 
 #include <beeline/error.h>
+#include <beeline/read/internal/limit_numbers.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/numbers.h>
+#include <beeline/read/internal/text_encoding.h>
 #include <beeline/read/internal/xml_elements.h>
 
 namespace beeline::internal {
@@ -13,7 +15,7 @@ using tinyxml2::XMLElement;
 std::string described(const XMLElement& element) { return "<" + printable(element.Name()) + ">"; }
 
 void XmlElements::refuse(int line, const std::string& message) const {
-  throw FileError(path_, line, message);
+  throw XmlError(path_, line, message);
 }
 
 std::string XmlElements::needed_text(const XMLElement& element, const char* attribute) const {
@@ -26,6 +28,10 @@ std::string XmlElements::needed_text(const XMLElement& element, const char* attr
 
 std::string XmlElements::needed_name(const XMLElement& element, const char* attribute) const {
   std::string name = needed_text(element, attribute);
+  if (!is_utf8(name)) {
+    refuse(element.GetLineNum(), described(element) + ": " + attribute + " " + in_quotes(name) +
+                                     " " + std::string(not_utf8));
+  }
   try {
     check_name(name, described(element) + ": " + attribute);
   } catch (const Error& error) {
@@ -43,7 +49,7 @@ std::vector<double> XmlElements::numbers(const XMLElement& element, const char* 
     rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(blanks)));
     if (rest.empty()) return values;
     const std::string_view item = rest.substr(0, rest.find_first_of(blanks));
-    values.push_back(number(element, attribute, item));
+    values.push_back(number(element, attribute, item, parse_number));
     rest.remove_prefix(item.size());
   }
 }
@@ -63,15 +69,22 @@ Vector3 XmlElements::vector(const XMLElement& element, const char* attribute,
 double XmlElements::number_or(const XMLElement& element, const char* attribute,
                               double otherwise) const {
   const char* text = element.Attribute(attribute);
-  return text == nullptr ? otherwise : number(element, attribute, text);
+  return text == nullptr ? otherwise : number(element, attribute, text, parse_number);
 }
 
-double XmlElements::number(const XMLElement& element, const char* attribute,
-                           std::string_view text) const {
+double XmlElements::limit_or(const XMLElement& element, const char* attribute,
+                             double otherwise) const {
+  const char* text = element.Attribute(attribute);
+  return text == nullptr ? otherwise : number(element, attribute, text, parse_limit);
+}
+
+double XmlElements::number(const XMLElement& element, const char* attribute, std::string_view text,
+                           Parse parse) const {
   try {
-    return parse_number(text, described(element) + ": " + attribute);
+    return parse(text, described(element) + ": " + attribute);
   } catch (const Error& error) {
-    const bool macro = text.find("${") != std::string_view::npos;
+    const bool macro =
+        text.find("${") != std::string_view::npos || text.find("$(") != std::string_view::npos;
     refuse(element.GetLineNum(), std::string(error.what()) + (macro ? "; run xacro first" : ""));
   }
 }

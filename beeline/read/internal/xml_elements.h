@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include <beeline/error.h>
 #include <beeline/pose/so3.h>
 
 namespace tinyxml2 {
@@ -15,7 +16,17 @@ namespace beeline::internal {
 /// Returns the element's tag for a message: `<joint>`.
 std::string described(const tinyxml2::XMLElement& element);
 
-/// Reads attributes of the elements of one XML file. Every error is a FileError that names the file
+/// Refuses an element of an XML file.
+class XmlError : public FileError {
+ public:
+  XmlError(std::string_view path, int line, const std::string& clause)
+      : FileError(path, line, clause), line(line), clause(clause) {}
+
+  int line;
+  std::string clause;  ///< the message without the file and the line
+};
+
+/// Reads attributes of the elements of one XML file. Every error is an XmlError that names the file
 /// and the element's line.
 class XmlElements {
  public:
@@ -35,10 +46,14 @@ class XmlElements {
   std::vector<double> numbers(const tinyxml2::XMLElement& element, const char* attribute) const;
   double number_or(const tinyxml2::XMLElement& element, const char* attribute,
                    double otherwise) const;
+  /// The same for a limit, which parse_limit() parses.
+  double limit_or(const tinyxml2::XMLElement& element, const char* attribute,
+                  double otherwise) const;
 
  private:
-  double number(const tinyxml2::XMLElement& element, const char* attribute,
-                std::string_view text) const;
+  using Parse = double (*)(std::string_view text, std::string_view what);
+  double number(const tinyxml2::XMLElement& element, const char* attribute, std::string_view text,
+                Parse parse) const;
 
   const std::string& path_;
 };

@@ -9,6 +9,7 @@
 
 #include <beeline/error.h>
 #include <beeline/read/internal/name.h>
+#include <beeline/read/internal/text_encoding.h>
 #include <beeline/read/internal/yaml.h>
 
 namespace beeline::internal {
@@ -174,7 +175,7 @@ class YamlBuilder final : public YAML::EventHandler {
 
 Yaml parse_yaml(std::string_view text, const std::string& path) {
   if (text.size() > max_yaml_size) throw FileError(path, 0, "is larger than 1 MiB");
-  std::istringstream stream{std::string(text)};
+  std::istringstream stream{std::string(text_in(text, path))};
   YamlBuilder builder(path);
   try {
     YAML::Parser parser(stream);

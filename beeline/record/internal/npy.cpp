@@ -6,6 +6,7 @@
 
 #include <beeline/error.h>
 #include <beeline/read/internal/name.h>
+#include <beeline/read/internal/text_encoding.h>
 #include <beeline/record/internal/npy.h>
 
 namespace beeline::internal {
@@ -189,6 +190,7 @@ NpyReader::NpyReader(const std::string& path) : file_(path) {
 }
 
 void NpyReader::read_header() {
+  refuse_lfs_pointer(file_.peek(lfs_pointer_size), file_.path());
   std::string start(8, '\0');
   if (file_.read(start.data(), 8) < 8 || !start.starts_with(magic)) {
     throw Error("is not an .npy file: its first bytes are not those of the format");

@@ -147,7 +147,7 @@ Trajectory trajectory_from_lines(CsvLines& lines, const std::string& path) {
 }  // namespace
 
 Trajectory trajectory_from_csv(std::string_view text, const std::string& path) {
-  CsvLines lines(text);
+  CsvLines lines(text, path);
   return trajectory_from_lines(lines, path);
 }
 

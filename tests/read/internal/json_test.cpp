@@ -78,7 +78,7 @@ TEST(Json, OtherTextIsRefusedWithItsLine) {
   EXPECT_REFUSED(parse("[1] x"), "is not JSON");
   EXPECT_REFUSED(parse("[NaN]"), "is not JSON");
   EXPECT_REFUSED(parse("[1e999]"), "number overflow");
-  EXPECT_REFUSED(parse("\"\xff\""), "is not JSON");
+  EXPECT_REFUSED(parse("\"\xff\""), "a.json:1: is not UTF-8 text");
   EXPECT_REFUSED(parse("[1]//"), "is not JSON");
   EXPECT_REFUSED(parse("{\"a\": 1,\n\"a\": 2}"), "a.json:2: the key \"a\" is given twice");
 }

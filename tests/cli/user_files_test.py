@@ -1,0 +1,164 @@
+"""Files of users: what Gazebo, Isaac Sim, SolidWorks and editors write, and what is left over in them."""
+
+import json
+
+import pytest
+
+LINKS = '<link name="a"/><link name="b"/><link name="c"/>'
+
+
+def joint(name, kind, parent, child, inside=""):
+    return (f'<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>'
+            f'<origin xyz="0.3 0 0"/><axis xyz="0 0 1"/>{inside}</joint>\n')
+
+
+def limit(lower, upper, velocity="1"):
+    return f'<limit lower="{lower}" upper="{upper}" velocity="{velocity}" effort="-1"/>'
+
+
+def robot(*elements):
+    return '<robot name="r">\n' + "".join(elements) + "</robot>\n"
+
+
+ARM = LINKS + joint("j1", "revolute", "a", "b", limit(-1, 1)) + joint("j2", "revolute", "b", "c", limit(-1, 1))
+
+
+def warnings(answer):
+    lines = answer.err.splitlines()
+    assert all(line.startswith("beeline: warning: ") for line in lines), lines
+    return [line.removeprefix("beeline: warning: ") for line in lines]
+
+
+@pytest.mark.parametrize("number", ["inf", "1.79769e+308", "1.8e308", "3.4e38", "1e16", "1e+16"])
+def test_no_limit(beeline, written, number):
+    written("r.urdf", robot(LINKS, joint("j1", "revolute", "a", "b", limit("-" + number, number, "-1.0")),
+                            joint("j2", "revolute", "b", "c", limit(-1, 1))))
+    answer = beeline("show", "r.urdf", "--json")
+    assert answer.code == 0 and answer.err == ""
+    limits = answer.json["joints"][0]["limits"]
+    assert limits["lower"] is None and limits["upper"] is None and limits["velocity"] is None
+
+
+def test_faults_beside_the_chain_are_warnings(beeline, written):
+    written("r.urdf", robot(ARM, '<link name="w"/>', joint("wheel", "revolute", "a", "w", limit("low", "high", "-5")),
+                            joint("camera", "fixed", "chassis", "lens"), '<xacro:include filename="gripper.xacro"/>'))
+    answer = beeline("show", "r.urdf", "--tip", "c", "--json")
+    assert answer.code == 0 and len(answer.json["joints"]) == 2
+    malformed, xacro, unknown = sorted(warnings(answer), key=lambda text: ("xacro" in text, "unknown" in text))[0:1] + [
+        next(text for text in warnings(answer) if "xacro" in text), next(text for text in warnings(answer) if "camera" in text)]
+    assert malformed.startswith("r.urdf:") and '"low" is not a number' in malformed and "left out" in malformed
+    assert "<xacro:include> is left out; run xacro first" in xacro
+    assert 'joint camera has an unknown parent link "chassis"' in unknown
+
+
+def test_without_a_tip_a_chain_that_lost_a_joint_is_refused(beeline, written, refused):
+    written("wheel.urdf", robot(ARM, '<link name="w"/>', joint("wheel", "continuous", "chassis", "w")))
+    answer = beeline("show", "wheel.urdf", "--json")
+    assert answer.code == 0 and len(answer.json["joints"]) == 2 and "chassis" in warnings(answer)[0]
+    written("cut.urdf", robot(LINKS, joint("j1", "revolute", "a", "b"), joint("j2", "revolute", "bb", "c")))
+    refused(3, "show", "cut.urdf", says=["joint j2", 'unknown parent link "bb"', 'did you mean "b"', "--tip"])
+
+
+def test_a_floating_root_names_the_base(beeline, written):
+    written("r.urdf", robot('<link name="world"/>', joint("root", "floating", "world", "a"), ARM))
+    answer = beeline("show", "r.urdf", "--json")
+    assert answer.code == 0 and len(answer.json["joints"]) == 2
+    (warning,) = warnings(answer)
+    assert warning == "the base is a, below joint root, which places the arm in the world; --base selects another"
+    assert beeline("show", "r.urdf", "--base", "a").err == ""
+    assert "--base a selects a chain without it" in beeline("show", "r.urdf", "--base", "world").err
+
+
+def test_a_finger_is_not_a_joint_of_the_arm(beeline, written):
+    written("r.urdf", robot(ARM, '<link name="stator"/><link name="mover"/>', joint("f", "fixed", "c", "stator"),
+                            joint("jointGripper", "revolute", "stator", "mover", limit(-1, 0))))
+    answer = beeline("show", "r.urdf", "--json")
+    assert [each["name"] for each in answer.json["joints"]] == ["j1", "j2"]
+    assert warnings(answer) == [
+        "the tip is stator, before joint jointGripper, which moves a gripper; --tip mover includes it"]
+    for tip, joints in {"mover": 3, "stator": 2}.items():
+        answer = beeline("show", "r.urdf", "--tip", tip, "--json")
+        assert answer.err == "" and len(answer.json["joints"]) == joints
+
+
+def test_followers_of_a_leader_beside_the_chain(beeline, written):
+    mimic = '<mimic joint="lead" multiplier="{}"/>'
+    written("g.urdf", robot(
+        LINKS, '<link name="l"/>', joint("lead", "revolute", "a", "l", limit(0, 0.7)),
+        joint("one", "revolute", "a", "b", limit(-0.7, 0) + mimic.format(-1)),
+        joint("two", "revolute", "b", "c", limit(0, 0.7) + mimic.format(1))))
+    answer = beeline("show", "g.urdf", "--tip", "c")
+    assert "2 joints, 1 degree of freedom" in answer.out
+    moved = beeline("fk", "g.urdf", "--tip", "c", "--q", "-0.5", "--json").json["pose"]
+    assert moved["quaternion"]["qw"] == pytest.approx(1)  # one turns by -0.5, two by 0.5
+
+
+ENCODINGS = {"utf-16": "UTF-16", "utf-16-le": "UTF-16", "utf-16-be": "UTF-16", "utf-32": "UTF-32"}
+FILES = {
+    "r.urdf": (robot(ARM), ("show", "r.urdf")),
+    "s.srdf": ('<robot name="r"><group name="g"><chain base_link="a" tip_link="c"/></group></robot>',
+               ("show", "arm.urdf", "--srdf", "s.srdf", "--group", "g")),
+    "a.json": (json.dumps({"name": "a", "joint_string": "RRR:1,1,1"}), ("show", "a.json")),
+    "p.csv": ("x,y,theta\n2,1,0\n2,1.1,0\n", ("line", "rrr", "--through", "p.csv")),
+    "m.csv": ("motion,x,y,theta\nline,6,1,0\nline,6,1.1,0\n", ("line", "rrr", "--through", "m.csv")),
+    "l.yaml": ("joint_limits:\n  joint1: {max_velocity: 1}\n", ("show", "rrr", "--limits", "l.yaml")),
+    "l.json": ('{"joint1": {"velocity": 1}}', ("show", "rrr", "--limits", "l.json")),
+    "t.csv": ("t,joint1,joint2,joint3\n0,0,0,0\n1,0.1,0,0\n", ("replay", "rrr", "t.csv")),
+    "t.json": (json.dumps({"joint_names": ["joint1", "joint2", "joint3"], "points": [
+        {"positions": [0, 0, 0], "time_from_start": {"sec": 0, "nanosec": 0}},
+        {"positions": [0.1, 0, 0], "time_from_start": {"sec": 1, "nanosec": 0}}]}), ("replay", "rrr", "t.json")),
+    "q.csv": ("joint1,joint2,joint3\n0,0,0\n", ("batch", "fk", "rrr", "--in", "q.csv", "--out", "-")),
+}
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_encodings_and_pointers(beeline, written, name, tmp_path):
+    text, words = FILES[name]
+    written("arm.urdf", robot(ARM))
+    path = tmp_path / name
+    written(name, text)
+    plain = beeline(*words)
+    assert plain.code in (0, 1), plain.err
+    path.write_bytes(b"\xef\xbb\xbf" + text.encode())
+    marked = beeline(*words)
+    assert (marked.code, marked.out) == (plain.code, plain.out)
+    for encoding, shown in ENCODINGS.items():
+        path.write_bytes(text.encode(encoding))
+        answer = beeline(*words)
+        assert answer.code == 3 and f"{name}: is {shown}; save it as UTF-8" in answer.err, answer.err
+    path.write_text("version https://git-lfs.github.com/spec/v1\noid sha256:12ab\nsize 4\n")
+    answer = beeline(*words)
+    assert answer.code == 3 and "pointer of Git LFS" in answer.err and "git lfs pull" in answer.err
+
+
+def test_the_arm_comes_first(beeline, written, refused):
+    written("t.csv", FILES["t.csv"][0])
+    written("t.json", FILES["t.json"][0])
+    written("a.json", FILES["a.json"][0])
+    for words in [("t.csv", "rrr"), ("t.json", "rrr"), ("t.json", "RRR:1,1,1"), ("t.csv", "a.json")]:
+        refused(2, "replay", *words, says=["the arm comes first"])
+    written("stream", FILES["t.csv"][0])  # a file without an ending, such as a pipe
+    assert beeline("replay", "a.json", "stream").code in (0, 1)
+    assert beeline("replay", "a.json", "t.json").code in (0, 1)
+
+
+ELBOW = json.dumps({"name": "elbow", "dh": {"convention": "standard", "degrees": True, "rows": [
+    {"d": 0.3, "alpha": 90}, {"a": 0.4}, {"a": 0.3}]}})
+
+
+@pytest.mark.parametrize("arm, text, task", [
+    ("e.json", ELBOW, "position"), ("scara", "", "spatial"), ("px150", "", "spatial")])
+def test_a_closed_form_names_joints_of_the_arm(beeline, written, arm, text, task):
+    if text:
+        written(arm, text)
+    joints = len(beeline("show", arm, "--json").json["joints"])
+    q = ",".join(["0.3", "0.5", "0.2", "0.7", "0.4"][:joints])
+    pose = beeline("fk", arm, "--q", q, "--json").json["pose"]
+    numbers = pose["translation"] if task == "position" else [
+        *pose["translation"], *(pose["quaternion"][key] for key in ("qw", "qx", "qy", "qz"))]
+    method = beeline("ik", arm, "--task", task, "--pose=" + ",".join(map(str, numbers)), "--json").json["method"]
+    assert method.startswith("closed form: three ") and method.endswith(")")
+    named = method.split("(")[1].rstrip(")").replace("joints ", "").replace("joint ", "")
+    numbers = [int(word) for word in named.split(" and ")[0].split(", ") if word.isdigit()]
+    assert all(number <= joints for number in numbers), method
+    assert len(numbers) == 3 or f"{3 - len(numbers)} virtual at the tool" in method

@@ -1,0 +1,326 @@
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include <beeline/read/internal/srdf_file.h>
+#include <beeline/read/urdf.h>
+
+#include <tests/random.h>
+#include <tests/read/urdf_samples.h>
+#include <tests/refusal.h>
+
+// Faults of a URDF file: errors on the chain, warnings beside it.
+
+namespace beeline {
+namespace {
+
+using testing::joint;
+using testing::link;
+using testing::robot;
+using Kinds = std::vector<ReadWarningKind>;
+
+struct Read {
+  int dof = 0;
+  std::vector<ReadWarning> warnings = {};
+  Kinds kinds = {};
+};
+
+Read read(const std::string& elements, const ChainEnds& ends = {}) {
+  Read result;
+  const Arm arm = arm_from_urdf(robot(elements), "a.urdf", ends, &result.warnings);
+  result.dof = arm.dof();
+  for (const ReadWarning& warning : result.warnings) result.kinds.push_back(warning.kind);
+  return result;
+}
+
+/// a - b - c, lines 2 to 6.
+const std::string arm = link("a") + link("b") + link("c") + joint("ab", "revolute", "a", "b") +
+                        joint("bc", "revolute", "b", "c");
+
+/// An element that is wrong, beside the arm, on line 7 or 8; `moves`: it may shorten the chain.
+struct Fault {
+  std::string elements;
+  ReadWarningKind kind;
+  bool moves = false;
+};
+
+std::vector<Fault> faults() {
+  const std::string x = link("x");  // line 7
+  using Kind = ReadWarningKind;
+  return {
+      {joint("f", "fixed", "nowhere", "x") + x, Kind::unknown_link},
+      {joint("f", "fixed", "a", "nowhere"), Kind::unknown_link},
+      {joint("f", "continuous", "nowhere", "x") + x, Kind::unknown_link},
+      {joint("f", "continuous", "nowhere", "elsewhere"), Kind::unknown_link},
+      {joint("f", "continuous", "cc", "x") + x, Kind::unknown_link, true},
+      {joint("f", "continuous", "nowhere", "x") + x + joint("g", "revolute", "x", "y") + link("y"),
+       Kind::unknown_link, true},
+      {joint("f", "continuous", "a", "nowhere"), Kind::unknown_link, true},
+      {x + joint("f", "fixed", "a", "x") + joint("g", "fixed", "b", "x"), Kind::two_parents},
+      {x + joint("f", "fixed", "a", "x") + joint("g", "revolute", "b", "x"), Kind::two_parents,
+       true},
+      {x + link("y") + joint("f", "fixed", "x", "y") + joint("g", "fixed", "y", "x"), Kind::cycle},
+      {x + joint("f", "revolute", "x", "x"), Kind::cycle, true},
+      {x + x + joint("f", "fixed", "a", "x"), Kind::repeated_name},
+      {x + link("y") + joint("f", "fixed", "a", "x") + joint("f", "fixed", "a", "y"),
+       Kind::repeated_name},
+      {x, Kind::unconnected_link},
+      {link(""), Kind::malformed},
+      {x + "<joint name=\"f\" type=\"fixed\"><parent link=\"a\"/></joint>\n" +
+           joint("g", "fixed", "a", "x"),
+       Kind::malformed},
+      {"<joint name=\"f\" type=\"revolute\"><parent link=\"a\"/></joint>\n", Kind::malformed, true},
+      {"<joint name=\"f\"/>\n", Kind::malformed, true},
+      {x + joint("f", "fixed", "a", "x", "<origin xyz=\"1 2\"/>"), Kind::malformed},
+      {x + joint("f", "fixed", "a", "x", "<xacro:insert_block name=\"origin\"/>"), Kind::malformed},
+      {"<xacro:include filename=\"gripper.xacro\"/>\n", Kind::xacro_tag},
+      {"<xacro:property name=\"x\" value=\"1\"/>\n", Kind::xacro_tag},
+  };
+}
+
+TEST(UrdfFaults, BesideTheChainAreWarnings) {
+  for (const Fault& fault : faults()) {
+    for (const std::string& text : {arm + fault.elements, fault.elements + arm}) {
+      const Read result = read(text, {.tip = "c"});
+      EXPECT_EQ(result.dof, 2) << text;
+      ASSERT_EQ(result.kinds, Kinds{fault.kind}) << text << sentence(result.warnings.front());
+      EXPECT_TRUE(is_fault(result.warnings.front()));
+      EXPECT_GT(result.warnings.front().line, 0) << text;
+      const std::string sentence = beeline::sentence(result.warnings.front());
+      EXPECT_TRUE(sentence.starts_with("a.urdf:")) << sentence;
+      EXPECT_NE(sentence.find("left out"), std::string::npos) << sentence;
+    }
+  }
+}
+
+/// Without a tip, a chain that lost a moving joint is not taken for the one that is meant.
+TEST(UrdfFaults, ThatMayShortenTheChainAreErrorsWithoutATip) {
+  for (const Fault& fault : faults()) {
+    const std::string text = arm + fault.elements;
+    if (fault.moves) {
+      EXPECT_REFUSED(read(text), "; --tip selects a chain beside it");
+      continue;
+    }
+    // A frame of a tip's body, and one of the base.
+    const Read result = read(text);
+    EXPECT_EQ(result.dof, 2) << text;
+    EXPECT_EQ(std::count(result.kinds.begin(), result.kinds.end(), fault.kind), 1) << text;
+  }
+}
+
+TEST(UrdfFaults, OnTheChainAreErrors) {
+  const auto refused = [](const std::string& elements, const std::string& why) {
+    for (const std::string tip : {"", "c"}) {
+      EXPECT_REFUSED(read(elements, {.tip = tip}), "a.urdf:" + why);
+    }
+  };
+  const std::string links = link("a") + link("b") + link("c");
+  const std::string ab = joint("ab", "revolute", "a", "b"), bc = joint("bc", "revolute", "b", "c");
+  refused(links + ab + joint("bc", "revolute", "bb", "c"),
+          "6: joint bc has an unknown parent link \"bb\"; did you mean \"b\"? (known: a, b, c)");
+  refused(links + joint("ab", "revolute", "aa", "b") + bc,
+          "5: joint ab has an unknown parent link");
+  EXPECT_REFUSED(read(link("a") + link("c") + ab + bc),
+                 "a.urdf:4: joint ab has an unknown child link \"b\"");
+  EXPECT_REFUSED(read(link("a") + link("c") + ab + bc, {.tip = "c"}),
+                 "a.urdf:5: joint bc has an unknown parent link \"b\"");
+  refused(links + ab + bc + joint("ac", "fixed", "a", "c"), "7: link c has two parents");
+  refused(links + ab + bc + joint("cb", "fixed", "c", "b"), "7: link b has two parents");
+  refused(links + link("b") + ab + bc, "5: two links have the name b");
+  refused(arm + link("x") + joint("ab", "fixed", "a", "x"), "8: two joints have the name ab");
+  refused(links + ab + joint("bc", "revolute", "b", "c", "<axis xyz=\"0 1\"/>"),
+          "6: <axis>: xyz has 2 numbers");
+  refused(links + ab + joint("bc", "revolute", "b", "c", "<xacro:origin/>"),
+          "6: joint bc contains <xacro:origin>; run xacro first");
+  refused(links + ab + "<joint name=\"bc\" type=\"revolute\"><child link=\"c\"/></joint>\n",
+          std::string("6: joint \"bc\" needs a <parent link=...>"));
+}
+
+TEST(UrdfFaults, AreLimitedInNumberAndTime) {
+  std::string text = arm;
+  for (int i = 0; i < 20'000; ++i) {
+    const std::string number = std::to_string(i);
+    text +=
+        joint("f" + number, "fixed", "nowhere" + number, "elsewhere" + number) + link("x" + number);
+  }
+  const Read result = read(text, {.tip = "c"});
+  EXPECT_EQ(result.warnings.size(), 11u);
+  EXPECT_EQ(result.kinds.back(), ReadWarningKind::further_faults);
+  EXPECT_EQ(result.warnings.back().count, 40'000u - 10);
+}
+
+TEST(UrdfFaults, TooManyAreRefused) {
+  std::string text;
+  for (int i = 0; i < 10'100; ++i) text += "<xacro:a/>";
+  EXPECT_REFUSED(read(arm + text + arm), "has more than 10,000 faults");
+}
+
+/// A random tree with links that are missing: every chain that does not need them is read as
+/// before.
+TEST(UrdfFaults, DoNotChangeTheOtherChains) {
+  testing::Random random;
+  int warned = 0;
+  for (int i = 0; i < 100; ++i) {
+    const int links = random.integer(3, 12);
+    std::vector<int> parent{-1};
+    for (int k = 1; k < links; ++k) parent.push_back(random.integer(0, k - 1));
+    const int missing = random.integer(1, links - 1);
+    std::string whole = link("0"), broken = link("0");
+    for (int k = 1; k < links; ++k) {
+      const std::string name = std::to_string(k);
+      const std::string origin = "<origin xyz=\"" + name + " 0 0\"/>";
+      const std::string element =
+          joint("j" + name, "revolute", std::to_string(parent[k]), name, origin);
+      whole += link(name) + element;
+      broken += (k == missing ? "" : link(name)) + element;
+    }
+    for (int tip = 1; tip < links; ++tip) {
+      bool needed = false;
+      for (int k = tip; k != -1; k = parent[k]) needed = needed || k == missing;
+      const ChainEnds ends{.base = "", .tip = std::to_string(tip)};
+      if (needed) {
+        EXPECT_NE(testing::refusal([&] { read(broken, ends); }), "accepted");
+        continue;
+      }
+      const Arm expected = arm_from_urdf(robot(whole), "a.urdf", ends);
+      std::vector<ReadWarning> warnings;
+      const Arm found = arm_from_urdf(robot(broken), "a.urdf", ends, &warnings);
+      EXPECT_EQ(found.joint_names(), expected.joint_names());
+      EXPECT_EQ(warnings.front().kind, ReadWarningKind::unknown_link);
+      ++warned;
+    }
+  }
+  EXPECT_GT(warned, 100);
+}
+
+TEST(UrdfFaults, AGroupIsRefusedWhereItNeedsAFaultyJoint) {
+  const std::string text = arm + joint("lost", "revolute", "nowhere", "x") + link("x");
+  const auto ends = [&](const std::string& joints) {
+    const Srdf srdf = srdf_from_text(
+        "<robot name=\"r\"><group name=\"g\">" + joints + "</group></robot>", "a.srdf");
+    return internal::group_ends(srdf, "g", robot(text), "a.urdf");
+  };
+  const ChainEnds found = ends("<joint name=\"ab\"/><joint name=\"bc\"/>");
+  EXPECT_EQ(found.base, "a");
+  EXPECT_EQ(found.tip, "c");
+  EXPECT_REFUSED(ends("<joint name=\"ab\"/><joint name=\"lost\"/>"),
+                 "a.urdf:7: joint lost has an unknown parent link");
+}
+
+TEST(UrdfBase, LiesBelowAFloatingOrPlanarJoint) {
+  for (const std::string type : {"floating", "planar"}) {
+    for (const std::string& above :
+         {link("world") + joint("free", type, "world", "a"),
+          link("world") + link("foot") + joint("free", type, "world", "foot") +
+              joint("fix", "fixed", "foot", "a"),
+          link("world") + link("foot") + joint("fix", "fixed", "world", "foot") +
+              joint("free", type, "foot", "a")}) {
+      const Read result = read(above + arm);
+      EXPECT_EQ(result.dof, 2);
+      ASSERT_EQ(result.kinds, Kinds{ReadWarningKind::below_free_joint});
+      EXPECT_EQ(result.warnings.front().joint, "free");
+      EXPECT_EQ(read(above + arm, {.base = "a"}).kinds, Kinds{});
+      EXPECT_REFUSED(read(above + arm, {.base = "world"}),
+                     "joint free is \"" + type + "\"; a chain has revolute");
+      EXPECT_REFUSED(read(above + arm, {.base = "world"}),
+                     "; --base " + result.warnings.front().link + " selects a chain without it");
+    }
+  }
+}
+
+/// The arm of two joints with joints behind it, each with a link of its own: names of both.
+std::string with_joints(const std::vector<std::pair<std::string, std::string>>& joints) {
+  std::string text = arm, last = "c";
+  for (const auto& [name, child] : joints) {
+    text += link(child) + joint(name, "prismatic", last, child);
+    last = child;
+  }
+  return text;
+}
+
+TEST(UrdfTip, LiesBeforeTheJointsOfAGripper) {
+  for (const auto& [name, child] :
+       std::vector<std::pair<std::string, std::string>>{{"jointGripper", "gripperMover"},
+                                                        {"gripper", "moving_jaw"},
+                                                        {"6", "moving_jaw_so101"},
+                                                        {"left_finger_joint", "l1"},
+                                                        {"j7", "rightfinger"},
+                                                        {"robotiq_85_left_knuckle_joint", "k"},
+                                                        {"GRIPPER_JOINT", "part"},
+                                                        {"thumb", "x"},
+                                                        {"claw", "x"}}) {
+    const std::string text = with_joints({{name, child}});
+    const Read result = read(text);
+    EXPECT_EQ(result.dof, 2) << name;
+    ASSERT_EQ(result.kinds, Kinds{ReadWarningKind::before_gripper}) << name;
+    const ReadWarning& warning = result.warnings.front();
+    EXPECT_EQ(warning.joint, name);
+    EXPECT_EQ(warning.link, "c");
+    EXPECT_EQ(warning.others, std::vector<std::string>{child});
+    EXPECT_EQ(sentence(warning), "the tip is c, before joint " + name + ", which moves a gripper");
+    EXPECT_EQ(read(text, {.tip = child}).dof, 3);
+    EXPECT_EQ(read(text, {.tip = child}).kinds, Kinds{});
+    EXPECT_EQ(read(text, {.tip = "c"}).kinds, Kinds{});
+  }
+  const std::string palm = link("palm") + joint("palm", "fixed", "c", "palm") + link("pad") +
+                           joint("finger", "prismatic", "palm", "tip_link") + link("tip_link") +
+                           joint("pad", "fixed", "tip_link", "pad");
+  const Read result = read(arm + palm);
+  EXPECT_EQ(result.kinds, Kinds{ReadWarningKind::before_gripper});
+  EXPECT_EQ(result.warnings.front().link, "palm");
+  EXPECT_EQ(result.warnings.front().others, std::vector<std::string>{"pad"});
+  EXPECT_EQ(read(with_joints({{"finger_1", "p"}, {"finger_2", "q"}})).dof, 2);
+}
+
+TEST(UrdfTip, BeforeAGripperIsNamedAmongItsFingers) {
+  const std::string hand = link("hand") + joint("hand_joint", "fixed", "c", "hand") + link("left") +
+                           joint("finger_1", "prismatic", "hand", "left");
+  const std::string right = link("right") + joint("finger_2", "prismatic", "hand", "right");
+  EXPECT_REFUSED(
+      read(arm + hand + right),
+      "has 2 tips below a; choose one as the tip: left, right; before the gripper is hand");
+  const std::string camera = link("camera") + joint("tilt", "revolute", "b", "camera");
+  const std::string refused = testing::refusal([&] { read(arm + hand + camera); });
+  EXPECT_TRUE(refused.ends_with("choose one as the tip: left, camera")) << refused;
+}
+
+TEST(UrdfTip, StaysWhereNothingButAGripperOrItsMountMoves) {
+  for (const auto& [name, child] :
+       std::vector<std::pair<std::string, std::string>>{{"wrist", "gripper_link"},
+                                                        {"gripper_roll_joint", "x"},
+                                                        {"flange", "hand"},
+                                                        {"tool", "tool"}}) {
+    EXPECT_EQ(read(with_joints({{name, child}})).kinds, Kinds{}) << name;
+    EXPECT_EQ(read(with_joints({{name, child}})).dof, 3) << name;
+  }
+  // A finger alone is an arm.
+  const std::string finger = link("a") + link("b") + link("c") +
+                             joint("finger_1", "revolute", "a", "b") +
+                             joint("finger_2", "revolute", "b", "c");
+  EXPECT_EQ(read(finger).dof, 2);
+  EXPECT_EQ(read(finger).kinds, Kinds{});
+}
+
+TEST(UrdfEncoding, Latin1IsReadWhereItIsDeclaredOrHarmless) {
+  const std::string text = robot(
+      "<!-- gr\xf6\xdf"
+      "e -->\n" +
+      arm);
+  EXPECT_EQ(arm_from_urdf(text, "a.urdf").dof(), 2);
+  const std::string named = robot(link("a") +
+                                  link("gr\xf6\xdf"
+                                       "e") +
+                                  joint("j", "revolute", "a",
+                                        "gr\xf6\xdf"
+                                        "e"));
+  EXPECT_REFUSED(
+      arm_from_urdf(named, "a.urdf"),
+      "a.urdf:3: <link>: name \"gr??e\" is not UTF-8 text, perhaps Latin-1; save the file "
+      "as UTF-8");
+  for (const std::string name : {"ISO-8859-1", "iso-8859-1", "latin1"}) {
+    const std::string declared = "<?xml version=\"1.0\" encoding=\"" + name + "\"?>\n" + named;
+    EXPECT_EQ(arm_from_urdf(declared, "a.urdf").joints().front().link, "gr\u00f6\u00dfe") << name;
+  }
+}
+
+}  // namespace
+}  // namespace beeline
