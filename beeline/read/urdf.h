@@ -27,6 +27,9 @@ namespace beeline {
 ///   - A velocity limit that is missing or zero (which exporters write for an unknown one) is
 ///     unknown; a negative one on the chain is refused.
 ///   - A mimic joint whose leader is not on the chain has a coordinate of its own.
+///   - ControllerFrames: the root frame is the link `base` and the flange the link `tool0`, as in
+///     ROS-Industrial's descriptions (REP 199), where only fixed joints connect them to the chain's
+///     ends. Otherwise they are the base link and the tip.
 ///   - Frames are the file's: each joint moves the frame of its child link (on the way up, of its
 ///     parent link), named in Joint::link.
 /// Throws FileError for text that is not URDF; a link with two parents, a cycle, several roots or
