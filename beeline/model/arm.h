@@ -54,10 +54,10 @@ class Arm {
   /// `base` is the pose of link 0 in the world, `tool` the pose of the tool in link n. Without
   /// `controller` the root frame is assumed to be the world, and the tool is the flange.
   /// Throws Error for: no joints; two joints of one name; a number that is not finite; a screw that
-  /// is not of unit length; an offset, base, tool or controller frame that is not a rigid
-  /// motion; a lower limit above
-  /// the upper one; a velocity, acceleration or jerk limit below Limits::min_rate; a mimic joint
-  /// whose leader does not exist, depends on itself, or cannot keep it within its limits.
+  /// is not of unit length; an offset, base, tool or controller frame that is not a rigid motion; a
+  /// lower limit above the upper one; a velocity, acceleration or jerk limit below
+  /// Limits::min_rate; a mimic joint whose leader does not exist, depends on itself, or cannot keep
+  /// it within its limits.
   Arm(std::string name, std::vector<Joint> joints, const Pose& tool = Pose::Identity(),
       const Pose& base = Pose::Identity(),
       const std::optional<ControllerFrames>& controller = std::nullopt);

@@ -8,7 +8,8 @@ namespace {
 /// The frame in which controllers take poses, as their makers name it.
 const char* root_name(ControllerForm form) {
   if (form == ControllerForm::urscript) return "the base feature";
-  if (form == ControllerForm::rapid) return "wobj0 where the robot's base frame is the world frame";
+  if (form == ControllerForm::rapid)
+    return "wobj0 (the world frame must be the robot's base frame)";
   return "$ROBROOT";
 }
 
