@@ -152,7 +152,7 @@ def test_targets_are_the_forward_kinematics_in_the_root_frame(beeline, written, 
         program = Program(table, form, rng)
         written("p.csv", program.text)
         answer = beeline("export", arm, "p.csv", "--as", form, "--out", f"p.{ending}", f"--from={program.start}",
-                         *program.options)
+                         "--time-limit", "5", *program.options)
         assert answer.code in (0, 1), answer.err
         if answer.code == 1:  # such as a line through a singularity
             continue
