@@ -199,7 +199,7 @@ ControllerFile controller_file(const Arm& arm, const Program& program, const Pro
       comment("What of that proof holds here: " + file.proof), comment("Note: " + file.note)};
   const internal::MoveSource source{
       motion.trajectory.positions.front(),
-      internal::controller_moves(arm, program, motion, frames.world_T_poses()), comments,
+      internal::controller_moves(arm, program, motion, frames.frame_of_poses()), comments,
       options.program_name, frames};
   file.text = form == ControllerForm::urscript ? internal::urscript_moves(source)
               : form == ControllerForm::rapid  ? internal::rapid_moves(source)

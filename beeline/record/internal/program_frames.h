@@ -15,8 +15,10 @@ struct ProgramFrames {
   Pose flange_T_tool = Pose::Identity();
   std::optional<Pose> root_T_work = std::nullopt;  ///< the frame of the poses; none: the root frame
 
-  bool has_tool() const { return !flange_T_tool.matrix().isIdentity(0); }
-  Pose world_T_poses() const { return root_T_work ? world_T_root * *root_T_work : world_T_root; }
+  /// Whether the tool is not the flange, apart from rounding.
+  bool has_tool() const { return !flange_T_tool.matrix().isIdentity(1e-12); }
+  /// Its pose in the world.
+  Pose frame_of_poses() const { return root_T_work ? world_T_root * *root_T_work : world_T_root; }
 };
 
 ProgramFrames program_frames(const Arm& arm, const std::optional<Pose>& world_T_work);
