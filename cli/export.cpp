@@ -41,10 +41,11 @@ void check_ending(ControllerForm form, const std::string& out) {
                           fmt::format("{}", fmt::join(endings, ", .")), out));
 }
 
-ControllerFileOptions file_options(const ExportArguments& arguments) {
+ControllerFileOptions file_options(const ExportArguments& arguments, const Arm& arm) {
   ControllerFileOptions options{.rate = arguments.rate};
   options.program_name = std::filesystem::path(arguments.out).stem().string();
   options.comments = internal::extension(arguments.out) != "json";
+  if (!arguments.work.text.empty()) options.work = arguments.work.read(arm, arguments.unit).pose;
   return options;
 }
 
@@ -70,7 +71,8 @@ ControllerFile trajectory_export(const ExportArguments& arguments, const Arm& ar
                                  ControllerForm form) {
   check_trajectory_options(arguments);
   try {
-    return controller_file(arm, read_recording(arguments.file, arm), form, file_options(arguments));
+    return controller_file(arm, read_recording(arguments.file, arm), form,
+                           file_options(arguments, arm));
   } catch (const FileError& error) {
     const std::string message = error.what();
     if (message.find("column \"t\" is missing") == std::string::npos) throw;
@@ -99,9 +101,11 @@ PlannedExport program_export(const ExportArguments& arguments, const Arm& arm,
   PathMotionOptions options{.task = spatial.read(arm), .budget = arguments.budget.next()};
   if (arguments.tool_speed) options.tool_speed = *arguments.tool_speed;
   return at_rows(program, arguments.file, [&] {
+    check_controller_form(arm, program, form);
     PlannedExport planned{move_program(arm, start, program, options)};
     if (planned.motion) {
-      planned.file = controller_file(arm, program, planned.motion, form, file_options(arguments));
+      planned.file =
+          controller_file(arm, program, planned.motion, form, file_options(arguments, arm));
     }
     return planned;
   });
@@ -120,6 +124,7 @@ Answer export_file(const ExportArguments& arguments) {
   refuse_overwriting(arguments.out, {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits,
                                      arguments.file});
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
+  check_controller_form(arm, form);
   const bool program = holds_program(arguments.file);
   ControllerFile file;
   if (program) {
@@ -206,8 +211,13 @@ Verb export_verb() {
           "A program, a .csv file with a column motion (see `beeline help line`), is planned and "
           "certified, then written as moves of urscript (movej, movel, movec), rapid (MoveAbsJ, "
           "MoveL, MoveC) or krl (PTP, LIN, CIRC, SPLINE): the order and the waypoints are exact, "
-          "and "
-          "the controller plans the motions between them again.\n\n"
+          "and the controller plans the motions between them again. Poses are in the controller's "
+          "root frame (the base of Universal Robots, wobj0 of ABB, $ROBROOT of KUKA), which "
+          "--mount "
+          "moves with the arm; with --work they are in that frame, which the file states in the "
+          "root frame. The file sets the tool of --tcp (set_tcp, tooldata, $TOOL), not its load. "
+          "Built-in arms of these makers know their root frame; of others the base frame is "
+          "assumed: a .json arm states it as controller_base, a URDF file as its link base.\n\n"
           "With --rate the last sample is up to one period later than the trajectory's. Files are "
           "in radians and metres, those of "
           "rapid and krl in degrees; --degrees applies to --tcp and --mount.",

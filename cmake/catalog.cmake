@@ -111,12 +111,18 @@ foreach(file IN LISTS files)
   endforeach()
   pose(tool tool)
   pose(base base)
+  set(controller)
+  get(stated "" controller_base)
+  if(stated)
+    pose(root controller_base)
+    set(controller ", ControllerFrames{.base = ${root}, .flange = ${tool}}")
+  endif()
   get(name "" name)
   string(APPEND entries "    {{${about}},
      [] {
        const std::vector<Joint> joints{
 ${joints}       };
-       return Arm(\"${name}\", joints, ${tool}, ${base});
+       return Arm(\"${name}\", joints, ${tool}, ${base}${controller});
      }},\n")
 endforeach()
 

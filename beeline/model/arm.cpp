@@ -129,11 +129,15 @@ Arm::Reach reach_ball(const Arm& arm) {
 
 }  // namespace
 
-Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Pose& base)
+Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Pose& base,
+         const std::optional<ControllerFrames>& controller)
     : name_(std::move(name)), joints_(std::move(joints)) {
   internal::check_count(joints_.size(), name_);
   base_ = internal::checked_placement(base, "the base");
   tool_ = internal::checked_placement(tool, "the tool");
+  controller_ = controller.value_or(ControllerFrames{.base_assumed = true, .flange = tool});
+  controller_.base = internal::checked_placement(controller_.base, "the controller's base");
+  controller_.flange = internal::checked_placement(controller_.flange, "the flange");
   std::unordered_map<std::string, std::size_t> index;
   std::vector<int> coordinate_of(joints_.size(), -1);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
@@ -168,7 +172,7 @@ std::vector<std::string> Arm::joint_names() const {
 }
 
 Arm with_tool(const Arm& arm, const Pose& tool) {
-  return {arm.name(), arm.joints(), tool, arm.base()};
+  return {arm.name(), arm.joints(), tool, arm.base(), arm.controller()};
 }
 
 Arm with_tcp(const Arm& arm, const Pose& flange_T_tcp) {
@@ -177,7 +181,9 @@ Arm with_tcp(const Arm& arm, const Pose& flange_T_tcp) {
 
 Arm with_mount(const Arm& arm, const Pose& world_T_mount) {
   const Pose mount = checked_pose(world_T_mount, "the mount");
-  return {arm.name(), arm.joints(), arm.tool(), mount * arm.base()};
+  ControllerFrames controller = arm.controller();
+  controller.base = mount * controller.base;
+  return {arm.name(), arm.joints(), arm.tool(), mount * arm.base(), controller};
 }
 
 Arm with_limits(const Arm& arm, const std::map<std::string, LimitOverrides>& limits) {
@@ -192,7 +198,7 @@ Arm with_limits(const Arm& arm, const std::map<std::string, LimitOverrides>& lim
     Joint& joint = joints[static_cast<std::size_t>(found - names.begin())];
     joint.limits = overridden(joint.limits, overrides);
   }
-  return {arm.name(), std::move(joints), arm.tool(), arm.base()};
+  return {arm.name(), std::move(joints), arm.tool(), arm.base(), arm.controller()};
 }
 
 Arm with_speed_scale(const Arm& arm, double k) {
@@ -216,7 +222,7 @@ Arm with_speed_scale(const Arm& arm, double k) {
     }
     limits.speed_scale *= k;
   }
-  return {arm.name(), std::move(joints), arm.tool(), arm.base()};
+  return {arm.name(), std::move(joints), arm.tool(), arm.base(), arm.controller()};
 }
 
 void check_configuration(const Arm& arm, const ConfigurationRef& q) {

@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <iosfwd>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -36,22 +37,36 @@ class ConfigurationRef : public Eigen::Ref<const Configuration> {
       : ConfigurationRef(std::span<const double>(q.begin(), q.size())) {}
 };
 
+/// The frames in which a robot's controller takes poses and tools.
+struct ControllerFrames {
+  /// Pose of the controller's root frame in the world: $ROBROOT of KUKA, the base frame of ABB and
+  /// of Universal Robots.
+  Pose base = Pose::Identity();
+  /// Whether no description states `base`. It is then the world in which the arm is described.
+  bool base_assumed = false;
+  Pose flange = Pose::Identity();  ///< pose in link n of the frame that tools are given in
+};
+
 /// A serial chain: a base, joints 1 to n, a tool. Immutable, and checked on construction. Joint i
 /// connects link i-1 to link i; link 0 is the base.
 class Arm {
  public:
-  /// `base` is the pose of link 0 in the world, `tool` the pose of the tool in link n.
+  /// `base` is the pose of link 0 in the world, `tool` the pose of the tool in link n. Without
+  /// `controller` the root frame is assumed to be the world, and the tool is the flange.
   /// Throws Error for: no joints; two joints of one name; a number that is not finite; a screw that
-  /// is not of unit length; an offset, base or tool that is not a rigid motion; a lower limit above
-  /// the upper one; a velocity, acceleration or jerk limit below Limits::min_rate; a mimic joint
-  /// whose leader does not exist, depends on itself, or cannot keep it within its limits.
+  /// is not of unit length; an offset, base, tool or controller frame that is not a rigid motion; a
+  /// lower limit above the upper one; a velocity, acceleration or jerk limit below
+  /// Limits::min_rate; a mimic joint whose leader does not exist, depends on itself, or cannot keep
+  /// it within its limits.
   Arm(std::string name, std::vector<Joint> joints, const Pose& tool = Pose::Identity(),
-      const Pose& base = Pose::Identity());
+      const Pose& base = Pose::Identity(),
+      const std::optional<ControllerFrames>& controller = std::nullopt);
 
   const std::string& name() const { return name_; }
   const std::vector<Joint>& joints() const { return joints_; }
   const Pose& base() const { return base_; }
   const Pose& tool() const { return tool_; }
+  const ControllerFrames& controller() const { return controller_; }
 
   /// The number of coordinates. Every joint except the mimic joints has one, in the arm's order.
   int dof() const { return static_cast<int>(leaders_.size()); }
@@ -96,6 +111,7 @@ class Arm {
   std::string name_;
   std::vector<Joint> joints_;
   Pose base_, tool_;
+  ControllerFrames controller_;
   std::vector<int> leaders_;
   std::vector<Drive> drives_;
   std::vector<Limits> limits_;
@@ -106,7 +122,7 @@ class Arm {
   Reach reach_;
 };
 
-/// Returns a copy with another tool, in place of the arm's.
+/// Returns a copy with another tool, in place of the arm's, on the same flange.
 Arm with_tool(const Arm& arm, const Pose& tool);
 
 /// Returns a copy with a tool on the flange: the tool's frame becomes the pose `flange_T_tcp` in
@@ -114,7 +130,7 @@ Arm with_tool(const Arm& arm, const Pose& tool);
 Arm with_tcp(const Arm& arm, const Pose& flange_T_tcp);
 
 /// Returns a copy that stands in the world: the frame that has been the world becomes the pose
-/// `world_T_mount` in the world.
+/// `world_T_mount` in the world. The controller's root frame moves with the arm.
 Arm with_mount(const Arm& arm, const Pose& world_T_mount);
 
 /// Returns a copy in which the joints with these names have these limits. Throws Error for the name

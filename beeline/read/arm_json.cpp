@@ -74,13 +74,24 @@ std::vector<Joint> joints_of(const JsonDocument& document) {
   }
 }
 
+/// The frames of the keys controller_base and flange; none without either.
+std::optional<ControllerFrames> controller_frames(const JsonDocument& document, const Pose& tool) {
+  const Json* base = document.find(document.root(), "controller_base");
+  const Json* flange = document.find(document.root(), "flange");
+  if (base == nullptr && flange == nullptr) return std::nullopt;
+  ControllerFrames frames{.base_assumed = base == nullptr, .flange = tool};
+  if (base != nullptr) frames.base = pose_from_json(document, *base);
+  if (flange != nullptr) frames.flange = pose_from_json(document, *flange);
+  return frames;
+}
+
 }  // namespace
 
 Arm arm_from_json(std::string_view text, const std::string& path) {
   const JsonDocument document(text, path);
   const Json& root = document.root();
-  document.check_keys(root, {"name", "maker", "model", "source", "note", "base", "tool", "joints",
-                             "joint_string", "dh"});
+  document.check_keys(root, {"name", "maker", "model", "source", "note", "base", "tool",
+                             "controller_base", "flange", "joints", "joint_string", "dh"});
   for (const char* key : {"maker", "model", "source", "note"}) {
     if (const Json* found = document.find(root, key)) document.text(*found);
   }
@@ -94,9 +105,10 @@ Arm arm_from_json(std::string_view text, const std::string& path) {
   }
   const Pose base_pose = base == nullptr ? Pose::Identity() : pose_from_json(document, *base);
   const Pose tool_pose = tool == nullptr ? Pose::Identity() : pose_from_json(document, *tool);
+  const auto controller = controller_frames(document, tool_pose);
   try {
     check_name(name, "the arm's name");
-    return {name, std::move(joints), tool_pose, base_pose};
+    return {name, std::move(joints), tool_pose, base_pose, controller};
   } catch (const Error& error) {
     throw FileError(path, 0, error.what());
   }
@@ -111,6 +123,9 @@ std::string arm_to_json(const Arm& arm) {
   std::string text = "{\n  \"name\": " + internal::json_string(arm.name());
   if (!arm.base().matrix().isIdentity(0))
     text += ",\n  \"base\": " + internal::pose_to_json(arm.base());
+  const ControllerFrames& controller = arm.controller();
+  if (!controller.base_assumed || !controller.base.matrix().isIdentity(0))
+    text += ",\n  \"controller_base\": " + internal::pose_to_json(controller.base);
   text += ",\n  \"joints\": [";
   for (std::size_t i = 0; i < arm.joints().size(); ++i) {
     text += (i == 0 ? "\n    " : ",\n    ") + internal::joint_to_json(arm.joints()[i]);
@@ -118,6 +133,8 @@ std::string arm_to_json(const Arm& arm) {
   text += "\n  ]";
   if (!arm.tool().matrix().isIdentity(0))
     text += ",\n  \"tool\": " + internal::pose_to_json(arm.tool());
+  if (controller.flange.matrix() != arm.tool().matrix())
+    text += ",\n  \"flange\": " + internal::pose_to_json(controller.flange);
   return text + "\n}\n";
 }
 

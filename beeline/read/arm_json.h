@@ -10,8 +10,9 @@ namespace beeline {
 
 /// Arms as JSON; docs/arm.schema.json is the complete grammar. Metres, radians, seconds.
 ///     {"name": "my arm", "base": POSE, "tool": POSE,     base and tool are optional,
-///      "maker", "model", "source", "note",                and so are these texts
-///      "joints": [{"name", "type", "origin": POSE, "axis", "point", "pitch" or "screw",
+///      "controller_base": POSE, "flange": POSE,           so are ControllerFrames::base and
+///      ::flange "maker", "model", "source", "note",                and these texts "joints":
+///      [{"name", "type", "origin": POSE, "axis", "point", "pitch" or "screw",
 ///                  "limits": {"lower", "upper", "velocity", "acceleration", "jerk"},
 ///                  "mimic": {"joint", "multiplier", "offset"}, "link"}, ...]}
 /// or, instead of "joints", one of

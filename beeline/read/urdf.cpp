@@ -7,6 +7,7 @@
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/urdf_chain.h>
 #include <beeline/read/internal/urdf_file.h>
+#include <beeline/read/internal/urdf_frames.h>
 #include <beeline/read/internal/urdf_mimic.h>
 #include <beeline/read/urdf.h>
 
@@ -106,8 +107,13 @@ Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnd
             " moving joints between its base and its tip");
   }
   internal::resolve_leaders(file, joints);
+  const auto& [first, first_reversed] = chain.front();
+  const auto& [last, last_reversed] = chain.back();
+  const std::string& base = first_reversed ? file.joints[first].child : file.joints[first].parent;
+  const std::string& tip = last_reversed ? file.joints[last].parent : file.joints[last].child;
   try {
-    return {file.name, std::move(joints), fixed};
+    return {file.name, std::move(joints), fixed, Pose::Identity(),
+            internal::controller_frames(file, base, tip, fixed)};
   } catch (const Error& error) {
     throw FileError(path, 0, error.what());
   }

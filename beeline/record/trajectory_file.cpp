@@ -8,6 +8,7 @@
 #include <beeline/record/internal/controller_form.h>
 #include <beeline/record/internal/controller_moves.h>
 #include <beeline/record/internal/controller_program.h>
+#include <beeline/record/internal/program_frames.h>
 #include <beeline/record/internal/setpoints.h>
 #include <beeline/record/internal/trajectory_csv.h>
 #include <beeline/record/internal/trajectory_json.h>
@@ -40,8 +41,9 @@ std::string with_comments(const std::vector<std::string>& comments, const std::s
 
 std::string text_in_form(ControllerForm form, const Trajectory& samples,
                          const std::vector<std::string>& comments,
-                         const ControllerFileOptions& options) {
-  const internal::ProgramSource source{samples, comments, options.program_name};
+                         const ControllerFileOptions& options,
+                         const internal::ProgramFrames& frames) {
+  const internal::ProgramSource source{samples, comments, options.program_name, frames};
   switch (form) {
     case ControllerForm::ros2:
       return with_comments(comments, internal::trajectory_to_json(samples));
@@ -55,17 +57,6 @@ std::string text_in_form(ControllerForm form, const Trajectory& samples,
       return with_comments(comments, internal::trajectory_to_csv(samples));
   }
   return "";
-}
-
-/// Throws Error for a move that the form does not have.
-void check_moves_in(ControllerForm form, const Program& program) {
-  for (std::size_t i = 0; i < program.moves.size(); ++i) {
-    const MoveKind kind = program.moves[i].kind;
-    const bool spline = kind == MoveKind::spline && form != ControllerForm::krl;
-    if (kind != MoveKind::screw && !spline) continue;
-    throw Error(move_name(program, i) + ": " + name(form) + " has no " + name(kind) + " moves" +
-                (spline ? "; krl has" : "") + "; export the planned trajectory instead");
-  }
 }
 
 }  // namespace
@@ -131,10 +122,30 @@ std::vector<std::string> controller_file_endings(ControllerForm form) {
   return description(form).endings;
 }
 
+void check_controller_form(const Arm& arm, ControllerForm form) {
+  internal::check_arm_in(description(form), arm);
+}
+
+void check_controller_form(const Arm& arm, const Program& program, ControllerForm form) {
+  if (!description(form).six_axes) {
+    throw Error(name(form) + " files hold trajectories; plan the program first and export that");
+  }
+  check_controller_form(arm, form);
+  for (std::size_t i = 0; i < program.moves.size(); ++i) {
+    const MoveKind kind = program.moves[i].kind;
+    const bool spline = kind == MoveKind::spline && form != ControllerForm::krl;
+    if (kind != MoveKind::screw && !spline) continue;
+    throw Error(move_name(program, i) + ": " + name(form) + " has no " + name(kind) + " moves" +
+                (spline ? "; krl has" : "") + "; export the planned trajectory instead");
+  }
+}
+
 ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, ControllerForm form,
                                const ControllerFileOptions& options) {
   const internal::FormDescription& described = description(form);
-  internal::check_form(described, arm, options.rate);
+  internal::check_arm_in(described, arm);
+  internal::check_rate_in(described, options.rate);
+  if (options.work) throw Error("a work frame is for the export of programs, not of trajectories");
   Trajectory samples = matched_to(arm, trajectory);
   if (samples.size() == 0) throw Error("the trajectory has no samples");
   std::optional<double> rate = options.rate;
@@ -146,7 +157,9 @@ ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, Con
   }
   ControllerFile file;
   file.proof = internal::proof_in_form(form, samples, rate.has_value());
-  file.note = internal::note_on_form(described, samples);
+  const internal::ProgramFrames frames = internal::program_frames(arm, std::nullopt);
+  file.note = (described.six_axes ? internal::note_on_tool(frames) : "") +
+              internal::note_on_form(described, samples);
   file.samples = samples.size();
   file.duration = samples.times.back();
   std::vector<std::string> comments;
@@ -156,19 +169,15 @@ ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, Con
         comment("What of a proof about the trajectory holds here: " + file.proof)};
     if (!file.note.empty()) comments.push_back(comment("Note: " + file.note));
   }
-  file.text = text_in_form(form, samples, comments, options);
+  file.text = text_in_form(form, samples, comments, options, frames);
   return file;
 }
 
 ControllerFile controller_file(const Arm& arm, const Program& program, const ProgramMotion& motion,
                                ControllerForm form, const ControllerFileOptions& options) {
   const internal::FormDescription& described = description(form);
-  if (!described.six_axes) {
-    throw Error(name(form) + " files hold trajectories; plan the program first and export that");
-  }
+  check_controller_form(arm, program, form);
   if (options.rate) throw Error("a rate is for the export of trajectories, not of programs");
-  internal::check_form(described, arm, options.rate);
-  check_moves_in(form, program);
   if (!motion || motion.moves.size() != program.moves.size()) {
     throw Error("only a program that is planned completely is exported");
   }
@@ -177,8 +186,9 @@ ControllerFile controller_file(const Arm& arm, const Program& program, const Pro
       "the order and the waypoints; the controller plans each motion between them again, with its "
       "own profiles and blends, so that times, limits, deviations and the arm's branch are not "
       "proved there";
-  file.note = "the controller's tool must be the arm's tool, its base frame the arm's base; " +
-              internal::note_on_form(described, motion.trajectory);
+  const internal::ProgramFrames frames = internal::program_frames(arm, options.work);
+  file.note =
+      internal::note_on_frames(form, frames) + internal::note_on_form(described, motion.trajectory);
   file.samples = program.moves.size();
   file.duration = motion.trajectory.times.back();
   const std::vector<std::string> comments{
@@ -186,9 +196,10 @@ ControllerFile controller_file(const Arm& arm, const Program& program, const Pro
           number(file.duration) + " s and a deviation of at most " +
           deviation_text(motion.deviation.bound),
       comment("What of that proof holds here: " + file.proof), comment("Note: " + file.note)};
-  const internal::MoveSource source{motion.trajectory.positions.front(),
-                                    internal::controller_moves(arm, program, motion), comments,
-                                    options.program_name};
+  const internal::MoveSource source{
+      motion.trajectory.positions.front(),
+      internal::controller_moves(arm, program, motion, frames.frame_of_poses()), comments,
+      options.program_name, frames};
   file.text = form == ControllerForm::urscript ? internal::urscript_moves(source)
               : form == ControllerForm::rapid  ? internal::rapid_moves(source)
                                                : internal::krl_moves(source);

@@ -57,6 +57,11 @@ ControllerForm controller_form_named(const std::string& name);
 /// The endings of the form's files: script; the first is the default.
 std::vector<std::string> controller_file_endings(ControllerForm form);
 
+/// Throws Error, as controller_file() does, unless the form can hold a motion of this arm, and this
+/// program: before anything is planned.
+void check_controller_form(const Arm& arm, ControllerForm form);
+void check_controller_form(const Arm& arm, const Program& program, ControllerForm form);
+
 struct ControllerFileOptions {
   /// Setpoints per second, of the motion that the trajectory's columns mean. Default: the
   /// trajectory's own samples; of urscript 125, the control rate of the CB3 series (e-Series: 500).
@@ -64,6 +69,9 @@ struct ControllerFileOptions {
   std::optional<double> rate = std::nullopt;
   /// The name of a rapid or krl program: the file's name without its ending.
   std::string program_name = "beeline_motion";
+  /// The frame in which the poses of a program are written: its pose in the world. The file states
+  /// it relative to the controller's root frame. Default: the root frame.
+  std::optional<Pose> work = std::nullopt;
   bool comments = true;  ///< false for ros2 as JSON, which has none
 };
 
@@ -77,18 +85,22 @@ struct ControllerFile {
 
 /// Returns the trajectory in the form that a controller takes, from time 0 at its first sample.
 /// Throws Error for a trajectory that does not fit the arm or that the form cannot hold: urscript,
-/// rapid and krl need six revolute joints, ros2 times below 2^31 s that differ by a nanosecond, and
-/// urscript periods of whole control cycles of 2 ms.
+/// rapid and krl need six revolute joints, none of which follows another, ros2 times below 2^31 s
+/// that differ by a nanosecond, and urscript periods of whole control cycles of 2 ms. urscript,
+/// rapid and krl set the arm's tool, its pose in ControllerFrames::flange, unless it is the flange;
+/// its load is not known here.
 ControllerFile controller_file(const Arm& arm, const Trajectory& trajectory, ControllerForm form,
                                const ControllerFileOptions& options = {});
 
 /// Returns a planned program as moves for a controller, from the configuration at which its
 /// trajectory begins: joint moves to the planned joint values, the others to their poses in the
-/// arm's base, with speeds, blends and dwells. Moves without a speed get the largest of the planned
-/// motion. The controller plans all motions again. `samples` is the number of moves, `duration`
-/// that of the planned motion. Throws Error for a motion that is not complete or not of the
-/// program; as the function above; for ros2, csv and a rate, which need a trajectory; and for a
-/// kind of move that the form does not have: screws, and splines except of krl.
+/// controller's root frame, ControllerFrames::base, or in `options.work`, with speeds, blends and
+/// dwells. The file sets the arm's tool. Where the arm stands in the world plays no part. Moves
+/// without a speed get the largest of the planned motion. The controller plans all motions again.
+/// `samples` is the number of moves, `duration` that of the planned motion. Throws Error for a
+/// motion that is not complete or not of the program; as the function above; for ros2, csv and a
+/// rate, which need a trajectory; and for a kind of move that the form does not have: screws, and
+/// splines except of krl.
 ControllerFile controller_file(const Arm& arm, const Program& program, const ProgramMotion& motion,
                                ControllerForm form, const ControllerFileOptions& options = {});
 

@@ -225,6 +225,16 @@ void bind_properties(nb::class_<Arm>& arm) {
       [](const Arm& self) { return read_only(Value<Pose>::to(self.tool())); },
       "Pose of the tool in the last link (4, 4).");
   property(
+      arm, "controller_base", array_type,
+      [](const Arm& self) { return read_only(Value<Pose>::to(self.controller().base)); },
+      "Pose in the world of the controller's root frame (4, 4): $ROBROOT of KUKA, the base frame "
+      "of "
+      "ABB and of Universal Robots.");
+  property(
+      arm, "flange", array_type,
+      [](const Arm& self) { return read_only(Value<Pose>::to(self.controller().flange)); },
+      "Pose in the last link of the frame that controllers take tools in (4, 4).");
+  property(
       arm, "limits", "list[Limits]",
       [](const Arm& self) { return Value<std::vector<Limits>>::to(self.limits()); },
       "Limits of each coordinate, tightened so that mimic joints stay within theirs.");
@@ -317,21 +327,34 @@ void bind_constructor(nb::class_<Arm>& arm) {
       .takes("tool", std::string(array_like) + " | None",
              "Pose of the tool in the last link (4, 4).", "None")
       .takes("base", std::string(array_like) + " | None", "Pose of link 0 in the world (4, 4).",
-             "None");
+             "None")
+      .takes("controller_base", std::string(array_like) + " | None",
+             "Pose in the world of the controller's root frame (4, 4). Default: the world.", "None")
+      .takes(
+          "flange", std::string(array_like) + " | None",
+          "Pose in the last link of the frame that tools are given in (4, 4). Default: the tool.",
+          "None");
   define(
       arm,
-      [](Arm* self, nb::handle name, nb::handle joints, nb::handle tool, nb::handle base) {
+      [](Arm* self, nb::handle name, nb::handle joints, nb::handle tool, nb::handle base,
+         nb::handle controller_base, nb::handle flange) {
         const auto pose = [](nb::handle value, const char* what) {
-          return Value<std::optional<Pose>>::from(value, what).value_or(Pose::Identity());
+          return Value<std::optional<Pose>>::from(value, what);
         };
+        const Pose own_tool = pose(tool, "tool").value_or(Pose::Identity());
+        const std::optional<Pose> root = pose(controller_base, "controller_base");
+        const ControllerFrames controller{.base = root.value_or(Pose::Identity()),
+                                          .base_assumed = !root,
+                                          .flange = pose(flange, "flange").value_or(own_tool)};
         Arm result(Value<std::string>::from(name, "name"),
-                   Value<std::vector<Joint>>::from(joints, "joints"), pose(tool, "tool"),
-                   pose(base, "base"));
+                   Value<std::vector<Joint>>::from(joints, "joints"), own_tool,
+                   pose(base, "base").value_or(Pose::Identity()), controller);
         internal::check_names(result);
         new (self) Arm(std::move(result));
       },
       made, nb::arg("name"), nb::arg("joints"), nb::kw_only(), nb::arg("tool") = nb::none(),
-      nb::arg("base") = nb::none());
+      nb::arg("base") = nb::none(), nb::arg("controller_base") = nb::none(),
+      nb::arg("flange") = nb::none());
 }
 
 }  // namespace

@@ -24,6 +24,9 @@ struct Fields<ControllerFileOptions> {
               "Setpoints per second; None: the trajectory's own samples; of urscript 125. csv "
               "requires it."),
         field("program_name", &T::program_name, "The name of a rapid or krl program."),
+        field("work", &T::work,
+              "The frame in which the poses of a program are written: its pose in the world "
+              "(4, 4); None: the controller's root frame."),
         field("comments", &T::comments, "False for ros2 as JSON, which has none."));
   }
 };

@@ -126,6 +126,7 @@ def test_a_rapid_module_has_the_waypoints(cell, exported, tool_at):
     options, expected = cell
     text = exported("rapid", "cell_abb.mod", *options)
     lines = [line.strip() for line in text.splitlines() if not line.strip().startswith("!")]
+    assert lines.pop(1).startswith("PERS tooldata tool_cell_abb:=") if options else True
     assert lines[:2] == ["MODULE cell_abb", "PROC play_cell_abb()"]
     assert lines[2:4] == ["ConfJ\\Off;", "ConfL\\Off;"] and lines[-2:] == ["ENDPROC", "ENDMODULE"]
 

@@ -70,6 +70,19 @@ def test_parts_make_the_map(beeline, puma, tmp_path):
     assert joined.json["cells_reached"] == whole["cells_reached"]
 
 
+def test_parts_are_of_one_map_wherever_the_controllers_root_frame_is(beeline, tmp_path):
+    part = lambda k, arm: beeline("reach", "map", arm, "--resolution", "0.6", "--shard", f"{k}/2", "--out",
+                                  tmp_path / f"{arm}{k}.h5").code
+    assert beeline("show", "irb120", "--out", "a.json").code == 0
+    arm = json.loads((tmp_path / "a.json").read_text())
+    (tmp_path / "b.json").write_text(json.dumps(arm | {"controller_base": {"xyz": [0, 0, 1]}}))
+    (tmp_path / "c.json").write_text(json.dumps(arm | {"base": {"xyz": [0, 0, 0.1]}}))
+    assert [part(1, "a.json"), part(2, "b.json"), part(2, "c.json")] == [0, 0, 0]
+    assert beeline("reach", "merge", "a.json1.h5", "b.json2.h5", "--out", "m.h5").code == 0
+    refused = beeline("reach", "merge", "a.json1.h5", "c.json2.h5", "--out", "n.h5")
+    assert refused.code == 3 and "as it is described now" in refused.err
+
+
 def test_more_parts_than_slabs_make_the_map(beeline, puma, tmp_path):
     slabs = beeline("reach", "query", puma, "--json").json["slabs"]
     count = slabs + 2

@@ -65,6 +65,32 @@ TEST(Arm, ATcpIsOnItsToolAndAMountBelowItsBase) {
   EXPECT_REFUSED(with_mount(arm, bent), "the mount");
 }
 
+TEST(Arm, TheControllersFramesStayOnTheArm) {
+  testing::Random random;
+  for (int i = 0; i < 100; ++i) {
+    const Arm made = testing::random_arm(random, random.integer(1, 6), 3);
+    EXPECT_TRUE(made.controller().base_assumed);
+    EXPECT_TRUE(made.controller().base.matrix().isIdentity(0));
+    EXPECT_EQ(made.controller().flange.matrix(), made.tool().matrix());
+    const ControllerFrames frames{.base = random.pose(), .flange = random.pose()};
+    const Arm arm(made.name(), made.joints(), made.tool(), made.base(), frames);
+    const Pose tcp = random.pose(), mount = random.pose(3);
+    const Arm cell = with_speed_scale(with_limits(with_mount(with_tcp(arm, tcp), mount), {}), 0.5);
+    EXPECT_FALSE(cell.controller().base_assumed);
+    EXPECT_EQ(cell.controller().flange.matrix(), frames.flange.matrix());
+    // What does not depend on where the arm stands: link 0 in the root frame.
+    EXPECT_TRUE((cell.controller().base.inverse() * cell.base())
+                    .isApprox(frames.base.inverse() * arm.base(), 1e-13));
+    EXPECT_EQ(with_tool(arm, tcp).controller().flange.matrix(), frames.flange.matrix());
+  }
+  EXPECT_REFUSED(Arm("a", {turning("j")}, Pose::Identity(), Pose::Identity(),
+                     ControllerFrames{.base = make_pose({nan, 0, 0})}),
+                 "the controller's base");
+  EXPECT_REFUSED(Arm("a", {turning("j")}, Pose::Identity(), Pose::Identity(),
+                     ControllerFrames{.flange = make_pose({2e6, 0, 0})}),
+                 "the flange has the length 2e+06 m");
+}
+
 TEST(Arm, RefusesNoJointsAndDuplicateOrMissingNames) {
   EXPECT_REFUSED(Arm("empty", {}), "arm empty has no joints");
   EXPECT_REFUSED(arm_with_elbow([](Joint& j) { j.name = "wrist"; }), "two joints are called wrist");

@@ -26,8 +26,23 @@ def test_objects_are_immutable(arm):
         beeline.Limits().lowr = 3
     with pytest.raises(AttributeError):
         beeline.Limits().lower = 3
-    for array in (arm.base, arm.tool, arm.lower, arm.middle, arm.joints[0].offset):
+    for array in (arm.base, arm.tool, arm.controller_base, arm.flange, arm.lower, arm.middle, arm.joints[0].offset):
         assert not array.flags.writeable
+
+
+def test_the_controllers_frames_stay_on_the_arm(arm):
+    root, mount, tcp = np.eye(4), np.eye(4), np.eye(4)
+    root[2, 3], mount[0, 3], tcp[1, 3] = 0.4, 2, 0.1
+    made = beeline.Arm("own", arm.joints, tool=tcp, controller_base=root, flange=np.eye(4))
+    cell = made.with_tcp(tcp).with_mount(mount)
+    for copy in (cell, pickle.loads(pickle.dumps(cell))):
+        np.testing.assert_array_equal(copy.controller_base, mount @ root)
+        np.testing.assert_array_equal(copy.flange, np.eye(4))
+        np.testing.assert_array_equal(copy.tool, tcp @ tcp)
+        assert copy == cell != made
+    assert np.array_equal(beeline.Arm("own", arm.joints, tool=tcp).flange, tcp)
+    np.testing.assert_array_equal(beeline.arms.kr6_r900().controller_base, np.eye(4))
+    assert not np.array_equal(beeline.arms.kr6_r900().base, np.eye(4))
 
 
 def test_functions_pickle(arm):

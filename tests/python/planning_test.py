@@ -232,6 +232,10 @@ def test_files_for_controllers(pick, tmp_path):
                             beeline.Move("line", moved(beeline.forward_kinematics(UR5, UR5_HOME), z=0.05))])
     planned = beeline.move_program(UR5, UR5_HOME, plan)
     assert "movel" in beeline.controller_file(UR5, plan, planned, "urscript").text
+    in_work = beeline.controller_file(UR5, plan, planned, "urscript", work=plan.moves[1].target)
+    assert "movel(pose_trans(work, p[0.000000000000,0.000000000000,0.000000000000," in in_work.text
+    with pytest.raises(beeline.Error, match="work frame is for the export of programs"):
+        beeline.controller_file(UR5, ur5.trajectory, "krl", work=np.eye(4))
     with pytest.raises(beeline.Error, match="six revolute joints"):
         beeline.controller_file(PANDA, motion.trajectory, "rapid")
 

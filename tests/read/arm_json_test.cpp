@@ -2,6 +2,7 @@
 
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
+#include <beeline/pose/orientation.h>
 #include <beeline/read/arm_json.h>
 #include <beeline/read/joint_string.h>
 
@@ -18,6 +19,9 @@ void expect_same(const Arm& a, const Arm& b) {
   EXPECT_EQ(a.name(), b.name());
   EXPECT_EQ(a.base().matrix(), b.base().matrix());
   EXPECT_EQ(a.tool().matrix(), b.tool().matrix());
+  EXPECT_EQ(a.controller().base.matrix(), b.controller().base.matrix());
+  EXPECT_EQ(a.controller().base_assumed, b.controller().base_assumed);
+  EXPECT_EQ(a.controller().flange.matrix(), b.controller().flange.matrix());
   ASSERT_EQ(a.joints().size(), b.joints().size());
   for (std::size_t i = 0; i < a.joints().size(); ++i) {
     const Joint &x = a.joints()[i], &y = b.joints()[i];
@@ -38,7 +42,8 @@ void expect_same(const Arm& a, const Arm& b) {
   }
 }
 
-/// random_arm's, with links' names and every kind of limit known or not.
+/// random_arm's, with links' names and every kind of limit and the controller's frames known or
+/// not.
 Arm adorned_arm(testing::Random& random) {
   const Arm arm = testing::random_arm(random, random.integer(1, 9), 3);
   std::vector<Joint> joints = arm.joints();
@@ -51,7 +56,11 @@ Arm adorned_arm(testing::Random& random) {
     joint.limits.jerk = rate();
     if (random.integer(0, 1) == 0) joint.link = "link \"" + joint.name + "\\\"";
   }
-  return {"arm \xc3\xa9", joints, arm.tool(), arm.base()};
+  std::optional<ControllerFrames> controller;
+  if (random.integer(0, 1) == 0) {
+    controller = ControllerFrames{.base = random.pose(), .flange = random.pose()};
+  }
+  return {"arm \xc3\xa9", joints, arm.tool(), arm.base(), controller};
 }
 
 TEST(ArmJson, AnyArmReadsBackToTheLastBit) {
@@ -100,6 +109,27 @@ TEST(ArmJson, EveryKeyIsHeard) {
   EXPECT_EQ(pitch(arm.joints()[1]), 0.01);
   EXPECT_TRUE(arm.joints()[2].screw.isApprox(translation_screw({0, 0.6, 0.8}), 1e-15));
   EXPECT_EQ(arm.joints()[3].mimic->multiplier, -2);
+}
+
+TEST(ArmJson, TheControllersFramesAreOptional) {
+  const auto parse = [](const std::string& keys) {
+    return parse_arm(R"({"name": "a", "joint_string": "RR", "base": {"xyz": [1, 0, 0]},
+                         "tool": {"xyz": [0, 0, 1]})" +
+                     keys + "}")
+        .controller();
+  };
+  EXPECT_TRUE(parse("").base_assumed);
+  EXPECT_TRUE(parse("").base.matrix().isIdentity(0));
+  EXPECT_EQ(parse("").flange.translation().z(), 1);
+  EXPECT_FALSE(parse(R"(, "controller_base": {})").base_assumed);
+  EXPECT_EQ(parse(R"(, "controller_base": {"xyz": [0, 2, 0]})").base.translation().y(), 2);
+  EXPECT_EQ(parse(R"(, "controller_base": {})").flange.translation().z(), 1);
+  EXPECT_EQ(parse(R"(, "flange": {"xyz": [0, 0, 0.5]})").flange.translation().z(), 0.5);
+  EXPECT_TRUE(parse(R"(, "flange": {})").base_assumed);
+  // A mount of an arm whose root frame is assumed moves that frame; the file states where it is.
+  const Pose mount = make_pose({0, 0, 3});
+  const Arm mounted = with_mount(parse_arm(R"({"name": "a", "joint_string": "RR"})"), mount);
+  EXPECT_EQ(parse_arm(arm_to_json(mounted)).controller().base.matrix(), mount.matrix());
 }
 
 TEST(ArmJson, CompositesExpand) {
@@ -219,6 +249,10 @@ TEST(ArmJson, MistakesInTheWholeAreNamed) {
                  "joint_string is not readable: joint string RR has 2 letters but 1 items");
   EXPECT_REFUSED(parse_arm(R"({"name": "a", "base": {"xyz": [0]}, "joint_string": "R"})"),
                  "base.xyz");
+  EXPECT_REFUSED(parse_arm(R"({"name": "a", "controller_base": [], "joint_string": "R"})"),
+                 "controller_base must be an object");
+  EXPECT_REFUSED(parse_arm(R"({"name": "a", "flange": {"zyx": 1}, "joint_string": "R"})"),
+                 "flange");
   EXPECT_REFUSED(parse_arm("{\"name\": \"a\",\n\"joints\": [}"), "a.json:2: is not JSON");
   std::string many = R"({"name": "a", "dh": {"convention": "standard", "rows": [{})";
   for (int i = 0; i < 100; ++i) many += ",{}";

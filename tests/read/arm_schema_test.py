@@ -33,6 +33,8 @@ MATRIX = [[1, 0, 0, 1], [0, 1, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]]
 GOOD = [
     {"name": "a", "joint_string": "RRP:1,0.5@90,0"},
     {"name": "a", "joint_string": "RHS", "base": POSE, "tool": {"matrix": MATRIX}},
+    {"name": "a", "joint_string": "RR", "base": POSE, "controller_base": POSE, "flange": {"xyz": [0, 0, 0.1]}},
+    {"name": "a", "joint_string": "RR", "controller_base": {}},
     dh("standard", {"a": 1, "alpha": 0.5}, {"type": "prismatic", "name": "q"}),
     dh("modified", {"d": 1, "limits": {"lower": -1, "upper": 1, "jerk": 3}}),
     {"name": "a", "dh": {"convention": "standard", "degrees": True, "rows": [{"alpha": 90}]}},
@@ -63,6 +65,8 @@ BAD = [
     {"name": "a", "joints": []},
     {"name": "a", "joint_string": "RR", "speed": 1},
     {"name": "a", "joint_string": "RR", "base": {"xyz": [1, 2]}},
+    {"name": "a", "joint_string": "RR", "controller_base": [0, 0, 1]},
+    {"name": "a", "joint_string": "RR", "flange": {"rpy": [0, 0]}},
     {"name": "a", "joint_string": "RR", "base": {"matrix": MATRIX, "xyz": [1, 2, 3]}},
     {"name": "a", "joint_string": "RR", "base": {"matrix": MATRIX[:3]}},
     {"name": "a", "joint_string": "RR", "tool": {"rpy": [0, 0, 0], "quaternion": TURN}},

@@ -137,6 +137,42 @@ TEST(Urdf, TrailingFixedJointsAreTheTool) {
   EXPECT_EQ(arm.joints()[0].link, "c");
 }
 
+TEST(Urdf, TheLinksBaseAndTool0AreTheControllersFrames) {
+  // world -> stand -> arm -> a; base is fixed to stand, tool0 to b: j moves b.
+  const auto cell = [](const std::string& base, const std::string& tool) {
+    return robot(link("world") + link("stand") + link("a") + link("b") + link("base") +
+                 link("tool0") + joint("s", "fixed", "world", "stand", "<origin xyz=\"1 0 0\"/>") +
+                 joint("f", "fixed", "stand", "a", "<origin xyz=\"0 1 0\"/>") +
+                 joint("j", "revolute", "a", "b", "<origin xyz=\"0 0 1\"/>") +
+                 joint("c", "fixed", base, "base", "<origin xyz=\"0 0 2\"/>") +
+                 joint("t", "fixed", tool, "tool0", "<origin xyz=\"0 3 0\"/>"));
+  };
+  const ControllerFrames from_world =
+      parse_urdf(cell("stand", "b"), {.base = "", .tip = "b"}).controller();
+  EXPECT_FALSE(from_world.base_assumed);
+  EXPECT_EQ(from_world.base.translation(), Vector3(1, 0, 2));
+  EXPECT_EQ(from_world.flange.translation(), Vector3(0, 3, 0));
+  const ControllerFrames from_a =
+      parse_urdf(cell("stand", "b"), {.base = "a", .tip = "b"}).controller();
+  EXPECT_EQ(from_a.base.translation(), Vector3(0, -1, 2));
+  const ControllerFrames at_base = parse_urdf(cell("stand", "b"), {.base = "base"}).controller();
+  EXPECT_TRUE(at_base.base.matrix().isIdentity(0));
+  EXPECT_FALSE(at_base.base_assumed);
+  // On the other side of the joint they are other frames.
+  const ControllerFrames other = parse_urdf(cell("b", "a"), {.base = "", .tip = "b"}).controller();
+  EXPECT_TRUE(other.base_assumed);
+  EXPECT_TRUE(other.base.matrix().isIdentity(0));
+  EXPECT_TRUE(other.flange.matrix().isIdentity(0));
+  // Up the tree, the chain begins at b and ends at a.
+  const ControllerFrames up =
+      parse_urdf(cell("b", "stand"), {.base = "b", .tip = "a"}).controller();
+  EXPECT_EQ(up.base.translation(), Vector3(0, 0, 2));
+  EXPECT_FALSE(up.base_assumed);
+  std::string far = cell("stand", "b");
+  far.replace(far.find("0 0 2"), 5, "0 0 1e7");
+  EXPECT_TRUE(parse_urdf(far, {.base = "", .tip = "b"}).controller().base_assumed);
+}
+
 TEST(Urdf, FollowersFollowWithinTheChainAndThroughLeadersBesideIt) {
   const std::string text =
       robot(link("a") + link("b") + link("c") + link("d") + joint("lead", "revolute", "a", "b") +

@@ -97,6 +97,11 @@ ReachGridOptions read_options(const Hdf5File& file, const std::string& path) {
   return options;
 }
 
+/// The arm as JSON without the frames of its controller, which a map does not depend on.
+std::string kinematics_of(const Arm& arm) {
+  return arm_to_json({arm.name(), arm.joints(), arm.tool(), arm.base()});
+}
+
 }  // namespace
 
 void write_header(Hdf5File& file, const ReachMapHeader& header) {
@@ -166,7 +171,7 @@ void check_same_map(const std::string& path, const ReachMapHeader& header,
   const auto refuse = [&path](const std::string& what) {
     throw FileError(path, 0, "is of another map: its " + what);
   };
-  if (arm_to_json(header.arm) != arm_to_json(expected.arm)) {
+  if (kinematics_of(header.arm) != kinematics_of(expected.arm)) {
     refuse("arm is " + header.arm.name() + ", not " + expected.arm.name() +
            (header.arm.name() == expected.arm.name() ? " as it is described now" : ""));
   }

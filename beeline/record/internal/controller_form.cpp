@@ -47,18 +47,19 @@ const std::vector<FormDescription>& controller_forms() {
   return forms;
 }
 
-void check_form(const FormDescription& form, const Arm& arm, const std::optional<double>& rate) {
-  if (form.six_axes) {
-    for (int k = 0; k < arm.dof(); ++k) {
-      if (kind(arm.joint_of(k)) == JointKind::revolute) continue;
-      throw Error(std::string(form.name) + " programs need six revolute joints; joint " +
-                  in_quotes(arm.joint_of(k).name) + " is not revolute");
-    }
-    if (arm.dof() != 6) {
-      throw Error(std::string(form.name) + " programs need six revolute joints; the arm has " +
-                  std::to_string(arm.dof()));
-    }
+void check_arm_in(const FormDescription& form, const Arm& arm) {
+  if (!form.six_axes) return;
+  const std::string needed = std::string(form.name) + " programs need six revolute joints; ";
+  for (const Joint& joint : arm.joints()) {
+    const bool revolute = kind(joint) == JointKind::revolute;
+    if (revolute && !joint.mimic) continue;
+    throw Error(needed + "joint " + in_quotes(joint.name) +
+                (revolute ? " follows " + in_quotes(joint.mimic->leader) : " is not revolute"));
   }
+  if (arm.dof() != 6) throw Error(needed + "the arm has " + std::to_string(arm.dof()));
+}
+
+void check_rate_in(const FormDescription& form, const std::optional<double>& rate) {
   if (form.form == ControllerForm::csv && !rate) {
     throw Error("csv setpoints need a rate, samples per second");
   }

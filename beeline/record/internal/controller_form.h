@@ -14,8 +14,9 @@ struct FormDescription {
 
 const std::vector<FormDescription>& controller_forms();
 
-/// Throws Error unless the form can hold a motion of this arm at this rate.
-void check_form(const FormDescription& form, const Arm& arm, const std::optional<double>& rate);
+/// Throws Error unless the form can hold a motion of this arm, and at this rate.
+void check_arm_in(const FormDescription& form, const Arm& arm);
+void check_rate_in(const FormDescription& form, const std::optional<double>& rate);
 
 /// Returns the sentences of ControllerFile::proof and ::note.
 std::string proof_in_form(ControllerForm form, const Trajectory& samples, bool resampled);

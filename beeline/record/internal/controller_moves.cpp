@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include <beeline/kinematics/forward.h>
-#include <beeline/pose/orientation.h>
 #include <beeline/read/internal/numbers.h>
 #include <beeline/record/internal/controller_moves.h>
 #include <beeline/record/internal/controller_program.h>
@@ -49,19 +48,15 @@ std::string metres_per_second(double speed) {
   return fixed_point(std::floor(speed * 1e9) / 1e9, 9);
 }
 
-/// p[x,y,z,rx,ry,rz]: metres, and the rotation vector in radians.
-std::string ur_pose(const Pose& pose) {
-  const Vector3 p = pose.translation(), r = so3_log(pose.linear());
-  return "p[" + listed_numbers(Configuration{{p.x(), p.y(), p.z(), r.x(), r.y(), r.z()}}, 12) + "]";
+/// A robtarget without configuration data and external axes.
+std::string robtarget(const Pose& pose) {
+  return "[" + rapid_pose(pose) + ",[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
 }
 
-/// A robtarget: millimetres and a quaternion; no configuration data and no external axes.
-std::string robtarget(const Pose& pose) {
-  const Vector3 p = 1e3 * pose.translation();
-  const Eigen::Quaterniond q(pose.linear());
-  return "[[" + listed_numbers(p, 9) + "],[" +
-         listed_numbers(Configuration{{q.w(), q.x(), q.y(), q.z()}}, 12) +
-         "],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+/// A pose in the frame of the program's poses, as a pose in the base.
+std::string pose_in_base(const ProgramFrames& frames, const Pose& pose) {
+  const std::string text = urscript_pose(pose);
+  return frames.root_T_work ? "pose_trans(work, " + text + ")" : text;
 }
 
 /// speeddata: the tool's speed in mm/s; the others as in the predefined ones.
@@ -75,19 +70,6 @@ std::string zonedata(double radius) {
   const double r = 1e3 * radius;
   return "[FALSE," +
          listed_numbers(Configuration{{r, 1.5 * r, 1.5 * r, 0.15 * r, 1.5 * r, 0.15 * r}}, 6) + "]";
-}
-
-/// {X ..,Y ..,Z ..,A ..,B ..,C ..}: millimetres, and degrees about z, y and x.
-std::string krl_frame(const Pose& pose) {
-  const Vector3 p = 1e3 * pose.translation();
-  const RollPitchYaw angles = roll_pitch_yaw(pose.linear());
-  const double values[] = {p.x(), p.y(), p.z(), angles.yaw, angles.pitch, angles.roll};
-  std::string text = "{";
-  for (std::size_t i = 0; i < 6; ++i) {
-    text += (i == 0 ? "" : ",") + std::string(1, "XYZABC"[i]) + " " +
-            plain(i < 3 ? values[i] : degrees_per_radian * values[i], 9);
-  }
-  return text + "}";
 }
 
 /// The moves from move i on that are one spline, and the lowest of their speeds.
@@ -110,7 +92,7 @@ std::string krl_spline(const std::vector<ControllerMove>& moves, std::size_t i,
                        const SplineRun& run) {
   std::string text = "SPLINE WITH $VEL.CP=" + metres_per_second(run.speed) + "\n";
   for (std::size_t k = 0; k < run.count; ++k) {
-    text += "  SPL " + krl_frame(moves[i + k].base_T_tool) + "\n";
+    text += "  SPL " + krl_pose(moves[i + k].target) + "\n";
   }
   return text + "ENDSPLINE\n";
 }
@@ -121,9 +103,10 @@ std::string seconds(double dwell) { return fixed_point(std::ceil(dwell * 1e6 - 1
 }  // namespace
 
 std::vector<ControllerMove> controller_moves(const Arm& arm, const Program& program,
-                                             const ProgramMotion& motion) {
+                                             const ProgramMotion& motion,
+                                             const Pose& world_T_frame) {
   const Trajectory& trajectory = motion.trajectory;
-  const Pose base_T_world = arm.base().inverse();
+  const Pose frame_T_world = world_T_frame.inverse();
   std::vector<ControllerMove> moves;
   for (std::size_t i = 0; i < program.moves.size(); ++i) {
     const Move& move = program.moves[i];
@@ -131,12 +114,12 @@ std::vector<ControllerMove> controller_moves(const Arm& arm, const Program& prog
     ControllerMove& written = moves.emplace_back();
     written.kind = move.kind;
     written.q = trajectory.positions[planned.end];
-    written.base_T_tool = base_T_world * move.target;
+    written.target = frame_T_world * move.target;
     if (move.via) {
       const Pose from = forward_kinematics(arm, trajectory.positions[planned.begin]);
-      written.base_T_via = interpolate(from, move.target, 0.5);
-      written.base_T_via.translation() = *move.via;
-      written.base_T_via = base_T_world * written.base_T_via;
+      written.via = interpolate(from, move.target, 0.5);
+      written.via.translation() = *move.via;
+      written.via = frame_T_world * written.via;
     }
     set_rates(arm, trajectory, planned, written);
     written.speed = move.speed.value_or(planned.tool_speed > 0 ? planned.tool_speed : least_speed);
@@ -148,19 +131,21 @@ std::vector<ControllerMove> controller_moves(const Arm& arm, const Program& prog
 
 std::string urscript_moves(const MoveSource& source) {
   std::string text = commented(source.comments, "# ") + "def beeline_motion():\n" +
+                     urscript_tool(source.frames) + urscript_work(source.frames) +
                      urscript_approach(source.start);
   for (const ControllerMove& move : source.moves) {
     const std::string rates =
         ", a=" + rounded_up(move.acceleration) + ", v=" + metres_per_second(move.speed);
     const std::string blend = ", r=" + fixed_point(move.blend_radius, 6);
+    const std::string target = pose_in_base(source.frames, move.target);
     if (move.kind == MoveKind::joint) {
       text += "  movej(" + radians_of(move.q) + ", a=" + rounded_up(move.joint_acceleration) +
               ", v=" + rounded_up(move.joint_speed) + ")\n";
     } else if (move.kind == MoveKind::arc) {
-      text += "  movec(" + ur_pose(move.base_T_via) + ", " + ur_pose(move.base_T_tool) + rates +
-              blend + ", mode=0)\n";
+      text += "  movec(" + pose_in_base(source.frames, move.via) + ", " + target + rates + blend +
+              ", mode=0)\n";
     } else {
-      text += "  movel(" + ur_pose(move.base_T_tool) + rates + blend + ")\n";
+      text += "  movel(" + target + rates + blend + ")\n";
     }
     if (move.dwell > 0) text += "  sleep(" + seconds(move.dwell) + ")\n";
   }
@@ -169,18 +154,21 @@ std::string urscript_moves(const MoveSource& source) {
 
 std::string rapid_moves(const MoveSource& source) {
   check_rapid_name(source.name);
+  const std::string tool = rapid_tool(source.frames, source.name);
+  const std::string tool_and_work = rapid_tool_and_work(source.frames, source.name);
   std::string text = "MODULE " + source.name + "\n" + commented(source.comments, "  ! ") +
-                     "  PROC play_" + source.name + "()\n    ConfJ\\Off;\n    ConfL\\Off;\n" +
-                     "    MoveAbsJ " + rapid_axes(source.start) + "\\NoEOffs,v100,fine,tool0;\n";
+                     rapid_declarations(source.frames, source.name) + "  PROC play_" + source.name +
+                     "()\n    ConfJ\\Off;\n    ConfL\\Off;\n    MoveAbsJ " +
+                     rapid_axes(source.start) + "\\NoEOffs,v100,fine," + tool + ";\n";
   for (const ControllerMove& move : source.moves) {
-    const std::string end =
-        "," + speeddata(move.speed) + "," + zonedata(move.blend_radius) + ",tool0;\n";
+    const std::string rates = "," + speeddata(move.speed) + "," + zonedata(move.blend_radius) + ",";
+    const std::string target = robtarget(move.target) + rates + tool_and_work + ";\n";
     if (move.kind == MoveKind::joint) {
-      text += "    MoveAbsJ " + rapid_axes(move.q) + "\\NoEOffs" + end;
+      text += "    MoveAbsJ " + rapid_axes(move.q) + "\\NoEOffs" + rates + tool + ";\n";
     } else if (move.kind == MoveKind::arc) {
-      text += "    MoveC " + robtarget(move.base_T_via) + "," + robtarget(move.base_T_tool) + end;
+      text += "    MoveC " + robtarget(move.via) + "," + target;
     } else {
-      text += "    MoveL " + robtarget(move.base_T_tool) + end;
+      text += "    MoveL " + target;
     }
     if (move.dwell > 0) text += "    WaitTime " + seconds(move.dwell) + ";\n";
   }
@@ -190,7 +178,7 @@ std::string rapid_moves(const MoveSource& source) {
 std::string krl_moves(const MoveSource& source) {
   check_krl_name(source.name);
   std::string text = "DEF " + source.name + "()\n" + commented(source.comments, "; ") +
-                     "INT I\nBAS(#INITMOV,0)\n$BASE=$ROBROOT\n";
+                     "INT I\nBAS(#INITMOV,0)\n" + krl_tool(source.frames) + krl_base(source.frames);
   const auto joint_speed = [](double fraction) {
     const double percent = std::clamp(std::ceil(100 * fraction), 1.0, 100.0);
     return "FOR I=1 TO 6\n  $VEL_AXIS[I]=" + fixed_point(percent, 0) + "\nENDFOR\n";
@@ -198,12 +186,12 @@ std::string krl_moves(const MoveSource& source) {
   text += joint_speed(0.1) + "PTP " + krl_axes(source.start) + "\n";
   for (std::size_t i = 0; i < source.moves.size(); ++i) {
     const ControllerMove& move = source.moves[i];
-    const std::string frame = krl_frame(move.base_T_tool);
+    const std::string frame = krl_pose(move.target);
     const std::string speed = "$VEL.CP=" + metres_per_second(move.speed);
     if (move.kind == MoveKind::joint) {
       text += joint_speed(move.joint_fraction) + "PTP " + krl_axes(move.q) + "\n";
     } else if (move.kind == MoveKind::arc) {
-      text += speed + "\nCIRC " + krl_frame(move.base_T_via) + "," + frame + "\n";
+      text += speed + "\nCIRC " + krl_pose(move.via) + "," + frame + "\n";
     } else if (move.kind == MoveKind::spline) {
       const SplineRun run = spline_run(source.moves, i);
       text += krl_spline(source.moves, i, run);

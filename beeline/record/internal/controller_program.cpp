@@ -131,7 +131,9 @@ std::string urscript_program(const ProgramSource& source, double period) {
   const std::vector<Configuration>& positions = source.samples.positions;
   const std::string tracking = ", lookahead_time=0.1, gain=300)\n";
   std::string text = commented(source.comments, "# ");
-  text += "def beeline_motion():\n" + urscript_approach(positions.front());
+  text += "def beeline_motion():\n";
+  if (source.frames.has_tool()) text += urscript_tool(source.frames);
+  text += urscript_approach(positions.front());
   const std::string step = ", t=" + fixed_point(period, 3) + tracking;
   for (const Configuration& q : positions) text += "  servoj(" + radians_of(q) + step;
   // servoj() follows with a delay: the arm reaches the last setpoint while it is held.
@@ -143,7 +145,8 @@ std::string rapid_program(const ProgramSource& source) {
   check_rapid_name(source.name);
   const Trajectory& samples = source.samples;
   std::string text = "MODULE " + source.name + "\n" + commented(source.comments, "  ! ") +
-                     "  PROC play_" + source.name + "()\n";
+                     rapid_declarations(source.frames, source.name) + "  PROC play_" + source.name +
+                     "()\n";
   for (std::size_t k = 0; k < samples.size(); ++k) {
     if (pauses_before(samples, k)) {
       text += "    WaitTime " + time_to(samples, k) + ";\n";
@@ -151,7 +154,8 @@ std::string rapid_program(const ProgramSource& source) {
     }
     text += "    MoveAbsJ " + rapid_axes(samples.positions[k]) + "\\NoEOffs,v100" +
             (k == 0 ? "" : "\\T:=" + time_to(samples, k)) +
-            (stops_at(samples, k) ? ",fine" : ",z1") + ",tool0;\n";
+            (stops_at(samples, k) ? ",fine," : ",z1,") + rapid_tool(source.frames, source.name) +
+            ";\n";
   }
   return text + "  ENDPROC\nENDMODULE\n";
 }
@@ -161,7 +165,8 @@ std::string krl_program(const ProgramSource& source) {
   const Trajectory& samples = source.samples;
   std::string text = "DEF " + source.name + "()\n" + commented(source.comments, "; ") +
                      "INT I\n"
-                     "BAS(#INITMOV,0)\n"
+                     "BAS(#INITMOV,0)\n" +
+                     (source.frames.has_tool() ? krl_tool(source.frames) : "") +
                      "FOR I=1 TO 6\n"
                      "  $VEL_AXIS[I]=10\n"
                      "  $ACC_AXIS[I]=50\n"

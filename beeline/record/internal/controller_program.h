@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <beeline/record/internal/program_frames.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline::internal {
@@ -13,6 +14,7 @@ struct ProgramSource {
   const Trajectory& samples;                 ///< of six revolute joints, from time 0
   const std::vector<std::string>& comments;  ///< lines of ASCII
   const std::string& name;                   ///< of the program
+  ProgramFrames frames = {};                 ///< its tool is stated unless it is the flange
 };
 
 /// Each line after the prefix of a comment.
