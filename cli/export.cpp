@@ -12,8 +12,8 @@
 #include "arm_argument.h"
 #include "budget_argument.h"
 #include "format.h"
-#include "input_files.h"
 #include "program_argument.h"
+#include "recording_argument.h"
 #include "result_files.h"
 #include "verbs.h"
 
@@ -25,6 +25,7 @@ struct ExportArguments {
   ArmArgument arm;
   LimitsArgument limits;
   UnitArgument unit;
+  RecordingArgument recording;
   WorkArgument work;
   PathArgument path;
   std::string file, form, out, from;
@@ -69,14 +70,13 @@ void check_trajectory_options(const ExportArguments& arguments) {
 ControllerFile trajectory_export(const ExportArguments& arguments, const Arm& arm,
                                  ControllerForm form) {
   check_trajectory_options(arguments);
-  try {
-    return controller_file(arm, read_recording(arguments.file, arm), form, file_options(arguments));
-  } catch (const FileError& error) {
-    const std::string message = error.what();
-    if (message.find("column \"t\" is missing") == std::string::npos) throw;
+  const Recording recording =
+      arguments.recording.read_unwrapped(arguments.file, arm, arguments.unit, {.times = false});
+  if (!recording.has_times) {
     throw FileError(arguments.file, 0,
-                    message.substr(arguments.file.size() + 2) + "; a program has a column motion");
+                    "has neither a column of times, t, nor, as a program, a column motion");
   }
+  return controller_file(arm, recording.trajectory, form, file_options(arguments));
 }
 
 /// A program as planned; without a file where it is not possible.
@@ -210,14 +210,16 @@ Verb export_verb() {
           "the controller plans the motions between them again.\n\n"
           "With --rate the last sample is up to one period later than the trajectory's. Files are "
           "in radians and metres, those of "
-          "rapid and krl in degrees; --degrees applies to --tcp and --mount.",
+          "rapid and krl in degrees; --degrees applies to --tcp and --mount, and to recordings "
+          "whose angles are out of range in radians, but not in degrees.",
       .arguments = {arguments.arm.argument(),
                     trajectory_argument(
-                        "FILE", "A trajectory of the arm, .csv or .json, or a program, .csv.",
+                        "FILE",
+                        "A trajectory of the arm, .csv, .json or .yaml, or a program, .csv.",
                         &arguments.file)},
-      .options =
-          joined({export_options(arguments), program_options(arguments), arguments.unit.options(),
-                  arguments.arm.options(), arguments.limits.options()}),
+      .options = joined({export_options(arguments), program_options(arguments),
+                         arguments.recording.options(), arguments.unit.options(),
+                         arguments.arm.options(), arguments.limits.options()}),
       .examples =
           {{"A motion of a UR5e for ROS 2, and as a program of its controller",
             "beeline move ur5e --from 0,-1.5,1.5,0,0,0 --to 0.5,-1,1,0,0.3,0 --method quickest "

@@ -74,16 +74,24 @@ std::vector<Joint> joints_of(const JsonDocument& document) {
   }
 }
 
+/// The lists are for catalogues, which know them by the arm's name.
+void check_joint_names(const JsonDocument& document, const Json& lists) {
+  for (const Json& list : document.items(lists)) {
+    for (const Json& name : document.items(list)) document.text(name);
+  }
+}
+
 }  // namespace
 
 Arm arm_from_json(std::string_view text, const std::string& path) {
   const JsonDocument document(text, path);
   const Json& root = document.root();
   document.check_keys(root, {"name", "maker", "model", "source", "note", "base", "tool", "joints",
-                             "joint_string", "dh"});
+                             "joint_string", "dh", "joint_names"});
   for (const char* key : {"maker", "model", "source", "note"}) {
     if (const Json* found = document.find(root, key)) document.text(*found);
   }
+  if (const Json* names = document.find(root, "joint_names")) check_joint_names(document, *names);
   const Json* base = document.find(root, "base");
   const Json* tool = document.find(root, "tool");
   const std::string& name = document.text(document.need(root, "name"));

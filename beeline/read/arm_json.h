@@ -11,6 +11,7 @@ namespace beeline {
 /// Arms as JSON; docs/arm.schema.json is the complete grammar. Metres, radians, seconds.
 ///     {"name": "my arm", "base": POSE, "tool": POSE,     base and tool are optional,
 ///      "maker", "model", "source", "note",                and so are these texts
+///      "joint_names": [["name", ...], ...],               other descriptions' names, not kept
 ///      "joints": [{"name", "type", "origin": POSE, "axis", "point", "pitch" or "screw",
 ///                  "limits": {"lower", "upper", "velocity", "acceleration", "jerk"},
 ///                  "mimic": {"joint", "multiplier", "offset"}, "link"}, ...]}

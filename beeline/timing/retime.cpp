@@ -89,7 +89,10 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   Retimed timed;
   timed.profile = options.profile.value_or(default_profile);
   internal::check_options(options.tool_speed, options.rate);
-  const Trajectory trajectory = matched_to(arm, recorded);
+  Unwrapped read =
+      options.no_unwrap ? Unwrapped{matched_to(arm, recorded), {}} : unwrapped(arm, recorded);
+  const Trajectory& trajectory = read.trajectory;
+  timed.unwrapped = std::move(read.joints);
   check_moves(trajectory);
   timed.reason = too_long(trajectory, options);
   if (!timed) return timed;
