@@ -131,12 +131,12 @@ def test_ros_messages_in_yaml(beeline, tmp_path):
     (tmp_path / "log.csv").write_text(table(["t"] + JOINTS, motion()))
     for form in ("out.yaml", "out.yml", "out.json"):
         assert beeline("export", "ur5e", "log.csv", "--as", "ros2", "--out", form).code == 0
-        assert beeline("diff", "ur5e", "log.csv", form, "--tolerance", "0").code == 0
+        assert beeline("diff", "ur5e", "log.csv", form, "--tolerance", "1e-12").code == 0
     assert beeline("replay", "ur5e", "log.csv", "--out", "again.yaml").code == 0
-    assert beeline("diff", "ur5e", "again.yaml", "out.yaml", "--tolerance", "0").code == 0
+    assert beeline("diff", "ur5e", "again.yaml", "out.yaml", "--tolerance", "1e-12").code == 0
     points = "".join(f"  - positions: {row[1:]}\n    time_from_start: {{sec: {int(row[0])}, nanosec: {round(row[0] % 1 * 1e9)}}}\n" for row in motion())
     (tmp_path / "block.yaml").write_text(f"trajectory:\n  joint_names: {ROS}\n  points:\n{points}---\n")
-    assert beeline("diff", "ur5e", "block.yaml", "log.csv", "--tolerance", "0").code == 0
+    assert beeline("diff", "ur5e", "block.yaml", "log.csv", "--tolerance", "1e-12").code == 0
 
 
 def test_joint_maps(beeline, tmp_path):
