@@ -45,7 +45,8 @@ struct Replay {
 };
 
 /// Replays a recording on the arm; joints are matched by name, and continuous ones are unwrapped
-/// (see unwrapped()). The replay has the recording's columns, and means the motion that these mean (see Interpolation) at the given speed.
+/// (see unwrapped()). The replay has the recording's columns, and means the motion that these mean
+/// (see Interpolation) at the given speed.
 ///
 /// - Without a rate and `speed_at` it consists of the recorded samples. Times at another speed are
 ///   whole nanoseconds.

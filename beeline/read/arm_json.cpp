@@ -74,10 +74,19 @@ std::vector<Joint> joints_of(const JsonDocument& document) {
   }
 }
 
-/// The lists are for catalogues, which know them by the arm's name.
+/// Refuses lists of names that are none. They are for the catalogue, which an arm's name selects.
 void check_joint_names(const JsonDocument& document, const Json& lists) {
   for (const Json& list : document.items(lists)) {
-    for (const Json& name : document.items(list)) document.text(name);
+    if (document.items(list).empty()) document.refuse(list, "has no names");
+    for (const Json& name : document.items(list)) {
+      try {
+        check_name(document.text(name), "it");
+      } catch (const FileError&) {
+        throw;
+      } catch (const Error& error) {
+        document.refuse(name, std::string("is no name: ") + error.what());
+      }
+    }
   }
 }
 

@@ -102,7 +102,8 @@ struct Unwrapped {
 
 /// Returns the trajectory, matched_to() the arm, without the jumps of sensors whose values wrap
 /// after a revolution. Only continuous joints are unwrapped: revolute ones without position limits,
-/// whose followers repeat after a revolution too. If the mean velocity from one sample to the next
+/// whose followers repeat after a revolution too. Their values are within one or two revolutions,
+/// and jump by as many. If the mean velocity from one sample to the next
 /// exceeds the joint's velocity limit, known or assumed, but without whole revolutions it is within
 /// the limit, or as slow as the motion just before or after, these revolutions are taken from all
 /// later samples.

@@ -18,6 +18,16 @@ double velocity_up_to(const Trajectory& trajectory, int k, std::size_t i) {
   return std::abs(step) / (trajectory.times[i] - trajectory.times[i - 1]);
 }
 
+/// The difference between the largest and the smallest value of coordinate k.
+double range_of(const Trajectory& trajectory, int k) {
+  double smallest = Limits::none, largest = -Limits::none;
+  for (const Configuration& q : trajectory.positions) {
+    smallest = std::min(smallest, q[k]);
+    largest = std::max(largest, q[k]);
+  }
+  return largest - smallest;
+}
+
 /// Takes the revolutions of the sensor from coordinate k and reports them; no wraps: none was
 /// taken.
 UnwrappedJoint unwrap(const Arm& arm, int k, const Trajectory& recorded, Trajectory& trajectory) {
@@ -25,6 +35,9 @@ UnwrappedJoint unwrap(const Arm& arm, int k, const Trajectory& recorded, Traject
   UnwrappedJoint joint{.joint = arm.joint_of(k).name};
   // A recording is not subject to a speed scale.
   const double limit = velocity_limit_of(arm.limits(k)) / arm.limits(k).speed_scale;
+  // The values of a sensor stay within the one or two revolutions by which it wraps.
+  constexpr double max_turns = 2, slack = 0.01;
+  const double range = (range_of(recorded, k) - slack) / revolution;
   double turns = 0;
   for (std::size_t i = 1; i < recorded.size(); ++i) {
     const double step = recorded.positions[i][k] - recorded.positions[i - 1][k];
@@ -33,9 +46,10 @@ UnwrappedJoint unwrap(const Arm& arm, int k, const Trajectory& recorded, Traject
     const double nearby =
         jitter * std::max(velocity_up_to(recorded, k, i - 1), velocity_up_to(recorded, k, i + 1));
     const double allowed = std::abs(remainder) > revolution / 8 ? limit : std::max(limit, nearby);
-    if (remainder != step && std::abs(step) > limit * duration &&
-        std::abs(remainder) <= allowed * duration) {
-      turns -= std::round((step - remainder) / revolution);
+    const double wrapped = std::round((step - remainder) / revolution);
+    const bool wraps = wrapped != 0 && std::abs(wrapped) <= max_turns && range <= std::abs(wrapped);
+    if (wraps && std::abs(step) > limit * duration && std::abs(remainder) <= allowed * duration) {
+      turns -= wrapped;
       if (joint.wraps++ == 0) joint.first_time = recorded.times[i];
     }
     if (turns != 0) trajectory.positions[i][k] += turns * revolution;

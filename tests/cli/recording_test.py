@@ -187,6 +187,13 @@ def test_recordings_in_degrees(beeline, tmp_path):
     assert beeline("diff", "ur5e", "deg.csv", "rad.csv", "--degrees", "--tolerance", "1e-12").code == 0
 
 
+def test_degrees_are_not_taken_for_wraps(beeline, tmp_path):
+    (tmp_path / "deg.csv").write_text("t,joint1,joint2\n0,90,0\n5,112,-20\n")
+    hint = beeline("replay", "RR:1,1", "deg.csv", "--json")
+    assert hint.json["unwrapped"] == [] and "--degrees reads degrees" in hint.err
+    assert beeline("replay", "RR:1,1", "deg.csv", "--degrees", "--json").json["status"] == "reached"
+
+
 def test_a_slow_recording_in_degrees_is_not_guessed(beeline, tmp_path):
     """A little beyond the limits in radians: a recording that leaves them, or one in degrees."""
     (tmp_path / "slow.csv").write_text(table(["t"] + JOINTS, [[0, 6.5, 0, 0, 0, 0, 0], [1, 6.45, 0, 0, 0, 0, 0]]))

@@ -98,6 +98,8 @@ TEST(Unwrapped, LeavesJumpsThatKeepTheLimitOrCannotKeepIt) {
   EXPECT_TRUE(joints(arm(), 6, 2.5).empty()) << "within the limit as it is";
   EXPECT_TRUE(joints(arm(), 3.5, 0.5).empty()) << "too fast in both directions";
   EXPECT_TRUE(joints(arm(), 3, 0.01).empty()) << "less than half a revolution";
+  EXPECT_TRUE(joints(arm(), 19, 0.5).empty()) << "three revolutions";
+  EXPECT_EQ(joints(arm(), 12.5, 0.5).size(), 1u) << "of a sensor of two revolutions";
   const Arm unknown("one", {joint("a", {})});
   EXPECT_EQ(joints(unknown, 6, 0.5).size(), 1u) << "by the assumed limit";
   EXPECT_TRUE(joints(with_speed_scale(unknown, 0.1), 6, 7).empty());
@@ -112,6 +114,14 @@ TEST(Unwrapped, FollowsAMotionThatIsFasterThanItsLimit) {
   const Unwrapped result = unwrapped(arm(), fast);
   ASSERT_EQ(result.joints.size(), 1u);
   EXPECT_NEAR(result.trajectory.positions.back()[0], 0.05 * 199, 1e-9);
+}
+
+TEST(Unwrapped, LeavesValuesThatCountRevolutions) {
+  Trajectory counted{{"a", "b"}, {0, 0.1, 0.2, 0.3}, {}, {}, {}};
+  for (const double q : {9.0, 9.1, 9.2 - revolution, 9.3 - 2 * revolution}) {
+    counted.positions.push_back(Eigen::Vector2d(q, 0));
+  }
+  EXPECT_TRUE(unwrapped(arm(), counted).joints.empty());
 }
 
 TEST(IsContinuous, IsAJointWhosePoseRepeats) {

@@ -11,7 +11,7 @@
 namespace beeline::internal {
 namespace {
 
-constexpr YamlBounds trajectory_bounds{.bytes = std::size_t{16} << 20, .values = 1'000'000};
+constexpr YamlBounds trajectory_bounds{.bytes = std::size_t{4} << 20, .values = 300'000};
 
 /// The number that a plain scalar means, or its text; null is an empty text.
 Json scalar(const std::string& text, const std::string& tag) {
@@ -109,7 +109,8 @@ Trajectory trajectory_from_yaml(std::string_view text, const std::string& path) 
     Json root = parse_json(text, path, sink_of(reader), JsonFront::yaml_comments);
     return reader.finish(std::move(root));
   } catch (const FileError&) {
-    if (text.size() > trajectory_bounds.bytes) throw;
+    constexpr std::size_t written_by_hand = std::size_t{1} << 20;
+    if (text.size() > written_by_hand) throw;
     return trajectory_from_values(text, path);  // names without quotation marks, for example
   }
 }
