@@ -17,7 +17,8 @@ struct UnitEvidence {
 
 /// Returns the evidence that the angles of a recording, matched_to() the arm by this joint map, are
 /// in degrees: as radians some are outside the joint's limits or, without limits, more than two
-/// revolutions, and as degrees none is. Angles whose unit the joint map gives do not count.
+/// revolutions, and as degrees none is by more than 0.1 rad. Angles whose unit the joint map gives
+/// do not count.
 std::optional<UnitEvidence> evidence_of_degrees(const Arm& arm, const Trajectory& recording,
                                                 const JointMap& joint_map);
 
