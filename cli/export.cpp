@@ -5,8 +5,10 @@
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/read/internal/csv.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/file_stream.h>
+#include <beeline/record/internal/time_column.h>
 #include <beeline/record/trajectory_file.h>
 
 #include "arm_argument.h"
@@ -67,15 +69,29 @@ void check_trajectory_options(const ExportArguments& arguments) {
   }
 }
 
+/// Whether the file, which is no pipe, is a table whose header names no times.
+bool is_without_times(const std::string& path) {
+  constexpr std::size_t begin = 4096, max_line = std::size_t{1} << 20;
+  internal::InputFile file(path);
+  if (!file.size()) return false;
+  if (trajectory_format(path, file.peek(begin)) != TrajectoryFormat::csv) return false;
+  try {
+    internal::CsvLines lines(file, max_line);
+    return !internal::names_times(internal::CsvRows(lines, path).columns());
+  } catch (const Error&) {
+    return false;  // the reader of the recording names the mistake
+  }
+}
+
 ControllerFile trajectory_export(const ExportArguments& arguments, const Arm& arm,
                                  ControllerForm form) {
   check_trajectory_options(arguments);
-  const Recording recording =
-      arguments.recording.read_unwrapped(arguments.file, arm, arguments.unit, {.times = false});
-  if (!recording.has_times) {
+  if (is_without_times(arguments.file)) {
     throw FileError(arguments.file, 0,
-                    "has neither a column of times, t, nor, as a program, a column motion");
+                    "has neither a column of times, \"t\", nor, as a program, a column motion");
   }
+  const Recording recording =
+      arguments.recording.read_unwrapped(arguments.file, arm, arguments.unit);
   return controller_file(arm, recording.trajectory, form, file_options(arguments));
 }
 
