@@ -10,11 +10,13 @@
 
 #include "arm_argument.h"
 #include "budget_argument.h"
+#include "command/streams.h"
 #include "format.h"
 #include "input_files.h"
 #include "motion_report.h"
 #include "path_argument.h"
 #include "program_argument.h"
+#include "recording_argument.h"
 #include "result_files.h"
 #include "verbs.h"
 
@@ -26,6 +28,7 @@ struct CheckArguments {
   ArmArgument arm;
   LimitsArgument limits;
   std::string file, through, plot;
+  RecordingArgument recording;
   UnitArgument unit;
   TaskArgument task;
   WorkArgument work;
@@ -124,6 +127,16 @@ CheckedMotion check_through(const CheckArguments& arguments, const Arm& arm,
   return {verify(arm, trajectory, route, options), waypoints.poses, waypoints.poses.size()};
 }
 
+/// Warns of values that other verbs would unwrap: what is proved is the file as it is.
+void warn_of_wraps(const std::string& path, const Arm& arm, const Trajectory& trajectory) {
+  for (const UnwrappedJoint& joint : unwrapped(arm, trajectory).joints) {
+    warn(
+        fmt::format("{}: the values of joint {} wrap at {} s, and the file is checked as it is; "
+                    "`beeline replay --out` unwraps them",
+                    path, joint.joint, number(joint.first_time)));
+  }
+}
+
 Answer check_file(const CheckArguments& arguments) {
   if (!arguments.plot.empty()) {
     format_of(arguments.plot);
@@ -131,7 +144,9 @@ Answer check_file(const CheckArguments& arguments) {
                                         arguments.arm.limits, arguments.file, arguments.through});
   }
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
-  const Trajectory trajectory = read_recording(arguments.file, arm);
+  const Trajectory trajectory =
+      arguments.recording.read(arguments.file, arm, arguments.unit).trajectory;
+  warn_of_wraps(arguments.file, arm, trajectory);
   VerifyOptions options = arguments.verify;
   options.task = arguments.task.read(arm);
   if (trajectory.size() == 0) throw FileError(arguments.file, 0, "has no samples");
@@ -189,14 +204,15 @@ Verb check_verb() {
           "A program (see `beeline help line`) is proved move by move: its waypoints in order, "
           "lines, arcs, splines and blends as paths, speeds, dwells at rest; joint moves within "
           "the "
-          "limits. The trajectory is in radians and metres; --degrees applies to the poses and the "
-          "output.",
+          "limits. " +
+          std::string(recording_units),
       .arguments = {arguments.arm.argument(),
-                    trajectory_argument("FILE", "The trajectory to check, .csv or .json.",
+                    trajectory_argument("FILE", "The trajectory to check, .csv, .json or .yaml.",
                                         &arguments.file)},
       .options = joined({{through_option("The poses that the tool must pass after its first one.",
                                          &arguments.through),
                           arguments.work.option()},
+                         arguments.recording.reading_options(),
                          arguments.unit.options(),
                          arguments.task.options(),
                          arguments.path.options(),

@@ -4,8 +4,8 @@
 #include <beeline/trajectory/difference.h>
 
 #include "arm_argument.h"
-#include "input_files.h"
 #include "motion_report.h"
+#include "recording_argument.h"
 #include "verbs.h"
 
 using namespace beeline;
@@ -15,6 +15,7 @@ namespace {
 struct DiffArguments {
   ArmArgument arm;
   std::string a, b;
+  RecordingArgument recording;
   UnitArgument unit;
   std::optional<double> tolerance;
   bool json = false;
@@ -31,8 +32,11 @@ int joint_of_largest_difference(const Arm& arm, const TrajectoryDifference& diff
 Answer diff_files(const DiffArguments& arguments) {
   const double tolerance = arguments.tolerance.value_or(Limits::none);
   const Arm arm = arguments.arm.read(arguments.unit);
-  const TrajectoryDifference differences =
-      difference(arm, read_recording(arguments.a, arm), read_recording(arguments.b, arm));
+  const Recording a =
+      arguments.recording.read_unwrapped(arguments.a, arm, arguments.unit, {.joint_map = false});
+  const Recording b = arguments.recording.read_unwrapped(arguments.b, arm, arguments.unit,
+                                                         {.joint_map = !a.mapped});
+  const TrajectoryDifference differences = difference(arm, a.trajectory, b.trajectory);
   const int worst = joint_of_largest_difference(arm, differences);
   const JointDifference& joint = differences.joints[worst];
   const bool within = joint.largest <= tolerance;
@@ -57,11 +61,16 @@ Verb diff_verb() {
           "Prints, for each joint, the largest difference, the time at which it occurs and the "
           "root mean square; the same for the tool's position and orientation; and how much longer "
           "the second recording lasts. The first sample of each recording is at time 0; joints "
-          "move linearly between samples. The comparison ends with the shorter recording.",
+          "move linearly between samples; of continuous joints whole revolutions do not count. "
+          "The comparison ends with the shorter recording. --joint-map is for the recordings that "
+          "have its names. " +
+          std::string(recording_units),
       .arguments = {arguments.arm.argument(),
-                    trajectory_argument("A", "A recorded trajectory, .csv or .json.", &arguments.a),
+                    trajectory_argument("A", "A recorded trajectory, .csv, .json or .yaml.",
+                                        &arguments.a),
                     trajectory_argument("B", "Another one, of the same arm.", &arguments.b)},
       .options = joined({arguments.unit.options(),
+                         arguments.recording.options(),
                          {{.name = "--tolerance",
                            .value = "E",
                            .help = "Exit with code 1 if a joint differs by more than this, radians "

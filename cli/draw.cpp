@@ -10,6 +10,7 @@
 #include "arm_argument.h"
 #include "input_files.h"
 #include "program_argument.h"
+#include "recording_argument.h"
 #include "result_files.h"
 #include "verbs.h"
 
@@ -21,6 +22,7 @@ struct DrawArguments {
   ArmArgument arm;
   UnitArgument unit;
   std::string motion, q, out, through;
+  RecordingArgument recording;
   TaskArgument task;
   WorkArgument work;
   double azimuth = 0, elevation = 0;  ///< degrees
@@ -52,7 +54,8 @@ void draw_motion(const DrawArguments& arguments, const Arm& arm) {
   if (!arguments.q.empty())
     throw Error("--q cannot be combined with a motion, which has joint values");
   ArmFigureOptions options = figure_options(arguments);
-  const Trajectory trajectory = read_recording(arguments.motion, arm);
+  const Trajectory trajectory =
+      arguments.recording.read_unwrapped(arguments.motion, arm, arguments.unit).trajectory;
   const std::vector<Pose> poses = waypoints(arguments, arm);
   if (!arguments.out.empty()) {
     const Figure figure = motion_figure(arm, trajectory, poses, options);
@@ -148,8 +151,8 @@ Verb draw_verb() {
   const UnitArgument degrees{true};
   arguments.azimuth = std::round(degrees.shown(arguments.figure.azimuth));
   arguments.elevation = std::round(degrees.shown(arguments.figure.elevation));
-  Positional motion =
-      trajectory_argument("FILE", "A trajectory of the arm, .csv or .json.", &arguments.motion);
+  Positional motion = trajectory_argument("FILE", "A trajectory of the arm, .csv, .json or .yaml.",
+                                          &arguments.motion);
   motion.required = false;
   return {.name = "draw",
           .summary = "Draw an arm or a motion: SVG, PNG, PDF, animations",
@@ -159,7 +162,8 @@ Verb draw_verb() {
               "of the files.",
           .arguments = {arguments.arm.argument(), motion},
           .options = joined({draw_options(arguments), arguments.animation.options(),
-                             arguments.unit.options(), arguments.arm.options()}),
+                             arguments.recording.options(), arguments.unit.options(),
+                             arguments.arm.options()}),
           .examples = {{"The planar arm with the columns of its Jacobian",
                         "beeline draw rrr --q 0,90,0 --degrees --jacobian --out rrr.svg"},
                        {"All frames of a UR5", "beeline draw ur5 --frames --out ur5.pdf"},

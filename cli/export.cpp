@@ -5,15 +5,17 @@
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/read/internal/csv.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/file_stream.h>
+#include <beeline/record/internal/time_column.h>
 #include <beeline/record/trajectory_file.h>
 
 #include "arm_argument.h"
 #include "budget_argument.h"
 #include "format.h"
-#include "input_files.h"
 #include "program_argument.h"
+#include "recording_argument.h"
 #include "result_files.h"
 #include "verbs.h"
 
@@ -25,6 +27,7 @@ struct ExportArguments {
   ArmArgument arm;
   LimitsArgument limits;
   UnitArgument unit;
+  RecordingArgument recording;
   WorkArgument work;
   PathArgument path;
   std::string file, form, out, from;
@@ -67,18 +70,30 @@ void check_trajectory_options(const ExportArguments& arguments) {
   }
 }
 
+/// Whether the file, which is no pipe, is a table whose header names no times.
+bool is_without_times(const std::string& path) {
+  constexpr std::size_t begin = 4096, max_line = std::size_t{1} << 20;
+  internal::InputFile file(path);
+  if (!file.size()) return false;
+  if (trajectory_format(path, file.peek(begin)) != TrajectoryFormat::csv) return false;
+  try {
+    internal::CsvLines lines(file, max_line);
+    return !internal::names_times(internal::CsvRows(lines, path).columns());
+  } catch (const Error&) {
+    return false;  // the reader of the recording names the mistake
+  }
+}
+
 ControllerFile trajectory_export(const ExportArguments& arguments, const Arm& arm,
                                  ControllerForm form) {
   check_trajectory_options(arguments);
-  try {
-    return controller_file(arm, read_recording(arguments.file, arm), form,
-                           file_options(arguments, arm));
-  } catch (const FileError& error) {
-    const std::string message = error.what();
-    if (message.find("column \"t\" is missing") == std::string::npos) throw;
+  if (is_without_times(arguments.file)) {
     throw FileError(arguments.file, 0,
-                    message.substr(arguments.file.size() + 2) + "; a program has a column motion");
+                    "has neither a column of times, \"t\", nor, as a program, a column motion");
   }
+  const Recording recording =
+      arguments.recording.read_unwrapped(arguments.file, arm, arguments.unit);
+  return controller_file(arm, recording.trajectory, form, file_options(arguments, arm));
 }
 
 /// A program as planned; without a file where it is not possible.
@@ -220,14 +235,16 @@ Verb export_verb() {
           "assumed: a .json arm states it as controller_base, a URDF file as its link base.\n\n"
           "With --rate the last sample is up to one period later than the trajectory's. Files are "
           "in radians and metres, those of "
-          "rapid and krl in degrees; --degrees applies to --tcp and --mount.",
+          "rapid and krl in degrees; --degrees applies to --tcp and --mount, and to recordings "
+          "whose angles are out of range in radians, but not in degrees.",
       .arguments = {arguments.arm.argument(),
                     trajectory_argument(
-                        "FILE", "A trajectory of the arm, .csv or .json, or a program, .csv.",
+                        "FILE",
+                        "A trajectory of the arm, .csv, .json or .yaml, or a program, .csv.",
                         &arguments.file)},
-      .options =
-          joined({export_options(arguments), program_options(arguments), arguments.unit.options(),
-                  arguments.arm.options(), arguments.limits.options()}),
+      .options = joined({export_options(arguments), program_options(arguments),
+                         arguments.recording.options(), arguments.unit.options(),
+                         arguments.arm.options(), arguments.limits.options()}),
       .examples =
           {{"A motion of a UR5e for ROS 2, and as a program of its controller",
             "beeline move ur5e --from 0,-1.5,1.5,0,0,0 --to 0.5,-1,1,0,0.3,0 --method quickest "

@@ -1,12 +1,10 @@
 #include "input_files.h"
 
-#include <cmath>
+#include <algorithm>
 #include <fmt/format.h>
 
 #include <beeline/error.h>
-#include <beeline/model/internal/ranges.h>
 #include <beeline/path/internal/checked_poses.h>
-#include <beeline/record/trajectory_file.h>
 
 #include "command/streams.h"
 
@@ -14,49 +12,24 @@ using namespace beeline;
 
 namespace {
 
-constexpr double max_time = 1e10;  // seconds: times since 1970 are accepted
-
-void check_times(const std::string& path, const std::vector<double>& times) {
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    if (std::abs(times[i]) <= max_time) continue;
-    throw FileError(path, 0,
-                    fmt::format("sample {}: the time {} s is outside -{} to {} s", i + 1,
-                                number(times[i]), number(max_time), number(max_time)));
+/// Warns of positions in metres that are reached if they are taken for millimetres.
+void warn_of_millimetres(const std::string& option, const Arm& arm, const PoseList& list) {
+  const double radius = arm.reach().radius;
+  double nearest = Limits::none, farthest = 0;
+  for (const Pose& pose : list.poses) {
+    const double distance = pose.translation().norm();
+    nearest = std::min(nearest, distance);
+    farthest = std::max(farthest, distance);
   }
-}
-
-void check_size(const std::string& path, const Arm& arm, const std::vector<Configuration>& column,
-                double largest) {
-  for (std::size_t i = 0; i < column.size(); ++i) {
-    for (int k = 0; k < arm.dof(); ++k) {
-      if (std::abs(column[i][k]) <= largest) continue;
-      throw FileError(
-          path, 0,
-          fmt::format("sample {}: joint {} has the value {}; the largest accepted is {}", i + 1,
-                      arm.joint_of(k).name, number(column[i][k]), number(largest)));
-    }
-  }
+  constexpr double too_far = 20, thousandth = 1e-3;
+  if (!(nearest > too_far * radius && thousandth * farthest <= 2 * radius)) return;
+  warn(
+      fmt::format("{}: the positions are {} m away and more, and the arm reaches {} m; "
+                  "--millimetres reads millimetres",
+                  option, number(nearest), number(radius)));
 }
 
 }  // namespace
-
-Trajectory checked_for_arm(const std::string& path, const Arm& arm, const Trajectory& recorded) {
-  Trajectory trajectory;
-  try {
-    trajectory = matched_to(arm, recorded);
-  } catch (const Error& error) {
-    throw FileError(path, 0, error.what());
-  }
-  check_times(path, trajectory.times);
-  check_size(path, arm, trajectory.positions, internal::max_position_limit);
-  check_size(path, arm, trajectory.velocities, internal::max_rate);
-  check_size(path, arm, trajectory.accelerations, internal::max_rate);
-  return trajectory;
-}
-
-Trajectory read_recording(const std::string& path, const Arm& arm) {
-  return checked_for_arm(path, arm, read_trajectory(path));
-}
 
 PoseList waypoints_from(const std::string& text, const std::string& path, const Arm& arm,
                         const TaskArgument& task, const WorkArgument& work,
@@ -71,6 +44,7 @@ PoseList waypoints_from(const std::string& text, const std::string& path, const 
                                 internal::max_poses));
   }
   warn_of_angle(option + " " + path, list.max_angle, unit);
+  warn_of_millimetres(option + " " + path, arm, list);
   for (std::size_t i = 0; i < list.poses.size(); ++i) {
     try {
       const WrittenPose pose =
@@ -95,12 +69,5 @@ Option through_option(std::string help, std::string* target) {
                   "dwell (see `beeline help line`).",
           .target = target,
           .required = true,
-          .completes = Completes::file};
-}
-
-Positional trajectory_argument(std::string name, std::string help, std::string* target) {
-  return {.name = std::move(name),
-          .help = std::move(help),
-          .target = target,
           .completes = Completes::file};
 }

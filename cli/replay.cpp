@@ -11,8 +11,8 @@
 #include "budget_argument.h"
 #include "command/streams.h"
 #include "format.h"
-#include "input_files.h"
 #include "motion_report.h"
+#include "recording_argument.h"
 #include "result_files.h"
 #include "verbs.h"
 
@@ -24,6 +24,7 @@ struct ReplayArguments {
   ArmArgument arm;
   LimitsArgument limits;
   std::string file;
+  RecordingArgument recording;
   UnitArgument unit;
   std::string from, speed_at, measured;
   std::optional<double> rate;
@@ -52,6 +53,7 @@ std::vector<SpeedChange> speed_changes(const std::string& text) {
 
 ReplayOptions replay_options(const ReplayArguments& arguments, const Arm& arm) {
   ReplayOptions options = arguments.replay;
+  options.no_unwrap = arguments.recording.no_unwrap;
   if (arguments.rate) options.rate = *arguments.rate;
   if (!arguments.speed_at.empty()) options.speed_at = speed_changes(arguments.speed_at);
   if (!arguments.from.empty()) {
@@ -70,6 +72,7 @@ Json replay_document(const Replay& played) {
                 {"slowdown", played.slowdown},
                 {"velocity_fraction",
                  velocity.joint.empty() || velocity.assumed ? Json() : Json(velocity.fraction)},
+                {"unwrapped", json_unwrapped(played.unwrapped)},
                 {"reason", played.reason}};
   if (reached) document.add("limits", json_limits(played.limits));
   return document;
@@ -113,11 +116,20 @@ Answer replay_file(const ReplayArguments& arguments) {
                          arguments.file, arguments.measured});
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
   ReplayOptions options = replay_options(arguments, arm);
-  const Trajectory recording = read_recording(arguments.file, arm);
+  const bool compares = !arguments.measured.empty();
+  const Recording read =
+      arguments.recording.read(arguments.file, arm, arguments.unit, {.joint_map = !compares});
+  const Trajectory& recording = read.trajectory;
   std::optional<Trajectory> measured;
-  if (!arguments.measured.empty()) measured = read_recording(arguments.measured, arm);
+  if (compares) {
+    measured =
+        arguments.recording
+            .read_unwrapped(arguments.measured, arm, arguments.unit, {.joint_map = !read.mapped})
+            .trajectory;
+  }
   options.budget = arguments.budget.next();
   const Replay played = replay(arm, recording, options);
+  warn_of_unwrapped(arguments.file, played.unwrapped);
   const bool reached(played);
   if (reached) arguments.files.write(arm, played.trajectory, {});
   Answer answer{
@@ -195,12 +207,13 @@ Verb replay_verb() {
           "limits of position, velocity, acceleration and jerk at all times where the recording "
           "does: it is slowed down where a rate needs it. Where the recording stops, the replay "
           "does too, and dwells are never shorter. Prints a status, the number of samples, "
-          "the duration and the lead-in in seconds, and the largest fraction of each limit. The "
-          "recording is in radians and metres; --degrees applies to --from and to printed angles.",
+          "the duration and the lead-in in seconds, and the largest fraction of each limit. " +
+          std::string(recording_units),
       .arguments = {arguments.arm.argument(),
-                    trajectory_argument("FILE", "A recorded trajectory, .csv or .json.",
+                    trajectory_argument("FILE", "A recorded trajectory, .csv, .json or .yaml.",
                                         &arguments.file)},
       .options = joined({playing_options(arguments),
+                         arguments.recording.options(),
                          arguments.unit.options(),
                          arguments.files.options(),
                          arguments.arm.options(),

@@ -39,7 +39,7 @@ Option plot_option(std::string* target) {
 std::vector<Option> ResultFiles::options() {
   return {{.name = "--out",
            .value = "FILE",
-           .help = "Write the joint trajectory: .csv, or .json as a ROS JointTrajectory.",
+           .help = "Write the joint trajectory: .csv, or .json and .yaml as a ROS JointTrajectory.",
            .target = &out,
            .completes = Completes::file,
            .phrases = {"cannot be written to a .csv file"}},

@@ -2,17 +2,14 @@
 #include <fmt/format.h>
 
 #include <beeline/error.h>
-#include <beeline/read/internal/csv.h>
-#include <beeline/read/internal/file.h>
-#include <beeline/record/trajectory_file.h>
 #include <beeline/timing/retime.h>
 
 #include "arm_argument.h"
 #include "budget_argument.h"
 #include "format.h"
-#include "input_files.h"
 #include "motion_report.h"
 #include "profile_argument.h"
+#include "recording_argument.h"
 #include "result_files.h"
 #include "verbs.h"
 
@@ -25,6 +22,7 @@ struct RetimeArguments {
   UnitArgument unit;
   LimitsArgument limits;
   std::string file;
+  RecordingArgument recording;
   ProfileArgument profile;
   InterpolationArgument interpolation;
   RetimeOptions retime;
@@ -34,38 +32,13 @@ struct RetimeArguments {
   bool json = false;
 };
 
-/// A trajectory, or a path: the positions of a .csv file without column t, at times 0, 1, 2, ... s,
-/// which retime() ignores.
-struct RetimeInput {
-  Trajectory trajectory;
-  bool has_times = true;
-};
-
-Trajectory untimed(const internal::CsvTable& table) {
-  Trajectory path{table.columns, {}, {}, {}, {}};
-  for (const std::vector<double>& row : table.rows) {
-    path.times.push_back(static_cast<double>(path.times.size()));
-    path.positions.push_back(
-        Eigen::Map<const Configuration>(row.data(), static_cast<Eigen::Index>(row.size())));
-  }
-  return path;
-}
-
-RetimeInput read_input(const std::string& file, const Arm& arm) {
-  RetimeInput input;
-  const std::string text = internal::read_file(file);
-  if (trajectory_format(file, text) == TrajectoryFormat::csv) {
-    const internal::CsvTable table = internal::parse_csv(text, file);
-    const auto& columns = table.columns;
-    input.has_times = std::find(columns.begin(), columns.end(), "t") != columns.end();
-    if (!input.has_times) input.trajectory = untimed(table);
-  }
-  if (input.has_times) input.trajectory = parse_trajectory(text, file);
-  input.trajectory = checked_for_arm(file, arm, input.trajectory);
+/// A trajectory, or a path: the positions of a .csv file without times, which retime() ignores.
+Recording read_input(const RetimeArguments& arguments, const Arm& arm) {
+  Recording input = arguments.recording.read(arguments.file, arm, arguments.unit, {.times = false});
   try {
     check_moves(input.trajectory);
   } catch (const Error& error) {
-    throw FileError(file, 0, error.what());
+    throw FileError(arguments.file, 0, error.what());
   }
   return input;
 }
@@ -106,10 +79,12 @@ Answer retime_file(const RetimeArguments& arguments) {
       {arguments.arm.text, arguments.arm.srdf, arguments.arm.limits, arguments.file});
   RetimeOptions options = retime_options(arguments);
   const Arm arm = arguments.limits.set_on(arguments.arm.read(arguments.unit), arguments.unit);
-  const RetimeInput input = read_input(arguments.file, arm);
+  const Recording input = read_input(arguments, arm);
+  options.no_unwrap = arguments.recording.no_unwrap || !input.has_times;
   options.budget = arguments.budget.next();
   const Retimed retimed = retime(arm, input.trajectory, options);
   const bool found(retimed);
+  warn_of_unwrapped(arguments.file, retimed.unwrapped);
   if (found) arguments.files.write(arm, retimed.trajectory, {});
   const std::vector<double>& before = input.trajectory.times;
   const std::optional<double> duration_before =
@@ -121,6 +96,7 @@ Answer retime_file(const RetimeArguments& arguments) {
                              {"duration", found ? Json(retimed.trajectory.times.back()) : Json()},
                              {"duration_before", duration_before},
                              {"sections", retimed.sections},
+                             {"unwrapped", json_unwrapped(retimed.unwrapped)},
                              {"limits", json_limits(retimed.limits)},
                              {"tool_speed", retimed.tool_speed},
                              {"reason", retimed.reason}},
@@ -164,16 +140,18 @@ Verb retime_verb() {
           "spline through its positions; its times and velocities are ignored, except that stops "
           "(a repeated position or a zero velocity) remain. Prints the number of samples, the new "
           "and the previous duration in seconds, the largest fraction of each limit that is used, "
-          "and the largest tool speed in m/s. The file is in radians and metres; --degrees "
-          "applies to limits. Limits that are not known are assumed, and reported as assumed.",
+          "and the largest tool speed in m/s. Limits that are not known are assumed, and reported "
+          "as assumed. " +
+          std::string(recording_units),
       .arguments = {arguments.arm.argument(),
                     trajectory_argument("FILE",
-                                        "The trajectory, .csv or .json. A .csv file without column "
-                                        "t is a path without times.",
+                                        "The trajectory, .csv, .json or .yaml. A .csv file without "
+                                        "a column of times is a path.",
                                         &arguments.file)},
       .options =
-          joined({timing_options(arguments), arguments.unit.options(), arguments.files.options(),
-                  arguments.arm.options(), arguments.limits.options(), arguments.budget.options()}),
+          joined({timing_options(arguments), arguments.recording.options(),
+                  arguments.unit.options(), arguments.files.options(), arguments.arm.options(),
+                  arguments.limits.options(), arguments.budget.options()}),
       .examples = {{"Record a motion under feedback control, then retime it",
                     "beeline move panda --from 0,-0.8,0,-2.4,0,1.6,0.8 --to 0.5,0,0,-2,0,2,0 "
                     "--out move.csv\n"

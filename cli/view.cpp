@@ -12,8 +12,8 @@
 #include "arm_argument.h"
 #include "command/interrupt.h"
 #include "command/streams.h"
-#include "input_files.h"
 #include "page_server.h"
+#include "recording_argument.h"
 #include "result_files.h"
 #include "saved_page.h"
 #include "verbs.h"
@@ -31,6 +31,7 @@ struct ViewArguments {
   ArmArgument arm;
   UnitArgument unit;
   std::string file, save;
+  RecordingArgument recording;
   std::string folder, host = loopback;
   int port = 8642;
   bool no_browser = false;
@@ -78,8 +79,9 @@ Answer view(const ViewArguments& arguments) {
   }
   PageSession session{arguments.arm.read(arguments.unit)};
   if (!arguments.file.empty()) {
-    session.trajectory =
-        trajectory_text(read_recording(arguments.file, session.arm), TrajectoryFormat::csv);
+    const Recording recording =
+        arguments.recording.read_unwrapped(arguments.file, session.arm, arguments.unit);
+    session.trajectory = trajectory_text(recording.trajectory, TrajectoryFormat::csv);
   }
   if (!arguments.save.empty()) {
     return save_page(arguments.save, session, page_folder(arguments.folder));
@@ -122,7 +124,7 @@ Verb view_verb() {
           "Requests of other sites are refused.",
       .arguments = {arguments.arm.argument(),
                     {.name = "FILE",
-                     .help = "A trajectory to play, .csv or .json.",
+                     .help = "A trajectory to play, .csv, .json or .yaml.",
                      .target = &arguments.file,
                      .completes = Completes::file,
                      .required = false}},
@@ -151,6 +153,7 @@ Verb view_verb() {
                                    "installed with the command, or that of make web.",
                            .target = &arguments.folder,
                            .completes = Completes::file}},
+                         arguments.recording.options(),
                          arguments.unit.options(),
                          arguments.arm.options()}),
       .examples = {{"A UR5 in the browser", "beeline view ur5"},

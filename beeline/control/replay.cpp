@@ -57,11 +57,14 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
   check(options);
   check_trajectory(recorded);
   if (recorded.size() == 0) throw Error("the recording has no samples");
-  const Trajectory recording = matched_to(arm, recorded);
+  Unwrapped read =
+      options.no_unwrap ? Unwrapped{matched_to(arm, recorded), {}} : unwrapped(arm, recorded);
+  const Trajectory& recording = read.trajectory;
   if (options.start) check_configuration(arm, *options.start);
   if (!options.speed_at.empty()) check_steps(recording, internal::replay_rate(options));
 
   Replay result;
+  result.unwrapped = read.joints;
   result.status = MotionStatus::outside_limits;
   result.reason = internal::first_violation(arm, recording);
   if (result.reason.empty() && options.start) {
@@ -74,6 +77,7 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
   internal::ReplayAttempt attempt =
       internal::attempt_replay(arm, recording, options, max_slowdown, budget);
   result = std::move(attempt.replay);
+  result.unwrapped = std::move(read.joints);
   if (result) {
     result.limits = limit_usage(arm, result.trajectory);
   } else if (attempt.curable) {

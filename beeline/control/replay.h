@@ -26,6 +26,7 @@ struct ReplayOptions {
   std::optional<Configuration> start = std::nullopt;
   std::vector<SpeedChange> speed_at = {};  ///< at increasing times; none: `speed` throughout
   double ramp = 0.5;  ///< seconds in which the speed changes by 1, above 0; for `speed_at` only
+  bool no_unwrap = false;  ///< keep the jumps of continuous joints whose values wrap
   Budget budget = {};
 };
 
@@ -38,12 +39,14 @@ struct Replay {
   /// whole periods, or its samples a lower speed. With `speed_at` speeds are divided by it.
   double slowdown = 1;
   LimitUsage limits;  ///< of the trajectory, or of a recording that is too fast at this speed
+  std::vector<UnwrappedJoint> unwrapped;  ///< joints of the recording that were unwrapped
 
   explicit operator bool() const { return status == MotionStatus::reached; }
 };
 
-/// Replays a recording on the arm; joints are matched by name. The replay has the recording's
-/// columns, and means the motion that these mean (see Interpolation) at the given speed.
+/// Replays a recording on the arm; joints are matched by name, and continuous ones are unwrapped
+/// (see unwrapped()). The replay has the recording's columns, and means the motion that these mean
+/// (see Interpolation) at the given speed.
 ///
 /// - Without a rate and `speed_at` it consists of the recorded samples. Times at another speed are
 ///   whole nanoseconds.

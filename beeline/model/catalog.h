@@ -16,6 +16,9 @@ struct BuiltInArm {
   std::string model;   ///< the maker's name of it
   std::string source;  ///< the document that its lengths and limits are taken from
   std::string note;  ///< zero, signs and couplings that differ from the controller's; may be empty
+  /// What descriptions for ROS call the joints, in the arm's order: a list for each description. A
+  /// trajectory with these names is one of the arm: see matched_to().
+  std::vector<std::vector<std::string>> joint_names;
 };
 
 /// The built-in arms by name: those of Dellaert, *Serial Link Manipulators* (rrr, section 1.5; rp,

@@ -85,16 +85,34 @@ std::optional<ControllerFrames> controller_frames(const JsonDocument& document, 
   return frames;
 }
 
+/// Refuses lists of names that are none. They are for the catalogue, which an arm's name selects.
+void check_joint_names(const JsonDocument& document, const Json& lists) {
+  for (const Json& list : document.items(lists)) {
+    if (document.items(list).empty()) document.refuse(list, "has no names");
+    for (const Json& name : document.items(list)) {
+      try {
+        check_name(document.text(name), "it");
+      } catch (const FileError&) {
+        throw;
+      } catch (const Error& error) {
+        document.refuse(name, std::string("is no name: ") + error.what());
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Arm arm_from_json(std::string_view text, const std::string& path) {
   const JsonDocument document(text, path);
   const Json& root = document.root();
   document.check_keys(root, {"name", "maker", "model", "source", "note", "base", "tool",
-                             "controller_base", "flange", "joints", "joint_string", "dh"});
+                             "controller_base", "flange", "joints", "joint_string", "dh",
+                             "joint_names"});
   for (const char* key : {"maker", "model", "source", "note"}) {
     if (const Json* found = document.find(root, key)) document.text(*found);
   }
+  if (const Json* names = document.find(root, "joint_names")) check_joint_names(document, *names);
   const Json* base = document.find(root, "base");
   const Json* tool = document.find(root, "tool");
   const std::string& name = document.text(document.need(root, "name"));

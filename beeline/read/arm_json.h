@@ -10,9 +10,10 @@ namespace beeline {
 
 /// Arms as JSON; docs/arm.schema.json is the complete grammar. Metres, radians, seconds.
 ///     {"name": "my arm", "base": POSE, "tool": POSE,     base and tool are optional,
-///      "controller_base": POSE, "flange": POSE,           so are ControllerFrames::base and
-///      ::flange "maker", "model", "source", "note",                and these texts "joints":
-///      [{"name", "type", "origin": POSE, "axis", "point", "pitch" or "screw",
+///      "controller_base": POSE, "flange": POSE,           so are the ControllerFrames
+///      "maker", "model", "source", "note",                and these texts
+///      "joint_names": [["name", ...], ...],               other descriptions' names, not kept
+///      "joints": [{"name", "type", "origin": POSE, "axis", "point", "pitch" or "screw",
 ///                  "limits": {"lower", "upper", "velocity", "acceleration", "jerk"},
 ///                  "mimic": {"joint", "multiplier", "offset"}, "link"}, ...]}
 /// or, instead of "joints", one of

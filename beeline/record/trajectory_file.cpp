@@ -12,6 +12,7 @@
 #include <beeline/record/internal/setpoints.h>
 #include <beeline/record/internal/trajectory_csv.h>
 #include <beeline/record/internal/trajectory_json.h>
+#include <beeline/record/internal/trajectory_yaml.h>
 #include <beeline/record/trajectory_file.h>
 
 namespace beeline {
@@ -59,23 +60,82 @@ std::string text_in_form(ControllerForm form, const Trajectory& samples,
   return "";
 }
 
+Recording recording_in_file(const std::string& path, const internal::TableOptions& options) {
+  trajectory_format(path, "");  // refuses another ending before the file is read
+  internal::InputFile file(path);
+  constexpr std::size_t begin = 4096;  // of a file without an ending
+  switch (trajectory_format(path, file.peek(begin))) {
+    case TrajectoryFormat::json:
+      return {.trajectory = internal::trajectory_from_json(file)};
+    case TrajectoryFormat::yaml:
+      return {.trajectory = internal::trajectory_from_yaml(file)};
+    default:
+      return internal::recording_from_csv(file, options);
+  }
+}
+
+Recording recording_in(std::string_view text, const std::string& path,
+                       const internal::TableOptions& options) {
+  switch (trajectory_format(path, text)) {
+    case TrajectoryFormat::json:
+      return {.trajectory = internal::trajectory_from_json(text, path)};
+    case TrajectoryFormat::yaml:
+      return {.trajectory = internal::trajectory_from_yaml(text, path)};
+    default:
+      return internal::recording_from_csv(text, path, options);
+  }
+}
+
+internal::TableOptions table_options(const Arm& arm, const RecordingOptions& options) {
+  return {.joint_names = arm.joint_names(),
+          .time_unit = options.time_unit,
+          .needs_times = options.needs_times};
+}
+
+Recording matched(Recording recording, const std::string& path, const Arm& arm,
+                  const RecordingOptions& options) {
+  MatchOptions match = options.match;
+  const std::vector<std::string>& names = recording.trajectory.joint_names;
+  const auto is_in_file = [&names](const MappedJoint& joint) {
+    return std::find(names.begin(), names.end(), joint.name) != names.end();
+  };
+  if (options.map_is_optional &&
+      std::none_of(match.joint_map.begin(), match.joint_map.end(), is_in_file)) {
+    match.joint_map.clear();
+  }
+  recording.mapped = !match.joint_map.empty();
+  try {
+    recording.trajectory = matched_to(arm, recording.trajectory, match);
+  } catch (const Error& error) {
+    throw FileError(path, 0, error.what());
+  }
+  return recording;
+}
+
 }  // namespace
 
 TrajectoryFormat trajectory_format(const std::string& path) {
   const std::string ending = internal::extension(path);
   if (ending == "csv") return TrajectoryFormat::csv;
   if (ending == "json") return TrajectoryFormat::json;
-  throw Error("trajectories are .csv or .json files, not " + internal::in_quotes(path));
+  if (ending == "yaml" || ending == "yml") return TrajectoryFormat::yaml;
+  throw Error("trajectories are .csv, .json or .yaml files, not " + internal::in_quotes(path));
 }
 
 TrajectoryFormat trajectory_format(const std::string& path, std::string_view text) {
-  if (internal::extension(path).empty()) {
+  const std::string ending = internal::extension(path);
+  if (ending.empty()) {
     return internal::first_character(text) == '{' ? TrajectoryFormat::json : TrajectoryFormat::csv;
+  }
+  for (const char* const table : {"txt", "tsv", "dat", "log"}) {
+    if (ending == table) return TrajectoryFormat::csv;
   }
   try {
     return trajectory_format(path);
   } catch (const Error&) {
-    throw FileError(path, 0, "is not a known kind of trajectory file; known are .csv, .json");
+    throw FileError(path, 0,
+                    "is not a known kind of trajectory file; known are .csv, .json, .yaml and, "
+                    "read as .csv, .txt, .tsv, .dat, .log");
   }
 }
 
@@ -89,18 +149,20 @@ void write_trajectory(const std::string& path, const Trajectory& trajectory) {
 }
 
 Trajectory read_trajectory(const std::string& path) {
-  trajectory_format(path, "");  // refuses another ending before the file is read
-  internal::InputFile file(path);
-  constexpr std::size_t begin = 4096;  // of a file without an ending
-  return trajectory_format(path, file.peek(begin)) == TrajectoryFormat::csv
-             ? internal::trajectory_from_csv(file)
-             : internal::trajectory_from_json(file);
+  return recording_in_file(path, {}).trajectory;
 }
 
 Trajectory parse_trajectory(std::string_view text, const std::string& path) {
-  return trajectory_format(path, text) == TrajectoryFormat::csv
-             ? internal::trajectory_from_csv(text, path)
-             : internal::trajectory_from_json(text, path);
+  return recording_in(text, path, {}).trajectory;
+}
+
+Recording read_recording(const std::string& path, const Arm& arm, const RecordingOptions& options) {
+  return matched(recording_in_file(path, table_options(arm, options)), path, arm, options);
+}
+
+Recording parse_recording(std::string_view text, const std::string& path, const Arm& arm,
+                          const RecordingOptions& options) {
+  return matched(recording_in(text, path, table_options(arm, options)), path, arm, options);
 }
 
 std::string name(ControllerForm form) { return description(form).name; }

@@ -12,12 +12,14 @@
 namespace beeline {
 
 /// The format of a trajectory in a file, given by the ending of its path. Numbers read back
-/// exactly, times of .json to the nanosecond.
-///   .csv   columns t, then the joints' names, and NAME_vel, NAME_acc where known
-///   .json  the message trajectory_msgs/JointTrajectory of ROS, times in whole nanoseconds
-enum class TrajectoryFormat { csv, json };
+/// exactly, times of .json and .yaml to the nanosecond.
+///   .csv          columns t, then the joints' names, and NAME_vel, NAME_acc where known; .txt,
+///   .tsv,
+///                 .dat and .log are read so too
+///   .json, .yaml  the message trajectory_msgs/JointTrajectory of ROS, times in whole nanoseconds
+enum class TrajectoryFormat { csv, json, yaml };
 
-/// Throws Error for another ending.
+/// Throws Error for an ending with which no file is written.
 TrajectoryFormat trajectory_format(const std::string& path);
 
 /// Returns the format of a file that was read. A file without an ending, such as a pipe, is .json
@@ -39,6 +41,60 @@ Trajectory read_trajectory(const std::string& path);
 
 /// The same from the text of the file at `path`.
 Trajectory parse_trajectory(std::string_view text, const std::string& path);
+
+/// The unit of times in a table.
+enum class TimeUnit { seconds, milliseconds, microseconds, nanoseconds };
+std::string name(TimeUnit unit);  ///< s, ms, us, ns
+std::vector<std::string> time_unit_names();
+
+/// Throws Error listing the names for another name.
+TimeUnit time_unit_named(const std::string& name);
+
+struct RecordingOptions {
+  MatchOptions match = {};
+  /// A file that has none of the joint map's names is matched by name, as if there was no map.
+  bool map_is_optional = false;
+  /// Of the times of a .csv file. Default: what the column's name says, as time_ms; else seconds
+  /// or, for times since 1970, the unit that their size gives.
+  std::optional<TimeUnit> time_unit = std::nullopt;
+  bool needs_times = true;  ///< otherwise a .csv file may be a path: rows at 0, 1, 2, ... s
+};
+
+/// A trajectory as a program of any kind has recorded it.
+struct Recording {
+  Trajectory trajectory;                ///< of the arm: see matched_to()
+  bool has_times = true;                ///< false for a path
+  bool mapped = false;                  ///< by the joint map
+  std::vector<std::string> notes = {};  ///< how the file was read, where it does not say: one
+                                        ///< sentence each, with the file's name
+};
+
+/// Reads a recording of an arm. A .csv file may have any of these:
+///   - times in a column t, time, timestamp or stamp, seconds and nanoseconds in two columns sec,
+///     nanosec, or a unit in the name; times since 1970 in a smaller unit than seconds count from
+///     the first
+///   - semicolons, tabs or blanks between the items, with decimal commas
+///   - no header, a column of times first, then the joints in the arm's order; or a header in a
+///     comment
+///   - joints as matched_to() finds them
+/// Throws as read_trajectory() and, as FileError, matched_to() do.
+Recording read_recording(const std::string& path, const Arm& arm,
+                         const RecordingOptions& options = {});
+/// The same from the text of the file at `path`.
+Recording parse_recording(std::string_view text, const std::string& path, const Arm& arm,
+                          const RecordingOptions& options = {});
+
+/// Returns the joint of this name, with a minus in front if its sign is -1. Throws Error for a name
+/// that is empty or not text.
+MappedJoint mapped_joint(std::string_view name);
+
+/// Reads a joint map of an arm: names separated by commas in the arm's order, each with a minus in
+/// front if its sign is -1, or the path of a .json file: a name for each joint of the arm, or an
+/// object of which all but the name are optional:
+///     {"joint1": "A1", "joint2": {"name": "A2", "sign": -1, "offset": 90, "unit": "deg"}, ...}
+/// The offset is in the unit, which is rad, deg, m or mm. A joint that the file does not have keeps
+/// its name. Throws Error and FileError.
+JointMap read_joint_map(const std::string& text, const Arm& arm);
 
 /// The forms in which controllers take a motion.
 enum class ControllerForm {

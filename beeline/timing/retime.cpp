@@ -71,6 +71,15 @@ std::string too_long(const Trajectory& trajectory, const RetimeOptions& options)
          " samples, more than max_samples, " + std::to_string(most);
 }
 
+/// The trajectory in the arm's order, unwrapped unless the options forbid it.
+Trajectory path_of(const Arm& arm, const Trajectory& recorded, const RetimeOptions& options,
+                   std::vector<UnwrappedJoint>& joints) {
+  if (options.no_unwrap) return matched_to(arm, recorded);
+  Unwrapped result = unwrapped(arm, recorded);
+  joints = std::move(result.joints);
+  return std::move(result.trajectory);
+}
+
 }  // namespace
 
 void check_moves(const Trajectory& trajectory) {
@@ -89,7 +98,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   Retimed timed;
   timed.profile = options.profile.value_or(default_profile);
   internal::check_options(options.tool_speed, options.rate);
-  const Trajectory trajectory = matched_to(arm, recorded);
+  const Trajectory trajectory = path_of(arm, recorded, options, timed.unwrapped);
   check_moves(trajectory);
   timed.reason = too_long(trajectory, options);
   if (!timed) return timed;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <beeline/budget.h>
 #include <beeline/error.h>
@@ -24,6 +26,9 @@ struct RetimeOptions {
   /// 2 or more: there is no motion if the rate makes more, or if the path has more and more than
   /// default_max_samples. A sample of the path takes some 70 microseconds and 2.5 kB.
   int max_samples = default_max_samples;
+  /// Keep the jumps of continuous joints whose values wrap. The times of the trajectory, which are
+  /// otherwise ignored, decide which jumps are wraps.
+  bool no_unwrap = false;
   Budget budget = {};
 };
 
@@ -34,6 +39,7 @@ struct Retimed {
   LimitUsage limits;         ///< of the trajectory, relative to the arm's own limits
   double tool_speed = 0;     ///< a bound on the tool origin's speed, m/s
   std::size_t sections = 0;  ///< number of sections of the path between stops, those retimed
+  std::vector<UnwrappedJoint> unwrapped;  ///< joints of the given trajectory that were unwrapped
   /// Unless complete, the trajectory is that of the sections so far, up to a stop, and may take
   /// longer than necessary; `limits` and `tool_speed` are not known.
   Ending ending = Ending::complete;
@@ -49,7 +55,7 @@ void check_moves(const Trajectory& trajectory);
 /// time_scaling() in profile.h). The geometric path q(s) is the cubic spline through its positions
 /// by chord length (joint_spline() in path/joint_path.h). Its times and velocities are ignored,
 /// except that stops are kept (a stop is a repeated position or a zero velocity vector) and the
-/// path may have a corner there.
+/// path may have a corner there. Continuous joints are unwrapped first (see unwrapped()).
 ///
 /// The result is within the limits at all times, for the motion that its columns mean (see
 /// Interpolation): the acceleration of a cubic or quintic one does not jump, so it takes up to 1 %

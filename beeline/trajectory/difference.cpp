@@ -4,6 +4,7 @@
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/trajectory/difference.h>
+#include <beeline/trajectory/internal/continuous_joint.h>
 
 namespace beeline {
 namespace {
@@ -14,6 +15,17 @@ Trajectory from_zero(const Arm& arm, const Trajectory& given, const char* which)
   const double begin = trajectory.times.front();
   for (double& t : trajectory.times) t -= begin;
   return trajectory;
+}
+
+/// Turns the continuous joints of b by whole revolutions, so that they begin near those of a.
+void start_near(const Arm& arm, const Trajectory& a, Trajectory& b) {
+  for (int k = 0; k < arm.dof(); ++k) {
+    if (!internal::is_continuous(arm, k)) continue;
+    const double offset = b.positions.front()[k] - a.positions.front()[k];
+    const double turns = std::round(offset / internal::revolution);
+    if (turns == 0) continue;
+    for (Configuration& q : b.positions) q[k] -= turns * internal::revolution;
+  }
 }
 
 /// The sample times of both, up to the end of the shorter one.
@@ -32,7 +44,8 @@ std::vector<double> common_times(const Trajectory& a, const Trajectory& b) {
 TrajectoryDifference difference(const Arm& arm, const Trajectory& given_a,
                                 const Trajectory& given_b) {
   const Trajectory a = from_zero(arm, given_a, "the first");
-  const Trajectory b = from_zero(arm, given_b, "the second");
+  Trajectory b = from_zero(arm, given_b, "the second");
+  start_near(arm, a, b);
   TrajectoryDifference result;
   result.joints.resize(static_cast<std::size_t>(arm.dof()));
   result.longer = b.times.back() - a.times.back();

@@ -23,9 +23,10 @@ struct TrajectoryDifference {
 };
 
 /// Compares two trajectories of an arm, each from its own first sample on, joints linear between
-/// samples, at the samples of both. The joints' largest differences are exact; those of the tool
-/// are the largest at the samples. Throws Error when one of them does not fit the arm or has no
-/// samples.
+/// samples, at the samples of both. A continuous joint of b begins within half a revolution of that
+/// of a: whole revolutions do not count. The joints' largest differences are exact; those of the
+/// tool are the largest at the samples. Throws Error when one of them does not fit the arm or has
+/// no samples.
 TrajectoryDifference difference(const Arm& arm, const Trajectory& a, const Trajectory& b);
 
 }  // namespace beeline

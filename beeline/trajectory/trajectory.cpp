@@ -3,6 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
+#include <beeline/trajectory/internal/joint_columns.h>
 #include <beeline/trajectory/trajectory.h>
 
 namespace beeline {
@@ -22,23 +23,53 @@ void check_column(const std::vector<Configuration>& column, const Trajectory& tr
   }
 }
 
-/// The column of the trajectory that belongs to each coordinate of the arm.
-std::vector<Eigen::Index> column_order(const Arm& arm, const Trajectory& trajectory) {
-  std::vector<std::string> missing;
-  std::vector<std::string> unknown = trajectory.joint_names;
-  std::vector<Eigen::Index> order;
-  for (const std::string& joint : arm.joint_names()) {
-    const auto& names = trajectory.joint_names;
-    const auto found = std::find(names.begin(), names.end(), joint);
-    if (found == names.end()) missing.push_back(joint);
-    order.push_back(found - names.begin());
-    std::erase(unknown, joint);
+/// A coordinate is factor * recorded + shift.
+struct Affine {
+  double factor = 1, shift = 0;
+};
+
+void check_match(const MatchOptions& options) {
+  const auto is_unit = [](double unit) { return unit > 0 && std::isfinite(unit); };
+  if (!is_unit(options.angle_unit)) {
+    throw Error("the unit of recorded angles must be above 0, not " + number(options.angle_unit));
   }
-  if (missing.empty() && unknown.empty()) return order;
-  std::string text = "the trajectory does not fit arm " + arm.name() + ":";
-  if (!missing.empty()) text += " it lacks " + listed(missing) + ";";
-  if (!unknown.empty()) text += " the arm has no " + listed(unknown) + ";";
-  throw Error(text + " the arm's joints are " + listed(arm.joint_names()));
+  for (const auto& [name, sign, offset, unit] : options.joint_map) {
+    const std::string what = "joint " + name + " of the joint_map: the ";
+    if (std::abs(sign) != 1) throw Error(what + "sign must be 1 or -1, not " + number(sign));
+    if (!std::isfinite(offset)) throw Error(what + "offset must be finite");
+    if (unit && !is_unit(*unit)) throw Error(what + "unit must be above 0, not " + number(*unit));
+  }
+}
+
+/// What makes each coordinate of the recorded values.
+std::vector<Affine> maps_of(const Arm& arm, const MatchOptions& options) {
+  std::vector<Affine> maps(static_cast<std::size_t>(arm.dof()));
+  for (std::size_t k = 0; k < maps.size(); ++k) {
+    const bool slides = kind(arm.joint_of(static_cast<Eigen::Index>(k))) == JointKind::prismatic;
+    const double unit = slides ? 1 : options.angle_unit;
+    const MappedJoint joint = options.joint_map.empty() ? MappedJoint() : options.joint_map[k];
+    maps[k].factor = joint.unit.value_or(unit) * joint.sign;
+    maps[k].shift = joint.unit.value_or(unit) * joint.offset;
+  }
+  return maps;
+}
+
+/// Returns these columns as coordinates of the arm, or as rates of them.
+std::vector<Configuration> column(const std::vector<Configuration>& recorded,
+                                  const std::vector<Eigen::Index>& order,
+                                  const std::vector<Affine>& maps, bool rates) {
+  std::vector<Configuration> mapped;
+  mapped.reserve(recorded.size());
+  for (const Configuration& values : recorded) {
+    Configuration& q = mapped.emplace_back(static_cast<Eigen::Index>(order.size()));
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      const auto& [factor, shift] = maps[k];
+      // A zero keeps its sign.
+      const double value = factor == 1 ? values[order[k]] : factor * values[order[k]];
+      q[static_cast<Eigen::Index>(k)] = rates || shift == 0 ? value : value + shift;
+    }
+  }
+  return mapped;
 }
 
 }  // namespace
@@ -113,15 +144,24 @@ TrajectoryState sample(const Trajectory& trajectory, double t, Side side) {
   return state;
 }
 
-Trajectory matched_to(const Arm& arm, const Trajectory& trajectory) {
+Trajectory matched_to(const Arm& arm, const Trajectory& trajectory, const MatchOptions& options) {
   check_trajectory(trajectory);
-  const std::vector<Eigen::Index> order = column_order(arm, trajectory);
-  const auto reordered = [&order](std::vector<Configuration> column) {
-    for (Configuration& q : column) q = Configuration(q(order));
-    return column;
-  };
-  return {arm.joint_names(), trajectory.times, reordered(trajectory.positions),
-          reordered(trajectory.velocities), reordered(trajectory.accelerations)};
+  check_match(options);
+  const internal::JointColumns order =
+      internal::joint_columns(arm, trajectory.joint_names, options.joint_map);
+  const std::vector<Affine> maps = maps_of(arm, options);
+  Trajectory matched{arm.joint_names(), trajectory.times, {}, {}, {}};
+  matched.positions = column(trajectory.positions, order.positions, maps, false);
+  if (!order.velocities.empty()) {
+    matched.velocities = column(trajectory.positions, order.velocities, maps, true);
+    if (!order.accelerations.empty()) {
+      matched.accelerations = column(trajectory.positions, order.accelerations, maps, true);
+    }
+    return matched;
+  }
+  matched.velocities = column(trajectory.velocities, order.positions, maps, true);
+  matched.accelerations = column(trajectory.accelerations, order.positions, maps, true);
+  return matched;
 }
 
 }  // namespace beeline

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,8 +60,53 @@ void check_trajectory(const Trajectory& trajectory);
 /// NaN.
 TrajectoryState sample(const Trajectory& trajectory, double t, Side side = Side::after);
 
-/// Returns the trajectory with its columns in the arm's order, matched by joint name. Throws Error
-/// as check_trajectory() does, and for joints that are missing or that the arm does not have.
-Trajectory matched_to(const Arm& arm, const Trajectory& trajectory);
+/// A joint of a recording that is a coordinate of an arm:
+///     coordinate = unit * (sign * recorded + offset).
+struct MappedJoint {
+  std::string name;   ///< in the recording
+  double sign = 1;    ///< 1 or -1
+  double offset = 0;  ///< in the recording's unit
+  /// Radians or metres per unit of the recording; default: MatchOptions::angle_unit for angles, 1
+  /// for metres.
+  std::optional<double> unit = std::nullopt;
+};
+
+/// A joint of a recording for each coordinate of an arm.
+using JointMap = std::vector<MappedJoint>;
+
+struct MatchOptions {
+  JointMap joint_map = {};  ///< empty: joints are matched by name; else all others are dropped
+  double angle_unit = 1;    ///< radians per unit of the recording: pi / 180 for degrees
+};
+
+/// Returns the trajectory with its columns in the arm's order, matched by joint name: the arm's own
+/// names, one of the lists of BuiltInArm::joint_names of a built-in arm, or either with the same
+/// text in front of all of them, as `left_joint1`, or with `position`, and for rates `velocity` and
+/// `acceleration`, behind it, as /joint_states/joint1/position; other columns are dropped only in
+/// the last case. Throws Error as check_trajectory() does, for joints that are missing or that the
+/// arm does not have, and for a joint map of another length or with another sign or unit.
+Trajectory matched_to(const Arm& arm, const Trajectory& trajectory,
+                      const MatchOptions& options = {});
+
+/// A joint whose recorded values jumped by whole revolutions.
+struct UnwrappedJoint {
+  std::string joint;
+  int wraps = 0;          ///< number of jumps
+  double first_time = 0;  ///< seconds: of the sample after the first jump
+};
+
+struct Unwrapped {
+  Trajectory trajectory;
+  std::vector<UnwrappedJoint> joints;  ///< those that were changed
+};
+
+/// Returns the trajectory, matched_to() the arm, without the jumps of sensors whose values wrap
+/// after a revolution. Only continuous joints are unwrapped: revolute ones without position limits,
+/// whose followers repeat after a revolution too. Their values are within one or two revolutions,
+/// and jump by as many. If the mean velocity from one sample to the next
+/// exceeds the joint's velocity limit, known or assumed, but without whole revolutions it is within
+/// the limit, or as slow as the motion just before or after, these revolutions are taken from all
+/// later samples.
+Unwrapped unwrapped(const Arm& arm, const Trajectory& trajectory);
 
 }  // namespace beeline

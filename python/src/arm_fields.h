@@ -32,7 +32,10 @@ struct Fields<BuiltInArm> {
         field("maker", &BuiltInArm::maker, "Who makes or has described it."),
         field("model", &BuiltInArm::model, "The maker's name of it."),
         field("source", &BuiltInArm::source, "The document of its lengths and limits."),
-        field("note", &BuiltInArm::note, "Zero, signs and couplings; may be empty."));
+        field("note", &BuiltInArm::note, "Zero, signs and couplings; may be empty."),
+        field("joint_names", &BuiltInArm::joint_names,
+              "What descriptions for ROS call the joints, in the arm's order: a list for each "
+              "description."));
   }
 };
 

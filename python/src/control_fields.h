@@ -108,6 +108,8 @@ struct Fields<ReplayOptions> {
               "Pairs (time, speed) at increasing times; none: `speed` throughout."),
         field("ramp", &ReplayOptions::ramp,
               "Time in which the speed changes by 1, s, above 0; for `speed_at` only."),
+        field("no_unwrap", &ReplayOptions::no_unwrap,
+              "Keep the jumps of continuous joints whose values wrap."),
         field("budget", &ReplayOptions::budget, ""));
   }
 };
@@ -127,7 +129,8 @@ struct Fields<Replay> {
         field("slowdown", &Replay::slowdown,
               "The recording's duration as a multiple of that which was asked for."),
         field("limits", &Replay::limits,
-              "Of the trajectory, or of a recording that is too fast at this speed."));
+              "Of the trajectory, or of a recording that is too fast at this speed."),
+        field("unwrapped", &Replay::unwrapped, "Joints of the recording that were unwrapped."));
   }
 };
 

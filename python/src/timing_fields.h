@@ -133,6 +133,8 @@ struct Fields<RetimeOptions> {
               "interpolation needs."),
         field("max_samples", &RetimeOptions::max_samples,
               "With a rate, 2 or more: there is no motion if it makes more."),
+        field("no_unwrap", &RetimeOptions::no_unwrap,
+              "Keep the jumps of continuous joints whose values wrap."),
         field("budget", &RetimeOptions::budget, ""));
   }
 };
@@ -150,6 +152,8 @@ struct Fields<Retimed> {
         field("limits", &Retimed::limits, "Of the trajectory, relative to the arm's limits."),
         field("tool_speed", &Retimed::tool_speed, "A bound on the tool origin's speed, m/s."),
         field("sections", &Retimed::sections, "Number of sections of the path between stops."),
+        field("unwrapped", &Retimed::unwrapped,
+              "Joints of the given trajectory that were unwrapped."),
         field("ending", &Retimed::ending,
               "Unless `complete`, the trajectory is that of the sections so far, up to a stop."));
   }

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <beeline/budget.h>
+#include <beeline/record/trajectory_file.h>
 #include <beeline/trajectory/difference.h>
 #include <beeline/trajectory/limit_usage.h>
 #include <beeline/trajectory/trajectory.h>
 
-#include "record.h"
+#include "pose_list_fields.h"
 
 namespace beeline::python {
 
@@ -107,6 +108,50 @@ struct Fields<TrajectoryDifference> {
         field("longer", &T::longer, "Duration of b minus that of a, s."));
   }
 };
+
+template <>
+struct Fields<MappedJoint> {
+  static constexpr const char* name = "MappedJoint";
+  static constexpr const char* doc =
+      "A joint of a recording that is a coordinate of an arm: unit * (sign * recorded + offset).";
+  static constexpr std::size_t required = 1;
+  static constexpr auto all() {
+    return std::tuple(
+        field("name", &MappedJoint::name, "In the recording."),
+        field("sign", &MappedJoint::sign, "1 or -1."),
+        field("offset", &MappedJoint::offset, "In the recording's unit."),
+        field("unit", &MappedJoint::unit,
+              "rad or m per unit of the recording; None: that of all angles, or metres."));
+  }
+};
+
+template <>
+struct Fields<UnwrappedJoint> {
+  static constexpr const char* name = "UnwrappedJoint";
+  static constexpr const char* doc = "A joint whose recorded values jumped by whole revolutions.";
+  static constexpr auto all() {
+    return std::tuple(
+        field("joint", &UnwrappedJoint::joint, "Its name."),
+        field("wraps", &UnwrappedJoint::wraps, "Number of jumps."),
+        field("first_time", &UnwrappedJoint::first_time, "Of the sample after the first jump, s."));
+  }
+};
+
+template <>
+struct Fields<Unwrapped> {
+  static constexpr const char* name = "Unwrapped";
+  static constexpr const char* doc =
+      "A trajectory without the jumps of sensors whose values wrap after a revolution.";
+  static constexpr auto all() {
+    return std::tuple(field("trajectory", &Unwrapped::trajectory, "In the arm's order."),
+                      field("joints", &Unwrapped::joints, "Those that were changed."));
+  }
+};
+
+template <>
+inline std::vector<TimeUnit> choices() {
+  return {TimeUnit::seconds, TimeUnit::milliseconds, TimeUnit::microseconds, TimeUnit::nanoseconds};
+}
 
 template <>
 struct Fields<LimitFraction> {

@@ -164,7 +164,7 @@ def test_a_value_out_of_range_in_a_file_names_the_file(refused, written):
 def test_a_file_of_unknown_kind(refused, written):
     refused(3, "show", written("a.txt", "x"), says=["a.txt", ".urdf"])
     for verb in ("retime", "replay"):
-        refused(3, verb, "rrr", "a.txt", says=["a.txt", ".csv, .json"])
+        refused(3, verb, "rrr", written("a.bin", "x"), says=["a.bin", ".csv, .json, .yaml"])
 
 
 @pytest.mark.parametrize("options", [("--out", "no/such/folder/a.csv"), ("--draw", "no/such/a.svg")])

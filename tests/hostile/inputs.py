@@ -24,6 +24,11 @@ PANDA_MOTION = b"t," + b",".join(b"joint%d" % k for k in range(1, 8)) + b"," + b
     b"\n" + b"\n".join(b"%g,0,%g,0,-1.5,0,1.5,0.7,0,0.1,0,0,0,0,0" % (0.1 * i, 0.01 * i) for i in range(30)) + b"\n"
 JSON_MOTION = b'{"joint_names": ["joint1", "joint2", "joint3"], "points": [{"positions": [0.1, 0.5, -0.4], "time_from_start": {"sec": 0, "nanosec": 0}},' \
     b' {"positions": [0.2, 0.6, -0.5], "time_from_start": {"sec": 1, "nanosec": 500000000}}]}'
+YAML_MOTION = b"joint_names: [joint1, joint2, joint3]\npoints:\n- positions: [0.1, 0.5, -0.4]\n  time_from_start: {sec: 0, nanosec: 0}\n" \
+    b"- positions: [0.2, 0.6, -0.5]\n  time_from_start: {sec: 1, nanosec: 500000000}\n---\n"
+LOG = b"timestamp shoulder_pan_joint shoulder_lift_joint elbow_joint wrist_1_joint wrist_2_joint wrist_3_joint\n" + \
+    b"".join(b"%d 0,1 -1,%02d 1,2 0,3 1,5 3,%02d\n" % (1700000000000000000 + 20000000 * i, i, i) for i in range(30))
+JOINT_MAP = b'{"joint1": "joint3", "joint2": {"sign": -1, "offset": 10, "unit": "deg"}, "joint3": {"name": "joint1"}}'
 YAML_LIMITS = b"joint_limits:\n  joint1:\n    has_velocity_limits: true\n    max_velocity: 1.5\n    has_acceleration_limits: true\n    max_acceleration: 3\n" \
     b"  joint2:\n    has_position_limits: true\n    min_position: -1\n    max_position: 1\n"
 JSON_LIMITS = b'{"joint1": {"lower": -2, "upper": 2, "velocity": 1.5}, "joint2": {"jerk": 50}}'
@@ -40,7 +45,7 @@ FILES = {
     "px150.json": (ROOT / "tests/inverse/arms/px150.json").read_bytes(),
     "ur5.json": (ROOT / "docs/howto/typed_ur5.json").read_bytes(),
     "poses.csv": WAYPOINTS, "reachable.csv": REACHABLE, "planar.csv": PLANAR, "program.csv": PROGRAM, "rrr.csv": PLANAR_MOTION, "panda.csv": PANDA_MOTION,
-    "rrr.json": JSON_MOTION, "limits.yaml": YAML_LIMITS, "limits.json": JSON_LIMITS, "arm.srdf": SRDF, "joints.csv": JOINTS, "joints.npy": NPY, "dh.json": DH, "degrees.json": DEGREES,
+    "rrr.json": JSON_MOTION, "rrr.yaml": YAML_MOTION, "log.txt": LOG, "map.json": JOINT_MAP, "limits.yaml": YAML_LIMITS, "limits.json": JSON_LIMITS, "arm.srdf": SRDF, "joints.csv": JOINTS, "joints.npy": NPY, "dh.json": DH, "degrees.json": DEGREES,
 }
 
 POSE, PLANAR_POSE = "0.4,0.2,0.3,3.1,0,0", "4,4,0.1"
@@ -72,6 +77,9 @@ retime panda panda.csv --out out.csv --velocity 1 --acceleration 2 --jerk 50
 retime rrr rrr.json --out out.csv --rate 50 --profile quintic
 replay rrr rrr.csv --out out.csv --speed-at 0:0.2 --rate 100
 diff rrr rrr.csv rrr.json
+diff rrr rrr.yaml rrr.csv --joint-map map.json
+retime ur5 log.txt --out out.yaml
+replay ur5 log.txt --time-unit ns --degrees
 export ur5 ur5_line.csv --as urscript --out out.script
 draw robot.urdf --tip gripper --out out.svg --q 0.1,0.2,0.1,0
 draw panda panda.csv --out out.svg
@@ -98,7 +106,7 @@ completion bash
 """.strip().splitlines()]
 OPTIONS = """--json --degrees --all --tcp --mount --work --limits --velocity --acceleration --jerk --speed --task --rate --blend --path --profile --out
 --tolerance --max-samples --max-iterations --max-restarts --grid --time-limit --max-work --seed --from --tool-speed --plot --help --weights --every-turn
---ignore-limits --pose-tolerance --threads --settle --max-steps --gain --method --redundancy --base --tip --q --pose --degrees""".split()
+--joint-map --time-unit --no-unwrap --ignore-limits --pose-tolerance --threads --settle --max-steps --gain --method --redundancy --base --tip --q --pose --degrees""".split()
 
 
 # Files that the command makes, by the command lines before --out.

@@ -106,7 +106,7 @@ def test_sides_of_a_sample():
     assert turn.sample(1).velocity == -1
 
 
-@pytest.mark.parametrize("ending", ["csv", "json"])
+@pytest.mark.parametrize("ending", ["csv", "json", "yaml"])
 def test_files_read_back(trajectory, tmp_path, ending):
     path = tmp_path / f"motion.{ending}"  # a path, and text
     trajectory.save(path)
@@ -169,6 +169,64 @@ def test_copies_and_pickles_are_equal(trajectory):
     assert trajectory != "text" and not trajectory == None  # noqa: E711
     with pytest.raises(TypeError):
         hash(trajectory)
+
+
+UR_NAMES = ["shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint", "wrist_3_joint"]
+
+
+def test_recordings_of_other_programs(tmp_path, rng):
+    arm = beeline.arms.ur5e()
+    assert UR_NAMES in {about.name: about for about in beeline.built_in_arms()}["ur5e"].joint_names
+    q = rng.uniform(-1, 1, (4, 6))
+    path = tmp_path / "log.txt"
+    rows = [" ".join(map(repr, map(float, [1000 * k, *np.degrees(row)]))) for k, row in enumerate(q)]
+    path.write_text("\n".join(["time " + " ".join(UR_NAMES), *rows]) + "\n")
+    read = beeline.Trajectory.load(path, arm, unit="degrees", time_unit="ms")
+    assert np.array_equal(read.times, range(4)) and read.joint_names == arm.joint_names
+    assert np.abs(read.positions - q).max() < 1e-14
+    raw = beeline.Trajectory.load(path)
+    assert raw.joint_names == UR_NAMES
+    assert np.array_equal(raw.matched_to(arm, unit="degrees").positions, read.positions)
+    with pytest.raises(beeline.Error, match="joint_map, unit and time_unit need an arm"):
+        beeline.Trajectory.load(path, unit="degrees")
+
+
+def test_joint_maps(tmp_path, rng):
+    arm = beeline.Arm.from_string("RRR:1,1,1")
+    q = rng.uniform(-1, 1, (3, 4))
+    given = beeline.Trajectory(["x", "a", "b", "c"], range(3), q, q)
+    path = tmp_path / "log.csv"
+    given.save(path)
+    expected = np.stack([q[:, 3], -q[:, 1], 2 * (q[:, 2] + 0.5)], axis=1)
+    joints = ["c", "-a", beeline.MappedJoint("b", offset=0.5, unit=2)]
+    for read in (given.matched_to(arm, joint_map=joints), beeline.Trajectory.load(path, arm, joint_map=joints)):
+        assert np.allclose(read.positions, expected, atol=1e-15, rtol=0)
+        assert np.allclose(read.velocities, expected - [0, 0, 1], atol=1e-15, rtol=0)
+    assert np.array_equal(given.matched_to(arm, joint_map="c,-a,b").positions, q[:, [3, 1, 2]] * [1, -1, 1])
+    file = tmp_path / "map.json"
+    file.write_text('{"joint1": "c", "joint2": {"name": "a", "sign": -1}, "joint3": "b"}')
+    assert given.matched_to(arm, joint_map=str(file)) == given.matched_to(arm, joint_map="c,-a,b")
+    for wrong in (["c", "a"], ["c", "a", "d"], ["c", "a", ""], "c,a", "none.json"):
+        with pytest.raises(beeline.Error):
+            given.matched_to(arm, joint_map=wrong)
+    with pytest.raises(TypeError):
+        given.matched_to(arm, joint_map=3)
+
+
+def test_wrapped_values_are_unwrapped():
+    arm = beeline.Arm.from_string("RR:1,1")
+    q = np.stack([2.9 + 0.05 * np.arange(21), np.zeros(21)], axis=1)
+    recorded = beeline.Trajectory(arm.joint_names, 0.1 * np.arange(21), np.remainder(q + np.pi, 2 * np.pi) - np.pi)
+    turned = recorded.unwrapped(arm)
+    assert np.allclose(turned.trajectory.positions, q, atol=1e-12, rtol=0)
+    assert [(joint.joint, joint.wraps) for joint in turned.joints] == [("joint1", 1)]
+    assert turned.joints[0].first_time == pytest.approx(0.5)
+    for result in (beeline.replay(arm, recorded), beeline.retime(arm, recorded)):
+        assert result and result.unwrapped == turned.joints
+        assert result.trajectory.positions[-1] == pytest.approx(q[-1])
+    for result in (beeline.replay(arm, recorded, no_unwrap=True), beeline.retime(arm, recorded, no_unwrap=True)):
+        assert result and result.unwrapped == []
+        assert result.trajectory.positions[-1] == pytest.approx(recorded.positions[-1])
 
 
 REFUSED = [

@@ -76,8 +76,8 @@ TEST(PoseList, MistakesAreNamed) {
   EXPECT_REFUSED(read("x,y,theta,speed\n1,2,3,1\n"), "unknown column \"speed\"; " + forms);
   EXPECT_REFUSED(read("x;y;theta\n1\n"), "a.csv:2: this row has 1 items; the header has 3");
   EXPECT_REFUSED(read("1,2,3,4\n"),
-                 "a.csv:1: the first line must be a header of names, such as x,y,theta; it has 4 "
-                 "numbers, which is no pose");
+                 "a.csv:1: the first line must be a header of names; it has 4 numbers, and a row "
+                 "without a header has one of 3, 6, 7, 2");
   EXPECT_REFUSED(read("x,y,theta\n1,2,nan\n"), "a.csv:2: column theta: \"nan\" must be finite");
   EXPECT_REFUSED(read("x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n0,0,0,1,1,0,0\n"),
                  "a.csv:3: quaternion qw,qx,qy,qz = 1,1,0,0 has length 1.41421; it must be 1");
@@ -126,8 +126,9 @@ TEST(PoseList, SemicolonsSeparateToo) {
   EXPECT_EQ(poses_from_csv("x;y;theta\n1;2.5;0\n", "a.csv").poses.at(0).translation(),
             Vector3(1, 2.5, 0));
   const std::string cure = "separate them by commas or by semicolons, and write decimal points";
-  for (const char* text : {"x;y;theta\n1,5;2;0\n", "x,y,theta\n1,5;2;0\n", "1,5;2,5;0\n"}) {
-    EXPECT_REFUSED(poses_from_csv(text, "a.csv"), cure);
+  EXPECT_REFUSED(poses_from_csv("x,y,theta\n1,5;2;0\n", "a.csv"), cure);
+  for (const char* text : {"x;y;theta\n1,5;2,5;0\n", "1,5;2,5;0\n", "x y theta\n1,5 2,5 0\n"}) {
+    EXPECT_EQ(poses_from_csv(text, "a.csv").poses.at(0).translation(), Vector3(1.5, 2.5, 0));
   }
 }
 

@@ -31,12 +31,12 @@ TEST(TrajectoryFile, OtherFormatsAreRefused) {
   const Trajectory trajectory = testing::random_trajectory(random);
   for (const char* name : {"a.txt", "a", "a.csv.bak"}) {
     const std::string path = folder.file(name);
-    const std::string said = ".csv or .json files, not \"" + path;
+    const std::string said = ".csv, .json or .yaml files, not \"" + path;
     EXPECT_REFUSED(trajectory_format(path), said);
     EXPECT_REFUSED(write_trajectory(path, trajectory), said);
-    if (name != std::string("a")) {
+    if (name == std::string("a.csv.bak")) {
       EXPECT_REFUSED(read_trajectory(path),
-                     "is not a known kind of trajectory file; known are .csv, .json");
+                     "is not a known kind of trajectory file; known are .csv, .json, .yaml");
     }
   }
   EXPECT_EQ(folder.count(), 0u);

@@ -1,6 +1,9 @@
+#include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 #include <beeline/model/catalog.h>
+#include <beeline/model/composite.h>
 #include <beeline/trajectory/trajectory.h>
 
 #include <tests/random.h>
@@ -187,6 +190,98 @@ TEST(MatchedTo, NamesTheJointsThatAreMissingAndUnknown) {
   trajectory = random_trajectory(random, arm, 3);
   trajectory.joint_names.push_back("joint1");
   EXPECT_REFUSED(matched_to(arm, trajectory), "joint1");
+}
+
+/// The trajectory with other names.
+Trajectory renamed(Trajectory trajectory, const std::vector<std::string>& names) {
+  trajectory.joint_names = names;
+  return trajectory;
+}
+
+/// The first list of names.
+std::vector<std::string> joint_names_for_ros(const std::string& arm) {
+  for (const BuiltInArm& about : built_in_arms()) {
+    if (about.name == arm) return about.joint_names.at(0);
+  }
+  return {};
+}
+
+TEST(MatchedTo, KnowsTheNamesOfDescriptionsForRos) {
+  testing::Random random;
+  for (const BuiltInArm& about : built_in_arms()) {
+    const Arm arm = built_in(about.name);
+    const Trajectory trajectory = random_trajectory(random, arm, 3);
+    for (const std::vector<std::string>& names : about.joint_names) {
+      ASSERT_EQ(static_cast<int>(names.size()), arm.dof()) << about.name;
+      const Trajectory found = matched_to(arm, renamed(trajectory, names));
+      EXPECT_EQ(found.positions, trajectory.positions) << about.name;
+      EXPECT_EQ(found.joint_names, arm.joint_names());
+      std::vector<std::string> prefixed = names;
+      for (std::string& name : prefixed) name = "left_" + name;
+      EXPECT_EQ(matched_to(arm, renamed(trajectory, prefixed)).positions, trajectory.positions);
+    }
+  }
+  // Another arm of the same name has its own names only.
+  std::vector<Joint> joints = built_in("ur5e").joints();
+  joints.front().name = "base";
+  const Trajectory six = random_trajectory(random, built_in("ur5e"), 3);
+  EXPECT_REFUSED(matched_to(Arm("ur5e", joints), renamed(six, joint_names_for_ros("ur5e"))),
+                 "lacks base");
+}
+
+TEST(MatchedTo, TakesTheQuantitiesOfJointStates) {
+  testing::Random random;
+  const Arm arm = built_in("ur5e");
+  const std::vector<std::string> ros = joint_names_for_ros("ur5e");
+  Trajectory table{{}, {0, 1}, {Configuration(18), Configuration(18)}, {}, {}};
+  for (const char* quantity : {"/velocity", "/position", "/effort"}) {
+    for (int k = 5; k >= 0; --k) table.joint_names.push_back("/joint_states/" + ros[k] + quantity);
+  }
+  for (Configuration& q : table.positions) {
+    for (double& value : q) value = random.uniform(-1, 1);
+  }
+  const Trajectory found = matched_to(arm, table);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(found.velocities[i], Configuration(table.positions[i].head(6).reverse()));
+    EXPECT_EQ(found.positions[i], Configuration(table.positions[i].segment(6, 6).reverse()));
+  }
+  EXPECT_TRUE(found.accelerations.empty());
+  table.joint_names[11] = "/joint_states/another/position";
+  EXPECT_REFUSED(matched_to(arm, table), "does not fit arm ur5e");
+}
+
+TEST(MatchedTo, AppliesAJointMap) {
+  testing::Random random;
+  const Arm arm =
+      Arm("three", {composite_joint('R', "r").front(), composite_joint('P', "p").front(),
+                    composite_joint('R', "s").front()});
+  const double degree = std::numbers::pi / 180;
+  for (int i = 0; i < 100; ++i) {
+    const Trajectory given = renamed(random_trajectory(random, arm, 4), {"x", "y", "z"});
+    MatchOptions options{.joint_map = {{"z", -1, 30}, {"x", 1, 0, 1e-3}, {"y", -1, 0.5, 1}}};
+    options.angle_unit = i % 2 == 0 ? 1 : degree;
+    const Trajectory found = matched_to(arm, given, options);
+    for (std::size_t k = 0; k < given.size(); ++k) {
+      const Configuration &q = given.positions[k], &v = given.velocities[k];
+      EXPECT_NEAR(found.positions[k][0], options.angle_unit * (30 - q[2]), 1e-12);
+      EXPECT_NEAR(found.positions[k][1], q[0] / 1000, 1e-12);
+      EXPECT_NEAR(found.positions[k][2], 0.5 - q[1], 1e-12);
+      EXPECT_NEAR(found.velocities[k][0], -options.angle_unit * v[2], 1e-12);
+      EXPECT_NEAR(found.velocities[k][1], v[0] / 1000, 1e-12);
+      EXPECT_NEAR(found.accelerations[k][2], -given.accelerations[k][1], 1e-12);
+    }
+  }
+  const Trajectory given = renamed(random_trajectory(random, arm, 4), {"x", "y", "z"});
+  const auto mapped = [&](const JointMap& map) {
+    return matched_to(arm, given, {.joint_map = map});
+  };
+  EXPECT_REFUSED(mapped({{"x"}, {"y"}}),
+                 "the joint_map has 2 names; arm three needs 3, for r, p, s");
+  EXPECT_REFUSED(mapped({{"x"}, {"y"}, {"zz"}}), "unknown joint of the joint_map \"zz\"");
+  EXPECT_REFUSED(mapped({{"x"}, {"y"}, {"x"}}), "gives x to two joints");
+  EXPECT_REFUSED(mapped({{"x", 2}, {"y"}, {"z"}}), "sign must be 1 or -1, not 2");
+  EXPECT_REFUSED(mapped({{"x", 1, NAN}, {"y"}, {"z"}}), "offset must be finite");
+  EXPECT_REFUSED(mapped({{"x", 1, 0, 0}, {"y"}, {"z"}}), "unit must be above 0");
 }
 
 }  // namespace

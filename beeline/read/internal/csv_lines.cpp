@@ -48,7 +48,14 @@ bool CsvLines::next_raw(std::string_view& line) {
 bool CsvLines::next(std::string_view& line) {
   while (next_raw(line)) {
     line = trimmed(line);
-    if (!line.empty() && line.front() != '#') return true;
+    if (!line.empty() && line.front() != '#') {
+      in_front_ = false;
+      return true;
+    }
+    if (in_front_ && !line.empty()) {
+      const std::size_t text = line.find_first_not_of("# \t");
+      comment_ = text == std::string_view::npos ? std::string_view() : line.substr(text);
+    }
   }
   return false;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +23,8 @@ class CsvLines {
   /// Gets the next line, which is valid until the next call; returns false at the end.
   bool next(std::string_view& line);
   std::int64_t number() const { return number_; }  ///< of the line from next(), from 1
+  /// The last comment before the first line of data, without its #; empty if there is none.
+  const std::string& comment() const { return comment_; }
 
  private:
   bool next_raw(std::string_view& line);
@@ -32,6 +35,8 @@ class CsvLines {
   std::string_view unread_;
   bool ended_ = true;  ///< no text follows `unread_`
   std::int64_t number_ = 0;
+  std::string comment_;
+  bool in_front_ = true;  ///< no line of data has been returned
 };
 
 }  // namespace beeline::internal

@@ -33,6 +33,15 @@ class Characters {
   char front() const { return unread_.front(); }
   int line() const { return line_; }
 
+  /// Skips blanks, lines that begin with # and dashes, up to the first other character.
+  void skip_comments() {
+    bool comment = false;
+    for (; !ended(); pop_front()) {
+      comment = front() == '#' || (comment && front() != '\n');
+      if (!comment && std::string_view(" \t\r\n-").find(front()) == std::string_view::npos) return;
+    }
+  }
+
   void pop_front() {
     if (broken_ && line_ < std::numeric_limits<int>::max()) ++line_;
     broken_ = unread_.front() == '\n';
@@ -187,8 +196,10 @@ class Builder {
   std::size_t count_ = 0;
 };
 
-Json parse_characters(Characters characters, const std::string& path, const JsonItemSink& sink) {
+Json parse_characters(Characters characters, const std::string& path, const JsonItemSink& sink,
+                      JsonFront front) {
   Json root;
+  if (front == JsonFront::yaml_comments) characters.skip_comments();
   Builder builder(root, characters, path, sink);
   nlohmann::json::sax_parse(CharacterIterator(&characters), CharacterIterator(), &builder);
   return root;
@@ -196,12 +207,13 @@ Json parse_characters(Characters characters, const std::string& path, const Json
 
 }  // namespace
 
-Json parse_json(std::string_view text, const std::string& path, const JsonItemSink& sink) {
-  return parse_characters(Characters(text, path), path, sink);
+Json parse_json(std::string_view text, const std::string& path, const JsonItemSink& sink,
+                JsonFront front) {
+  return parse_characters(Characters(text, path), path, sink, front);
 }
 
-Json parse_json(InputFile& file, const JsonItemSink& sink) {
-  return parse_characters(Characters(file), file.path(), sink);
+Json parse_json(InputFile& file, const JsonItemSink& sink, JsonFront front) {
+  return parse_characters(Characters(file), file.path(), sink, front);
 }
 
 }  // namespace beeline::internal

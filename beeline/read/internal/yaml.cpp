@@ -15,8 +15,6 @@
 namespace beeline::internal {
 namespace {
 
-constexpr std::size_t max_yaml_size = std::size_t{1} << 20;
-constexpr std::size_t max_yaml_values = 100'000;
 constexpr int max_yaml_depth = 64;
 
 /// A value with its bounds: the number of values in it, itself included, and its levels.
@@ -29,7 +27,8 @@ struct Measured {
 /// Builds the tree from the parser's events. An exception ends the parser's recursion.
 class YamlBuilder final : public YAML::EventHandler {
  public:
-  explicit YamlBuilder(const std::string& path) : path_(path) {}
+  YamlBuilder(const std::string& path, std::size_t max_values)
+      : path_(path), max_values_(max_values) {}
 
   Yaml take() { return std::move(root_.yaml); }
 
@@ -78,6 +77,10 @@ class YamlBuilder final : public YAML::EventHandler {
 
   [[noreturn]] void refuse(int line, const std::string& why) const {
     throw FileError(path_, line, why);
+  }
+
+  [[noreturn]] void refuse_size(int line) const {
+    refuse(line, "holds more than " + std::to_string(max_values_) + " values");
   }
 
   void open(Yaml&& empty, YAML::anchor_t anchor) {
@@ -130,14 +133,14 @@ class YamlBuilder final : public YAML::EventHandler {
   /// Counts the values of all copies, so that aliases of aliases end early.
   void count(const Measured& value) {
     values_ += value.values;
-    if (values_ > max_yaml_values) refuse(value.yaml.line, "holds more than 100,000 values");
+    if (values_ > max_values_) refuse_size(value.yaml.line);
   }
 
   void grow(Measured& parent, const Measured& value) {
     count({.yaml = {.value = "", .tag = "", .line = value.yaml.line}});
     parent.values += value.values;
     parent.levels = std::max(parent.levels, value.levels + 1);
-    if (parent.values > max_yaml_values) refuse(value.yaml.line, "holds more than 100,000 values");
+    if (parent.values > max_values_) refuse_size(value.yaml.line);
   }
 
   /// Replaces the merge key of the map that ends by the members that it lacks.
@@ -164,6 +167,7 @@ class YamlBuilder final : public YAML::EventHandler {
   }
 
   const std::string& path_;
+  std::size_t max_values_;
   Measured root_;
   std::vector<Open> open_;  // from the root down
   std::map<YAML::anchor_t, Measured> anchors_;
@@ -173,10 +177,12 @@ class YamlBuilder final : public YAML::EventHandler {
 
 }  // namespace
 
-Yaml parse_yaml(std::string_view text, const std::string& path) {
-  if (text.size() > max_yaml_size) throw FileError(path, 0, "is larger than 1 MiB");
+Yaml parse_yaml(std::string_view text, const std::string& path, const YamlBounds& bounds) {
+  if (text.size() > bounds.bytes) {
+    throw FileError(path, 0, "is larger than " + std::to_string(bounds.bytes >> 20) + " MiB");
+  }
   std::istringstream stream{std::string(text_in(text, path))};
-  YamlBuilder builder(path);
+  YamlBuilder builder(path, bounds.values);
   try {
     YAML::Parser parser(stream);
     while (parser.HandleNextDocument(builder)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -26,12 +27,17 @@ struct YamlMember {
   Yaml value;
 };
 
+/// What a YAML text may hold at most.
+struct YamlBounds {
+  std::size_t bytes = std::size_t{1} << 20;
+  std::size_t values = 100'000;  ///< copies of aliases included
+};
+
 /// Parses a YAML text of one document; `path` names it in messages. An alias becomes a copy of what
 /// it names, and a merge key (<<) the members that its map has and this one lacks. Throws FileError
 /// for text that is not YAML, a second document, a repeated key, a key that is not a scalar, an
-/// alias inside its own anchor, a text of more than 1 MiB, nesting deeper than 64 levels and
-/// documents of more than 100,000 values, copies included. These bounds keep memory, time and stack
-/// bounded for any text.
-Yaml parse_yaml(std::string_view text, const std::string& path);
+/// alias inside its own anchor, a text beyond the bounds and nesting deeper than 64 levels. These
+/// bounds keep memory, time and stack bounded for any text.
+Yaml parse_yaml(std::string_view text, const std::string& path, const YamlBounds& bounds = {});
 
 }  // namespace beeline::internal

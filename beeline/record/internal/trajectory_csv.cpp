@@ -1,11 +1,14 @@
+#include <cmath>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include <beeline/error.h>
 #include <beeline/read/internal/csv.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/numbers.h>
 #include <beeline/record/internal/recordable.h>
+#include <beeline/record/internal/time_column.h>
 #include <beeline/record/internal/trajectory_csv.h>
 
 namespace beeline::internal {
@@ -57,14 +60,58 @@ void append_values(const std::vector<double>& row, const Indices& columns,
 
 /// Which columns hold what.
 struct Layout {
-  std::size_t time = 0;
-  Indices positions, velocities, accelerations;
+  std::optional<TimeColumns> times;
+  Indices positions = {}, velocities = {}, accelerations = {};
 };
 
-void append_row(const std::vector<double>& row, const Layout& layout, Trajectory& trajectory) {
-  const double time = row[layout.time];
+/// The times of the rows of a table.
+class RowTimes {
+ public:
+  RowTimes(const std::optional<TimeColumns>& columns, const TableOptions& options, CsvRows& rows)
+      : columns_(columns), rows_(rows), given_(options.time_unit) {
+    if (!columns_) return;
+    if (!given_) given_ = columns_->unit;
+    rows_.count_from_first(columns_->index);
+  }
+
+  /// Decides by the first row how times are read.
+  void start(const std::vector<double>& row, const std::string& path,
+             std::vector<std::string>& notes) {
+    if (!columns_) return;
+    constexpr double year_1973 = 1e8;  // seconds since 1970
+    const std::string& column = rows_.columns()[columns_->index];
+    const double first = row[columns_->index];
+    unit_ = given_.value_or(column == "t" ? TimeUnit::seconds : unit_of_times(first));
+    since_1970_ = std::abs(first) * seconds_per(unit_) >= year_1973;
+    if (given_ || unit_ == TimeUnit::seconds) return;
+    notes.push_back(path + ": column " + printable(column) + " has times since 1970 in " +
+                    name(unit_) + ", which count from the first sample");
+  }
+
+  /// The time of the last row that was read, in seconds.
+  double time(const std::vector<double>& row, std::size_t sample) const {
+    if (!columns_) return static_cast<double>(sample);
+    const double value = row[columns_->index];
+    if (columns_->nanoseconds) {
+      const double whole = since_1970_ ? rows_.from_first() : value;
+      return (whole * 1e9 + row[*columns_->nanoseconds]) / 1e9;
+    }
+    if (unit_ == TimeUnit::seconds) return value;
+    return (since_1970_ ? rows_.from_first() : value) / std::round(1 / seconds_per(unit_));
+  }
+
+ private:
+  std::optional<TimeColumns> columns_;
+  CsvRows& rows_;
+  std::optional<TimeUnit> given_;
+  TimeUnit unit_ = TimeUnit::seconds;
+  bool since_1970_ = false;  // digits of a double do not suffice for them and a smaller unit
+};
+
+void append_row(const std::vector<double>& row, double time, const Layout& layout,
+                const std::string& column, Trajectory& trajectory) {
   if (trajectory.size() > 0 && !(time > trajectory.times.back())) {
-    throw Error("column t: time " + exact(time) + " is not after " +
+    throw Error("column " + printable(column) + ": time " + exact(time) + " is not after " +
                 exact(trajectory.times.back()) + "; times must increase");
   }
   trajectory.times.push_back(time);
@@ -100,39 +147,94 @@ Indices position_columns(const std::vector<std::string>& all, const Columns& col
     if (names.contains(name) || names.contains(joint_of_rate(name))) continue;
     throw Error("column " + in_quotes(name) + " does not belong to a joint");
   }
-  if (joints.empty()) throw Error("there are no columns besides \"t\"");
   return joints;
 }
 
+/// Whether a column has texts: names of joints or frames, as in tables of ROS's messages.
+bool has_texts(const std::string& column) {
+  std::string_view stem = column;
+  while (!stem.empty() &&
+         std::string_view("0123456789[]_.").find(stem.back()) != std::string_view::npos) {
+    stem.remove_suffix(1);
+  }
+  const std::size_t begin = stem.find_last_of("/.");
+  const std::string_view last = begin == std::string_view::npos ? stem : stem.substr(begin + 1);
+  return last == "name" || last == "frame_id" || last == "child_frame_id";
+}
+
 /// Reads the header of a trajectory, whose joints' names are `names` then.
-Layout layout_of(const std::vector<std::string>& header, std::vector<std::string>& names) {
+Layout layout_of(CsvRows& rows, const TableOptions& options, std::vector<std::string>& names) {
+  const std::vector<std::string>& header = rows.columns();
   Columns columns;
   for (std::size_t i = 0; i < header.size(); ++i) columns.emplace(header[i], i);
-  const auto time = columns.find("t");
-  if (time == columns.end()) throw Error("column \"t\" is missing: seconds, increasing");
-  Layout layout;
-  layout.time = time->second;
-  columns.erase(time);
+  Layout layout{.times = time_columns(header)};
+  if (!layout.times && options.needs_times) {
+    throw Error(
+        "column \"t\" is missing: seconds, increasing; its name may be time or timestamp, "
+        "with a unit as in time_ms");
+  }
+  if (layout.times) {
+    columns.erase(header[layout.times->index]);
+    if (layout.times->nanoseconds) columns.erase(header[*layout.times->nanoseconds]);
+    for (const std::size_t i : layout.times->others) columns.erase(header[i]);
+  }
+  // Beside a column `t`, as in files of this library, all columns are joints.
+  const bool may_have_texts = layout.times && header[layout.times->index] != "t";
+  std::vector<bool> texts(header.size());
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    texts[i] = may_have_texts && has_texts(header[i]);
+    if (texts[i]) columns.erase(header[i]);
+  }
+  rows.ignore(std::move(texts));
   layout.positions = position_columns(header, columns);
+  if (layout.positions.empty()) {
+    throw Error("there are no columns besides " +
+                in_quotes(header[layout.times ? layout.times->index : 0]));
+  }
   for (const std::size_t i : layout.positions) names.push_back(header[i]);
   layout.velocities = rate_columns(names, columns, velocity_suffix);
   layout.accelerations = rate_columns(names, columns, acceleration_suffix);
   return layout;
 }
 
+/// The columns that a table without a header may have.
+std::vector<std::vector<std::string>> forms_of(const TableOptions& options) {
+  std::vector<std::vector<std::string>> forms;
+  if (options.joint_names.empty()) return forms;
+  std::vector<std::string> form{"t"};
+  for (const std::string_view suffix : {std::string_view(), velocity_suffix, acceleration_suffix}) {
+    for (const std::string& joint : options.joint_names) {
+      form.push_back(joint + std::string(suffix));
+    }
+    forms.push_back(form);
+  }
+  if (!options.needs_times) forms.push_back(options.joint_names);
+  return forms;
+}
+
 void append(std::string& text, const Configuration& values) {
   for (const double value : values) text += ',' + exact(value);
 }
 
-Trajectory trajectory_from_lines(CsvLines& lines, const std::string& path) {
-  CsvRows rows(lines, path);
-  Trajectory trajectory;
+Recording recording_from_lines(CsvLines& lines, const std::string& path,
+                               const TableOptions& options) {
+  CsvRows rows(lines, path, forms_of(options), names_times);
+  Recording recording;
+  Trajectory& trajectory = recording.trajectory;
+  if (!rows.has_header()) {
+    recording.notes.push_back(path + " has no header; its columns are read as " +
+                              listed(rows.columns()));
+  }
   int line = 0;
   try {
-    const Layout layout = layout_of(rows.columns(), trajectory.joint_names);
+    const Layout layout = layout_of(rows, options, trajectory.joint_names);
+    recording.has_times = layout.times.has_value();
+    const std::string column = layout.times ? rows.columns()[layout.times->index] : "";
+    RowTimes times(layout.times, options, rows);
     for (std::vector<double> row; rows.next(row);) {
       line = rows.line();
-      append_row(row, layout, trajectory);
+      if (trajectory.size() == 0) times.start(row, path, recording.notes);
+      append_row(row, times.time(row, trajectory.size()), layout, column, trajectory);
     }
     line = 0;
     check_recordable(trajectory);
@@ -141,20 +243,25 @@ Trajectory trajectory_from_lines(CsvLines& lines, const std::string& path) {
   } catch (const Error& error) {
     throw FileError(path, line, error.what());
   }
-  return trajectory;
+  return recording;
 }
 
 }  // namespace
 
-Trajectory trajectory_from_csv(std::string_view text, const std::string& path) {
+Recording recording_from_csv(std::string_view text, const std::string& path,
+                             const TableOptions& options) {
   CsvLines lines(text, path);
-  return trajectory_from_lines(lines, path);
+  return recording_from_lines(lines, path, options);
 }
 
-Trajectory trajectory_from_csv(InputFile& file) {
+Recording recording_from_csv(InputFile& file, const TableOptions& options) {
   constexpr std::size_t max_line = std::size_t{4} << 20;  // 100 000 columns
   CsvLines lines(file, max_line);
-  return trajectory_from_lines(lines, file.path());
+  return recording_from_lines(lines, file.path(), options);
+}
+
+Trajectory trajectory_from_csv(std::string_view text, const std::string& path) {
+  return recording_from_csv(text, path).trajectory;
 }
 
 std::string trajectory_to_csv(const Trajectory& trajectory) {

@@ -1,19 +1,35 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <beeline/read/internal/file_stream.h>
-#include <beeline/trajectory/trajectory.h>
+#include <beeline/record/trajectory_file.h>
 
 namespace beeline::internal {
 
-/// Parses columns t, then the joints' names, and NAME_vel, NAME_acc where known, in any order. A
-/// column is a velocity if its name without `_vel` is also a column. Times must increase.
-/// The memory is that of the numbers and of one row. Throws FileError that names the line and the
-/// column.
+/// What is known of a table besides its text.
+struct TableOptions {
+  std::vector<std::string> joint_names = {};  ///< of a table without a header; none: refused
+  std::optional<TimeUnit> time_unit = std::nullopt;
+  bool needs_times = true;  ///< otherwise rows without times are at 0, 1, 2, ... s
+};
+
+/// Parses columns of times (time_columns()), then the joints' names, and NAME_vel, NAME_acc where
+/// known, in any order. A column is a velocity if its name without `_vel` is also a column. Columns
+/// of names and frames, texts, are skipped. The unit of times is that of the options, else that in
+/// the column's name, else, unless the column is `t`, unit_of_times(); in a smaller unit than
+/// seconds, times since 1970 count from the first. Times must increase.
+/// Without a header there is a row of t and the joints' positions or, three times as long, their
+/// velocities and accelerations too. The memory is that of the numbers and of one row. Throws
+/// FileError that names the line and the column.
+Recording recording_from_csv(std::string_view text, const std::string& path,
+                             const TableOptions& options = {});
+Recording recording_from_csv(InputFile& file, const TableOptions& options = {});
+/// Returns its trajectory.
 Trajectory trajectory_from_csv(std::string_view text, const std::string& path);
-Trajectory trajectory_from_csv(InputFile& file);
 
 /// Throws Error for a joint with the name `t` or with the name of another joint's velocity or
 /// acceleration.

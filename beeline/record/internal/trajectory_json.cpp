@@ -18,12 +18,14 @@ constexpr std::int64_t nanoseconds_per_second = 1'000'000'000;
 /// Reads a duration of ROS: whole seconds, rounded down, and nanoseconds. The result is the double
 /// nearest to it: a time of k / 1e9 s is read as it was written.
 double duration_from_json(const JsonDocument& document, const Json& json) {
-  document.check_keys(json, {"sec", "nanosec"});
-  const Json& nanosec = document.need(json, "nanosec");
+  const bool ros_1 = document.find(json, "secs") != nullptr;
+  const char* const keys[] = {ros_1 ? "secs" : "sec", ros_1 ? "nsecs" : "nanosec"};
+  document.check_keys(json, {keys[0], keys[1]});
+  const Json& nanosec = document.need(json, keys[1]);
   const double nanoseconds = document.number(nanosec);
   if (!(nanoseconds >= 0 && nanoseconds < 1e9))
     document.refuse(nanosec, "must be at least 0 and below 1e9");
-  return (document.number(document.need(json, "sec")) * 1e9 + nanoseconds) / 1e9;
+  return (document.number(document.need(json, keys[0])) * 1e9 + nanoseconds) / 1e9;
 }
 
 std::int64_t in_nanoseconds(double time) {
@@ -64,70 +66,14 @@ void add_rates(const JsonDocument& document, const Json& point, const char* key,
   if (known) rates.push_back(values_from_json(document, *json, count));
 }
 
-/// Collects the points of a document while it is parsed.
-class PointReader {
- public:
-  explicit PointReader(const std::string& path) : path_(path) {}
-
-  JsonItemSink sink() {
-    return {"points", [this](const Json& root, Json item) { take(root, std::move(item)); }};
+/// The number of joint names, or `otherwise` when they come after the points.
+std::size_t count_of_names(const Json& root, std::size_t otherwise) {
+  for (const auto& [key, value] : std::get<Json::Members>(root.value)) {
+    const auto* names = std::get_if<Json::Items>(&value.value);
+    if (key == "joint_names" && names != nullptr) return names->size();
   }
-
-  /// Returns the trajectory of the parsed document.
-  Trajectory finish(Json root) {
-    const JsonDocument document(std::move(root), path_);
-    document.check_keys(document.root(), {"header", "joint_names", "points"});
-    const Json& names = document.need(document.root(), "joint_names");
-    for (const Json& name : document.items(names)) {
-      trajectory_.joint_names.push_back(document.text(name));
-    }
-    document.items(document.need(document.root(), "points"));
-    if (trajectory_.size() > 0 && trajectory_.joint_names.size() != joints_) {
-      document.refuse(names, "has " + std::to_string(trajectory_.joint_names.size()) +
-                                 " names; the points have " + std::to_string(joints_) +
-                                 " positions");
-    }
-    try {
-      check_recordable(trajectory_);
-    } catch (const Error& error) {
-      throw FileError(path_, 0, error.what());
-    }
-    return std::move(trajectory_);
-  }
-
- private:
-  void take(const Json& root, Json item) {
-    const std::size_t before = trajectory_.size();
-    const JsonDocument document(std::move(item), path_, "points[" + std::to_string(before) + "]");
-    const Json& point = document.root();
-    document.check_keys(
-        point, {"positions", "velocities", "accelerations", "effort", "time_from_start", "time"});
-    const double time = time_from_json(document, point);
-    if (before > 0 && !(time > trajectory_.times.back())) {
-      document.refuse(point, "is at time " + exact(time) + ", not after " +
-                                 exact(trajectory_.times.back()) + "; times must increase");
-    }
-    const Json& positions = document.need(point, "positions");
-    if (before == 0) joints_ = count_of_names(root, document.items(positions).size());
-    trajectory_.times.push_back(time);
-    trajectory_.positions.push_back(values_from_json(document, positions, joints_));
-    add_rates(document, point, "velocities", before, joints_, trajectory_.velocities);
-    add_rates(document, point, "accelerations", before, joints_, trajectory_.accelerations);
-  }
-
-  /// The number of joint names, or `otherwise` when they come after the points.
-  static std::size_t count_of_names(const Json& root, std::size_t otherwise) {
-    for (const auto& [key, value] : std::get<Json::Members>(root.value)) {
-      const auto* names = std::get_if<Json::Items>(&value.value);
-      if (key == "joint_names" && names != nullptr) return names->size();
-    }
-    return otherwise;
-  }
-
-  const std::string& path_;
-  std::size_t joints_ = 0;
-  Trajectory trajectory_;
-};
+  return otherwise;
+}
 
 /// Appends a member with a list of numbers, which is empty when the column is.
 void append_member(std::string& text, const char* key, const std::vector<Configuration>& column,
@@ -143,15 +89,59 @@ void append_member(std::string& text, const char* key, const std::vector<Configu
 
 }  // namespace
 
+Trajectory PointReader::finish(Json root) {
+  const JsonDocument document(std::move(root), path_);
+  document.check_keys(document.root(), {"header", "joint_names", "points"});
+  const Json& names = document.need(document.root(), "joint_names");
+  for (const Json& name : document.items(names)) {
+    trajectory_.joint_names.push_back(document.text(name));
+  }
+  document.items(document.need(document.root(), "points"));
+  if (trajectory_.size() > 0 && trajectory_.joint_names.size() != joints_) {
+    document.refuse(names, "has " + std::to_string(trajectory_.joint_names.size()) +
+                               " names; the points have " + std::to_string(joints_) + " positions");
+  }
+  try {
+    check_recordable(trajectory_);
+  } catch (const Error& error) {
+    throw FileError(path_, 0, error.what());
+  }
+  return std::move(trajectory_);
+}
+
+void PointReader::take(const Json& root, Json item) {
+  const std::size_t before = trajectory_.size();
+  const JsonDocument document(std::move(item), path_, "points[" + std::to_string(before) + "]");
+  const Json& point = document.root();
+  document.check_keys(
+      point, {"positions", "velocities", "accelerations", "effort", "time_from_start", "time"});
+  const double time = time_from_json(document, point);
+  if (before > 0 && !(time > trajectory_.times.back())) {
+    document.refuse(point, "is at time " + exact(time) + ", not after " +
+                               exact(trajectory_.times.back()) + "; times must increase");
+  }
+  const Json& positions = document.need(point, "positions");
+  if (before == 0) joints_ = count_of_names(root, document.items(positions).size());
+  trajectory_.times.push_back(time);
+  trajectory_.positions.push_back(values_from_json(document, positions, joints_));
+  add_rates(document, point, "velocities", before, joints_, trajectory_.velocities);
+  add_rates(document, point, "accelerations", before, joints_, trajectory_.accelerations);
+}
+
+JsonItemSink sink_of(PointReader& reader) {
+  return {"points",
+          [&reader](const Json& root, Json point) { reader.take(root, std::move(point)); }};
+}
+
 Trajectory trajectory_from_json(std::string_view text, const std::string& path) {
   PointReader reader(path);
-  Json root = parse_json(text, path, reader.sink());
+  Json root = parse_json(text, path, sink_of(reader));
   return reader.finish(std::move(root));
 }
 
 Trajectory trajectory_from_json(InputFile& file) {
   PointReader reader(file.path());
-  Json root = parse_json(file, reader.sink());
+  Json root = parse_json(file, sink_of(reader));
   return reader.finish(std::move(root));
 }
 

@@ -85,6 +85,34 @@ TEST(Csv, SemicolonsSeparateWhereTheFirstLineHasNoComma) {
   EXPECT_EQ(parse_csv("a;b,c\n1,2\n", "a.csv").columns.front(), "a;b");
 }
 
+TEST(Csv, TabsAndBlanksSeparateToo) {
+  const Rows rows{{1, -2.5}, {3, 4}};
+  for (const char* text : {"x y\n1 -2.5\n3 4\n", "x   y\n 1  -2,5\n3\t4\n", "x\ty\n1\t-2,5\n3\t4\n",
+                           "x\ty\n 1 \t -2.5\n3\t4\n", "\"x\" \"y\"\n\"1\" \"-2.5\"\n3 4\n"}) {
+    const CsvTable table = parse_csv(text, "a.csv");
+    EXPECT_EQ(table.columns, (std::vector<std::string>{"x", "y"})) << text;
+    EXPECT_EQ(table.rows, rows) << text;
+  }
+  EXPECT_EQ(parse_csv("joint 1\tjoint 2\n1\t2\n", "a.csv").columns.front(), "joint 1");
+  EXPECT_EQ(csv_separator("1,5 2"), ' ');
+  EXPECT_EQ(csv_separator("1, 5, 2"), ',');
+  EXPECT_EQ(csv_separator("1,5;2"), ';');
+  EXPECT_EQ(csv_separator("1,2,3"), ',');
+  EXPECT_EQ(csv_name("a b"), "\"a b\"");
+  EXPECT_EQ(parse_csv(csv_name("a b") + "\n1\n", "a.csv").columns, std::vector<std::string>{"a b"});
+  EXPECT_REFUSED(parse_csv("x\ty\n1\t\t2\n", "a.csv"), "a.csv:2: ");
+}
+
+TEST(Csv, DifferencesFromTheFirstRowAreExact) {
+  const std::string path = "a.csv";
+  CsvLines lines("t,x\n1700000000123456789,1\n\"1700000000123456790\",2\n1.5,3\n", path);
+  CsvRows rows(lines, path);
+  rows.count_from_first(0);
+  std::vector<double> row, differences;
+  while (rows.next(row)) differences.push_back(rows.from_first());
+  EXPECT_EQ(differences, (std::vector<double>{0, 1, 1.5 - 1700000000123456789.0}));
+}
+
 TEST(Csv, EndlessTablesAreRefused) {
   std::string many = "c0";
   for (int i = 1; i <= 100'000; ++i) many += ",c" + std::to_string(i);

@@ -72,14 +72,14 @@ TEST(Yaml, BoundsDepthSizeAndCopies) {
   for (std::size_t i = 0; i < 200; ++i) indented += std::string(i, ' ') + "a:\n";
   EXPECT_REFUSED(parsed(indented), "a.yaml:65: is nested deeper than 64 levels");
   EXPECT_REFUSED(parsed(std::string((1 << 20) + 1, ' ')), "a.yaml: is larger than 1 MiB");
-  EXPECT_REFUSED(parsed("[" + repeated("1,", 150'000) + "1]"), "more than 100,000 values");
+  EXPECT_REFUSED(parsed("[" + repeated("1,", 150'000) + "1]"), "more than 100000 values");
   std::string bomb = "a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n", nested = "b0: &b0 1\n";
   for (int i = 1; i < 40; ++i) {
     const std::string last = std::to_string(i - 1), next = std::to_string(i);
     bomb += "a" + next + ": &a" + next + " [" + repeated("*a" + last + ", ", 9) + "1]\n";
     nested += "b" + next + ": &b" + next + " [[*b" + last + "]]\n";
   }
-  EXPECT_REFUSED(parsed(bomb), "more than 100,000 values");
+  EXPECT_REFUSED(parsed(bomb), "more than 100000 values");
   EXPECT_REFUSED(parsed(nested), "is nested deeper than 64 levels");
 }
 

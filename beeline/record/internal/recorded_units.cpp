@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <beeline/record/internal/recorded_units.h>
+
+namespace beeline::internal {
+namespace {
+
+constexpr double revolution = 2 * std::numbers::pi;
+constexpr double degree = std::numbers::pi / 180;
+constexpr double slack = 1e-3;         // radians or metres, of a joint that is at its limit
+constexpr double excess_of_fit = 0.1;  // radians or metres: recordings exceed limits a little
+
+bool has_unit(const JointMap& joint_map, int k) {
+  return !joint_map.empty() && joint_map[static_cast<std::size_t>(k)].unit.has_value();
+}
+
+bool slides(const Arm& arm, int k) { return kind(arm.joint_of(k)) == JointKind::prismatic; }
+
+/// How far the value is beyond the joint's limits, or beyond `without` where it has none; at most 0
+/// within them.
+double excess(const Limits& limits, double value, double without) {
+  const double upper = limits.upper < Limits::none ? limits.upper : without;
+  const double lower = limits.lower > -Limits::none ? limits.lower : -without;
+  return std::max(value - upper, lower - value);
+}
+
+/// Whether the joint's mean velocity exceeds its limit between two samples.
+bool is_too_fast(const Arm& arm, const Trajectory& recording, int k) {
+  const double limit = velocity_limit_of(arm.limits(k));
+  for (std::size_t i = 1; i < recording.size(); ++i) {
+    const double step = recording.positions[i][k] - recording.positions[i - 1][k];
+    if (std::abs(step) > limit * (recording.times[i] - recording.times[i - 1])) return true;
+  }
+  return false;
+}
+
+/// The largest excess of coordinate k.
+UnitEvidence largest(const Trajectory& recording, const Limits& limits, int k, double without) {
+  UnitEvidence found{k, recording.positions.front()[k]};
+  for (const Configuration& q : recording.positions) {
+    if (excess(limits, q[k], without) > excess(limits, found.value, without)) found.value = q[k];
+  }
+  return found;
+}
+
+bool fits(const Trajectory& recording, const Limits& limits, int k, double unit, double without) {
+  return std::all_of(recording.positions.begin(), recording.positions.end(),
+                     [&](const Configuration& q) {
+                       return excess(limits, unit * q[k], without) <= excess_of_fit;
+                     });
+}
+
+}  // namespace
+
+std::optional<UnitEvidence> evidence_of_degrees(const Arm& arm, const Trajectory& recording,
+                                                const JointMap& joint_map) {
+  constexpr double turns = 2 * revolution;  // without limits
+  if (recording.size() == 0) return std::nullopt;
+  std::optional<UnitEvidence> evidence;
+  for (int k = 0; k < arm.dof(); ++k) {
+    if (slides(arm, k) || has_unit(joint_map, k)) continue;
+    const Limits& limits = arm.limits(k);
+    UnitEvidence found = largest(recording, limits, k, turns);
+    if (!fits(recording, limits, k, degree, turns)) return std::nullopt;
+    const double beyond = excess(limits, found.value, turns);
+    if (!(beyond > slack)) continue;
+    found.certain =
+        std::abs(found.value) > turns || beyond > revolution || is_too_fast(arm, recording, k);
+    if (!evidence || (found.certain && !evidence->certain)) evidence = found;
+  }
+  return evidence;
+}
+
+std::optional<UnitEvidence> evidence_of_millimetres(const Arm& arm, const Trajectory& recording,
+                                                    const JointMap& joint_map) {
+  if (recording.size() == 0) return std::nullopt;
+  std::optional<UnitEvidence> evidence;
+  for (int k = 0; k < arm.dof(); ++k) {
+    if (!slides(arm, k) || has_unit(joint_map, k)) continue;
+    constexpr double longest = 10;  // metres, without limits
+    const Limits& limits = arm.limits(k);
+    if (!fits(recording, limits, k, 1e-3, longest)) return std::nullopt;
+    const UnitEvidence found = largest(recording, limits, k, longest);
+    if (!evidence && excess(limits, found.value, longest) > slack) evidence = found;
+  }
+  return evidence;
+}
+
+void read_as_degrees(const Arm& arm, const JointMap& joint_map, Trajectory& recording) {
+  for (int k = 0; k < arm.dof(); ++k) {
+    if (slides(arm, k) || has_unit(joint_map, k)) continue;
+    for (auto* column : {&recording.positions, &recording.velocities, &recording.accelerations}) {
+      for (Configuration& values : *column) values[k] *= degree;
+    }
+  }
+}
+
+std::optional<double> evidence_of_milliseconds(const Arm& arm, const Trajectory& recording) {
+  constexpr double slow = 1.0 / 500, long_period = 1;
+  if (recording.size() < 3) return std::nullopt;
+  const double period = (recording.times.back() - recording.times.front()) /
+                        static_cast<double>(recording.size() - 1);
+  if (period < long_period) return std::nullopt;
+  bool moves = false;
+  for (std::size_t i = 1; i < recording.size(); ++i) {
+    const double duration = recording.times[i] - recording.times[i - 1];
+    for (int k = 0; k < arm.dof(); ++k) {
+      const double step = std::abs(recording.positions[i][k] - recording.positions[i - 1][k]);
+      if (step > slow * velocity_limit_of(arm.limits(k)) * duration) return std::nullopt;
+      moves = moves || step > 0;
+    }
+  }
+  return moves ? std::optional(period) : std::nullopt;
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,167 @@
+#include "recording_argument.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include <beeline/error.h>
+#include <beeline/model/internal/ranges.h>
+#include <beeline/read/internal/file.h>
+#include <beeline/record/internal/recorded_units.h>
+
+#include "command/streams.h"
+
+using namespace beeline;
+
+namespace {
+
+constexpr double max_time = 1e10;  // seconds: times since 1970 are accepted
+
+void check_times(const std::string& path, const std::vector<double>& times) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (std::abs(times[i]) <= max_time) continue;
+    throw FileError(path, 0,
+                    fmt::format("sample {}: the time {} s is outside -{} to {} s; --time-unit "
+                                "reads ms, us or ns",
+                                i + 1, number(times[i]), number(max_time), number(max_time)));
+  }
+}
+
+void check_size(const std::string& path, const Arm& arm, const std::vector<Configuration>& column,
+                double largest) {
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    for (int k = 0; k < arm.dof(); ++k) {
+      if (std::abs(column[i][k]) <= largest) continue;
+      throw FileError(
+          path, 0,
+          fmt::format("sample {}: joint {} has the value {}; the largest accepted is {}", i + 1,
+                      arm.joint_of(k).name, number(column[i][k]), number(largest)));
+    }
+  }
+}
+
+/// Reads angles in degrees where only degrees are possible and --degrees is given; otherwise warns.
+void settle_angles(const std::string& path, const Arm& arm, const UnitArgument& unit,
+                   const JointMap& joint_map, Trajectory& recording) {
+  const auto evidence = internal::evidence_of_degrees(arm, recording, joint_map);
+  if (!evidence) return;
+  const std::string value = fmt::format(
+      "joint {} is at {}", arm.joint_of(evidence->coordinate).name, number(evidence->value));
+  if (unit.degrees && evidence->certain) {
+    warn(fmt::format("{} is read in degrees: {}, which is out of range in radians", path, value));
+    internal::read_as_degrees(arm, joint_map, recording);
+    return;
+  }
+  warn(fmt::format("{}: {}, which is out of range in radians but not in degrees; {}", path, value,
+                   evidence->certain ? "--degrees reads degrees"
+                                     : "the unit deg in a --joint-map file reads degrees"));
+}
+
+/// Warns of lengths and times that seem to be in a thousandth of their unit.
+void warn_of_thousandths(const std::string& path, const Arm& arm, const JointMap& joint_map,
+                         const Recording& recording) {
+  if (const auto evidence =
+          internal::evidence_of_millimetres(arm, recording.trajectory, joint_map)) {
+    warn(
+        fmt::format("{}: joint {} is at {} m, which is out of range but not in millimetres; the "
+                    "unit mm in a --joint-map file reads millimetres",
+                    path, arm.joint_of(evidence->coordinate).name, number(evidence->value)));
+  }
+  const std::string ending = internal::extension(path);
+  const bool table = ending != "json" && ending != "yaml" && ending != "yml";
+  if (!recording.has_times || !table) return;
+  if (const auto period = internal::evidence_of_milliseconds(arm, recording.trajectory)) {
+    warn(
+        fmt::format("{}: the samples are {} s apart on average, and no joint reaches 0.2 % of its "
+                    "velocity limit; --time-unit reads ms, us or ns",
+                    path, number(*period)));
+  }
+}
+
+}  // namespace
+
+const char* const recording_units =
+    "Recordings are in radians, metres and seconds. With --degrees one whose angles are out of "
+    "range in radians, but not in degrees, is read in degrees; stderr says so.";
+
+std::vector<Option> RecordingArgument::reading_options() {
+  return {{.name = "--joint-map",
+           .value = "FILE|A,B,...",
+           .help = "The recording's joints in the arm's order, a minus in front of those with the "
+                   "opposite direction; its other columns are not read. Or a .json file with "
+                   "{JOINT: {name, sign, offset, unit}, ...}, by the arm's joints, each optional: "
+                   "the arm's value is sign * recorded + offset, in the unit rad, deg, m or mm. "
+                   "Default: joints by name, as the arm or its maker's description for ROS has "
+                   "them.",
+           .target = &joint_map,
+           .completes = Completes::file,
+           .phrases = {"the joint map", "of the joint map"}},
+          {.name = "--time-unit",
+           .value = "UNIT",
+           .help = "The unit of times in a .csv recording. Default: what the column's name says, "
+                   "as time_ms; otherwise seconds or, for times since 1970, what their size says.",
+           .target = &time_unit,
+           .choices = time_unit_names()}};
+}
+
+std::vector<Option> RecordingArgument::options() {
+  return joined({reading_options(),
+                 {{.name = "--no-unwrap",
+                   .help = "Keep the values of continuous joints as recorded. By default, jumps by "
+                           "whole revolutions are taken out where only that keeps the velocity "
+                           "limits; stderr says so.",
+                   .target = &no_unwrap}}});
+}
+
+Recording RecordingArgument::read(const std::string& path, const Arm& arm, const UnitArgument& unit,
+                                  const ReadingNeeds& needs) const {
+  RecordingOptions options{.map_is_optional = !needs.joint_map, .needs_times = needs.times};
+  if (!joint_map.empty()) options.match.joint_map = read_joint_map(joint_map, arm);
+  if (!time_unit.empty()) options.time_unit = time_unit_named(time_unit);
+  Recording recording = read_recording(path, arm, options);
+  for (const std::string& note : recording.notes) warn(note);
+  Trajectory& trajectory = recording.trajectory;
+  if (!recording.mapped) options.match.joint_map.clear();
+  settle_angles(path, arm, unit, options.match.joint_map, trajectory);
+  warn_of_thousandths(path, arm, options.match.joint_map, recording);
+  check_times(path, trajectory.times);
+  check_size(path, arm, trajectory.positions, internal::max_position_limit);
+  check_size(path, arm, trajectory.velocities, internal::max_rate);
+  check_size(path, arm, trajectory.accelerations, internal::max_rate);
+  return recording;
+}
+
+Recording RecordingArgument::read_unwrapped(const std::string& path, const Arm& arm,
+                                            const UnitArgument& unit,
+                                            const ReadingNeeds& needs) const {
+  Recording recording = read(path, arm, unit, needs);
+  if (no_unwrap) return recording;
+  Unwrapped result = unwrapped(arm, recording.trajectory);
+  warn_of_unwrapped(path, result.joints);
+  recording.trajectory = std::move(result.trajectory);
+  return recording;
+}
+
+void warn_of_unwrapped(const std::string& path, const std::vector<UnwrappedJoint>& joints) {
+  for (const auto& [joint, wraps, first_time] : joints) {
+    warn(
+        fmt::format("{}: the values of joint {} wrap {}, at {}{} s; they are unwrapped, as only "
+                    "this keeps its velocity limit",
+                    path, joint, wraps == 1 ? "once" : fmt::format("{} times", wraps),
+                    wraps == 1 ? "" : "first ", number(first_time)));
+  }
+}
+
+Json json_unwrapped(const std::vector<UnwrappedJoint>& joints) {
+  Json list = Json::list();
+  for (const auto& [joint, wraps, first_time] : joints) {
+    list.append({{"joint", joint}, {"wraps", wraps}, {"first_time", first_time}});
+  }
+  return list;
+}
+
+Positional trajectory_argument(std::string name, std::string help, std::string* target) {
+  return {.name = std::move(name),
+          .help = std::move(help),
+          .target = target,
+          .completes = Completes::file};
+}

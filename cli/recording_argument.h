@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <beeline/record/trajectory_file.h>
+
+#include "arguments.h"
+#include "command/json.h"
+
+/// What the reading of a recording depends on besides its options.
+struct ReadingNeeds {
+  bool times = true;
+  bool joint_map = true;  ///< false: only a file that has its names is read by --joint-map
+};
+
+/// --joint-map, --time-unit and --no-unwrap: how recordings are read.
+struct RecordingArgument {
+  std::string joint_map = {}, time_unit = {};
+  bool no_unwrap = false;
+
+  std::vector<Option> options();
+  std::vector<Option> reading_options();  ///< those without --no-unwrap
+
+  /// A recording of the arm as the file has it. Warns of how it was read where the file does not
+  /// say, and of units that it seems to be in. Throws FileError for a value or a time that is out
+  /// of range.
+  beeline::Recording read(const std::string& path, const beeline::Arm& arm,
+                          const UnitArgument& unit, const ReadingNeeds& needs = {}) const;
+  /// The same, unwrapped unless --no-unwrap is given, with a warning.
+  beeline::Recording read_unwrapped(const std::string& path, const beeline::Arm& arm,
+                                    const UnitArgument& unit, const ReadingNeeds& needs = {}) const;
+};
+
+/// Warns of the joints of the file that were unwrapped.
+void warn_of_unwrapped(const std::string& path, const std::vector<beeline::UnwrappedJoint>& joints);
+
+/// [{"joint", "wraps", "first_time"}, ...]
+Json json_unwrapped(const std::vector<beeline::UnwrappedJoint>& joints);
+
+/// FILE, a trajectory.
+Positional trajectory_argument(std::string name, std::string help, std::string* target);
+
+/// What the description of a verb says of its recordings.
+extern const char* const recording_units;
