@@ -21,6 +21,16 @@ void warn_of_angle(const std::string& option, double angle, const UnitArgument& 
                    option, number(angle)));
 }
 
+void warn_of_angle(const std::string& option, double angle, std::optional<PoseForm> form,
+                   const UnitArgument& unit) {
+  if (form != PoseForm::rotvec) return warn_of_angle(option, angle, unit);
+  if (std::abs(angle) <= largest_angle) return;
+  warn(
+      fmt::format("{}: a rotation vector of {} rad is more than a revolution; rx,ry,rz are in "
+                  "radians, also with --degrees",
+                  option, number(angle)));
+}
+
 std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists) {
   std::vector<Option> all;
   for (const std::vector<Option>& list : lists) all.insert(all.end(), list.begin(), list.end());
@@ -30,7 +40,29 @@ std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists) {
 std::vector<Option> UnitArgument::options() {
   return {{.name = "--degrees",
            .help = "Read and print angles in degrees instead of radians.",
-           .target = &degrees}};
+           .target = &degrees},
+          {.name = "--millimetres",
+           .help = "Read and print positions of poses in millimetres instead of metres. Joint "
+                   "values, tolerances and all other lengths stay in metres.",
+           .target = &millimetres},
+          {.name = "--pose-form",
+           .value = "FORM",
+           .help = "How poses are typed and printed: rpy, x,y,z,roll,pitch,yaw; rotvec, "
+                   "x,y,z,rx,ry,rz, always in radians; abc, x,y,z,A,B,C of KUKA, always in "
+                   "degrees; quaternion, x,y,z,qw,qx,qy,qz; matrix, m11,m12,...,m44 row by row, "
+                   "16 numbers or the first 12. Default: by the number of numbers, six are rpy. "
+                   "The header of a file names its own form.",
+           .target = &pose_form,
+           .choices = pose_form_names()}};
+}
+
+PoseFormat UnitArgument::pose_format(Triple triple, std::optional<PoseForm> form) const {
+  if (!pose_form.empty()) form = pose_form_named(pose_form);
+  return {.unit = angle_unit(), .triple = triple, .pose_form = form, .millimetres = millimetres};
+}
+
+Vector3 UnitArgument::shown_position(const Pose& pose) const {
+  return pose.translation() * (millimetres ? 1000 : 1);
 }
 
 Configuration UnitArgument::joint_rates(const Arm& arm, const std::string& text,
@@ -134,9 +166,9 @@ std::vector<Option> TaskArgument::options() {
   return {{.name = "--task",
            .value = "TASK",
            .help = "The components of the tool's pose that count: planar (x, y, theta), position, "
-                   "spatial, or six digits 0 or 1 for x y z wx wy wz, such as 111110. A suffix "
-                   ":tool takes them along the tool's axes. Default: planar for planar arms, "
-                   "otherwise spatial.",
+                   "spatial, or six digits 0 or 1 for x y z wx wy wz, such as 111110, or three for "
+                   "x y theta of a planar arm, such as 110. A suffix :tool takes them along the "
+                   "tool's axes. Default: planar for planar arms, otherwise spatial.",
            .target = &text,
            .choices = {"planar", "position", "spatial"},
            .other_values = true}};

@@ -16,14 +16,20 @@
 /// Lists of options in one.
 std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists);
 
-/// --degrees: angles in degrees, read and printed.
+/// --degrees, --millimetres and --pose-form: angles, positions of poses and orientations, read and
+/// printed.
 struct UnitArgument {
   bool degrees = false;
+  bool millimetres = false;
+  std::string pose_form = {};  ///< empty: by the number of numbers; printed as the verb chooses
 
   std::vector<Option> options();
   beeline::AngleUnit angle_unit() const {
     return degrees ? beeline::AngleUnit::degrees : beeline::AngleUnit::radians;
   }
+  /// How poses are read and, with this form if there is no --pose-form, printed.
+  beeline::PoseFormat pose_format(beeline::Triple triple = beeline::Triple::planar,
+                                  std::optional<beeline::PoseForm> form = std::nullopt) const;
   /// Joint values as typed, such as "112,-52,-60"; the value of a prismatic joint is in metres.
   /// Throws Error that begins with `option` if they do not fit the arm.
   beeline::Configuration configuration(const beeline::Arm& arm, const std::string& text,
@@ -38,6 +44,9 @@ struct UnitArgument {
   double shown(const beeline::Arm& arm, int k, double value) const;
   double shown(double radians) const;
   const char* name() const { return degrees ? "deg" : "rad"; }
+  /// The position of a pose, in the unit of the output.
+  beeline::Vector3 shown_position(const beeline::Pose& pose) const;
+  const char* position_name() const { return millimetres ? "mm" : "m"; }
 };
 
 /// --velocity, --acceleration, --jerk and --speed: limits of a motion.
@@ -79,6 +88,9 @@ constexpr double largest_angle = 6.2842;
 
 /// Warns on stderr of an angle, in radians, beyond a revolution: it may be meant in degrees.
 void warn_of_angle(const std::string& option, double angle, const UnitArgument& unit);
+/// The same of the largest angle of poses in a form; a rotation vector is in radians always.
+void warn_of_angle(const std::string& option, double angle, std::optional<beeline::PoseForm> form,
+                   const UnitArgument& unit);
 
 /// Warns on stderr of each coordinate of q that is outside the arm's limits.
 void warn_outside_limits(const beeline::Arm& arm, const beeline::Configuration& q);

@@ -6,6 +6,7 @@
 
 #include <beeline/error.h>
 #include <beeline/read/arm.h>
+#include <beeline/read/internal/file.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/joint_limits.h>
 #include <beeline/read/urdf.h>
@@ -90,7 +91,8 @@ std::vector<Option> ArmArgument::options() {
       {.name = "--mount",
        .value = "POSE",
        .help = "Where the arm stands: the pose of its base in the world, as x,y,theta (planar "
-               "arms), x,y,z (other arms), x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz.",
+               "arms), x,y,z (other arms), x,y,z,roll,pitch,yaw, x,y,z,qw,qx,qy,qz or another "
+               "--pose-form.",
        .target = &mount},
       {.name = "--limits",
        .value = "FILE",
@@ -120,6 +122,11 @@ Arm ArmArgument::read(const UnitArgument& unit) const {
   const JointLimits file = read_joint_limits(limits, arm);
   for (const std::string& note : file.notes) warn(note);
   return with_limits(arm, file.joints);
+}
+
+bool ArmArgument::shown_in_plane(const Arm& arm) const {
+  const std::string ending = internal::extension(text);
+  return arm.planar() && ending != "urdf" && ending != "xml";
 }
 
 Configuration ArmArgument::configuration(const Arm& arm, const std::string& values,

@@ -18,6 +18,9 @@ struct ArmArgument {
   /// The arm with the tool and the limits, in the world. Warns of what the files say that is not
   /// applied.
   beeline::Arm read(const UnitArgument& unit) const;
+  /// Whether x, y and theta alone are the poses of the arm: it is planar, and no URDF file, which
+  /// describes an arm in space.
+  bool shown_in_plane(const beeline::Arm& arm) const;
   /// Joint values as typed for `option`: a named state of --srdf, or numbers, see
   /// UnitArgument::configuration().
   beeline::Configuration configuration(const beeline::Arm& arm, const std::string& text,

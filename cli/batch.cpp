@@ -40,6 +40,11 @@ BatchReport process(const BatchArguments& arguments, const BatchWork& work) {
   BatchReport report;
   report.bad.skip = arguments.skip_bad;
   RowReader reader(arguments.in, work.forms);
+  if (!reader.has_header() && reader.form() >= work.forms_without_header) {
+    throw FileError(reader.path(), 0,
+                    fmt::format("rows of {} numbers without a header are not of --pose-form {}",
+                                work.forms[reader.form()].size(), arguments.unit.pose_form));
+  }
   RowWriter writer(arguments.out, work.columns, arguments.single, arguments.threads);
   RowBlock block;
   block.numbers.resize(static_cast<Eigen::Index>(work.forms[reader.form()].size()),
@@ -75,7 +80,7 @@ void warn_of_rows(const BatchArguments& arguments, const BatchReport& report) {
   }
   if (counts.large_angle_row > 0) {
     warn_of_angle(fmt::format("--in {}, row {}", arguments.in, counts.large_angle_row),
-                  counts.large_angle, arguments.unit);
+                  counts.large_angle, counts.large_angle_form, arguments.unit);
   }
   if (counts.outside_limits > 0) {
     warn(fmt::format("{} outside the arm's limits; the first is row {}",
@@ -152,8 +157,9 @@ constexpr const char* configurations_help =
     "without a header; .npy of shape (N, joints), dtype '<f8' or '<f4'; or - for CSV on stdin.";
 constexpr const char* poses_help =
     "Poses, one in each row, .csv, .npy or - for CSV on stdin: x,y,z,qw,qx,qy,qz; "
-    "x,y,z,roll,pitch,yaw; the matrix m11,m12,...,m44 row by row; or x,y,theta (planar arms). "
-    "Without a header, as many numbers in this order.";
+    "x,y,z,roll,pitch,yaw; x,y,z,rx,ry,rz; x,y,z,A,B,C; the matrix m11,m12,...,m44 row by row, "
+    "16 numbers or the first 12; or x,y,theta (planar arms). Without a header, as many numbers in "
+    "this order; of six, those of --pose-form.";
 
 /// The arguments and options that all verbs `batch NAME` have.
 Verb common(BatchArguments& arguments, const char* name, const char* rows,
@@ -200,15 +206,20 @@ Verb batch_fk() {
   const Option layout{.name = "--layout",
                       .value = "LAYOUT",
                       .help =
-                          "matrix: the 16 entries row by row; pose: x,y,z,qw,qx,qy,qz with "
-                          "qw >= 0.",
+                          "matrix, the default without --pose-form: the 16 entries row by row; "
+                          "pose: x,y,z,qw,qx,qy,qz with qw >= 0; planar: x,y,theta of a planar "
+                          "arm.",
                       .target = &arguments.layout,
-                      .choices = {"matrix", "pose"}};
+                      .choices = {"matrix", "pose", "planar"},
+                      .excludes = "--pose-form"};
   Verb verb = common(arguments, "fk", configurations_help, {layout}, forward_work);
   verb.summary = "Forward kinematics: the pose of the tool at each configuration";
   verb.examples = {{"Two configurations of the planar arm, in degrees",
                     "printf 'joint1,joint2,joint3\\n0,90,0\\n112,-52,-60\\n' > q.csv\n"
                     "beeline batch fk rrr --in q.csv --degrees --out poses.csv --layout pose"},
+                   {"Positions in millimetres and KUKA's A, B, C",
+                    "beeline batch fk rrr --in q.csv --degrees --out - --pose-form abc "
+                    "--millimetres"},
                    {"The same as an array for numpy, from a pipe",
                     "beeline batch fk rrr --in - --degrees --out poses.npy < q.csv"}};
   return verb;

@@ -6,21 +6,12 @@
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
-#include <beeline/read/pose_list.h>
+#include <beeline/pose/se2.h>
+#include <beeline/read/internal/pose_form.h>
 
 using namespace beeline;
 
 namespace {
-
-std::vector<std::string> matrix_columns() {
-  std::vector<std::string> names;
-  for (int row = 1; row <= 4; ++row) {
-    for (int column = 1; column <= 4; ++column) names.push_back(fmt::format("m{}{}", row, column));
-  }
-  return names;
-}
-
-const std::vector<std::string>& quaternion_columns() { return pose_forms()[2]; }
 
 /// Keeps the rows for which `good` is true; it reports the others.
 template <class Good>
@@ -92,49 +83,41 @@ class Configurations {
   Eigen::ArrayXd angles_;  ///< 1 for each angle, 0 for each length
 };
 
-PoseLayout layout_named(const std::string& name) {
-  if (name == "matrix") return PoseLayout::matrix;
-  if (name == "pose") return PoseLayout::position_quaternion;
-  throw unknown_name("layout", name, {"matrix", "pose"});
+bool may_lack_header(const internal::PoseColumns& columns, const PoseFormat& format) {
+  return columns.names.size() == 3 || internal::reads_without_names(columns, format);
 }
 
-/// The pose of a row in one of the forms. Throws Error if it is not a pose.
-Pose pose_in(const Eigen::Ref<const Eigen::VectorXd>& row, const UnitArgument& unit,
-             Triple triple) {
-  if (row.size() != 16) {
-    return pose_of({row.data(), static_cast<std::size_t>(row.size())}, unit.angle_unit(), triple);
+/// The columns of poses that `arm` can have, first those of rows without a header. KUKA's have X, Y
+/// and Z in upper case.
+std::vector<internal::PoseColumns> goal_columns(const Arm& arm, const PoseFormat& format) {
+  std::vector<internal::PoseColumns> all;
+  for (const internal::PoseColumns& columns : internal::all_pose_columns()) {
+    if (!columns.planar || arm.planar()) all.push_back(columns);
+    if (columns.form != PoseForm::abc) continue;
+    all.push_back(columns);
+    all.back().names = {"X", "Y", "Z", "A", "B", "C"};
   }
-  Pose pose = Pose::Identity();
-  pose.matrix() = row.reshaped(4, 4).transpose();
-  constexpr double rounding = 1e-6;
-  if (!((row.tail<4>() - Eigen::Vector4d::UnitW()).cwiseAbs().maxCoeff() <= rounding)) {
-    throw Error("the matrix ends in the row " + number(row[12]) + ", " + number(row[13]) + ", " +
-                number(row[14]) + ", " + number(row[15]) + "; it must be 0, 0, 0, 1");
-  }
-  pose.makeAffine();
-  return pose;
+  std::stable_partition(all.begin(), all.end(), [&](const internal::PoseColumns& columns) {
+    return may_lack_header(columns, format);
+  });
+  return all;
 }
 
 /// The poses of a block as columns of 16 numbers; rows that are not poses are reported and removed.
 void read_goals(const BatchArguments& arguments, const Arm& arm, const WrittenPose& world_T_work,
-                const std::vector<std::string>& form, RowBlock& block, Eigen::MatrixXd& goals,
+                const internal::PoseColumns& columns, RowBlock& block, Eigen::MatrixXd& goals,
                 BatchCounts& counts, BadRows& bad) {
-  const bool in_plane = form == pose_forms()[0] || form == pose_forms()[4];
-  const bool oriented = form != pose_forms()[3] && form != pose_forms()[4];
-  const Triple triple = oriented ? Triple::planar : Triple::position;
-  const auto first_angle = std::find_if(form.begin(), form.end(), [](const std::string& column) {
-    return column == "theta" || column == "roll";
-  });
+  const PoseFormat format = arguments.unit.pose_format();
+  const std::size_t size = columns.names.size();
   goals.resize(16, block.count());
   keep_rows(block, goals, [&](Eigen::Index i, const RowPosition& position) {
     try {
-      const auto row = block.numbers.col(i).head(static_cast<Eigen::Index>(form.size()));
-      const WrittenPose given{.pose = checked_pose(pose_in(row, arguments.unit, triple)),
-                              .planar = in_plane,
-                              .oriented = oriented};
+      WrittenPose given =
+          internal::written_pose({block.numbers.col(i).data(), size}, columns, format);
+      given.pose = checked_pose(given.pose);
       const WrittenPose pose = in_world(arm, world_T_work, given);
-      if (arm.planar() || !oriented) check_pose_form(arm, pose, arguments.inverse.task);
-      counts.note_angle(row.tail(form.end() - first_angle), position.row);
+      if (arm.planar() || !columns.oriented) check_pose_form(arm, pose, arguments.inverse.task);
+      counts.note_angle(Eigen::Array<double, 1, 1>(given.max_angle), position.row, given.form);
       goals.col(i) = pose.pose.matrix().reshaped();
       return true;
     } catch (const Error& error) {
@@ -144,13 +127,65 @@ void read_goals(const BatchArguments& arguments, const Arm& arm, const WrittenPo
   });
 }
 
+/// What `batch fk` writes of a pose.
+struct PoseOutput {
+  std::vector<std::string> columns;
+  bool planar = false;  ///< x,y,theta
+  PoseFormat format = {};
+
+  /// The layout in which the poses are computed.
+  PoseLayout layout() const {
+    const bool quaternions = !planar && format.pose_form == PoseForm::quaternion;
+    return quaternions ? PoseLayout::position_quaternion : PoseLayout::matrix;
+  }
+  /// Converts poses in that layout, one in each column, to the columns of the output.
+  void convert(const UnitArgument& unit, Eigen::MatrixXd& poses) const;
+
+ private:
+  std::vector<double> numbers(const Pose& pose, const UnitArgument& unit) const {
+    if (!planar) return pose_numbers(pose, format);
+    const Vector3 p = unit.shown_position(pose);
+    return {p.x(), p.y(), unit.shown(to_plane(pose).theta)};
+  }
+};
+
+void PoseOutput::convert(const UnitArgument& unit, Eigen::MatrixXd& poses) const {
+  const double scale = unit.millimetres ? 1000 : 1;
+  if (layout() == PoseLayout::position_quaternion) {
+    poses.topRows<3>() *= scale;
+    return;
+  }
+  if (!planar && format.pose_form == PoseForm::matrix) {
+    poses.middleRows<3>(12) *= scale;
+    for (auto pose : poses.colwise()) Eigen::Map<Eigen::Matrix4d>(pose.data()).transposeInPlace();
+    return;
+  }
+  Eigen::MatrixXd converted(static_cast<Eigen::Index>(columns.size()), poses.cols());
+  Pose pose;
+  for (Eigen::Index i = 0; i < poses.cols(); ++i) {
+    pose.matrix() = Eigen::Map<const Eigen::Matrix4d>(poses.col(i).data());
+    const std::vector<double> values = numbers(pose, unit);
+    converted.col(i) = Eigen::Map<const Eigen::VectorXd>(values.data(), converted.rows());
+  }
+  poses = std::move(converted);
+}
+
+PoseOutput pose_output(const BatchArguments& arguments, const Arm& arm) {
+  if (arguments.layout == "planar") {
+    if (!arm.planar()) throw Error("--layout planar is for planar arms; " + arm.name() + " is not");
+    return {.columns = internal::all_pose_columns().front().names, .planar = true};
+  }
+  const PoseForm form = arguments.layout == "pose" ? PoseForm::quaternion : PoseForm::matrix;
+  const PoseFormat format = arguments.unit.pose_format(Triple::planar, form);
+  return {.columns = pose_columns(*format.pose_form), .format = format};
+}
+
 }  // namespace
 
 BatchWork forward_work(const BatchArguments& arguments, const Arm& arm) {
-  const PoseLayout layout = layout_named(arguments.layout);
-  const bool matrix = layout == PoseLayout::matrix;
-  const BatchOptions options{.layout = layout, .threads = arguments.threads};
-  const auto step = [&arm, &arguments, options, matrix, rows = Configurations(arguments, arm)](
+  const PoseOutput output = pose_output(arguments, arm);
+  const BatchOptions options{.layout = output.layout(), .threads = arguments.threads};
+  const auto step = [&arm, &arguments, options, output, rows = Configurations(arguments, arm)](
                         std::size_t, RowBlock& block, Eigen::MatrixXd& results, BatchCounts& counts,
                         BadRows& bad) {
     rows.convert(block, counts);
@@ -160,15 +195,10 @@ BatchWork forward_work(const BatchArguments& arguments, const Arm& arm) {
     counts.ending =
         batch_forward<double>(arm, block.numbers.leftCols(block.count()), results, limited).ending;
     if (counts.ending != Ending::complete) return;
+    output.convert(arguments.unit, results);
     rows.check(block, results, bad);
-    if (!matrix) return;
-    for (auto pose : results.colwise()) {  // the matrix row by row
-      Eigen::Map<Eigen::Matrix4d>(pose.data()).transposeInPlace();
-    }
   };
-  return {.forms = {arm.joint_names()},
-          .columns = matrix ? matrix_columns() : quaternion_columns(),
-          .step = step};
+  return {.forms = {arm.joint_names()}, .columns = output.columns, .step = step};
 }
 
 BatchWork jacobian_work(const BatchArguments& arguments, const Arm& arm) {
@@ -209,18 +239,19 @@ BatchWork inverse_work(const BatchArguments& arguments, const Arm& arm) {
   InverseSolver(arm, options).solve(forward_kinematics(arm, seed), seed, any);
   BatchWork work{.forms = {}, .columns = arm.joint_names(), .max_rows = 4096, .step = {}};
   if (arguments.status) work.columns.insert(work.columns.end(), {"status", "residual"});
-  for (const auto& form : pose_forms()) {
-    const bool in_plane = form == pose_forms()[0] || form == pose_forms()[4];
-    if (!in_plane || arm.planar()) work.forms.push_back(form);
-  }
-  work.forms.push_back(matrix_columns());
+  const PoseFormat format = arguments.unit.pose_format(triple_of(arm));
+  const std::vector<internal::PoseColumns> goals_by_form = goal_columns(arm, format);
+  for (const internal::PoseColumns& columns : goals_by_form) work.forms.push_back(columns.names);
+  work.forms_without_header = static_cast<std::size_t>(
+      std::count_if(goals_by_form.begin(), goals_by_form.end(),
+                    [&](const auto& columns) { return may_lack_header(columns, format); }));
   const WrittenPose world_T_work = arguments.inverse.work.read(arm, arguments.unit);
-  work.step = [&arguments, &arm, options, seed, world_T_work, forms = work.forms,
+  work.step = [&arguments, &arm, options, seed, world_T_work, goals_by_form,
                width = work.columns.size(), goals = Eigen::MatrixXd(),
                outcomes = std::vector<InverseOutcome>()](
                   std::size_t form, RowBlock& block, Eigen::MatrixXd& results, BatchCounts& counts,
                   BadRows& bad) mutable {
-    read_goals(arguments, arm, world_T_work, forms[form], block, goals, counts, bad);
+    read_goals(arguments, arm, world_T_work, goals_by_form[form], block, goals, counts, bad);
     const auto world_T_tool = goals.leftCols(block.count());
     const BatchOptions batch{.threads = arguments.threads, .budget = arguments.budget.next()};
     results.resize(static_cast<Eigen::Index>(width), block.count());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,9 @@ struct BatchArguments {
   ArmArgument arm;
   UnitArgument unit;
   std::string in, out;
-  std::string layout = "matrix";  ///< of fk
-  JacobianArgument jacobian;      ///< of jacobian
-  InverseArgument inverse;        ///< of ik
+  std::string layout = {};    ///< of fk; empty: --pose-form, by default the matrix
+  JacobianArgument jacobian;  ///< of jacobian
+  InverseArgument inverse;    ///< of ik
   BudgetArgument budget;
   int threads = 0;
   bool status = false;  ///< of ik: the columns `status` and `residual`
@@ -30,18 +31,21 @@ struct BatchCounts {
   std::int64_t outside_limits = 0;  ///< configurations
   std::int64_t first_outside = 0;   ///< the row of the first
   std::int64_t solved = 0;          ///< poses
-  double large_angle = 0;           ///< the first beyond a revolution, in the unit of the input
+  double large_angle = 0;           ///< the first beyond a revolution
   std::int64_t large_angle_row = 0;
+  std::optional<beeline::PoseForm> large_angle_form = {};
   beeline::Ending ending = beeline::Ending::complete;  ///< of the last block
 
   /// Notes the first row with an angle of more than 2 pi.
   template <class Angles>
-  void note_angle(const Angles& angles, std::int64_t row) {
+  void note_angle(const Angles& angles, std::int64_t row,
+                  std::optional<beeline::PoseForm> form = std::nullopt) {
     if (large_angle_row > 0 || angles.size() == 0) return;
     const double angle = angles.array().abs().maxCoeff();
     if (angle <= largest_angle) return;
     large_angle = angle;
     large_angle_row = row;
+    large_angle_form = form;
   }
 };
 
@@ -51,6 +55,8 @@ struct BatchCounts {
 struct BatchWork {
   beeline::RowForms forms;
   std::vector<std::string> columns;
+  /// Only the first of the forms may be those of rows without a header.
+  std::size_t forms_without_header = std::numeric_limits<std::size_t>::max();
   Eigen::Index max_rows = 65536;  ///< in one step
   std::function<void(std::size_t form, beeline::RowBlock& block, Eigen::MatrixXd& results,
                      BatchCounts& counts, beeline::BadRows& bad)>

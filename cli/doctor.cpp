@@ -58,14 +58,6 @@ std::string place_of(const Arm& arm, const ModelDifference& difference) {
   return "joint" + number.substr(6) == joint ? number : fmt::format("{} {}", number, joint);
 }
 
-/// A pose as --mount and --tcp take it, in the unit of the output.
-std::string pose_list(const Pose& pose, const UnitArgument& unit) {
-  std::string text = shown(pose, false, unit);
-  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
-  const std::string unrotated = ",0,0,0";
-  return text.ends_with(unrotated) ? text.substr(0, text.size() - unrotated.size()) : text;
-}
-
 std::vector<ReportLine> report_lines(const Arm& arm,
                                      const std::vector<ModelDifference>& differences,
                                      const UnitArgument& unit) {
@@ -73,7 +65,7 @@ std::vector<ReportLine> report_lines(const Arm& arm,
   for (const ModelDifference& difference : differences) {
     std::string remedy = difference.remedy;
     if (difference.pose) {
-      remedy = remedy.substr(0, remedy.find(' ') + 1) + pose_list(*difference.pose, unit);
+      remedy = remedy.substr(0, remedy.find(' ') + 1) + typed(*difference.pose, arm.planar(), unit);
     }
     std::string place = place_of(arm, difference);
     std::replace(place.begin(), place.end(), '_', difference.joint < 0 ? ' ' : '_');

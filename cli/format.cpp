@@ -10,6 +10,47 @@
 
 using namespace beeline;
 
+namespace {
+
+Eigen::VectorXd as_vector(const std::vector<double>& numbers) {
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
+                                           static_cast<Eigen::Index>(numbers.size()));
+}
+
+/// The homogeneous matrix with the position in the unit of the output.
+Eigen::Matrix4d shown_matrix(const Pose& pose, const UnitArgument& unit) {
+  return make_pose(unit.shown_position(pose), pose.linear()).matrix();
+}
+
+/// The orientation in --pose-form, after the position: its names and its numbers.
+struct OrientationNumbers {
+  std::vector<std::string> names;
+  std::vector<double> values;
+};
+
+OrientationNumbers orientation_numbers(const Pose& pose, const PoseFormat& format) {
+  const std::vector<std::string>& names = pose_columns(*format.pose_form);
+  const std::vector<double> values = pose_numbers(pose, format);
+  return {{names.begin() + 3, names.end()}, {values.begin() + 3, values.end()}};
+}
+
+std::string orientation_line(const Pose& pose, PoseForm form, const UnitArgument& unit) {
+  PoseFormat format = unit.pose_format();
+  format.pose_form = form;
+  const OrientationNumbers orientation = orientation_numbers(pose, format);
+  std::string text = fmt::format("  {:<10}", name(form));
+  for (std::size_t i = 0; i < orientation.names.size(); ++i) {
+    text += fmt::format("{}{} {}", i == 0 ? "  " : "   ", orientation.names[i],
+                        shown(orientation.values[i]));
+  }
+  if (form == PoseForm::rpy) text += fmt::format("  {}", unit.name());
+  if (form == PoseForm::rotvec) text += "  rad";
+  if (form == PoseForm::abc) text += "  deg";
+  return text + "\n";
+}
+
+}  // namespace
+
 std::string shown(double value) {
   constexpr double rounding_error = 5e-13;
   return fmt::format("{:.6g}", std::abs(value) < rounding_error ? 0.0 : value);
@@ -22,14 +63,21 @@ std::string shown(const Eigen::VectorXd& values) {
 }
 
 std::string shown(const Pose& pose, bool planar, const UnitArgument& unit) {
-  if (planar) {
-    const Pose2 plane = to_plane(pose);
-    return shown(Vector3(plane.x, plane.y, unit.shown(plane.theta)));
+  if (planar && unit.pose_form.empty() && is_at_height_zero(pose)) {
+    const Vector3 p = unit.shown_position(pose);
+    return shown(Vector3(p.x(), p.y(), unit.shown(to_plane(pose).theta)));
   }
-  const Vector3 p = pose.translation();
-  const RollPitchYaw rpy = roll_pitch_yaw(pose.linear());
-  return shown(p) + ", " +
-         shown(Vector3(unit.shown(rpy.roll), unit.shown(rpy.pitch), unit.shown(rpy.yaw)));
+  return shown(as_vector(pose_numbers(pose, unit.pose_format())));
+}
+
+std::string typed(const Pose& pose, bool planar, const UnitArgument& unit) {
+  constexpr double rounding = 1e-12;
+  const bool upright = (pose.linear().col(2) - Vector3::UnitZ()).norm() < rounding;
+  const bool unrotated = !planar && pose.linear().isIdentity(rounding);
+  std::string text =
+      unrotated ? shown(unit.shown_position(pose)) : shown(pose, planar && upright, unit);
+  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  return text;
 }
 
 std::string matrix_text(const Eigen::MatrixXd& matrix, const std::vector<std::string>& row_labels) {
@@ -65,29 +113,36 @@ std::string side_by_side(const std::vector<std::pair<std::string, std::string>>&
   return text;
 }
 
-std::string pose_matrix_text(const Pose& pose, bool planar) {
-  if (!planar) return matrix_text(pose.matrix(), std::vector<std::string>(4));
+std::string pose_matrix_text(const Pose& pose, bool planar, const UnitArgument& unit) {
+  const Eigen::Matrix4d spatial = shown_matrix(pose, unit);
+  if (!planar) return matrix_text(spatial, std::vector<std::string>(4));
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
-  matrix.topLeftCorner<2, 2>() = pose.linear().topLeftCorner<2, 2>();
-  matrix.topRightCorner<2, 1>() = pose.translation().head<2>();
+  matrix.topLeftCorner<2, 2>() = spatial.topLeftCorner<2, 2>();
+  matrix.topRightCorner<2, 1>() = spatial.topRightCorner<2, 1>();
   return matrix_text(matrix, std::vector<std::string>(3));
 }
 
+bool is_at_height_zero(const Pose& pose) {
+  constexpr double rounding = 5e-13;
+  return std::abs(pose.translation().z()) < rounding;
+}
+
 std::string pose_text(const Pose& pose, bool planar, const UnitArgument& unit) {
-  if (planar) {
-    const Pose2 plane = to_plane(pose);
-    return fmt::format("  x {} m   y {} m   theta {} {}\n", shown(plane.x), shown(plane.y),
-                       shown(unit.shown(plane.theta)), unit.name());
+  const Vector3 p = unit.shown_position(pose);
+  const char* length = unit.position_name();
+  const auto form = unit.pose_format().pose_form;
+  if (planar && !form) {
+    const std::string z =
+        is_at_height_zero(pose) ? "" : fmt::format("   z {} {}", shown(p.z()), length);
+    return fmt::format("  x {} {}   y {} {}{}   theta {} {}\n", shown(p.x()), length, shown(p.y()),
+                       length, z, shown(unit.shown(to_plane(pose).theta)), unit.name());
   }
-  const Vector3 p = pose.translation();
-  const Quaternion q = quaternion(pose.linear());
-  const RollPitchYaw rpy = roll_pitch_yaw(pose.linear());
-  return fmt::format("  position    x {}   y {}   z {}  m\n", shown(p.x()), shown(p.y()),
-                     shown(p.z())) +
-         fmt::format("  rpy         roll {}   pitch {}   yaw {}  {}\n", shown(unit.shown(rpy.roll)),
-                     shown(unit.shown(rpy.pitch)), shown(unit.shown(rpy.yaw)), unit.name()) +
-         fmt::format("  quaternion  qw {}   qx {}   qy {}   qz {}\n", shown(q.qw), shown(q.qx),
-                     shown(q.qy), shown(q.qz));
+  if (form == PoseForm::matrix) return pose_matrix_text(pose, false, unit);
+  const std::string position = fmt::format("  position    x {}   y {}   z {}  {}\n", shown(p.x()),
+                                           shown(p.y()), shown(p.z()), length);
+  if (form) return position + orientation_line(pose, *form, unit);
+  return position + orientation_line(pose, PoseForm::rpy, unit) +
+         orientation_line(pose, PoseForm::quaternion, unit);
 }
 
 std::string counted(std::int64_t count, const std::string& noun) {
@@ -102,13 +157,23 @@ Json json_matrix(const Eigen::MatrixXd& matrix) {
 
 Json json_pose(const Pose& pose, bool planar, const UnitArgument& unit) {
   const Quaternion q = quaternion(pose.linear());
-  Json document{{"matrix", json_matrix(pose.matrix())},
-                {"translation", Eigen::VectorXd(pose.translation())},
+  const Vector3 p = unit.shown_position(pose);
+  Json document{{"matrix", json_matrix(shown_matrix(pose, unit))},
+                {"translation", Eigen::VectorXd(p)},
                 {"quaternion", Json{{"qw", q.qw}, {"qx", q.qx}, {"qy", q.qy}, {"qz", q.qz}}}};
+  const PoseFormat format = unit.pose_format();
+  const auto form = format.pose_form;
+  if (form && form != PoseForm::quaternion && form != PoseForm::matrix) {
+    const OrientationNumbers orientation = orientation_numbers(pose, format);
+    Json members;
+    for (std::size_t i = 0; i < orientation.names.size(); ++i) {
+      members.add(orientation.names[i], orientation.values[i]);
+    }
+    document.add(name(*form), members);
+  }
   if (planar) {
-    const Pose2 plane = to_plane(pose);
     document.add("planar",
-                 Json{{"x", plane.x}, {"y", plane.y}, {"theta", unit.shown(plane.theta)}});
+                 Json{{"x", p.x()}, {"y", p.y()}, {"theta", unit.shown(to_plane(pose).theta)}});
   }
   return document;
 }

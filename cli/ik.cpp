@@ -63,7 +63,8 @@ Eigen::VectorXd deviation_values(const Arm& arm, Eigen::VectorXd deviation,
   return deviation;
 }
 
-std::string ik_text(const Arm& arm, const InverseResult& result, const UnitArgument& unit) {
+std::string ik_text(const Arm& arm, const InverseResult& result, bool in_plane,
+                    const UnitArgument& unit) {
   const bool solved = result.status == InverseStatus::solved;
   const Residual residual = residual_of(unit, arm, result);
   std::string text =
@@ -81,7 +82,7 @@ std::string ik_text(const Arm& arm, const InverseResult& result, const UnitArgum
   if (result.singular && solved) text += fmt::format("  {}\n", result.reason);
   if (result.nearest) {
     text += fmt::format("  nearest: q {}; tool at {}\n", shown(unit.shown(arm, result.nearest->q)),
-                        shown(result.nearest->world_T_tool, arm.planar(), unit));
+                        shown(result.nearest->world_T_tool, in_plane, unit));
   }
   return text;
 }
@@ -145,6 +146,7 @@ Answer ik(const IkArguments& arguments) {
   } catch (const Error& error) {
     throw Error(std::string("--pose: ") + error.what());
   }
+  warn_of_position("--pose", arm, goal.pose, arguments.unit);
   const InverseResult result = inverse_kinematics(arm, goal.pose, options);
   const bool solved = result.status == InverseStatus::solved;
   if (solved && result.residual > options.tolerance) {
@@ -152,7 +154,7 @@ Answer ik(const IkArguments& arguments) {
                      number(result.residual)));
   }
   const Residual residual = residual_of(arguments.unit, arm, result);
-  return {.text = ik_text(arm, result, arguments.unit),
+  return {.text = ik_text(arm, result, arguments.arm.shown_in_plane(arm), arguments.unit),
           .document = ik_document(arm, result, arguments.unit),
           .units = {{"residual", residual.unit.empty() ? "m or rad" : residual.unit.substr(1)}},
           .yes = solved,
@@ -164,8 +166,9 @@ std::vector<Option> ik_options(IkArguments& arguments) {
   return joined({{{.name = "--pose",
                    .value = "POSE",
                    .help = "Pose of the tool in the world, or in --work: x,y,theta (planar arms), "
-                           "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz; with --task position also "
-                           "x,y,z or, for planar arms, x,y.",
+                           "x,y,z,roll,pitch,yaw, x,y,z,qw,qx,qy,qz, the 16 or first 12 numbers of "
+                           "the matrix, row by row, or in another --pose-form; with --task "
+                           "position also x,y,z or, for planar arms, x,y.",
                    .target = &arguments.pose,
                    .required = true}},
                  arguments.unit.options(),
@@ -207,6 +210,9 @@ Verb ik_verb() {
                     "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --redundancy centred"},
                    {"A pose in the frame of a pallet, turned by 30 degrees",
                     "beeline ik ur5 --pose 0.1,0.2,0.3,180,0,0 --work 0.3,0.1,0,0,0,30 --degrees"},
+                   {"A pose as a UR shows it: millimetres and a rotation vector",
+                    "beeline ik ur5 --pose=-300,-200,400,0,3.1416,0 --pose-form rotvec "
+                    "--millimetres"},
                    {"All solutions with joint 7 at 45 degrees",
                     "beeline ik panda --pose 0.4,0.1,0.5,180,0,0 --degrees --lock joint7=45 --all"},
                    {"The numerical method for at most 10 ms, as JSON",

@@ -35,7 +35,7 @@ PoseList waypoints_from(const std::string& text, const std::string& path, const 
                         const TaskArgument& task, const WorkArgument& work,
                         const UnitArgument& unit, const std::string& option) {
   const WrittenPose world_T_work = work.read(arm, unit);
-  PoseList list = poses_from_csv(text, path, unit.angle_unit(), triple_of(arm));
+  PoseList list = poses_from_csv(text, path, unit.pose_format(triple_of(arm)));
   if (!list.has_header)
     warn(path + " has no header; its columns are read as " + listed(list.columns));
   if (list.poses.size() > internal::max_poses) {
@@ -43,7 +43,7 @@ PoseList waypoints_from(const std::string& text, const std::string& path, const 
                     fmt::format("has {} poses; a path has at most {}: divide it", list.poses.size(),
                                 internal::max_poses));
   }
-  warn_of_angle(option + " " + path, list.max_angle, unit);
+  warn_of_angle(option + " " + path, list.max_angle, list.form, unit);
   warn_of_millimetres(option + " " + path, arm, list);
   for (std::size_t i = 0; i < list.poses.size(); ++i) {
     try {
@@ -52,6 +52,7 @@ PoseList waypoints_from(const std::string& text, const std::string& path, const 
                    {.pose = list.poses[i], .planar = list.planar, .oriented = list.oriented});
       check_pose_form(arm, pose, task);
       list.poses[i] = pose.pose;
+      if (i == 0) warn_of_position(option + " " + path, arm, pose.pose, unit);
     } catch (const Error& error) {
       throw FileError(path, list.lines[i], error.what());
     }
@@ -63,10 +64,10 @@ Option through_option(std::string help, std::string* target) {
   return {.name = "--through",
           .value = "FILE",
           .help = std::move(help) +
-                  " A .csv file with the header x,y,theta (planar arms), x,y,z,roll,pitch,yaw or "
-                  "x,y,z,qw,qx,qy,qz, or with --task position x,y,z or x,y, and a pose in each "
-                  "row; or a program, whose rows also have motion, relative, q, speed, blend or "
-                  "dwell (see `beeline help line`).",
+                  " A .csv file with the header x,y,theta (planar arms), x,y,z,roll,pitch,yaw, "
+                  "x,y,z,qw,qx,qy,qz, x,y,z,rx,ry,rz, x,y,z,A,B,C or m11,m12,...,m44, or with "
+                  "--task position x,y,z or x,y, and a pose in each row; or a program, whose rows "
+                  "also have motion, relative, q, speed, blend or dwell (see `beeline help line`).",
           .target = target,
           .required = true,
           .completes = Completes::file};

@@ -10,6 +10,7 @@
 
 #include "arm_argument.h"
 #include "format.h"
+#include "rates_argument.h"
 #include "verbs.h"
 
 using namespace beeline;
@@ -21,6 +22,7 @@ struct JacobianArguments {
   UnitArgument unit;
   JacobianArgument jacobian;
   std::string q, derivative, second_derivative, wrench, analytical;
+  RatesArgument rates;
   bool hessian = false, gradient = false, ellipsoids = false;
   bool json = false;
 };
@@ -221,6 +223,7 @@ Answer differential_kinematics(const JacobianArguments& arguments) {
   if (arguments.hessian) add_hessian(state, answer);
   add_analytical(arguments, state, answer);
   add_torques(arguments, state, answer);
+  arguments.rates.add_to(answer, arm, q, task, arguments.unit);
   return answer;
 }
 
@@ -281,12 +284,13 @@ Verb jacobian_verb() {
           "each joint, per rad/s or m/s of that joint, also with --degrees. Prints its "
           "singular values, their product (manipulability) and the ratio of the largest to "
           "the smallest (condition number, null in JSON if infinite). With options also its "
-          "derivatives, the analytical Jacobian, ellipsoids and joint torques.",
+          "derivatives, the analytical Jacobian, ellipsoids, joint torques and joint rates.",
       .arguments = {arguments.arm.argument()},
       .options = joined({{q},
                          arguments.unit.options(),
                          arguments.jacobian.options(),
                          derivative_options(arguments),
+                         arguments.rates.options(),
                          arguments.arm.options()}),
       .examples = {{"The columns drawn in figure 1.8 of the chapter",
                     "beeline jacobian rrr --q 0,90,0 --degrees"},
@@ -295,6 +299,8 @@ Verb jacobian_verb() {
                     "--json"},
                    {"The tool's acceleration while joints 1 and 3 of a UR5e move",
                     "beeline jacobian ur5e --q 0,-1.2,1.3,-1.5,-1.4,0 --derivative 1,0,0.5,0,0,0"},
+                   {"The joint rates at which the tool moves down by 0.1 m/s",
+                    "beeline jacobian ur5e --q 0,-1.2,1.3,-1.5,-1.4,0 --rates-of 0,0,-0.1,0,0,0"},
                    {"The torques with which the tool presses down by 10 N",
                     "beeline jacobian ur5e --q 0,-1.2,1.3,-1.5,-1.4,0 --wrench 0,0,-10,0,0,0"}},
       .json = &arguments.json,

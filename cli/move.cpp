@@ -83,7 +83,8 @@ std::string move_text(const MoveArguments& arguments, const Arm& arm,
                         counted(motion.slowed, "step"));
   }
   if (!motion) return text;
-  return text + "tool at the goal\n" + pose_text(goal, arm.planar(), arguments.unit) +
+  return text + "tool at the goal\n" +
+         pose_text(goal, arguments.arm.shown_in_plane(arm), arguments.unit) +
          arguments.files.text();
 }
 

@@ -1,20 +1,15 @@
 #include "pose_argument.h"
 
 #include <cmath>
+#include <fmt/format.h>
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/pose/se2.h>
+
+#include "command/streams.h"
 
 using namespace beeline;
-
-namespace {
-
-/// The z of the tool of a planar arm.
-double plane_height(const Arm& arm) {
-  return forward_kinematics(arm, middle_configuration(arm)).translation().z();
-}
-
-}  // namespace
 
 Triple triple_of(const Arm& arm) { return arm.planar() ? Triple::planar : Triple::position; }
 
@@ -35,9 +30,9 @@ WrittenPose WorkArgument::read(const Arm& arm, const UnitArgument& unit) const {
 WrittenPose parse_pose_option(const Arm& arm, const std::string& option, const std::string& text,
                               const UnitArgument& unit) {
   try {
-    WrittenPose written = parse_pose(text, unit.angle_unit(), triple_of(arm));
+    WrittenPose written = parse_pose(text, unit.pose_format(triple_of(arm)));
     written.pose = checked_pose(written.pose);
-    warn_of_angle(option, written.max_angle, unit);
+    warn_of_angle(option, written.max_angle, written.form, unit);
     return written;
   } catch (const Error& error) {
     const std::string message = error.what();
@@ -58,8 +53,22 @@ WrittenPose in_world(const Arm& arm, const WrittenPose& world_T_work, const Writ
   WrittenPose world = pose;
   world.pose = world_T_work.pose * pose.pose;
   world.planar = world_T_work.planar && pose.planar;
-  if (world.planar && arm.planar()) world.pose.translation().z() = plane_height(arm);
+  if (world.planar && arm.planar()) {
+    world.pose.translation().z() = pose_in_plane(arm, {}).translation().z();
+  }
   return world;
+}
+
+void warn_of_position(const std::string& option, const Arm& arm, const Pose& pose,
+                      const UnitArgument& unit) {
+  const auto& [centre, radius] = arm.reach();
+  const double distance = (pose.translation() - centre).norm();
+  constexpr double far = 30;  // times the reach
+  const bool out_of_reach = distance > far * radius;
+  if (unit.millimetres || !out_of_reach) return;
+  if ((pose.translation() / 1000 - centre).norm() > radius) return;
+  warn(fmt::format("{}: a position {} m away is far out of reach; --millimetres reads millimetres",
+                   option, number(distance)));
 }
 
 void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgument& task) {
@@ -75,7 +84,7 @@ void check_pose_form(const Arm& arm, const WrittenPose& written, const TaskArgum
   }
   if (written.planar || !arm.planar() || !task.text.empty()) return;
   constexpr double tolerance = 1e-6;  // metres, and of the unit vector z
-  const double height = plane_height(arm);
+  const double height = pose_in_plane(arm, {}).translation().z();
   const bool in_plane = std::abs(written.pose.translation().z() - height) < tolerance &&
                         (written.pose.linear().col(2) - Vector3::UnitZ()).norm() < tolerance;
   if (in_plane) return;

@@ -32,6 +32,11 @@ struct WorkArgument {
 beeline::WrittenPose in_world(const beeline::Arm& arm, const beeline::WrittenPose& world_T_work,
                               const beeline::WrittenPose& pose);
 
+/// Warns on stderr of a pose in the world that is far out of the arm's reach in metres and within
+/// it in millimetres.
+void warn_of_position(const std::string& option, const beeline::Arm& arm, const beeline::Pose& pose,
+                      const UnitArgument& unit);
+
 /// Throws Error for a planar pose given to an arm that is not planar; for a position given to a
 /// task with an orientation; and, without --task, for a spatial pose outside the plane of a planar
 /// arm, whose height and tilt would be ignored.

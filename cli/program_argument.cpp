@@ -13,8 +13,10 @@ namespace {
 void set_in_world(const Arm& arm, const ProgramContext& context, ProgramRows& program) {
   const WrittenPose world_T_work = context.work.read(arm, context.unit);
   double max_angle = 0;
+  std::optional<PoseForm> form;  // of all rows
   for (ProgramRow& row : program.rows) {
     if (!row.pose) continue;
+    form = row.pose->form;
     if (std::abs(row.pose->max_angle) > std::abs(max_angle)) max_angle = row.pose->max_angle;
     try {
       const bool relative = !row.relative.empty();
@@ -25,7 +27,7 @@ void set_in_world(const Arm& arm, const ProgramContext& context, ProgramRows& pr
       throw FileError(program.path, row.line, error.what());
     }
   }
-  warn_of_angle("--through " + program.path, max_angle, context.unit);
+  warn_of_angle("--through " + program.path, max_angle, form, context.unit);
 }
 
 /// Gives rows from `first` on this blend where they are lines before a line, without a dwell and a
@@ -48,7 +50,7 @@ Program program_from(const std::string& text, const std::string& file, const Arm
   if (path.kind != name(PathKind::line)) {
     throw Error("--path: " + file + " is a program, whose column motion gives the paths");
   }
-  ProgramRows rows = program_rows_from_csv(text, file, context.unit.angle_unit());
+  ProgramRows rows = program_rows_from_csv(text, file, context.unit.pose_format());
   set_in_world(arm, context, rows);
   if (path.blend) blend_lines(*path.blend, start ? 0 : 1, rows.rows);
   const auto configuration = [&](const std::string& q) {

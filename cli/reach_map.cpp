@@ -64,8 +64,14 @@ ReachGrid grid_of(const Arm& arm, const MapArguments& arguments) {
                       "or four, qw,qx,qy,qz",
                       counted(static_cast<std::int64_t>(count), "number")));
     }
+    UnitArgument form = unit;
+    const bool quaternion = count == 4;
+    if (quaternion || unit.pose_form == name(PoseForm::quaternion) ||
+        unit.pose_form == name(PoseForm::matrix)) {
+      form.pose_form = name(quaternion ? PoseForm::quaternion : PoseForm::rpy);
+    }
     options.orientation =
-        parse_pose_option(arm, "--orientation", "0,0,0," + arguments.orientation, unit)
+        parse_pose_option(arm, "--orientation", "0,0,0," + arguments.orientation, form)
             .pose.linear();
   }
   return ReachGrid(arm, options);
@@ -142,8 +148,9 @@ std::vector<Option> grid_options(MapArguments& arguments) {
        .phrases = {"by azimuths", "the angle between azimuths", "the least radius"}},
       {.name = "--orientation",
        .value = "R,P,Y",
-       .help = "One orientation of the tool in the world for all cells: roll,pitch,yaw or "
-               "qw,qx,qy,qz. Default: tool directions (headings, for a planar arm).",
+       .help = "One orientation of the tool in the world for all cells: roll,pitch,yaw, with "
+               "--pose-form also rx,ry,rz or A,B,C, or qw,qx,qy,qz. Default: tool directions "
+               "(headings, for a planar arm).",
        .target = &arguments.orientation,
        .phrases = {"the orientation of the map"}},
       {.name = "--directions",

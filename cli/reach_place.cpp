@@ -22,13 +22,6 @@ struct PlaceArguments {
   bool json = false;
 };
 
-/// A mount as --mount takes it.
-std::string mount_text(const Placement& placement, const UnitArgument& unit) {
-  const Vector3& at = placement.world_T_mount.translation();
-  return fmt::format("{},{},{},0,0,{}", shown(at.x()), shown(at.y()), shown(at.z()),
-                     shown(unit.shown(placement.heading)));
-}
-
 Answer answer_of(const Arm& arm, const PlacementResult& result, const PlaceArguments& arguments) {
   const UnitArgument& unit = arguments.unit;
   const bool complete = result.ending == Ending::complete;
@@ -45,11 +38,12 @@ Answer answer_of(const Arm& arm, const PlacementResult& result, const PlaceArgum
                                arguments.options.lines ? "   lines, s" : "");
   }
   for (const Placement& placement : result.placements) {
-    answer.text += fmt::format("{:<40} {:>9.4f} {:>14.5g}", mount_text(placement, unit),
-                               placement.margin, placement.manipulability);
+    const std::string mount = typed(placement.world_T_mount, arm.planar(), unit);
+    answer.text +=
+        fmt::format("{:<40} {:>9.4f} {:>14.5g}", mount, placement.margin, placement.manipulability);
     if (arguments.options.lines) answer.text += fmt::format("{:>11.2f}", placement.duration);
     answer.text += "\n";
-    Json json{{"mount", mount_text(placement, unit)},
+    Json json{{"mount", mount},
               {"pose", json_pose(placement.world_T_mount, false, unit)},
               {"heading", unit.shown(placement.heading)},
               {"margin", placement.margin},
@@ -71,7 +65,7 @@ Answer answer_of(const Arm& arm, const PlacementResult& result, const PlaceArgum
 }
 
 Vector3 corner_of(const std::string& text, const char* option) {
-  const WrittenPose written = parse_pose(text, AngleUnit::radians, Triple::position);
+  const WrittenPose written = parse_pose(text, {.triple = Triple::position});
   if (written.oriented || written.planar) throw Error(std::string(option) + ": a corner is x,y,z");
   return written.pose.translation();
 }

@@ -126,12 +126,14 @@ Verb reach_query_verb() {
           "itself. A position without orientation is answered with the best of its cells, and no "
           "pose at all with the totals of the map. Exit code 1: not reached.",
       .arguments = {map_argument(&arguments.map)},
-      .options = joined({{{.name = "--pose",
-                           .value = "POSE",
-                           .help = "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz in the world, or a "
-                                   "position x,y,z; x,y,theta or x,y for planar arms.",
-                           .target = &arguments.pose}},
-                         arguments.unit.options()}),
+      .options =
+          joined({{{.name = "--pose",
+                    .value = "POSE",
+                    .help = "x,y,z,roll,pitch,yaw, x,y,z,qw,qx,qy,qz or another --pose-form, "
+                            "in the world, or a position x,y,z; x,y,theta or x,y for planar "
+                            "arms.",
+                    .target = &arguments.pose}},
+                  arguments.unit.options()}),
       .examples = {{"A pose and a position",
                     "beeline reach map puma560 --resolution 0.12 --out puma560.h5\n"
                     "beeline reach query puma560.h5 --pose 0.5,0.1,0.3,180,0,0 --degrees\n"

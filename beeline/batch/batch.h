@@ -61,8 +61,9 @@ BatchResult batch_jacobian(const Arm& arm, const ConstColumnsRef<Real>& q,
                            ColumnsRef<Real> jacobians, ColumnsRef<Real> world_T_tool,
                            const BatchOptions& options = {});
 
-/// Computes the manipulability sqrt(det(J J^T)) of all six rows of the Jacobian, as
-/// manipulability_measures() does: 1 x N.
+/// Computes the manipulability sqrt(det(J J^T)) of the rows of the Jacobian that default_task()
+/// has, x, y and theta of a planar arm and all six of another, as manipulability_measures() does: 1
+/// x N.
 template <class Real>
 BatchResult batch_manipulability(const Arm& arm, const ConstColumnsRef<Real>& q,
                                  ColumnsRef<Real> values, const BatchOptions& options = {});

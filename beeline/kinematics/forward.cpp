@@ -22,6 +22,14 @@ Pose forward_kinematics(const Arm& arm, const ConfigurationRef& q) {
   return world_T_tool;
 }
 
+Pose pose_in_plane(const Arm& arm, const Pose2& pose) {
+  if (!arm.planar()) {
+    throw Error("x,y,theta is for planar arms; a pose of " + arm.name() + " is spatial");
+  }
+  const Pose any = forward_kinematics(arm, middle_configuration(arm));
+  return to_space(pose, any.translation().z());
+}
+
 void link_poses(const Arm& arm, const ConfigurationRef& q, std::span<Pose> world_T_link) {
   check_configuration(arm, q);
   if (world_T_link.size() != arm.joints().size() + 1) {

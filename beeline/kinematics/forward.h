@@ -5,6 +5,7 @@
 
 #include <beeline/error.h>
 #include <beeline/model/arm.h>
+#include <beeline/pose/se2.h>
 
 namespace beeline {
 
@@ -12,6 +13,10 @@ namespace beeline {
 /// Link Manipulators*, eq. 1.1). q may be outside its limits. Throws Error when it does not have
 /// arm.dof() finite values.
 Pose forward_kinematics(const Arm& arm, const ConfigurationRef& q);
+
+/// Returns the pose of the tool of a planar arm that is `pose` in the arm's plane, z included.
+/// Throws Error when the arm is not planar.
+Pose pose_in_plane(const Arm& arm, const Pose2& pose);
 
 /// Returns the poses of all links in the world, from link 0 (the base) to link n: n + 1 poses for n
 /// joints, mimic joints included. The pose of the tool is the last one times arm.tool().

@@ -86,4 +86,8 @@ ManipulabilityGradient manipulability_gradient(const Arm& arm, const Configurati
   return result;
 }
 
+ManipulabilityGradient manipulability_gradient(const Arm& arm, const ConfigurationRef& q) {
+  return manipulability_gradient(arm, q, default_task(arm));
+}
+
 }  // namespace beeline

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <beeline/error.h>
 #include <beeline/kinematics/task.h>
@@ -50,6 +53,60 @@ struct ManipulabilityGradient {
 /// w tr(J^+ dJ/dq), by Jacobi's formula for the derivative of det(J J^T). Throws Error as
 /// jacobian() and check_task() do.
 ManipulabilityGradient manipulability_gradient(const Arm& arm, const ConfigurationRef& q,
-                                               const Task& task = Task::spatial());
+                                               const Task& task);
+/// The same of default_task(): of the planar rows of a planar arm, of all six of another.
+ManipulabilityGradient manipulability_gradient(const Arm& arm, const ConfigurationRef& q);
+
+/// How joint_rates() ends.
+enum class RatesStatus {
+  solved,         ///< the rates move the tool at the velocity
+  damped,         ///< the rates are those of damped least squares
+  singular,       ///< the velocity has a part in a direction that is lost at a singularity
+  too_few_joints  ///< it has a part in a direction that the arm has no joint for
+};
+std::string name(RatesStatus status);
+
+struct JointRatesOptions {
+  std::optional<Task> task = std::nullopt;  ///< the rows of the velocity; default: default_task()
+  Frame frame = Frame::base;                ///< of the velocity, as of jacobian()
+  /// The damping lambda of damped least squares, 0 or more: minimise |J dq - v|^2 + lambda^2
+  /// |dq|^2. With 0 the least |dq| among the minimisers of |J dq - v|.
+  double damping = 0;
+};
+
+/// A joint rate above the velocity limit of its joint, rad/s or m/s.
+struct RateExcess {
+  int coordinate = 0;  ///< from 0
+  double rate = 0;
+  double limit = 0;
+};
+
+/// Joint rates dq of a velocity v of the tool. All velocities of the tool are in the order of v, in
+/// m/s and rad/s.
+struct JointRates {
+  RatesStatus status = RatesStatus::solved;
+  Configuration rates;            ///< dq, rad/s or m/s; of a no the nearest ones
+  Eigen::VectorXd tool_velocity;  ///< J dq
+  double residual = 0;            ///< |J dq - v|
+  bool singular = false;          ///< J has a smaller rank than its size allows
+  /// Orthonormal velocities, one in each column, that no joint rates give the tool a part of.
+  Eigen::MatrixXd lost_directions;
+  std::vector<RateExcess> excesses = {};  ///< by coordinate
+  /// The largest factor of v, at most 1, with which all rates keep the velocity limits.
+  double scale = 1;
+  std::string reason = {};  ///< one sentence unless solved or damped
+
+  /// Whether the rates are what was asked for.
+  explicit operator bool() const {
+    return status == RatesStatus::solved || status == RatesStatus::damped;
+  }
+};
+
+/// Computes the joint rates that move the tool at the velocity v, which has the task's rows:
+/// J dq = v (Whitney, "Resolved motion rate control", 1969). Singular values up to 1e-8 of the
+/// largest count as zero. Throws Error as jacobian() does; for a velocity that is not finite or has
+/// another number of rows; and for a task in the tool's axes with another frame.
+JointRates joint_rates(const Arm& arm, const ConfigurationRef& q, const Eigen::VectorXd& velocity,
+                       const JointRatesOptions& options = {});
 
 }  // namespace beeline

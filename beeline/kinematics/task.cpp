@@ -31,14 +31,21 @@ Task task_named(std::string_view text) {
     task.rows = Task::planar().rows;
     return task;
   }
-  const bool is_mask = mask.size() == 6 && mask.find_first_not_of("01") == std::string_view::npos;
-  if (!is_mask || mask == "000000") {
+  const bool planar = mask.size() == 3;
+  const bool is_mask = (planar || mask.size() == 6) &&
+                       mask.find_first_not_of("01") == std::string_view::npos &&
+                       mask.find('1') != std::string_view::npos;
+  if (!is_mask) {
     throw Error(
         "unknown task \"" + std::string(text.substr(0, 40)) +
-        "\"; known: planar, position, spatial, or six of 0 and 1 for x y z wx wy wz such as "
-        "111110, with the suffix :tool for rows in the tool's axes");
+        "\"; known: planar, position, spatial, six of 0 and 1 for x y z wx wy wz such as 111110, "
+        "or three for x y theta such as 110, with the suffix :tool for rows in the tool's axes");
   }
-  for (std::size_t i = 0; i < 6; ++i) task.rows[i] = mask[i] == '1';
+  task.rows.fill(false);
+  constexpr std::array<std::size_t, 3> planar_rows{0, 1, 5};
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    task.rows[planar ? planar_rows[i] : i] = mask[i] == '1';
+  }
   return task;
 }
 
@@ -88,6 +95,10 @@ Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const T
   Jacobian all = jacobian(arm, q, task.frame);
   all.topRows<3>() /= length_unit;
   return internal::selected_rows(task, all);
+}
+
+Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q) {
+  return task_jacobian(arm, q, default_task(arm));
 }
 
 Twist pose_error(const Pose& desired, const Pose& current, Frame frame) {

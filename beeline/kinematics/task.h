@@ -31,8 +31,9 @@ struct Task {
 /// Throws Error for a task without rows, or in Frame::space.
 void check_task(const Task& task);
 
-/// Returns the task of a name: `spatial`, `position`, `planar`, or a mask such as `111110`. The
-/// suffix `:tool` selects the tool's axes: `111110:tool` leaves rotation about the tool's z free.
+/// Returns the task of a name: `spatial`, `position`, `planar`, or a mask such as `111110`, of a
+/// planar arm also one of x, y, theta such as `110`. The suffix `:tool` selects the tool's axes:
+/// `111110:tool` leaves rotation about the tool's z free.
 /// Throws Error for another name and for a mask without rows. name() is the inverse.
 Task task_named(std::string_view name);
 std::string name(const Task& task);
@@ -49,6 +50,8 @@ std::vector<std::string> row_names(const Task& task);
 /// metres: so scaled, metres and radians compare in a condition number.
 Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q, const Task& task,
                               double length_unit = 1);
+/// The same of default_task(): the planar rows of a planar arm, all six of another.
+Eigen::MatrixXd task_jacobian(const Arm& arm, const ConfigurationRef& q);
 
 /// pose_difference(desired, current) in the axes of `frame`: base, the world's; or tool, those of
 /// `current`.

@@ -8,12 +8,18 @@ double orthonormality_error(const Rotation& r) {
   return (r * r.transpose() - Rotation::Identity()).cwiseAbs().maxCoeff();
 }
 
+/// Whether a matrix with this orthonormality error is a rotation.
+bool is_rotation(const Rotation& r, double error) {
+  constexpr double rounding_of_text = 1e-6;
+  return error <= rounding_of_text && r.determinant() > 0;
+}
+
 /// What is wrong with a pose whose rotation has this orthonormality error; nullptr: nothing.
 const char* fault_of(const Pose& pose, double error) {
-  constexpr double farthest = 1e100, rounding_of_text = 1e-6;
+  constexpr double farthest = 1e100;
   if (!pose.matrix().allFinite()) return "has a number that is not finite";
   if (pose.translation().cwiseAbs().maxCoeff() > farthest) return "has a length above 1e100 m";
-  if (!(error <= rounding_of_text) || pose.linear().determinant() < 0) {
+  if (!is_rotation(pose.linear(), error)) {
     return "is not a rigid motion: its rotation must be orthonormal and right-handed";
   }
   if (pose.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
@@ -25,14 +31,18 @@ const char* fault_of(const Pose& pose, double error) {
 }  // namespace
 
 std::string rigid_motion_fault(const Pose& pose) {
-  const char* fault = fault_of(pose, orthonormality_error(pose.linear()));
-  return fault == nullptr ? "" : fault;
+  const double error = orthonormality_error(pose.linear());
+  const char* fault = fault_of(pose, error);
+  if (fault == nullptr) return "";
+  if (!pose.matrix().allFinite() || is_rotation(pose.linear(), error)) return fault;
+  return fault + ("; R R^T differs from the identity by " + number(error) +
+                  ", the determinant is " + number(pose.linear().determinant()));
 }
 
 Pose checked_pose(const Pose& pose, const char* what) {
   constexpr double exact = 1e-14;
   const double error = orthonormality_error(pose.linear());
-  if (const char* fault = fault_of(pose, error)) throw Error(std::string(what) + " " + fault);
+  if (fault_of(pose, error) != nullptr) throw Error(what + (" " + rigid_motion_fault(pose)));
   if (error <= exact) return pose;
   Pose rigid = pose;
   rigid.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();

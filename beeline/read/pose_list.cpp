@@ -1,10 +1,10 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include <beeline/error.h>
 #include <beeline/pose/orientation.h>
-#include <beeline/pose/se2.h>
 #include <beeline/read/internal/csv.h>
 #include <beeline/read/internal/file.h>
 #include <beeline/read/internal/name.h>
@@ -16,94 +16,125 @@ namespace beeline {
 namespace {
 
 using internal::in_quotes;
-using internal::known_forms;
+using internal::PoseColumns;
 using Names = std::vector<std::string>;
 
-/// The larger one, by magnitude, of `other` and the largest angle of a pose.
-double larger_angle(std::span<const double> pose, AngleUnit unit, Triple triple, double other) {
-  const bool theta = pose.size() == 3 && triple == Triple::planar;
-  const std::size_t first = theta ? 2 : pose.size() == 6 ? 3 : pose.size();
-  for (const double angle : pose.subspan(first)) {
-    const double radians = to_radians(angle, unit);
-    if (std::abs(radians) > std::abs(other)) other = radians;
-  }
-  return other;
-}
-
-/// Throws FileError for a header that is not that of a form, whatever its rows are.
+/// Throws FileError for a header that does not name columns of a pose, whatever its rows are.
 void check_header(std::string_view text, const std::string& path, const std::vector<Names>& forms) {
   internal::CsvLines lines(text, path);
   const internal::CsvRows header(lines, path, forms);
   try {
-    internal::pose_form_of(header.columns());
+    internal::pose_columns_of(internal::in_known_case(header.columns()));
   } catch (const Error& error) {
     throw FileError(path, header.line(), error.what());
   }
 }
 
+/// The forms of rows without a header.
+std::vector<Names> forms_without_names(const PoseFormat& format) {
+  std::vector<Names> forms;
+  for (const PoseColumns& columns : internal::all_pose_columns()) {
+    if (internal::reads_without_names(columns, format)) forms.push_back(columns.names);
+  }
+  return forms;
+}
+
 }  // namespace
+
+std::string name(PoseForm form) {
+  constexpr const char* names[] = {"rpy", "rotvec", "abc", "quaternion", "matrix"};
+  return names[static_cast<int>(form)];
+}
+
+std::vector<std::string> pose_form_names() {
+  std::vector<std::string> names;
+  for (const PoseForm form :
+       {PoseForm::rpy, PoseForm::rotvec, PoseForm::abc, PoseForm::quaternion, PoseForm::matrix}) {
+    names.push_back(name(form));
+  }
+  return names;
+}
+
+PoseForm pose_form_named(std::string_view wanted) {
+  const std::vector<std::string> names = pose_form_names();
+  const auto found = std::find(names.begin(), names.end(), wanted);
+  if (found == names.end()) throw unknown_name("pose_form", wanted, names);
+  return static_cast<PoseForm>(found - names.begin());
+}
+
+const Names& pose_columns(PoseForm form) {
+  static const std::array<Names, 5> columns{
+      {{"x", "y", "z", "roll", "pitch", "yaw"},
+       {"x", "y", "z", "rx", "ry", "rz"},
+       {"x", "y", "z", "A", "B", "C"},
+       {"x", "y", "z", "qw", "qx", "qy", "qz"},
+       {"m11", "m12", "m13", "m14", "m21", "m22", "m23", "m24", "m31", "m32", "m33", "m34", "m41",
+        "m42", "m43", "m44"}}};
+  return columns[static_cast<std::size_t>(form)];
+}
 
 double to_radians(double angle, AngleUnit unit) {
   return unit == AngleUnit::degrees ? angle * std::numbers::pi / 180 : angle;
 }
 
-const std::array<Names, 5>& pose_forms() {
-  static const std::array<Names, 5> known{{{"x", "y", "theta"},
-                                           {"x", "y", "z", "roll", "pitch", "yaw"},
-                                           {"x", "y", "z", "qw", "qx", "qy", "qz"},
-                                           {"x", "y", "z"},
-                                           {"x", "y"}}};
-  return known;
+Pose pose_of(std::span<const double> numbers, const PoseFormat& format) {
+  const PoseColumns& columns = internal::pose_columns_of(numbers.size(), format, "a pose of ");
+  return internal::written_pose(numbers, columns, format).pose;
 }
 
-Pose pose_of(std::span<const double> v, AngleUnit unit, Triple triple) {
-  const auto radians = [unit](double angle) { return to_radians(angle, unit); };
-  if (v.size() == 2) return make_pose({v[0], v[1], 0});
-  if (v.size() == 3 && triple == Triple::position) return make_pose({v[0], v[1], v[2]});
-  if (v.size() == 3) return to_space(Pose2{v[0], v[1], radians(v[2])});
-  if (v.size() != 6 && v.size() != 7) {
-    throw Error("a pose of " + std::to_string(v.size()) + " numbers; poses are " + known_forms);
+std::vector<double> pose_numbers(const Pose& pose, const PoseFormat& format) {
+  const PoseForm form = format.pose_form.value_or(PoseForm::rpy);
+  const Vector3 p = pose.translation() * (format.millimetres ? 1000 : 1);
+  if (form == PoseForm::matrix) {
+    const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> rows = make_pose(p, pose.linear()).matrix();
+    return {rows.data(), rows.data() + rows.size()};
   }
-  const Vector3 position(v[0], v[1], v[2]);
-  if (v.size() == 6) {
-    return make_pose(position, rotation(RollPitchYaw{radians(v[3]), radians(v[4]), radians(v[5])}));
+  std::vector<double> numbers{p.x(), p.y(), p.z()};
+  if (form == PoseForm::quaternion) {
+    const Quaternion q = quaternion(pose.linear());
+    numbers.insert(numbers.end(), {q.qw, q.qx, q.qy, q.qz});
+  } else if (form == PoseForm::rotvec) {
+    const Vector3 r = so3_log(pose.linear());
+    numbers.insert(numbers.end(), {r.x(), r.y(), r.z()});
+  } else {
+    const RollPitchYaw rpy = roll_pitch_yaw(pose.linear());
+    const bool degrees = form == PoseForm::abc || format.unit == AngleUnit::degrees;
+    const double unit = degrees ? 180 / std::numbers::pi : 1;
+    if (form == PoseForm::abc) {
+      numbers.insert(numbers.end(), {rpy.yaw * unit, rpy.pitch * unit, rpy.roll * unit});
+    } else {
+      numbers.insert(numbers.end(), {rpy.roll * unit, rpy.pitch * unit, rpy.yaw * unit});
+    }
   }
-  return make_pose(position, rotation_from_quaternion(v[3], v[4], v[5], v[6]));
+  return numbers;
 }
 
-WrittenPose internal::written_pose(std::span<const double> numbers, AngleUnit unit, Triple triple) {
-  const bool position = numbers.size() == 3 && triple == Triple::position;
-  return {.pose = pose_of(numbers, unit, triple),
-          .planar = numbers.size() <= 3 && !position,
-          .max_angle = larger_angle(numbers, unit, triple, 0),
-          .oriented = numbers.size() > 2 && !position};
-}
-
-PoseList poses_from_csv(std::string_view text, const std::string& path, AngleUnit unit,
-                        Triple triple) {
-  const Names& three = pose_forms()[triple == Triple::planar ? 0 : 3];
-  const std::vector<Names> forms{three, pose_forms()[1], pose_forms()[2], pose_forms()[4]};
+PoseList poses_from_csv(std::string_view text, const std::string& path, const PoseFormat& format) {
+  const std::vector<Names> forms = forms_without_names(format);
   check_header(text, path, forms);
   const internal::CsvTable table = internal::parse_csv(text, path, forms);
   PoseList list{.lines = table.lines, .has_header = table.has_header};
   int line = 0;  // unknown for the header: comments may precede it
   try {
-    const Names& form = internal::pose_form_of(table.columns);
-    list.columns = form;
-    triple = form == pose_forms()[3] ? Triple::position : Triple::planar;
-    list.planar = form.size() == 2 || (form.size() == 3 && triple == Triple::planar);
-    list.oriented = form.size() > 3 || form == pose_forms()[0];
+    const Names header = internal::in_known_case(table.columns);
+    const PoseColumns& columns = internal::pose_columns_of(header);
+    list.columns = columns.names;
+    list.planar = columns.planar;
+    list.oriented = columns.oriented;
+    list.form = columns.form;
     std::vector<std::size_t> column_of;  // of each number of the form
-    for (const std::string& name : form) {
-      const auto column = std::find(table.columns.begin(), table.columns.end(), name);
-      column_of.push_back(static_cast<std::size_t>(column - table.columns.begin()));
+    for (const std::string& name : columns.names) {
+      const auto column = std::find(header.begin(), header.end(), name);
+      column_of.push_back(static_cast<std::size_t>(column - header.begin()));
     }
-    std::vector<double> values(form.size());
+    std::vector<double> values(columns.names.size());
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
       line = table.lines[row];
-      for (std::size_t i = 0; i < form.size(); ++i) values[i] = table.rows[row][column_of[i]];
-      list.poses.push_back(checked_pose(pose_of(values, unit, triple)));
-      list.max_angle = larger_angle(values, unit, triple, list.max_angle);
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] = table.rows[row][column_of[i]];
+      const WrittenPose written = internal::written_pose(values, columns, format);
+      list.poses.push_back(checked_pose(written.pose));
+      if (std::abs(written.max_angle) > std::abs(list.max_angle))
+        list.max_angle = written.max_angle;
     }
   } catch (const Error& error) {
     throw FileError(path, line, error.what());
@@ -111,19 +142,15 @@ PoseList poses_from_csv(std::string_view text, const std::string& path, AngleUni
   return list;
 }
 
-PoseList read_poses(const std::string& path, AngleUnit unit, Triple triple) {
-  return poses_from_csv(internal::read_file(path), path, unit, triple);
+PoseList read_poses(const std::string& path, const PoseFormat& format) {
+  return poses_from_csv(internal::read_file(path), path, format);
 }
 
-WrittenPose parse_pose(std::string_view text, AngleUnit unit, Triple triple) {
+WrittenPose parse_pose(std::string_view text, const PoseFormat& format) {
   const std::vector<double> values = internal::parse_numbers(text, "pose");
-  const bool known = std::any_of(pose_forms().begin(), pose_forms().end(),
-                                 [&](const Names& form) { return form.size() == values.size(); });
-  if (!known) {
-    throw Error("pose " + in_quotes(text) + " has " + std::to_string(values.size()) +
-                " numbers; poses are " + known_forms);
-  }
-  return internal::written_pose(values, unit, triple);
+  const PoseColumns& columns =
+      internal::pose_columns_of(values.size(), format, "pose " + in_quotes(text) + " has ");
+  return internal::written_pose(values, columns, format);
 }
 
 }  // namespace beeline

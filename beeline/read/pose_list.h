@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,49 +19,77 @@ double to_radians(double angle, AngleUnit unit);
 /// The meaning of three numbers without names: x,y,theta or x,y,z.
 enum class Triple { planar, position };
 
+/// How numbers give a pose in space: the position x,y,z, then the orientation; or both in a matrix.
+enum class PoseForm {
+  rpy,         ///< roll,pitch,yaw: rotations about the fixed axes X, Y, Z, as in URDF
+  rotvec,      ///< rx,ry,rz: the rotation vector, unit axis times angle, always in radians
+  abc,         ///< A,B,C of KUKA: rotations about Z, the new Y, the new X, always in degrees
+  quaternion,  ///< qw,qx,qy,qz
+  matrix,      ///< m11,m12,...,m44: the 4 x 4 matrix row by row; read also without its last row
+};
+std::string name(PoseForm form);
+PoseForm pose_form_named(std::string_view name);  ///< throws Error, naming the choices
+std::vector<std::string> pose_form_names();
+
+/// Returns the names of the numbers of a form, which are the columns of files: x,y,z,A,B,C.
+const std::vector<std::string>& pose_columns(PoseForm form);
+
+/// The units and the form of poses in a text.
+struct PoseFormat {
+  AngleUnit unit = AngleUnit::radians;  ///< of theta, roll, pitch and yaw
+  Triple triple = Triple::planar;       ///< what three numbers without names are
+  /// The form of numbers without names. Default: the one of as many numbers, of six rpy.
+  std::optional<PoseForm> pose_form = std::nullopt;
+  bool millimetres = false;  ///< positions are in millimetres instead of metres
+};
+
 /// A pose as a text gives it.
 struct WrittenPose {
   Pose pose;
-  bool planar = false;   ///< given as x,y,theta or x,y
-  double max_angle = 0;  ///< the angle that is largest by magnitude, radians; 0 with a quaternion
+  bool planar = false;  ///< given as x,y,theta or x,y
+  /// The angle of AngleUnit, or the length of a rotation vector, that is largest by magnitude,
+  /// radians; 0 in the other forms.
+  double max_angle = 0;
   bool oriented = true;  ///< false: a position, x,y,z or x,y; the orientation is the identity
+  std::optional<PoseForm> form = std::nullopt;  ///< none: planar or a position
 };
 
-/// Poses of a CSV file. A text gives a pose in one of these forms, in metres and an AngleUnit:
-///     x,y,theta     x,y,z,roll,pitch,yaw     x,y,z,qw,qx,qy,qz     x,y,z     x,y
+/// Poses of a CSV file. A text gives a pose in one of the forms of PoseForm, or as
+///     x,y,theta     x,y,z     x,y
 /// The first and the last are planar: in the plane z = 0. The last two have no orientation.
 struct PoseList {
-  std::vector<Pose> poses = {};           ///< at least one
-  std::vector<int> lines = {};            ///< the line of the file of each pose
-  bool planar = false;                    ///< given as x,y,theta or x,y
-  double max_angle = 0;                   ///< the angle that is largest by magnitude, radians
-  bool oriented = true;                   ///< false: positions, given as x,y,z or x,y
-  std::vector<std::string> columns = {};  ///< of the form
-  bool has_header = true;                 ///< false: the form follows from the number of columns
+  std::vector<Pose> poses = {};                 ///< at least one
+  std::vector<int> lines = {};                  ///< the line of the file of each pose
+  bool planar = false;                          ///< given as x,y,theta or x,y
+  double max_angle = 0;                         ///< as WrittenPose::max_angle, of all poses
+  bool oriented = true;                         ///< false: positions, given as x,y,z or x,y
+  std::vector<std::string> columns = {};        ///< of the form
+  bool has_header = true;                       ///< false: the number of columns gives the form
+  std::optional<PoseForm> form = std::nullopt;  ///< none: planar or positions
 };
 
-/// Returns the names of the columns of the five forms, in the order above.
-const std::array<std::vector<std::string>, 5>& pose_forms();
+/// Returns the pose given by numbers without names: 2, 3, 6, 7, 12 or 16 of them. Throws Error for
+/// any other count, for one that PoseFormat::pose_form does not have, for a quaternion whose length
+/// is not 1 to 1e-3, and for a matrix that is not a rigid motion to 1e-6.
+Pose pose_of(std::span<const double> numbers, const PoseFormat& format = {});
 
-/// Returns the pose given by 2, 3, 6 or 7 numbers in the order of pose_forms(). Throws Error for
-/// any other count and for a quaternion that is not of unit length.
-Pose pose_of(std::span<const double> numbers, AngleUnit unit = AngleUnit::radians,
-             Triple triple = Triple::planar);
+/// Returns the numbers of a pose in the form of `format`, by default rpy, in the order of
+/// pose_columns(): pose_of() with the same format reads them back, to rounding or, for rpy and abc
+/// in gimbal lock, to 1e-12 rad.
+std::vector<double> pose_numbers(const Pose& pose, const PoseFormat& format = {});
 
-/// Reads a CSV file whose header names the columns of one form, in any order. Without a header, the
-/// columns are those of the form with as many, in its order; of three, `triple` says which. The
-/// separator is a comma or, where the first line has no comma, a semicolon. Throws FileError for a
-/// column that is missing or unknown, for a quaternion that is not of unit length, and for a pose
-/// farther away than 1e100 m.
-PoseList read_poses(const std::string& path, AngleUnit unit = AngleUnit::radians,
-                    Triple triple = Triple::planar);
+/// Reads a CSV file whose header names the columns of one form, in any order; upper and lower case
+/// are alike. Without a header, the columns are those of the form with as many, in its order, see
+/// PoseFormat. The separator is a comma or, where the first line has no comma, a semicolon. Throws
+/// FileError for a column that is missing or unknown, as pose_of(), and for a pose farther away
+/// than 1e100 m.
+PoseList read_poses(const std::string& path, const PoseFormat& format = {});
 /// The same from a text; `path` names it in messages.
 PoseList poses_from_csv(std::string_view text, const std::string& path,
-                        AngleUnit unit = AngleUnit::radians, Triple triple = Triple::planar);
+                        const PoseFormat& format = {});
 
-/// Parses a pose from 2, 3, 6 or 7 numbers separated by commas, as pose_of().
-WrittenPose parse_pose(std::string_view text, AngleUnit unit = AngleUnit::radians,
-                       Triple triple = Triple::planar);
+/// Parses a pose from numbers separated by commas, as pose_of().
+WrittenPose parse_pose(std::string_view text, const PoseFormat& format = {});
 
 /// A row of a program file: a move to a waypoint. What it means is in planning/program.h; an empty
 /// text or option is an empty item.
@@ -93,9 +120,10 @@ bool is_program(std::string_view text);
 /// of one form of a pose unless all rows have joint values, `q`. Throws FileError for a column that
 /// is missing or unknown; a row of another length; a motion or relative that is unknown; a row with
 /// neither a pose nor joint values, with both, or with a part of a pose; and as read_poses().
-ProgramRows read_program_rows(const std::string& path, AngleUnit unit = AngleUnit::radians);
+/// Speeds, blends and the travel of prismatic joints stay in metres.
+ProgramRows read_program_rows(const std::string& path, const PoseFormat& format = {});
 /// The same from a text; `path` names it in messages.
 ProgramRows program_rows_from_csv(std::string_view text, const std::string& path,
-                                  AngleUnit unit = AngleUnit::radians);
+                                  const PoseFormat& format = {});
 
 }  // namespace beeline

@@ -25,6 +25,7 @@ class NpyRows {
   }
 
   std::size_t form() const { return form_; }
+  bool has_header() const { return false; }
   const InputFile& file() const { return reader_.file(); }
 
   void read(RowBlock& block, BadRows& bad) {
@@ -154,6 +155,10 @@ RowReader::RowReader(const std::string& path, const RowForms& forms)
     : source_(open_source(path, forms)) {}
 
 RowReader::~RowReader() = default;
+
+bool RowReader::has_header() const {
+  return std::visit([](const auto& reader) { return reader.has_header(); }, source_->reader);
+}
 
 std::size_t RowReader::form() const {
   return std::visit([](const auto& reader) { return reader.form(); }, source_->reader);

@@ -66,6 +66,7 @@ class RowReader {
   ~RowReader();
 
   std::size_t form() const;  ///< index of the file's form
+  bool has_header() const;   ///< false: the number of columns gives the form
   /// Reads the next rows, at most as many as `block.numbers` has columns; none at the end.
   void read(RowBlock& block, BadRows& bad);
 

@@ -1,5 +1,7 @@
 #include "verb.h"
 
+#include <algorithm>
+
 #include <beeline/error.h>
 
 #include "former_names.h"
@@ -17,15 +19,26 @@ std::vector<Option> all_options(const Verb& verb) {
   return options;
 }
 
+namespace {
+
+bool is_set(const Verb& verb, const std::string& flag) {
+  return std::any_of(verb.options.begin(), verb.options.end(), [&](const Option& option) {
+    return option.name == flag && *std::get<bool*>(option.target);
+  });
+}
+
+}  // namespace
+
 Json with_units(const Verb& verb, const Answer& answer) {
   Json document = answer.document;
-  for (const Option& option : verb.options) {
-    if (option.name != "--degrees") continue;
-    const bool degrees = *std::get<bool*>(option.target);
-    Json units{{"length", "m"}, {"angle", degrees ? "deg" : "rad"}, {"time", "s"}};
-    units.add(answer.units);
-    document.add("units", units);
-  }
+  const bool has_units =
+      std::any_of(verb.options.begin(), verb.options.end(),
+                  [](const Option& option) { return option.name == "--degrees"; });
+  if (!has_units) return document;
+  Json units{{"length", "m"}, {"angle", is_set(verb, "--degrees") ? "deg" : "rad"}, {"time", "s"}};
+  if (is_set(verb, "--millimetres")) units.add("position", "mm");
+  units.add(answer.units);
+  document.add("units", units);
   return document;
 }
 

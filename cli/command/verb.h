@@ -40,8 +40,8 @@ struct Verb {
 /// All options with --json and --help, as the help, the man page and the completions list them.
 std::vector<Option> all_options(const Verb& verb);
 
-/// The document with {"units": {"length": "m", "angle": "rad" or "deg", "time": "s"}} and the
-/// answer's own units, if the verb has --degrees.
+/// The document with {"units": {"length": "m", "angle": "rad" or "deg", "time": "s"}}, with
+/// --millimetres "position": "mm" of poses, and the answer's own units, if the verb has --degrees.
 Json with_units(const Verb& verb, const Answer& answer);
 
 /// "beeline line ARM --through FILE [options]".

@@ -8,6 +8,7 @@
 
 #include "arm_fields.h"
 #include "bindings.h"
+#include "plane_poses.h"
 
 namespace beeline::python {
 namespace {
@@ -265,30 +266,32 @@ void bind_properties(nb::class_<Arm>& arm) {
 
 void bind_copies(nb::class_<Arm>& arm) {
   Signature tool("with_tool", "Arm", "Returns a copy with another tool, in place of the arm's.");
-  tool.takes("self").takes("tool", array_like, "Pose of the tool in the last link (4, 4).");
+  tool.takes("self").takes("tool", arm_pose_like, std::string("In the last link. ") + arm_pose_doc);
   define(
       arm,
       [](const Arm& self, nb::handle pose) {
-        return with_tool(self, Value<Pose>::from(pose, "tool"));
+        return with_tool(self, PosePlane::at_zero(self).pose(pose, "tool"));
       },
       tool, nb::arg("tool"));
   Signature tcp("with_tcp", "Arm",
                 "Returns a copy with a tool on the flange: the frame that has been the tool's.");
-  tcp.takes("self").takes("flange_T_tcp", array_like, "Pose of the new tool in it (4, 4).");
+  tcp.takes("self").takes("flange_T_tcp", arm_pose_like,
+                          std::string("Of the new tool in it. ") + arm_pose_doc);
   define(
       arm,
       [](const Arm& self, nb::handle pose) {
-        return with_tcp(self, Value<Pose>::from(pose, "flange_T_tcp"));
+        return with_tcp(self, PosePlane::at_zero(self).pose(pose, "flange_T_tcp"));
       },
       tcp, nb::arg("flange_T_tcp"));
   Signature mount("with_mount", "Arm",
                   "Returns a copy that stands in the world: at this pose of the frame that has "
                   "been the world.");
-  mount.takes("self").takes("world_T_mount", array_like, "Pose of the former world (4, 4).");
+  mount.takes("self").takes("world_T_mount", arm_pose_like,
+                            std::string("Of the former world. ") + arm_pose_doc);
   define(
       arm,
       [](const Arm& self, nb::handle pose) {
-        return with_mount(self, Value<Pose>::from(pose, "world_T_mount"));
+        return with_mount(self, PosePlane::at_zero(self).pose(pose, "world_T_mount"));
       },
       mount, nb::arg("world_T_mount"));
   Signature limits("with_limits", "Arm", "Returns a copy in which joints have other limits.");

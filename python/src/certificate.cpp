@@ -1,5 +1,6 @@
 #include "bindings.h"
 #include "interruption.h"
+#include "plane_poses.h"
 #include "program_fields.h"
 
 namespace beeline::python {
@@ -16,7 +17,7 @@ Verification verified(const Arm& arm, const Trajectory& trajectory, nb::handle a
   if (nb::try_cast<const Program*>(along, program) && program) {
     return unlocked(asked.budget, [&] { return verify(arm, trajectory, *program, asked); });
   }
-  const std::vector<Pose> waypoints = poses_from(along, "along");
+  const std::vector<Pose> waypoints = PosePlane(arm).poses(along, "along");
   return unlocked(asked.budget, [&] { return verify(arm, trajectory, waypoints, asked); });
 }
 
@@ -32,9 +33,9 @@ void bind_verify(nb::module_& m) {
       "speeds.");
   proof.takes("arm", "Arm", "The arm.")
       .takes("trajectory", "Trajectory", "Its joints are matched by name.")
-      .takes("along", std::string("Route | Program | ") + array_like,
+      .takes("along", std::string("Route | Program | ") + arm_poses_like,
              "A route; a program; or waypoints (N, 4, 4), world_T_tool, of straight lines from the "
-             "trajectory's first pose.")
+             "trajectory's first pose; of a planar arm also (N, 3), x, y, theta each.")
       .options<VerifyOptions>();
   define(m, &verified, proof, nb::arg("arm"), nb::arg("trajectory"), nb::arg("along"),
          nb::arg("keywords"));

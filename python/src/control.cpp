@@ -1,6 +1,7 @@
 #include "bindings.h"
 #include "control_fields.h"
 #include "interruption.h"
+#include "plane_poses.h"
 
 namespace beeline::python {
 namespace {
@@ -42,14 +43,14 @@ void bind_cartesian_control(nb::module_& m) {
       "straight only approximately; move_in_lines() is the motion with a proved bound.");
   lines.takes("arm", "Arm", "The arm.")
       .takes("start", array_like, "Configuration (n,) within the limits.")
-      .takes("waypoints", array_like, "Poses world_T_tool, (N, 4, 4) or a list of them.")
+      .takes("waypoints", arm_poses_like, arm_poses_doc)
       .options<CartesianOptions>()
       .options<SimulationOptions>();
   define(
       m,
       [](const Arm& arm, nb::handle start, nb::handle waypoints, const nb::kwargs& keywords) {
         const Configuration from = configuration_from(start, "start");
-        const std::vector<Pose> poses = poses_from(waypoints, "waypoints");
+        const std::vector<Pose> poses = PosePlane(arm).poses(waypoints, "waypoints");
         auto given = options<CartesianOptions, SimulationOptions>(keywords);
         CartesianOptions asked = std::get<0>(given);
         asked.simulation = std::get<1>(given);

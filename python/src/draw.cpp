@@ -2,13 +2,14 @@
 
 #include "bindings.h"
 #include "draw_fields.h"
+#include "plane_poses.h"
 #include "planning_fields.h"
 
 namespace beeline::python {
 namespace {
 
-std::vector<Pose> waypoints_from(nb::handle value) {
-  return value.is_none() ? std::vector<Pose>() : poses_from(value, "waypoints");
+std::vector<Pose> waypoints_from(const Arm& arm, nb::handle value) {
+  return value.is_none() ? std::vector<Pose>() : PosePlane(arm).poses(value, "waypoints");
 }
 
 Drawing arm_drawing(const Arm& arm, nb::handle q, const nb::kwargs& keywords) {
@@ -49,8 +50,9 @@ void bind_chapter(nb::module_& m) {
 
 void bind_motion_figures(nb::module_& m) {
   constexpr const char* trajectory_doc = "Of this arm's joints.";
-  constexpr const char* waypoints_doc = "Poses (N, 4, 4) to mark, numbered from 1.";
-  const std::string poses = std::string(array_like) + " | None";
+  constexpr const char* waypoints_doc =
+      "Poses (N, 4, 4) to mark, numbered from 1; of a planar arm also (N, 3), x, y, theta each.";
+  const std::string poses = std::string(arm_poses_like) + " | None";
   Signature figure("motion_figure", "Drawing",
                    "Draws a motion: the trail of the tool, the arm at the end, faded arms before, "
                    "and the waypoints.");
@@ -62,7 +64,7 @@ void bind_motion_figures(nb::module_& m) {
       m,
       [](const Arm& arm, const Trajectory& trajectory, nb::handle waypoints,
          const nb::kwargs& keywords) {
-        const std::vector<Pose> marked = waypoints_from(waypoints);
+        const std::vector<Pose> marked = waypoints_from(arm, waypoints);
         const auto given = options<ArmFigureOptions>(keywords);
         return without_lock([&] { return compose(motion_figure(arm, trajectory, marked, given)); });
       },
@@ -79,7 +81,7 @@ void bind_motion_figures(nb::module_& m) {
       m,
       [](const Arm& arm, const Trajectory& trajectory, nb::handle waypoints,
          const nb::kwargs& keywords) {
-        const std::vector<Pose> marked = waypoints_from(waypoints);
+        const std::vector<Pose> marked = waypoints_from(arm, waypoints);
         const auto given = options<ArmFigureOptions, PlaybackOptions>(keywords);
         Animation drawn = without_lock(
             [&] { return motion_animation(arm, trajectory, marked, std::get<0>(given)); });

@@ -5,6 +5,7 @@
 #include "bindings.h"
 #include "interruption.h"
 #include "inverse_fields.h"
+#include "plane_poses.h"
 #include "rows.h"
 
 namespace beeline::python {
@@ -15,7 +16,10 @@ namespace {
 class Solver {
  public:
   Solver(nb::object arm, const nb::dict& keywords)
-      : arm_(std::move(arm)), keywords_(copied(keywords)), dof_(nb::cast<const Arm&>(arm_).dof()) {
+      : arm_(std::move(arm)),
+        keywords_(copied(keywords)),
+        dof_(nb::cast<const Arm&>(arm_).dof()),
+        plane_(nb::cast<const Arm&>(arm_)) {
     InverseOptions all = options<InverseOptions>(nb::borrow<nb::kwargs>(keywords_));
     all.budget.cancelled = [this] { return call_->cancelled(); };
     solver_.emplace(nb::cast<const Arm&>(arm_), all);
@@ -25,6 +29,7 @@ class Solver {
   const nb::object& arm() const { return arm_; }
   const nb::dict& keywords() const { return keywords_; }
   int dof() const { return dof_; }
+  const PosePlane& plane() const { return plane_; }
   const std::string& method() const { return method_; }
 
   /// work(the C++ solver), without Python's lock. Throws Error in a signal handler that interrupts
@@ -69,6 +74,7 @@ class Solver {
   nb::object arm_;
   nb::dict keywords_;
   int dof_;
+  PosePlane plane_;
   std::mutex mutex_;
   std::atomic<std::thread::id> owner_;
   const Budget* call_ = nullptr;  ///< of the call that solves
@@ -85,7 +91,7 @@ void check_one_pose(nb::handle pose) {
 }
 
 InverseResult solve(Solver& solver, nb::handle pose, nb::handle seed) {
-  const Pose world_T_tool = Value<Pose>::from(pose, "world_T_tool");
+  const Pose world_T_tool = solver.plane().pose(pose, "world_T_tool");
   if (seed.is_none()) {
     return solver.run([&](InverseSolver& one) { return one.solve(world_T_tool); });
   }
@@ -98,7 +104,7 @@ InverseResult solve(Solver& solver, nb::handle pose, nb::handle seed) {
 }
 
 int solve_into(Solver& solver, nb::handle pose, nb::handle seed, nb::handle solutions) {
-  const Pose world_T_tool = Value<Pose>::from(pose, "world_T_tool");
+  const Pose world_T_tool = solver.plane().pose(pose, "world_T_tool");
   const InputArray start(seed, "seed"), shaped(solutions, "solutions");
   const auto shape = shaped.shape();
   const bool fits = start.dimensions() == 1 && !shape.empty() && shape.size() <= 2 &&
@@ -133,12 +139,20 @@ PoseColumns columns_of(const std::vector<Pose>& poses) {
   return columns;
 }
 
-PoseColumns pose_columns(nb::handle value, PoseLayout layout) {
+PoseColumns pose_columns(const Arm& arm, nb::handle value, PoseLayout layout) {
   constexpr const char* name = "world_T_tool";
   const bool matrix = layout == PoseLayout::matrix;
-  if (matrix && !is_array(value)) return columns_of(poses_from(value, name));
+  const PosePlane plane(arm);
+  if (matrix && !is_array(value)) return columns_of(plane.poses(value, name));
   const InputArray array(value, name);
   const auto shape = array.shape();
+  if (matrix && plane.planar_shape(shape)) {
+    PoseColumns columns{Eigen::MatrixXd(16, array.rows(1)), {shape.begin(), shape.end() - 1}};
+    for (Index i = 0; i < columns.values.cols(); ++i) {
+      columns.values.col(i) = plane.pose_of(array.data() + 3 * i).matrix().reshaped();
+    }
+    return columns;
+  }
   const std::size_t inner = matrix ? 2 : 1;
   if (shape.size() < inner || shape.back() != (matrix ? 4 : 7) ||
       (matrix && shape[shape.size() - 2] != 4)) {
@@ -190,7 +204,7 @@ BatchInverseResult batch(const Arm& arm, nb::handle world_T_tool, const nb::kwar
   InverseOptions inverse = options<InverseOptions>(nb::borrow<nb::kwargs>(keywords));
   with.budget = std::exchange(inverse.budget, Budget());
   with.budget.progress = progress_of(progress);
-  const PoseColumns poses = pose_columns(world_T_tool, with.layout);
+  const PoseColumns poses = pose_columns(arm, world_T_tool, with.layout);
   const Eigen::MatrixXd seeds = seeds_from(arm, seed, poses);
   std::vector<Index> shape = poses.shape;
   shape.push_back(arm.dof());
@@ -202,9 +216,9 @@ BatchInverseResult batch(const Arm& arm, nb::handle world_T_tool, const nb::kwar
 }
 
 Signature& takes_pose(Signature& signature) {
-  return signature.takes("world_T_tool", array_like,
-                         "Pose of the tool (4, 4); or an SE3 of pinocchio or spatialmath, or a "
-                         "RigidTransform of scipy.");
+  return signature.takes("world_T_tool", arm_pose_like,
+                         "Pose of the tool (4, 4); of a planar arm also [x, y, theta] or a Pose2; "
+                         "or an SE3 of pinocchio or spatialmath, or a RigidTransform of scipy.");
 }
 
 void bind_solver(nb::module_& m) {
@@ -298,7 +312,7 @@ void bind_inverse(nb::module_& m) {
       m,
       [](const Arm& arm, nb::handle pose, const nb::kwargs& keywords) {
         check_one_pose(pose);
-        const Pose world_T_tool = Value<Pose>::from(pose, "world_T_tool");
+        const Pose world_T_tool = PosePlane(arm).pose(pose, "world_T_tool");
         InverseOptions with = options<InverseOptions>(keywords);
         return unlocked(with.budget, [&] { return inverse_kinematics(arm, world_T_tool, with); });
       },
@@ -309,8 +323,9 @@ void bind_inverse(nb::module_& m) {
                     "those of inverse_kinematics(); `seed` is also (..., n), one for each pose; "
                     "`all` and `every_turn` are ignored; the budget is that of the whole batch.");
   batched.takes("arm", "Arm", "The arm.")
-      .takes("world_T_tool", array_like,
-             "Poses (..., 4, 4), or a list of poses. A pose that is not finite has no solution.")
+      .takes("world_T_tool", arm_poses_like,
+             "Poses (..., 4, 4), or a list of poses; of a planar arm also (..., 3), x, y, theta "
+             "each, or Pose2. A pose that is not finite has no solution.")
       .keywords()
       .takes("layout", Value<PoseLayout>::type(),
              "`position_quaternion`: poses are (..., 7), x y z qw qx qy qz.", "'matrix'")

@@ -267,8 +267,9 @@ void bind_kinematics(nb::module_& m) {
 
   Signature w = batch_signature(
       "manipulability", (std::string("float | ") + real_array).c_str(),
-      "Returns Yoshikawa's manipulability sqrt(det(J J^T)) of all six rows of the Jacobian; 0 for "
-      "fewer than six joints. manipulability_gradient() takes some of the rows.");
+      "Returns Yoshikawa's manipulability sqrt(det(J J^T)) of the rows of the Jacobian that "
+      "default_task() has: x, y and theta of a planar arm, all six of another; 0 for fewer joints. "
+      "manipulability_gradient() takes other rows.");
   takes_out(w.keywords(), "");
   w.returns("A number, or an array of the batch's shape.");
   define(m, &manipulability, w, nb::arg("arm"), nb::arg("q"), nb::kw_only(),

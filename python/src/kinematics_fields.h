@@ -42,6 +42,65 @@ struct Fields<Deviation> {
 };
 
 template <>
+inline std::vector<RatesStatus> choices() {
+  using enum RatesStatus;
+  return {solved, damped, singular, too_few_joints};
+}
+
+template <>
+struct Fields<JointRatesOptions> {
+  static constexpr const char* name = "JointRatesOptions";
+  static constexpr auto all() {
+    return std::tuple(
+        field("task", &JointRatesOptions::task,
+              "The rows of the velocity: spatial, position, planar, or a mask such as 111110, of a "
+              "planar arm also of x, y, theta such as 110; default: default_task()."),
+        field("frame", &JointRatesOptions::frame, "Of the velocity, as of jacobian()."),
+        field("damping", &JointRatesOptions::damping,
+              "lambda of damped least squares, 0 or more: minimise abs(J dq - v)^2 + lambda^2 "
+              "abs(dq)^2. With 0 the least abs(dq) among the minimisers of abs(J dq - v)."));
+  }
+};
+
+template <>
+struct Fields<RateExcess> {
+  static constexpr const char* name = "RateExcess";
+  static constexpr const char* doc = "A joint rate above the velocity limit of its joint.";
+  static constexpr auto all() {
+    return std::tuple(field("coordinate", &RateExcess::coordinate, "From 0."),
+                      field("rate", &RateExcess::rate, "rad/s or m/s."),
+                      field("limit", &RateExcess::limit, "rad/s or m/s."));
+  }
+};
+
+template <>
+struct Fields<JointRates> {
+  static constexpr const char* name = "JointRates";
+  static constexpr const char* doc = "Joint rates dq of a velocity v of the tool.";
+  static constexpr const char* truth = "Whether the rates are what was asked for.";
+  static constexpr auto all() {
+    return std::tuple(
+        field("status", &JointRates::status,
+              "`solved`: the rates give the velocity. `damped`: those of damped least squares. "
+              "`singular`: the velocity has a part in a direction that is lost at a singularity; "
+              "`too_few_joints`: in one that the arm has no joint for."),
+        field("rates", &JointRates::rates, "dq, rad/s or m/s, (n,); of a no the nearest ones."),
+        field("tool_velocity", &JointRates::tool_velocity, "J dq, (m,)."),
+        field("residual", &JointRates::residual, "abs(J dq - v), m/s and rad/s."),
+        field("singular", &JointRates::singular,
+              "Whether J has a smaller rank than its size allows."),
+        field("lost_directions", &JointRates::lost_directions,
+              "Orthonormal velocities, one in each column, that no joint rates give the tool a "
+              "part of."),
+        field("excesses", &JointRates::excesses, "Rates above their limits, by coordinate."),
+        field("scale", &JointRates::scale,
+              "The largest factor of v, at most 1, with which all rates keep the velocity "
+              "limits."),
+        field("reason", &JointRates::reason, "One sentence unless solved or damped."));
+  }
+};
+
+template <>
 struct Fields<ManipulabilityMeasures> {
   static constexpr const char* name = "ManipulabilityMeasures";
   static constexpr const char* doc =

@@ -4,6 +4,7 @@
 
 #include <beeline/model/arm.h>
 
+#include "plane_poses.h"
 #include "record.h"
 
 namespace beeline::python {
@@ -23,6 +24,7 @@ struct Described : Loop {
   explicit Described(std::string text, const Arguments&... arguments)
       : Loop(arguments...), made_of(std::move(text)) {}
   std::string made_of;
+  std::optional<PosePlane> plane = {};  ///< of commanded poses, for loops that follow them
 };
 
 /// `panda, gain=5`

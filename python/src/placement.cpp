@@ -4,6 +4,7 @@
 #include "bindings.h"
 #include "draw_fields.h"
 #include "placement_fields.h"
+#include "plane_poses.h"
 #include "rows.h"
 
 namespace beeline::python {
@@ -88,13 +89,13 @@ void bind_placements(nb::module_& m) {
                  "themselves. Raises Error for a map with one orientation, an incomplete one, one "
                  "of more than 5e8 cells, no poses, and more than 1e8 mounts.");
   find.takes("map", "ReachMap", "Of directions, headings or rolls.")
-      .takes("poses", array_like, "Poses world_T_tool, (N, 4, 4) or a list of them.")
+      .takes("poses", arm_poses_like, arm_poses_doc)
       .options<PlacementOptions>();
   find.returns("True if there is a placement; else it has a `reason`.");
   define(
       m,
       [](const ReachMap& map, nb::handle poses, const nb::kwargs& keywords) {
-        const std::vector<Pose> reached = poses_from(poses, "poses");
+        const std::vector<Pose> reached = PosePlane(map.arm()).poses(poses, "poses");
         auto asked = options<PlacementOptions>(keywords);
         check_threads(asked.threads);
         return unlocked(asked.budget, [&] { return find_placements(map, reached, asked); });

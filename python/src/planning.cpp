@@ -1,5 +1,6 @@
 #include "bindings.h"
 #include "interruption.h"
+#include "plane_poses.h"
 #include "planning_fields.h"
 
 namespace beeline::python {
@@ -65,13 +66,13 @@ void bind_moves(nb::module_& m) {
   lines.takes("arm", "Arm", "The arm.")
       .takes("start", start_type(),
              "Configuration (n,); None: the best one for the first waypoint.")
-      .takes("waypoints", array_like, "Poses world_T_tool, (N, 4, 4) or a list of them.")
+      .takes("waypoints", arm_poses_like, arm_poses_doc)
       .options<PathMotionOptions>();
   define(
       m,
       [](const Arm& arm, nb::handle start, nb::handle waypoints, const nb::kwargs& keywords) {
         const auto begin = Start::from(start, "start");
-        const std::vector<Pose> poses = poses_from(waypoints, "waypoints");
+        const std::vector<Pose> poses = PosePlane(arm).poses(waypoints, "waypoints");
         auto asked = options<PathMotionOptions>(keywords);
         return unlocked(asked.budget, [&] {
           return begin ? move_in_lines(arm, *begin, poses, asked)

@@ -25,6 +25,11 @@ inline std::string spelling(Triple triple) {
 }
 
 template <>
+inline std::vector<PoseForm> choices() {
+  return {PoseForm::rpy, PoseForm::rotvec, PoseForm::abc, PoseForm::quaternion, PoseForm::matrix};
+}
+
+template <>
 struct Fields<PoseList> {
   static constexpr const char* name = "PoseList";
   static constexpr const char* doc = "Poses of a CSV file.";
@@ -33,11 +38,14 @@ struct Fields<PoseList> {
         field("poses", &PoseList::poses, "(N, 4, 4), at least one."),
         field("lines", &PoseList::lines, "The line of the file of each pose."),
         field("planar", &PoseList::planar, "Given as x,y,theta or x,y."),
-        field("max_angle", &PoseList::max_angle, "The angle that is largest by magnitude, rad."),
+        field("max_angle", &PoseList::max_angle,
+              "The theta, roll, pitch or yaw, or the length of a rotation vector, that is largest "
+              "by magnitude, rad; 0 in the other forms."),
         field("oriented", &PoseList::oriented, "False: positions, given as x,y,z or x,y."),
         field("columns", &PoseList::columns, "Of the form."),
         field("has_header", &PoseList::has_header,
-              "False: the form follows from the number of columns."));
+              "False: the form follows from the number of columns."),
+        field("form", &PoseList::form, "None: planar or positions."));
   }
 };
 

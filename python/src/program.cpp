@@ -4,6 +4,7 @@
 
 #include "bindings.h"
 #include "interruption.h"
+#include "plane_poses.h"
 #include "pose_list_fields.h"
 #include "program_fields.h"
 
@@ -55,14 +56,16 @@ void check_forms(const Arm& arm, const ProgramRows& program) {
 }
 
 Program loaded(nb::handle path, const Arm& arm, nb::handle unit_name, nb::handle states,
-               nb::handle start) {
+               nb::handle start, nb::handle millimetres) {
   const auto unit = Value<AngleUnit>::from(unit_name, "unit");
+  const PoseFormat format{.unit = unit,
+                          .millimetres = Value<bool>::from(millimetres, "millimetres")};
   const NamedStates named = states_from(arm, states);
-  const ProgramRows rows = read_program_rows(path_from(path, "path"), unit);
+  const ProgramRows rows = read_program_rows(path_from(path, "path"), format);
   check_forms(arm, rows);
   return program_of(
       arm, rows, [&](const std::string& item) { return configuration_of(arm, item, named, unit); },
-      Value<std::optional<Pose>>::from(start, "start"));
+      start.is_none() ? std::nullopt : std::optional(PosePlane(arm).pose(start, "start")));
 }
 
 void bind_load(nb::class_<Program>& program) {
@@ -76,13 +79,17 @@ void bind_load(nb::class_<Program>& program) {
       .takes("unit", Value<AngleUnit>::type(), "Of angles in the file.", "'radians'")
       .takes("states", std::string("dict[str, ") + array_like + "] | None",
              "Configurations by the names that the column q may have.", "None")
-      .takes("start", std::string(array_like) + " | None",
-             "The tool's pose where the motion starts, to which the first pose may be relative, "
-             "(4, 4).",
-             "None");
+      .takes("start", std::string(arm_pose_like) + " | None",
+             std::string("The tool's pose where the motion starts, to which the first pose may be "
+                         "relative. ") +
+                 arm_pose_doc,
+             "None")
+      .takes("millimetres", "bool",
+             "Positions of poses in the file are in millimetres; speeds and blends are in metres.",
+             "False");
   define_static(program, &loaded, load, nb::arg("path"), nb::arg("arm"), nb::kw_only(),
                 nb::arg("unit") = "radians", nb::arg("states") = nb::none(),
-                nb::arg("start") = nb::none());
+                nb::arg("start") = nb::none(), nb::arg("millimetres") = false);
 }
 
 }  // namespace

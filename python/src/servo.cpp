@@ -44,6 +44,7 @@ nb::class_<Described<Servo>> servo_class(nb::module_& m) {
       [](Described<Servo>* self, const Arm& arm, const nb::kwargs& keywords) {
         new (self)
             Described<Servo>(described(arm.name(), keywords), arm, options<ServoOptions>(keywords));
+        self->plane.emplace(arm);
       },
       made, nb::arg("arm"), nb::arg("keywords"));
   return servo;
@@ -73,13 +74,13 @@ void bind_steps(nb::class_<Described<Servo>>& servo) {
                     "bounds on its speed.");
   towards.takes("self")
       .takes("q", array_like, configuration_doc)
-      .takes("world_T_tool", array_like, pose_doc)
+      .takes("world_T_tool", arm_pose_like, arm_pose_doc)
       .keywords()
       .takes("out", out_type, out_doc, "None");
   define(
       servo,
       [](Described<Servo>& self, nb::handle q, nb::handle world_T_tool, nb::handle out) {
-        const Pose pose = Value<Pose>::from(world_T_tool, "world_T_tool");
+        const Pose pose = self.plane->pose(world_T_tool, "world_T_tool");
         return stepped(q, out, [&](const ConfigurationRef& from, Configuration& velocity) {
           return self.step_towards(from, pose, velocity);
         });

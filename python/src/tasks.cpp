@@ -6,13 +6,19 @@ namespace beeline::python {
 namespace {
 
 constexpr const char* task_doc =
-    "spatial, position, planar, or a mask such as 111110; with :tool in the tool's axes.";
+    "spatial, position, planar, a mask such as 111110, or of a planar arm's x, y, theta such as "
+    "110; with :tool in the tool's axes.";
+const std::string optional_task_doc = std::string("Default: default_task(). ") + task_doc;
+
+Task task_from(const Arm& arm, nb::handle task) {
+  return task.is_none() ? default_task(arm) : Value<Task>::from(task, "task");
+}
 constexpr const char* matrix_doc = "Rows of a Jacobian, at most six, (m, n).";
 
 nb::object scaled_jacobian(const Arm& arm, nb::handle q, nb::handle task_name, nb::handle unit,
                            nb::handle out) {
   const Configurations configurations(arm, q);
-  const Task task = Value<Task>::from(task_name, "task");
+  const Task task = task_from(arm, task_name);
   const double length_unit = Value<double>::from(unit, "length_unit");
   return for_rows(configurations, {task.size(), arm.dof()}, out, [&](Index i, double* result) {
     Eigen::Map<Eigen::MatrixXd> columns(result, task.size(), arm.dof());
@@ -55,14 +61,37 @@ void bind_measures(nb::module_& m) {
                      "formula for the derivative of det(J J^T).");
   gradient.takes("arm", "Arm", "The arm.")
       .takes("q", array_like, "Configuration (n,).")
-      .takes("task", "str", task_doc, "'spatial'");
+      .takes("task", "str | None", optional_task_doc, "None");
   define(
       m,
       [](const Arm& arm, nb::handle q, nb::handle task) {
         return manipulability_gradient(arm, Value<Configuration>::from(q, "q"),
-                                       Value<Task>::from(task, "task"));
+                                       task_from(arm, task));
       },
-      gradient, nb::arg("arm"), nb::arg("q"), nb::arg("task") = "spatial");
+      gradient, nb::arg("arm"), nb::arg("q"), nb::arg("task") = nb::none());
+}
+
+void bind_rates(nb::module_& m) {
+  bind_record<RateExcess>(m);
+  bind_record<JointRates>(m);
+  Signature rates("joint_rates", "JointRates",
+                  "Computes the joint rates that move the tool at a velocity, J dq = v (Whitney, "
+                  "1969), of a redundant arm the smallest. Raises Error for a task in the tool's "
+                  "axes with another frame.");
+  rates.takes("arm", "Arm", "The arm.")
+      .takes("q", array_like, "Configuration (n,).")
+      .takes("velocity", array_like,
+             "One number for each row of the task, in the frame: m/s and rad/s, (m,).")
+      .options<JointRatesOptions>();
+  rates.returns("True when the rates give the velocity, or are damped.");
+  define(
+      m,
+      [](const Arm& arm, nb::handle q, nb::handle velocity, const nb::kwargs& keywords) {
+        return joint_rates(arm, Value<Configuration>::from(q, "q"),
+                           Value<Eigen::VectorXd>::from(velocity, "velocity"),
+                           options<JointRatesOptions>(keywords));
+      },
+      rates, nb::arg("arm"), nb::arg("q"), nb::arg("velocity"), nb::arg("options"));
 }
 
 void bind_errors(nb::module_& m) {
@@ -140,15 +169,16 @@ void bind_tasks(nb::module_& m) {
                  "divided by `length_unit`: so scaled, metres and radians compare.");
   task.takes("arm", "Arm", "The arm.")
       .takes("q", array_like, configurations_doc)
-      .takes("task", "str", task_doc)
+      .takes("task", "str | None", optional_task_doc, "None")
       .takes("length_unit", "float", "Metres.", "1.0")
       .keywords()
       .takes("out", std::string(array_type) + " | None",
              "Array for the result, apart from the arguments.", "None")
       .returns("(m, n), or (..., m, n).");
-  define(m, &scaled_jacobian, task, nb::arg("arm"), nb::arg("q"), nb::arg("task"),
+  define(m, &scaled_jacobian, task, nb::arg("arm"), nb::arg("q"), nb::arg("task") = nb::none(),
          nb::arg("length_unit") = 1.0, nb::kw_only(), nb::arg("out") = nb::none());
   bind_measures(m);
+  bind_rates(m);
   bind_errors(m);
 }
 

@@ -31,6 +31,7 @@ nb::class_<Described<Tracker>> tracker_class(nb::module_& m) {
         const Numbers from(start, "start");
         new (self) Described<Tracker>(described(arm.name(), keywords), arm, from,
                                       options<TrackerOptions>(keywords));
+        self->plane.emplace(arm);
       },
       made, nb::arg("arm"), nb::arg("start"), nb::arg("keywords"));
   return tracker;
@@ -45,14 +46,14 @@ void bind_trackers(nb::module_& m) {
                  "Advances by one time step towards the commanded pose of the tool. Raises Error "
                  "for a pose that is not a rigid motion, which changes nothing.");
   step.takes("self")
-      .takes("world_T_tool", array_like, pose_doc)
+      .takes("world_T_tool", arm_pose_like, arm_pose_doc)
       .keywords()
       .takes("out", outputs_type(), "Array (n,) of float64 for q, or two for q and velocity.",
              "None");
   define(
       tracker,
       [](Described<Tracker>& self, nb::handle world_T_tool, nb::handle out) {
-        const Pose pose = Value<Pose>::from(world_T_tool, "world_T_tool");
+        const Pose pose = self.plane->pose(world_T_tool, "world_T_tool");
         Outputs outputs(out, self.configuration().size());
         const TrackerStep& made_step = self.step(pose);
         outputs.write(made_step.q, made_step.velocity);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <beeline/pose/se2.h>
+
 namespace beeline::python {
 namespace {
 
@@ -114,6 +116,7 @@ nb::object Value<Pose>::to(const Pose& value) {
 }
 
 Pose Value<Pose>::from(nb::handle value, const char* name) {
+  if (nb::isinstance<Pose2>(value)) return checked_pose(to_space(nb::cast<Pose2>(value)), name);
   const nb::object matrix = matrix_of(value);
   const InputArray array(matrix, name);
   if (array.dimensions() != 2 || array.shape()[0] != 4 || array.shape()[1] != 4) {
@@ -125,7 +128,7 @@ Pose Value<Pose>::from(nb::handle value, const char* name) {
 std::vector<Pose> poses_from(nb::handle value, const char* name) {
   std::vector<Pose> poses;
   if ((nb::isinstance<nb::list>(value) || nb::isinstance<nb::tuple>(value)) && nb::len(value) > 0 &&
-      !is_array_or_list(value[0])) {
+      !is_array_or_list(value[0]) && !PyNumber_Check(nb::object(value[0]).ptr())) {
     for (nb::handle item : nb::borrow(value)) poses.push_back(Value<Pose>::from(item, name));
     return poses;
   }

@@ -168,8 +168,9 @@ Matrix finite_from(nb::handle value, const char* name) {
 /// The matrix of a pose or rotation of another library, or the value itself.
 nb::object matrix_of(nb::handle value);
 
-/// Poses are 4 x 4 arrays. As arguments, also what has such a matrix as `homogeneous` (pinocchio's
-/// SE3), `A` (spatialmath's SE3) or `as_matrix()` (scipy's RigidTransform).
+/// Poses are 4 x 4 arrays. As arguments, also a Pose2, in the plane z = 0, and what has such a
+/// matrix as `homogeneous` (pinocchio's SE3), `A` (spatialmath's SE3) or `as_matrix()` (scipy's
+/// RigidTransform).
 template <>
 struct Value<Pose> {
   static std::string type() { return array_type; }

@@ -147,9 +147,9 @@ TEST(Batch, ManipulabilityIsTheSingleCalls) {
     MatrixXd values(1, q.cols());
     batch_manipulability<double>(arm, q, values);
     for (Eigen::Index i = 0; i < q.cols(); ++i) {
-      const Jacobian columns = jacobian(arm, q.col(i));
-      ASSERT_NEAR(values(0, i), manipulability_measures(columns).manipulability,
-                  1e-13 * std::max(1.0, std::pow(columns.norm(), 6)))
+      const MatrixXd rows = task_jacobian(arm, q.col(i));
+      ASSERT_NEAR(values(0, i), manipulability_measures(rows).manipulability,
+                  1e-13 * std::max(1.0, std::pow(rows.norm(), 6)))
           << arm.name();
     }
   }

@@ -13,4 +13,10 @@ BEELINE_FUZZ_TARGET(poses) {
     if (is_program(input)) program_rows_from_csv(input, "fuzzed.csv");
   });
   fuzz::may_refuse([&] { parse_pose(input); });
+  for (const std::string& form : pose_form_names()) {
+    fuzz::may_refuse([&] {
+      const PoseFormat format{.pose_form = pose_form_named(form), .millimetres = true};
+      pose_numbers(checked_pose(parse_pose(input, format).pose), format);
+    });
+  }
 }

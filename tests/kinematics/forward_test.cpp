@@ -5,6 +5,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/model/composite.h>
+#include <beeline/pose/orientation.h>
 #include <beeline/pose/se2.h>
 
 #include <tests/degrees.h>
@@ -168,6 +169,18 @@ TEST(ForwardKinematics, TakesAnyFiniteConfigurationAndNoOther) {
   q[6] = std::numeric_limits<double>::infinity();
   EXPECT_REFUSED(forward_kinematics(panda, q), "joint joint7 is inf");
   EXPECT_REFUSED(link_poses(panda, q), "joint joint7 is inf");
+}
+
+TEST(PoseInPlane, HasTheHeightOfThePlanarArm) {
+  testing::Random random;
+  for (int i = 0; i < 50; ++i) {
+    const Vector3 stand = random.vector();
+    const Pose mount = make_pose(stand, rotation({0, 0, random.uniform(-3, 3)}));
+    const Arm arm = with_mount(built_in("rrr"), mount);
+    const Pose tool = forward_kinematics(arm, random.configuration(arm));
+    EXPECT_LT((pose_in_plane(arm, to_plane(tool)).matrix() - tool.matrix()).norm(), 1e-13);
+  }
+  EXPECT_REFUSED(pose_in_plane(built_in("ur5"), {1, 2, 3}), "x,y,theta is for planar arms; ");
 }
 
 TEST(LinkPoses, RefusesABufferOfTheWrongSize) {

@@ -240,6 +240,20 @@ TEST(JointTorques, AreThoseOfOneWrenchInAllFrames) {
   }
 }
 
+TEST(Manipulability, OfAPlanarArmIsOfItsPlanarRowsByDefault) {
+  const Arm rrr = built_in("rrr");
+  const Configuration q = Vector3(0, 1.57, 0);
+  const double area = manipulability_measures(planar_jacobian(rrr, q)).manipulability;
+  EXPECT_NEAR(area, 3.5 * 3.5 * std::sin(1.57), 1e-12);
+  EXPECT_NEAR(manipulability_gradient(rrr, q).manipulability, area, 1e-12);
+  EXPECT_EQ(task_jacobian(rrr, q), planar_jacobian(rrr, q));
+  const Arm panda = built_in("panda");
+  const Configuration bent = Configuration::Constant(7, -0.5);
+  EXPECT_EQ(task_jacobian(panda, bent), jacobian(panda, bent));
+  EXPECT_EQ(manipulability_gradient(panda, bent).manipulability,
+            manipulability_gradient(panda, bent, Task::spatial()).manipulability);
+}
+
 TEST(Manipulability, GradientIsZeroWhereTheMeasureIs) {
   const Arm arm = built_in("panda");
   const ManipulabilityGradient found =

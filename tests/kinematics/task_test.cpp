@@ -47,11 +47,15 @@ TEST(Task, NamedTasksAreTheirMasks) {
   EXPECT_EQ(Task::position().size(), 3);
   EXPECT_EQ(Task::planar().size(), 3);
   EXPECT_EQ(task_named("111110:tool").frame, Frame::tool);
+  EXPECT_EQ(task_named("111"), Task::planar());
+  EXPECT_EQ(task_named("110"), task_named("110000"));
+  EXPECT_EQ(task_named("001:tool"), task_named("000001:tool"));
 }
 
 TEST(Task, RefusesOtherNamesAndListsTheKnownOnes) {
-  for (const char* text : {"", "spatail", "000000", "000000:tool", "11111", "1111111", "11111x",
-                           "11112 ", ":tool", "spatial:tool:tool", "spatial:base", "Spatial"}) {
+  for (const char* text :
+       {"", "spatail", "000000", "000000:tool", "000", "112", "11", "11111", "1111111", "11111x",
+        "11112 ", ":tool", "spatial:tool:tool", "spatial:base", "Spatial"}) {
     EXPECT_REFUSED(task_named(text), "unknown task \"" + std::string(text) + "\"");
     EXPECT_REFUSED(task_named(text), "planar, position, spatial");
   }

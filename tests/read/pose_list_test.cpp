@@ -39,29 +39,29 @@ TEST(PoseList, AllFormsGiveTheSamePose) {
 
 TEST(PoseList, PlanarPosesLieInThePlane) {
   const PoseList list = poses_from_csv("# the chapter's\nx,y,theta\n4.5,5.2,0\n\n1,2,90\n", "a.csv",
-                                       AngleUnit::degrees);
+                                       {.unit = AngleUnit::degrees});
   ASSERT_EQ(list.poses.size(), 2u);
   EXPECT_TRUE(list.planar);
   EXPECT_EQ(list.lines, (std::vector<int>{3, 5}));
   EXPECT_EQ(list.poses[0].translation(), Vector3(4.5, 5.2, 0));
   const Rotation quarter = Eigen::AngleAxisd(pi / 2, Vector3::UnitZ()).toRotationMatrix();
   EXPECT_TRUE(list.poses[1].linear().isApprox(quarter, 1e-15));
-  EXPECT_EQ(parse_pose("1,2,90", AngleUnit::degrees).pose.matrix(), list.poses[1].matrix());
+  EXPECT_EQ(parse_pose("1,2,90", {.unit = AngleUnit::degrees}).pose.matrix(),
+            list.poses[1].matrix());
   EXPECT_TRUE(parse_pose("1,2,90").planar);
   EXPECT_FALSE(parse_pose("1,2,3,0,0,90").planar);
 }
 
 TEST(PoseList, ColumnsMayBeInAnyOrder) {
   const Pose straight = parse_pose("1,2,3,0.1,0.2,0.3").pose;
-  const PoseList list =
-      poses_from_csv("yaw,z,roll,x,pitch,y\n0.3,3,0.1,1,0.2,2\n", "a.csv", AngleUnit::radians);
+  const PoseList list = poses_from_csv("yaw,z,roll,x,pitch,y\n0.3,3,0.1,1,0.2,2\n", "a.csv");
   EXPECT_EQ(list.poses.at(0).matrix(), straight.matrix());
 }
 
 TEST(PoseList, DegreesTouchAnglesOnly) {
-  EXPECT_TRUE(parse_pose("90,0,0,0,0,90", AngleUnit::degrees)
+  EXPECT_TRUE(parse_pose("90,0,0,0,0,90", {.unit = AngleUnit::degrees})
                   .pose.isApprox(parse_pose("90,0,0,0,0," + internal::exact(pi / 2)).pose, 1e-15));
-  EXPECT_EQ(parse_pose("1,2,3,1,0,0,0", AngleUnit::degrees).pose.matrix(),
+  EXPECT_EQ(parse_pose("1,2,3,1,0,0,0", {.unit = AngleUnit::degrees}).pose.matrix(),
             parse_pose("1,2,3,1,0,0,0").pose.matrix());
 }
 
@@ -96,9 +96,8 @@ TEST(PoseList, PositionsHaveNoOrientation) {
   EXPECT_EQ(plane.poses.at(0).translation(), Vector3(3, 4, 0));
   EXPECT_FALSE(plane.oriented);
   EXPECT_TRUE(plane.planar);
-  EXPECT_EQ(parse_pose("1,2,3", AngleUnit::degrees, Triple::position).pose.translation(),
-            Vector3(1, 2, 3));
-  EXPECT_FALSE(parse_pose("1,2,3", AngleUnit::degrees, Triple::position).oriented);
+  EXPECT_EQ(parse_pose("1,2,3", {.triple = Triple::position}).pose.translation(), Vector3(1, 2, 3));
+  EXPECT_FALSE(parse_pose("1,2,3", {.triple = Triple::position}).oriented);
   EXPECT_TRUE(parse_pose("1,2,3").oriented);
   EXPECT_TRUE(parse_pose("3,4").planar);
   EXPECT_FALSE(parse_pose("3,4").oriented);
@@ -106,7 +105,7 @@ TEST(PoseList, PositionsHaveNoOrientation) {
 
 TEST(PoseList, WithoutAHeaderTheNumberOfColumnsGivesTheForm) {
   const auto columns = [](const char* text, Triple triple = Triple::planar) {
-    const PoseList list = poses_from_csv(text, "a.csv", AngleUnit::radians, triple);
+    const PoseList list = poses_from_csv(text, "a.csv", {.triple = triple});
     EXPECT_FALSE(list.has_header);
     EXPECT_EQ(list.poses.size(), 2u);
     EXPECT_EQ(list.lines, (std::vector<int>{1, 2}));
@@ -117,9 +116,9 @@ TEST(PoseList, WithoutAHeaderTheNumberOfColumnsGivesTheForm) {
   EXPECT_EQ(columns("1,2,0.5\n3,4,0.1\n", Triple::position), "x, y, z");
   EXPECT_EQ(columns("1;2;3;0;0;0\n1;2;3;0;0;0\n"), "x, y, z, roll, pitch, yaw");
   EXPECT_EQ(columns("1,2,3,1,0,0,0\n1,2,3,1,0,0,0\n"), "x, y, z, qw, qx, qy, qz");
-  EXPECT_EQ(poses_from_csv("x,y,theta\n1,2,3\n", "a.csv", AngleUnit::radians, Triple::position)
-                .columns.size(),
-            3u);
+  EXPECT_EQ(
+      poses_from_csv("x,y,theta\n1,2,3\n", "a.csv", {.triple = Triple::position}).columns.size(),
+      3u);
 }
 
 TEST(PoseList, SemicolonsSeparateToo) {
@@ -134,10 +133,10 @@ TEST(PoseList, SemicolonsSeparateToo) {
 
 TEST(PoseList, TheLargestAngleIsReported) {
   EXPECT_EQ(parse_pose("1,2,-90").max_angle, -90);
-  EXPECT_EQ(parse_pose("1,2,180", AngleUnit::degrees).max_angle, pi);
+  EXPECT_EQ(parse_pose("1,2,180", {.unit = AngleUnit::degrees}).max_angle, pi);
   EXPECT_EQ(parse_pose("100,200,300,1,2,-3").max_angle, -3);
   EXPECT_EQ(parse_pose("100,200,300,1,0,0,0").max_angle, 0);
-  EXPECT_EQ(parse_pose("100,200,300", AngleUnit::radians, Triple::position).max_angle, 0);
+  EXPECT_EQ(parse_pose("100,200,300", {.triple = Triple::position}).max_angle, 0);
   EXPECT_EQ(poses_from_csv("x,y,theta\n1,2,3\n1,2,-9\n1,2,4\n", "a.csv").max_angle, -9);
 }
 

@@ -250,32 +250,35 @@ HWY_INLINE void store_matrix(const PacketFrame<Real>& frame, Real* to, Eigen::In
   store_eight({z.x, z.y, z.z, zero, origin.x, origin.y, origin.z, one}, to + 8, stride);
 }
 
-/// sqrt(det(J J^T)) as the volume that the six rows of J span: the product of their norms after
-/// modified Gram-Schmidt orthogonalisation. Unlike the root of a determinant, it keeps its digits
-/// near singularities.
+/// sqrt(det(J J^T)) as the volume that the rows of J span, x, y and theta of a planar arm or all
+/// six: the product of their norms after modified Gram-Schmidt orthogonalisation. Unlike the root
+/// of a determinant, it keeps its digits near singularities.
 template <class Real>
-HWY_INLINE Packet<Real> volume(int dof, Real* rows) {
+HWY_INLINE Packet<Real> volume(int dof, bool planar, Real* rows) {
   using W = Packet<Real>;
   constexpr int width = W::width;
-  const auto at = [&](int row, int column) { return rows + (6 * column + row) * width; };
+  const int count = planar ? 3 : 6;
+  const auto at = [&](int row, int column) {
+    return rows + (6 * column + (planar && row == 2 ? 5 : row)) * width;
+  };
   const auto product = [&](int a, int b) HWY_ATTR {
     W sum = W::load(at(a, 0)) * W::load(at(b, 0));
     for (int k = 1; k < dof; ++k) sum = fma(W::load(at(a, k)), W::load(at(b, k)), sum);
     return sum;
   };
   W value = Real(1);
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < count; ++i) {
     const W square = product(i, i);
     value = value * sqrt(square);
     const W inverse = W(Real(1)) / max(square, W(std::numeric_limits<Real>::min()));
-    for (int j = i + 1; j < 6; ++j) {
+    for (int j = i + 1; j < count; ++j) {
       const W projection = product(i, j) * inverse;
       for (int k = 0; k < dof; ++k) {
         fnma(projection, W::load(at(i, k)), W::load(at(j, k))).store(at(j, k));
       }
     }
   }
-  return dof < 6 ? value * W(Real(0)) : value;
+  return dof < count ? value * W(Real(0)) : value;
 }
 
 }  // namespace beeline::HWY_NAMESPACE

@@ -114,7 +114,7 @@ HWY_INLINE void run_packet(const BatchJob<Real>& job, const Rows<Real>& rows, Ei
     }
     if (job.columns) columns.push();
     if (job.manipulability) {
-      volume(dof, rows.results).store(rows.results);
+      volume(dof, plan.planar, rows.results).store(rows.results);
       write(job, near, rows, 1, job.manipulability + first, 1);
     }
   }

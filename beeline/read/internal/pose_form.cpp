@@ -1,6 +1,10 @@
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 
 #include <beeline/error.h>
+#include <beeline/pose/orientation.h>
+#include <beeline/pose/se2.h>
 #include <beeline/read/internal/name.h>
 #include <beeline/read/internal/pose_form.h>
 #include <beeline/read/pose_list.h>
@@ -23,33 +27,158 @@ Names missing_from(const Names& present, const Names& wanted) {
   return missing;
 }
 
+bool same_ignoring_case(const std::string& a, const std::string& b) {
+  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+/// The rotation of a pose in a form other than the matrix: `v` has the numbers of its orientation.
+Rotation rotation_in(PoseForm form, std::span<const double> v, AngleUnit unit) {
+  if (form == PoseForm::quaternion) return rotation_from_quaternion(v[0], v[1], v[2], v[3]);
+  if (form == PoseForm::rotvec) return so3_exp({v[0], v[1], v[2]});
+  if (form == PoseForm::abc) {
+    const auto radians = [&](int i) { return to_radians(v[i], AngleUnit::degrees); };
+    return rotation(RollPitchYaw{.roll = radians(2), .pitch = radians(1), .yaw = radians(0)});
+  }
+  return rotation(
+      RollPitchYaw{to_radians(v[0], unit), to_radians(v[1], unit), to_radians(v[2], unit)});
+}
+
+Pose pose_from_matrix(std::span<const double> v) {
+  Pose pose = Pose::Identity();
+  for (std::size_t i = 0; i < 12; ++i) {
+    pose.matrix()(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) = v[i];
+  }
+  constexpr double rounding = 1e-6;
+  for (std::size_t i = 12; i < v.size(); ++i) {
+    if (std::abs(v[i] - (i == 15 ? 1 : 0)) <= rounding) continue;
+    throw Error("the matrix ends in the row " + number(v[12]) + ", " + number(v[13]) + ", " +
+                number(v[14]) + ", " + number(v[15]) + "; it must be 0, 0, 0, 1");
+  }
+  return checked_pose(pose, "the matrix");
+}
+
+/// The number that is largest by magnitude.
+double largest(std::span<const double> numbers) {
+  double most = 0;
+  for (const double value : numbers) {
+    if (std::abs(value) > std::abs(most)) most = value;
+  }
+  return most;
+}
+
 }  // namespace
 
-const Names& pose_form_of(const Names& header) {
-  const std::string known = std::string("; poses are ") + known_forms + "; programs also have " +
-                            listed(program_columns());
-  const auto distance = [&header](const Names& form) {
-    return missing_from(header, form).size() + missing_from(form, header).size();
-  };
+const std::vector<PoseColumns>& all_pose_columns() {
+  static const std::vector<PoseColumns> all = [] {
+    std::vector<PoseColumns> columns{{.names = {"x", "y", "theta"}, .planar = true}};
+    for (const PoseForm form :
+         {PoseForm::rpy, PoseForm::quaternion, PoseForm::rotvec, PoseForm::abc}) {
+      columns.push_back({pose_columns(form), form});
+    }
+    const Names& matrix = pose_columns(PoseForm::matrix);
+    columns.push_back({{matrix.begin(), matrix.begin() + 12}, PoseForm::matrix});
+    columns.push_back({matrix, PoseForm::matrix});
+    columns.push_back({.names = {"x", "y", "z"}, .oriented = false});
+    columns.push_back({.names = {"x", "y"}, .planar = true, .oriented = false});
+    return columns;
+  }();
+  return all;
+}
+
+const std::string& known_pose_columns() {
+  static const std::string text =
+      "x,y,theta or x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz or x,y,z,rx,ry,rz or x,y,z,A,B,C or "
+      "m11,m12,...,m44, and positions x,y,z or x,y";
+  return text;
+}
+
+bool reads_without_names(const PoseColumns& columns, const PoseFormat& format) {
+  if (columns.names.size() == 3) return columns.planar == (format.triple == Triple::planar);
+  if (!columns.form) return true;
+  if (format.pose_form) return *columns.form == *format.pose_form;
+  return columns.names.size() != 6 || *columns.form == PoseForm::rpy;
+}
+
+const PoseColumns& pose_columns_of(std::size_t count, const PoseFormat& format,
+                                   const std::string& what) {
+  for (const PoseColumns& columns : all_pose_columns()) {
+    if (columns.names.size() == count && reads_without_names(columns, format)) return columns;
+  }
+  const std::string given = what + std::to_string(count) + " numbers; ";
+  if (!format.pose_form) throw Error(given + "poses are " + known_pose_columns());
+  const Names& names = pose_columns(*format.pose_form);
+  std::string wanted;
+  for (const std::string& column : names) wanted += (wanted.empty() ? "" : ",") + column;
+  if (format.pose_form == PoseForm::matrix) wanted = "m11,m12,...,m44 or m11,m12,...,m34";
+  throw Error(given + "pose_form " + name(*format.pose_form) + " has " + wanted);
+}
+
+const PoseColumns& pose_columns_of(const Names& header) {
+  const std::string known =
+      "; poses are " + known_pose_columns() + "; programs also have " + listed(program_columns());
+  const std::vector<PoseColumns>& all = all_pose_columns();
   for (const std::string& name : header) {
-    const bool is_known =
-        std::any_of(pose_forms().begin(), pose_forms().end(),
-                    [&](const Names& candidate) { return contains(candidate, name); });
+    const bool is_known = std::any_of(all.begin(), all.end(), [&](const PoseColumns& columns) {
+      return contains(columns.names, name);
+    });
     if (!is_known) throw Error("unknown column " + in_quotes(name) + known);
   }
-  for (const Names& form : pose_forms()) {
-    if (distance(form) == 0) return form;
+  // The nearest form with an orientation: the fewest columns that it does not have, then the fewest
+  // that are missing.
+  const PoseColumns* nearest = &all.front();
+  const auto distance = [&](const PoseColumns& columns) {
+    return std::pair(missing_from(columns.names, header).size(),
+                     missing_from(header, columns.names).size());
+  };
+  for (const PoseColumns& columns : all) {
+    const auto apart = distance(columns);
+    if (apart == std::pair<std::size_t, std::size_t>(0, 0)) return columns;
+    if (columns.oriented && apart < distance(*nearest)) nearest = &columns;
   }
-  const Names& form =  // the nearest with an orientation
-      *std::min_element(pose_forms().begin(), pose_forms().begin() + 3,
-                        [&](const Names& a, const Names& b) { return distance(a) < distance(b); });
-  const Names missing = missing_from(header, form);
-  if (!missing.empty()) throw Error("column " + listed(missing) + " is missing" + known);
-  const Names extra = missing_from(form, header);
-  if (!extra.empty()) {
-    throw Error("column " + listed(extra) + " does not belong to " + listed(form) + known);
+  const Names missing = missing_from(header, nearest->names);
+  const Names extra = missing_from(nearest->names, header);
+  if (!missing.empty()) {
+    throw Error("column " + listed(missing) + " is missing" + known);
   }
-  return form;
+  throw Error("column " + listed(extra) + " does not belong to " + listed(nearest->names) + known);
+}
+
+Names in_known_case(Names header) {
+  for (std::string& name : header) {
+    for (const PoseColumns& columns : all_pose_columns()) {
+      for (const std::string& known : columns.names) {
+        if (same_ignoring_case(name, known)) name = known;
+      }
+    }
+  }
+  return header;
+}
+
+WrittenPose written_pose(std::span<const double> numbers, const PoseColumns& columns,
+                         const PoseFormat& format) {
+  WrittenPose written{.pose = Pose::Identity(),
+                      .planar = columns.planar,
+                      .oriented = columns.oriented,
+                      .form = columns.form};
+  const std::span<const double> rest = numbers.subspan(std::min<std::size_t>(numbers.size(), 3));
+  if (columns.form == PoseForm::matrix) {
+    written.pose = pose_from_matrix(numbers);
+  } else if (columns.form) {
+    written.pose = make_pose({numbers[0], numbers[1], numbers[2]},
+                             rotation_in(*columns.form, rest, format.unit));
+    if (columns.form == PoseForm::rpy) written.max_angle = to_radians(largest(rest), format.unit);
+    if (columns.form == PoseForm::rotvec)
+      written.max_angle = Vector3(rest[0], rest[1], rest[2]).norm();
+  } else if (columns.planar) {
+    written.max_angle = columns.oriented ? to_radians(numbers[2], format.unit) : 0;
+    written.pose = to_space(Pose2{numbers[0], numbers[1], written.max_angle});
+  } else {
+    written.pose = make_pose({numbers[0], numbers[1], numbers[2]});
+  }
+  if (format.millimetres) written.pose.translation() /= 1000;
+  return written;
 }
 
 }  // namespace beeline::internal

@@ -35,7 +35,7 @@ bool has(const Columns& names, const std::string& name) {
 struct ProgramColumns {
   std::array<std::optional<std::size_t>, 6> named;  ///< in the order of program_columns()
   std::vector<std::size_t> pose;                    ///< in the order of the form
-  Triple triple = Triple::planar;
+  const internal::PoseColumns* form = nullptr;      ///< none: all rows have joint values
   std::size_t count = 0;
 };
 
@@ -55,9 +55,8 @@ ProgramColumns program_columns_of(const Columns& header) {
     if (has(header, name)) columns.named[i] = index_of(name);
   }
   if (others.empty() && columns.named[2]) return columns;
-  const Columns& form = internal::pose_form_of(others);
-  columns.triple = form == pose_forms()[3] ? Triple::position : Triple::planar;
-  for (const std::string& name : form) columns.pose.push_back(index_of(name));
+  columns.form = &internal::pose_columns_of(others);
+  for (const std::string& name : columns.form->names) columns.pose.push_back(index_of(name));
   return columns;
 }
 
@@ -68,14 +67,15 @@ std::optional<double> optional_number(const std::string& item, const std::string
 
 std::optional<WrittenPose> pose_in(const std::vector<std::string>& items,
                                    const ProgramColumns& columns, const Columns& header,
-                                   AngleUnit unit) {
+                                   const PoseFormat& format) {
+  if (columns.form == nullptr) return std::nullopt;
   std::vector<double> numbers;
   const auto is_empty = [&](std::size_t i) { return items[i].empty(); };
   if (std::all_of(columns.pose.begin(), columns.pose.end(), is_empty)) return std::nullopt;
   for (const std::size_t i : columns.pose) {
     numbers.push_back(internal::parse_number(items[i], "column " + header[i]));
   }
-  WrittenPose written = internal::written_pose(numbers, unit, columns.triple);
+  WrittenPose written = internal::written_pose(numbers, *columns.form, format);
   written.pose = checked_pose(written.pose);
   return written;
 }
@@ -100,14 +100,13 @@ void check_row(const ProgramRow& row) {
   if (row.relative.empty()) return;
   if (!row.pose) throw Error("a row with relative needs a pose");
   if (!row.pose->oriented) {
-    throw Error(
-        "relative is for poses with an orientation: x,y,theta or x,y,z,roll,pitch,yaw or "
-        "x,y,z,qw,qx,qy,qz");
+    throw Error(std::string("relative is for poses with an orientation: x,y,theta or ") +
+                internal::spatial_forms);
   }
 }
 
 ProgramRow row_in(const std::vector<std::string>& items, const ProgramColumns& columns,
-                  const Columns& header, AngleUnit unit) {
+                  const Columns& header, const PoseFormat& format) {
   if (items.size() != columns.count) {
     throw Error("this row has " + std::to_string(items.size()) + " items; the header has " +
                 std::to_string(columns.count));
@@ -117,7 +116,7 @@ ProgramRow row_in(const std::vector<std::string>& items, const ProgramColumns& c
   };
   ProgramRow row{.motion = text(0),
                  .relative = text(1),
-                 .pose = pose_in(items, columns, header, unit),
+                 .pose = pose_in(items, columns, header, format),
                  .q = text(2),
                  .speed = optional_number(text(3), "speed"),
                  .blend = optional_number(text(4), "blend"),
@@ -131,7 +130,7 @@ Columns header_of(internal::CsvLines& lines, char& separator) {
   std::string_view line;
   if (!lines.next(line)) return {};
   separator = internal::csv_separator(line);
-  return internal::csv_items(line, separator);
+  return internal::in_known_case(internal::csv_items(line, separator));
 }
 
 }  // namespace
@@ -153,7 +152,8 @@ bool is_program(std::string_view text) {
   }
 }
 
-ProgramRows program_rows_from_csv(std::string_view text, const std::string& path, AngleUnit unit) {
+ProgramRows program_rows_from_csv(std::string_view text, const std::string& path,
+                                  const PoseFormat& format) {
   internal::CsvLines lines(text, path);
   ProgramRows program{.path = path, .rows = {}};
   try {
@@ -161,7 +161,7 @@ ProgramRows program_rows_from_csv(std::string_view text, const std::string& path
     const Columns header = header_of(lines, separator);
     const ProgramColumns columns = program_columns_of(header);
     for (std::string_view line; lines.next(line);) {
-      program.rows.push_back(row_in(internal::csv_items(line, separator), columns, header, unit));
+      program.rows.push_back(row_in(internal::csv_items(line, separator), columns, header, format));
       program.rows.back().line = static_cast<int>(lines.number());
       if (program.rows.size() > max_program_rows) {
         throw Error("a program has at most " + std::to_string(max_program_rows) + " rows");
@@ -174,8 +174,8 @@ ProgramRows program_rows_from_csv(std::string_view text, const std::string& path
   return program;
 }
 
-ProgramRows read_program_rows(const std::string& path, AngleUnit unit) {
-  return program_rows_from_csv(internal::read_file(path), path, unit);
+ProgramRows read_program_rows(const std::string& path, const PoseFormat& format) {
+  return program_rows_from_csv(internal::read_file(path), path, format);
 }
 
 }  // namespace beeline

@@ -71,6 +71,7 @@ CsvReader::CsvReader(const std::string& path, const RowForms& forms)
     separator_ = csv_separator(line);
     const std::vector<std::string> items = csv_items(line, separator_);
     if (read_header(items, forms)) return;
+    has_header_ = false;
     choose_form(items.size(), forms);
   } catch (const Error& error) {
     throw FileError(file_.path(), static_cast<int>(lines_.number()), error.what());

@@ -18,6 +18,7 @@ class CsvReader {
   CsvReader(const std::string& path, const RowForms& forms);
 
   std::size_t form() const { return form_; }  ///< index of the file's form
+  bool has_header() const { return has_header_; }
   /// Reads the next rows, at most as many as `block.numbers` has columns, in the form's order.
   void read(RowBlock& block, BadRows& bad);
   const InputFile& file() const { return file_; }
@@ -32,6 +33,7 @@ class CsvReader {
   CsvLines lines_;
   char separator_ = ',';
   std::size_t form_ = 0;
+  bool has_header_ = true;
   std::vector<std::string> columns_;    ///< in the file's order
   std::vector<Eigen::Index> index_of_;  ///< of each column in the form
   std::string first_;                   ///< the first line, if it is a row
