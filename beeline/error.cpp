@@ -36,12 +36,19 @@ std::string_view without_dashes(std::string_view name) {
   return name.substr(std::min(name.find_first_not_of('-'), name.size()));
 }
 
+/// Whether the whole of `a` is the beginning of `b`, ignoring case.
+bool begins(std::string_view a, std::string_view b) {
+  return a.size() < b.size() && edit_distance(a, b.substr(0, a.size())) == 0;
+}
+
 /// Twice the edits between a name and a choice, but 1 if the name is an abbreviation: the beginning
-/// of the choice. Names of options are compared without their dashes.
+/// of the choice; 2 if the choice is the beginning of the name, half of it or more. Names of options
+/// are compared without their dashes.
 std::size_t name_distance(std::string_view name, std::string_view choice) {
   const std::string_view a = without_dashes(name), b = without_dashes(choice);
-  const bool begins = a.size() < b.size() && edit_distance(a, b.substr(0, a.size())) == 0;
-  return begins && a.size() > 1 ? 1 : 2 * edit_distance(a, b);
+  if (a.size() > 1 && begins(a, b)) return 1;
+  if (b.size() > 1 && 2 * b.size() >= a.size() && begins(b, a)) return 2;
+  return 2 * edit_distance(a, b);
 }
 
 /// The number of characters with which both begin, ignoring case.

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include <beeline/internal/rounded_number.h>
+
 #include "format.h"
 
 using namespace beeline;
@@ -11,8 +13,8 @@ namespace {
 
 std::string usage_line(const char* limit, const LimitFraction& use) {
   if (use.joint.empty()) return "";
-  return fmt::format("{:<14}at most {} % of the{} limit, joint {} at {} s{}\n", limit,
-                     shown(100 * use.fraction), use.assumed ? " assumed" : "", use.joint,
+  return fmt::format("{:<14}at most {} of the{} limit, joint {} at {} s{}\n", limit,
+                     internal::percent_at_most(use.fraction), use.assumed ? " assumed" : "", use.joint,
                      shown(use.time),
                      use.exact ? "" : ", by divided differences: it jumps at the samples");
 }
@@ -57,6 +59,10 @@ Json deviation_members(const std::optional<PathDeviation>& deviation, const Unit
     members.add(std::string("orientation_") + kind, angle);
   }
   return members;
+}
+
+std::string condition_text(double inverse_condition) {
+  return fmt::format("{:.3g}", inverse_condition);
 }
 
 std::string limits_text(const LimitUsage& limits) {
@@ -117,7 +123,7 @@ std::string branches_text(const Arm& arm, const std::vector<Branch>& branches,
     const Branch& branch = branches[i];
     text += fmt::format("  {:>2}  {:>8}  {:>4.0f} %  {:>10}  {}\n", i + 1,
                         shown(branch.path_parameter), 100 * branch.limit_margin,
-                        shown(branch.inverse_condition), shown(unit.shown(arm, branch.start)));
+                        condition_text(branch.inverse_condition), shown(unit.shown(arm, branch.start)));
     if (!branch.reason.empty()) {
       text += fmt::format("      {}: {}\n", name(branch.status), branch.reason);
     }

@@ -21,6 +21,9 @@ std::string deviation_text(const beeline::PathDeviation& deviation,
 Json deviation_members(const std::optional<beeline::PathDeviation>& deviation,
                        const UnitArgument& unit);
 
+/// An inverse condition number, with three significant digits.
+std::string condition_text(double inverse_condition);
+
 /// The largest fraction of each limit that a motion uses, with the joint and the time.
 std::string limits_text(const beeline::LimitUsage& limits);
 Json json_limits(const beeline::LimitUsage& limits);

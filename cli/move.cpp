@@ -3,6 +3,7 @@
 #include <beeline/control/joint.h>
 #include <beeline/error.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/internal/rounded_number.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/read/internal/numbers.h>
 #include <beeline/timing/point_to_point.h>
@@ -73,7 +74,7 @@ std::string move_text(const MoveArguments& arguments, const Arm& arm,
     text = fmt::format("{} after {} of {} s\n", name(motion.status), counted(motion.steps, "step"),
                        shown(arguments.simulation.time_step)) +
            fmt::format("error         {} (largest joint error, rad or m)\n", shown(motion.error)) +
-           fmt::format("overshoot     {} % of the distance\n", shown(100 * motion.overshoot));
+           fmt::format("overshoot     {} of the distance\n", internal::percent(motion.overshoot));
   } else {
     text =
         fmt::format("{} after {} s\n", name(motion.status), shown(motion.trajectory.times.back()));

@@ -5,6 +5,7 @@
 
 #include <beeline/control/replay.h>
 #include <beeline/error.h>
+#include <beeline/internal/rounded_number.h>
 #include <beeline/read/internal/numbers.h>
 
 #include "arm_argument.h"
@@ -90,7 +91,7 @@ void warn_of_limits(const LimitUsage& limits) {
         fmt::format("the recording exceeds the {}{} limit of joint {} at {} s, {} times{}; "
                     "{} % of this speed keeps it",
                     use->assumed ? "assumed " : "", kind, use->joint, shown(use->time),
-                    shown(use->fraction), use->exact ? "" : " by divided differences",
+                    internal::number_apart(use->fraction, 1), use->exact ? "" : " by divided differences",
                     shown(std::floor(1000 * std::pow(use->fraction, -root)) / 10)));
   }
 }

@@ -6,6 +6,7 @@
 
 #include <beeline/certificate/joint_faults.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/internal/rounded_number.h>
 #include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/mean_derivative.h>
@@ -23,6 +24,12 @@ constexpr std::size_t stencil = 3;  // steps of a third difference, the longest
 
 std::string quantity(const Arm& arm, int i, double value, const std::string& per = "") {
   return number(value) + " " + unit(arm.joint_of(i)) + per;
+}
+
+/// The same, with the digits that show it to differ from a limit.
+std::string excess_quantity(const Arm& arm, int i, double value, double limit,
+                            const std::string& per) {
+  return number_apart(value, limit) + " " + unit(arm.joint_of(i)) + per;
 }
 
 class FaultSearch {
@@ -130,7 +137,8 @@ class FaultSearch {
       if (allowed(needed)) return;
       return report(
           fault, k, i,
-          "needs " + quantity(arm_, i, needed, per) + " over the next samples; " + limit_text());
+          "needs " + excess_quantity(arm_, i, needed, limit, per) + " over the next samples; " +
+              limit_text());
     }
     if (k + 1 == t_.size()) return;
     const Polynomial p =
@@ -139,9 +147,9 @@ class FaultSearch {
     if (allowed(largest(enclosure(p)))) return;
     const double reached = largest(extremes(p));
     if (allowed(reached)) return;
-    report(
-        fault, k, i,
-        "reaches " + quantity(arm_, i, reached, per) + " before the next sample; " + limit_text());
+    report(fault, k, i,
+           "reaches " + excess_quantity(arm_, i, reached, limit, per) +
+               " before the next sample; " + limit_text());
   }
 
   /// Whether a coordinate moves at the start or the end.

@@ -112,7 +112,7 @@ struct Fields<NearbyPath> {
         field("path", &NearbyPath::path, "The moved path."),
         field("start", &NearbyPath::start,
               "Joint values in place of the start that was given, or None."),
-        field("description", &NearbyPath::description, "Such as `moved by 0.012 m along -z`."));
+        field("description", &NearbyPath::description, "Such as `with every waypoint moved by 0.012 m along -z; the start stays`."));
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include <beeline/control/internal/held_limits.h>
 #include <beeline/error.h>
+#include <beeline/internal/rounded_number.h>
 #include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/limit_fraction.h>
@@ -143,7 +144,7 @@ std::string described(const Arm& arm, const Trajectory& trajectory, const LimitE
   const auto order = static_cast<std::size_t>(excess.order);
   constexpr std::array<const char*, 4> names = {"", "velocity", "acceleration", "jerk"};
   const bool known = arm.limits(excess.coordinate).*rate_limits[order] < Limits::none;
-  const std::string times = where + " uses " + number(excess.fraction) + " times ";
+  const std::string times = where + " uses " + number_apart(excess.fraction, 1) + " times ";
   if (excess.recorded) return times + "the recording's own " + names[order];
   return times + "its " + (known ? "" : "assumed ") + names[order] + " limit";
 }

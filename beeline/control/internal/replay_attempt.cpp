@@ -5,6 +5,7 @@
 #include <beeline/control/internal/replay_attempt.h>
 #include <beeline/control/internal/speed_schedule.h>
 #include <beeline/error.h>
+#include <beeline/internal/rounded_number.h>
 #include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/timing/point_to_point.h>
 #include <beeline/trajectory/internal/append.h>
@@ -57,7 +58,7 @@ bool refuse_velocity(const Arm& arm, const Trajectory& recording, std::span<cons
   const std::string& joint = arm.joint_of(limit_fraction(limits, there, 1).coordinate).name;
   const double time = recording.times[use.sample];
   attempt.replay.reason = "at " + number(time) + " s joint " + joint + " moves at " +
-                          number(use.fraction) + " times its velocity limit";
+                          number_apart(use.fraction, 1) + " times its velocity limit";
   attempt.replay.limits.velocity = {use.fraction, joint, time};
   attempt.speed = use.speed / use.fraction;
   return true;
