@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fmt/format.h>
 
 #include <beeline/error.h>
@@ -63,16 +64,54 @@ Eigen::VectorXd deviation_values(const Arm& arm, Eigen::VectorXd deviation,
   return deviation;
 }
 
+/// "8 solutions", or "infinitely many solutions (self-motion of dimension 1), 312 samples".
+std::string number_of_solutions(const InverseResult& result) {
+  const auto count = static_cast<std::int64_t>(result.solutions.size());
+  if (result.self_motion_dimension == 0) return counted(count, "solution");
+  return fmt::format("infinitely many solutions (self-motion of dimension {}), {}",
+                     result.self_motion_dimension, counted(count, "sample"));
+}
+
+/// How to get the samples that a text does not list, or fewer solutions.
+std::string about_samples(const Arm& arm, const InverseResult& result, std::size_t listed) {
+  std::string text;
+  if (listed < result.solutions.size()) {
+    text = fmt::format("  and {} more, which --json prints\n", result.solutions.size() - listed);
+  }
+  if (arm.dof() == 1 || result.singular) return text;
+  const std::string joint = result.grid ? arm.joint_of(result.grid->joint).name : "JOINT";
+  return text + fmt::format("  --lock {}=VALUE gives {} at one value of a joint; without --all, "
+                            "--redundancy nearest or centred gives the best one\n",
+                            joint,
+                            result.self_motion_dimension == 1 ? "the finitely many" : "those");
+}
+
+/// A line for each solution; of infinitely many, for the nearest to the seed.
+std::string solutions_text(const Arm& arm, const InverseResult& result, const UnitArgument& unit) {
+  constexpr std::size_t max_samples = 10;
+  const bool samples = result.self_motion_dimension > 0;
+  const std::size_t count =
+      samples ? std::min(max_samples, result.solutions.size()) : result.solutions.size();
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) {
+    text += fmt::format("  {}\n", shown(unit.shown(arm, result.solutions[i])));
+  }
+  return samples ? text + about_samples(arm, result, count) : text;
+}
+
+/// Two digits of a rounding error, six of the amount by which a pose is missed.
+std::string residual_text(const InverseResult& result, const Residual& residual) {
+  const bool error = result.status == InverseStatus::solved;
+  return (error ? fmt::format("{:.2g}", residual.value) : shown(residual.value)) + residual.unit;
+}
+
 std::string ik_text(const Arm& arm, const InverseResult& result, const UnitArgument& unit) {
   const bool solved = result.status == InverseStatus::solved;
   const Residual residual = residual_of(unit, arm, result);
-  std::string text =
-      fmt::format("{}: {}{} by {}, residual {}{}\n", name(result.status),
-                  counted(static_cast<std::int64_t>(result.solutions.size()), "solution"),
-                  completeness(arm, result), result.method, shown(residual.value), residual.unit);
-  for (const Configuration& q : result.solutions) {
-    text += fmt::format("  {}\n", shown(unit.shown(arm, q)));
-  }
+  std::string text = fmt::format("{}: {}{} by {}, residual {}\n", name(result.status),
+                                 number_of_solutions(result), completeness(arm, result),
+                                 result.method, residual_text(result, residual)) +
+                     solutions_text(arm, result, unit);
   if (result.deviation) {
     text += fmt::format("  deviation of the tool from the pose ({}): {}\n",
                         arm.planar() ? "x, y, theta" : "x, y, z, roll, pitch, yaw",
@@ -122,6 +161,7 @@ Json ik_document(const Arm& arm, const InverseResult& result, const UnitArgument
           {"solutions", solutions},
           {"singular", result.singular},
           {"complete", result.complete},
+          {"self_motion_dimension", result.self_motion_dimension},
           {"grid", grid},
           {"deviation", deviation},
           {"residual", residual_of(unit, arm, result).value},
@@ -169,7 +209,8 @@ std::vector<Option> ik_options(IkArguments& arguments) {
                    .required = true}},
                  arguments.unit.options(),
                  {{.name = "--all",
-                   .help = "Print every solution found, the nearest to the seed first.",
+                   .help = "Print every solution found, the nearest to the seed first; of infinitely "
+                           "many, the nearest ten, all samples with --json.",
                    .target = &inverse.values.all},
                   {.name = "--every-turn",
                    .help = "Print each solution with every multiple of 2 pi of its revolute joints "

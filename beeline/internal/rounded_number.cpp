@@ -53,11 +53,11 @@ std::string percent_at_most(double fraction) {
 
 std::string number_apart(double value, double reference) {
   constexpr int usual = 6, all = std::numeric_limits<double>::max_digits10;
-  for (int digits = usual; digits < all; ++digits) {
-    std::string text = with_digits(value, digits);
-    if (value == reference || text != with_digits(reference, digits)) return text;
+  int digits = usual;
+  if (value != reference) {
+    while (digits < all && with_digits(value, digits) == number(reference)) ++digits;
   }
-  return with_digits(value, all);
+  return with_digits(value, digits);
 }
 
 }  // namespace beeline::internal

@@ -14,7 +14,7 @@ std::string percent(double fraction);
 /// larger one never.
 std::string percent_at_most(double fraction);
 
-/// A number with six significant digits, and with more if `reference` would look the same.
+/// A number with six significant digits, and with more if number(reference) looks the same.
 std::string number_apart(double value, double reference);
 
 }  // namespace beeline::internal

@@ -128,7 +128,8 @@ struct Fields<PathMotionOptions> {
         field("tolerance", &T::tolerance, "Max deviation in position, m, 1e-8 or more."),
         field("orientation_tolerance", &T::orientation_tolerance,
               "Max deviation in orientation, rad, 1e-8 or more."),
-        field("profile", &T::profile, "The time scaling from stop to stop; None: `jerk`."),
+        field("profile", &T::profile, "The time scaling from stop to stop; None: `jerk`. Every profile keeps known jerk limits; "
+              "`fastest` and `trapezoidal` leave jerk free where it is not known."),
         field("interpolation", &T::interpolation, "Of the trajectory."),
         field("tool_speed", &T::tool_speed, "Limit of the tool origin's speed, m/s."),
         field("rate", &T::rate,
