@@ -76,6 +76,21 @@ Json json_limits(const LimitUsage& limits) {
           {"jerk", json_usage(limits.jerk)}};
 }
 
+Option limit_tolerance_option(double* target) {
+  return {.name = "--limit-tolerance",
+          .value = "FRACTION",
+          .help = "Fraction by which velocities, accelerations and jerks may exceed their limits, "
+                  "for the rounding of other planners: 1e-4 for many.",
+          .target = target,
+          .range = {0, 0.1}};
+}
+
+std::string limit_tolerance_text(double limit_tolerance) {
+  if (limit_tolerance == 0) return "";
+  return fmt::format("tolerance     {} of the limits of velocity, acceleration and jerk\n",
+                     internal::percent(limit_tolerance));
+}
+
 std::string difference_text(const Arm& arm, const TrajectoryDifference& difference,
                             const UnitArgument& unit) {
   std::string text = "joint         largest       at s          rms\n";

@@ -28,6 +28,10 @@ std::string condition_text(double inverse_condition);
 std::string limits_text(const beeline::LimitUsage& limits);
 Json json_limits(const beeline::LimitUsage& limits);
 
+/// --limit-tolerance, and the line that reports it where it is above 0.
+Option limit_tolerance_option(double* target);
+std::string limit_tolerance_text(double limit_tolerance);
+
 /// The differences of each joint and of the tool between two recordings.
 std::string difference_text(const beeline::Arm& arm,
                             const beeline::TrajectoryDifference& difference,

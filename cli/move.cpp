@@ -2,14 +2,13 @@
 
 #include <beeline/control/joint.h>
 #include <beeline/error.h>
-#include <beeline/internal/budget_meter.h>
 #include <beeline/internal/rounded_number.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/read/internal/numbers.h>
-#include <beeline/timing/point_to_point.h>
 
 #include "arm_argument.h"
 #include "budget_argument.h"
+#include "command/streams.h"
 #include "format.h"
 #include "gain_comparison.h"
 #include "result_files.h"
@@ -32,39 +31,26 @@ struct MoveArguments {
   BudgetArgument budget;
   std::string method = feedback, synchronise = "time";
   double rate = 100;
+  std::optional<double> duration;
   ResultFiles files;
   bool json = false;
 };
 
-/// The motion in minimum time, all joints beginning and ending together.
+/// The motion in minimum time or in --duration, all joints beginning and ending together.
 ControlledMotion move_quickest(const MoveArguments& arguments, const Arm& arm,
                                const Configuration& from, const Configuration& to,
                                const Budget& budget) {
-  ControlledMotion result;
-  result.trajectory = at_rest(arm, from);
-  const std::vector<std::string> start_outside = limit_violations(arm, from);
-  if (!start_outside.empty()) throw Error("the motion cannot start: " + start_outside.front());
-  const std::vector<std::string> outside = limit_violations(arm, to);
-  if (!outside.empty()) {
-    result.error = (to - from).lpNorm<Eigen::Infinity>();
-    result.status = MotionStatus::outside_limits;
-    result.reason = "the goal is outside the limits: " + outside.front();
-    return result;
-  }
   const Synchronise synchronise =
       arguments.synchronise == "time" ? Synchronise::time : Synchronise::straight;
-  const PointToPoint motion = point_to_point(arm, from, to, {.synchronise = synchronise});
-  internal::BudgetMeter meter(budget);
-  Trajectory samples = sampled(arm, motion, arguments.rate, meter.part());
-  if (samples.size() == 0) {
-    result.status = internal::status_of<MotionStatus>(meter.ending());
-    result.reason = internal::ended_by(meter.ending()) + " before the motion was sampled" +
-                    internal::how_to_continue(meter.ending());
-    return result;
+  const ControlledMotion motion = move_joints(arm, from, to,
+                                              {.synchronise = synchronise,
+                                               .rate = arguments.rate,
+                                               .duration = arguments.duration,
+                                               .budget = budget});
+  for (const std::string& sentence : limit_violations(arm, from)) {
+    warn("--from: " + sentence + "; the motion leads back in");
   }
-  result.trajectory = std::move(samples);
-  result.steps = static_cast<int>(result.trajectory.size()) - 1;
-  return result;
+  return motion;
 }
 
 std::string move_text(const MoveArguments& arguments, const Arm& arm,
@@ -174,7 +160,7 @@ std::vector<Option> move_options(MoveArguments& arguments) {
            .value = "METHOD",
            .help = "feedback: P or PID control of each joint (eq. 1.3 of the chapter); quickest: "
                    "minimum time under the velocity, acceleration and jerk limits, from rest to "
-                   "rest.",
+                   "rest; --from may be outside the limits by up to 0.1 rad or 0.01 m.",
            .target = &arguments.method,
            .choices = {feedback, quickest}}};
 }
@@ -226,6 +212,14 @@ std::vector<Option> move_method_options(MoveArguments& arguments) {
            .target = &arguments.synchronise,
            .choices = {"time", "straight"},
            .methods = {quickest}},
+          {.name = "--duration",
+           .value = "SECONDS",
+           .help = "Duration of the motion, a whole number of periods of --rate; one that is shorter "
+                   "than the limits allow is refused with the shortest. Default: the shortest.",
+           .target = &arguments.duration,
+           .range = above_zero,
+           .methods = {quickest},
+           .phrases = {"duration must be"}},
           {.name = "--rate",
            .value = "HZ",
            .help = "Samples per second.",

@@ -138,6 +138,15 @@ std::vector<Option> timing_options(RetimeArguments& arguments) {
            .help = "Largest speed of the tool origin, m/s.",
            .target = &arguments.tool_speed,
            .range = tool_speeds},
+          {.name = "--duration",
+           .value = "SECONDS",
+           .help = "Duration of the motion: the quickest one is slowed down to it, and a shorter one "
+                   "is refused with the shortest. `beeline replay --rate` samples it. Default: the "
+                   "shortest.",
+           .target = &arguments.retime.duration,
+           .range = above_zero,
+           .excludes = "--rate",
+           .phrases = {"duration must be"}},
           {.name = "--max-samples",
            .value = "N",
            .help = "Give up if --rate makes more samples, or the file has more and more than "

@@ -52,6 +52,19 @@ TEST(PercentAtMost, IsABoundAndShowsEveryExcess) {
   }
 }
 
+TEST(NumberAtLeast, IsASixDigitNumberNotBelow) {
+  EXPECT_EQ(number_at_least(1.38), "1.38");
+  EXPECT_EQ(number_at_least(4.7412341), "4.74124");
+  EXPECT_EQ(number_at_least(9.9999991), "10");
+  testing::Random random;
+  for (int i = 0; i < testing::cases(2000); ++i) {
+    const double value = random.uniform(-1, 1) * std::pow(10, random.uniform(-9, 9));
+    const double rounded = std::stod(number_at_least(value));
+    EXPECT_GE(rounded, value);
+    EXPECT_LE(rounded, value + 1.01e-5 * std::abs(value));
+  }
+}
+
 TEST(NumberApart, DiffersFromTheReferenceWhereTheNumbersDo) {
   EXPECT_EQ(number_apart(2.61, 1), "2.61");
   EXPECT_EQ(number_apart(1, 1), "1");

@@ -34,9 +34,10 @@ std::string excess_quantity(const Arm& arm, int i, double value, double limit,
 
 class FaultSearch {
  public:
-  FaultSearch(const Arm& arm, const Trajectory& trajectory, const MovingEnds& moving)
+  FaultSearch(const Arm& arm, const Trajectory& trajectory, const MovingEnds& moving, double slack)
       : arm_(arm),
         moving_(moving),
+        slack_(slack),
         trajectory_(trajectory),
         t_(trajectory.times),
         q_(trajectory.positions),
@@ -122,7 +123,7 @@ class FaultSearch {
                         const char* per) {
     if (found_ || !(limit < Limits::none)) return;
     const auto allowed = [&](double value) {
-      const double excess = value - limit * (1 + limit_slack);
+      const double excess = value - limit * (1 + slack_);
       return excess <= 0 ||
              excess <= time_rounding(k, order, motion_limits(arm_.limits(i)).velocity, limit);
     };
@@ -178,6 +179,7 @@ class FaultSearch {
 
   const Arm& arm_;
   MovingEnds moving_;
+  double slack_;  ///< fraction by which derivatives may exceed their limits
   const Trajectory& trajectory_;
   const std::vector<double>& t_;
   const std::vector<Configuration>&q_, &v_;
@@ -196,10 +198,18 @@ std::string name(Fault fault) {
 std::ostream& operator<<(std::ostream& out, Fault fault) { return out << name(fault); }
 
 std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& trajectory,
-                                            const MovingEnds& moving, const Budget& budget) {
+                                            const MovingEnds& moving, const Budget& budget,
+                                            double limit_tolerance) {
   check_fits(arm, trajectory);
+  check_limit_tolerance(limit_tolerance);
   BudgetMeter meter(budget);
-  return FaultSearch(arm, trajectory, moving).first(meter);
+  return FaultSearch(arm, trajectory, moving, std::max(limit_slack, limit_tolerance)).first(meter);
+}
+
+void internal::check_limit_tolerance(double limit_tolerance) {
+  constexpr double largest = 0.1;
+  if (limit_tolerance >= 0 && limit_tolerance <= largest) return;
+  throw Error("limit_tolerance must be from 0 to 0.1, not " + number(limit_tolerance));
 }
 
 }  // namespace beeline

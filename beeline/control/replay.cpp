@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <beeline/certificate/joint_faults.h>
 #include <beeline/control/internal/recording_limits.h>
 #include <beeline/control/internal/replay_attempt.h>
 #include <beeline/control/replay.h>
@@ -58,6 +59,7 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
   check_trajectory(recorded);
   if (recorded.size() == 0) throw Error("the recording has no samples");
   const Trajectory recording = matched_to(arm, recorded);
+  internal::check_limit_tolerance(options.limit_tolerance);
   if (options.start) check_configuration(arm, *options.start);
   if (!options.speed_at.empty()) check_steps(recording, internal::replay_rate(options));
 

@@ -51,6 +51,13 @@ std::string percent_at_most(double fraction) {
   return percent_text(std::ceil(value / unit * (1 - std::numeric_limits<double>::epsilon())), unit);
 }
 
+std::string number_at_least(double value) {
+  if (!(std::abs(value) > 0 && std::isfinite(value))) return number(value);
+  const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 5);
+  const std::string nearest = number(value);
+  return std::stod(nearest) >= value ? nearest : number(std::stod(nearest) + unit);
+}
+
 std::string number_apart(double value, double reference) {
   constexpr int usual = 6, all = std::numeric_limits<double>::max_digits10;
   int digits = usual;

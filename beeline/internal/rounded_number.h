@@ -14,6 +14,9 @@ std::string percent(double fraction);
 /// larger one never.
 std::string percent_at_most(double fraction);
 
+/// A number with six significant digits, rounded up: a bound that is accepted when it is typed.
+std::string number_at_least(double value);
+
 /// A number with six significant digits, and with more if number(reference) looks the same.
 std::string number_apart(double value, double reference);
 

@@ -13,6 +13,7 @@
 #include <beeline/planning/internal/track_branch.h>
 #include <beeline/planning/move_along.h>
 #include <beeline/timing/internal/timed_path.h>
+#include <beeline/trajectory/internal/given_duration.h>
 
 namespace beeline {
 
@@ -39,6 +40,7 @@ void check_options(const PathMotionOptions& options) {
                 number(value));
   }
   internal::check_options(options.tool_speed, options.rate);
+  check_duration(options.duration, options.rate);
   if (options.max_samples < 2) {
     throw Error("max_samples must be at least 2, not " + std::to_string(options.max_samples));
   }
@@ -305,6 +307,19 @@ std::vector<NearbyPath> suggestions(const Arm& arm, const std::optional<Configur
   return found;
 }
 
+/// Slows a planned motion down to the duration, and proves it again.
+void keep_duration(const Arm& arm, const Route& route, const Task& task,
+                   const PathMotionOptions& options, BudgetMeter& budget, PathMotion& motion) {
+  const std::string reason = set_duration(motion.trajectory, *options.duration);
+  if (reason.empty()) {
+    prove(arm, route, task, options, budget, motion);
+    if (!budget.complete()) set_ended(budget.ending(), motion);
+  } else {
+    motion.status = MotionStatus::outside_limits;
+    motion.reason = reason;
+  }
+}
+
 PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
                 const Task& task, const PathMotionOptions& options) {
   BudgetMeter budget(options.budget);
@@ -313,6 +328,10 @@ PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const
                                .max_samples = static_cast<std::size_t>(options.max_samples),
                                .budget = budget.part(0, planning_share)};
   PathMotion motion = planned_motion(arm, start, route, planning, options, budget);
+  const bool followed(motion);
+  if (followed && options.duration) {
+    keep_duration(arm, route, task, options, budget, motion);
+  }
   if (motion) {
     budget.report(1);
     return motion;
@@ -324,7 +343,7 @@ PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const
   const bool quick = arm.dof() <= task.size() + 1;  // a plan takes long with more redundancy
   const bool planned = motion.path_parameter == static_cast<double>(route.path.segments.size());
   const bool off_path = !planned || motion.status == MotionStatus::outside_limits;
-  if (!options.suggest || !quick || !off_path || !budget.complete()) return failure;
+  if (followed || !options.suggest || !quick || !off_path || !budget.complete()) return failure;
   failure.nearby = suggestions(arm, start, route, planning, options, budget);
   if (!budget.complete()) failure.reason += "; " + ended_by(budget.ending()) + " for paths near it";
   return failure;

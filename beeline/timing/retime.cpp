@@ -6,6 +6,7 @@
 #include <beeline/timing/internal/section.h>
 #include <beeline/timing/retime.h>
 #include <beeline/trajectory/internal/append.h>
+#include <beeline/trajectory/internal/given_duration.h>
 #include <beeline/trajectory/internal/tool_speed.h>
 
 namespace beeline {
@@ -89,6 +90,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   Retimed timed;
   timed.profile = options.profile.value_or(default_profile);
   internal::check_options(options.tool_speed, options.rate);
+  internal::check_duration(options.duration, options.rate);
   const Trajectory trajectory = matched_to(arm, recorded);
   check_moves(trajectory);
   timed.reason = too_long(trajectory, options);
@@ -133,6 +135,13 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
     steps += static_cast<double>(samples.size() - 1);
   }
   internal::round_times(timed.trajectory);
+  if (options.duration && budget.complete()) {
+    timed.reason = internal::set_duration(timed.trajectory, *options.duration);
+    if (!timed) {
+      timed.trajectory = {};
+      return timed;
+    }
+  }
   timed.limits = limit_usage(arm, timed.trajectory, budget.part());
   timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory, &budget);
   timed.ending = budget.ending();

@@ -25,5 +25,16 @@ for _name in __all__:
             pass  # a function: it cannot be changed
 del _name, _value
 
+
+
+def __getattr__(name: str) -> object:
+    if name != "slowdown":
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    import warnings
+
+    warnings.warn("beeline.slowdown is now called beeline.slowdown_factor", DeprecationWarning, stacklevel=2)
+    return _core.slowdown_factor
+
+
 # Functions pickle by name, as those of Python do: for multiprocessing, joblib and dask.
 _copyreg.pickle(type(_core.forward_kinematics), lambda function: function.__qualname__)

@@ -8,6 +8,7 @@ namespace beeline::python {
 void bind_poses(nanobind::module_& module);
 void bind_planar_poses(nanobind::module_& module);  ///< by bind_poses()
 void bind_arms(nanobind::module_& module);
+void bind_random_configurations(nanobind::module_& module);
 void bind_kinematics(nanobind::module_& module);
 void bind_derivatives(nanobind::module_& module);
 void bind_tasks(nanobind::module_& module);

@@ -238,7 +238,7 @@ void bind_kinematics(nb::module_& m) {
   takes_layout(fk);
   takes_out(fk, as_returned);
   fk.returns("(4, 4), or (..., 4, 4); (..., 7) for the other layout.");
-  define(m, &forward, fk, nb::arg("arm"), nb::arg("q"), nb::kw_only(), nb::arg("base") = nb::none(),
+  define_on_arm(m, &forward, fk, nb::arg("arm"), nb::arg("q"), nb::kw_only(), nb::arg("base") = nb::none(),
          nb::arg("tool") = nb::none(), nb::arg("layout") = "matrix", nb::arg("out") = nb::none(),
          nb::arg("threads") = 0);
 
@@ -249,7 +249,7 @@ void bind_kinematics(nb::module_& m) {
   takes_layout(poses.keywords());
   takes_out(poses, as_returned);
   poses.returns("(m + 1, 4, 4) for m joints, mimic joints included, or (..., m + 1, 4, 4).");
-  define(m, &links, poses, nb::arg("arm"), nb::arg("q"), nb::kw_only(),
+  define_on_arm(m, &links, poses, nb::arg("arm"), nb::arg("q"), nb::kw_only(),
          nb::arg("layout") = "matrix", nb::arg("out") = nb::none(), nb::arg("threads") = 0);
 
   Signature j = batch_signature("jacobian", real_array,
@@ -262,7 +262,7 @@ void bind_kinematics(nb::module_& m) {
       .keywords();
   takes_out(j, as_returned);
   j.returns("(6, n), or (..., 6, n).");
-  define(m, &jacobian_of, j, nb::arg("arm"), nb::arg("q"), nb::arg("frame") = "base", nb::kw_only(),
+  define_on_arm(m, &jacobian_of, j, nb::arg("arm"), nb::arg("q"), nb::arg("frame") = "base", nb::kw_only(),
          nb::arg("out") = nb::none(), nb::arg("threads") = 0);
 
   Signature w = batch_signature(
@@ -271,7 +271,7 @@ void bind_kinematics(nb::module_& m) {
       "fewer than six joints. manipulability_gradient() takes some of the rows.");
   takes_out(w.keywords(), "");
   w.returns("A number, or an array of the batch's shape.");
-  define(m, &manipulability, w, nb::arg("arm"), nb::arg("q"), nb::kw_only(),
+  define_on_arm(m, &manipulability, w, nb::arg("arm"), nb::arg("q"), nb::kw_only(),
          nb::arg("out") = nb::none(), nb::arg("threads") = 0);
 }
 

@@ -14,6 +14,12 @@ inline std::vector<Frame> choices() {
   return {Frame::base, Frame::tool, Frame::space};
 }
 
+/// As frame_named(), which says what the names mean.
+template <>
+inline Error unknown_choice<Frame>(const char* /*argument*/, const std::string& name) {
+  return unknown_frame(name);
+}
+
 template <>
 inline std::vector<PoseLayout> choices() {
   return {PoseLayout::matrix, PoseLayout::position_quaternion};

@@ -134,6 +134,9 @@ struct Fields<PathMotionOptions> {
         field("tool_speed", &T::tool_speed, "Limit of the tool origin's speed, m/s."),
         field("rate", &T::rate,
               "Samples per second; 0: as many as interpolation and tolerance need."),
+        field("duration", &T::duration,
+              "Seconds to which the quickest motion is slowed down, without a rate; None: the "
+              "shortest."),
         field("max_samples", &T::max_samples, "Of the whole path, 2 or more."),
         field("suggest", &T::suggest,
               "Where the path cannot be followed, search for paths near it."),

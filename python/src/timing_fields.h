@@ -133,6 +133,9 @@ struct Fields<RetimeOptions> {
         field("rate", &RetimeOptions::rate,
               "Samples per second; 0: every sample of the path, and as many more as the "
               "interpolation needs."),
+        field("duration", &RetimeOptions::duration,
+              "Seconds to which the quickest motion is slowed down, without a rate; None: the "
+              "shortest."),
         field("max_samples", &RetimeOptions::max_samples,
               "With a rate, 2 or more: there is no motion if it makes more."),
         field("budget", &RetimeOptions::budget, ""));

@@ -51,9 +51,9 @@ VelocityUse use_in_steps(std::span<const Limits> limits, const Trajectory& recor
 
 /// Sets the reason where the recording is too fast for a known velocity limit.
 bool refuse_velocity(const Arm& arm, const Trajectory& recording, std::span<const Limits> limits,
-                     const VelocityUse& use, ReplayAttempt& attempt) {
+                     const VelocityUse& use, double limit_tolerance, ReplayAttempt& attempt) {
   constexpr double rounding = 1e-9;
-  if (!(use.fraction > 1 + rounding)) return false;
+  if (!(use.fraction > 1 + std::max(rounding, limit_tolerance))) return false;
   const Trajectory there = samples_between(recording, use.sample, use.sample + 1);
   const std::string& joint = arm.joint_of(limit_fraction(limits, there, 1).coordinate).name;
   const double time = recording.times[use.sample];
@@ -120,7 +120,10 @@ void play(PlayedMotion& motion, const ReplayOptions& options, std::span<const Li
         scheduled_progress(motion.arm, motion.recording,
                            {options, rate, motion.first, 1, motion.sections, motion.budget});
     const VelocityUse use = use_in_steps(known, motion.recording, asked);
-    if (refuse_velocity(motion.arm, motion.recording, known, use, attempt)) return;
+    if (refuse_velocity(motion.arm, motion.recording, known, use, options.limit_tolerance,
+                        attempt)) {
+      return;
+    }
   }
   const PlayedSection section = steady ? at_constant_speed(motion, options.speed, rate)
                                        : with_speed_changes(motion, options, rate);
@@ -155,11 +158,12 @@ ReplayAttempt attempt_replay(const Arm& arm, const Trajectory& recording,
   const bool steady = options.speed_at.empty();
   attempt.curable = true;
   if (steady && refuse_velocity(arm, recording, known,
-                                use_at_constant_speed(known, recording, options.speed), attempt)) {
+                                use_at_constant_speed(known, recording, options.speed),
+                                options.limit_tolerance, attempt)) {
     return attempt;
   }
   PlayedMotion motion{arm, recording, recording.interpolation(),
-                      held_limits(arm, recording, options.speed)};
+                      held_limits(arm, recording, options.speed, options.limit_tolerance)};
   motion.max_slowdown = max_slowdown;
   motion.budget = &budget;
   if (steady && refuse_speed(motion, options.speed, attempt)) return attempt;
