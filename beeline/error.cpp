@@ -42,8 +42,8 @@ bool begins(std::string_view a, std::string_view b) {
 }
 
 /// Twice the edits between a name and a choice, but 1 if the name is an abbreviation: the beginning
-/// of the choice; 2 if the choice is the beginning of the name, half of it or more. Names of options
-/// are compared without their dashes.
+/// of the choice; 2 if the choice is the beginning of the name, half of it or more. Names of
+/// options are compared without their dashes.
 std::size_t name_distance(std::string_view name, std::string_view choice) {
   const std::string_view a = without_dashes(name), b = without_dashes(choice);
   if (a.size() > 1 && begins(a, b)) return 1;

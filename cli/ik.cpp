@@ -80,10 +80,10 @@ std::string about_samples(const Arm& arm, const InverseResult& result, std::size
   }
   if (arm.dof() == 1 || result.singular) return text;
   const std::string joint = result.grid ? arm.joint_of(result.grid->joint).name : "JOINT";
-  return text + fmt::format("  --lock {}=VALUE gives {} at one value of a joint; without --all, "
-                            "--redundancy nearest or centred gives the best one\n",
-                            joint,
-                            result.self_motion_dimension == 1 ? "the finitely many" : "those");
+  return text + fmt::format(
+                    "  --lock {}=VALUE gives {} at one value of a joint; without --all, "
+                    "--redundancy nearest or centred gives the best one\n",
+                    joint, result.self_motion_dimension == 1 ? "the finitely many" : "those");
 }
 
 /// A line for each solution; of infinitely many, for the nearest to the seed.
@@ -108,10 +108,10 @@ std::string residual_text(const InverseResult& result, const Residual& residual)
 std::string ik_text(const Arm& arm, const InverseResult& result, const UnitArgument& unit) {
   const bool solved = result.status == InverseStatus::solved;
   const Residual residual = residual_of(unit, arm, result);
-  std::string text = fmt::format("{}: {}{} by {}, residual {}\n", name(result.status),
-                                 number_of_solutions(result), completeness(arm, result),
-                                 result.method, residual_text(result, residual)) +
-                     solutions_text(arm, result, unit);
+  std::string text =
+      fmt::format("{}: {}{} by {}, residual {}\n", name(result.status), number_of_solutions(result),
+                  completeness(arm, result), result.method, residual_text(result, residual)) +
+      solutions_text(arm, result, unit);
   if (result.deviation) {
     text += fmt::format("  deviation of the tool from the pose ({}): {}\n",
                         arm.planar() ? "x, y, theta" : "x, y, z, roll, pitch, yaw",
@@ -200,27 +200,28 @@ Answer ik(const IkArguments& arguments) {
 
 std::vector<Option> ik_options(IkArguments& arguments) {
   InverseArgument& inverse = arguments.inverse;
-  return joined({{{.name = "--pose",
-                   .value = "POSE",
-                   .help = "Pose of the tool in the world, or in --work: x,y,theta (planar arms), "
-                           "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz; with --task position also "
-                           "x,y,z or, for planar arms, x,y.",
-                   .target = &arguments.pose,
-                   .required = true}},
-                 arguments.unit.options(),
-                 {{.name = "--all",
-                   .help = "Print every solution found, the nearest to the seed first; of infinitely "
-                           "many, the nearest ten, all samples with --json.",
-                   .target = &inverse.values.all},
-                  {.name = "--every-turn",
-                   .help = "Print each solution with every multiple of 2 pi of its revolute joints "
-                           "within the position limits.",
-                   .target = &inverse.values.every_turn,
-                   .needs = "--all"}},
-                 inverse.choice_options(),
-                 inverse.search_options(),
-                 inverse.budget.options(),
-                 arguments.arm.options()});
+  return joined(
+      {{{.name = "--pose",
+         .value = "POSE",
+         .help = "Pose of the tool in the world, or in --work: x,y,theta (planar arms), "
+                 "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz; with --task position also "
+                 "x,y,z or, for planar arms, x,y.",
+         .target = &arguments.pose,
+         .required = true}},
+       arguments.unit.options(),
+       {{.name = "--all",
+         .help = "Print every solution found, the nearest to the seed first; of infinitely "
+                 "many, the nearest ten, all samples with --json.",
+         .target = &inverse.values.all},
+        {.name = "--every-turn",
+         .help = "Print each solution with every multiple of 2 pi of its revolute joints "
+                 "within the position limits.",
+         .target = &inverse.values.every_turn,
+         .needs = "--all"}},
+       inverse.choice_options(),
+       inverse.search_options(),
+       inverse.budget.options(),
+       arguments.arm.options()});
 }
 
 }  // namespace

@@ -250,8 +250,9 @@ std::vector<Option> exact_options(LineArguments& arguments) {
          .phrases = {"samples per second"}},
         {.name = "--duration",
          .value = "SECONDS",
-         .help = "Duration of the motion, of a file of poses: the quickest one is slowed down to it, "
-                 "and a shorter one is refused with the shortest. Default: the shortest.",
+         .help =
+             "Duration of the motion, of a file of poses: the quickest one is slowed down to it, "
+             "and a shorter one is refused with the shortest. Default: the shortest.",
          .target = &motion.duration,
          .range = above_zero,
          .excludes = "--rate",

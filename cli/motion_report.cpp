@@ -14,8 +14,8 @@ namespace {
 std::string usage_line(const char* limit, const LimitFraction& use) {
   if (use.joint.empty()) return "";
   return fmt::format("{:<14}at most {} of the{} limit, joint {} at {} s{}\n", limit,
-                     internal::percent_at_most(use.fraction), use.assumed ? " assumed" : "", use.joint,
-                     shown(use.time),
+                     internal::percent_at_most(use.fraction), use.assumed ? " assumed" : "",
+                     use.joint, shown(use.time),
                      use.exact ? "" : ", by divided differences: it jumps at the samples");
 }
 
@@ -79,8 +79,9 @@ Json json_limits(const LimitUsage& limits) {
 Option limit_tolerance_option(double* target) {
   return {.name = "--limit-tolerance",
           .value = "FRACTION",
-          .help = "Fraction by which velocities, accelerations and jerks may exceed their limits, "
-                  "for the rounding of other planners: 1e-4 for many.",
+          .help =
+              "Fraction by which velocities, accelerations and jerks may exceed their limits, "
+              "for the rounding of other planners: 1e-4 for many.",
           .target = target,
           .range = {0, 0.1}};
 }
@@ -136,9 +137,10 @@ std::string branches_text(const Arm& arm, const std::vector<Branch>& branches,
   text += fmt::format("   #  segments  margin  inv. cond.  start ({})\n", unit.name());
   for (std::size_t i = 0; i < branches.size(); ++i) {
     const Branch& branch = branches[i];
-    text += fmt::format("  {:>2}  {:>8}  {:>4.0f} %  {:>10}  {}\n", i + 1,
-                        shown(branch.path_parameter), 100 * branch.limit_margin,
-                        condition_text(branch.inverse_condition), shown(unit.shown(arm, branch.start)));
+    text +=
+        fmt::format("  {:>2}  {:>8}  {:>4.0f} %  {:>10}  {}\n", i + 1, shown(branch.path_parameter),
+                    100 * branch.limit_margin, condition_text(branch.inverse_condition),
+                    shown(unit.shown(arm, branch.start)));
     if (!branch.reason.empty()) {
       text += fmt::format("      {}: {}\n", name(branch.status), branch.reason);
     }

@@ -165,7 +165,7 @@ std::vector<Option> move_options(MoveArguments& arguments) {
            .choices = {feedback, quickest}}};
 }
 
-std::vector<Option> move_method_options(MoveArguments& arguments) {
+std::vector<Option> feedback_options(MoveArguments& arguments) {
   PidGains& gains = arguments.gains;
   SimulationOptions& simulation = arguments.simulation;
   return {{.name = "--kp",
@@ -204,29 +204,33 @@ std::vector<Option> move_method_options(MoveArguments& arguments) {
            .help = "Give up after this many steps.",
            .target = &simulation.max_steps,
            .range = {1, 10'000'000},
-           .methods = {feedback}},
-          {.name = "--synchronise",
-           .value = "KIND",
-           .help = "time: each joint has its own profile of the same duration; straight: all "
-                   "joints move in proportion, on a straight line in joint space.",
-           .target = &arguments.synchronise,
-           .choices = {"time", "straight"},
-           .methods = {quickest}},
-          {.name = "--duration",
-           .value = "SECONDS",
-           .help = "Duration of the motion, a whole number of periods of --rate; one that is shorter "
-                   "than the limits allow is refused with the shortest. Default: the shortest.",
-           .target = &arguments.duration,
-           .range = above_zero,
-           .methods = {quickest},
-           .phrases = {"duration must be"}},
-          {.name = "--rate",
-           .value = "HZ",
-           .help = "Samples per second.",
-           .target = &arguments.rate,
-           .range = sample_rates,
-           .methods = {quickest},
-           .phrases = {"samples per second"}}};
+           .methods = {feedback}}};
+}
+
+std::vector<Option> quickest_options(MoveArguments& arguments) {
+  return {
+      {.name = "--synchronise",
+       .value = "KIND",
+       .help = "time: each joint has its own profile of the same duration; straight: all "
+               "joints move in proportion, on a straight line in joint space.",
+       .target = &arguments.synchronise,
+       .choices = {"time", "straight"},
+       .methods = {quickest}},
+      {.name = "--duration",
+       .value = "SECONDS",
+       .help = "Duration of the motion, a whole number of periods of --rate; one that is shorter "
+               "than the limits allow is refused with the shortest. Default: the shortest.",
+       .target = &arguments.duration,
+       .range = above_zero,
+       .methods = {quickest},
+       .phrases = {"duration must be"}},
+      {.name = "--rate",
+       .value = "HZ",
+       .help = "Samples per second.",
+       .target = &arguments.rate,
+       .range = sample_rates,
+       .methods = {quickest},
+       .phrases = {"samples per second"}}};
 }
 
 }  // namespace
@@ -244,8 +248,8 @@ Verb move_verb() {
       .arguments = {arguments.arm.argument()},
       .options =
           joined({move_options(arguments), arguments.unit.options(), arguments.files.options(),
-                  arguments.arm.options(), arguments.limits.options(),
-                  move_method_options(arguments), arguments.budget.options()}),
+                  arguments.arm.options(), arguments.limits.options(), feedback_options(arguments),
+                  quickest_options(arguments), arguments.budget.options()}),
       .examples =
           {{"Proportional control of the planar arm, with a picture of the tool's path",
             "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --draw move.svg"},

@@ -88,12 +88,12 @@ void warn_of_limits(const LimitUsage& limits, double limit_tolerance) {
   for (const auto& [kind, use, root] : kinds) {
     if (use->joint.empty() || !(use->fraction > 1 + slack)) continue;
     if (use->assumed && use == &limits.jerk) continue;
-    warn(
-        fmt::format("the recording exceeds the {}{} limit of joint {} at {} s, {} times{}; "
-                    "{} % of this speed keeps it",
-                    use->assumed ? "assumed " : "", kind, use->joint, shown(use->time),
-                    internal::number_apart(use->fraction, 1), use->exact ? "" : " by divided differences",
-                    shown(std::floor(1000 * std::pow(use->fraction, -root)) / 10)));
+    warn(fmt::format(
+        "the recording exceeds the {}{} limit of joint {} at {} s, {} times{}; "
+        "{} % of this speed keeps it",
+        use->assumed ? "assumed " : "", kind, use->joint, shown(use->time),
+        internal::number_apart(use->fraction, 1), use->exact ? "" : " by divided differences",
+        shown(std::floor(1000 * std::pow(use->fraction, -root)) / 10)));
   }
 }
 

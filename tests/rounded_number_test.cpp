@@ -30,7 +30,9 @@ TEST(Percent, IsWithinHalfAUnitOfItsLastDigit) {
   for (int i = 0; i < testing::cases(2000); ++i) {
     const double fraction = std::pow(10, random.uniform(-6, 3));
     const std::string text = percent(fraction);
-    const double relative = fraction < 0.01 ? 0.05 : fraction < 10 ? 5e-4 / fraction : 5e-3 / fraction;
+    const double relative = fraction < 0.01 ? 0.05
+                            : fraction < 10 ? 5e-4 / fraction
+                                            : 5e-3 / fraction;
     EXPECT_NEAR(value_of(text), fraction, 1.0001 * relative * fraction) << text;
     EXPECT_LE(text.size(), std::string("0.00012 %").size()) << text;
   }

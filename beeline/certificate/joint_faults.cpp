@@ -136,10 +136,9 @@ class FaultSearch {
     if (order > bounded_order(trajectory_.interpolation())) {
       const double needed = needed_derivative(trajectory_, k, i, order);
       if (allowed(needed)) return;
-      return report(
-          fault, k, i,
-          "needs " + excess_quantity(arm_, i, needed, limit, per) + " over the next samples; " +
-              limit_text());
+      return report(fault, k, i,
+                    "needs " + excess_quantity(arm_, i, needed, limit, per) +
+                        " over the next samples; " + limit_text());
     }
     if (k + 1 == t_.size()) return;
     const Polynomial p =

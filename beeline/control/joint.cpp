@@ -68,8 +68,8 @@ ControlledMotion move_joints(const Arm& arm, const Configuration& start, const C
     result.reason = "the goal is outside the limits: " + outside.front();
     return result;
   }
-  const PointToPoint motion = point_to_point(
-      arm, start, goal, {.synchronise = options.synchronise, .from_outside = true});
+  const PointToPoint motion =
+      point_to_point(arm, start, goal, {.synchronise = options.synchronise, .from_outside = true});
   BudgetMeter budget(options.budget);
   const double asked = options.duration.value_or(0);
   Trajectory samples = sampled(arm, motion, options.rate, budget.part(), asked);

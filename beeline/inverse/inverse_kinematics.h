@@ -110,10 +110,10 @@ struct InverseResult {
   /// requested or the best one: then some may be missing, or a better one.
   std::vector<Configuration> solutions;
   bool complete = false;  ///< with `all`: these are all solutions, which are finitely many
-  /// With `all`: the dimension of the set of solutions, limits ignored. 0: each solution is isolated.
-  /// 1 or more: there are infinitely many, connected by self-motions of the arm, of which `solutions`
-  /// are samples; a redundant arm has as many dimensions as redundant joints. At a singular
-  /// configuration 1 stands for 1 or more.
+  /// With `all`: the dimension of the set of solutions, limits ignored. 0: each solution is
+  /// isolated. 1 or more: there are infinitely many, connected by self-motions of the arm, of which
+  /// `solutions` are samples; a redundant arm has as many dimensions as redundant joints. At a
+  /// singular configuration 1 stands for 1 or more.
   int self_motion_dimension = 0;
   /// With `all`, for a redundant arm that has a closed form once one joint is locked.
   std::optional<SolutionGrid> grid;

@@ -9,6 +9,7 @@
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/checked_poses.h>
+#include <beeline/planning/internal/inset_limits.h>
 #include <beeline/planning/internal/timed_plan.h>
 #include <beeline/planning/internal/track_branch.h>
 #include <beeline/planning/move_along.h>
@@ -64,25 +65,6 @@ Configuration checked_start(const Arm& arm, const Configuration& start) {
   if (!outside.empty()) throw Error("the motion cannot start: " + outside.front());
   const Bounds bounds = bounds_of(arm);
   return start.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
-}
-
-/// Returns the arm with limits moved inwards by `inset`, except those that `start` would then
-/// violate.
-Arm with_inset_limits(const Arm& arm, const std::optional<Configuration>& start, double inset) {
-  std::vector<Joint> joints = arm.joints();
-  for (int k = 0; k < arm.dof(); ++k) {
-    const Limits& limits = arm.limits(k);
-    const double width = std::min(inset, 0.05 * (limits.upper - limits.lower));
-    Limits& reduced = std::find_if(joints.begin(), joints.end(), [&](const Joint& joint) {
-                        return joint.name == arm.joint_of(k).name;
-                      })->limits;
-    reduced.lower = limits.lower + width;
-    reduced.upper = limits.upper - width;
-    if (!start) continue;
-    reduced.lower = std::min(reduced.lower, (*start)[k]);
-    reduced.upper = std::max(reduced.upper, (*start)[k]);
-  }
-  return {arm.name(), joints, arm.tool(), arm.base()};
 }
 
 /// Computes the deviation of the finished motion, and refuses one that is not proved.

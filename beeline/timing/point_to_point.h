@@ -66,7 +66,8 @@ void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
 /// the arm's limits (motion_limits()) at all times. The first sample is exactly `from`, the last
 /// `to`; one sample where nothing moves; none where the budget ends it. With a `duration`, seconds,
 /// that is longer the motion is slowed down to it, to whole periods. Throws Error when the rate is
-/// not above zero, the motion does not fit the arm, or there would be more than ten million samples.
+/// not above zero, the motion does not fit the arm, or there would be more than ten million
+/// samples.
 Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate,
                    const Budget& budget = {}, double duration = 0);
 

@@ -15,7 +15,8 @@ namespace beeline {
 /// To add one, add its name here and its row, in the same
 /// order, to the table in profile.cpp.
 enum class Profile {
-  /// Minimum time under velocity and acceleration limits. Where a motion by `jerk` is shorter, it is
+  /// Minimum time under velocity and acceleration limits. Where a motion by `jerk` is shorter, it
+  /// is
   /// that one.
   fastest,
   /// Minimum time under velocity, acceleration and jerk limits: a local optimum.

@@ -72,6 +72,27 @@ std::string too_long(const Trajectory& trajectory, const RetimeOptions& options)
          " samples, more than max_samples, " + std::to_string(most);
 }
 
+/// Sets the duration, and the use of the limits, of a trajectory whose sections are timed.
+void finish(const Arm& arm, const RetimeOptions& options, std::size_t sections,
+            internal::BudgetMeter& budget, Retimed& timed) {
+  internal::round_times(timed.trajectory);
+  if (options.duration && budget.complete()) {
+    timed.reason = internal::set_duration(timed.trajectory, *options.duration);
+    if (!timed) {
+      timed.trajectory = {};
+      return;
+    }
+  }
+  timed.limits = limit_usage(arm, timed.trajectory, budget.part());
+  timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory, &budget);
+  timed.ending = budget.ending();
+  if (!budget.complete()) {
+    timed.reason = internal::ended_by(timed.ending) + " after " + std::to_string(timed.sections) +
+                   " of " + std::to_string(sections) + " sections between stops" +
+                   internal::how_to_continue(timed.ending);
+  }
+}
+
 }  // namespace
 
 void check_moves(const Trajectory& trajectory) {
@@ -134,22 +155,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
     budget.report(fraction(1));
     steps += static_cast<double>(samples.size() - 1);
   }
-  internal::round_times(timed.trajectory);
-  if (options.duration && budget.complete()) {
-    timed.reason = internal::set_duration(timed.trajectory, *options.duration);
-    if (!timed) {
-      timed.trajectory = {};
-      return timed;
-    }
-  }
-  timed.limits = limit_usage(arm, timed.trajectory, budget.part());
-  timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory, &budget);
-  timed.ending = budget.ending();
-  if (!budget.complete()) {
-    timed.reason = internal::ended_by(timed.ending) + " after " + std::to_string(timed.sections) +
-                   " of " + std::to_string(parts.size()) + " sections between stops" +
-                   internal::how_to_continue(timed.ending);
-  }
+  finish(arm, options, parts.size(), budget, timed);
   return timed;
 }
 

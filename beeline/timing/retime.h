@@ -62,10 +62,9 @@ void check_moves(const Trajectory& trajectory);
 /// periods.
 ///
 /// Returns no motion, with the reason, when a position or the spline between two leaves the arm's
-/// limits, where there are too many samples or the rate makes none within limits, and for a duration
-/// that is too short. Throws Error
-/// when the trajectory does not fit the arm or has no two different positions, and for options out
-/// of range.
+/// limits, where there are too many samples or the rate makes none within limits, and for a
+/// duration that is too short. Throws Error when the trajectory does not fit the arm or has no two
+/// different positions, and for options out of range.
 Retimed retime(const Arm& arm, const Trajectory& trajectory, const RetimeOptions& options = {});
 
 }  // namespace beeline

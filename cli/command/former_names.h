@@ -4,8 +4,8 @@
 
 #include "verb.h"
 
-/// Names of verbs and options, and the order of arguments, in version 0.1 and in other programs, for
-/// errors that give the present ones.
+/// Names of verbs and options, and the order of arguments, in version 0.1 and in other programs,
+/// for errors that give the present ones.
 
 /// "--profile" for "--law"; empty for an option that was not renamed.
 std::string current_option_name(const std::string& name);

@@ -4,6 +4,7 @@
 #include <new>
 
 #include <beeline/error.h>
+#include <beeline/read/internal/file_stream.h>
 
 #include "completion.h"
 #include "former_names.h"
@@ -152,7 +153,7 @@ int run_program(std::vector<Verb> verbs, int argc, char** argv) {
     }
     select(verbs, selection);
     return run(selection);
-  } catch (const ClosedPipe&) {
+  } catch (const beeline::internal::ClosedPipe&) {
     return static_cast<int>(Exit::closed_pipe);
   } catch (const beeline::FileError& error) {
     return fail(Exit::file, error.what());

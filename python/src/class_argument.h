@@ -44,8 +44,8 @@ const T& object_of(nb::handle value, const char* name) {
 /// Whether a parameter is an object of a class of the module.
 template <class P>
 inline constexpr bool is_object =
-    std::is_lvalue_reference_v<P> && std::is_const_v<std::remove_reference_t<P>> &&
-    nb::detail::is_base_caster_v<nb::detail::make_caster<P>>;
+    std::is_lvalue_reference_v<P>&& std::is_const_v<std::remove_reference_t<P>>&&
+        nb::detail::is_base_caster_v<nb::detail::make_caster<P>>;
 
 /// The parameter that nanobind sees: any object in place of one of a class.
 template <class P, bool keep>
@@ -76,8 +76,8 @@ void add_name(const Argument& argument, std::vector<const char*>& names) {
   if constexpr (nb::detail::arg_traits<Argument>::is_arg) names.push_back(argument.name_);
 }
 
-/// The function with parameters that accept any object in place of one of a class; `self`, which has
-/// no nb::arg, excepted. A function without nb::arg stays as it is.
+/// The function with parameters that accept any object in place of one of a class; `self`, which
+/// has no nb::arg, excepted. A function without nb::arg stays as it is.
 template <class Function, class... Extra>
 auto naming_arguments(Function function, const Extra&... extra) {
   using Parameters = typename decltype(parameters_of<Function>())::type;

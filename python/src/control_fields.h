@@ -81,7 +81,8 @@ template <>
 struct Fields<ControlledMotion> {
   using T = ControlledMotion;
   static constexpr const char* name = "ControlledMotion";
-  static constexpr const char* doc = "A motion simulated with a feedback controller, or planned by move_joints().";
+  static constexpr const char* doc =
+      "A motion simulated with a feedback controller, or planned by move_joints().";
   static constexpr const char* truth = "True if reached.";
   static constexpr auto all() {
     return std::tuple(

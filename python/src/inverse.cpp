@@ -76,7 +76,8 @@ class Solver {
   std::string method_;
 };
 
-/// Whether the value is a list of poses: of arrays, of lists of lists, or of objects that are poses.
+/// Whether the value is a list of poses: of arrays, of lists of lists, or of objects that are
+/// poses.
 bool is_list_of_poses(nb::handle value) {
   const auto is_list = [](nb::handle object) {
     return nb::isinstance<nb::list>(object) || nb::isinstance<nb::tuple>(object);

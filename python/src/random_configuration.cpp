@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::int64_t max_count = 10'000'000;
 
-/// The bounds within which a coordinate is drawn. Beyond a limit that is infinite a revolution, or 2
-/// metres, are left.
+/// The bounds within which a coordinate is drawn. Beyond a limit that is infinite a revolution, or
+/// 2 metres, are left.
 std::pair<double, double> range_of(const Arm& arm, int k) {
   const Limits& limits = arm.limits(k);
   const double half = kind(arm.joint_of(k)) == JointKind::prismatic ? 1 : std::numbers::pi;
@@ -49,10 +49,11 @@ nb::object random_configurations(const Arm& arm, nb::handle count, nb::handle se
 }  // namespace
 
 void bind_random_configurations(nb::module_& m) {
-  Signature drawn("random_configuration", array_type,
-                  "Returns a configuration, or `count` of them, uniform within the position limits. "
-                  "A joint without limits turns within a revolution, from -pi to pi; a slide moves "
-                  "within 2 m.");
+  Signature drawn(
+      "random_configuration", array_type,
+      "Returns a configuration, or `count` of them, uniform within the position limits. "
+      "A joint without limits turns within a revolution, from -pi to pi; a slide moves "
+      "within 2 m.");
   drawn.takes("arm", "Arm", "The arm.")
       .takes("count", "int | None", "Number of rows; None: one configuration.", "None")
       .keywords()

@@ -175,7 +175,7 @@ void define(Scope& scope, Function function, const Signature& signature, const E
     scope.def(signature.name(), checking, arguments..., nb::sig(signature.text()), signature.doc());
   };
   with_none<typename decltype(parameters_of<std::decay_t<decltype(checking)>>())::type>(add,
-                                                                                       extra...);
+                                                                                        extra...);
 }
 
 /// Adds a static method.

@@ -119,11 +119,12 @@ struct Fields<RetimeOptions> {
   static constexpr const char* name = "RetimeOptions";
   static constexpr auto all() {
     return std::tuple(
-        field("profile", &RetimeOptions::profile,
-              "Form of the time scaling: minimum time under limits of velocity and acceleration "
-              "(`fastest`), of jerk too (`jerk`), or a fixed form. Every profile keeps "
-              "known jerk limits; `fastest` and `trapezoidal` leave jerk free where it is not known. "
-              "None: `jerk`."),
+        field(
+            "profile", &RetimeOptions::profile,
+            "Form of the time scaling: minimum time under limits of velocity and acceleration "
+            "(`fastest`), of jerk too (`jerk`), or a fixed form. Every profile keeps "
+            "known jerk limits; `fastest` and `trapezoidal` leave jerk free where it is not known. "
+            "None: `jerk`."),
         field("interpolation", &RetimeOptions::interpolation, "Of the result."),
         field("speed_scale", &RetimeOptions::speed_scale,
               "k from 1e-6 to 1: velocity limits are multiplied by k, acceleration by k^2, jerk by "

@@ -64,8 +64,7 @@ void bind_samples(nb::class_<Trajectory>& trajectory) {
           nb::sig(kept_text("def interpolation(self) -> " + Value<Interpolation>::type()))),
       "The motion between the samples: polynomials of degree 1, 3 or 5 in time.");
   trajectory.def_prop_ro(
-      "duration",
-      [](const Trajectory& self) { return duration_of(self); },
+      "duration", [](const Trajectory& self) { return duration_of(self); },
       "From the first sample to the last, s.");
 
   Signature states("sample", "TrajectoryState",
@@ -173,8 +172,8 @@ void bind_slowdowns(nb::module_& m) {
       m,
       [](nb::handle velocity, nb::handle acceleration, nb::handle jerk) {
         return slowdown_factor(Value<double>::from(velocity, "velocity"),
-                        Value<double>::from(acceleration, "acceleration"),
-                        Value<double>::from(jerk, "jerk"));
+                               Value<double>::from(acceleration, "acceleration"),
+                               Value<double>::from(jerk, "jerk"));
       },
       factor, nb::arg("velocity"), nb::arg("acceleration"), nb::arg("jerk"));
 }

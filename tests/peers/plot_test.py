@@ -76,6 +76,8 @@ def test_joint_curves_have_the_library_s_colours_and_the_arm_s_limits():
     levels = {round(line.get_ydata()[0], 4) for line in axes[0].lines if line.get_linestyle() == "--"}
     assert levels == set(np.round(np.concatenate([arm.lower, arm.upper]), 4))
     assert len(plot.joints(trajectory)[0].lines) == 7
+    former = plot.joints(trajectory, arm)
+    assert [len(ax.lines) for ax in former] == [len(ax.lines) for ax in axes]
 
 
 def test_a_linear_motion_has_steps():

@@ -157,9 +157,9 @@ ReplayAttempt attempt_replay(const Arm& arm, const Trajectory& recording,
   const std::vector<Limits>& known = arm.limits();
   const bool steady = options.speed_at.empty();
   attempt.curable = true;
-  if (steady && refuse_velocity(arm, recording, known,
-                                use_at_constant_speed(known, recording, options.speed),
-                                options.limit_tolerance, attempt)) {
+  if (steady &&
+      refuse_velocity(arm, recording, known, use_at_constant_speed(known, recording, options.speed),
+                      options.limit_tolerance, attempt)) {
     return attempt;
   }
   PlayedMotion motion{arm, recording, recording.interpolation(),

@@ -19,8 +19,8 @@ void check_duration(const std::optional<double>& duration, double rate) {
 }
 
 std::string too_short(double duration, double shortest) {
-  return "a duration of " + number(duration) + " s is too short: the shortest within the limits is " +
-         number_at_least(shortest) + " s";
+  return "a duration of " + number(duration) +
+         " s is too short: the shortest within the limits is " + number_at_least(shortest) + " s";
 }
 
 std::string set_duration(Trajectory& trajectory, double duration) {

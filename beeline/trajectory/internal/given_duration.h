@@ -7,8 +7,8 @@
 
 namespace beeline::internal {
 
-/// Throws Error unless a duration is above 0, and where it is given together with a rate: samples at
-/// a rate last whole periods.
+/// Throws Error unless a duration is above 0, and where it is given together with a rate: samples
+/// at a rate last whole periods.
 void check_duration(const std::optional<double>& duration, double rate);
 
 /// Why a duration cannot be kept: the shortest within the limits is longer.

@@ -37,9 +37,12 @@ int found_directions(const Arm& arm, const Task& task, const Configuration& q,
 TEST(SelfMotionDimension, IsThatOfTheSolutionsNearby) {
   testing::Random random;
   const std::vector<std::pair<Arm, Task>> cases{
-      {built_in("panda"), Task::spatial()},      {built_in("ur5"), Task::spatial()},
-      {built_in("ur5"), Task::position()},       {built_in("panda"), Task::position()},
-      {built_in("rrr"), Task::planar()},         {arm_from_joint_string("RRRR"), Task::planar()},
+      {built_in("panda"), Task::spatial()},
+      {built_in("ur5"), Task::spatial()},
+      {built_in("ur5"), Task::position()},
+      {built_in("panda"), Task::position()},
+      {built_in("rrr"), Task::planar()},
+      {arm_from_joint_string("RRRR"), Task::planar()},
       {arm_from_joint_string("RRRRR"), Task::spatial()},  // moves in a plane: rank 3
       {arm_from_joint_string("PPP"), Task::planar()},     // parallel slides: rank 1
       {built_in("scara"), Task::spatial()}};
