@@ -25,8 +25,7 @@ class FileError : public Error {
 };
 
 /// Returns the error for a name that is not among `choices`. Its message suggests the choice with
-/// the smallest edit distance, or that begins with the name or is its beginning, and lists all of
-/// them.
+/// the smallest edit distance and lists all of them.
 Error unknown_name(std::string_view what, std::string_view name,
                    const std::vector<std::string>& choices);
 

@@ -18,8 +18,7 @@ enum class Frame {
   space,  ///< of the point of the tool at the world's origin, in the world's axes (WORLD, space)
 };
 std::string name(Frame frame);
-Frame frame_named(std::string_view name);    ///< Throws unknown_frame() for an unknown name.
-Error unknown_frame(std::string_view name);  ///< Says what the known frames mean.
+Frame frame_named(std::string_view name);  ///< Throws Error for an unknown name.
 
 /// 6 x dof: rows [vx vy vz wx wy wz], one column for each coordinate (Dellaert, *Serial Link
 /// Manipulators*, eq. 1.4), in m and rad per unit of the coordinate.

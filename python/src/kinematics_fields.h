@@ -17,7 +17,8 @@ inline std::vector<Frame> choices() {
 /// As frame_named(), which says what the names mean.
 template <>
 inline Error unknown_choice<Frame>(const char* /*argument*/, const std::string& name) {
-  return unknown_frame(name);
+  frame_named(name);  // throws
+  return unknown_name("frame", name, {});
 }
 
 template <>

@@ -17,8 +17,9 @@ def line(written):
 
 
 def test_each_verb_keeps_a_duration_exactly(beeline, line, tmp_path):
+    beeline(*MOVE, "--out", "move.csv")
     for command in (MOVE, line, ["retime", "panda", "move.csv"]):
-        quickest = beeline(*command, "--out", "move.csv", "--json").json["duration"]
+        quickest = beeline(*command, "--json").json["duration"]
         for seconds in (math.ceil(quickest), math.ceil(3 * quickest)):
             slow = beeline(*command, "--duration", str(seconds), "--out", "slow.csv", "--json")
             assert slow.code == 0 and slow.json["duration"] == pytest.approx(seconds, abs=1e-9)
@@ -30,8 +31,9 @@ def test_each_verb_keeps_a_duration_exactly(beeline, line, tmp_path):
 
 
 def test_a_duration_that_is_too_short_is_refused_with_the_shortest(beeline, line):
+    beeline(*MOVE, "--out", "move.csv")
     for command in (MOVE, line, ["retime", "panda", "move.csv"]):
-        quickest = beeline(*command, "--out", "move.csv", "--json").json["duration"]
+        quickest = beeline(*command, "--json").json["duration"]
         short = beeline(*command, "--duration", "0.1", "--json")
         assert short.code == 1 and short.json["status"] == "outside_limits"
         shortest = re.search(r"the shortest within the limits is ([0-9.]+) s", short.err)[1]

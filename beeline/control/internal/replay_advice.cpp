@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <beeline/control/internal/replay_attempt.h>
 #include <beeline/error.h>
