@@ -203,7 +203,7 @@ def test_what_a_person_reads(beeline):
 def test_infinitely_many_solutions_are_said_to_be_so_and_listed_in_a_readable_number(beeline, pose_at):
     pose = "--pose=" + pose_at("panda", Q["panda"])
     data = beeline("ik", "panda", pose, "--all", "--json").json
-    assert data["self_motion_dimension"] == 1 and len(data["solutions"]) > 50
+    assert data["self_motion_dimension"] == 1 and len(data["solutions"]) > 20
     lines = beeline("ik", "panda", pose, "--all").out.splitlines()
     assert lines[0].startswith("solved: infinitely many solutions (self-motion of dimension 1), "
                                f"{len(data['solutions'])} samples")

@@ -1,5 +1,6 @@
 #include <Eigen/SVD>
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <beeline/inverse/internal/self_motion_dimension.h>
@@ -11,7 +12,8 @@ namespace {
 /// The rank of the task's Jacobian with lengths in units of the arm's reach.
 int rank_at(const Arm& arm, const Task& task, const Configuration& q) {
   constexpr double lost = 1e-6;  // of the largest singular value
-  const double length = std::max(arm.reach().radius, 1e-9);
+  const double radius = arm.reach().radius;  // infinite for a slide without limits
+  const double length = radius > 0 && std::isfinite(radius) ? radius : 1;
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(task_jacobian(arm, q, task, length));
   const Eigen::VectorXd& sigma = svd.singularValues();
   return static_cast<int>((sigma.array() > lost * sigma[0]).count());

@@ -50,7 +50,7 @@ TEST(SelfMotionDimension, IsThatOfTheSolutionsNearby) {
     for (int i = 0; i < 5; ++i) {
       const Configuration q = random.configuration(arm);
       EXPECT_EQ(self_motion_dimension(arm, task, {q}), found_directions(arm, task, q, random))
-          << arm.name() << " " << task.text << " " << q.transpose();
+          << arm.name() << " " << name(task) << " " << q.transpose();
     }
   }
 }
