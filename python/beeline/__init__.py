@@ -6,6 +6,7 @@ result that is false and has a `reason`; invalid input raises `beeline.Error`.
 """
 
 import copyreg as _copyreg
+import typing as _typing
 
 from . import _core, arms, plot, poses
 from ._core import *  # noqa: F403
@@ -26,14 +27,15 @@ for _name in __all__:
 del _name, _value
 
 
+if not _typing.TYPE_CHECKING:  # type checkers would take every name for known
 
-def __getattr__(name: str) -> object:
-    if name != "slowdown":
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    import warnings
+    def __getattr__(name: str) -> object:
+        if name != "slowdown":
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        import warnings
 
-    warnings.warn("beeline.slowdown is now called beeline.slowdown_factor", DeprecationWarning, stacklevel=2)
-    return _core.slowdown_factor
+        warnings.warn("beeline.slowdown is now called beeline.slowdown_factor", DeprecationWarning, stacklevel=2)
+        return _core.slowdown_factor
 
 
 # Functions pickle by name, as those of Python do: for multiprocessing, joblib and dask.
