@@ -27,7 +27,7 @@ double last_digit(double value) {
 }
 
 std::string percent_text(double units, double unit) {
-  constexpr int digits = 15;  // those of the decimal fraction; the product has a few more
+  constexpr int digits = 15;  // a product of doubles has a few more, by rounding
   return with_digits(units * unit, digits) + " %";
 }
 

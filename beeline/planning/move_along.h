@@ -71,9 +71,9 @@ constexpr std::size_t max_stops = 5000;
 ///   that the trajectory's columns mean (see Interpolation). Hence no change of branch can occur.
 /// - Starts at `start`, whose tool must be at the path's beginning, or at the best configuration
 ///   there; redundancy is resolved for the whole path (plan_path()).
-/// - The duration is the shortest that the profile and the joint limits allow, or that of the
-///   options; one that is shorter has the status outside_limits. Unknown limits are assumed
-///   (motion_limits()).
+/// - The duration is the shortest that the profile and the joint limits allow, or
+///   options.duration; a duration that is too short has the status outside_limits. Unknown limits
+///   are assumed (motion_limits()).
 ///
 /// Throws Error for a start outside the limits or with the tool elsewhere, an option out of range,
 /// a route without segments or with more than max_stops stops, and a task that its segments do not

@@ -30,9 +30,9 @@ std::string cure(const std::string& type, nb::handle value) {
 void raise_class(const char* name, nb::handle type, nb::handle value) {
   const std::string expected = name_of(type);
   const bool vowel = std::string("AEIOU").find(expected.front()) != std::string::npos;
-  const std::string message = std::string(name) + ": expected " + (vowel ? "an " : "a ") +
-                              expected + ", not " + (value.is_none() ? "None" : name_of(value.type())) +
-                              cure(expected, value);
+  const std::string message =
+      std::string(name) + ": expected " + (vowel ? "an " : "a ") + expected + ", not " +
+      (value.is_none() ? "None" : name_of(value.type())) + cure(expected, value);
   throw nb::type_error(message.c_str());
 }
 

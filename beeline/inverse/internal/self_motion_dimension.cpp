@@ -11,7 +11,7 @@ namespace {
 
 /// The rank of the task's Jacobian with lengths in units of the arm's reach.
 int rank_at(const Arm& arm, const Task& task, const Configuration& q) {
-  constexpr double lost = 1e-6;  // of the largest singular value
+  constexpr double lost = 1e-6;              // of the largest singular value
   const double radius = arm.reach().radius;  // infinite for a slide without limits
   const double length = radius > 0 && std::isfinite(radius) ? radius : 1;
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(task_jacobian(arm, q, task, length));

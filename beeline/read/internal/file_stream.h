@@ -54,8 +54,8 @@ class InputFile {
 /// Writes a temporary file in blocks; commit() then renames it to `path`: a reader finds the old
 /// content or the new one, never a part. Without commit() the temporary file is deleted. Pipes,
 /// devices and the standard output are written directly.
-/// All functions throw FileError for errors of the system, append() ClosedPipe for that of the
-/// standard output.
+/// All functions throw FileError for errors of the system, append() ClosedPipe for a
+/// standard output that its reader has closed.
 class OutputFile {
  public:
   explicit OutputFile(const std::string& path, Dash dash = Dash::file);
