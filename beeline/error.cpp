@@ -39,12 +39,20 @@ std::string_view without_dashes(std::string_view name) {
   return name.substr(std::min(name.find_first_not_of('-'), name.size()));
 }
 
-/// Twice the edits between a name and a choice, but 1 if the name is an abbreviation: the beginning
-/// of the choice. Names of options are compared without their dashes.
+/// Whether the whole of `a` is the beginning of `b`, ignoring case.
+bool begins(std::string_view a, std::string_view b) {
+  return a.size() < b.size() && edit_distance(a, b.substr(0, a.size())) == 0;
+}
+
+/// Four times the edits between a name and a choice, but 2 if the name is an abbreviation, which is
+/// the beginning of the choice, and 5 at most if the choice is the beginning of the name, half of
+/// it or more. Names of options are compared without their dashes.
 std::size_t name_distance(std::string_view name, std::string_view choice) {
   const std::string_view a = without_dashes(name), b = without_dashes(choice);
-  const bool begins = a.size() < b.size() && edit_distance(a, b.substr(0, a.size())) == 0;
-  return begins && a.size() > 1 ? 1 : 2 * edit_distance(a, b);
+  if (a.size() > 1 && begins(a, b)) return 2;
+  const std::size_t edits = 4 * edit_distance(a, b);
+  return b.size() > 1 && 2 * b.size() >= a.size() && begins(b, a) ? std::min(edits, std::size_t{5})
+                                                                  : edits;
 }
 
 /// The number of characters with which both begin, ignoring case.
@@ -79,7 +87,7 @@ const std::string* internal::nearest_name(std::string_view name,
   const std::string_view shown = front(name, longest_compared);
   const std::string* nearest = nullptr;
   // With more edits than a third of the characters it is another word.
-  std::size_t least = 2 * ((without_dashes(shown).size() + 1) / 3) + 1, longest = 0;
+  std::size_t least = 4 * ((without_dashes(shown).size() + 1) / 3) + 2, longest = 0;
   for (const std::string& choice : choices) {
     const std::size_t distance = name_distance(shown, choice);
     const std::size_t beginning = common_beginning(shown, choice);

@@ -188,17 +188,24 @@ std::vector<Option> JacobianArgument::options() {
                    .help = "base: velocity of the tool origin in the world's axes; tool: the same "
                            "in the tool's axes; space: spatial twist at the world's origin.",
                    .target = &frame,
-                   .choices = {name(Frame::base), name(Frame::tool), name(Frame::space)}}},
+                   .choices = {name(Frame::base), name(Frame::tool), name(Frame::space)},
+                   .other_values = true}},  // frame_named() says what the known ones mean
                  task.options()});
 }
 
 Task JacobianArgument::read(const Arm& arm) const {
   Task rows = task.read(arm);
+  Frame wanted = Frame::base;
+  try {
+    wanted = frame_named(frame);
+  } catch (const Error& error) {
+    throw Error(std::string("--frame: ") + error.what());
+  }
   if (rows.frame == Frame::tool && frame != name(Frame::tool)) {
     throw Error("--task " + task.text +
                 " is in the tool's axes and cannot be combined with --frame " + frame);
   }
-  rows.frame = frame_named(frame);
+  rows.frame = wanted;
   return rows;
 }
 

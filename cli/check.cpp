@@ -79,6 +79,7 @@ Json check_document(const CheckArguments& arguments, const Trajectory& trajector
                 {"time", faulty ? Json(verification.time) : Json()},
                 {"duration", trajectory.times.back()}};
   document.add("limits", limits.ending == Ending::complete ? json_limits(limits) : Json());
+  document.add("limit_tolerance", arguments.verify.limit_tolerance);
   document.add(deviation_members(complete ? std::optional(verification.deviation) : std::nullopt,
                                  arguments.unit));
   document.add("samples", trajectory.size());
@@ -102,6 +103,7 @@ std::string check_text(const CheckArguments& arguments, const Trajectory& trajec
     text += deviation_text(verification.deviation, trajectory.interpolation(), arguments.unit);
   }
   if (limits.ending == Ending::complete) text += limits_text(limits);
+  text += limit_tolerance_text(arguments.verify.limit_tolerance);
   if (!arguments.plot.empty() && verification.ending == Ending::complete) {
     text += fmt::format("plot          {}\n", arguments.plot);
   }
@@ -177,6 +179,7 @@ std::vector<Option> proof_options(VerifyOptions& options) {
            .help = "Largest angle from the path's orientation, radians.",
            .target = &options.orientation_tolerance,
            .range = above_zero},
+          limit_tolerance_option(&options.limit_tolerance),
           {.name = "--moving-start",
            .help = "The joints may move at the first sample; by default they start from rest.",
            .target = &options.moving.start},

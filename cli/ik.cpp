@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fmt/format.h>
 
 #include <beeline/error.h>
@@ -63,17 +64,57 @@ Eigen::VectorXd deviation_values(const Arm& arm, Eigen::VectorXd deviation,
   return deviation;
 }
 
+/// "8 solutions", or "infinitely many solutions (self-motion of dimension 1), 312 samples".
+std::string number_of_solutions(const InverseResult& result) {
+  const auto count = static_cast<std::int64_t>(result.solutions.size());
+  if (result.self_motion_dimension == 0) return counted(count, "solution");
+  return fmt::format("infinitely many solutions (self-motion of dimension {}), {}{}",
+                     result.self_motion_dimension, counted(count, "sample"),
+                     result.branches_complete ? ", one of every branch," : "");
+}
+
+/// How to get the samples that a text does not list, or fewer solutions.
+std::string about_samples(const Arm& arm, const InverseResult& result, std::size_t listed) {
+  std::string text;
+  if (listed < result.solutions.size()) {
+    text = fmt::format("  and {} more, which --json prints\n", result.solutions.size() - listed);
+  }
+  if (arm.dof() == 1 || result.singular) return text;
+  const std::string joint = result.grid ? arm.joint_of(result.grid->joint).name : "JOINT";
+  return text + fmt::format(
+                    "  --lock {}=VALUE gives {} at one value of a joint; without --all, "
+                    "--redundancy nearest or centred gives the best one\n",
+                    joint, result.self_motion_dimension == 1 ? "the finitely many" : "those");
+}
+
+/// A line for each solution; of infinitely many, for one of every branch, or the nearest to the
+/// seed.
+std::string solutions_text(const Arm& arm, const InverseResult& result, const UnitArgument& unit) {
+  constexpr std::size_t max_samples = 10;
+  const bool samples = result.self_motion_dimension > 0;
+  const std::size_t count =
+      samples && !result.branches_complete ? std::min(max_samples, result.solutions.size()) : result.solutions.size();
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) {
+    text += fmt::format("  {}\n", shown(unit.shown(arm, result.solutions[i])));
+  }
+  return samples ? text + about_samples(arm, result, count) : text;
+}
+
+/// Two digits of a rounding error, six of the amount by which a pose is missed.
+std::string residual_text(const InverseResult& result, const Residual& residual) {
+  const bool error = result.status == InverseStatus::solved;
+  return (error ? fmt::format("{:.2g}", residual.value) : shown(residual.value)) + residual.unit;
+}
+
 std::string ik_text(const Arm& arm, const InverseResult& result, bool in_plane,
                     const UnitArgument& unit) {
   const bool solved = result.status == InverseStatus::solved;
   const Residual residual = residual_of(unit, arm, result);
   std::string text =
-      fmt::format("{}: {}{} by {}, residual {}{}\n", name(result.status),
-                  counted(static_cast<std::int64_t>(result.solutions.size()), "solution"),
-                  completeness(arm, result), result.method, shown(residual.value), residual.unit);
-  for (const Configuration& q : result.solutions) {
-    text += fmt::format("  {}\n", shown(unit.shown(arm, q)));
-  }
+      fmt::format("{}: {}{} by {}, residual {}\n", name(result.status), number_of_solutions(result),
+                  completeness(arm, result), result.method, residual_text(result, residual)) +
+      solutions_text(arm, result, unit);
   if (result.deviation) {
     text += fmt::format("  deviation of the tool from the pose ({}): {}\n",
                         arm.planar() ? "x, y, theta" : "x, y, z, roll, pitch, yaw",
@@ -124,6 +165,7 @@ Json ik_document(const Arm& arm, const InverseResult& result, const UnitArgument
           {"singular", result.singular},
           {"complete", result.complete},
           {"branches_complete", result.branches_complete},
+          {"self_motion_dimension", result.self_motion_dimension},
           {"grid", grid},
           {"deviation", deviation},
           {"residual", residual_of(unit, arm, result).value},
@@ -163,27 +205,28 @@ Answer ik(const IkArguments& arguments) {
 
 std::vector<Option> ik_options(IkArguments& arguments) {
   InverseArgument& inverse = arguments.inverse;
-  return joined({{{.name = "--pose",
-                   .value = "POSE",
-                   .help = "Pose of the tool in the world, or in --work: x,y,theta (planar arms), "
-                           "x,y,z,roll,pitch,yaw, x,y,z,qw,qx,qy,qz, the 16 or first 12 numbers of "
-                           "the matrix, row by row, or in another --pose-form; with --task "
-                           "position also x,y,z or, for planar arms, x,y.",
-                   .target = &arguments.pose,
-                   .required = true}},
-                 arguments.unit.options(),
-                 {{.name = "--all",
-                   .help = "Print every solution found, the nearest to the seed first.",
-                   .target = &inverse.values.all},
-                  {.name = "--every-turn",
-                   .help = "Print each solution with every multiple of 2 pi of its revolute joints "
-                           "within the position limits.",
-                   .target = &inverse.values.every_turn,
-                   .needs = "--all"}},
-                 inverse.choice_options(),
-                 inverse.search_options(),
-                 inverse.budget.options(),
-                 arguments.arm.options()});
+  return joined(
+      {{{.name = "--pose",
+         .value = "POSE",
+         .help = "Pose of the tool in the world, or in --work: x,y,theta (planar arms), "
+                 "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz; with --task position also "
+                 "x,y,z or, for planar arms, x,y.",
+         .target = &arguments.pose,
+         .required = true}},
+       arguments.unit.options(),
+       {{.name = "--all",
+         .help = "Print every solution found, the nearest to the seed first; of infinitely "
+                 "many, the nearest ten, all samples with --json.",
+         .target = &inverse.values.all},
+        {.name = "--every-turn",
+         .help = "Print each solution with every multiple of 2 pi of its revolute joints "
+                 "within the position limits.",
+         .target = &inverse.values.every_turn,
+         .needs = "--all"}},
+       inverse.choice_options(),
+       inverse.search_options(),
+       inverse.budget.options(),
+       arguments.arm.options()});
 }
 
 }  // namespace

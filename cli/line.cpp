@@ -173,6 +173,10 @@ LineReport line_through(const LineArguments& arguments, const Arm& arm, const Ta
     throw Error((arguments.branches ? "--branches" : "--method " + arguments.method) +
                 " is for files of poses; " + arguments.through + " is a program");
   }
+  if (arguments.motion.duration) {
+    throw Error("--duration is for files of poses; " + arguments.through +
+                " is a program, whose rows have speeds");
+  }
   const std::optional<Configuration> start = start_of(arguments, arm);
   const Program program = program_from(
       text, arguments.through, arm, {arguments.arm, arguments.task, arguments.work, arguments.unit},
@@ -244,6 +248,16 @@ std::vector<Option> exact_options(LineArguments& arguments) {
          .range = sample_rates,
          .methods = {exact},
          .phrases = {"samples per second"}},
+        {.name = "--duration",
+         .value = "SECONDS",
+         .help =
+             "Duration of the motion, of a file of poses: the quickest one is slowed down to it, "
+             "and a shorter one is refused with the shortest. Default: the shortest.",
+         .target = &motion.duration,
+         .range = above_zero,
+         .methods = {exact},
+         .excludes = "--rate",
+         .phrases = {"duration must be"}},
         {.name = "--tolerance",
          .value = "METRES",
          .help = "Largest distance of the tool origin from the path between samples.",

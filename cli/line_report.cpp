@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <beeline/internal/rounded_number.h>
+
 #include "format.h"
 
 using namespace beeline;
@@ -15,13 +17,13 @@ std::string motion_text(const LineReport& report, const UnitArgument& unit) {
     return text + deviation_text(report.deviation, report.trajectory.interpolation(), unit) +
            limits_text(report.limits) +
            fmt::format(
-               "margins       {} % of a joint's half range to its limits, inverse "
-               "condition number {}\n",
-               shown(100 * report.limit_margin), shown(report.inverse_condition));
+               "margins       {} of a joint's half range to its limits, inverse "
+               "condition number {} (1 is best, 0 singular)\n",
+               internal::percent(report.limit_margin), condition_text(report.inverse_condition));
   }
   return text +
-         fmt::format("control       {}, overshoot {} % of a line\n", counted(report.steps, "step"),
-                     shown(100 * report.overshoot)) +
+         fmt::format("control       {}, overshoot {} of a line\n", counted(report.steps, "step"),
+                     internal::percent(report.overshoot)) +
          deviation_text(report.deviation, report.trajectory.interpolation(), unit);
 }
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include <beeline/internal/rounded_number.h>
+
 #include "format.h"
 
 using namespace beeline;
@@ -11,9 +13,9 @@ namespace {
 
 std::string usage_line(const char* limit, const LimitFraction& use) {
   if (use.joint.empty()) return "";
-  return fmt::format("{:<14}at most {} % of the{} limit, joint {} at {} s{}\n", limit,
-                     shown(100 * use.fraction), use.assumed ? " assumed" : "", use.joint,
-                     shown(use.time),
+  return fmt::format("{:<14}at most {} of the{} limit, joint {} at {} s{}\n", limit,
+                     internal::percent_at_most(use.fraction), use.assumed ? " assumed" : "",
+                     use.joint, shown(use.time),
                      use.exact ? "" : ", by divided differences: it jumps at the samples");
 }
 
@@ -59,6 +61,10 @@ Json deviation_members(const std::optional<PathDeviation>& deviation, const Unit
   return members;
 }
 
+std::string condition_text(double inverse_condition) {
+  return fmt::format("{:.3g}", inverse_condition);
+}
+
 std::string limits_text(const LimitUsage& limits) {
   return usage_line("velocity", limits.velocity) + usage_line("acceleration", limits.acceleration) +
          usage_line("jerk", limits.jerk);
@@ -68,6 +74,22 @@ Json json_limits(const LimitUsage& limits) {
   return {{"velocity", json_usage(limits.velocity)},
           {"acceleration", json_usage(limits.acceleration)},
           {"jerk", json_usage(limits.jerk)}};
+}
+
+Option limit_tolerance_option(double* target) {
+  return {.name = "--limit-tolerance",
+          .value = "FRACTION",
+          .help =
+              "Fraction by which velocities, accelerations and jerks may exceed their limits, "
+              "for the rounding of other planners: 1e-4 for many.",
+          .target = target,
+          .range = {0, 0.1}};
+}
+
+std::string limit_tolerance_text(double limit_tolerance) {
+  if (limit_tolerance == 0) return "";
+  return fmt::format("tolerance     {} of the limits of velocity, acceleration and jerk\n",
+                     internal::percent(limit_tolerance));
 }
 
 std::string difference_text(const Arm& arm, const TrajectoryDifference& difference,
@@ -115,9 +137,10 @@ std::string branches_text(const Arm& arm, const std::vector<Branch>& branches,
   text += fmt::format("   #  segments  margin  inv. cond.  start ({})\n", unit.name());
   for (std::size_t i = 0; i < branches.size(); ++i) {
     const Branch& branch = branches[i];
-    text += fmt::format("  {:>2}  {:>8}  {:>4.0f} %  {:>10}  {}\n", i + 1,
-                        shown(branch.path_parameter), 100 * branch.limit_margin,
-                        shown(branch.inverse_condition), shown(unit.shown(arm, branch.start)));
+    text +=
+        fmt::format("  {:>2}  {:>8}  {:>4.0f} %  {:>10}  {}\n", i + 1, shown(branch.path_parameter),
+                    100 * branch.limit_margin, condition_text(branch.inverse_condition),
+                    shown(unit.shown(arm, branch.start)));
     if (!branch.reason.empty()) {
       text += fmt::format("      {}: {}\n", name(branch.status), branch.reason);
     }

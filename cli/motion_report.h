@@ -21,9 +21,16 @@ std::string deviation_text(const beeline::PathDeviation& deviation,
 Json deviation_members(const std::optional<beeline::PathDeviation>& deviation,
                        const UnitArgument& unit);
 
+/// An inverse condition number, with three significant digits.
+std::string condition_text(double inverse_condition);
+
 /// The largest fraction of each limit that a motion uses, with the joint and the time.
 std::string limits_text(const beeline::LimitUsage& limits);
 Json json_limits(const beeline::LimitUsage& limits);
+
+/// --limit-tolerance, and the line that reports it where it is above 0.
+Option limit_tolerance_option(double* target);
+std::string limit_tolerance_text(double limit_tolerance);
 
 /// The differences of each joint and of the tool between two recordings.
 std::string difference_text(const beeline::Arm& arm,

@@ -2,13 +2,13 @@
 
 #include <beeline/control/joint.h>
 #include <beeline/error.h>
-#include <beeline/internal/budget_meter.h>
+#include <beeline/internal/rounded_number.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/read/internal/numbers.h>
-#include <beeline/timing/point_to_point.h>
 
 #include "arm_argument.h"
 #include "budget_argument.h"
+#include "command/streams.h"
 #include "format.h"
 #include "gain_comparison.h"
 #include "result_files.h"
@@ -31,39 +31,26 @@ struct MoveArguments {
   BudgetArgument budget;
   std::string method = feedback, synchronise = "time";
   double rate = 100;
+  std::optional<double> duration;
   ResultFiles files;
   bool json = false;
 };
 
-/// The motion in minimum time, all joints beginning and ending together.
+/// The motion in minimum time or in --duration, all joints beginning and ending together.
 ControlledMotion move_quickest(const MoveArguments& arguments, const Arm& arm,
                                const Configuration& from, const Configuration& to,
                                const Budget& budget) {
-  ControlledMotion result;
-  result.trajectory = at_rest(arm, from);
-  const std::vector<std::string> start_outside = limit_violations(arm, from);
-  if (!start_outside.empty()) throw Error("the motion cannot start: " + start_outside.front());
-  const std::vector<std::string> outside = limit_violations(arm, to);
-  if (!outside.empty()) {
-    result.error = (to - from).lpNorm<Eigen::Infinity>();
-    result.status = MotionStatus::outside_limits;
-    result.reason = "the goal is outside the limits: " + outside.front();
-    return result;
-  }
   const Synchronise synchronise =
       arguments.synchronise == "time" ? Synchronise::time : Synchronise::straight;
-  const PointToPoint motion = point_to_point(arm, from, to, {.synchronise = synchronise});
-  internal::BudgetMeter meter(budget);
-  Trajectory samples = sampled(arm, motion, arguments.rate, meter.part());
-  if (samples.size() == 0) {
-    result.status = internal::status_of<MotionStatus>(meter.ending());
-    result.reason = internal::ended_by(meter.ending()) + " before the motion was sampled" +
-                    internal::how_to_continue(meter.ending());
-    return result;
+  const ControlledMotion motion = move_joints(arm, from, to,
+                                              {.synchronise = synchronise,
+                                               .rate = arguments.rate,
+                                               .duration = arguments.duration,
+                                               .budget = budget});
+  for (const std::string& sentence : limit_violations(arm, from)) {
+    warn("--from: " + sentence + "; the motion leads back in");
   }
-  result.trajectory = std::move(samples);
-  result.steps = static_cast<int>(result.trajectory.size()) - 1;
-  return result;
+  return motion;
 }
 
 std::string move_text(const MoveArguments& arguments, const Arm& arm,
@@ -73,7 +60,7 @@ std::string move_text(const MoveArguments& arguments, const Arm& arm,
     text = fmt::format("{} after {} of {} s\n", name(motion.status), counted(motion.steps, "step"),
                        shown(arguments.simulation.time_step)) +
            fmt::format("error         {} (largest joint error, rad or m)\n", shown(motion.error)) +
-           fmt::format("overshoot     {} % of the distance\n", shown(100 * motion.overshoot));
+           fmt::format("overshoot     {} of the distance\n", internal::percent(motion.overshoot));
   } else {
     text =
         fmt::format("{} after {} s\n", name(motion.status), shown(motion.trajectory.times.back()));
@@ -174,12 +161,12 @@ std::vector<Option> move_options(MoveArguments& arguments) {
            .value = "METHOD",
            .help = "feedback: P or PID control of each joint (eq. 1.3 of the chapter); quickest: "
                    "minimum time under the velocity, acceleration and jerk limits, from rest to "
-                   "rest.",
+                   "rest; --from may be outside the limits by up to 0.1 rad or 0.01 m.",
            .target = &arguments.method,
            .choices = {feedback, quickest}}};
 }
 
-std::vector<Option> move_method_options(MoveArguments& arguments) {
+std::vector<Option> feedback_options(MoveArguments& arguments) {
   PidGains& gains = arguments.gains;
   SimulationOptions& simulation = arguments.simulation;
   return {{.name = "--kp",
@@ -218,21 +205,33 @@ std::vector<Option> move_method_options(MoveArguments& arguments) {
            .help = "Give up after this many steps.",
            .target = &simulation.max_steps,
            .range = {1, 10'000'000},
-           .methods = {feedback}},
-          {.name = "--synchronise",
-           .value = "KIND",
-           .help = "time: each joint has its own profile of the same duration; straight: all "
-                   "joints move in proportion, on a straight line in joint space.",
-           .target = &arguments.synchronise,
-           .choices = {"time", "straight"},
-           .methods = {quickest}},
-          {.name = "--rate",
-           .value = "HZ",
-           .help = "Samples per second.",
-           .target = &arguments.rate,
-           .range = sample_rates,
-           .methods = {quickest},
-           .phrases = {"samples per second"}}};
+           .methods = {feedback}}};
+}
+
+std::vector<Option> quickest_options(MoveArguments& arguments) {
+  return {
+      {.name = "--synchronise",
+       .value = "KIND",
+       .help = "time: each joint has its own profile of the same duration; straight: all "
+               "joints move in proportion, on a straight line in joint space.",
+       .target = &arguments.synchronise,
+       .choices = {"time", "straight"},
+       .methods = {quickest}},
+      {.name = "--duration",
+       .value = "SECONDS",
+       .help = "Duration of the motion, a whole number of periods of --rate; one that is shorter "
+               "than the limits allow is refused with the shortest. Default: the shortest.",
+       .target = &arguments.duration,
+       .range = above_zero,
+       .methods = {quickest},
+       .phrases = {"duration must be"}},
+      {.name = "--rate",
+       .value = "HZ",
+       .help = "Samples per second.",
+       .target = &arguments.rate,
+       .range = sample_rates,
+       .methods = {quickest},
+       .phrases = {"samples per second"}}};
 }
 
 }  // namespace
@@ -250,8 +249,8 @@ Verb move_verb() {
       .arguments = {arguments.arm.argument()},
       .options =
           joined({move_options(arguments), arguments.unit.options(), arguments.files.options(),
-                  arguments.arm.options(), arguments.limits.options(),
-                  move_method_options(arguments), arguments.budget.options()}),
+                  arguments.arm.options(), arguments.limits.options(), feedback_options(arguments),
+                  quickest_options(arguments), arguments.budget.options()}),
       .examples =
           {{"Proportional control of the planar arm, with a picture of the tool's path",
             "beeline move rrr --from 0,0,0 --to 99.2,-68.8,-30.4 --degrees --draw move.svg"},

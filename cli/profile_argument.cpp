@@ -6,10 +6,11 @@ Option ProfileArgument::option(const std::vector<std::string>& methods) {
   return {.name = "--profile",
           .value = "PROFILE",
           .help =
-              "Time profile. fastest: minimum time under velocity and acceleration limits, "
-              "jerk is not limited; jerk: short time under velocity, acceleration and jerk "
-              "limits; trapezoidal (jerk is not limited), quintic, s-curve: one profile of "
-              "that form from stop to stop. Default: jerk.",
+              "Time profile. jerk: short time under velocity, acceleration and jerk limits; "
+              "fastest: minimum time under velocity and acceleration limits; quintic, s-curve, "
+              "trapezoidal: one profile of that form from stop to stop. Every profile keeps jerk "
+              "limits that are known; fastest and trapezoidal leave jerk free only where it would "
+              "be assumed. Default: jerk.",
           .target = &text,
           .choices = profile_names(),
           .methods = methods};

@@ -5,6 +5,7 @@
 
 #include <beeline/control/replay.h>
 #include <beeline/error.h>
+#include <beeline/internal/rounded_number.h>
 #include <beeline/read/internal/numbers.h>
 
 #include "arm_argument.h"
@@ -62,7 +63,7 @@ ReplayOptions replay_options(const ReplayArguments& arguments, const Arm& arm) {
   return options;
 }
 
-Json replay_document(const Replay& played) {
+Json replay_document(const Replay& played, double limit_tolerance) {
   const bool reached(played);
   const LimitFraction& velocity = played.limits.velocity;
   Json document{{"status", name(played.status)},
@@ -74,14 +75,15 @@ Json replay_document(const Replay& played) {
                  velocity.joint.empty() || velocity.assumed ? Json() : Json(velocity.fraction)},
                 {"unwrapped", json_unwrapped(played.unwrapped)},
                 {"reason", played.reason}};
+  document.add("limit_tolerance", limit_tolerance);
   if (reached) document.add("limits", json_limits(played.limits));
   return document;
 }
 
 /// Warns of limits that the recording itself exceeds: known ones, and assumed ones of velocity and
 /// acceleration, as check does.
-void warn_of_limits(const LimitUsage& limits) {
-  constexpr double slack = 1e-6;  // as check has
+void warn_of_limits(const LimitUsage& limits, double limit_tolerance) {
+  const double slack = std::max(1e-6, limit_tolerance);  // as check has
   const std::tuple<const char*, const LimitFraction*, double> kinds[] = {
       {"velocity", &limits.velocity, 1.0},
       {"acceleration", &limits.acceleration, 1.0 / 2},
@@ -89,16 +91,16 @@ void warn_of_limits(const LimitUsage& limits) {
   for (const auto& [kind, use, root] : kinds) {
     if (use->joint.empty() || !(use->fraction > 1 + slack)) continue;
     if (use->assumed && use == &limits.jerk) continue;
-    warn(
-        fmt::format("the recording exceeds the {}{} limit of joint {} at {} s, {} times{}; "
-                    "{} % of this speed keeps it",
-                    use->assumed ? "assumed " : "", kind, use->joint, shown(use->time),
-                    shown(use->fraction), use->exact ? "" : " by divided differences",
-                    shown(std::floor(1000 * std::pow(use->fraction, -root)) / 10)));
+    warn(fmt::format(
+        "the recording exceeds the {}{} limit of joint {} at {} s, {} times{}; "
+        "{} % of this speed keeps it",
+        use->assumed ? "assumed " : "", kind, use->joint, shown(use->time),
+        internal::number_apart(use->fraction, 1), use->exact ? "" : " by divided differences",
+        shown(std::floor(1000 * std::pow(use->fraction, -root)) / 10)));
   }
 }
 
-std::string replay_text(const Replay& played) {
+std::string replay_text(const Replay& played, double limit_tolerance) {
   constexpr double little = 1.0005;
   std::string text =
       fmt::format("played        {} in {} s, of which {} s lead-in\n",
@@ -108,7 +110,7 @@ std::string replay_text(const Replay& played) {
     text += fmt::format("slowed down   by {} % for whole periods and limits between samples\n",
                         shown(std::round(1000 * (played.slowdown - 1)) / 10));
   }
-  return text + limits_text(played.limits);
+  return text + limits_text(played.limits) + limit_tolerance_text(limit_tolerance);
 }
 
 Answer replay_file(const ReplayArguments& arguments) {
@@ -136,12 +138,12 @@ Answer replay_file(const ReplayArguments& arguments) {
       .text = fmt::format("{}: {} on {}\n", name(played.status),
                           counted(static_cast<std::int64_t>(recording.size()), "recorded sample"),
                           arm.name()),
-      .document = replay_document(played),
+      .document = replay_document(played, options.limit_tolerance),
       .yes = reached,
       .reason = played.reason};
   if (!reached) return answer;
-  answer.text += replay_text(played);
-  warn_of_limits(played.limits);
+  answer.text += replay_text(played, options.limit_tolerance);
+  warn_of_limits(played.limits, options.limit_tolerance);
   if (measured) {
     const TrajectoryDifference tracking = difference(arm, played.trajectory, *measured);
     answer.text += fmt::format("tracking      {} against what is played\n", arguments.measured) +
@@ -188,6 +190,7 @@ std::vector<Option> playing_options(ReplayArguments& arguments) {
        .target = &arguments.rate,
        .range = sample_rates,
        .phrases = {"samples per second"}},
+      limit_tolerance_option(&replay.limit_tolerance),
       {.name = "--measured",
        .value = "FILE",
        .help = "A measured trajectory, to report the tracking error as `beeline diff` does.",

@@ -107,25 +107,35 @@ Answer retime_file(const RetimeArguments& arguments) {
 }
 
 std::vector<Option> timing_options(RetimeArguments& arguments) {
-  return {arguments.profile.option(),
-          arguments.interpolation.option(),
-          {.name = "--tool-speed",
-           .value = "V",
-           .help = "Largest speed of the tool origin, m/s.",
-           .target = &arguments.tool_speed,
-           .range = tool_speeds},
-          {.name = "--max-samples",
-           .value = "N",
-           .help = "Give up if --rate makes more samples, or the file has more and more than "
-                   "200000. 1000000 take about a minute and 2.5 GB.",
-           .target = &arguments.retime.max_samples,
-           .range = {2, 10'000'000}},
-          {.name = "--rate",
-           .value = "HZ",
-           .help = "Samples per second. Default: every sample of the file, and more between.",
-           .target = &arguments.rate,
-           .range = sample_rates,
-           .phrases = {"samples per second"}}};
+  return {
+      arguments.profile.option(),
+      arguments.interpolation.option(),
+      {.name = "--tool-speed",
+       .value = "V",
+       .help = "Largest speed of the tool origin, m/s.",
+       .target = &arguments.tool_speed,
+       .range = tool_speeds},
+      {.name = "--duration",
+       .value = "SECONDS",
+       .help = "Duration of the motion: the quickest one is slowed down to it, and a shorter one "
+               "is refused with the shortest. `beeline replay --rate` samples it. Default: the "
+               "shortest.",
+       .target = &arguments.retime.duration,
+       .range = above_zero,
+       .excludes = "--rate",
+       .phrases = {"duration must be"}},
+      {.name = "--max-samples",
+       .value = "N",
+       .help = "Give up if --rate makes more samples, or the file has more and more than "
+               "200000. 1000000 take about a minute and 2.5 GB.",
+       .target = &arguments.retime.max_samples,
+       .range = {2, 10'000'000}},
+      {.name = "--rate",
+       .value = "HZ",
+       .help = "Samples per second. Default: every sample of the file, and more between.",
+       .target = &arguments.rate,
+       .range = sample_rates,
+       .phrases = {"samples per second"}}};
 }
 
 }  // namespace

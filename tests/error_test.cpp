@@ -46,6 +46,7 @@ TEST(UnknownName, SuggestsTheNearestIgnoringCaseAndListsAll) {
   EXPECT_EQ(says("pnada"), "unknown arm \"pnada\"; did you mean \"panda\"?" + known);
   EXPECT_EQ(says("iiwa"), "unknown arm \"iiwa\"" + known);
   EXPECT_EQ(says("puma56"), "unknown arm \"puma56\"; did you mean \"puma560\"?" + known);
+  EXPECT_EQ(says("panda_arm"), "unknown arm \"panda_arm\"; did you mean \"panda\"?" + known);
   EXPECT_EQ(says("ur5_e"), "unknown arm \"ur5_e\"; did you mean \"ur5e\"?" + known);
   EXPECT_EQ(says(""), "unknown arm \"\"" + known);
   EXPECT_EQ(std::string(unknown_name("arm", "x", {}).what()), "unknown arm \"x\"");
@@ -67,6 +68,9 @@ TEST(UnknownName, PrefersTheNameThatWasAbbreviated) {
   EXPECT_EQ(suggested("--tol", {"--all", "--tolerance"}), "--tolerance");
   EXPECT_EQ(suggested("--deg", {"--seed", "--degrees"}), "--degrees");
   EXPECT_EQ(suggested("-q", {"--to", "--q"}), "--q");
+  EXPECT_EQ(suggested("fkin", {"arms", "fk", "ik"}), "fk");
+  EXPECT_EQ(suggested("figures", {"fk", "figure"}), "figure");
+  EXPECT_EQ(suggested("--inertia", {"--in"}), "");
   EXPECT_EQ(suggested("--seed", {"--help"}), "");
   EXPECT_EQ(suggested("--frame", {"--base"}), "");
   EXPECT_EQ(suggested("--speed", {"--blend"}), "");

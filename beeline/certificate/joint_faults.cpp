@@ -6,6 +6,7 @@
 
 #include <beeline/certificate/joint_faults.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/internal/rounded_number.h>
 #include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/mean_derivative.h>
@@ -25,11 +26,18 @@ std::string quantity(const Arm& arm, int i, double value, const std::string& per
   return number(value) + " " + unit(arm.joint_of(i)) + per;
 }
 
+/// The same, with the digits that show it to differ from a limit.
+std::string excess_quantity(const Arm& arm, int i, double value, double limit,
+                            const std::string& per) {
+  return number_apart(value, limit) + " " + unit(arm.joint_of(i)) + per;
+}
+
 class FaultSearch {
  public:
-  FaultSearch(const Arm& arm, const Trajectory& trajectory, const MovingEnds& moving)
+  FaultSearch(const Arm& arm, const Trajectory& trajectory, const MovingEnds& moving, double slack)
       : arm_(arm),
         moving_(moving),
+        slack_(slack),
         trajectory_(trajectory),
         t_(trajectory.times),
         q_(trajectory.positions),
@@ -115,7 +123,7 @@ class FaultSearch {
                         const char* per) {
     if (found_ || !(limit < Limits::none)) return;
     const auto allowed = [&](double value) {
-      const double excess = value - limit * (1 + limit_slack);
+      const double excess = value - limit * (1 + slack_);
       return excess <= 0 ||
              excess <= time_rounding(k, order, motion_limits(arm_.limits(i)).velocity, limit);
     };
@@ -128,9 +136,9 @@ class FaultSearch {
     if (order > bounded_order(trajectory_.interpolation())) {
       const double needed = needed_derivative(trajectory_, k, i, order);
       if (allowed(needed)) return;
-      return report(
-          fault, k, i,
-          "needs " + quantity(arm_, i, needed, per) + " over the next samples; " + limit_text());
+      return report(fault, k, i,
+                    "needs " + excess_quantity(arm_, i, needed, limit, per) +
+                        " over the next samples; " + limit_text());
     }
     if (k + 1 == t_.size()) return;
     const Polynomial p =
@@ -139,9 +147,9 @@ class FaultSearch {
     if (allowed(largest(enclosure(p)))) return;
     const double reached = largest(extremes(p));
     if (allowed(reached)) return;
-    report(
-        fault, k, i,
-        "reaches " + quantity(arm_, i, reached, per) + " before the next sample; " + limit_text());
+    report(fault, k, i,
+           "reaches " + excess_quantity(arm_, i, reached, limit, per) +
+               " before the next sample; " + limit_text());
   }
 
   /// Whether a coordinate moves at the start or the end.
@@ -170,6 +178,7 @@ class FaultSearch {
 
   const Arm& arm_;
   MovingEnds moving_;
+  double slack_;  ///< fraction by which derivatives may exceed their limits
   const Trajectory& trajectory_;
   const std::vector<double>& t_;
   const std::vector<Configuration>&q_, &v_;
@@ -188,10 +197,18 @@ std::string name(Fault fault) {
 std::ostream& operator<<(std::ostream& out, Fault fault) { return out << name(fault); }
 
 std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& trajectory,
-                                            const MovingEnds& moving, const Budget& budget) {
+                                            const MovingEnds& moving, const Budget& budget,
+                                            double limit_tolerance) {
   check_fits(arm, trajectory);
+  check_limit_tolerance(limit_tolerance);
   BudgetMeter meter(budget);
-  return FaultSearch(arm, trajectory, moving).first(meter);
+  return FaultSearch(arm, trajectory, moving, std::max(limit_slack, limit_tolerance)).first(meter);
+}
+
+void internal::check_limit_tolerance(double limit_tolerance) {
+  constexpr double largest = 0.1;
+  if (limit_tolerance >= 0 && limit_tolerance <= largest) return;
+  throw Error("limit_tolerance must be from 0 to 0.1, not " + number(limit_tolerance));
 }
 
 }  // namespace beeline

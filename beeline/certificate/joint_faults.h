@@ -41,11 +41,19 @@ struct JointFault {
 
 /// Returns the first fault in time of a trajectory's joints, whose columns are in the arm's order:
 /// limits, flip, velocity, acceleration, jerk or moving; see verify() for their meaning.
-/// Derivatives may exceed their limits by a millionth, and by what the rounding of times to doubles
-/// makes of them after hours, at most a ten thousandth. Nothing where the budget ends it before.
+/// Derivatives may exceed their limits by a millionth, or by the fraction `limit_tolerance` if that
+/// is more, and by what the rounding of times to doubles makes of them after hours, at most a ten
+/// thousandth. Nothing where the budget ends it before.
 /// Throws Error when the trajectory does not fit the arm.
 std::optional<JointFault> first_joint_fault(const Arm& arm, const Trajectory& trajectory,
                                             const MovingEnds& moving = {},
-                                            const Budget& budget = {});
+                                            const Budget& budget = {}, double limit_tolerance = 0);
+
+namespace internal {
+
+/// Throws Error unless a limit tolerance is from 0 to 0.1.
+void check_limit_tolerance(double limit_tolerance);
+
+}  // namespace internal
 
 }  // namespace beeline

@@ -27,6 +27,7 @@ struct Verifier {
   Task task;
   Deviation tolerance;
   MovingEnds moving;
+  double limit_tolerance;
   BudgetMeter& budget;
   std::vector<Pose> world_T_tool = {};  ///< at the samples
   Verification result = {};
@@ -210,7 +211,7 @@ struct Verifier {
   /// A fault of a joint replaces a deviation at the same time or later.
   void check_joints() {
     constexpr std::size_t stencil = 3;  // samples by which a difference may precede its cause
-    const auto fault = first_joint_fault(arm, trajectory, moving, budget.part());
+    const auto fault = first_joint_fault(arm, trajectory, moving, budget.part(), limit_tolerance);
     if (!fault) return;
     const bool position = fault->kind == Fault::limits || fault->kind == Fault::flip;
     if (result.fault == Fault::none ||
@@ -245,6 +246,7 @@ Verification verify(const Arm& arm, const Trajectory& given, const Route& route,
     throw Error("the tolerances must be above zero, not " +
                 deviation_text({options.tolerance, options.orientation_tolerance}));
   }
+  check_limit_tolerance(options.limit_tolerance);
   const Trajectory trajectory = checked_trajectory(arm, given);
   const Task task = options.task.value_or(default_task(arm));
   check_route(arm, route, task);
@@ -255,6 +257,7 @@ Verification verify(const Arm& arm, const Trajectory& given, const Route& route,
                     task,
                     {options.tolerance, options.orientation_tolerance},
                     options.moving,
+                    options.limit_tolerance,
                     budget};
   for (const Configuration& q : trajectory.positions) {
     if (budget.ended()) break;

@@ -19,6 +19,9 @@ struct VerifyOptions {
   std::optional<Task> task = std::nullopt;  ///< default: planar for a planar arm, else spatial
   double tolerance = 1e-4;                  ///< max deviation in position, metres, above 0
   double orientation_tolerance = 1e-4;      ///< max deviation in orientation, radians, above 0
+  /// Fraction, 0 to 0.1, by which velocity, acceleration and jerk may exceed their limits, for the
+  /// rounding of other planners; a millionth is always accepted.
+  double limit_tolerance = 0;
   Budget budget = {};
 };
 

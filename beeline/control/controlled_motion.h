@@ -9,7 +9,7 @@
 
 namespace beeline {
 
-/// A motion simulated with a feedback controller.
+/// A motion simulated with a feedback controller, or planned by move_joints().
 struct ControlledMotion {
   MotionStatus status = MotionStatus::reached;
   std::string reason;                 ///< one sentence; empty when reached

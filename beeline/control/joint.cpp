@@ -4,10 +4,35 @@
 #include <beeline/control/internal/simulate.h>
 #include <beeline/control/joint.h>
 #include <beeline/error.h>
+#include <beeline/internal/budget_meter.h>
+#include <beeline/internal/rounded_number.h>
+#include <beeline/trajectory/internal/given_duration.h>
+#include <beeline/trajectory/internal/sample_rate.h>
 
 namespace beeline {
 using namespace internal;
 namespace {
+
+/// Throws Error for a duration that is not a whole number of periods.
+void check_duration(const JointMoveOptions& options) {
+  constexpr double rounding = 1e-6;  // of a period
+  if (!options.duration) return;
+  const double periods = *options.duration * options.rate;
+  if (!(*options.duration > 0 && std::isfinite(periods))) {
+    throw Error("duration must be above 0 s, not " + number(*options.duration));
+  }
+  if (std::abs(periods - std::round(periods)) <= rounding * std::max(1.0, periods * 1e-6)) return;
+  const double below = std::floor(periods) / options.rate;
+  throw Error("duration must be a whole number of periods at " + number(options.rate) +
+              " samples per second: " + (below > 0 ? number(below) + " or " : "") +
+              number(std::ceil(periods) / options.rate) + " s, not " + number(*options.duration));
+}
+
+void set_ended(BudgetMeter& budget, ControlledMotion& motion) {
+  motion.status = status_of<MotionStatus>(budget.ending());
+  motion.reason = ended_by(budget.ending()) + " before the motion was sampled" +
+                  how_to_continue(budget.ending());
+}
 
 // Radians or metres. A joint that starts this near its goal has no overshoot, since the ratio would
 // be rounding.
@@ -25,6 +50,45 @@ double joint_overshoot(std::span<const Configuration> samples, const Configurati
     }
   }
   return largest;
+}
+
+ControlledMotion move_joints(const Arm& arm, const Configuration& start, const Configuration& goal,
+                             const JointMoveOptions& options) {
+  constexpr double rounding = 1e-9;  // seconds
+  check_configuration(arm, start);
+  check_configuration(arm, goal);
+  check_rate(options.rate);
+  check_duration(options);
+  ControlledMotion result;
+  result.trajectory = at_rest(arm, start);
+  const std::vector<std::string> outside = limit_violations(arm, goal);
+  if (!outside.empty()) {
+    result.error = (goal - start).lpNorm<Eigen::Infinity>();
+    result.status = MotionStatus::outside_limits;
+    result.reason = "the goal is outside the limits: " + outside.front();
+    return result;
+  }
+  const PointToPoint motion =
+      point_to_point(arm, start, goal, {.synchronise = options.synchronise, .from_outside = true});
+  BudgetMeter budget(options.budget);
+  const double asked = options.duration.value_or(0);
+  Trajectory samples = sampled(arm, motion, options.rate, budget.part(), asked);
+  if (samples.size() > 0 && samples.times.back() > asked + rounding && options.duration) {
+    samples = sampled(arm, motion, options.rate, budget.part());
+    if (samples.size() > 0) {
+      result.status = MotionStatus::outside_limits;
+      result.reason = too_short(asked, samples.times.back());
+      return result;
+    }
+  }
+  if (samples.size() == 0) {
+    set_ended(budget, result);
+    return result;
+  }
+  result.trajectory = std::move(samples);
+  result.arrivals = {result.trajectory.size() - 1};
+  result.steps = static_cast<int>(result.trajectory.size()) - 1;
+  return result;
 }
 
 ControlledMotion control_joints(const Arm& arm, const Configuration& start,

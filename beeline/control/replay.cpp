@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <beeline/certificate/joint_faults.h>
 #include <beeline/control/internal/recording_limits.h>
 #include <beeline/control/internal/replay_attempt.h>
 #include <beeline/control/replay.h>
@@ -57,6 +58,7 @@ Replay replay(const Arm& arm, const Trajectory& recorded, const ReplayOptions& o
   check(options);
   check_trajectory(recorded);
   if (recorded.size() == 0) throw Error("the recording has no samples");
+  internal::check_limit_tolerance(options.limit_tolerance);
   Unwrapped read =
       options.no_unwrap ? Unwrapped{matched_to(arm, recorded), {}} : unwrapped(arm, recorded);
   const Trajectory& recording = read.trajectory;

@@ -27,6 +27,9 @@ struct ReplayOptions {
   std::vector<SpeedChange> speed_at = {};  ///< at increasing times; none: `speed` throughout
   double ramp = 0.5;  ///< seconds in which the speed changes by 1, above 0; for `speed_at` only
   bool no_unwrap = false;  ///< keep the jumps of continuous joints whose values wrap
+  /// Fraction, 0 to 0.1, by which a recorded velocity may exceed its limit, for the rounding of
+  /// other planners. It is then held as recorded, as accelerations and jerks always are.
+  double limit_tolerance = 0;
   Budget budget = {};
 };
 

@@ -40,7 +40,8 @@ std::string name(InverseStatus status) { return status_names[static_cast<int>(st
 std::ostream& operator<<(std::ostream& out, const InverseResult& result) {
   out << name(result.status);
   if (result.solutions.empty()) return out << ": " << result.reason;
-  out << ", " << result.solutions.size() << " solution(s), " << result.method;
+  out << ", " << result.solutions.size() << " solution(s)"
+      << (result.self_motion_dimension > 0 ? " of infinitely many, " : ", ") << result.method;
   for (const Configuration& q : result.solutions) {
     out << '\n';
     for (const double value : q) out << "  " << number(value);

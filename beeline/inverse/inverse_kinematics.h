@@ -115,6 +115,11 @@ struct InverseResult {
   /// the closed form was evaluated over the whole range of its free joints: of each connected set
   /// of infinitely many solutions within limits the one nearest to the seed is given.
   bool branches_complete = false;
+  /// With `all`: the dimension of the set of solutions, limits ignored. 0: each solution is
+  /// isolated. 1 or more: there are infinitely many, connected by self-motions of the arm, of which
+  /// `solutions` are samples; a redundant arm has as many dimensions as redundant joints. At a
+  /// singular configuration 1 stands for 1 or more.
+  int self_motion_dimension = 0;
   /// With `all`, for a redundant arm that has a closed form once one joint is locked.
   std::optional<SolutionGrid> grid;
   /// Solved at a singular configuration: a solution is one of infinitely many, connected by

@@ -37,7 +37,9 @@ Frame frame_named(std::string_view wanted) {
   for (const Frame frame : {Frame::base, Frame::tool, Frame::space}) {
     if (name(frame) == wanted) return frame;
   }
-  throw unknown_name("frame", wanted, {"base", "tool", "space"});
+  throw Error(unknown_name("frame", wanted, {"base", "tool", "space"}).what() +
+              std::string("; base and space have the world's axes: base is the velocity of the "
+                          "tool's origin, space of the point at the world's origin"));
 }
 
 void internal::set_frame(Frame frame, const Pose& world_T_tool, Eigen::Ref<Jacobian> columns) {

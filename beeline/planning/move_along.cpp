@@ -9,10 +9,12 @@
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/checked_poses.h>
+#include <beeline/planning/internal/inset_limits.h>
 #include <beeline/planning/internal/timed_plan.h>
 #include <beeline/planning/internal/track_branch.h>
 #include <beeline/planning/move_along.h>
 #include <beeline/timing/internal/timed_path.h>
+#include <beeline/trajectory/internal/given_duration.h>
 
 namespace beeline {
 
@@ -39,6 +41,7 @@ void check_options(const PathMotionOptions& options) {
                 number(value));
   }
   internal::check_options(options.tool_speed, options.rate);
+  check_duration(options.duration, options.rate);
   if (options.max_samples < 2) {
     throw Error("max_samples must be at least 2, not " + std::to_string(options.max_samples));
   }
@@ -62,25 +65,6 @@ Configuration checked_start(const Arm& arm, const Configuration& start) {
   if (!outside.empty()) throw Error("the motion cannot start: " + outside.front());
   const Bounds bounds = bounds_of(arm);
   return start.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
-}
-
-/// Returns the arm with limits moved inwards by `inset`, except those that `start` would then
-/// violate.
-Arm with_inset_limits(const Arm& arm, const std::optional<Configuration>& start, double inset) {
-  std::vector<Joint> joints = arm.joints();
-  for (int k = 0; k < arm.dof(); ++k) {
-    const Limits& limits = arm.limits(k);
-    const double width = std::min(inset, 0.05 * (limits.upper - limits.lower));
-    Limits& reduced = std::find_if(joints.begin(), joints.end(), [&](const Joint& joint) {
-                        return joint.name == arm.joint_of(k).name;
-                      })->limits;
-    reduced.lower = limits.lower + width;
-    reduced.upper = limits.upper - width;
-    if (!start) continue;
-    reduced.lower = std::min(reduced.lower, (*start)[k]);
-    reduced.upper = std::max(reduced.upper, (*start)[k]);
-  }
-  return {arm.name(), joints, arm.tool(), arm.base()};
 }
 
 /// Computes the deviation of the finished motion, and refuses one that is not proved.
@@ -305,6 +289,19 @@ std::vector<NearbyPath> suggestions(const Arm& arm, const std::optional<Configur
   return found;
 }
 
+/// Slows a planned motion down to the duration, and proves it again.
+void keep_duration(const Arm& arm, const Route& route, const Task& task,
+                   const PathMotionOptions& options, BudgetMeter& budget, PathMotion& motion) {
+  const std::string reason = set_duration(motion.trajectory, *options.duration);
+  if (reason.empty()) {
+    prove(arm, route, task, options, budget, motion);
+    if (!budget.complete()) set_ended(budget.ending(), motion);
+  } else {
+    motion.status = MotionStatus::outside_limits;
+    motion.reason = reason;
+  }
+}
+
 PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
                 const Task& task, const PathMotionOptions& options) {
   BudgetMeter budget(options.budget);
@@ -313,6 +310,10 @@ PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const
                                .max_samples = static_cast<std::size_t>(options.max_samples),
                                .budget = budget.part(0, planning_share)};
   PathMotion motion = planned_motion(arm, start, route, planning, options, budget);
+  const bool followed(motion);
+  if (followed && options.duration) {
+    keep_duration(arm, route, task, options, budget, motion);
+  }
   if (motion) {
     budget.report(1);
     return motion;
@@ -324,7 +325,7 @@ PathMotion move(const Arm& arm, const std::optional<Configuration>& start, const
   const bool quick = arm.dof() <= task.size() + 1;  // a plan takes long with more redundancy
   const bool planned = motion.path_parameter == static_cast<double>(route.path.segments.size());
   const bool off_path = !planned || motion.status == MotionStatus::outside_limits;
-  if (!options.suggest || !quick || !off_path || !budget.complete()) return failure;
+  if (followed || !options.suggest || !quick || !off_path || !budget.complete()) return failure;
   failure.nearby = suggestions(arm, start, route, planning, options, budget);
   if (!budget.complete()) failure.reason += "; " + ended_by(budget.ending()) + " for paths near it";
   return failure;

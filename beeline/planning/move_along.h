@@ -30,6 +30,8 @@ struct PathMotionOptions {
   /// from stop to stop lasting a whole number of periods. 0: as many as interpolation and tolerance
   /// need.
   double rate = 0;
+  /// Seconds to which the quickest motion is slowed down, without a rate; default: the shortest.
+  std::optional<double> duration = std::nullopt;
   int max_samples = 200'000;  ///< of the whole path, 2 or more; else too_many_samples
   bool suggest = false;       ///< where the path cannot be followed, search for paths near it
   Budget budget = {};         ///< of the plan, its timing, its proof and the suggestions
@@ -69,7 +71,8 @@ constexpr std::size_t max_stops = 5000;
 ///   that the trajectory's columns mean (see Interpolation). Hence no change of branch can occur.
 /// - Starts at `start`, whose tool must be at the path's beginning, or at the best configuration
 ///   there; redundancy is resolved for the whole path (plan_path()).
-/// - The duration is the shortest that the profile and the joint limits allow. Unknown limits
+/// - The duration is the shortest that the profile and the joint limits allow, or
+///   options.duration; a duration that is too short has the status outside_limits. Unknown limits
 ///   are assumed (motion_limits()).
 ///
 /// Throws Error for a start outside the limits or with the tool elsewhere, an option out of range,

@@ -59,12 +59,15 @@ std::string direction_text(const Vector3& unit) {
   return "(" + number(unit.x()) + ", " + number(unit.y()) + ", " + number(unit.z()) + ")";
 }
 
-std::string described(const Vector3& unit, double size, bool rotate) {
+std::string described(const Vector3& unit, double size, bool rotate, bool keep_first_pose) {
   const std::string direction = direction_text(unit);
-  if (!rotate) return "moved by " + number(size) + " m along " + direction;
+  const std::string start = keep_first_pose ? "; the start stays" : "";
+  if (!rotate) {
+    return "with every waypoint moved by " + number(size) + " m along " + direction + start;
+  }
   const bool axis = unit.cwiseAbs().maxCoeff() == 1;
-  return "with the tool turned by " + angle(size) + " about its " + (axis ? "" : "axis ") +
-         direction;
+  return "with the tool turned at every waypoint by " + angle(size) + " about its " +
+         (axis ? "" : "axis ") + direction + start;
 }
 
 /// The axes of the world or the tool, to both sides, and the directions half-way between two and
@@ -186,7 +189,7 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
   NearbyPath found;
   (rotate ? found.turned : found.moved) = size * *best;
   found.path = trial.at(size * *best);
-  found.description = described(*best, size, rotate);
+  found.description = described(*best, size, rotate, start.has_value());
   return found;
 }
 

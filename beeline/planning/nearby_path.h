@@ -15,7 +15,7 @@ struct NearbyPath {
   Vector3 turned = Vector3::Zero();  ///< rotation vector of all its poses, radians, in tool axes
   ToolPath path;
   std::optional<Configuration> start = std::nullopt;  ///< in place of the one that was given
-  std::string description;  ///< "moved by 0.012 m along -z", "with the tool turned by ..."
+  std::string description;  ///< "with every waypoint moved by 0.012 m along -z; ..."
 };
 
 /// Searches for the shortest translation along one of the world's axes or half-way between some of

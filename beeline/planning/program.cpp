@@ -356,6 +356,7 @@ std::string move_name(const Program& program, std::size_t i) {
 ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& start,
                            const Program& program, const PathMotionOptions& options) {
   check_program(arm, program);
+  if (options.duration) throw Error("duration is for paths; the moves of a program have speeds");
   return ProgramPlanner(arm, program, options).run(start);
 }
 

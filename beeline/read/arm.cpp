@@ -3,6 +3,7 @@
 
 #include <beeline/error.h>
 #include <beeline/model/catalog.h>
+#include <beeline/model/composite.h>
 #include <beeline/read/arm.h>
 #include <beeline/read/arm_json.h>
 #include <beeline/read/internal/file.h>
@@ -76,6 +77,21 @@ std::string built_in_name(const std::string& text) {
   return known && (lower == text || !is_joint_string(text)) ? lower : "";
 }
 
+/// Refuses capitals most of which are joint types: a joint string with a letter that is none.
+void refuse_unknown_letters(const std::string& text) {
+  constexpr std::string_view capitals = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  if (text.find_first_not_of(capitals) != std::string::npos) return;
+  const auto known = std::count_if(text.begin(), text.end(), [](char letter) {
+    return is_joint_string(std::string_view(&letter, 1));
+  });
+  if (2 * static_cast<std::size_t>(known) <= text.size()) return;
+  try {
+    for (const char letter : text) composite_joint(letter, "joint");
+  } catch (const Error& error) {
+    throw Error("joint string " + internal::printable(text) + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 std::string name(ReadWarningKind kind) {
@@ -128,6 +144,7 @@ Arm read_arm(const std::string& text, const ChainEnds& ends, std::vector<ReadWar
     const ArmFormat& format = format_of_file(text, ends);
     return format.parse(internal::read_file(text), text, ends, warnings);
   }
+  refuse_unknown_letters(text);
   throw Error(std::string(unknown_name("arm", internal::printable(text), built_in_names()).what()) +
               "; or give a joint string such as RRR:3.5,3.5,2, or a .urdf or .json file");
 }

@@ -46,6 +46,22 @@ void check_within(const Arm& arm, const ConfigurationRef& q, const char* which) 
   if (!outside.empty()) throw Error(which + (": " + outside.front()));
 }
 
+/// Accepts joints that are slightly outside.
+void check_start(const Arm& arm, const ConfigurationRef& q, bool from_outside) {
+  const auto near = [&](int k) {
+    const bool prismatic = kind(arm.joint_of(k)) == JointKind::prismatic;
+    const double outside = std::max(arm.limits(k).lower - q[k], q[k] - arm.limits(k).upper);
+    return outside <= (prismatic ? farthest_outside_length : farthest_outside_angle);
+  };
+  if (from_outside) {
+    check_configuration(arm, q);
+    int k = 0;
+    while (k < arm.dof() && near(k)) ++k;
+    if (k == arm.dof()) return;
+  }
+  check_within(arm, q, "the motion cannot start");
+}
+
 Limits with_velocity(Limits limits) {
   limits.velocity = velocity_limit_of(limits);
   return limits;
@@ -164,7 +180,7 @@ PointToPoint point_to_point(const Arm& arm, const ConfigurationRef& from,
 
 void point_to_point(const Arm& arm, const ConfigurationRef& from, const ConfigurationRef& to,
                     PointToPoint& motion, const PointToPointOptions& options) {
-  check_within(arm, from, "the motion cannot start");
+  check_start(arm, from, options.from_outside);
   check_within(arm, to, "the motion cannot end");
   plan(arm.limits(), from, to, motion, options, motion_limits);
 }
@@ -202,13 +218,16 @@ void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
   }
 }
 
-Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate, const Budget& budget) {
+Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate, const Budget& budget,
+                   double duration) {
   internal::BudgetMeter meter(budget);
   check_configuration(arm, motion.from);
   internal::check_rate(rate);
-  const double steps = motion.duration * rate;
-  if (!(steps < max_samples)) {
-    throw Error(number(motion.duration) + " s at " + number(rate) +
+  const double longest = std::max(motion.duration, duration);
+  // One period is for the averaging.
+  const double steps = std::max(motion.duration * rate, std::round(duration * rate) - 1);
+  if (!(longest * rate < max_samples)) {
+    throw Error(number(longest) + " s at " + number(rate) +
                 " samples per second are too many samples; lower the rate");
   }
   if (motion.duration == 0) return at_rest(arm, motion.to);
@@ -220,7 +239,7 @@ Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate, cons
     const auto usage = [&](int order) {
       return internal::limit_fraction(limits, trajectory, order, &meter).fraction;
     };
-    const double slower = slowdown(usage(1), usage(2), usage(3));
+    const double slower = slowdown_factor(usage(1), usage(2), usage(3));
     if (!meter.complete()) return {};
     if (!(slower > 1 + 1e-12)) return trajectory;
     periods = std::max(periods + 1, std::floor(periods * std::min(slower, 1e3)));

@@ -16,8 +16,15 @@ enum class Synchronise {
   straight,  ///< all joints have one s-curve in proportion: a straight line in joint space
 };
 
+/// How far a start may be outside the limits with PointToPointOptions::from_outside.
+constexpr double farthest_outside_angle = 0.1;    // radians
+constexpr double farthest_outside_length = 0.01;  // metres
+
 struct PointToPointOptions {
   Synchronise synchronise = Synchronise::time;  ///< default: each joint has its own s-curve
+  /// Accept a start that is slightly outside the position limits: each joint moves one way only, so
+  /// it moves back in. Of an arm only.
+  bool from_outside = false;
 };
 
 /// A motion of all joints from rest to rest, each along an s-curve (s_curve.h).
@@ -32,8 +39,8 @@ struct PointToPoint {
 /// limits on velocity, acceleration and jerk. For Synchronise::time the duration is that which the
 /// slowest joint needs alone; for Synchronise::straight it is at least as long, as each joint's
 /// limits bind the common curve. Unknown limits count as assumed ones (motion_limits()).
-/// Throws Error when a configuration does not fit the arm or is outside its limits, and where
-/// s_curve() does.
+/// Throws Error when a configuration does not fit the arm or is outside its limits (farther than
+/// options.from_outside accepts), and where s_curve() does.
 PointToPoint point_to_point(const Arm& arm, const ConfigurationRef& from,
                             const ConfigurationRef& to, const PointToPointOptions& options = {});
 
@@ -57,10 +64,11 @@ void at(const PointToPoint& motion, double t, Eigen::Ref<Configuration> q,
 /// Samples the motion at times k / rate, rounded to nanoseconds, slowed down to whole periods and
 /// one more, over which its accelerations are averaged: the quintics between the samples are within
 /// the arm's limits (motion_limits()) at all times. The first sample is exactly `from`, the last
-/// `to`; one sample where nothing moves; none where the budget ends it. Throws Error when the rate
-/// is not above zero, the motion does not fit the arm, or there would be more than ten million
+/// `to`; one sample where nothing moves; none where the budget ends it. With a `duration`, seconds,
+/// that is longer the motion is slowed down to it, to whole periods. Throws Error when the rate is
+/// not above zero, the motion does not fit the arm, or there would be more than ten million
 /// samples.
 Trajectory sampled(const Arm& arm, const PointToPoint& motion, double rate,
-                   const Budget& budget = {});
+                   const Budget& budget = {}, double duration = 0);
 
 }  // namespace beeline

@@ -10,22 +10,23 @@
 namespace beeline {
 
 /// The form of a time scaling s(t) of a path. All profiles begin and end at rest and are within the
-/// limits of velocity and acceleration. To add one, add its name here and its row, in the same
+/// limits of velocity and acceleration. The samples of a motion keep known jerk limits by every
+/// profile: by those without jerk in their form through wider ramps of acceleration or a slowdown.
+/// To add one, add its name here and its row, in the same
 /// order, to the table in profile.cpp.
 enum class Profile {
-  /// Minimum time under velocity and acceleration limits. The samples of a motion keep known jerk
-  /// limits too, by wider ramps of acceleration or a slowdown. Where a motion by `jerk` is shorter,
-  /// it is that one.
+  /// Minimum time under velocity and acceleration limits. Where a motion by `jerk` is shorter, it
+  /// is
+  /// that one.
   fastest,
   /// Minimum time under velocity, acceleration and jerk limits: a local optimum.
   jerk,
-  /// One trapezoid of ds/dt: constant acceleration, cruise, constant deceleration; jerk is not
-  /// limited.
+  /// One trapezoid of ds/dt: constant acceleration, cruise, constant deceleration.
   trapezoidal,
-  /// s = 10 u^3 - 15 u^4 + 6 u^5 in u = t / T; jerk limits are kept.
+  /// s = 10 u^3 - 15 u^4 + 6 u^5 in u = t / T; s(t) keeps jerk limits.
   quintic,
-  /// One s-curve: d2s/dt2 is a trapezoid in each half, d3s/dt3 piecewise constant; jerk limits are
-  /// kept.
+  /// One s-curve: d2s/dt2 is a trapezoid in each half, d3s/dt3 piecewise constant; s(t) keeps jerk
+  /// limits.
   s_curve,
 };
 
@@ -38,7 +39,7 @@ std::vector<std::string> profile_names();
 /// Throws Error listing the names of the profiles for another name.
 Profile profile_named(const std::string& name);
 
-/// Whether the profile keeps jerk limits.
+/// Whether the time scaling s(t) keeps jerk limits, and a motion assumed ones.
 bool keeps_jerk(Profile profile);
 
 /// The profile of motions for which none is given.

@@ -6,6 +6,7 @@
 #include <beeline/timing/internal/section.h>
 #include <beeline/timing/retime.h>
 #include <beeline/trajectory/internal/append.h>
+#include <beeline/trajectory/internal/given_duration.h>
 #include <beeline/trajectory/internal/tool_speed.h>
 
 namespace beeline {
@@ -80,6 +81,27 @@ Trajectory path_of(const Arm& arm, const Trajectory& recorded, const RetimeOptio
   return std::move(result.trajectory);
 }
 
+/// Sets the duration, and the use of the limits, of a trajectory whose sections are timed.
+void finish(const Arm& arm, const RetimeOptions& options, std::size_t sections,
+            internal::BudgetMeter& budget, Retimed& timed) {
+  internal::round_times(timed.trajectory);
+  if (options.duration && budget.complete()) {
+    timed.reason = internal::set_duration(timed.trajectory, *options.duration);
+    if (!timed) {
+      timed.trajectory = {};
+      return;
+    }
+  }
+  timed.limits = limit_usage(arm, timed.trajectory, budget.part());
+  timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory, &budget);
+  timed.ending = budget.ending();
+  if (!budget.complete()) {
+    timed.reason = internal::ended_by(timed.ending) + " after " + std::to_string(timed.sections) +
+                   " of " + std::to_string(sections) + " sections between stops" +
+                   internal::how_to_continue(timed.ending);
+  }
+}
+
 }  // namespace
 
 void check_moves(const Trajectory& trajectory) {
@@ -98,6 +120,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   Retimed timed;
   timed.profile = options.profile.value_or(default_profile);
   internal::check_options(options.tool_speed, options.rate);
+  internal::check_duration(options.duration, options.rate);
   const Trajectory trajectory = path_of(arm, recorded, options, timed.unwrapped);
   check_moves(trajectory);
   timed.reason = too_long(trajectory, options);
@@ -141,15 +164,7 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
     budget.report(fraction(1));
     steps += static_cast<double>(samples.size() - 1);
   }
-  internal::round_times(timed.trajectory);
-  timed.limits = limit_usage(arm, timed.trajectory, budget.part());
-  timed.tool_speed = internal::tool_speed_bound(arm, timed.trajectory, &budget);
-  timed.ending = budget.ending();
-  if (!budget.complete()) {
-    timed.reason = internal::ended_by(timed.ending) + " after " + std::to_string(timed.sections) +
-                   " of " + std::to_string(parts.size()) + " sections between stops" +
-                   internal::how_to_continue(timed.ending);
-  }
+  finish(arm, options, parts.size(), budget, timed);
   return timed;
 }
 

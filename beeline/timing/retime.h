@@ -23,6 +23,8 @@ struct RetimeOptions {
   /// Samples per second, at times k / rate from the first to the last of them; 0: every sample of
   /// the path, and as many more as the interpolation needs.
   double rate = 0;
+  /// Seconds to which the quickest motion is slowed down, without a rate; default: the shortest.
+  std::optional<double> duration = std::nullopt;
   /// 2 or more: there is no motion if the rate makes more, or if the path has more and more than
   /// default_max_samples. A sample of the path takes some 70 microseconds and 2.5 kB.
   int max_samples = default_max_samples;
@@ -66,9 +68,9 @@ void check_moves(const Trajectory& trajectory);
 /// periods.
 ///
 /// Returns no motion, with the reason, when a position or the spline between two leaves the arm's
-/// limits, and where there are too many samples or the rate makes none within limits. Throws Error
-/// when the trajectory does not fit the arm or has no two different positions, and for options out
-/// of range.
+/// limits, where there are too many samples or the rate makes none within limits, and for a
+/// duration that is too short. Throws Error when the trajectory does not fit the arm or has no two
+/// different positions, and for options out of range.
 Retimed retime(const Arm& arm, const Trajectory& trajectory, const RetimeOptions& options = {});
 
 }  // namespace beeline

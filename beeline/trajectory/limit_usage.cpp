@@ -29,7 +29,7 @@ LimitUsage limit_usage(const Arm& arm, const Trajectory& given, const Budget& bu
   return usage;
 }
 
-double slowdown(double velocity, double acceleration, double jerk) {
+double slowdown_factor(double velocity, double acceleration, double jerk) {
   return std::max({velocity, std::sqrt(acceleration), std::cbrt(jerk)});
 }
 

@@ -35,7 +35,7 @@ LimitUsage limit_usage(const Arm& arm, const Trajectory& trajectory, const Budge
 /// Returns the smallest factor k on the duration with which a motion that uses these fractions of
 /// its limits is within them: slowed down by k it uses v / k, a / k^2 and j / k^3. The factor is
 /// below 1 if the motion may be faster.
-double slowdown(double velocity, double acceleration, double jerk);
+double slowdown_factor(double velocity, double acceleration, double jerk);
 
 /// Slows the trajectory down by k: times are multiplied by it, velocities divided, accelerations
 /// divided by its square. A factor of 1 or less changes nothing.

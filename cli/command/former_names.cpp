@@ -22,6 +22,17 @@ std::string current_option_name(const std::string& name) {
 
 std::string current_verb_name(const std::string& name) { return name == "time" ? "retime" : ""; }
 
+std::string verb_of_other_programs(const std::string& name) {
+  static const std::map<std::string, std::string> verbs{
+      {"fkine", "fk"},    {"forward", "fk"},      {"kinematics", "fk"},  {"ikine", "ik"},
+      {"inverse", "ik"},  {"jacob0", "jacobian"}, {"jtraj", "move"},     {"ctraj", "line"},
+      {"plan", "line"},   {"verify", "check"},    {"validate", "check"}, {"compare", "diff"},
+      {"play", "replay"}, {"convert", "export"},  {"plot", "draw"},      {"teach", "view"},
+      {"list", "arms"},   {"info", "show"},       {"workspace", "reach"}};
+  const auto found = verbs.find(name);
+  return found == verbs.end() ? "" : found->second;
+}
+
 namespace {
 
 /// Whether a text typed for a trajectory can only be an arm; a .json file may be either.

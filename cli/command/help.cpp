@@ -8,6 +8,7 @@
 namespace {
 
 constexpr std::size_t page_width = 80, column = 26;
+const std::string usage_line = "Usage: beeline VERB [ARM] [options]\n";
 
 /// Breaks text into lines of the page's width. Lines that begin with a blank stay as they are.
 std::string wrapped(const std::string& text, std::size_t indent) {
@@ -125,9 +126,17 @@ const std::string& conventions() {
   return text;
 }
 
+std::string short_help(const std::vector<Verb>& verbs) {
+  return usage_line + verbs_text(verbs) +
+         "\nExamples:\n"
+         "  beeline fk panda --q 0,-0.785,0,-2.356,0,1.571,0.785\n"
+         "  beeline ik rrr --pose 4.459,5.226,0 --all --degrees\n"
+         "\n`beeline help VERB` describes a verb and its options, `beeline help` units, arms and "
+         "exit codes.\n";
+}
+
 std::string overview(const std::vector<Verb>& verbs) {
-  return "Plans and proves motions of serial-link robot arms.\n\n"
-         "Usage: beeline VERB [ARM] [options]\n" +
+  return "Plans and proves motions of serial-link robot arms.\n\n" + usage_line +
          verbs_text(verbs) + "\nOptions:\n" + help_entry("-h, --help", "Print this help.") +
          help_entry("--version", "Print the version.") + "\n" + wrapped(conventions(), 0) +
          "\n`beeline help VERB` describes a verb and its options, with examples.\n";

@@ -12,6 +12,9 @@ std::string help_text(const Verb& verb, const std::string& command);
 /// The help of the whole command: the verbs, and what all of them share.
 std::string overview(const std::vector<Verb>& verbs);
 
+/// What `beeline` without a verb prints: usage, verbs, two examples.
+std::string short_help(const std::vector<Verb>& verbs);
+
 /// What all verbs share, in paragraphs: arms, units, output, exit codes.
 const std::string& conventions();
 

@@ -4,6 +4,7 @@
 #include <new>
 
 #include <beeline/error.h>
+#include <beeline/read/internal/file_stream.h>
 
 #include "completion.h"
 #include "former_names.h"
@@ -16,7 +17,8 @@ using beeline::Error;
 
 namespace {
 
-enum class Exit { yes = 0, no = 1, usage = 2, file = 3 };
+/// closed_pipe is what a shell reports for a program that SIGPIPE ends.
+enum class Exit { yes = 0, no = 1, usage = 2, file = 3, closed_pipe = 128 + 13 };
 
 /// The verb that was typed, and what follows it.
 struct Selection {
@@ -144,8 +146,15 @@ int run_program(std::vector<Verb> verbs, int argc, char** argv) {
     const std::string first = selection.arguments.empty() ? "" : selection.arguments.front();
     if (first == "--help" || first == "-h") return print({.text = overview(verbs)});
     if (first == "--version") return print_version(selection.arguments);
+    if (selection.arguments.empty()) {
+      print_error("a verb is missing");
+      write_stderr("\n" + short_help(verbs));
+      return static_cast<int>(Exit::usage);
+    }
     select(verbs, selection);
     return run(selection);
+  } catch (const beeline::internal::ClosedPipe&) {
+    return static_cast<int>(Exit::closed_pipe);
   } catch (const beeline::FileError& error) {
     return fail(Exit::file, error.what());
   } catch (const Error& error) {

@@ -8,6 +8,7 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/utf8.h>
+#include <beeline/read/internal/file_stream.h>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -40,5 +41,6 @@ void warn(std::string_view text) { print_error("warning: " + std::string(text));
 void write_stdout(std::string_view text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (written && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+  if (errno == EPIPE) throw beeline::internal::ClosedPipe("stdout");
   throw beeline::FileError("stdout", 0, std::string("cannot be written: ") + std::strerror(errno));
 }

@@ -68,5 +68,10 @@ const Verb& find_verb(const std::vector<Verb>& verbs, const std::string& name) {
     throw beeline::Error("the verb " + name + " is now called " + renamed +
                          ", and takes the arm first: beeline " + renamed + " ARM FILE");
   }
+  const std::string meant = verb_of_other_programs(name);
+  if (std::find(names.begin(), names.end(), meant) != names.end()) {
+    throw beeline::Error("unknown verb \"" + name + "\"; did you mean \"" + meant +
+                         "\"? (known: " + beeline::listed(names) + ")");
+  }
   throw beeline::unknown_name("verb", name, names);
 }

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._core import Arm, Error, Trajectory
+from ._core import Arm, Error, Trajectory, _arm_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -69,7 +69,8 @@ def view(arm: Arm, q: ArrayLike | None = None, trajectory: Any = None) -> Page:
     arm : Arm
         The arm.
     q : array_like, default None
-        Configuration (n,) that the page begins with. Default: `display_configuration(arm)`.
+        Configuration (n,) that the page begins with. Default: `display_configuration(arm)`. A motion in its place is
+        the trajectory.
     trajectory : Trajectory, or a result that has a `trajectory`, default None
         A motion to play.
 
@@ -84,14 +85,17 @@ def view(arm: Arm, q: ArrayLike | None = None, trajectory: Any = None) -> Page:
         For `q` of another shape or not finite; for `trajectory` whose joints are not those of the arm; where the page
         is not built: wheels carry it, in a checkout `make web` builds it.
     TypeError
-        For `trajectory` that is none and has none.
+        For an `arm` that is none, for `trajectory` that is none and has none.
     """
     from ._page_document import document_of  # here, as few programs need what it imports
 
+    _arm_of(arm)
+    if trajectory is None and isinstance(getattr(q, "trajectory", q), Trajectory):
+        q, trajectory = None, q
     values = None if q is None else _configuration(arm, q)
     trajectory = getattr(trajectory, "trajectory", trajectory)
     if trajectory is not None and not isinstance(trajectory, Trajectory):
-        raise TypeError("trajectory must be a Trajectory or a result that has one")
+        raise TypeError(f"trajectory: expected a Trajectory or a result that has one, not {type(trajectory).__name__}")
     page = Page(document_of(arm, values, trajectory and trajectory.matched_to(arm)))
     if not _in_notebook():
         _open_browser(page)

@@ -129,16 +129,16 @@ def motion(
     return trail(arm, motion, ax, waypoints=waypoints)
 
 
-def joints(motion: Any, arm: Arm | None = None, axes: Any = None, *, samples: int = 2000) -> Any:
+def joints(arm: Any, motion: Any = None, axes: Any = None, *, samples: int = 2000) -> Any:
     """Draws positions, velocities and accelerations of the joints over time.
 
     Parameters
     ----------
+    arm : Arm
+        Its limits are drawn dashed in the joints' colours, where they are near the curves; dotted where they
+        are not known and motions assume them. `joints(motion)` draws no limits, `joints(motion, arm)` the same.
     motion : Trajectory, or a result that has a `trajectory`
         The motion, drawn between its samples too.
-    arm : Arm, default None
-        Its limits are drawn dashed in the joints' colours, where they are near the curves; dotted where they
-        are not known and motions assume them.
     axes : three matplotlib axes, default None
         Default: those of a new figure.
     samples : int, default 2000
@@ -148,6 +148,8 @@ def joints(motion: Any, arm: Arm | None = None, axes: Any = None, *, samples: in
     -------
     array of three axes
     """
+    if not isinstance(arm, Arm):
+        arm, motion = motion, arm
     trajectory = _trajectory(motion)
     if arm is not None:
         trajectory = trajectory.matched_to(arm)

@@ -398,6 +398,14 @@ void bind_arms(nb::module_& m) {
   bind_equality(arm, [](const Arm& a, const Arm& b) { return arm_to_json(a) == arm_to_json(b); });
   arm.def("__hash__", [](const Arm& self) { return std::hash<std::string>()(arm_to_json(self)); });
   m.def(
+      "_arm_of",
+      [](nb::handle value) {
+        object_of<Arm>(value, "arm");
+        return nb::borrow(value);
+      },
+      nb::arg().none(), nb::sig("def _arm_of(value: object, /) -> Arm"),
+      "Returns the arm. Raises TypeError where the value is none.");
+  m.def(
       "built_in_arms", [] { return Value<std::vector<BuiltInArm>>::to(built_in_arms()); },
       nb::sig("def built_in_arms() -> list[BuiltInArm]"), "The built-in arms, by name.");
 }

@@ -9,6 +9,7 @@ void bind_poses(nanobind::module_& module);
 void bind_planar_poses(nanobind::module_& module);  ///< by bind_poses()
 void bind_arms(nanobind::module_& module);
 nanobind::object model_warning();  ///< the category of warnings of readers, ModelWarning
+void bind_random_configurations(nanobind::module_& module);
 void bind_kinematics(nanobind::module_& module);
 void bind_derivatives(nanobind::module_& module);
 void bind_tasks(nanobind::module_& module);

@@ -72,6 +72,10 @@ struct Fields<VerifyOptions> {
         field("tolerance", &VerifyOptions::tolerance, "Max deviation in position, m, above 0."),
         field("orientation_tolerance", &VerifyOptions::orientation_tolerance,
               "Max deviation in orientation, rad, above 0."),
+        field(
+            "limit_tolerance", &VerifyOptions::limit_tolerance,
+            "Fraction, 0 to 0.1, by which velocity, acceleration and jerk may exceed their limits, "
+            "for the rounding of other planners."),
         field("budget", &VerifyOptions::budget, ""));
   }
 };

@@ -35,6 +35,28 @@ void bind_joint_control(nb::module_& m) {
       joints, nb::arg("arm"), nb::arg("start"), nb::arg("goal"), nb::arg("keywords"));
 }
 
+void bind_joint_moves(nb::module_& m) {
+  Signature moved("move_joints", "ControlledMotion",
+                  "Moves the joints from rest at `start` to rest at `goal` in minimum time under "
+                  "the limits of velocity, acceleration and jerk, or in `duration`: a joint "
+                  "trajectory in one call. The start may be outside the position limits by up to "
+                  "0.1 rad or 0.01 m: the motion leads back in. A goal outside the limits, and a "
+                  "duration that is too short, have the status `outside_limits`.");
+  moved.takes("arm", "Arm", "The arm.")
+      .takes("start", array_like, "Configuration (n,).")
+      .takes("goal", array_like, "Configuration (n,).")
+      .options<JointMoveOptions>();
+  define(
+      m,
+      [](const Arm& arm, nb::handle start, nb::handle goal, const nb::kwargs& keywords) {
+        const Configuration from = configuration_from(start, "start");
+        const Configuration to = configuration_from(goal, "goal");
+        auto asked = options<JointMoveOptions>(keywords);
+        return unlocked(asked.budget, [&] { return move_joints(arm, from, to, asked); });
+      },
+      moved, nb::arg("arm"), nb::arg("start"), nb::arg("goal"), nb::arg("keywords"));
+}
+
 void bind_cartesian_control(nb::module_& m) {
   Signature lines(
       "control_in_lines", "ControlledMotion",
@@ -85,6 +107,7 @@ void bind_overshoot(nb::module_& m) {
 void bind_control(nb::module_& m) {
   bind_record<ControlledMotion>(m);
   bind_joint_control(m);
+  bind_joint_moves(m);
   bind_cartesian_control(m);
   bind_overshoot(m);
   bind_record<SpeedChange>(m);

@@ -59,10 +59,30 @@ struct Fields<CartesianOptions> {
 };
 
 template <>
+inline constexpr bool reports<JointMoveOptions> = false;
+template <>
+struct Fields<JointMoveOptions> {
+  using T = JointMoveOptions;
+  static constexpr const char* name = "JointMoveOptions";
+  static constexpr auto all() {
+    return std::tuple(
+        field("synchronise", &T::synchronise,
+              "`time`: each joint has an s-curve of its own, stretched to the duration of the "
+              "slowest; `straight`: all joints have one s-curve in proportion, a straight line in "
+              "joint space."),
+        field("rate", &T::rate, "Samples per second."),
+        field("duration", &T::duration,
+              "Seconds, a whole number of periods; None: the shortest that the limits allow."),
+        field("budget", &T::budget, ""));
+  }
+};
+
+template <>
 struct Fields<ControlledMotion> {
   using T = ControlledMotion;
   static constexpr const char* name = "ControlledMotion";
-  static constexpr const char* doc = "A motion simulated with a feedback controller.";
+  static constexpr const char* doc =
+      "A motion simulated with a feedback controller, or planned by move_joints().";
   static constexpr const char* truth = "True if reached.";
   static constexpr auto all() {
     return std::tuple(
@@ -110,6 +130,9 @@ struct Fields<ReplayOptions> {
               "Time in which the speed changes by 1, s, above 0; for `speed_at` only."),
         field("no_unwrap", &ReplayOptions::no_unwrap,
               "Keep the jumps of continuous joints whose values wrap."),
+        field("limit_tolerance", &ReplayOptions::limit_tolerance,
+              "Fraction, 0 to 0.1, by which a recorded velocity may exceed its limit, for the "
+              "rounding of other planners."),
         field("budget", &ReplayOptions::budget, ""));
   }
 };

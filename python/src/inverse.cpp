@@ -82,11 +82,31 @@ class Solver {
   std::string method_;
 };
 
+/// Whether the value is a list of poses: of arrays, of lists of lists, or of objects that are
+/// poses.
+bool is_list_of_poses(nb::handle value) {
+  const auto is_list = [](nb::handle object) {
+    return nb::isinstance<nb::list>(object) || nb::isinstance<nb::tuple>(object);
+  };
+  if (!is_list(value) || nb::len(value) == 0) return false;
+  const nb::object first = value[0];
+  if (!is_list(first)) {
+    return is_array(first) ? InputArray(first, "world_T_tool").dimensions() == 2
+                           : !PyNumber_Check(first.ptr()) && !PyUnicode_Check(first.ptr());
+  }
+  return nb::len(first) > 0 && is_list(nb::object(first[0]));
+}
+
 void check_one_pose(nb::handle pose) {
+  const std::string advice = "; batch_inverse() takes many poses";
   if (is_array(pose) && InputArray(pose, "world_T_tool").dimensions() > 2) {
     throw Error("world_T_tool has the shape " +
-                shape_text(InputArray(pose, "world_T_tool").shape()) +
-                "; expected (4, 4); batch_inverse() takes many poses");
+                shape_text(InputArray(pose, "world_T_tool").shape()) + "; expected (4, 4)" +
+                advice);
+  }
+  if (is_list_of_poses(pose)) {
+    throw Error("world_T_tool: expected a pose (4, 4), not a list of " +
+                std::to_string(nb::len(pose)) + advice);
   }
 }
 
@@ -230,10 +250,11 @@ void bind_solver(nb::module_& m) {
   made.takes("self").takes("arm", "Arm", "The arm.").options<InverseOptions>();
   solver.def(
       "__init__",
-      [](Solver* self, nb::handle_t<Arm> arm, const nb::kwargs& keywords) {
+      [](Solver* self, nb::handle arm, const nb::kwargs& keywords) {
+        object_of<Arm>(arm, "arm");
         new (self) Solver(nb::borrow(arm), nb::dict(keywords));
       },
-      nb::arg("arm"), nb::arg("keywords"), nb::sig(made.text()), made.doc());
+      nb::arg("arm").none(), nb::arg("keywords"), nb::sig(made.text()), made.doc());
 
   Signature one("solve", "InverseResult",
                 "Computes joint configurations that bring the tool to a pose.");
@@ -308,7 +329,7 @@ void bind_inverse(nb::module_& m) {
                 "arm's geometry: see InverseSolver.method.");
   takes_pose(one.takes("arm", "Arm", "The arm.")).options<InverseOptions>();
   one.returns("True when solved.");
-  define(
+  define_on_arm(
       m,
       [](const Arm& arm, nb::handle pose, const nb::kwargs& keywords) {
         check_one_pose(pose);

@@ -126,6 +126,11 @@ struct Fields<InverseResult> {
         field("branches_complete", &InverseResult::branches_complete,
               "With `all`: every branch is represented, also where a branch has infinitely many "
               "solutions."),
+        field("self_motion_dimension", &InverseResult::self_motion_dimension,
+              "With `all`: the dimension of the set of solutions, limits ignored. 0: each solution "
+              "is isolated. 1 or more: there are infinitely many, connected by self-motions of the "
+              "arm, of which `solutions` are samples; `lock` keeps a joint, `redundancy` selects "
+              "one. At a singular configuration 1 stands for 1 or more."),
         field("grid", &InverseResult::grid,
               "With `all`, for a redundant arm that has a closed form once one joint is locked."),
         field("singular", &InverseResult::singular,

@@ -238,9 +238,9 @@ void bind_kinematics(nb::module_& m) {
   takes_layout(fk);
   takes_out(fk, as_returned);
   fk.returns("(4, 4), or (..., 4, 4); (..., 7) for the other layout.");
-  define(m, &forward, fk, nb::arg("arm"), nb::arg("q"), nb::kw_only(), nb::arg("base") = nb::none(),
-         nb::arg("tool") = nb::none(), nb::arg("layout") = "matrix", nb::arg("out") = nb::none(),
-         nb::arg("threads") = 0);
+  define_on_arm(m, &forward, fk, nb::arg("arm"), nb::arg("q"), nb::kw_only(),
+                nb::arg("base") = nb::none(), nb::arg("tool") = nb::none(),
+                nb::arg("layout") = "matrix", nb::arg("out") = nb::none(), nb::arg("threads") = 0);
 
   Signature poses =
       batch_signature("link_poses", real_array,
@@ -249,8 +249,8 @@ void bind_kinematics(nb::module_& m) {
   takes_layout(poses.keywords());
   takes_out(poses, as_returned);
   poses.returns("(m + 1, 4, 4) for m joints, mimic joints included, or (..., m + 1, 4, 4).");
-  define(m, &links, poses, nb::arg("arm"), nb::arg("q"), nb::kw_only(),
-         nb::arg("layout") = "matrix", nb::arg("out") = nb::none(), nb::arg("threads") = 0);
+  define_on_arm(m, &links, poses, nb::arg("arm"), nb::arg("q"), nb::kw_only(),
+                nb::arg("layout") = "matrix", nb::arg("out") = nb::none(), nb::arg("threads") = 0);
 
   Signature j = batch_signature("jacobian", real_array,
                                 "Returns the Jacobian: rows [vx vy vz wx wy wz], a column for each "
@@ -262,8 +262,8 @@ void bind_kinematics(nb::module_& m) {
       .keywords();
   takes_out(j, as_returned);
   j.returns("(6, n), or (..., 6, n).");
-  define(m, &jacobian_of, j, nb::arg("arm"), nb::arg("q"), nb::arg("frame") = "base", nb::kw_only(),
-         nb::arg("out") = nb::none(), nb::arg("threads") = 0);
+  define_on_arm(m, &jacobian_of, j, nb::arg("arm"), nb::arg("q"), nb::arg("frame") = "base",
+                nb::kw_only(), nb::arg("out") = nb::none(), nb::arg("threads") = 0);
 
   Signature w = batch_signature(
       "manipulability", (std::string("float | ") + real_array).c_str(),
@@ -272,8 +272,8 @@ void bind_kinematics(nb::module_& m) {
       "manipulability_gradient() takes other rows.");
   takes_out(w.keywords(), "");
   w.returns("A number, or an array of the batch's shape.");
-  define(m, &manipulability, w, nb::arg("arm"), nb::arg("q"), nb::kw_only(),
-         nb::arg("out") = nb::none(), nb::arg("threads") = 0);
+  define_on_arm(m, &manipulability, w, nb::arg("arm"), nb::arg("q"), nb::kw_only(),
+                nb::arg("out") = nb::none(), nb::arg("threads") = 0);
 }
 
 }  // namespace beeline::python

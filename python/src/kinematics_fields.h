@@ -14,6 +14,13 @@ inline std::vector<Frame> choices() {
   return {Frame::base, Frame::tool, Frame::space};
 }
 
+/// As frame_named(), which says what the names mean.
+template <>
+inline Error unknown_choice<Frame>(const char* /*argument*/, const std::string& name) {
+  frame_named(name);  // throws
+  return unknown_name("frame", name, {});
+}
+
 template <>
 inline std::vector<PoseLayout> choices() {
   return {PoseLayout::matrix, PoseLayout::position_quaternion};

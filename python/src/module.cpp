@@ -34,6 +34,7 @@ NB_MODULE(_core, module) {
   module.attr("__version__") = BEELINE_VERSION;
   bind_poses(module);
   bind_arms(module);
+  bind_random_configurations(module);
   bind_kinematics(module);
   bind_derivatives(module);
   bind_tasks(module);

@@ -112,7 +112,8 @@ struct Fields<NearbyPath> {
         field("path", &NearbyPath::path, "The moved path."),
         field("start", &NearbyPath::start,
               "Joint values in place of the start that was given, or None."),
-        field("description", &NearbyPath::description, "Such as `moved by 0.012 m along -z`."));
+        field("description", &NearbyPath::description,
+              "Such as `with every waypoint moved by 0.012 m along -z; the start stays`."));
   }
 };
 
@@ -128,11 +129,17 @@ struct Fields<PathMotionOptions> {
         field("tolerance", &T::tolerance, "Max deviation in position, m, 1e-8 or more."),
         field("orientation_tolerance", &T::orientation_tolerance,
               "Max deviation in orientation, rad, 1e-8 or more."),
-        field("profile", &T::profile, "The time scaling from stop to stop; None: `jerk`."),
+        field("profile", &T::profile,
+              "The time scaling from stop to stop; None: `jerk`. Every profile keeps known jerk "
+              "limits; "
+              "`fastest` and `trapezoidal` leave jerk free where it is not known."),
         field("interpolation", &T::interpolation, "Of the trajectory."),
         field("tool_speed", &T::tool_speed, "Limit of the tool origin's speed, m/s."),
         field("rate", &T::rate,
               "Samples per second; 0: as many as interpolation and tolerance need."),
+        field("duration", &T::duration,
+              "Seconds to which the quickest motion is slowed down, without a rate; None: the "
+              "shortest."),
         field("max_samples", &T::max_samples, "Of the whole path, 2 or more."),
         field("suggest", &T::suggest,
               "Where the path cannot be followed, search for paths near it."),

@@ -1,11 +1,25 @@
 #pragma once
 
+#include <concepts>
 #include <sstream>
 #include <tuple>
+
+#include <beeline/trajectory/trajectory.h>
 
 #include "signature.h"
 
 namespace beeline::python {
+
+/// From the first sample to the last, seconds.
+inline double duration_of(const Trajectory& trajectory) {
+  return trajectory.size() == 0 ? 0 : trajectory.times.back() - trajectory.times.front();
+}
+
+/// Whether a result has a trajectory, whose duration it then has too.
+template <class T>
+inline constexpr bool has_trajectory = requires(const T& result) {
+  { result.trajectory } -> std::same_as<const Trajectory&>;
+};
 
 /// The value of a field as it appears in a repr(): whole, or its shape where it is a large array.
 std::string field_text(nb::handle value);
@@ -206,6 +220,12 @@ template <class T>
 nb::class_<T> bind_record(nb::module_& module) {
   using Described = Fields<T>;
   nb::class_<T> bound(module, Described::name, nb::dynamic_attr(), Described::doc);
+  if constexpr (has_trajectory<T>) {
+    bound.def_prop_ro(
+        "duration", [](const T& self) { return duration_of(self.trajectory); },
+        nb::for_getter(nb::sig("def duration(self) -> float")),
+        "Of the trajectory, s; 0 without samples.");
+  }
   std::apply([&](const auto&... field) { (bind_field(bound, field), ...); }, Described::all());
   if constexpr (is_constructible<T>) {
     Signature signature("__init__", "None", "Makes one of the values of its members.");

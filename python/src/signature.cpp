@@ -83,6 +83,14 @@ std::string Signature::raised() const {
   return text.empty() ? "" : "\nRaises\n------\n" + text;
 }
 
+Signature Signature::of_arm() const {
+  const std::string parameter = "arm: Arm", documented = "arm : Arm\n    The arm.\n";
+  Signature method = *this;
+  method.parameters_.replace(0, parameter.size(), "self");
+  method.documented_.erase(0, documented.size());
+  return method;
+}
+
 Signature& Signature::any_values() {
   any_values_ = true;
   return *this;

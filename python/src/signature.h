@@ -7,6 +7,7 @@
 
 #include <beeline/budget.h>
 
+#include "class_argument.h"
 #include "value.h"
 
 namespace beeline::python {
@@ -103,6 +104,9 @@ class Signature {
   /// Any numbers are accepted, finite or not: arguments are refused for their shapes only.
   Signature& any_values();
 
+  /// The signature of the method of Arm: the first parameter, `arm`, is self.
+  Signature of_arm() const;
+
   const char* name() const { return name_.c_str(); }
   /// The signature as Python source, below a decorator where one is given.
   const char* text(const char* decorator = nullptr) const;
@@ -127,23 +131,6 @@ class Signature {
       motions_;  ///< names of parameters that may be refused
   bool keywords_ = false, any_values_ = false, has_arm_ = false;
 };
-
-/// The types of a function's parameters.
-template <class R, class... P>
-std::tuple<P...> parameters(R (*)(P...));
-template <class F, class R, class... P>
-std::tuple<P...> parameters(R (F::*)(P...) const);
-template <class F, class R, class... P>
-std::tuple<P...> parameters(R (F::*)(P...));
-
-template <class Function>
-auto parameters_of() {
-  if constexpr (std::is_class_v<Function>) {
-    return std::type_identity<decltype(parameters(&Function::operator()))>();
-  } else {
-    return std::type_identity<decltype(parameters(std::declval<Function>()))>();
-  }
-}
 
 /// nanobind's description of the parameter that is the `from_last`th from the last one. A handle
 /// may be None: the function's body refuses it, naming the argument.
@@ -179,13 +166,16 @@ void with_none(Add add, const Extra&... extra) {
   (std::index_sequence_for<Extra...>());
 }
 
-/// Adds a function or method whose signature and docstring `signature` gives.
+/// Adds a function or method whose signature and docstring `signature` gives. An object of another
+/// class than a parameter's is refused by a line that names the argument.
 template <class Scope, class Function, class... Extra>
 void define(Scope& scope, Function function, const Signature& signature, const Extra&... extra) {
+  const auto checking = naming_arguments(function, extra...);
   const auto add = [&](const auto&... arguments) {
-    scope.def(signature.name(), function, arguments..., nb::sig(signature.text()), signature.doc());
+    scope.def(signature.name(), checking, arguments..., nb::sig(signature.text()), signature.doc());
   };
-  with_none<typename decltype(parameters_of<Function>())::type>(add, extra...);
+  with_none<typename decltype(parameters_of<std::decay_t<decltype(checking)>>())::type>(add,
+                                                                                        extra...);
 }
 
 /// Adds a static method.
@@ -197,6 +187,15 @@ void define_static(nb::class_<T>& scope, Function function, const Signature& sig
                      nb::sig(signature.text("staticmethod")), signature.doc());
   };
   with_none<typename decltype(parameters_of<Function>())::type>(add, extra...);
+}
+
+/// Adds a function whose first parameter is the arm, and a method of Arm that does the same.
+template <class Function, class First, class... Extra>
+void define_on_arm(nb::module_& m, Function function, const Signature& signature, const First& arm,
+                   const Extra&... extra) {
+  define(m, function, signature, arm, extra...);
+  auto type = nb::borrow<nb::class_<Arm>>(m.attr("Arm"));
+  define(type, function, signature.of_arm(), extra...);
 }
 
 /// Sets the part of the budget that the keyword names; returns whether there is one.

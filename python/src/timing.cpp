@@ -142,13 +142,14 @@ void bind_time_scaling(nb::module_& m) {
         return path_limits(arm, Value<double>::from(speed_scale, "speed_scale"));
       },
       of_arm, nb::arg("arm"), nb::arg("speed_scale") = 1.0);
-  Signature scaled("time_scaling", "TimeScaling",
-                   "Minimises T subject to abs(dq/dt) <= velocity, abs(d2q/dt2) <= acceleration, "
-                   "abs(d3q/dt3) <= jerk (where the profile keeps it) and ds/dt <= speed, at rest "
-                   "at t = 0 and t = T, over all s(t) for `fastest` and `jerk`, and over those of "
-                   "the profile's form for the others. Where the budget ends the search of `jerk`, "
-                   "returns the best found so far, which keeps the limits; one with a "
-                   "`reason`, and no points, where there is none yet.");
+  Signature scaled(
+      "time_scaling", "TimeScaling",
+      "Minimises T subject to abs(dq/dt) <= velocity, abs(d2q/dt2) <= acceleration, "
+      "abs(d3q/dt3) <= jerk (not for `fastest` and `trapezoidal`) and ds/dt <= speed, at rest "
+      "at t = 0 and t = T, over all s(t) for `fastest` and `jerk`, and over those of "
+      "the profile's form for the others. Where the budget ends the search of `jerk`, "
+      "returns the best found so far, which keeps the limits; one with a "
+      "`reason`, and no points, where there is none yet.");
   scaled.takes("path", "JointPath", "Path.")
       .takes("limits", "PathLimits", "Limits.")
       .takes("profile", Value<Profile>::type(), "Form of s(t).", "'jerk'")

@@ -119,9 +119,12 @@ struct Fields<RetimeOptions> {
   static constexpr const char* name = "RetimeOptions";
   static constexpr auto all() {
     return std::tuple(
-        field("profile", &RetimeOptions::profile,
-              "Form of the time scaling: minimum time under limits of velocity and acceleration "
-              "(`fastest`), of jerk too (`jerk`), or a fixed form. None: `jerk`."),
+        field(
+            "profile", &RetimeOptions::profile,
+            "Form of the time scaling: minimum time under limits of velocity and acceleration "
+            "(`fastest`), of jerk too (`jerk`), or a fixed form. Every profile keeps "
+            "known jerk limits; `fastest` and `trapezoidal` leave jerk free where it is not known. "
+            "None: `jerk`."),
         field("interpolation", &RetimeOptions::interpolation, "Of the result."),
         field("speed_scale", &RetimeOptions::speed_scale,
               "k from 1e-6 to 1: velocity limits are multiplied by k, acceleration by k^2, jerk by "
@@ -131,6 +134,9 @@ struct Fields<RetimeOptions> {
         field("rate", &RetimeOptions::rate,
               "Samples per second; 0: every sample of the path, and as many more as the "
               "interpolation needs."),
+        field("duration", &RetimeOptions::duration,
+              "Seconds to which the quickest motion is slowed down, without a rate; None: the "
+              "shortest."),
         field("max_samples", &RetimeOptions::max_samples,
               "With a rate, 2 or more: there is no motion if it makes more."),
         field("no_unwrap", &RetimeOptions::no_unwrap,

@@ -115,10 +115,7 @@ void bind_samples(nb::class_<Trajectory>& trajectory) {
           nb::sig(kept_text("def interpolation(self) -> " + Value<Interpolation>::type()))),
       "The motion between the samples: polynomials of degree 1, 3 or 5 in time.");
   trajectory.def_prop_ro(
-      "duration",
-      [](const Trajectory& self) {
-        return self.times.empty() ? 0.0 : self.times.back() - self.times.front();
-      },
+      "duration", [](const Trajectory& self) { return duration_of(self); },
       "From the first sample to the last, s.");
 
   Signature states("sample", "TrajectoryState",
@@ -239,7 +236,7 @@ void bind_slowdowns(nb::module_& m) {
         return result;
       },
       slower, nb::arg("trajectory"), nb::arg("k"));
-  Signature factor("slowdown", "float",
+  Signature factor("slowdown_factor", "float",
                    "Returns the smallest factor k on the duration with which a motion that uses "
                    "these fractions of its limits is within them: slowed down by k it uses v / k, "
                    "a / k^2 and j / k^3. The factor is below 1 if the motion may be faster.");
@@ -249,9 +246,9 @@ void bind_slowdowns(nb::module_& m) {
   define(
       m,
       [](nb::handle velocity, nb::handle acceleration, nb::handle jerk) {
-        return slowdown(Value<double>::from(velocity, "velocity"),
-                        Value<double>::from(acceleration, "acceleration"),
-                        Value<double>::from(jerk, "jerk"));
+        return slowdown_factor(Value<double>::from(velocity, "velocity"),
+                               Value<double>::from(acceleration, "acceleration"),
+                               Value<double>::from(jerk, "jerk"));
       },
       factor, nb::arg("velocity"), nb::arg("acceleration"), nb::arg("jerk"));
 }

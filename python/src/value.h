@@ -307,6 +307,14 @@ std::string spelling(Enum value) {
   return std::string(name(value));  // found beside the type
 }
 
+/// The error for a name that is none of them.
+template <class Enum>
+Error unknown_choice(const char* argument, const std::string& given) {
+  std::vector<std::string> names;
+  for (Enum choice : choices<Enum>()) names.push_back(spelling(choice));
+  return unknown_name(argument, given, names);
+}
+
 template <class Enum>
 requires std::is_enum_v<Enum>
 struct Value<Enum> {
@@ -329,7 +337,7 @@ struct Value<Enum> {
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (PyUnicode_CompareWithASCIIString(value.ptr(), names[i].c_str()) == 0) return values[i];
     }
-    throw unknown_name(name, Value<std::string>::from(value, name), names);
+    throw unknown_choice<Enum>(name, Value<std::string>::from(value, name));
   }
   static bool same(Enum a, Enum b) { return a == b; }
 };

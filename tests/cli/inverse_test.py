@@ -42,8 +42,8 @@ def test_solutions_come_by_their_distance_from_the_seed(ik, pose_at):
 
 
 def test_the_json_documents_keys_and_their_order(beeline):
-    keys = ["status", "solutions", "singular", "complete", "grid", "deviation", "residual", "reason", "nearest",
-            "method", "iterations", "restarts", "units"]
+    keys = ["status", "solutions", "singular", "complete", "self_motion_dimension", "grid", "deviation", "residual",
+            "reason", "nearest", "method", "iterations", "restarts", "units"]
     for pose in ("4,5,0", "8,8,0"):
         assert list(beeline("ik", "rrr", "--pose", pose, "--json").json) == keys
 
@@ -198,3 +198,21 @@ def test_what_a_person_reads(beeline):
     assert turned.splitlines()[0].endswith("residual 30 deg")
     slide = beeline("ik", "stanford", "--pose", "3,0,0,0,0,0", "--degrees").out
     assert slide.splitlines()[0].endswith(" m")
+
+
+def test_infinitely_many_solutions_are_said_to_be_so_and_listed_in_a_readable_number(beeline, pose_at):
+    pose = "--pose=" + pose_at("panda", Q["panda"])
+    data = beeline("ik", "panda", pose, "--all", "--json").json
+    assert data["self_motion_dimension"] == 1 and len(data["solutions"]) > 20
+    lines = beeline("ik", "panda", pose, "--all").out.splitlines()
+    assert lines[0].startswith("solved: infinitely many solutions (self-motion of dimension 1), "
+                               f"{len(data['solutions'])} samples")
+    assert len(lines) == 1 + 10 + 2
+    assert lines[11].split() == ["and", str(len(data["solutions"]) - 10), "more,", "which", "--json", "prints"]
+    assert "--lock joint7=VALUE" in lines[12] and "--redundancy" in lines[12]
+    locked = beeline("ik", "panda", pose, "--all", "--lock", f"joint7={joints(Q['panda'])[6]}")
+    assert locked.out.startswith("solved: ") and "infinitely" not in locked.out and len(locked.out.splitlines()) < 10
+    for arm in ("rrr", "ur5"):
+        finite = beeline("ik", arm, "--pose=" + pose_at(arm, Q[arm]), "--all")
+        count = int(finite.out.split()[1])
+        assert "infinitely" not in finite.out and len(finite.out.splitlines()) == 1 + count

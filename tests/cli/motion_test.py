@@ -53,7 +53,7 @@ def test_a_line_out_of_reach_comes_with_a_nearby_one_that_works(beeline, written
     answer = beeline("line", "ur5", "--through", through, "--json")
     assert answer.code == 1 and answer.json["status"] == "unreachable"
     moved = answer.json["nearby"][0]["translation"]
-    assert moved[0] < -0.05 and "moved by 0.0" in answer.json["nearby"][0]["description"]
+    assert moved[0] < -0.05 and "every waypoint moved by 0.0" in answer.json["nearby"][0]["description"]
     x, y, z = moved
     rows = [[0.5 + x, -0.3 + y, 0.5 + z, 3.14159, 0, 0], [0.8 + x, 0.3 + y, 0.5 + z, 3.14159, 0, 0.6]]
     text = "x,y,z,roll,pitch,yaw\n" + "".join(",".join(map(repr, row)) + "\n" for row in rows)

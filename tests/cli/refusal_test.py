@@ -17,7 +17,13 @@ USAGE = [
     (("fk", "rrr", *Q3, "--nonsense"), ["--nonsense"]),
     (("fly",), ["fly", "fk, jacobian"]),
     (("mvoe",), ["mvoe", '"move"']),
-    ((), ["needs a verb", "jacobian"]),
+    (("fkin", "rrr"), ["fkin", 'did you mean "fk"']),
+    (("ikine", "rrr"), ['did you mean "ik"']),
+    (("forward", "rrr"), ['did you mean "fk"']),
+    (("jtraj", "rrr"), ['did you mean "move"']),
+    (("show", "RPRX"), ["joint string RPRX", '"X"', "R, P, H, S, C, E, U"]),
+    (("show", "RXRA"), ["unknown arm"]),
+    (("jacobian", "rrr", *Q3, "--frame", "world"), ['--frame: unknown frame "world"', "base", "space", "world's axes"]),
     (("jacobian", "rrr", *Q3, "--frame", "tol"), ["tol", "tool"]),
     (("jacobian", "rrr", *Q3, "--task", "000000"), ["000000"]),
     (("ik", "rrr", "--pose", "1,2"), ["--pose", "x,y,theta"]),
@@ -66,6 +72,20 @@ USAGE = [
     (("ik", "rrr", "--pose", "x,3,0"), ['--pose: item 1: "x"']),
     (("ik", "rrr", "--pose", "4,3,0", "--task", "x"), ["--task: unknown task"]),
 ]
+
+
+def test_the_command_alone_prints_a_short_help(beeline):
+    answer = beeline()
+    assert answer.code == 2 and answer.out == ""
+    lines = answer.err.splitlines()
+    assert lines[0] == "beeline: a verb is missing" and "Usage: beeline VERB [ARM] [options]" in lines
+    assert len(lines) < 45
+    examples = [line.split() for line in lines if line.startswith("  beeline ")]
+    assert len(examples) == 2
+    for example in examples:
+        assert beeline(*example[1:]).code == 0
+    for verb in ("fk", "ik", "line", "check"):
+        assert any(line.split()[:1] == [verb] for line in lines)
 
 
 @pytest.mark.parametrize("arguments, says", USAGE, ids=lambda value: " ".join(value)[:60])

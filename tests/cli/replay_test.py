@@ -1,6 +1,7 @@
 """replay with changing speed, and its tracking error."""
 
 import csv
+import re
 
 import pytest
 
@@ -76,11 +77,20 @@ def test_it_holds_all_limits_at_any_rate(beeline, recording, tmp_path, rate, opt
     assert again.code == 0 and not again.err, again.err
 
 
-def test_a_linear_recording_names_the_rate_that_works(beeline, recording):
-    beeline("retime", "panda", recording, "--interpolation", "linear", "--rate", "100", "--out", "linear.csv")
-    answer = beeline("replay", "panda", "linear.csv", "--rate", "1000")
-    assert answer.code == 1
-    assert "joint" in answer.err and ("a rate of" in answer.err or "without a rate" in answer.err), answer.err
+@pytest.mark.parametrize("recorded, rate", [("100", "1000"), ("25", "200"), ("50", "125")])
+def test_a_linear_recording_names_the_speed_and_the_rate_that_work(beeline, recording, recorded, rate):
+    beeline("retime", "panda", recording, "--interpolation", "linear", "--rate", recorded, "--out", "linear.csv")
+    answer = beeline("replay", "panda", "linear.csv", "--rate", rate)
+    assert answer.code == 1 and "joint" in answer.err
+    speed = re.search("a speed of ([0-9.]+) at this rate", answer.err)
+    other = re.search("a rate of ([0-9.]+)", answer.err)
+    assert speed or other, answer.err
+    if speed:
+        assert float(speed[1]) >= 0.5
+        assert beeline("replay", "panda", "linear.csv", "--rate", rate, "--speed", speed[1]).code == 0
+    if other:
+        assert beeline("replay", "panda", "linear.csv", "--rate", other[1]).code == 0
+        assert ("corners" in answer.err) == (float(rate) >= 2 * float(other[1]))
 
 
 def test_a_recording_beyond_limits_is_played_with_a_warning(beeline, recording):

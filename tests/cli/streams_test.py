@@ -84,3 +84,32 @@ def test_a_file_beyond_the_limit_of_the_shell_is_an_error(build, tmp_path):
     process = subprocess.run(["bash", "-c", command], capture_output=True, text=True, cwd=tmp_path)
     assert process.returncode == 3 and "move.csv" in process.stderr
     assert list(tmp_path.iterdir()) == []
+
+
+def run_with_early_reader(build, tmp_path, *command, bytes_read=1):
+    """(code, stderr) of a command whose reader closes the pipe after some bytes, as head does."""
+    process = subprocess.Popen([build / "beeline", *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                               cwd=tmp_path)
+    process.stdout.read(bytes_read)
+    process.stdout.close()
+    errors = process.stderr.read()
+    return process.wait(), errors
+
+
+# The pipe holds 64 KiB: what is shorter may be written before the reader leaves.
+@pytest.mark.parametrize("command", [("man",), ("help", "line"), ("arms",), ("--help",), ("completion", "bash"),
+                                     ("show", "panda", "--json"), ("fk", "panda", "--q", "0,0,0,-1,0,1,0", "--all")])
+def test_a_reader_that_leaves_ends_the_command_quietly(build, tmp_path, command):
+    code, errors = run_with_early_reader(build, tmp_path, *command, bytes_read=0)
+    assert code in (0, 141) and errors == b"", (code, errors)
+
+
+def test_a_reader_of_rows_that_leaves_ends_the_command_quietly(build, written, tmp_path):
+    written("q.csv", "joint1,joint2,joint3\n" + "1,2,0.123456789\n" * 20_000)
+    code, errors = run_with_early_reader(build, tmp_path, "batch", "fk", "rrr", "--in", "q.csv", "--out", "-")
+    assert code == 141 and errors == b"", (code, errors)
+    # A reader that is gone before the first byte.
+    script = f"sleep 0.2; exec {build}/beeline arms --json"
+    process = subprocess.Popen(["bash", "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    process.stdout.close()
+    assert process.stderr.read() == b"" and process.wait() == 141

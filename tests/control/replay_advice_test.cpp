@@ -37,6 +37,12 @@ std::optional<double> advised_speed(const std::string& reason) {
   return one ? one : number_after(reason, "; speeds of at most ");
 }
 
+ReplayOptions slower(ReplayOptions options, double speed) {
+  options.speed = std::min(options.speed, speed);
+  for (SpeedChange& change : options.speed_at) change.speed = std::min(change.speed, speed);
+  return options;
+}
+
 /// The options with what the reason advises; none without advice.
 std::optional<ReplayOptions> advised(ReplayOptions options, const std::string& reason) {
   if (const auto rate = number_after(reason, "a rate of ")) {
@@ -44,8 +50,7 @@ std::optional<ReplayOptions> advised(ReplayOptions options, const std::string& r
   } else if (const auto ramp = number_after(reason, "a ramp of ")) {
     options.ramp = *ramp;
   } else if (const auto speed = advised_speed(reason)) {
-    options.speed = std::min(options.speed, *speed);
-    for (SpeedChange& change : options.speed_at) change.speed = std::min(change.speed, *speed);
+    return slower(options, *speed);
   } else if (reason.find("without a rate") != std::string::npos) {
     options.rate = 0;
   } else {
@@ -79,6 +84,10 @@ TEST(Replay, AdviceThatItGivesWorks) {
     ++helped;
     const Replay again = replay(arm, recorded, *better);
     EXPECT_TRUE(again) << played.reason << "\n" << again.reason;
+    const auto speed = advised_speed(played.reason);
+    if (!speed || played.reason.find(" at this rate") == std::string::npos) continue;
+    const Replay slow = replay(arm, recorded, slower(options, *speed));
+    EXPECT_TRUE(slow) << played.reason << "\n" << slow.reason;
   }
   EXPECT_GT(refused, 0);
   EXPECT_GE(2 * helped, refused);

@@ -64,7 +64,7 @@ def test_the_trail_is_that_of_the_motion_between_its_samples():
 def test_joint_curves_have_the_library_s_colours_and_the_arm_s_limits():
     arm = beeline.arms.panda()
     trajectory = motion(arm)
-    axes = plot.joints(trajectory, arm)
+    axes = plot.joints(arm, trajectory)
     curves = [line for line in axes[0].lines if line.get_label() in arm.joint_names]
     assert [to_rgb(curve.get_color()) for curve in curves] == [beeline.distinct_colour(k) for k in range(7)]
     assert to_rgb(curves[0].get_color())[0] > 0.8 and to_rgb(curves[2].get_color())[2] > 0.7
@@ -76,11 +76,13 @@ def test_joint_curves_have_the_library_s_colours_and_the_arm_s_limits():
     levels = {round(line.get_ydata()[0], 4) for line in axes[0].lines if line.get_linestyle() == "--"}
     assert levels == set(np.round(np.concatenate([arm.lower, arm.upper]), 4))
     assert len(plot.joints(trajectory)[0].lines) == 7
+    former = plot.joints(trajectory, arm)
+    assert [len(ax.lines) for ax in former] == [len(ax.lines) for ax in axes]
 
 
 def test_a_linear_motion_has_steps():
     arm = beeline.arms.rrr()
-    axes = plot.joints(motion(arm, with_velocities=False), arm)
+    axes = plot.joints(arm, motion(arm, with_velocities=False))
     assert "by differences" in axes[2].get_ylabel()
     assert any(line.get_linestyle() == ":" for line in axes[1].lines)  # an assumed limit
     velocity = axes[1].lines[0].get_ydata()

@@ -39,7 +39,7 @@ void expect_proof_is_tight(const Arm& arm, const Line& line, const PathMotion& m
 
 /// An independent search reaches no farther, and finds the same obstacle.
 void expect_rightly_refused(const Arm& arm, const Line& line, const PathMotion& motion) {
-  const double told = told_fraction(motion);
+  const double told = stopped_at(motion);
   if (arm.dof() == 7) {
     const DenseAnswer dense = dense_layers(arm, line.from, line.to, 80, 48, 0.3);
     EXPECT_FALSE(dense.feasible()) << motion.reason;

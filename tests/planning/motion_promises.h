@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include <beeline/internal/rounded_number.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
 #include <beeline/model/composite.h>
@@ -120,9 +121,12 @@ inline void expect_straight(const Arm& arm, const Configuration& start,
   EXPECT_EQ(motion.arrivals.back() + 1, trajectory.size());
 }
 
-inline double told_fraction(const PathMotion& motion) {
-  const std::size_t at = motion.reason.find("stops after ");
-  return at == std::string::npos ? -1 : std::stod(motion.reason.substr(at + 12)) / 100;
+/// The fraction of the segment at which a motion stops. The reason has it as a percentage.
+inline double stopped_at(const PathMotion& motion) {
+  const double fraction = motion.path_parameter - std::floor(motion.path_parameter);
+  EXPECT_NE(motion.reason.find("stops after " + internal::percent(fraction)), std::string::npos)
+      << motion.reason;
+  return fraction;
 }
 
 inline void expect_nothing_made(const PathMotion& motion, MotionStatus status) {

@@ -41,7 +41,7 @@ TEST(MoveInLines, MeetsItsGuaranteesOnRandomLinesOfBuiltInArms) {
         expect_nothing_made(motion, motion.status);
         ASSERT_NE(motion.status, MotionStatus::not_proved) << motion.reason;
         ASSERT_NE(motion.status, MotionStatus::too_many_samples) << motion.reason;
-        ASSERT_GE(told_fraction(motion), 0) << motion.reason;
+        ASSERT_GE(stopped_at(motion), 0) << motion.reason;
       }
     }
     EXPECT_GE(reached, lines / 5) << name;
@@ -103,7 +103,7 @@ TEST(MoveInLines, ReportsWhereALineLeavesTheWorkspace) {
     if (nearest < 0.1 && b < 0) continue;  // past the folded arm: a test of its own
     const PathMotion motion = move_in_lines(arm, start, std::vector{to});
     expect_nothing_made(motion, MotionStatus::unreachable);
-    ASSERT_NEAR(told_fraction(motion), s, 1e-4) << motion.reason;
+    ASSERT_NEAR(stopped_at(motion), s, 1e-4) << motion.reason;
     ASSERT_NE(motion.reason.find("line 1 of 1"), std::string::npos);
   }
 }
@@ -126,7 +126,7 @@ TEST(MoveInLines, NamesTheJointWhoseLimitStopsTheMotion) {
     const PathMotion motion =
         move_in_lines(arm, start, std::vector{make_pose(from.translation() + way, from.linear())});
     expect_nothing_made(motion, MotionStatus::outside_limits);
-    ASSERT_NEAR(told_fraction(motion), s, 1e-5) << motion.reason;
+    ASSERT_NEAR(stopped_at(motion), s, 1e-5) << motion.reason;
     ASSERT_NE(motion.reason.find(outwards ? "joint2 would have to pass its lower limit of 0.5 rad"
                                           : "joint2 would have to pass its upper limit of 2 rad"),
               std::string::npos)
@@ -144,7 +144,7 @@ TEST(MoveInLines, NamesASlidesLimitInMetres) {
   EXPECT_NE(motion.reason.find("joint2 would have to pass its upper limit of 2 m"),
             std::string::npos)
       << motion.reason;
-  EXPECT_NEAR(told_fraction(motion), 1.0 / 7, 1e-6);
+  EXPECT_NEAR(stopped_at(motion), 1.0 / 7, 1e-6);
 }
 
 // The wrist at the base: the folded arm may have any direction there, but can continue in only one.

@@ -125,7 +125,7 @@ def test_what_the_arm_does_not_have_is_refused():
         beeline.view(UR5, [np.nan] * 6)
     with pytest.raises(beeline.Error, match="does not fit arm ur5"):
         beeline.view(UR5, trajectory=beeline.Trajectory(["a"], [0, 1], [[0], [1]]))
-    with pytest.raises(TypeError, match="trajectory must be"):
+    with pytest.raises(TypeError, match="trajectory: expected a Trajectory"):
         beeline.view(UR5, trajectory=[Q])
 
 

@@ -142,7 +142,7 @@ def test_slowed_down_within_limits(rng):
     fast = beeline.Trajectory(PANDA.joint_names, np.arange(5) / 100, q, np.zeros_like(q), np.zeros_like(q))
     used = beeline.limit_usage(PANDA, fast)
     assert used.velocity.fraction > 1 and used.velocity.exact and used.jerk.exact
-    k = beeline.slowdown(used.velocity.fraction, used.acceleration.fraction, used.jerk.fraction)
+    k = beeline.slowdown_factor(used.velocity.fraction, used.acceleration.fraction, used.jerk.fraction)
     slow = beeline.limit_usage(PANDA, beeline.slow_down(fast, k))
     assert max(slow.velocity.fraction, slow.acceleration.fraction, slow.jerk.fraction) == pytest.approx(1, abs=1e-9)
     assert beeline.slow_down(fast, 0.5) == fast

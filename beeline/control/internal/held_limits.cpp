@@ -4,6 +4,7 @@
 
 #include <beeline/control/internal/held_limits.h>
 #include <beeline/error.h>
+#include <beeline/internal/rounded_number.h>
 #include <beeline/trajectory/internal/end_velocity.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
 #include <beeline/trajectory/internal/limit_fraction.h>
@@ -57,7 +58,8 @@ double slowdown_to_rest(const Trajectory& trajectory, const Limits& limits,
 
 }  // namespace
 
-HeldLimits held_limits(const Arm& arm, const Trajectory& recording, double speed) {
+HeldLimits held_limits(const Arm& arm, const Trajectory& recording, double speed,
+                       double limit_tolerance) {
   HeldLimits held{.limits = {}, .starts_at_rest = true, .ends_at_rest = true};
   const auto dof = static_cast<std::size_t>(arm.dof());
   for (int i = 0; i < arm.dof(); ++i) {
@@ -68,7 +70,8 @@ HeldLimits held_limits(const Arm& arm, const Trajectory& recording, double speed
     std::array<bool, 4>& recorded = held.recorded.emplace_back();
     for (int order = 1; order <= 3; ++order) {
       const auto kind = rate_limits[static_cast<std::size_t>(order)];
-      if (order == 1 && known.velocity < Limits::none) continue;
+      const bool known_velocity = order == 1 && known.velocity < Limits::none;
+      if (known_velocity && limit_tolerance == 0) continue;
       std::vector<Limits> only(dof);
       only[static_cast<std::size_t>(i)] = limits;
       const CoordinateFraction own = limit_fraction(only, recording, order);
@@ -76,6 +79,7 @@ HeldLimits held_limits(const Arm& arm, const Trajectory& recording, double speed
       const bool free = order == 3 && !(known.jerk < Limits::none);
       if (!own.exact && (fraction > 1 || free)) limits.*kind = Limits::none;
       if (!own.exact || !(fraction > 1)) continue;
+      if (known_velocity && fraction > 1 + limit_tolerance) continue;
       limits.*kind *= fraction;
       recorded[static_cast<std::size_t>(order)] = true;
     }
@@ -143,7 +147,7 @@ std::string described(const Arm& arm, const Trajectory& trajectory, const LimitE
   const auto order = static_cast<std::size_t>(excess.order);
   constexpr std::array<const char*, 4> names = {"", "velocity", "acceleration", "jerk"};
   const bool known = arm.limits(excess.coordinate).*rate_limits[order] < Limits::none;
-  const std::string times = where + " uses " + number(excess.fraction) + " times ";
+  const std::string times = where + " uses " + number_apart(excess.fraction, 1) + " times ";
   if (excess.recorded) return times + "the recording's own " + names[order];
   return times + "its " + (known ? "" : "assumed ") + names[order] + " limit";
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <beeline/control/internal/replay_attempt.h>
 #include <beeline/error.h>
@@ -35,20 +36,57 @@ class AdviceSearch {
     return {};
   }
 
-  /// The highest of usual rates below the present one, from half the recording's mean rate on or,
-  /// `low`, below that.
-  std::string rate(bool low) {
+  /// The highest of some speeds, down to half the present one, at the present rate; 0 if none does.
+  double speed_at_this_rate(double present) {
+    for (const double factor : {0.95, 0.9, 0.8, 0.7, 0.6, 0.5}) {
+      const double tried = printed(factor * present, false);
+      if (with_speed(tried).replay) return tried;
+      if (!budget_.complete()) break;
+    }
+    return 0;
+  }
+
+  /// The usual rate that is nearest to the present one by its ratio, above or below; 0 if none
+  /// does.
+  double rate() {
     const double present = replay_rate(options_);
     const double duration = recording_.times.back() - recording_.times.front();
-    const double half = 0.5 * static_cast<double>(recording_.size() - 1) / duration;
-    for (const double tried : {1000., 500., 250., 200., 125., 100., 60., 50., 25., 20., 10.}) {
-      if (tried >= present || tried * duration < least_periods() || (tried < half) != low) continue;
+    std::vector<double> rates{1000, 500, 250, 200, 125, 100, 60, 50, 25, 20, 10};
+    const auto far = [&](double tried) { return std::abs(std::log(tried / present)); };
+    std::sort(rates.begin(), rates.end(), [&](double a, double b) { return far(a) < far(b); });
+    for (const double tried : rates) {
+      if (tried == present || tried * duration < least_periods()) continue;
       ReplayOptions options = options_;
       options.rate = tried;
-      if (works(options)) return "a rate of " + number(tried) + " keeps the limits";
-      if (!budget_.complete()) return {};
+      if (works(options)) return tried;
+      if (!budget_.complete()) break;
     }
-    return {};
+    return 0;
+  }
+
+  /// A speed at the present rate, another rate, or both.
+  std::string speed_or_rate(double highest_speed) {
+    const double speed = speed_at_this_rate(highest_speed);
+    const double rate = budget_.complete() ? this->rate() : 0;
+    if (!(speed > 0 || rate > 0)) return {};
+    const bool steady = options_.speed_at.empty();
+    std::string text;
+    if (speed > 0) {
+      text = (steady ? "a speed of " : "speeds of at most ") + number(speed) + " at this rate";
+    }
+    if (rate > 0) text += (text.empty() ? "" : ", or ") + ("a rate of " + number(rate));
+    return text + (steady || !(speed > 0) || rate > 0 ? " keeps the limits" : " keep the limits") +
+           why_far(rate);
+  }
+
+  /// Why only a rate far from the present one was found.
+  std::string why_far(double rate) const {
+    constexpr double far = 2;
+    const double present = replay_rate(options_);
+    if (!(rate > 0) || present < far * rate || recording_.interpolation() != Interpolation::linear)
+      return {};
+    return "; the recording is linear between its samples, and finer sampling shows the corners, "
+           "which retime() smooths";
   }
 
   std::string recorded_samples() {
@@ -114,10 +152,9 @@ std::string tried_advice(const Arm& arm, const Trajectory& recording, const Repl
     if (advice.empty() && budget.complete()) advice = tried();
   };
   if (!failed.speed && replay_rate(options) > 0) {
-    or_else([&] { return search.rate(false); });
+    or_else([&] { return search.speed_or_rate(highest_speed(options)); });
     or_else([&] { return search.recorded_samples(); });
     if (!options.speed_at.empty()) or_else([&] { return search.ramp(); });
-    or_else([&] { return search.rate(true); });
   }
   or_else([&] { return search.speed(failed.speed.value_or(0.8 * highest_speed(options))); });
   if (!budget.complete()) return {};

@@ -5,6 +5,7 @@
 #include <beeline/control/internal/replay_attempt.h>
 #include <beeline/control/internal/speed_schedule.h>
 #include <beeline/error.h>
+#include <beeline/internal/rounded_number.h>
 #include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/timing/point_to_point.h>
 #include <beeline/trajectory/internal/append.h>
@@ -50,14 +51,14 @@ VelocityUse use_in_steps(std::span<const Limits> limits, const Trajectory& recor
 
 /// Sets the reason where the recording is too fast for a known velocity limit.
 bool refuse_velocity(const Arm& arm, const Trajectory& recording, std::span<const Limits> limits,
-                     const VelocityUse& use, ReplayAttempt& attempt) {
+                     const VelocityUse& use, double limit_tolerance, ReplayAttempt& attempt) {
   constexpr double rounding = 1e-9;
-  if (!(use.fraction > 1 + rounding)) return false;
+  if (!(use.fraction > 1 + std::max(rounding, limit_tolerance))) return false;
   const Trajectory there = samples_between(recording, use.sample, use.sample + 1);
   const std::string& joint = arm.joint_of(limit_fraction(limits, there, 1).coordinate).name;
   const double time = recording.times[use.sample];
   attempt.replay.reason = "at " + number(time) + " s joint " + joint + " moves at " +
-                          number(use.fraction) + " times its velocity limit";
+                          number_apart(use.fraction, 1) + " times its velocity limit";
   attempt.replay.limits.velocity = {use.fraction, joint, time};
   attempt.speed = use.speed / use.fraction;
   return true;
@@ -119,7 +120,10 @@ void play(PlayedMotion& motion, const ReplayOptions& options, std::span<const Li
         scheduled_progress(motion.arm, motion.recording,
                            {options, rate, motion.first, 1, motion.sections, motion.budget});
     const VelocityUse use = use_in_steps(known, motion.recording, asked);
-    if (refuse_velocity(motion.arm, motion.recording, known, use, attempt)) return;
+    if (refuse_velocity(motion.arm, motion.recording, known, use, options.limit_tolerance,
+                        attempt)) {
+      return;
+    }
   }
   const PlayedSection section = steady ? at_constant_speed(motion, options.speed, rate)
                                        : with_speed_changes(motion, options, rate);
@@ -153,12 +157,13 @@ ReplayAttempt attempt_replay(const Arm& arm, const Trajectory& recording,
   const std::vector<Limits>& known = arm.limits();
   const bool steady = options.speed_at.empty();
   attempt.curable = true;
-  if (steady && refuse_velocity(arm, recording, known,
-                                use_at_constant_speed(known, recording, options.speed), attempt)) {
+  if (steady &&
+      refuse_velocity(arm, recording, known, use_at_constant_speed(known, recording, options.speed),
+                      options.limit_tolerance, attempt)) {
     return attempt;
   }
   PlayedMotion motion{arm, recording, recording.interpolation(),
-                      held_limits(arm, recording, options.speed)};
+                      held_limits(arm, recording, options.speed, options.limit_tolerance)};
   motion.max_slowdown = max_slowdown;
   motion.budget = &budget;
   if (steady && refuse_speed(motion, options.speed, attempt)) return attempt;

@@ -6,6 +6,7 @@
 #include <beeline/inverse/internal/joint_lock.h>
 #include <beeline/inverse/internal/pose_tolerance.h>
 #include <beeline/inverse/internal/redundancy.h>
+#include <beeline/inverse/internal/self_motion_dimension.h>
 #include <beeline/inverse/internal/solution_set.h>
 #include <beeline/inverse/internal/solve.h>
 #include <beeline/inverse/internal/solve_fast_path.h>
@@ -159,6 +160,11 @@ InverseResult solve(SolverState& state, const Pose& world_T_tool, const Configur
         (result.branches_complete ? "; of each branch the one nearest to the seed is given"
          : nearest                ? "; in those given the joints concerned are nearest to the seed"
                                   : ", of which those given are some");
+  }
+  if (request.options.all && (result.singular || !finitely_many)) {
+    result.self_motion_dimension =
+        std::max(self_motion_dimension(request.arm, request.task, result.solutions),
+                 result.singular ? 1 : 0);
   }
   set_ended(request, optimised, result);
   return result;

@@ -55,7 +55,8 @@ class ProgramVerifier {
     if (passed && parts_.empty()) check_rest(0);
     // Last, so that the progress of candidates is copied without them.
     result_.deviation.interval_bounds.resize(trajectory_.size() - 1);
-    const auto joint = first_joint_fault(arm_, trajectory_, options_.moving, options_.budget);
+    const auto joint = first_joint_fault(arm_, trajectory_, options_.moving, options_.budget,
+                                         options_.limit_tolerance);
     if (!options_.budget.part_of->complete()) {
       const Ending ending = options_.budget.part_of->ending();
       end(ending,

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <beeline/internal/rounded_number.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/manipulability.h>
@@ -58,7 +59,7 @@ InverseResult solve_ahead(const Arm& arm, const Segment& segment, const Task& ta
 std::string stop_message(const Segment& segment, double s) {
   const Vector3 p = pose_at(segment, s).translation();
   const bool line = std::holds_alternative<Line>(segment);
-  return "stops after " + number(100 * s) + (line ? " % of its length, at x " : " % of it, at x ") +
+  return "stops after " + percent(s) + (line ? " of its length, at x " : " of it, at x ") +
          number(p.x()) + ", y " + number(p.y()) + ", z " + number(p.z()) + " m: ";
 }
 

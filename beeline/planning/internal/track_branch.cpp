@@ -4,6 +4,7 @@
 
 #include <beeline/certificate/internal/path_checks.h>
 #include <beeline/internal/budget_meter.h>
+#include <beeline/internal/rounded_number.h>
 #include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
@@ -280,7 +281,7 @@ void set_ended(const ToolPath& path, Ending ending, Branch& branch) {
   } else if (branch.path_parameter > 0) {
     const auto i = static_cast<std::size_t>(branch.path_parameter);
     branch.reason += " after it had followed " + segment_number(path, i) + "to " +
-                     number(100 * (branch.path_parameter - static_cast<double>(i))) + " %";
+                     percent(branch.path_parameter - static_cast<double>(i));
   }
   branch.reason += how_to_continue(ending);
 }

@@ -103,8 +103,9 @@ std::size_t InputFile::read_from_system(char* bytes, std::size_t wanted) {
   return filled;
 }
 
-OutputFile::OutputFile(const std::string& path, Dash dash) : path_(path) {
-  const bool standard = path == "-" && dash == Dash::standard;
+OutputFile::OutputFile(const std::string& path, Dash dash)
+    : path_(path), standard_(path == "-" && dash == Dash::standard) {
+  const bool standard = standard_;
   if (standard) path_ = "stdout";
   struct stat status {};
   const bool exists = standard || ::stat(path.c_str(), &status) == 0;
@@ -142,6 +143,7 @@ void OutputFile::append(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
+    if (count < 0 && errno == EPIPE && standard_) throw ClosedPipe(path_);
     if (count < 0) throw refused(path_, "cannot be written", errno);
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }

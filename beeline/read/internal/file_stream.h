@@ -6,10 +6,20 @@
 #include <string>
 #include <string_view>
 
+#include <beeline/error.h>
+
 namespace beeline::internal {
 
 /// The meaning of the path "-": a file of that name, or the standard input or output.
 enum class Dash { file, standard };
+
+/// The standard output is a pipe that its reader has closed, as `head` does when it has read
+/// enough.
+class ClosedPipe : public FileError {
+ public:
+  explicit ClosedPipe(const std::string& path)
+      : FileError(path, 0, "cannot be written: its reader has closed the pipe") {}
+};
 
 /// Reads a file from front to end in blocks. All functions throw FileError for errors of the
 /// system.
@@ -44,7 +54,8 @@ class InputFile {
 /// Writes a temporary file in blocks; commit() then renames it to `path`: a reader finds the old
 /// content or the new one, never a part. Without commit() the temporary file is deleted. Pipes,
 /// devices and the standard output are written directly.
-/// All functions throw FileError for errors of the system.
+/// All functions throw FileError for errors of the system, append() ClosedPipe for a
+/// standard output that its reader has closed.
 class OutputFile {
  public:
   explicit OutputFile(const std::string& path, Dash dash = Dash::file);
@@ -61,7 +72,7 @@ class OutputFile {
 
  private:
   std::string path_, target_, temporary_;  ///< `temporary_` is empty while the file has no name
-  bool replaces_ = true;
+  bool replaces_ = true, standard_ = false;
   int descriptor_ = -1;
 };
 

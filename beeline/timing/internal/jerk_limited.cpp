@@ -103,7 +103,7 @@ double slowdown_at(QuinticMotion& motion, double tau, const SquaredRate& rate) {
     acceleration = std::max(acceleration, ddq / limits.acceleration[joint]);
     jerk = std::max(jerk, root * std::abs(dddq) / limits.jerk[joint]);
   }
-  return slowdown(root * std::sqrt(sample.inverse_max), acceleration, jerk);
+  return slowdown_factor(root * std::sqrt(sample.inverse_max), acceleration, jerk);
 }
 
 /// The same for each step of the spline: the largest at its ends, three times between them, and on

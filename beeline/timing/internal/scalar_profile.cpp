@@ -97,7 +97,7 @@ class LimitFractions {
 
   /// The factor by which the profile must be slowed down to keep them.
   double slowdown_of(ScalarForm form) const {
-    return slowdown(velocity_, acceleration_, form == ScalarForm::trapezoidal ? 0 : jerk_);
+    return slowdown_factor(velocity_, acceleration_, form == ScalarForm::trapezoidal ? 0 : jerk_);
   }
 
  private:

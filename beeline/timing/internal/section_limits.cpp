@@ -62,8 +62,8 @@ NeededSlowdown needed_slowdown(const Arm& arm, const Trajectory& trajectory,
   const auto usage = [&](int order) {
     return limit_fraction(limits, trajectory, order, options.budget).fraction;
   };
-  NeededSlowdown needed{slowdown(usage(1), usage(2), 0) / options.speed_scale,
-                        slowdown(0, 0, usage(3)) / options.speed_scale};
+  NeededSlowdown needed{slowdown_factor(usage(1), usage(2), 0) / options.speed_scale,
+                        slowdown_factor(0, 0, usage(3)) / options.speed_scale};
   const ToolSpeeds& tool = options.tool_speed;
   if (tool.limits.size() == 1 && tool.lowest() < Limits::none) {
     const double bound = tool_speed_bound(arm, trajectory, options.budget);

@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <locale>
+#include <sstream>
+
+#include <beeline/error.h>
+#include <beeline/internal/rounded_number.h>
+
+namespace beeline::internal {
+namespace {
+
+std::string with_digits(double value, int digits) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(digits);
+  text << value;
+  return text.str();
+}
+
+/// The unit of the last digit that is shown of a percentage.
+double last_digit(double value) {
+  const double size = std::abs(value);
+  if (size >= 1000) return 1;
+  if (size >= 1 || size == 0) return 0.1;
+  return std::pow(10, std::floor(std::log10(size)) - 1);
+}
+
+std::string percent_text(double units, double unit) {
+  constexpr int digits = 15;  // a product of doubles has a few more, by rounding
+  return with_digits(units * unit, digits) + " %";
+}
+
+}  // namespace
+
+std::string percent(double fraction) {
+  constexpr double rounding_error = 5e-13;
+  const double value = 100 * fraction;
+  if (!std::isfinite(value)) return number(value) + " %";
+  if (std::abs(fraction) < rounding_error) return "0 %";
+  const double unit = last_digit(value);
+  return percent_text(std::round(value / unit), unit);
+}
+
+std::string percent_at_most(double fraction) {
+  constexpr double slack = 1e-6;  // as certificates have
+  const double value = 100 * fraction;
+  if (!std::isfinite(value)) return number(value) + " %";
+  if (fraction > 1 && fraction <= 1 + slack) return "100 %";
+  const double unit = last_digit(value);
+  return percent_text(std::ceil(value / unit * (1 - std::numeric_limits<double>::epsilon())), unit);
+}
+
+std::string number_at_least(double value) {
+  if (!(std::abs(value) > 0 && std::isfinite(value))) return number(value);
+  const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 5);
+  const std::string nearest = number(value);
+  return std::stod(nearest) >= value ? nearest : number(std::stod(nearest) + unit);
+}
+
+std::string number_apart(double value, double reference) {
+  constexpr int usual = 6, all = std::numeric_limits<double>::max_digits10;
+  int digits = usual;
+  if (value != reference) {
+    while (digits < all && with_digits(value, digits) == number(reference)) ++digits;
+  }
+  return with_digits(value, digits);
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,46 @@
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <beeline/inverse/internal/self_motion_dimension.h>
+#include <beeline/inverse/numerical/seed_table.h>
+
+namespace beeline::internal {
+namespace {
+
+/// The rank of the task's Jacobian with lengths in units of the arm's reach.
+int rank_at(const Arm& arm, const Task& task, const Configuration& q) {
+  constexpr double lost = 1e-6;              // of the largest singular value
+  const double radius = arm.reach().radius;  // infinite for a slide without limits
+  const double length = radius > 0 && std::isfinite(radius) ? radius : 1;
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(task_jacobian(arm, q, task, length));
+  const Eigen::VectorXd& sigma = svd.singularValues();
+  return static_cast<int>((sigma.array() > lost * sigma[0]).count());
+}
+
+int largest_rank(const Arm& arm, const Task& task) {
+  constexpr int trials = 4;
+  Splitmix random(1);
+  int largest = 0;
+  Configuration q(arm.dof());
+  for (int trial = 0; trial < trials; ++trial) {
+    for (double& value : q) value = std::numbers::pi * (2 * random.next() - 1);
+    largest = std::max(largest, rank_at(arm, task, q));
+  }
+  return largest;
+}
+
+}  // namespace
+
+int self_motion_dimension(const Arm& arm, const Task& task,
+                          const std::vector<Configuration>& solutions) {
+  const int rank = largest_rank(arm, task);
+  if (rank == arm.dof()) return 0;
+  const bool regular = std::any_of(solutions.begin(), solutions.end(), [&](const Configuration& q) {
+    return rank_at(arm, task, q) == rank;
+  });
+  return regular ? arm.dof() - rank : 0;
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,35 @@
+#include <cmath>
+
+#include <beeline/error.h>
+#include <beeline/internal/rounded_number.h>
+#include <beeline/trajectory/internal/append.h>
+#include <beeline/trajectory/internal/given_duration.h>
+#include <beeline/trajectory/limit_usage.h>
+
+namespace beeline::internal {
+
+void check_duration(const std::optional<double>& duration, double rate) {
+  if (!duration) return;
+  if (!(*duration > 0 && std::isfinite(*duration))) {
+    throw Error("duration must be above 0 s, not " + number(*duration));
+  }
+  if (rate > 0) {
+    throw Error("duration cannot be combined with a rate, at which sections last whole periods");
+  }
+}
+
+std::string too_short(double duration, double shortest) {
+  return "a duration of " + number(duration) +
+         " s is too short: the shortest within the limits is " + number_at_least(shortest) + " s";
+}
+
+std::string set_duration(Trajectory& trajectory, double duration) {
+  constexpr double rounding = 1e-9;  // seconds
+  const double shortest = trajectory.times.back();
+  if (duration < shortest - rounding) return too_short(duration, shortest);
+  slow_down(trajectory, duration / shortest);
+  round_times(trajectory);
+  return {};
+}
+
+}  // namespace beeline::internal

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <beeline/trajectory/trajectory.h>
+
+namespace beeline::internal {
+
+/// Throws Error unless a duration is above 0, and where it is given together with a rate: samples
+/// at a rate last whole periods.
+void check_duration(const std::optional<double>& duration, double rate);
+
+/// Why a duration cannot be kept: the shortest within the limits is longer.
+std::string too_short(double duration, double shortest);
+
+/// Slows a trajectory that starts at time 0 down to a duration, its times rounded to nanoseconds.
+/// Returns the reason where that is shorter than the trajectory's, which then stays as it is; empty
+/// otherwise.
+std::string set_duration(Trajectory& trajectory, double duration);
+
+}  // namespace beeline::internal

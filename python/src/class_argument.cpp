@@ -1,0 +1,44 @@
+#include "class_argument.h"
+
+#include <algorithm>
+#include <deque>
+#include <string>
+
+#include <beeline/model/catalog.h>
+
+#include "value.h"
+
+namespace beeline::python {
+namespace {
+
+std::string name_of(nb::handle type) { return nb::str(type.attr("__name__")).c_str(); }
+
+/// How to get an object of the class from the value; empty if that is not known.
+std::string cure(const std::string& type, nb::handle value) {
+  if (type == "Trajectory" && nb::hasattr(value, "trajectory")) return "; take its trajectory";
+  if (type != "Arm") return "";
+  if (!nb::isinstance<nb::str>(value)) return "; beeline.arms.panda() makes one";
+  const std::string text = Value<std::string>::from(value, "arm");
+  const std::vector<std::string> names = built_in_names();
+  const bool built_in = std::find(names.begin(), names.end(), text) != names.end();
+  return built_in ? "; beeline.arms." + text + "() makes one"
+                  : "; beeline.Arm.load(" + std::string(nb::repr(value).c_str()) + ") makes one";
+}
+
+}  // namespace
+
+void raise_class(const char* name, nb::handle type, nb::handle value) {
+  const std::string expected = name_of(type);
+  const bool vowel = std::string("AEIOU").find(expected.front()) != std::string::npos;
+  const std::string message =
+      std::string(name) + ": expected " + (vowel ? "an " : "a ") + expected + ", not " +
+      (value.is_none() ? "None" : name_of(value.type())) + cure(expected, value);
+  throw nb::type_error(message.c_str());
+}
+
+const char* const* kept_names(std::vector<const char*> names) {
+  static std::deque<std::vector<const char*>> all;
+  return all.emplace_back(std::move(names)).data();
+}
+
+}  // namespace beeline::python

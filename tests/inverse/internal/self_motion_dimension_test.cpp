@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <beeline/inverse/internal/self_motion_dimension.h>
+#include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/inverse/numerical/levenberg_marquardt.h>
+#include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
+#include <beeline/read/joint_string.h>
+
+#include <tests/random_arm.h>
+
+namespace beeline {
+namespace {
+
+using internal::self_motion_dimension;
+
+/// The number of independent directions in which solutions are found near q: of configurations that
+/// are moved at random and brought back to the pose, the rank of their differences from q.
+int found_directions(const Arm& arm, const Task& task, const Configuration& q,
+                     testing::Random& random) {
+  constexpr double step = 1e-3;
+  const Pose goal = forward_kinematics(arm, q);
+  const int trials = 3 * arm.dof();
+  Eigen::MatrixXd differences(arm.dof(), trials);
+  for (int i = 0; i < trials; ++i) {
+    Configuration moved = q;
+    for (double& value : moved) value += step * random.uniform(-1, 1);
+    const internal::NumericalResult back = internal::levenberg_marquardt(
+        arm, goal, task, internal::no_bounds(arm), moved, {.tolerance = 1e-12});
+    EXPECT_TRUE(back.converged);
+    differences.col(i) = (back.q - q) / step;
+  }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(differences);
+  return static_cast<int>((svd.singularValues().array() > 0.05).count());
+}
+
+TEST(SelfMotionDimension, IsThatOfTheSolutionsNearby) {
+  testing::Random random;
+  const std::vector<std::pair<Arm, Task>> cases{
+      {built_in("panda"), Task::spatial()},
+      {built_in("ur5"), Task::spatial()},
+      {built_in("ur5"), Task::position()},
+      {built_in("panda"), Task::position()},
+      {built_in("rrr"), Task::planar()},
+      {arm_from_joint_string("RRRR"), Task::planar()},
+      {arm_from_joint_string("RRRRR"), Task::spatial()},  // moves in a plane: rank 3
+      {arm_from_joint_string("PPP"), Task::planar()},     // parallel slides: rank 1
+      {built_in("scara"), Task::spatial()}};
+  for (const auto& [arm, task] : cases) {
+    for (int i = 0; i < 5; ++i) {
+      const Configuration q = random.configuration(arm);
+      EXPECT_EQ(self_motion_dimension(arm, task, {q}), found_directions(arm, task, q, random))
+          << arm.name() << " " << name(task) << " " << q.transpose();
+    }
+  }
+}
+
+TEST(SelfMotionDimension, ProvesNothingAtASingularConfiguration) {
+  const Arm arm = built_in("panda");
+  EXPECT_EQ(self_motion_dimension(arm, Task::spatial(), {Configuration::Zero(7)}), 0);
+  EXPECT_EQ(self_motion_dimension(built_in("rrr"), Task::planar(), {Configuration::Zero(3)}), 0);
+}
+
+TEST(InverseKinematics, SaysThatSolutionsAreInfinitelyMany) {
+  testing::Random random;
+  for (const std::string& name : built_in_names()) {
+    const Arm arm = built_in(name);
+    const Pose pose = forward_kinematics(arm, random.configuration(arm));
+    const InverseResult result =
+        inverse_kinematics(arm, pose, {.all = true, .grid = 8, .max_restarts = 50});
+    ASSERT_TRUE(result) << name;
+    EXPECT_EQ(result.self_motion_dimension, std::max(0, arm.dof() - default_task(arm).size()))
+        << name;
+    if (result.self_motion_dimension > 0) EXPECT_FALSE(result.complete) << name;
+  }
+}
+
+// With a joint locked a redundant arm has finitely many solutions.
+TEST(InverseKinematics, WithAJointLockedHasADimensionLess) {
+  testing::Random random;
+  const Arm arm = built_in("panda");
+  const Configuration q = random.configuration(arm);
+  const InverseResult result =
+      inverse_kinematics(arm, forward_kinematics(arm, q), {.seed = q, .all = true, .lock = 6});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result.self_motion_dimension, 0);
+}
+
+}  // namespace
+}  // namespace beeline
