@@ -92,8 +92,9 @@ std::string about_samples(const Arm& arm, const InverseResult& result, std::size
 std::string solutions_text(const Arm& arm, const InverseResult& result, const UnitArgument& unit) {
   constexpr std::size_t max_samples = 10;
   const bool samples = result.self_motion_dimension > 0;
-  const std::size_t count =
-      samples && !result.branches_complete ? std::min(max_samples, result.solutions.size()) : result.solutions.size();
+  const std::size_t count = samples && !result.branches_complete
+                                ? std::min(max_samples, result.solutions.size())
+                                : result.solutions.size();
   std::string text;
   for (std::size_t i = 0; i < count; ++i) {
     text += fmt::format("  {}\n", shown(unit.shown(arm, result.solutions[i])));

@@ -91,11 +91,10 @@ JointRates joint_rates(const Arm& arm, const ConfigurationRef& q, const Eigen::V
     result.status = RatesStatus::damped;
   } else if (result.residual > rounding * velocity.stableNorm()) {
     result.status = result.singular ? RatesStatus::singular : RatesStatus::too_few_joints;
-    result.reason =
-        (result.singular ? "the arm is singular: no joint rates move its tool along "
-                         : "no joints of the arm move its tool along ") +
-        direction_text(task, missing.stableNormalized()) + " (" + name(options.frame) +
-        " frame), a part of the velocity; damping gives rates of a velocity near it";
+    result.reason = (result.singular ? "the arm is singular: no joint rates move its tool along "
+                                     : "no joints of the arm move its tool along ") +
+                    direction_text(task, missing.stableNormalized()) + " (" + name(options.frame) +
+                    " frame), a part of the velocity; damping gives rates of a velocity near it";
   }
   return result;
 }

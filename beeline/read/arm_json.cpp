@@ -106,9 +106,9 @@ void check_joint_names(const JsonDocument& document, const Json& lists) {
 Arm arm_from_json(std::string_view text, const std::string& path) {
   const JsonDocument document(text, path);
   const Json& root = document.root();
-  document.check_keys(root, {"name", "maker", "model", "source", "note", "base", "tool",
-                             "controller_base", "flange", "joints", "joint_string", "dh",
-                             "joint_names"});
+  document.check_keys(
+      root, {"name", "maker", "model", "source", "note", "base", "tool", "controller_base",
+             "flange", "joints", "joint_string", "dh", "joint_names"});
   for (const char* key : {"maker", "model", "source", "note"}) {
     if (const Json* found = document.find(root, key)) document.text(*found);
   }
