@@ -216,8 +216,10 @@ Verb export_verb() {
           "--mount "
           "moves with the arm; with --work they are in that frame, which the file states in the "
           "root frame. The file sets the tool of --tcp (set_tcp, tooldata, $TOOL), not its load. "
-          "Built-in arms of these makers know their root frame; of others the base frame is "
-          "assumed: a .json arm states it as controller_base, a URDF file as its link base.\n\n"
+          "Built-in arms of these makers know their root frame; of others the world of the arm's "
+          "description is assumed: a .json arm states another as controller_base, a URDF file as "
+          "its "
+          "link base.\n\n"
           "With --rate the last sample is up to one period later than the trajectory's. Files are "
           "in radians and metres, those of "
           "rapid and krl in degrees; --degrees applies to --tcp and --mount.",
