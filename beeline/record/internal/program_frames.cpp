@@ -100,8 +100,8 @@ std::string note_on_frames(ControllerForm form, const ProgramFrames& frames) {
                                 : "poses are in " + root;
   const std::string assumed =
       frames.root_assumed
-          ? "; the base and tool frames of the arm's description are assumed to be that frame and "
-            "the flange (controller_base and flange of a .json arm state others)"
+          ? "; that frame is assumed to be the world of the arm's description, its tool frame the "
+            "flange (controller_base and flange of a .json arm state others)"
           : "";
   return poses + assumed + "; " +
          (frames.has_tool() ? note_on_tool(frames) : "the tool is the flange; ");
