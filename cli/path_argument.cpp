@@ -2,6 +2,7 @@
 
 #include <beeline/error.h>
 #include <beeline/path/blend.h>
+#include <beeline/path/internal/blend_names.h>
 
 using namespace beeline;
 
@@ -26,11 +27,18 @@ std::vector<Option> PathArgument::options(const std::vector<std::string>& method
 
 bool PathArgument::straight() const { return path_kind_named(kind) == PathKind::line && !blend; }
 
-Route PathArgument::through(std::span<const Pose> poses) const {
+Route PathArgument::through(std::span<const Pose> poses) const { return route(poses, false); }
+
+/// The path through the poses, of which the first may be that of the start, before the file's.
+Route PathArgument::route(std::span<const Pose> poses, bool start_first) const {
   const PathKind path = path_kind_named(kind);
   if (blend && path != PathKind::line) throw Error("--blend requires --path line");
-  if (blend) return route_of(blended_lines(poses, {*blend, *blend / metres_per_radian}));
-  return route_of(straight() ? lines_through(poses) : path_through(poses, path), path);
+  if (!blend) {
+    return route_of(straight() ? lines_through(poses) : path_through(poses, path), path);
+  }
+  BlendedPath blended = blended_lines(poses, {*blend, *blend / metres_per_radian});
+  blended.path.names = internal::blend_names(blended, {"waypoint", start_first});
+  return route_of(blended);
 }
 
 Route PathArgument::from(const Pose& tool, std::vector<Pose> poses, const Task& task) const {
@@ -47,5 +55,5 @@ Route PathArgument::from(const Pose& tool, std::vector<Pose> poses, const Task& 
                 "even number of poses in the file");
   }
   poses.insert(poses.begin(), tool);
-  return through(poses);
+  return route(poses, true);
 }

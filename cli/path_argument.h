@@ -26,4 +26,7 @@ struct PathArgument {
   /// components, and otherwise becomes an additional first one.
   beeline::Route from(const beeline::Pose& tool, std::vector<beeline::Pose> poses,
                       const beeline::Task& task) const;
+
+ private:
+  beeline::Route route(std::span<const beeline::Pose> poses, bool start_first) const;
 };

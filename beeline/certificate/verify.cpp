@@ -31,7 +31,8 @@ struct Verifier {
   BudgetMeter& budget;
   std::vector<Pose> world_T_tool = {};  ///< at the samples
   Verification result = {};
-  /// The largest segment parameter up to the interval that is being checked.
+  /// The largest segment parameter up to the interval that is being checked: on a line by position
+  /// an upper bound on that of the tool's projection, else of s(u).
   struct {
     std::size_t segment = 0;
     double s = 0;
@@ -82,7 +83,7 @@ struct Verifier {
   void check_interval(std::size_t k, const ToolPath& path, const PathInterval& part) {
     constexpr int probes = 64;  // of an interval that fails, to find its largest deviation
     const Segment& segment = path.segments[part.segment];
-    auto [measured, bound, along] =
+    auto [measured, bound, projections] =
         interval_deviation(arm, segment, task, part.interval, result.deviation.measured, tolerance);
     for (int i = 1; i < probes && !near(bound); ++i) {
       const double u = static_cast<double>(i) / probes;
@@ -95,9 +96,10 @@ struct Verifier {
     }
     grow(result.deviation.measured, measured);
     grow(result.deviation.bound, bound);
+    grow(result.deviation.interval_bounds[k], bound);
     if (!near(bound))
       return fail_between(k, std::holds_alternative<Line>(segment), measured, bound);
-    check_direction(k, segment, part, along);
+    check_direction(k, segment, part, projections);
   }
 
   /// Records that the deviation after sample k is not proved to be within tolerance.
@@ -115,26 +117,43 @@ struct Verifier {
   }
 
   /// Records a fault where the tool may move backwards on the segment by more than the tolerance,
-  /// as with false velocities: by the largest decrease of s(u) from its largest value up to there,
-  /// and the tool's distance `along` a line from the pose at s(u).
+  /// as with false velocities.
   void check_direction(std::size_t k, const Segment& segment, const PathInterval& part,
-                       double along) {
+                       const std::vector<LineProjection>& projections) {
     if (part.segment != furthest.segment) furthest = {part.segment};
-    const double back = largest_decrease(part.interval.s, furthest.s);
-    const Extremes range = extremes(part.interval.s);
-    Deviation moved{along, 0};
-    if (back > 0) {
-      const double largest = std::max(range.largest, furthest.s);
-      const SegmentTaylorBound rates = segment_taylor_bound(
-          segment, std::clamp(range.smallest, 0.0, 1.0), std::clamp(largest, 0.0, 1.0));
-      if (task.positions() > 0) moved.position += back * rates.position.c[1];
-      if (task.orientations() > 0) moved.orientation = back * rates.rotation.c[1];
-    }
-    furthest.s = std::max(furthest.s, range.largest);
+    const Deviation moved = projections.empty()
+                                ? parameter_decrease(segment, part.interval.s)
+                                : projection_decrease(std::get<Line>(segment), projections);
     if (near(moved)) return;
     fail(Fault::deviation, k,
          "up to the next sample the tool moves backwards on " + name_of(part.segment) +
              " by up to " + deviation_text(moved));
+  }
+
+  /// Bounds the change of the segment's pose by the largest decrease of s(u) from its largest value
+  /// up to there.
+  Deviation parameter_decrease(const Segment& segment, const Polynomial& s) {
+    const double back = largest_decrease(s, furthest.s);
+    const Extremes range = extremes(s);
+    const double largest = std::max(range.largest, furthest.s);
+    furthest.s = largest;
+    if (!(back > 0)) return {};
+    const SegmentTaylorBound rates = segment_taylor_bound(
+        segment, std::clamp(range.smallest, 0.0, 1.0), std::clamp(largest, 0.0, 1.0));
+    return {task.positions() > 0 ? back * rates.position.c[1] : 0,
+            task.orientations() > 0 ? back * rates.rotation.c[1] : 0};
+  }
+
+  /// The same for the tool's projection on a line. With s its polynomial, the projection is within
+  /// s +- error, so it decreases by at most 2 errors more than s does.
+  Deviation projection_decrease(const Line& line, const std::vector<LineProjection>& projections) {
+    double back = 0;
+    for (const LineProjection& part : projections) {
+      back = std::max(back, largest_decrease(part.s, furthest.s) + 2 * part.error);
+      furthest.s = std::max(furthest.s, extremes(part.s).largest + part.error);
+    }
+    const LineExtent extent = extent_of(line, task);
+    return {back * extent.length, back * extent.angle};
   }
 
   /// Checks the samples that have path parameters, from `first` on, and the steps between them.
@@ -183,6 +202,7 @@ struct Verifier {
   /// Locates and checks all samples, from stop to stop.
   void check_route() {
     const std::size_t segments = route.path.segments.size();
+    result.deviation.interval_bounds.resize(trajectory.size() - 1);
     result.path = route.path;
     result.path_parameters = {0};
     std::size_t first = 0, begin = 0;

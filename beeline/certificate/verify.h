@@ -54,8 +54,10 @@ std::ostream& operator<<(std::ostream& out, const Verification& verification);
 ///   between two stops together where the path approaches itself. path_deviation() bounds the
 ///   deviation between samples.
 /// - Direction: at all times the tool is within the tolerance of the path's pose at a parameter
-///   s(t), on a line across it and along it, and s(t) does not fall behind an earlier value by more
-///   than the tolerance.
+///   s(t), on a line of that at the projection x(t) of the tool's origin on it; and neither
+///   s(t) nor x(t) falls behind an earlier value on the same segment by more than the tolerance:
+///     x(a) - x(b) <= tolerance for all a < b.
+///   The motion on a line is bounded by x itself, not by s(t), which may be ahead of it or behind.
 /// - Position and velocity limits hold at all times, by the extremes of the polynomials, and so do
 ///   those of acceleration for cubics and quintics and of jerk for quintics. Derivatives that jump
 ///   at the samples are checked for the smoothest motion through these: divided differences of the

@@ -83,8 +83,12 @@ Extremes enclosure(const Polynomial& p) {
 }
 
 Extremes extremes(const Polynomial& p) {
-  Extremes found{p(1), p(1)};
-  const Breakpoints candidates = zeros(p.derivative(), degree - 1);
+  const double first = p(0), last = p(1);
+  Extremes found{std::min(first, last), std::max(first, last)};
+  const Polynomial slope = p.derivative();
+  const Extremes slopes = enclosure(slope);
+  if (slopes.smallest >= 0 || slopes.largest <= 0) return found;  // monotonic
+  const Breakpoints candidates = zeros(slope, degree - 1);
   for (std::size_t i = 0; i < candidates.count; ++i) {
     const double value = p(candidates.u[i]);
     found = {std::min(found.smallest, value), std::max(found.largest, value)};

@@ -4,6 +4,7 @@
 #include <beeline/error.h>
 #include <beeline/math/minimise.h>
 #include <beeline/path/blend.h>
+#include <beeline/path/internal/blend_names.h>
 #include <beeline/path/internal/checked_poses.h>
 
 namespace beeline {
@@ -173,6 +174,7 @@ BlendedPath blended_lines(std::span<const Pose> given, std::span<const Deviation
     blended.lines.resize(blended.path.segments.size(), i);
     if (i + 1 < lines && blended.blends[i].sharp) blended.stops.back() = true;
   }
+  blended.path.names = internal::blend_names(blended);
   return blended;
 }
 

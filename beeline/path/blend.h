@@ -21,7 +21,9 @@ struct Blend {
 /// Lines with blended corners: the segments are the remaining parts of the lines, and
 /// SplineSegments between them.
 struct BlendedPath {
-  ToolPath path;              ///< twice continuously differentiable except at sharp corners
+  /// Twice continuously differentiable except at sharp corners. Messages name its segments "line 2
+  /// of 5 (pose 2 to 3)" and "the blend at pose 3".
+  ToolPath path;
   std::vector<bool> stops;    ///< after each segment: true at sharp corners only
   std::vector<Blend> blends;  ///< one for each pose between the first and the last
   std::vector<std::size_t>

@@ -27,7 +27,8 @@ struct ToolPath {
   /// On a smooth path the velocity with respect to it, motion_at() divided by the span, is
   /// continuous.
   std::vector<double> spans;
-  /// Name each segment in messages, such as "move 3 (line)"; empty: "line 3", "segment 3".
+  /// Name each segment in messages, such as "move 3 (line)", "the blend at pose 3"; empty:
+  /// "line 3", "segment 3".
   std::vector<std::string> names = {};
 };
 

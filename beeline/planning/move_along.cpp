@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <ostream>
 
 #include <beeline/certificate/internal/path_checks.h>
@@ -10,6 +8,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/path/internal/checked_poses.h>
 #include <beeline/planning/internal/inset_limits.h>
+#include <beeline/planning/internal/motion_proof.h>
 #include <beeline/planning/internal/timed_plan.h>
 #include <beeline/planning/internal/track_branch.h>
 #include <beeline/planning/move_along.h>
@@ -25,7 +24,8 @@ namespace {
 constexpr double planned_fraction = 0.9;        // of the tolerance; timing may use the remainder
 constexpr double interpolated_fraction = 0.01;  // the same, for the joint path between samples
 
-constexpr double planning_share = 0.5;  // of the progress
+constexpr double planning_share = 0.5;                 // of the progress
+constexpr std::int64_t max_suggestion_work = 400'000;  // of all suggestions of a refusal
 
 // Samples of each segment of the plan that the joint path passes through: with few it is smooth,
 // with many it stays near the plan, as next to limits.
@@ -65,44 +65,6 @@ Configuration checked_start(const Arm& arm, const Configuration& start) {
   if (!outside.empty()) throw Error("the motion cannot start: " + outside.front());
   const Bounds bounds = bounds_of(arm);
   return start.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
-}
-
-/// Computes the deviation of the finished motion, and refuses one that is not proved.
-void prove(const Arm& arm, const Route& route, const Task& task, const PathMotionOptions& options,
-           BudgetMeter& budget, PathMotion& motion) {
-  motion.path = route.path;
-  motion.arrivals = arrivals(motion.path_parameters);
-  motion.deviation = path_deviation(arm, motion.trajectory, motion.path_parameters, route.path,
-                                    task, budget.part());
-  if (motion.deviation.ending != Ending::complete) return;
-  motion.limits = limit_usage(arm, motion.trajectory, budget.part());
-  if (motion.limits.ending != Ending::complete) return;
-  const Deviation& bound = motion.deviation.bound;
-  if (within(bound, {options.tolerance, options.orientation_tolerance})) return;
-  motion.status = MotionStatus::not_proved;
-  motion.reason = "the tool is only proved to stay within " + deviation_text(bound) +
-                  " of its path; allow a larger tolerance";
-}
-
-/// How often each interval between samples is to be divided for its deviation to be proved: the
-/// bound falls with the second power of the number for linear joints, with the sixth or the fourth
-/// for others. Empty if that would exceed max_samples.
-std::vector<int> divisions(const PathDeviation& deviation, const PathMotionOptions& options) {
-  constexpr double most = 8;  // at once
-  const double power = options.interpolation == Interpolation::linear ? 0.5 : 0.25;
-  std::vector<int> times;
-  int all = 0;
-  for (const Deviation& bound : deviation.interval_bounds) {
-    const double excess = std::max(bound.position / options.tolerance,
-                                   bound.orientation / options.orientation_tolerance);
-    times.push_back(
-        excess <= 1 ? 1
-                    : static_cast<int>(std::ceil(std::min(most, 1.01 * std::pow(excess, power)))));
-    if (times.back() < 2 && excess > 1) times.back() = 2;
-    all += times.back();
-  }
-  if (all >= options.max_samples) times.clear();
-  return times;
 }
 
 /// Sets the status and reason of a motion that the budget ended after its branch was planned.
@@ -198,10 +160,10 @@ PathMotion timed(const Arm& arm, const Route& route, const Branch& plan, const T
       motion.reason = fault->reason;
       return motion;
     }
-    prove(arm, route, task, options, budget, motion);
+    const std::size_t faulty = prove(arm, route, task, options, budget, motion);
     if (!budget.complete()) break;
     if (motion || options.rate > 0) break;
-    const std::vector<int> times = divisions(motion.deviation, options);
+    const std::vector<int> times = divisions(motion.deviation, faulty, options);
     if (times.empty()) {
       motion.status = MotionStatus::too_many_samples;
       motion.reason += ", or more than " + std::to_string(options.max_samples) + " samples";
@@ -260,16 +222,38 @@ PathMotion planned_motion(const Arm& arm, const std::optional<Configuration>& st
   return motion;
 }
 
-/// Searches for nearby paths and another start with which the motion is planned, timed and proved
-/// with the same options.
+/// Whether the motion is planned, timed and proved with the options. If their rate gives twice the
+/// samples that the motion needs, the proof without a rate counts: it takes far less time.
+bool is_possible(const Arm& arm, const std::optional<Configuration>& start, const Route& route,
+                 const BranchOptions& planning, const PathMotionOptions& options,
+                 BudgetMeter& budget) {
+  constexpr double dense = 2;
+  PathMotionOptions without_rate = options;
+  without_rate.rate = 0;
+  const PathMotion motion = planned_motion(arm, start, route, planning, without_rate, budget);
+  if (!motion || options.rate == 0) return static_cast<bool>(motion);
+  const double samples = motion.trajectory.times.back() * options.rate;
+  if (samples >= dense * static_cast<double>(motion.trajectory.size())) {
+    return samples < options.max_samples;
+  }
+  return static_cast<bool>(planned_motion(arm, start, route, planning, options, budget));
+}
+
+/// Searches for nearby paths and another start with which the motion is possible, within a limit
+/// of work.
 std::vector<NearbyPath> suggestions(const Arm& arm, const std::optional<Configuration>& start,
-                                    const Route& route, const BranchOptions& planning,
-                                    const PathMotionOptions& options, BudgetMeter& budget) {
+                                    const Route& route, const BranchOptions& given,
+                                    const PathMotionOptions& options, BudgetMeter& whole) {
+  Budget limited = whole.part();
+  limited.max_work = max_suggestion_work;
+  BudgetMeter budget(limited);
+  BranchOptions planning = given;
+  planning.budget = budget.part(0, planning_share);
   std::vector<NearbyPath> found;
   const auto add_if_possible = [&](NearbyPath nearby, const std::optional<Configuration>& from) {
     Route moved = route;
     moved.path = nearby.path;
-    if (planned_motion(arm, from, moved, planning, options, budget)) {
+    if (is_possible(arm, from, moved, planning, options, budget)) {
       found.push_back(std::move(nearby));
     }
   };

@@ -67,8 +67,9 @@ constexpr std::size_t max_stops = 5000;
 ///
 /// - Samples are within joint limits, and off the path by about a hundredth of the tolerance at
 /// most.
-/// - path_deviation() proves that the tool stays within the tolerance at all times of the motion
-///   that the trajectory's columns mean (see Interpolation). Hence no change of branch can occur.
+/// - verify() proves that the tool moves along the whole path within the tolerance at all times of
+///   the motion that the trajectory's columns mean (see Interpolation), with the times as files
+///   hold them. Hence no change of branch can occur, and `beeline check` passes the file.
 /// - Starts at `start`, whose tool must be at the path's beginning, or at the best configuration
 ///   there; redundancy is resolved for the whole path (plan_path()).
 /// - The duration is the shortest that the profile and the joint limits allow, or

@@ -154,12 +154,13 @@ std::optional<NearbyPath> nearby_path(const Arm& arm, const std::optional<Config
   const bool line_first = std::holds_alternative<Line>(path.segments.front());
   const bool ends_at_corner = internal::all_lines(path) || corner_at(path, 1);
   if (start && !(line_first && ends_at_corner)) return {};
-  InverseSolver solver(arm, {.task = options.task, .grid = 16, .max_restarts = 32});
-  Trial trial{arm, start, path, rotate, options, options, &solver, middle_configuration(arm)};
-  trial.exact.reasons = BranchOptions::Reasons::none;
   Budget all = options.budget;
   if (!all.max_work || *all.max_work > max_work) all.max_work = max_work;
   internal::BudgetMeter budget(all);
+  InverseSolver solver(
+      arm, {.task = options.task, .grid = 16, .max_restarts = 32, .budget = budget.part()});
+  Trial trial{arm, start, path, rotate, options, options, &solver, middle_configuration(arm)};
+  trial.exact.reasons = BranchOptions::Reasons::none;
   trial.exact.budget = budget.part();
   trial.exact.max_grid = 16;
   trial.coarse = trial.exact;

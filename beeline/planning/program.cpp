@@ -297,12 +297,33 @@ class ProgramPlanner {
     motion_.limits = limit_usage(arm_, trajectory, budget_.part());
     const auto fault = first_joint_fault(arm_, trajectory, {}, budget_.part());
     if (!budget_.complete()) return fail_ended(program_.moves.size() - 1);
-    if (!fault) return true;
+    if (fault) {
+      const std::size_t move = move_at(fault->sample);
+      return fail(move, MotionStatus::outside_limits,
+                  move_name(program_, move) + ", at " + number(trajectory.times[fault->sample]) +
+                      " s: " + fault->reason);
+    }
+    return verify_file();
+  }
+
+  /// The move during or before which sample k is.
+  std::size_t move_at(std::size_t k) const {
     std::size_t move = 0;
-    while (move + 1 < motion_.moves.size() && motion_.moves[move].end <= fault->sample) ++move;
-    return fail(move, MotionStatus::outside_limits,
-                move_name(program_, move) + ", at " + number(trajectory.times[fault->sample]) +
-                    " s: " + fault->reason);
+    while (move + 1 < motion_.moves.size() && motion_.moves[move].end <= k) ++move;
+    return move;
+  }
+
+  /// Whether verify() passes the trajectory too, as a check of its file does.
+  bool verify_file() {
+    const Verification found = verify(arm_, motion_.trajectory, program_,
+                                      {.task = options_.task,
+                                       .tolerance = options_.tolerance,
+                                       .orientation_tolerance = options_.orientation_tolerance,
+                                       .budget = budget_.part()});
+    if (!budget_.complete()) return fail_ended(program_.moves.size() - 1);
+    if (found) return true;
+    const std::size_t move = move_at(found.sample);
+    return fail(move, MotionStatus::not_proved, move_name(program_, move) + ": " + found.reason);
   }
 
   bool prove(const Proved& proved) {

@@ -105,9 +105,9 @@ struct ProgramMotion {
 /// - A joint move to a pose ends at a configuration from which the moves up to the next joint move
 ///   are possible; among those found, at the one that it reaches soonest at the velocity limits. No
 ///   other move changes the branch: see move_along().
-/// - path_deviation() proves the deviation of all moves but joint moves, for the trajectory as it
-///   is, with all pauses. The options hold for all moves, except where a move has its own speed;
-///   `suggest` is ignored.
+/// - path_deviation() bounds the deviation of all moves but joint moves, for the trajectory as it
+///   is, with all pauses, and verify() passes it. The options hold for all moves, except where a
+///   move has its own speed; `suggest` is ignored.
 /// - A dwell has a sample at both ends; with a rate it lasts whole periods, with a sample at each.
 ///
 /// Throws Error, with move_name(), for a program without moves; for a blend that is not between two

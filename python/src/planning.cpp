@@ -41,7 +41,7 @@ void bind_moves(nb::module_& m) {
       "move_along", "PathMotion",
       "Moves the tool along a path, at rest where the route stops, in the shortest time "
       "that the profile and the joint limits allow. Within joint limits; "
-      "path_deviation() proves that the tool stays within the tolerance at all times, "
+      "verify() proves that the tool stays within the tolerance at all times, "
       "hence no change of branch can occur. Unknown limits are assumed. Raises Error "
       "for a start outside the limits or with the tool elsewhere, and for a task that "
       "the route's segments do not allow.");

@@ -104,7 +104,7 @@ void bind_programs(nb::module_& m) {
       "move_program", "ProgramMotion",
       "Plans the moves of a program as one trajectory from rest to rest. A joint move "
       "to a pose ends at a configuration from which the moves up to the next joint "
-      "move are possible; no other move changes the branch. path_deviation() proves "
+      "move are possible; no other move changes the branch. verify() proves "
       "the deviation of all moves but joint moves, with all pauses. Raises Error for "
       "a program that makes no sense, whose move it names.");
   planned.takes("arm", "Arm", "The arm.")

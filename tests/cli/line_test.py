@@ -126,3 +126,17 @@ def test_draw_an_arm_and_a_motion(beeline, tmp_path):
                    "--to", "0.5,0,0,-2,0,2,0", "--out", "m.json").code == 0
     assert beeline("draw", "panda", "m.json", "--out", "m.svg").code == 0
     assert (tmp_path / "m.svg").stat().st_size > 1000
+
+
+def test_reasons_name_blended_lines_by_the_waypoints_of_the_file(beeline, tmp_path):
+    (tmp_path / "w.csv").write_text("x,y,theta\n4.5,5.2,0\n2,6,45\n2,30,45\n")
+    path = ("--degrees", "--through", "w.csv", "--blend", "0.1")
+    from_start = beeline("line", "rrr", "--from", "0,90,0", *path)
+    assert from_start.code == 1 and "line 3 of 3 (waypoint 2 to 3) stops after" in from_start.err
+    from_first = beeline("line", "rrr", *path)
+    assert from_first.code == 1 and "line 2 of 2 (waypoint 2 to 3) stops after" in from_first.err
+    (tmp_path / "w.csv").write_text("x,y,theta\n4.5,5.2,0\n2,6,45\n5,3,-20\n")
+    made = beeline("line", "rrr", "--from", "0,90,0", *path, "--out", "m.csv")
+    assert made.code == 0, made.err
+    sharp = beeline("check", "rrr", "m.csv", *path[:3], "--blend", "0.2")
+    assert sharp.code == 1 and "the blend at waypoint 2" in sharp.err

@@ -77,7 +77,7 @@ TEST(PoseList, MistakesAreNamed) {
   EXPECT_REFUSED(read("x;y;theta\n1\n"), "a.csv:2: this row has 1 items; the header has 3");
   EXPECT_REFUSED(read("1,2,3,4\n"),
                  "a.csv:1: the first line must be a header of names; it has 4 numbers, and a row "
-                 "without a header has one of 3, 6, 7, 2");
+                 "without a header has one of 3, 6, 7, 12, 16, 2");
   EXPECT_REFUSED(read("x,y,theta\n1,2,nan\n"), "a.csv:2: column theta: \"nan\" must be finite");
   EXPECT_REFUSED(read("x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n0,0,0,1,1,0,0\n"),
                  "a.csv:3: quaternion qw,qx,qy,qz = 1,1,0,0 has length 1.41421; it must be 1");

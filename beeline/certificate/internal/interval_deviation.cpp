@@ -17,6 +17,8 @@ namespace {
 constexpr int max_depth = 10;            // of halving
 constexpr double small_remainder = 0.2;  // of a bound that is not refined
 constexpr double finest = 1e-13;         // metres and radians; smaller bounds are not refined
+constexpr double small_error = 0.1;      // of a projection, as a fraction of the wanted bound
+constexpr double rounding = 1e-15;       // of a projection, as a fraction of the positions
 
 /// Hermite's remainder |e - H| <= |e^(6)| / 46080 from a bound on |e^(6)| / 6!.
 constexpr double remainder_factor = 1.0 / 64;
@@ -30,7 +32,8 @@ class IntervalProof {
         task_(task),
         error_(arm, segment, task),
         known_(known),
-        wanted_(wanted) {}
+        wanted_(wanted),
+        along_wanted_(small_error * error_.along_tolerance(wanted)) {}
 
   IntervalDeviation run(const Interval& interval) {
     const End begin = end(interval, 0), last = end(interval, 1);
@@ -42,6 +45,7 @@ class IntervalProof {
  private:
   struct End {
     ToolError error;
+    double size = 0;        ///< of the positions whose difference the error is, metres
     double distance = 0;    ///< between the origins of tool and segment
     double angle = 0;       ///< between their orientations, free rows included
     double row_length = 0;  ///< of a line in the task's position rows
@@ -54,7 +58,8 @@ class IntervalProof {
     const PoseMotion path = motion_along(segment_, s, {ds, dds});
     grow(result_.measured, deviation_from(segment_, std::clamp(s, 0.0, 1.0), tool.pose, task_));
     const Twist difference = pose_difference(path.pose, tool.pose);
-    End at{error_.at(tool, path), difference.head<3>().norm(), difference.tail<3>().norm()};
+    End at{error_.at(tool, path), tool.pose.translation().norm() + path.pose.translation().norm(),
+           difference.head<3>().norm(), difference.tail<3>().norm()};
     if (const auto* line = std::get_if<Line>(&segment_)) {
       const Vector3 whole = line->to.translation() - line->from.translation();
       at.row_length = in_position_rows(task_, tool.pose, whole).norm();
@@ -84,10 +89,14 @@ class IntervalProof {
     bound.position += beyond * segment.position.c[1];
     bound.orientation =
         std::min(bound.orientation + beyond * segment.rotation.c[1], std::numbers::pi);
-    if (depth == max_depth || (settled(&Deviation::position, bound, remainder) &&
-                               settled(&Deviation::orientation, bound, remainder))) {
+    const double along_error = remainder.position + rounding * std::max(a.size, b.size);
+    if (depth == max_depth ||
+        (settled(&Deviation::position, bound, remainder) &&
+         settled(&Deviation::orientation, bound, remainder) && along_error <= along_wanted_)) {
       grow(result_.bound, bound);
-      result_.along = std::max(result_.along, error_.along_bound(a.error, b.error, remainder));
+      if (error_.projects()) {
+        result_.projections.push_back(error_.projection(interval.s, a.error, b.error, along_error));
+      }
       return;
     }
     const End middle = end(interval, 0.5);
@@ -112,6 +121,7 @@ class IntervalProof {
   const Task& task_;
   ToolErrorRows error_;
   Deviation known_, wanted_;
+  double along_wanted_;  ///< the largest error of a projection, metres
   IntervalDeviation result_;
 };
 

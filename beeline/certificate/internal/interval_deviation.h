@@ -19,13 +19,20 @@ struct Interval {
 /// The part of the interval with u in [from, to].
 Interval part(const Interval& interval, double from, double to);
 
+/// The tool's projection on a line in a part of an interval: at u from 0 to 1 of that part it is at
+/// the fraction s(u) of the line, below 0 and above 1 on its continuations, to within `error`.
+struct LineProjection {
+  Polynomial s;
+  double error = 0;
+};
+
 /// The deviation of the tool from the segment in an interval: `measured` at its ends and at the
 /// points where it was divided, and a proved bound at all times.
 struct IntervalDeviation {
   Deviation measured, bound;
-  /// On a line by position, whose nearest point counts: a proved bound on the distance along the
-  /// line from the pose at s(u) to that point, metres.
-  double along = 0;
+  /// On a line by position whose position rows do not rotate with the tool: of all parts, in order.
+  /// On other segments none.
+  std::vector<LineProjection> projections = {};
 };
 
 /// Let e(u) = tool(q(u)) - segment(s(u)), in the rows of the task; for orientations the difference
@@ -37,9 +44,10 @@ struct IntervalDeviation {
 /// dominates, the interval is divided into halves: the remainder of a half is 1/64.
 ///
 /// On a line by position only the component of e across the line counts, as the nearest point of
-/// the line is the one to compare with. An s(u) outside [0, 1] counts as the segment's end. Bounds
-/// that are not above `known` are not refined; those above `wanted` are refined further, as long as
-/// no measured deviation is above it.
+/// the line is the one to compare with. The component along it makes the projection of s(u) that of
+/// the tool. An s(u) outside [0, 1] counts as the segment's end. Bounds that are not above `known`
+/// are not refined; those above `wanted` are refined further, as long as no measured deviation is
+/// above it, and so are projections whose error is above a fraction of `wanted`.
 IntervalDeviation interval_deviation(const Arm& arm, const Segment& segment, const Task& task,
                                      const Interval& interval, const Deviation& known = {},
                                      const Deviation& wanted = {Limits::none, Limits::none});

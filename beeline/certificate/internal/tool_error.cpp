@@ -192,14 +192,23 @@ Deviation ToolErrorRows::bound(const ToolError& a, const ToolError& b, const Dev
   return {at_s.position, std::min(at_s.orientation, std::numbers::pi)};
 }
 
-double ToolErrorRows::along_bound(const ToolError& a, const ToolError& b,
-                                  const Deviation& remainder) const {
-  if (direction_.isZero(0)) return 0;
-  double along = 0;
-  for (const Vector3& v : bernstein(a.position, b.position)) {
-    along = std::max(along, std::abs(v.dot(direction_)));
-  }
-  return along + remainder.position;
+double ToolErrorRows::along_tolerance(const Deviation& tolerance) const {
+  if (!projects()) return Limits::none;
+  const double rotation = line_->angle / line_->length;  // radians per metre
+  return rotation > 0 ? std::min(tolerance.position, tolerance.orientation / rotation)
+                      : tolerance.position;
+}
+
+LineProjection ToolErrorRows::projection(const Polynomial& s, const ToolError& a,
+                                         const ToolError& b, double error) const {
+  const double length = line_->length;
+  const auto along = [&](const Vector3& v) { return v.dot(direction_) / length; };
+  const Jet<Vector3>&p = a.position, &q = b.position;
+  LineProjection projection{quintic_between(along(p.value), along(q.value), along(p.first),
+                                            along(q.first), along(p.second), along(q.second)),
+                            error / length};
+  for (std::size_t k = 0; k < Polynomial::terms; ++k) projection.s.c[k] += s.c[k];
+  return projection;
 }
 
 }  // namespace beeline::internal

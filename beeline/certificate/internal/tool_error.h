@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include <beeline/certificate/internal/interval_deviation.h>
 #include <beeline/kinematics/internal/taylor_bound.h>
 #include <beeline/kinematics/task.h>
 #include <beeline/path/internal/nearest_on_line.h>
@@ -56,8 +57,18 @@ class ToolErrorRows {
   Deviation bound(const ToolError& a, const ToolError& b, const Deviation& remainder,
                   const Range& range) const;
 
-  /// Bounds the error along a line by position, which does not count in bound(); else 0.
-  double along_bound(const ToolError& a, const ToolError& b, const Deviation& remainder) const;
+  /// Whether the segment is a line by position whose rows do not rotate: then the error along it
+  /// does not count in bound(), and the tool has a projection on it.
+  bool projects() const { return !direction_.isZero(0); }
+
+  /// The distance along such a line at which its pose changes by the tolerance, metres; infinite
+  /// for other segments.
+  double along_tolerance(const Deviation& tolerance) const;
+
+  /// The tool's projection on such a line, on an interval with these errors from its pose at s(u),
+  /// to within `error` metres.
+  LineProjection projection(const Polynomial& s, const ToolError& a, const ToolError& b,
+                            double error) const;
 
  private:
   /// The form of the orientation error.

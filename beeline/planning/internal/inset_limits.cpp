@@ -18,7 +18,7 @@ Arm with_inset_limits(const Arm& arm, const std::optional<Configuration>& start,
     reduced.lower = std::min(reduced.lower, (*start)[k]);
     reduced.upper = std::max(reduced.upper, (*start)[k]);
   }
-  return {arm.name(), joints, arm.tool(), arm.base()};
+  return {arm.name(), joints, arm.tool(), arm.base(), arm.controller()};
 }
 
 }  // namespace beeline::internal

@@ -1,9 +1,13 @@
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include <beeline/internal/rounded_number.h>
 #include <beeline/inverse/inverse_kinematics.h>
+#include <beeline/inverse/numerical/bounds.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/kinematics/manipulability.h>
+#include <beeline/planning/internal/knot_sequence.h>
 #include <beeline/planning/internal/segment_failure.h>
 
 namespace beeline::internal {
@@ -11,6 +15,12 @@ namespace {
 
 constexpr double regular_condition = 1e3;  // above it the arm counts as near a singularity
 constexpr double same_branch = 0.2;        // radians or metres: farther away is another branch
+
+/// The part of a segment as long as the arm's size, as a fraction; 1 where the segment is shorter.
+/// Poses ahead are sought within it.
+double longest_probed(const Arm& arm, const Segment& segment) {
+  return std::min(1.0, unit_of_length(arm) / weighted_length(segment));
+}
 
 /// Returns a phrase that lists the joints outside their limits at q; empty when there are none.
 std::string joints_outside(const Arm& arm, const Configuration& q) {
@@ -22,13 +32,14 @@ std::string joints_outside(const Arm& arm, const Configuration& q) {
 }
 
 /// Returns the limits that the motion would pass if it continued without limits; empty if it cannot
-/// continue so for at least 1e-4 of the segment.
+/// continue so for at least 1e-4 of the segment, or of the arm's size.
 std::string passed_limits(const Arm& arm, const Segment& segment, const Task& task,
                           const Configuration& q, double s) {
   constexpr double continued = 1e-4;
+  const double unit = longest_probed(arm, segment);
   std::string joints;
   for (const double ahead : {1e-6, 1e-5, 1e-4, 1e-3}) {
-    const Pose next = pose_at(segment, std::min(1.0, s + ahead));
+    const Pose next = pose_at(segment, std::min(1.0, s + ahead * unit));
     const NumericalResult free = levenberg_marquardt(arm, next, task, no_bounds(arm), q);
     if (!free.converged || (free.q - q).lpNorm<Eigen::Infinity>() > same_branch) return {};
     if (joints.empty()) joints = joints_outside(arm, free.q);
@@ -37,30 +48,69 @@ std::string passed_limits(const Arm& arm, const Segment& segment, const Task& ta
   return {};
 }
 
+/// The answer of inverse kinematics for the pose at the fraction s of a segment.
+struct Probe {
+  double s = 1;
+  InverseResult answer;
+};
+
+bool is_unreachable(const InverseResult& answer) {
+  return answer.status == InverseStatus::unreachable ||
+         answer.status == InverseStatus::orientation_unreachable;
+}
+
+Probe probe(const Arm& arm, const Segment& segment, const Task& task, const Configuration& q,
+            double s, const Budget& budget) {
+  return {
+      s, inverse_kinematics(arm, pose_at(segment, s), {.seed = q, .task = task, .budget = budget})};
+}
+
 /// Solves inverse kinematics for the pose ahead. Just outside the workspace it may not prove that
 /// no solution exists; then poses farther ahead are tried.
-InverseResult solve_ahead(const Arm& arm, const Segment& segment, const Task& task,
-                          const Configuration& q, double s, const Budget& budget) {
-  InverseResult answer;
+Probe solve_ahead(const Arm& arm, const Segment& segment, const Task& task, const Configuration& q,
+                  double s, const Budget& budget) {
+  const double unit = longest_probed(arm, segment);
+  std::optional<Probe> found;
   for (const double ahead : {1e-3, 1e-2, 1e-1}) {
-    const Pose next = pose_at(segment, std::min(1.0, s + ahead));
-    InverseResult result =
-        inverse_kinematics(arm, next, {.seed = q, .task = task, .budget = budget});
-    const bool proved = result.status == InverseStatus::unreachable ||
-                        result.status == InverseStatus::orientation_unreachable;
-    if (answer.reason.empty() || proved) answer = std::move(result);
-    if (answer.status != InverseStatus::not_found) break;
+    Probe next = probe(arm, segment, task, q, std::min(1.0, s + ahead * unit), budget);
+    if (!found || is_unreachable(next.answer)) found = std::move(next);
+    if (found->answer.status != InverseStatus::not_found) break;
   }
-  return answer;
+  return *found;
+}
+
+/// "x 0.1, y 0.2, z 0.3 m", the position at the fraction s of the segment.
+std::string position_text(const Segment& segment, double s) {
+  constexpr double rounding = 1e-12;  // metres
+  const Vector3 p = pose_at(segment, s).translation();
+  const auto text = [](double x) { return number(std::abs(x) < rounding ? 0 : x); };
+  return "x " + text(p.x()) + ", y " + text(p.y()) + ", z " + text(p.z()) + " m";
+}
+
+/// The reason of inverse kinematics, with the pose to which it belongs.
+std::string reason_at(const Segment& segment, const Probe& probe) {
+  return (probe.s == 1 ? "at its end" : "after " + number(100 * probe.s) + " %") + ", at " +
+         position_text(segment, probe.s) + ", " + probe.answer.reason;
+}
+
+/// Why the pose ahead cannot be reached, and by how much the segment's end misses if that cannot
+/// be reached either: this amount does not depend on how far ahead the search looked.
+std::string unreachable_text(const Segment& segment, const Probe& ahead, const Probe& end) {
+  const bool by_position = ahead.answer.status == InverseStatus::unreachable;
+  const Probe& shown = is_unreachable(end.answer) ? end : ahead;
+  const bool rotations_help = shown.answer.status == InverseStatus::orientation_unreachable;
+  return std::string(by_position ? "the path leaves the arm's workspace; "
+                                 : "the arm cannot keep the path's orientation; ") +
+         reason_at(segment, shown) + "; a larger tolerance does not help" +
+         (rotations_help ? ", a task that leaves rotations free may" : "");
 }
 
 }  // namespace
 
 std::string stop_message(const Segment& segment, double s) {
-  const Vector3 p = pose_at(segment, s).translation();
   const bool line = std::holds_alternative<Line>(segment);
-  return "stops after " + percent(s) + (line ? " of its length, at x " : " of it, at x ") +
-         number(p.x()) + ", y " + number(p.y()) + ", z " + number(p.z()) + " m: ";
+  return "stops after " + percent(s) + (line ? " of its length, at " : " of it, at ") +
+         position_text(segment, s) + ": ";
 }
 
 std::string limit_message(const Arm& arm, int coordinate, bool lower) {
@@ -75,9 +125,9 @@ SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Tas
   const std::string where = stop_message(segment, s);
   const std::string joints = passed_limits(arm, segment, task, q, s);
   if (!joints.empty()) return {MotionStatus::outside_limits, where + joints};
-  const InverseResult ahead = solve_ahead(arm, segment, task, q, s, budget);
+  const Probe ahead = solve_ahead(arm, segment, task, q, s, budget);
   const double condition = manipulability_measures(task_jacobian(arm, q, task)).condition;
-  switch (ahead.status) {
+  switch (ahead.answer.status) {
     case InverseStatus::solved:
       if (condition < regular_condition) {
         return {MotionStatus::not_proved,
@@ -88,16 +138,15 @@ SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Tas
                   "the arm is singular there; it could continue only by jumping to another branch, "
                   "such as another elbow"};
     case InverseStatus::outside_limits:
-      return {MotionStatus::outside_limits, where + ahead.reason};
+      return {MotionStatus::outside_limits, where + reason_at(segment, ahead)};
     case InverseStatus::unreachable:
-      return {MotionStatus::unreachable,
-              where + "the path leaves the arm's workspace; " + ahead.reason};
     case InverseStatus::orientation_unreachable:
-      return {MotionStatus::unreachable, where + ahead.reason};
+      return {MotionStatus::unreachable,
+              where + unreachable_text(segment, ahead, probe(arm, segment, task, q, 1, budget))};
     case InverseStatus::time_limit:
     case InverseStatus::cancelled:
     case InverseStatus::work_limit:
-      return {motion_status(ahead.status), where + ahead.reason};
+      return {motion_status(ahead.answer.status), where + ahead.answer.reason};
     case InverseStatus::not_found:
       break;
   }
@@ -106,7 +155,7 @@ SegmentFailure segment_failure(const Arm& arm, const Segment& segment, const Tas
           ? ""
           : ", and the arm is singular there, as at the edge of its workspace";
   return {MotionStatus::not_found, where + "no configuration was found to continue with" +
-                                       near_singular + "; " + ahead.reason};
+                                       near_singular + "; " + reason_at(segment, ahead)};
 }
 
 SegmentFailure too_many_samples(std::size_t max_samples) {

@@ -21,11 +21,12 @@ constexpr double start_tolerance = 1e-8;
 
 // Lengths of a step as fractions of the segment. The first is a guess, corrected after one step; in
 // a short segment it is longer, up to first_span of the arm's reach.
-// The longest ensures samples inside the segment. If the shortest fails, the arm would have to
+// The longest ensures samples inside the segment, except where it is shorter than longest_span of
+// the arm's size: there rounding would count. If the shortest fails, the arm would have to
 // jump: the bound is proportional to the square of the step, so a continuous motion allows 1e-5 and
-// more.
+// more. In a segment longer than the arm's size it is that fraction of the size.
 constexpr double first_step = 1.0 / 32, first_span = 0.01;
-constexpr double longest_step = 1.0 / 4;
+constexpr double longest_step = 1.0 / 4, longest_span = 0.001;
 constexpr double shortest_step = 1e-7;
 
 // A first step as short as this does not follow the guide where it cannot.
@@ -132,9 +133,11 @@ TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task&
   check_start(at_start, exact);
   PathDeviation& deviation = tracked.deviation;
   deviation.sampled = at_start;
-  double length = std::clamp(first_span * unit_of_length(arm) / weighted_length(segment),
-                             first_step, longest_step);
-  while (!tracked.complete() && length >= shortest_step &&
+  const double size = unit_of_length(arm) / weighted_length(segment);
+  const double shortest = shortest_step * std::min(1.0, size);
+  const double longest = std::clamp(longest_span * size, longest_step, 1.0);
+  double length = std::clamp(first_span * size, first_step, longest);
+  while (!tracked.complete() && length >= shortest &&
          tracked.samples.size() < options.max_samples && !ended(options.budget)) {
     const double s_a = tracked.fractions.back(), left = 1 - s_a;
     // Equal steps to the end, so that no step is as short as rounding.
@@ -146,7 +149,7 @@ TrackedSegment track_segment(const Arm& arm, const Segment& segment, const Task&
     const double factor = tracker.length_factor();
     const bool guided = options.guide && s - s_a > last_guided_step;
     if (!next && !guided && tracked.samples.size() == 1) next = tracker.step_aside(last, s);
-    length = std::min((s - s_a) * factor, longest_step);
+    length = std::min((s - s_a) * factor, longest);
     if (!next) continue;
     const Pose middle = forward_kinematics(arm, (q + next->q) / 2);
     grow(deviation.measured, deviation_from(segment, (s_a + s) / 2, middle, task));

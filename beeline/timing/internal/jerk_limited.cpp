@@ -33,6 +33,10 @@ constexpr double acceptable = 1.02;  // slowdown of the motion
 constexpr double kept = 1.003;       // slowdown of a step that counts as within the limits
 constexpr int refined_parts = 4;     // into which a violating step and its neighbours are divided
 constexpr int max_attempts = 5;
+// On longer grids attempts take seconds each, and refined knots rarely help: d3q/ds3 jumps at the
+// many ends of short segments.
+constexpr std::size_t large_grid = 2000;  // grid points
+constexpr int max_large_attempts = 2;
 
 // Stops are tried at minima of the speed if the motion is much slower than without jerk limits.
 constexpr double slow = 1.3;       // times the duration of fastest()
@@ -211,7 +215,8 @@ TimeScaling without_stops(const JointPath& path, const PathLimits& limits, Budge
   if (!best) return best;
   QuinticMotion motion(path, limits, best);
   std::vector<double> knots = knots_for(motion);
-  for (int attempt = 0; attempt < max_attempts && !ended(budget); ++attempt) {
+  const int attempts = path.size() > large_grid ? max_large_attempts : max_attempts;
+  for (int attempt = 0; attempt < attempts && !ended(budget); ++attempt) {
     const SquaredRateSpline spline = optimal_rate(motion, std::move(knots), budget);
     const std::vector<double> factors = slowdowns(motion, spline, budget);
     const double factor = *std::max_element(factors.begin(), factors.end());

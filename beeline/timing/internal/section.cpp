@@ -231,7 +231,8 @@ SampledSection locally_slowed(const Arm& arm, TimedPath section, const SectionOp
   if (!best) return best;
   const bool optimised = section.profile == Profile::fastest || section.profile == Profile::jerk;
   if (!optimised || options.interpolation == Interpolation::linear) return best;
-  constexpr int max_rounds = 6;
+  constexpr std::size_t large_grid = 2000;  // grid points, for which a round takes seconds
+  const int max_rounds = section.path.size() > large_grid ? 2 : 6;
   constexpr double small = 1.006, periods = 2;
   const double period = options.rate > 0 ? 1 / options.rate : 0;
   const double shortest_duration = section.scaling.duration();

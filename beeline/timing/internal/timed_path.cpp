@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/timing/internal/ended_scaling.h>
@@ -26,6 +27,20 @@ std::string outside(const Arm& arm, const JointPath& samples, const JointPath& r
     }
   }
   return {};
+}
+
+/// The least number of steps of the refined path: the default, and fewer for a path so short that
+/// the rounding of its positions would count as jerk. In steps of length h = L / n the rounding r
+/// of a position changes the third derivative by about 60 r / h^3, which is to be a small fraction
+/// f of 1 / L^2, the third derivative of a motion along the whole path: n^3 <= f L / (60 r).
+std::size_t steps_above_rounding(const JointPath& path) {
+  constexpr double fraction = 0.05, fewest = 4;
+  double largest = 0;
+  for (const Configuration& q : path.q) largest = std::max(largest, q.lpNorm<Eigen::Infinity>());
+  const double rounding = std::numeric_limits<double>::epsilon() * std::max(largest, 1e-3);
+  const double steps = std::cbrt(fraction * (path.s.back() - path.s.front()) / (60 * rounding));
+  const auto usual = static_cast<double>(RefineOptions{}.min_steps);
+  return static_cast<std::size_t>(std::clamp(steps, fewest, usual));
 }
 
 /// The limits of the path's speed ds/dt at its grid points with which the tool's speed is kept.
@@ -70,7 +85,7 @@ void check_options(double tool_speed, double rate) {
 TimedPath timed_path(const Arm& arm, const JointPath& path, Profile profile, double speed_scale,
                      const ToolSpeeds& tool_speed, BudgetMeter& budget) {
   TimedPath section;
-  section.path = refined(path, {.budget = budget.part()});
+  section.path = refined(path, {.min_steps = steps_above_rounding(path), .budget = budget.part()});
   section.scaling.reason = outside(arm, path, section.path, budget);
   if (!section.scaling.reason.empty()) return section;
   section.profile = profile;

@@ -11,6 +11,32 @@
 namespace beeline::internal {
 namespace {
 
+/// The fraction of the line at the pose to which the amounts of a reason belong.
+double place_of_amounts(const std::string& reason) {
+  if (reason.find("at its end, at x ") != std::string::npos) return 1;
+  return std::stod(reason.substr(reason.rfind("after ") + 6)) / 100;
+}
+
+/// The number after the words; nothing if the reason does not have them.
+std::optional<double> amount_after(const std::string& reason, const std::string& words) {
+  const std::size_t at = reason.find(words);
+  if (at == std::string::npos) return {};
+  return std::stod(reason.substr(at + words.size()));
+}
+
+/// By how much a pose is missed is the answer of inverse kinematics for the pose that stands with
+/// it.
+void expect_amount_of_its_pose(const Arm& arm, const Line& line, const Task& task,
+                               const Configuration& q, const std::string& reason) {
+  auto amount = amount_after(reason, "out of reach by ");
+  if (!amount) amount = amount_after(reason, "the nearest that was found is off by ");
+  if (!amount) return;
+  const Pose pose = interpolate(line.from, line.to, place_of_amounts(reason));
+  const InverseResult there = inverse_kinematics(arm, pose, {.seed = q, .task = task});
+  EXPECT_TRUE(there.solutions.empty()) << reason;
+  EXPECT_NEAR(*amount, there.residual, 0.02 * there.residual + 1e-5) << reason;
+}
+
 // The reason is checked independently at the pose where the line stops.
 TEST(SegmentFailure, GivesTheTrueReason) {
   testing::Random random;
@@ -36,6 +62,7 @@ TEST(SegmentFailure, GivesTheTrueReason) {
           Eigen::JacobiSVD<Eigen::MatrixXd>(task_jacobian(arm, q, task)).singularValues();
       const bool singular = sigma[sigma.size() - 1] < 1e-3 * sigma[0];
       const std::string context = name + ": " + failure.reason;
+      expect_amount_of_its_pose(arm, line, task, q, failure.reason);
       switch (failure.status) {
         case MotionStatus::unreachable:
         case MotionStatus::not_found:
@@ -65,6 +92,31 @@ TEST(SegmentFailure, GivesTheTrueReason) {
   EXPECT_GT(seen[static_cast<int>(MotionStatus::unreachable)], 0);
   EXPECT_GT(seen[static_cast<int>(MotionStatus::outside_limits)], 0);
   EXPECT_GT(seen[static_cast<int>(MotionStatus::singular)], 0);
+}
+
+// The line may be much longer than the arm: what is said still belongs to the pose at its side.
+TEST(SegmentFailure, OfALongLineIsFoundAtTheArmsSize) {
+  const Arm arm = built_in("panda");
+  const Configuration start{{0, -0.785, 0, -2.356, 0, 1.571, 0.785}};
+  const Pose from = forward_kinematics(arm, start);
+  for (const double length : {1.0, 1e2, 1e5}) {
+    Pose to = from;
+    to.translation().x() += length;
+    const Line line{from, to};
+    const TrackedSegment way = track_segment(arm, line, Task::spatial(), bounds_of(arm), start,
+                                             {.tolerance = {1e-4, 1e-4}, .max_samples = 100'000});
+    ASSERT_FALSE(way.complete());
+    const double s = way.fractions.back();
+    const SegmentFailure failure =
+        segment_failure(arm, line, Task::spatial(), way.samples.back(), s);
+    EXPECT_EQ(failure.status, MotionStatus::unreachable) << failure.reason;
+    expect_amount_of_its_pose(arm, line, Task::spatial(), way.samples.back(), failure.reason);
+    // Where it stops the arm can be; a little further on it cannot.
+    const Pose ahead = interpolate(from, to, s + 2e-3 / length);
+    EXPECT_NE(inverse_kinematics(arm, ahead, {.seed = way.samples.back()}).status,
+              InverseStatus::solved)
+        << failure.reason;
+  }
 }
 
 TEST(SegmentFailure, OfTooManySamplesNamesTheirNumberAndTheOption) {
