@@ -158,7 +158,7 @@ TEST(JointRates, AboveTheLimitsAreNamedWithTheScaleThatKeepsThem) {
   }
   EXPECT_GT(excesses, 10);
   EXPECT_TRUE(
-      joint_rates(built_in("ur10"), Configuration::Ones(6).eval(), (1e3 * Twist::Ones()).eval())
+      joint_rates(built_in("puma560"), Configuration::Ones(6).eval(), (1e3 * Twist::Ones()).eval())
           .excesses.empty())
       << "unknown limits are not exceeded";
 }
