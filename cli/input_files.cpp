@@ -10,27 +10,6 @@
 
 using namespace beeline;
 
-namespace {
-
-/// Warns of positions in metres that are reached if they are taken for millimetres.
-void warn_of_millimetres(const std::string& option, const Arm& arm, const PoseList& list) {
-  const double radius = arm.reach().radius;
-  double nearest = Limits::none, farthest = 0;
-  for (const Pose& pose : list.poses) {
-    const double distance = pose.translation().norm();
-    nearest = std::min(nearest, distance);
-    farthest = std::max(farthest, distance);
-  }
-  constexpr double too_far = 20, thousandth = 1e-3;
-  if (!(nearest > too_far * radius && thousandth * farthest <= 2 * radius)) return;
-  warn(
-      fmt::format("{}: the positions are {} m away and more, and the arm reaches {} m; "
-                  "--millimetres reads millimetres",
-                  option, number(nearest), number(radius)));
-}
-
-}  // namespace
-
 PoseList waypoints_from(const std::string& text, const std::string& path, const Arm& arm,
                         const TaskArgument& task, const WorkArgument& work,
                         const UnitArgument& unit, const std::string& option) {
@@ -44,7 +23,6 @@ PoseList waypoints_from(const std::string& text, const std::string& path, const 
                                 internal::max_poses));
   }
   warn_of_angle(option + " " + path, list.max_angle, list.form, unit);
-  warn_of_millimetres(option + " " + path, arm, list);
   for (std::size_t i = 0; i < list.poses.size(); ++i) {
     try {
       const WrittenPose pose =

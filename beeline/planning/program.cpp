@@ -329,9 +329,16 @@ class ProgramPlanner {
   bool prove(const Proved& proved) {
     const ProgramPart& part = parts_[proved.part];
     const std::size_t end = proved.begin + proved.path_parameters.size() - 1;
+    const Trajectory samples = samples_between(motion_.trajectory, proved.begin, end);
+    Verification proof = verify(arm_, samples, part.route,
+                                {.task = options_.task,
+                                 .tolerance = options_.tolerance,
+                                 .orientation_tolerance = options_.orientation_tolerance,
+                                 .budget = budget_.part()});
     const PathDeviation found =
-        path_deviation(arm_, samples_between(motion_.trajectory, proved.begin, end),
-                       proved.path_parameters, part.route.path, *options_.task, budget_.part());
+        proof ? std::move(proof.deviation)
+              : path_deviation(arm_, samples, proved.path_parameters, part.route.path,
+                               *options_.task, budget_.part());
     if (!budget_.complete()) return fail_ended(part.first);
     PathDeviation& whole = motion_.deviation;
     grow(whole.sampled, found.sampled);

@@ -148,7 +148,8 @@ void bind_samples(nb::class_<Trajectory>& trajectory) {
   Signature turned("unwrapped", "Unwrapped",
                    "Returns the trajectory, matched to the arm, without the jumps of sensors whose "
                    "values wrap after a revolution. Whole revolutions are taken out of continuous "
-                   "joints where only that keeps the velocity limits, known or assumed.");
+                   "joints where only that keeps the velocity limits, known or assumed. Raises "
+                   "Error for a trajectory that does not belong to the arm.");
   turned.takes("self").takes("arm", "Arm", "The arm.");
   define(
       trajectory, [](const Trajectory& self, const Arm& arm) { return unwrapped(arm, self); },

@@ -42,7 +42,7 @@ def test_solutions_come_by_their_distance_from_the_seed(ik, pose_at):
 
 
 def test_the_json_documents_keys_and_their_order(beeline):
-    keys = ["status", "solutions", "singular", "complete", "self_motion_dimension", "grid", "deviation", "residual",
+    keys = ["status", "solutions", "singular", "complete", "branches_complete", "self_motion_dimension", "grid", "deviation", "residual",
             "reason", "nearest", "method", "iterations", "restarts", "units"]
     for pose in ("4,5,0", "8,8,0"):
         assert list(beeline("ik", "rrr", "--pose", pose, "--json").json) == keys
@@ -183,7 +183,7 @@ def test_singular_solutions_stand_for_infinitely_many(ik, beeline, matrix, pose_
     answer = ik(arm, pose, "--all")
     assert answer["status"] == "solved" and answer["singular"]
     assert "infinitely many" in answer["reason"]
-    printed = beeline("ik", arm, "--pose", pose)
+    printed = beeline("ik", arm, "--pose", pose, "--all")
     assert printed.code == 0 and printed.err == "" and answer["reason"] in printed.out
 
 

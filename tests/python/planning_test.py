@@ -50,9 +50,10 @@ def test_its_proof_is_repeated_from_the_columns(motion):
     assert proof.deviation.bound.position == pytest.approx(motion.deviation.bound.position, rel=0.1)
     assert np.array_equal(proof.arrivals, motion.arrivals)
     route = beeline.Route(motion.path, [True] * 4)
-    assert beeline.verify(PANDA, motion.trajectory, route)
-    bound = beeline.path_deviation(PANDA, motion.trajectory, motion.path_parameters, motion.path)
-    assert bound == motion.deviation
+    again = beeline.verify(PANDA, motion.trajectory, route)
+    assert again and again.deviation == motion.deviation
+    along_path = beeline.path_deviation(PANDA, motion.trajectory, motion.path_parameters, motion.path)
+    assert along_path.bound.position == pytest.approx(motion.deviation.bound.position, rel=0.2)
     assert np.array_equal(beeline.arrivals(motion.path_parameters), motion.arrivals)
     along = beeline.path_parameters_along(PANDA, motion.trajectory.positions, motion.path, motion.arrivals)
     assert np.abs(along - motion.path_parameters).max() < 1e-6

@@ -14,11 +14,24 @@ struct Stage {
 
 bool always(const SolverState&, const Request&, const StageResult&) { return true; }
 
-/// Adds the seed if it is a solution: no other is nearer.
-void try_seed(SolverState&, const Request& request, StageResult& found) {
+bool applies_to_one(const SolverState&, const Request& request, const StageResult&) {
+  return !request.options.all;
+}
+
+bool applies_to_all(const SolverState&, const Request& request, const StageResult&) {
+  return request.options.all;
+}
+
+/// Adds the seed if it is a solution: no other is nearer. Next to a singularity the closed form may
+/// lose it to rounding.
+void add_seed(SolverState&, const Request& request, StageResult& found) {
   if (!within(request.bounds, request.seed)) return;
   if (error_at(request, request.seed) > request.tolerance) return;
-  found.result.solutions.push_back(request.seed);
+  const std::size_t before = found.result.solutions.size();
+  add_solution(request, request.seed, found.result);
+  const bool lost = found.result.solutions.size() > before;
+  UnconstrainedResult& evidence = found.unconstrained;
+  if (lost && !evidence.continuum) evidence.complete = evidence.branches_complete = false;
 }
 
 /// Searches for a proof that there is no solution.
@@ -64,11 +77,12 @@ void run_fallback(SolverState& state, const Request& request, StageResult& found
 
 /// A new stage is added as a row here.
 constexpr Stage stages[] = {
-    {always, try_seed},
+    {applies_to_one, add_seed},
     {always, check_invariants},
     {applies_analytic, run_family},
     {applies_numerical, solve_numerical},
     {applies_fallback, run_fallback},
+    {applies_to_all, add_seed},
 };
 
 }  // namespace
