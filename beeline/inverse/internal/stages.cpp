@@ -1,7 +1,11 @@
+#include <algorithm>
+#include <vector>
+
 #include <beeline/inverse/internal/analytic_families.h>
 #include <beeline/inverse/internal/numerical_stage.h>
 #include <beeline/inverse/internal/solution_set.h>
 #include <beeline/inverse/internal/stages.h>
+#include <beeline/inverse/numerical/representative.h>
 
 namespace beeline::internal {
 namespace {
@@ -27,11 +31,17 @@ bool applies_to_all(const SolverState&, const Request& request, const StageResul
 void add_seed(SolverState&, const Request& request, StageResult& found) {
   if (!within(request.bounds, request.seed)) return;
   if (error_at(request, request.seed) > request.tolerance) return;
-  const std::size_t before = found.result.solutions.size();
-  add_solution(request, request.seed, found.result);
-  const bool lost = found.result.solutions.size() > before;
+  std::vector<Configuration>& solutions = found.result.solutions;
+  const auto same = std::find_if(solutions.begin(), solutions.end(), [&](const Configuration& q) {
+    return same_posture(request.arm, q, request.seed);
+  });
+  if (same != solutions.end()) {
+    *same = request.seed;
+    return;
+  }
+  solutions.push_back(request.seed);
   UnconstrainedResult& evidence = found.unconstrained;
-  if (lost && !evidence.continuum) evidence.complete = evidence.branches_complete = false;
+  if (!evidence.continuum) evidence.complete = evidence.branches_complete = false;
 }
 
 /// Searches for a proof that there is no solution.
