@@ -1,0 +1,99 @@
+#include <beeline/read/arm.h>
+#include <beeline/read/internal/text_encoding.h>
+#include <beeline/read/urdf.h>
+
+#include "arm_fields.h"
+#include "bindings.h"
+
+namespace beeline::python {
+namespace {
+
+/// How the user makes another choice, to be appended to the warning.
+std::string choice_after(const ReadWarning& warning) {
+  switch (warning.kind) {
+    case ReadWarningKind::tip_among_frames:
+    case ReadWarningKind::tip_among_branches:
+      return "; tip selects another";
+    case ReadWarningKind::before_gripper:
+      return "; tip=\"" + warning.others.front() + "\" includes it";
+    case ReadWarningKind::below_free_joint:
+      return "; base selects another";
+    default:
+      return "";
+  }
+}
+
+/// Issues the warnings of a reader.
+void issue(const std::vector<ReadWarning>& warnings) {
+  for (const ReadWarning& warning : warnings) {
+    nb::object instance = model_warning()(sentence(warning) + choice_after(warning));
+    instance.attr("kind") = name(warning.kind);
+    instance.attr("line") = warning.line;
+    instance.attr("joint") = warning.joint;
+    instance.attr("link") = warning.link;
+    instance.attr("others") = Value<std::vector<std::string>>::to(warning.others);
+    nb::module_::import_("warnings").attr("warn")(instance);
+  }
+}
+
+ChainEnds ends_of(nb::handle base, nb::handle tip) {
+  return {Value<std::optional<std::string>>::from(base, "base").value_or(""),
+          Value<std::optional<std::string>>::from(tip, "tip").value_or("")};
+}
+
+}  // namespace
+
+nb::object model_warning() {
+  static PyObject* const type = PyErr_NewExceptionWithDoc(
+      "beeline._core.ModelWarning",
+      "What a reader of a file selected among several, or left out because of a fault beside the "
+      "chain: its text, with the attributes kind, line, joint, link and others.",
+      PyExc_UserWarning, nullptr);
+  return nb::borrow(type);
+}
+
+void bind_arm_files(nb::class_<Arm>& arm) {
+  const auto chain = [](Signature& signature) -> Signature& {
+    return signature.keywords()
+        .takes("base", "str | None", "Name of the link that the chain begins at.", "None")
+        .takes("tip", "str | None", "Name of the link that it ends at.", "None");
+  };
+  Signature load("load", "Arm",
+                 "Returns the arm that `source` names: a built-in arm (`panda`), a joint string "
+                 "(`RRR:3.5,3.5,2`), or a file (`.urdf`, `.json`). Issues a ModelWarning for what "
+                 "was selected or left out. Raises FileError for an invalid file, whose line it "
+                 "names.");
+  chain(load.takes("source", path_like, "Name, joint string or path."));
+  define_static(
+      arm,
+      [](nb::handle text, nb::handle base, nb::handle tip) {
+        std::vector<ReadWarning> warnings;
+        const Arm read = read_arm(path_from(text, "source"), ends_of(base, tip), &warnings);
+        issue(warnings);
+        return read;
+      },
+      load, nb::arg("source"), nb::kw_only(), nb::arg("base") = nb::none(),
+      nb::arg("tip") = nb::none());
+
+  Signature urdf(
+      "from_urdf", "Arm",
+      "Reads the chain from `base` to `tip` of a URDF file, or of the text of one. The "
+      "world is the base link's frame. Issues a ModelWarning for what was selected or left out. "
+      "Raises FileError for an invalid file, whose line it names.");
+  chain(urdf.takes("source", path_like, "Path, or text that begins with `<`."));
+  define_static(
+      arm,
+      [](nb::handle source, nb::handle base, nb::handle tip) {
+        const std::string text = path_from(source, "source");
+        std::vector<ReadWarning> warnings;
+        const Arm read = internal::first_character(text) == '<'
+                             ? arm_from_urdf(text, "URDF", ends_of(base, tip), &warnings)
+                             : read_urdf(text, ends_of(base, tip), &warnings);
+        issue(warnings);
+        return read;
+      },
+      urdf, nb::arg("source"), nb::kw_only(), nb::arg("base") = nb::none(),
+      nb::arg("tip") = nb::none());
+}
+
+}  // namespace beeline::python
