@@ -87,12 +87,9 @@ void run_fallback(SolverState& state, const Request& request, StageResult& found
 
 /// A new stage is added as a row here.
 constexpr Stage stages[] = {
-    {applies_to_one, add_seed},
-    {always, check_invariants},
-    {applies_analytic, run_family},
-    {applies_numerical, solve_numerical},
-    {applies_fallback, run_fallback},
-    {applies_to_all, add_seed},
+    {applies_to_one, add_seed},       {always, check_invariants},
+    {applies_analytic, run_family},   {applies_numerical, solve_numerical},
+    {applies_fallback, run_fallback}, {applies_to_all, add_seed},
 };
 
 }  // namespace

@@ -17,8 +17,8 @@ std::string wide_encoding(std::string_view bytes) {
   using namespace std::string_view_literals;
   const auto zero = [&](std::size_t i) { return i < bytes.size() && bytes[i] == 0; };
   const auto other = [&](std::size_t i) {
-    return i < bytes.size() && ((bytes[i] >= '\t' && bytes[i] <= '\r') ||
-                                (bytes[i] >= ' ' && bytes[i] <= '~'));
+    return i < bytes.size() &&
+           ((bytes[i] >= '\t' && bytes[i] <= '\r') || (bytes[i] >= ' ' && bytes[i] <= '~'));
   };
   if (bytes.starts_with("\xff\xfe\0\0"sv) || bytes.starts_with("\0\0\xfe\xff"sv)) return "UTF-32";
   if (bytes.starts_with("\xff\xfe"sv) || bytes.starts_with("\xfe\xff"sv)) return "UTF-16";

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double revolution = 2 * std::numbers::pi;
 constexpr double degree = std::numbers::pi / 180;
-constexpr double slack = 1e-3;         // radians or metres, of a joint that is at its limit
+constexpr double slack = 1e-3;          // radians or metres, of a joint that is at its limit
 constexpr double excess_of_fit = 0.05;  // radians or metres: recordings exceed limits a little
 
 bool has_unit(const JointMap& joint_map, int k) {
